@@ -1,0 +1,54 @@
+/// What hypoelastic laws share: Hooke's law, the objective rotation and the elastic step of a batch.
+#pragma once
+
+#include "materials/material.hpp"
+
+#include <cmath>
+
+namespace tribo {
+
+/// Isotropic elasticity, Lame constants [stress].
+struct Elasticity {
+  double lambda = 0, mu = 0;
+
+  static Elasticity young(double E, double nu) {
+    return {E * nu / ((1 + nu) * (1 - 2 * nu)), E / (2 * (1 + nu))};
+  }
+  static Elasticity bulk_shear(double K, double G) { return {K - 2.0 / 3.0 * G, G}; }
+  double bulk() const { return lambda + 2.0 / 3.0 * mu; }
+  double wave_modulus() const { return lambda + 2 * mu; }
+
+  /// Stored energy per volume of a stress, sigma : C^-1 : sigma / 2 [stress].
+  double energy(const Mat3& s) const {
+    const double p = s.trace() / 3.0;
+    return p * p / (2 * bulk()) + ((s - p * Mat3::Identity()).squaredNorm()) / (4 * mu);
+  }
+};
+
+/// Coefficients of the rotation exp(W): 1 + a W + b W^2 for a spin of angle^2 = `square`.
+struct RotationCoefficients {
+  double a, b;
+};
+
+/// Series to round-off for angles below 0.1, else closed form. a = sin(t)/t, b = (1 - cos t)/t^2.
+inline RotationCoefficients rotation_coefficients(double square) {
+  if (square < 0.01)
+    return {1 - square / 6 * (1 - square / 20 * (1 - square / 42 * (1 - square / 72))),
+            0.5 * (1 - square / 12 * (1 - square / 30 * (1 - square / 56 * (1 - square / 90))))};
+  const double angle = std::sqrt(square);
+  return {std::sin(angle) / angle, (1 - std::cos(angle)) / square};
+}
+
+/// exp(W dt) of the skew part of a velocity gradient.
+inline Mat3 spin_rotation(const Mat3& L, double dt) {
+  const Mat3 W = 0.5 * dt * (L - L.transpose());
+  const auto [a, b] = rotation_coefficients(W(2, 1) * W(2, 1) + W(0, 2) * W(0, 2) + W(1, 0) * W(1, 0));
+  return Mat3::Identity() + a * W + b * W * W;
+}
+
+/// sigma <- Q sigma Q^T + Q^(1/2) (C : D dt) Q^(1/2)T for every point, Q = exp(W dt): the Jaumann rate to second order,
+/// objective for any rotation per step. In plane stress it also sets the out-of-plane strain that keeps sigma_zz.
+template <int Dim>
+void elastic_step(const MaterialPoints<Dim>& points, const Elasticity& elastic);
+
+}  // namespace tribo

@@ -1,0 +1,256 @@
+/// The interface between the engine and the laws of materials, and the adapter for laws written for one point.
+///
+/// A law is always three-dimensional; two-dimensional analyses are motions without out-of-plane shear.
+/// The engine calls a law once per batch of points (one virtual call, arrays of components).
+#pragma once
+
+#include "base/catalogue.hpp"
+#include "base/types.hpp"
+
+#include <array>
+#include <cmath>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <vector>
+
+namespace tribo {
+
+/// One number that a law keeps per point, named for output and restart.
+struct HistoryVariable {
+  std::string name;
+  Dimension dimension = Dimension::none;
+  double initial = 0.0;
+};
+
+/// A batch of consecutive points as views into particle columns: one array per component, see Layout.
+/// Cauchy stress, tension positive.
+template <int Dim>
+struct MaterialPoints {
+  int count = 0;
+  double dt = 0.0;            ///< step                                                            [time]
+  bool plane_stress = false;  ///< the law chooses L_zz so that sigma_zz = 0; it updates L[zz], F[zz] and volume
+  std::array<double*, Layout<Dim>::full> L{};            ///< velocity gradient during the step    [1/time]
+  std::array<double*, Layout<Dim>::full> F{};            ///< deformation gradient at t + dt       [-]
+  std::array<double*, Layout<Dim>::symmetric> stress{};  ///< at t on entry, at t + dt on return   [stress]
+  const double* mass = nullptr;                          ///< [mass]
+  double* volume = nullptr;                              ///< current, at t + dt                   [length^3]
+  std::span<double* const> history;                      ///< one array per HistoryVariable
+};
+
+class Material {
+ public:
+  virtual ~Material() = default;
+
+  /// Advances stress and history of every point by one step.
+  virtual void update(const MaterialPoints<2>& points) const = 0;
+  virtual void update(const MaterialPoints<3>& points) const = 0;
+
+  /// In the reference state [mass/length^3].
+  virtual double density() const = 0;
+  /// Largest rho c^2 in the reference state, for the first time step [stress].
+  virtual double wave_modulus() const = 0;
+  /// Largest rho c^2 / J of the batch in its present state (spatial density), for adaptive steps; never below what
+  /// the points need. Laws that do not stiffen keep the default.
+  virtual double wave_modulus(const MaterialPoints<2>&) const { return wave_modulus(); }
+  virtual double wave_modulus(const MaterialPoints<3>&) const { return wave_modulus(); }
+  /// Stored energy of the batch in its present state, sum over points [energy].
+  virtual double stored_energy(const MaterialPoints<2>&) const { return 0.0; }
+  virtual double stored_energy(const MaterialPoints<3>&) const { return 0.0; }
+  /// Index into history() of the dissipated energy per initial volume, or -1 if the law dissipates nothing.
+  virtual int dissipation_index() const { return -1; }
+
+  virtual const std::vector<HistoryVariable>& history() const = 0;
+  /// True for rigid materials: prescribed motion, no stress.
+  virtual bool rigid() const { return false; }
+};
+
+/// The motion of one material point over one step.
+struct Motion {
+  Mat3 F;     ///< deformation gradient at t + dt [-]
+  Mat3 L;     ///< velocity gradient during the step [1/time]
+  double dt;  ///< step [time]
+};
+
+struct NoState {};
+
+/// Lifts a law written for one point to the batch interface. `Law` is a plain struct with
+///   static constexpr std::string_view name, summary;  static constexpr int number;   (dialect number or 0)
+///   static auto parameters();                         // std::array<Parameter<Law>, N>
+///   void prepare(const Statement&, Problems&);        // derived constants and cross-checks, once
+///   double density;
+///   double wave_modulus() const;
+///   using State = ...;                                // NoState, or a struct of doubles
+///   static auto history();                            // std::tuple of StateVariable, only with a State
+///   Mat3 stress(const Motion&, const Mat3& old_stress, State&) const;
+///   double energy_density(const Mat3& F, const Mat3& stress, const State&) const;   // stored, per current volume
+/// Plane stress is solved here for every such law: the out-of-plane rate that makes sigma_zz vanish, by secant steps.
+template <class State>
+struct StateVariable {
+  std::string_view name;
+  Dimension dimension;
+  double State::*member;
+};
+
+template <class Law>
+class PointwiseMaterial final : public Material {
+ public:
+  explicit PointwiseMaterial(Law law) : law_(std::move(law)) {
+    if constexpr (has_state) {
+      const typename Law::State start = initial();
+      std::apply([&](const auto&... v) { (history_.push_back({std::string(v.name), v.dimension, start.*(v.member)}), ...); },
+                 Law::history());
+      for (std::size_t k = 0; k < history_.size(); ++k)
+        if (history_[k].name == "dissipation") dissipation_ = static_cast<int>(k);
+    }
+  }
+
+  void update(const MaterialPoints<2>& points) const override { advance<2>(points); }
+  void update(const MaterialPoints<3>& points) const override { advance<3>(points); }
+  double density() const override { return law_.density; }
+  double wave_modulus() const override { return law_.wave_modulus(); }
+  double wave_modulus(const MaterialPoints<2>& points) const override { return stiffest<2>(points); }
+  double wave_modulus(const MaterialPoints<3>& points) const override { return stiffest<3>(points); }
+  double stored_energy(const MaterialPoints<2>& points) const override { return stored<2>(points); }
+  double stored_energy(const MaterialPoints<3>& points) const override { return stored<3>(points); }
+  int dissipation_index() const override { return dissipation_; }
+  const std::vector<HistoryVariable>& history() const override { return history_; }
+  const Law& law() const { return law_; }
+
+ private:
+  using State = typename Law::State;
+  static constexpr bool has_state = !std::is_same_v<State, NoState>;
+
+  State initial() const {
+    if constexpr (requires { law_.initial_state(); }) return law_.initial_state();
+    else return State{};
+  }
+
+  template <int Dim>
+  State load(const MaterialPoints<Dim>& points, int i) const {
+    State state = initial();
+    if constexpr (has_state) {
+      std::size_t k = 0;
+      std::apply([&](const auto&... v) { ((state.*(v.member) = points.history[k++][i]), ...); }, Law::history());
+    }
+    return state;
+  }
+
+  template <int Dim>
+  void store([[maybe_unused]] const State& state, [[maybe_unused]] const MaterialPoints<Dim>& points,
+             [[maybe_unused]] int i) const {
+    if constexpr (has_state) {
+      std::size_t k = 0;
+      std::apply([&](const auto&... v) { ((points.history[k++][i] = state.*(v.member)), ...); }, Law::history());
+    }
+  }
+
+  template <int Dim>
+  void advance(const MaterialPoints<Dim>& points) const {
+    for (int i = 0; i < points.count; ++i) {
+      Motion motion{load_full<Dim>(points.F, i), load_full<Dim>(points.L, i), points.dt};
+      const Mat3 old = load_symmetric<Dim>(points.stress, i);
+      State state = load(points, i);
+      Mat3 stress;
+      if (Dim == 2 && points.plane_stress)
+        stress = plane_stress(motion, old, state, points, i);
+      else
+        stress = law_.stress(motion, old, state);
+      store_symmetric<Dim>(stress, points.stress, i);
+      store(state, points, i);
+    }
+  }
+
+  // Secant iteration on the out-of-plane rate until sigma_zz vanishes.
+  template <int Dim>
+  Mat3 plane_stress(Motion motion, const Mat3& old, State& state, const MaterialPoints<Dim>& points, int i) const {
+    const State start = state;
+    const double F_zz = motion.F(2, 2);
+    const auto trial = [&](double rate) {
+      motion.L(2, 2) = rate;
+      motion.F(2, 2) = F_zz * std::exp(rate * motion.dt);
+      state = start;
+      return law_.stress(motion, old, state);
+    };
+    const double scale = law_.wave_modulus();
+    double r0 = 0.0;
+    Mat3 s = trial(r0);
+    double s0 = s(2, 2);
+    double r1 = -s0 / (scale * motion.dt);
+    for (int k = 0; k < 60 && std::abs(s(2, 2)) > 1e-14 * scale && r1 != r0; ++k) {
+      s = trial(r1);
+      const double s1 = s(2, 2);
+      const double slope = (s1 - s0) / (r1 - r0);
+      r0 = r1, s0 = s1;
+      if (!(slope > 0.0)) break;
+      r1 = r1 - s1 / slope;
+    }
+    constexpr auto zz = static_cast<std::size_t>(Layout<Dim>::full - 1);
+    points.L[zz][i] = motion.L(2, 2);
+    points.F[zz][i] = motion.F(2, 2);
+    points.volume[i] *= motion.F(2, 2) / F_zz;
+    s(2, 2) = 0.0;
+    return s;
+  }
+
+  template <int Dim>
+  double stiffest(const MaterialPoints<Dim>& points) const {
+    if constexpr (requires(const Mat3& m, const State& s) { law_.wave_modulus(m, m, s); }) {
+      double most = 0.0;
+      for (int i = 0; i < points.count; ++i) {
+        const Mat3 F = load_full<Dim>(points.F, i);
+        // rho c^2 over the reference density's share: c^2 = M / rho = M J / rho0
+        most = std::max(most, law_.wave_modulus(F, load_symmetric<Dim>(points.stress, i), load(points, i)) * F.determinant());
+      }
+      return most;
+    } else {
+      return law_.wave_modulus();
+    }
+  }
+
+  template <int Dim>
+  double stored(const MaterialPoints<Dim>& points) const {
+    double sum = 0.0;
+    for (int i = 0; i < points.count; ++i)
+      sum += points.volume[i] * law_.energy_density(load_full<Dim>(points.F, i), load_symmetric<Dim>(points.stress, i),
+                                                    load(points, i));
+    return sum;
+  }
+
+  Law law_;
+  std::vector<HistoryVariable> history_;
+  int dissipation_ = -1;
+};
+
+/// Catalogue entry of a law that is lifted by `Lift<Law>` (PointwiseMaterial unless the law brings its own batch).
+template <class Law, class Lifted = PointwiseMaterial<Law>>
+Catalogue<Material>::Item material_law(std::vector<std::string> aliases = {}) {
+  Catalogue<Material>::Item item;
+  item.name = Law::name;
+  item.summary = Law::summary;
+  item.number = Law::number;
+  item.aliases = std::move(aliases);
+  for (const auto& p : Law::parameters()) item.parameters.push_back(p.info());
+  item.make = [](const Statement& statement, const std::vector<std::string>& handled_elsewhere, const Units& units,
+                 Problems& problems) -> std::unique_ptr<Material> {
+    Law law;
+    Problems mine;
+    read_law(law, statement, handled_elsewhere, units, mine);
+    if (mine.empty()) law.prepare(statement, mine);
+    if (mine.empty()) return std::make_unique<Lifted>(std::move(law));
+    try {
+      mine.raise();
+    } catch (const InputError& error) {
+      problems.add(error);
+    }
+    return nullptr;
+  };
+  return item;
+}
+
+/// All materials; generated from materials/CMakeLists.txt.
+const Catalogue<Material>& materials();
+
+}  // namespace tribo

@@ -1,0 +1,49 @@
+/// Name -> maker and manual page, for materials and contact laws. Generated lists, no static objects, no macros.
+#pragma once
+
+#include "base/schema.hpp"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace tribo {
+
+template <class Base>
+class Catalogue {
+ public:
+  struct Item {
+    std::string name;     ///< as written in the input, e.g. `MohrCoulomb`
+    std::string summary;  ///< one sentence
+    int number = 0;       ///< type number in the NairnMPM dialect; 0: has none
+    std::vector<std::string> aliases;  ///< further accepted names
+    std::vector<ParameterInfo> parameters;
+    /// Reads the properties of a <Material> element; problems are collected, null if there were any.
+    std::unique_ptr<Base> (*make)(const Statement&, const std::vector<std::string>& handled_elsewhere, const Units&,
+                                  Problems&) = nullptr;
+  };
+
+  explicit Catalogue(std::vector<Item> items) : items_(std::move(items)) {}
+  const std::vector<Item>& items() const { return items_; }
+
+  /// By name (any case), alias or dialect number; null if there is none.
+  const Item* find(std::string_view word) const {
+    const auto same = [](std::string_view a, std::string_view b) {
+      if (a.size() != b.size()) return false;
+      for (std::size_t i = 0; i < a.size(); ++i)
+        if ((a[i] | 32) != (b[i] | 32)) return false;
+      return true;
+    };
+    for (const auto& item : items_) {
+      if (same(item.name, word) || (item.number != 0 && std::to_string(item.number) == word)) return &item;
+      for (const auto& alias : item.aliases)
+        if (same(alias, word)) return &item;
+    }
+    return nullptr;
+  }
+
+ private:
+  std::vector<Item> items_;
+};
+
+}  // namespace tribo

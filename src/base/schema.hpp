@@ -1,0 +1,84 @@
+/// One table per law names its parameters. Reading, ranges, units, defaults and the manual follow from it.
+#pragma once
+
+#include "base/statement.hpp"
+#include "base/units.hpp"
+
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tribo {
+
+/// Admissible values of a number.
+struct Range {
+  double low = -std::numeric_limits<double>::infinity();
+  double high = std::numeric_limits<double>::infinity();
+  bool low_open = false, high_open = false;
+  bool contains(double value) const {
+    return (low_open ? value > low : value >= low) && (high_open ? value < high : value <= high);
+  }
+  std::string text() const;  ///< `> 0`, `in [0, 1)`
+};
+
+inline constexpr Range any_value{};
+inline constexpr Range positive{0.0, std::numeric_limits<double>::infinity(), true, false};
+inline constexpr Range not_negative{0.0, std::numeric_limits<double>::infinity(), false, false};
+/// Open interval.
+constexpr Range between(double low, double high) { return {low, high, true, true}; }
+/// Closed interval.
+constexpr Range within(double low, double high) { return {low, high, false, false}; }
+
+/// What the reader, the XSD and the manual need to know of a parameter.
+struct ParameterInfo {
+  std::string name;
+  std::string alias;  ///< a second accepted spelling, or empty
+  Dimension dimension = Dimension::none;
+  Range range;
+  std::optional<double> fallback;  ///< absent: the user must give it (unless `optional`)
+  bool optional = false;           ///< may be absent without a value: the member stays as constructed
+  std::string meaning;
+};
+
+/// One line of a law's parameter table.
+template <class Law>
+struct Parameter {
+  std::string_view name;              ///< as written in the input
+  double Law::*member;                ///< where the value goes
+  Dimension dimension;                ///< converted to consistent units on reading; angles to radians
+  Range range;                        ///< checked on reading, in input units
+  std::string_view meaning;           ///< one phrase for the manual
+  std::optional<double> fallback{};   ///< absent: the user must give it (unless `optional`)
+  bool optional = false;              ///< may be absent: the member keeps the value it was constructed with
+  std::string_view alias{};           ///< second accepted spelling
+
+  ParameterInfo info() const {
+    return {std::string(name), std::string(alias), dimension, range, fallback, optional, std::string(meaning)};
+  }
+};
+
+/// A whole number or a decimal number that fills `text` completely; none otherwise.
+std::optional<double> to_number(std::string_view text);
+
+/// Values of the parameters `table` from the children of `statement` (<E>1e6</E>), in table order and consistent units.
+/// Missing, unknown, repeated, malformed and out-of-range entries go to `problems`; absent optional ones give no value.
+/// Children named in `handled_elsewhere` are skipped.
+std::vector<std::optional<double>> read_parameters(const Statement& statement, const std::vector<ParameterInfo>& table,
+                                                   const std::vector<std::string>& handled_elsewhere,
+                                                   const Units& units, Problems& problems);
+
+/// Fills `law` from a statement by its table `Law::parameters()`. See read_parameters.
+template <class Law>
+void read_law(Law& law, const Statement& statement, const std::vector<std::string>& handled_elsewhere,
+              const Units& units, Problems& problems) {
+  const auto table = Law::parameters();
+  std::vector<ParameterInfo> infos;
+  for (const auto& p : table) infos.push_back(p.info());
+  const auto values = read_parameters(statement, infos, handled_elsewhere, units, problems);
+  for (std::size_t k = 0; k < values.size(); ++k)
+    if (values[k]) law.*(table[k].member) = *values[k];
+}
+
+}  // namespace tribo

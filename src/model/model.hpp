@@ -1,0 +1,203 @@
+/// The model: everything a run needs to know, in consistent units. Readers write it, the engine reads it; they never meet.
+///
+/// Angles are radians, vectors always have three components (unused ones 0), coordinates are absolute.
+#pragma once
+
+#include "base/expression.hpp"
+#include "base/statement.hpp"
+#include "base/units.hpp"
+#include "geometry/region.hpp"
+
+#include <array>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tribo {
+
+class Material;
+
+enum class Analysis { plane_strain, plane_stress, axisymmetric, solid };
+enum class UpdateOrder { usf, usl, usavg };
+enum class Kernel { linear, gimp, quadratic_spline, cubic_spline, cpdi };
+enum class Transfer { flip, pic, blend, xpic, fmpm, apic };
+
+struct Scheme {
+  UpdateOrder order = UpdateOrder::usavg;
+  bool extrapolate_again = true;  ///< the "+" variants of USL and USAVG (MUSL): strain from re-extrapolated velocities
+  Kernel kernel = Kernel::linear;
+  Transfer transfer = Transfer::flip;
+  double flip_fraction = 1.0;  ///< blend only: share of FLIP in the particle velocity
+  int filter_order = 2;        ///< XPIC(m), FMPM(k)
+  int filter_every = 1;        ///< XPIC/FMPM on every n-th step, FLIP between (PeriodicXPIC)
+  double filter_period = 0.0;  ///< XPIC/FMPM after this much time; 0: use filter_every
+  int deformation_terms = 2;   ///< terms of exp(L dt) after the unit
+  double cpdi_limit = 1.0;     ///< largest reach of a CPDI corner from the centre, in cells; domains beyond are scaled
+};
+
+struct TimeControl {
+  double end = 1.0;
+  double max_step = 1.0;
+  double courant = 0.5;
+  bool adaptive = false;          ///< follow wave speed and particle speed during the run
+  double velocity_courant = 0.5;  ///< adaptive: largest particle travel per step, in cells
+  double max_increase = 1.1;      ///< adaptive: growth of the step per adjustment
+};
+
+/// The regular grid as the user wrote it, without the padding layers the engine adds.
+struct GridSpec {
+  std::array<double, 3> low{}, high{};
+  std::array<int, 3> cells{1, 1, 1};
+  double thickness = 1.0;  ///< plane strain and plane stress
+  /// Plane faces, [axis][0 low, 1 high]; must lie on grid lines.
+  std::array<std::array<std::optional<double>, 2>, 3> symmetry;  ///< mirror: no normal velocity, even tangential
+  std::array<std::array<std::optional<double>, 2>, 3> wall;      ///< boundary-modified shape functions end here
+  std::array<bool, 3> periodic{};
+  Origin origin;
+};
+
+/// A law with its name; `law` is null for a contact law named as material.
+struct MaterialSpec {
+  std::string name;
+  std::string type;  ///< catalogue name
+  std::shared_ptr<const Material> law;
+  std::optional<double> particle_damping;  ///< [1/time]
+  std::array<std::optional<Expression>, 3> rigid_velocity;  ///< rigid materials: prescribed components
+  int rigid_directions = 0;                                 ///< type 11: bits x 1, y 2, z 4
+  Statement statement;  ///< as written, for provenance and late errors
+  Origin origin;
+};
+
+/// A deformation of a body before the start: x -> x + shift(x), with F. Points are found in the undeformed shape.
+struct InitialDeformation {
+  std::array<std::optional<Expression>, 3> shift;
+  std::array<std::array<std::optional<Expression>, 3>, 3> F;
+};
+
+/// One shape of a body, or a hole. First match wins: a particle site is used by the first piece that contains it.
+struct Piece {
+  RegionPtr region;
+  int material = -1;  ///< index into Model::materials; -1: hole
+  Vec3 velocity = Vec3::Zero();
+  std::array<std::optional<Expression>, 3> velocity_function;
+  std::optional<double> temperature;
+  std::optional<double> thickness;
+  std::array<int, 3> points_per_axis{0, 0, 0};  ///< per cell; 0: the model's default
+  std::optional<double> point_size;             ///< instead: edge length of a particle's domain
+  std::optional<InitialDeformation> deformation;
+  std::array<std::optional<Expression>, 6> stress;  ///< initial Cauchy stress xx yy zz xy yz xz, functions of position
+  double angle = 0.0;                               ///< material axes, rotation about z
+  Origin origin;
+};
+
+/// A single particle placed by the user.
+struct PointSpec {
+  Vec3 position = Vec3::Zero(), velocity = Vec3::Zero();
+  int material = 0;
+  std::optional<double> mass;
+  std::optional<Vec3> half_size;  ///< of its domain
+  double angle = 0.0;
+  Origin origin;
+};
+
+enum class Style { constant = 1, linear = 2, sine = 3, cosine = 4, silent = 5, function = 6 };
+
+/// A value that follows one of the dialect's styles in time.
+/// constant: value from t >= time; linear: value (t - time); sine: value sin(time t); cosine: value cos(time t);
+/// function: f(t - time, x, y, z).
+struct Prescribed {
+  Style style = Style::constant;
+  double value = 0.0, time = 0.0;
+  Expression function;
+  double function_time = 1.0;  ///< consistent time of one unit of the function's t
+  double function_scale = 1.0; ///< consistent units of the function's value
+  double at(double t, const Vec3& x, double dt = 0.0) const;
+};
+
+/// Velocity of grid nodes in a region.
+struct NodeCondition {
+  RegionPtr where;
+  Vec3 direction = Vec3::UnitX();  ///< unit vector; axis-parallel unless skewed
+  Prescribed velocity;
+  int id = 0;  ///< for reaction histories, <= 0
+  Origin origin;
+};
+
+/// Force or traction on particles in a region.
+struct ParticleCondition {
+  enum class Kind { force, traction } kind = Kind::force;
+  RegionPtr where;
+  int direction = 0;  ///< 0 x, 1 y, 2 z; traction also 10 normal, 11 shear
+  int face = 0;       ///< traction: dialect's face number (2D 1 bottom 2 right 3 top 4 left; 3D 1-4, 5 bottom, 6 top)
+  bool net = false;   ///< force is divided among the particles found
+  Prescribed value;
+  Origin origin;
+};
+
+struct Damping {
+  std::optional<Expression> grid, particle;  ///< [1/time]
+  double function_time = 1.0;                ///< consistent time of one unit of t
+  std::optional<double> grid_gain, particle_gain;  ///< feedback damping: alpha' = gain (KE - target)
+  std::optional<Expression> target_energy;
+  double max_alpha = 0.0;  ///< 0: unlimited
+};
+
+struct BodyForce {
+  Vec3 gravity = Vec3::Zero();
+  std::array<std::optional<Expression>, 3> function;  ///< acceleration f(x, y, z, t)
+  double function_time = 1.0;
+};
+
+/// One column of history.csv.
+struct HistoryQuantity {
+  std::string name;    ///< as requested, e.g. `velx`, `Kinetic Energy`
+  std::string column;  ///< column head: `velx:Disk 1`
+  int material = -1;   ///< -1: all
+  int condition_id = 0;
+  std::optional<Vec3> point;
+  Origin origin;
+};
+
+struct OutputSpec {
+  /// Output times: from `start` every `interval` until the next group's start.
+  struct Group {
+    double start = 0.0, interval = 0.0;
+    int max_contact_steps = 0;
+  };
+  std::vector<Group> archive;
+  double history_interval = 0.0;  ///< 0: as the archive
+  std::vector<HistoryQuantity> history;
+  std::vector<std::string> particle_fields;  ///< empty: the standard set
+  std::vector<std::string> grid_fields;      ///< for the .vti files; empty: none are written
+  double checkpoint_interval = 0.0;          ///< simulated time; 0: only when stopped
+};
+
+struct Model {
+  std::string file;  ///< the command file
+  std::string title;
+  Analysis analysis = Analysis::plane_strain;
+  Units units;
+  unsigned random_seed = 1;
+
+  Scheme scheme;
+  TimeControl time;
+  GridSpec grid;
+  int points_per_cell = 0;  ///< total; 0: the dialect's default (4 in 2D, 8 in 3D)
+  std::vector<MaterialSpec> materials;
+  std::vector<Piece> pieces;
+  std::vector<PointSpec> points;
+  std::vector<NodeCondition> node_conditions;
+  std::vector<ParticleCondition> particle_conditions;
+  BodyForce body_force;
+  Damping damping;
+  OutputSpec output;
+  /// Particles that leave the grid: unset stops the run; otherwise this many may be pushed back before it stops.
+  std::optional<long> leave_limit;
+  std::vector<std::string> warnings;  ///< each `file:line:col: warning: ...`
+
+  int dimension() const { return analysis == Analysis::solid ? 3 : 2; }
+};
+
+}  // namespace tribo
