@@ -13,7 +13,7 @@ struct Variables {
   double t = 0;  ///< time, in the unit the file uses for functions (ms in legacy files)
   double x = 0, y = 0, z = 0;
   double dt = 0;
-  double q = 0;  ///< rotation angle of a particle [rad]
+  double q = 0;                       ///< rotation angle of a particle [rad]
   double R = 0, Z = 0, D = 0, T = 0;  ///< dialect's further names: radius, axial position, distance, angle
 };
 

@@ -1,0 +1,174 @@
+#include "solver/motion.hpp"
+
+#include <cmath>
+
+namespace tribo {
+namespace {
+
+template <int Dim>
+void move(Body<Dim>& body, const Lattice<Dim>& lattice, std::uint32_t first, int count, const Gather& what,
+          const Gathered<Dim>& got, GatherResult& result) {
+  const auto xs = body.particles.x();
+  const auto vs = body.particles.v();
+  const double dt = what.dt, flip = what.flip, pic = 1.0 - what.flip, damping = what.damping * what.dt;
+  const double half = what.trapezoidal ? 0.5 : 0.0;
+  double travel = result.travel, poison = 0.0;
+  for (int d = 0; d < Dim; ++d) {
+    double* __restrict x = xs[static_cast<std::size_t>(d)] + first;
+    double* __restrict v = vs[static_cast<std::size_t>(d)] + first;
+    const double* __restrict sv = got.velocity[d];
+    const double* __restrict sa = got.acceleration[d];
+    const double inverse = 1.0 / lattice.spacing[d];
+    double far = 0.0;
+#pragma omp simd reduction(max : far) reduction(+ : poison)
+    for (int i = 0; i < count; ++i) {
+      const double old = v[i];
+      const double now = flip * (old + dt * sa[i]) + pic * sv[i] - damping * sv[i];
+      const double dx = dt * (sv[i] + half * (old + now - 2 * sv[i]));
+      v[i] = now;
+      x[i] += dx;
+      const double cells = std::fabs(dx) * inverse;
+      far = cells > far ? cells : far;
+      poison += 0.0 * (now + dx);  // NaN if anything is
+    }
+    travel = far > travel ? far : travel;
+  }
+  result.travel = travel;
+  if (!(poison == 0.0)) result.finite = false;
+}
+
+// F <- exp(L dt) F and V <- det(exp(L dt)) V with a truncated series.
+void deform(Particles<2>& particles, std::uint32_t first, int count, double dt, int terms, const Gathered<2>& got) {
+  const auto F = particles.F();
+  double* __restrict volume = particles.volume() + first;
+  double* __restrict xx = F[0] + first;
+  double* __restrict xy = F[1] + first;
+  double* __restrict yx = F[2] + first;
+  double* __restrict yy = F[3] + first;
+  double* __restrict zz = F[4] + first;
+  const auto& L = got.L;
+  const auto apply = [&](int i, double a, double b, double c, double d, double e) {
+    const double f0 = xx[i], f1 = xy[i], f2 = yx[i], f3 = yy[i];
+    xx[i] = a * f0 + b * f2, xy[i] = a * f1 + b * f3;
+    yx[i] = c * f0 + d * f2, yy[i] = c * f1 + d * f3;
+    zz[i] *= e;
+    volume[i] *= (a * d - b * c) * e;
+  };
+  const double second = terms >= 2 ? 0.5 : 0.0;
+  if (terms <= 2) {
+#pragma omp simd
+    for (int i = 0; i < count; ++i) {
+      const double a = dt * L[0][i], b = dt * L[1][i], c = dt * L[2][i], d = dt * L[3][i], e = dt * L[4][i];
+      apply(i, 1 + a + second * (a * a + b * c), b + second * b * (a + d), c + second * c * (a + d),
+            1 + d + second * (d * d + b * c), 1 + e + second * e * e);
+    }
+    return;
+  }
+  for (int i = 0; i < count; ++i) {
+    const double a = dt * L[0][i], b = dt * L[1][i], c = dt * L[2][i], d = dt * L[3][i], e = dt * L[4][i];
+    double m0 = 1, m1 = 0, m2 = 0, m3 = 1, m4 = 1;
+    for (int k = terms; k >= 1; --k) {  // Horner
+      const double n0 = 1 + (a * m0 + b * m2) / k, n1 = (a * m1 + b * m3) / k;
+      const double n2 = (c * m0 + d * m2) / k, n3 = 1 + (c * m1 + d * m3) / k;
+      m0 = n0, m1 = n1, m2 = n2, m3 = n3, m4 = 1 + e * m4 / k;
+    }
+    apply(i, m0, m1, m2, m3, m4);
+  }
+}
+
+void deform(Particles<3>& particles, std::uint32_t first, int count, double dt, int terms, const Gathered<3>& got) {
+  const auto F = particles.F();
+  double* __restrict volume = particles.volume() + first;
+  double* __restrict f[9];
+  for (std::size_t k = 0; k < 9; ++k) f[k] = F[k] + first;
+  const auto apply = [&](int i, const double* m) {
+    for (int c = 0; c < 3; ++c) {
+      const double a = f[c][i], b = f[3 + c][i], e = f[6 + c][i];
+      f[c][i] = m[0] * a + m[1] * b + m[2] * e;
+      f[3 + c][i] = m[3] * a + m[4] * b + m[5] * e;
+      f[6 + c][i] = m[6] * a + m[7] * b + m[8] * e;
+    }
+    volume[i] *=
+        m[0] * (m[4] * m[8] - m[5] * m[7]) - m[1] * (m[3] * m[8] - m[5] * m[6]) + m[2] * (m[3] * m[7] - m[4] * m[6]);
+  };
+  const double second = terms >= 2 ? 0.5 : 0.0;
+  if (terms <= 2) {
+#pragma omp simd
+    for (int i = 0; i < count; ++i) {
+      double l[9], m[9];
+      for (int k = 0; k < 9; ++k) l[k] = dt * got.L[k][i];
+      for (int r = 0; r < 3; ++r)
+        for (int c = 0; c < 3; ++c)
+          m[3 * r + c] = l[3 * r + c] + second * (l[3 * r] * l[c] + l[3 * r + 1] * l[3 + c] + l[3 * r + 2] * l[6 + c]);
+      m[0] += 1, m[4] += 1, m[8] += 1;
+      apply(i, m);
+    }
+    return;
+  }
+  for (int i = 0; i < count; ++i) {
+    Mat3 l;
+    for (int k = 0; k < 9; ++k) l(k / 3, k % 3) = dt * got.L[k][i];
+    Mat3 sum = Mat3::Identity();
+    for (int k = terms; k >= 1; --k) sum = Mat3::Identity() + l * sum / k;
+    double m[9];
+    for (int k = 0; k < 9; ++k) m[k] = sum(k / 3, k % 3);
+    apply(i, m);
+  }
+}
+
+template <int Dim>
+MaterialPoints<Dim> points_of(Body<Dim>& body, std::uint32_t first, int count, std::array<double*, 64>& history) {
+  MaterialPoints<Dim> points;
+  points.count = count;
+  const auto F = body.particles.F();
+  const auto stress = body.particles.stress();
+  for (std::size_t k = 0; k < F.size(); ++k) points.F[k] = F[k] + first;
+  for (std::size_t k = 0; k < stress.size(); ++k) points.stress[k] = stress[k] + first;
+  points.mass = body.particles.mass() + first;
+  points.volume = body.particles.volume() + first;
+  for (std::size_t k = 0; k < body.history_columns.size(); ++k) history[k] = body.history_columns[k] + first;
+  points.history = {history.data(), body.history_columns.size()};
+  return points;
+}
+
+}  // namespace
+
+template <int Dim>
+void update_particles(Body<Dim>& body, const Lattice<Dim>& lattice, std::uint32_t first, int count, const Gather& what,
+                      Gathered<Dim>& got, GatherResult& result) {
+  if (what.filtered) {
+    const auto to = body.particles.vector(*body.filtered);
+    for (int d = 0; d < Dim; ++d) std::copy_n(got.velocity[d], count, to[static_cast<std::size_t>(d)] + first);
+    return;
+  }
+  if (what.strain_dt > 0) {
+    if constexpr (Dim == 2) {
+      if (what.axisymmetric) {
+        const double* r = (what.from_start ? body.particles.vector(*body.start) : body.particles.x())[0] + first;
+        for (int i = 0; i < count; ++i) got.L[4][i] = got.velocity[0][i] / r[i];
+      } else {
+        std::fill_n(got.L[4], count, 0.0);
+      }
+    }
+    deform(body.particles, first, count, what.strain_dt, what.terms, got);
+    std::array<double*, 64> history{};
+    auto points = points_of(body, first, count, history);
+    points.dt = what.strain_dt;
+    points.plane_stress = what.plane_stress;
+    for (std::size_t k = 0; k < points.L.size(); ++k) points.L[k] = got.L[k];
+    body.law->update(points);
+  }
+  if (what.move) {
+    move(body, lattice, first, count, what, got, result);
+    if (body.affine)
+      for (std::size_t k = 0; k < Dim * Dim; ++k)
+        std::copy_n(got.affine[k], count, body.particles.column(*body.affine + k) + first);
+  }
+}
+
+template void update_particles<2>(Body<2>&, const Lattice<2>&, std::uint32_t, int, const Gather&, Gathered<2>&,
+                                  GatherResult&);
+template void update_particles<3>(Body<3>&, const Lattice<3>&, std::uint32_t, int, const Gather&, Gathered<3>&,
+                                  GatherResult&);
+
+}  // namespace tribo
