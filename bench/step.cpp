@@ -60,7 +60,7 @@ int run(Kernel kernel, Transfer transfer, UpdateOrder order, int cells, int step
   auto transfers = make_transfers<Dim>(kernel);
   Body<Dim> body{.name = "block",
                  .law = law,
-                 .particles = Particles<Dim>(n),
+                 .particles = Particles<Dim>(n, law->needs_deformation()),
                  .bins = Bins<Dim>(transfers->shift(), transfers->colours_per_axis()),
                  .history_columns = {},
                  .affine = {},
@@ -88,8 +88,6 @@ int run(Kernel kernel, Transfer transfer, UpdateOrder order, int cells, int step
     for (std::size_t d = 0; d < Dim; ++d) v[d][i] = 0.01 * c * (0.7 + 0.3 * std::sin(6 * x[(d + 1) % Dim][i]));
     body.particles.volume()[i] = std::pow(h / 2, Dim);
     body.particles.mass()[i] = 1000 * body.particles.volume()[i];
-    for (std::size_t d = 0; d < Dim; ++d) body.particles.F()[d * (Dim + 1)][i] = 1;
-    if (Dim == 2) body.particles.F()[4][i] = 1;
     body.particles.id[i] = static_cast<std::int64_t>(i);
   }
   system.bodies.push_back(std::move(body));

@@ -1,7 +1,7 @@
 /// Short vectors for the transfers between particles and nodes: a node is one Wide, (mass, momentum | -, force).
 ///
-/// GCC/Clang vector extensions, so the same source serves any instruction set; without AVX-512 a Wide is two halves,
-/// because compilers keep vectors wider than the machine's in memory.
+/// GCC/Clang vector extensions, so the same source serves any instruction set. A Wide is two halves also with AVX-512:
+/// slopes act on the force half only, and skipping the other half is worth more than the wider registers (measured).
 #pragma once
 
 namespace tribo {
@@ -10,23 +10,6 @@ using Vec4 = double __attribute__((vector_size(32), aligned(8), may_alias));
 
 inline Vec4 load4(const double* p) { return *reinterpret_cast<const Vec4*>(p); }
 inline void store4(double* p, Vec4 v) { *reinterpret_cast<Vec4*>(p) = v; }
-
-#ifdef __AVX512F__
-
-struct Wide {
-  using Eight = double __attribute__((vector_size(64), aligned(8), may_alias));
-  Eight v;
-  static Wide zero() { return {Eight{}}; }
-  static Wide load(const double* p) { return {*reinterpret_cast<const Eight*>(p)}; }
-  static Wide join(Vec4 low, Vec4 high) { return {__builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7)}; }
-  void store(double* p) const { *reinterpret_cast<Eight*>(p) = v; }
-  Vec4 low() const { return __builtin_shufflevector(v, v, 0, 1, 2, 3); }
-  Vec4 high() const { return __builtin_shufflevector(v, v, 4, 5, 6, 7); }
-  Wide operator+(const Wide& o) const { return {v + o.v}; }
-  friend Wide operator*(double s, const Wide& w) { return {s * w.v}; }
-};
-
-#else
 
 struct Wide {
   Vec4 l, h;
@@ -40,7 +23,27 @@ struct Wide {
   friend Wide operator*(double s, const Wide& w) { return {s * w.l, s * w.h}; }
 };
 
+/// The upper half of a Wide whose lower half is zero.
+struct Upper {
+  Vec4 h;
+  static Upper zero() { return {Vec4{}}; }
+  static Upper from(Vec4 high) { return {high}; }
+  Upper operator+(const Upper& o) const { return {h + o.h}; }
+  friend Upper operator*(double s, const Upper& u) { return {s * u.h}; }
+  friend Wide operator+(const Wide& w, const Upper& u) { return {w.l, w.h + u.h}; }
+};
+
+/// As many points at once as the machine's registers hold.
+#ifdef __AVX512F__
+inline constexpr int lane_count = 8;
+#else
+inline constexpr int lane_count = 4;
 #endif
+using Lanes = double __attribute__((vector_size(lane_count * 8), aligned(8), may_alias));
+using IntLanes = int __attribute__((vector_size(lane_count * 4), aligned(4), may_alias));
+
+inline Lanes load_lanes(const double* p) { return *reinterpret_cast<const Lanes*>(p); }
+inline void store_lanes(double* p, Lanes v) { *reinterpret_cast<Lanes*>(p) = v; }
 
 /// Rows a, b, c, d become columns: four components of four points <-> four points of four components.
 inline void transpose4(Vec4& a, Vec4& b, Vec4& c, Vec4& d) {

@@ -1,10 +1,9 @@
 /// Shape functions along one axis; products of them make the stencils. Distances in cells.
 ///
-/// Each kernel gives the lowest node of its stencil (`base`) and, for a batch of points, weights and slopes of the
-/// `width` nodes from there. A lambda over points keeps the loops vectorisable.
+/// `at(r, l, w, g)`: r the position minus the lowest node of the stencil, l the half width of the particle's domain, w
+/// and g weights and slopes of the `width` nodes from there. T is a double or a short vector of doubles (several
+/// particles).
 #pragma once
-
-#include <cmath>
 
 namespace tribo {
 
@@ -14,9 +13,10 @@ struct LinearKernel {
   static constexpr double shift = 0.0;  ///< base = floor(position in cells - shift)
   static constexpr bool sized = false;
   /// r: position minus base, in [0, 1).
-  static void at(double r, double, double* w, double* g) {
+  template <class T>
+  static void at(T r, T, T* w, T* g) {
     w[0] = 1 - r, w[1] = r;
-    g[0] = -1, g[1] = 1;
+    g[0] = T{} - 1, g[1] = T{} + 1;
   }
 };
 
@@ -26,8 +26,9 @@ struct QuadraticKernel {
   static constexpr double shift = 0.5;
   static constexpr bool sized = false;
   /// r in [0.5, 1.5).
-  static void at(double r, double, double* w, double* g) {
-    const double a = 1.5 - r, b = r - 1.0, c = r - 0.5;
+  template <class T>
+  static void at(T r, T, T* w, T* g) {
+    const T a = 1.5 - r, b = r - 1.0, c = r - 0.5;
     w[0] = 0.5 * a * a, w[1] = 0.75 - b * b, w[2] = 0.5 * c * c;
     g[0] = -a, g[1] = -2 * b, g[2] = c;
   }
@@ -39,8 +40,9 @@ struct CubicKernel {
   static constexpr double shift = 1.0;
   static constexpr bool sized = false;
   /// r in [1, 2).
-  static void at(double r, double, double* w, double* g) {
-    const double t = r - 1.0, u = 1.0 - t;
+  template <class T>
+  static void at(T r, T, T* w, T* g) {
+    const T t = r - 1.0, u = 1.0 - t;
     w[0] = u * u * u / 6, w[1] = 2.0 / 3 - t * t * (1 - 0.5 * t), w[2] = 2.0 / 3 - u * u * (1 - 0.5 * u),
     w[3] = t * t * t / 6;
     g[0] = -0.5 * u * u, g[1] = t * (1.5 * t - 2), g[2] = u * (2 - 1.5 * u), g[3] = 0.5 * t * t;
@@ -54,17 +56,18 @@ struct GimpKernel {
   static constexpr double shift = 0.5;
   static constexpr bool sized = true;
   /// r in [0.5, 1.5), l: half width in cells.
-  static void at(double r, double l, double* w, double* g) {
-    const double s = r - 1.0;  // from the middle node, in [-1/2, 1/2)
-    // Parts of the domain left and right of the middle node; outside [-l, l] one of them is empty.
-    const double inner = 0.25 / l;
-    const double below = std::fmax(l - s, 0.0), above = std::fmax(l + s, 0.0);
-    const double c = std::fabs(s) < l ? 1.0 : 0.0;
-    w[0] = c * inner * below * below + (1 - c) * std::fmax(-s, 0.0);
-    w[2] = c * inner * above * above + (1 - c) * std::fmax(s, 0.0);
+  template <class T>
+  static void at(T r, T l, T* w, T* g) {
+    const T s = r - 1.0;  // from the middle node, in [-1/2, 1/2)
+    // Within l of the middle node the domain covers two cells and the weights are parabolas; else they are hats.
+    const T inner = 0.25 / l, below = l - s, above = l + s;
+    const auto both = below > 0 && above > 0;
+    const T left = s < 0 ? -s : T{}, right = s < 0 ? T{} : s;
+    w[0] = both ? inner * below * below : left;
+    w[2] = both ? inner * above * above : right;
     w[1] = 1 - w[0] - w[2];
-    g[0] = -(c * 2 * inner * below + (1 - c) * (s < 0 ? 1.0 : 0.0));
-    g[2] = c * 2 * inner * above + (1 - c) * (s < 0 ? 0.0 : 1.0);
+    g[0] = both ? -2 * inner * below : (s < 0 ? T{} - 1 : T{});
+    g[2] = both ? 2 * inner * above : (s < 0 ? T{} : T{} + 1);
     g[1] = -g[0] - g[2];
   }
 };

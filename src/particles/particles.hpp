@@ -30,12 +30,13 @@ class Particles {
   /// Lanes that may be read (not written) beyond the last particle.
   static constexpr std::size_t padding = 16;
 
-  explicit Particles(std::size_t count) : count_(count), id(count) {
+  /// `with_deformation`: keep F; else F() gives null pointers.
+  explicit Particles(std::size_t count, bool with_deformation = true) : count_(count), id(count) {
     x_ = add_vector("position", Dimension::length);
     v_ = add_vector("velocity", Dimension::velocity);
     mass_ = add("mass", Dimension::mass);
     volume_ = add("volume", Dimension::none, 1.0);
-    F_ = add_tensor("F", Dimension::none);
+    if (with_deformation) F_ = add_tensor("F", Dimension::none);
     stress_ = add_symmetric("stress", Dimension::stress);
   }
 
@@ -70,7 +71,8 @@ class Particles {
   Vector v() { return vector(v_); }
   double* mass() { return column(mass_); }
   double* volume() { return column(volume_); }
-  Tensor F() { return pointers<Tensor>(F_); }
+  bool has_deformation() const { return F_ != 0; }
+  Tensor F() { return has_deformation() ? pointers<Tensor>(F_) : Tensor{}; }
   Symmetric stress() { return pointers<Symmetric>(stress_); }
 
   Vec<Dim> position(std::size_t i) const { return gather_vector(x_, i); }

@@ -5,6 +5,14 @@
 namespace tribo {
 namespace {
 
+// Stores the first `left` lanes.
+void store_some(double* to, Lanes v, int left) {
+  if (left >= lane_count)
+    store_lanes(to, v);
+  else
+    for (int k = 0; k < left; ++k) to[k] = v[k];
+}
+
 template <int Dim>
 void move(Body<Dim>& body, const Lattice<Dim>& lattice, std::uint32_t first, int count, const Gather& what,
           const Gathered<Dim>& got, GatherResult& result) {
@@ -41,18 +49,21 @@ void move(Body<Dim>& body, const Lattice<Dim>& lattice, std::uint32_t first, int
 void deform(Particles<2>& particles, std::uint32_t first, int count, double dt, int terms, const Gathered<2>& got) {
   const auto F = particles.F();
   double* __restrict volume = particles.volume() + first;
-  double* __restrict xx = F[0] + first;
-  double* __restrict xy = F[1] + first;
-  double* __restrict yx = F[2] + first;
-  double* __restrict yy = F[3] + first;
-  double* __restrict zz = F[4] + first;
+  const bool keep = particles.has_deformation();
+  const auto at_first = [&](std::size_t k) { return keep ? F[k] + first : nullptr; };
+  double* __restrict xx = at_first(0);
+  double* __restrict xy = at_first(1);
+  double* __restrict yx = at_first(2);
+  double* __restrict yy = at_first(3);
+  double* __restrict zz = at_first(4);
   const auto& L = got.L;
   const auto apply = [&](int i, double a, double b, double c, double d, double e) {
+    volume[i] *= (a * d - b * c) * e;
+    if (!keep) return;
     const double f0 = xx[i], f1 = xy[i], f2 = yx[i], f3 = yy[i];
     xx[i] = a * f0 + b * f2, xy[i] = a * f1 + b * f3;
     yx[i] = c * f0 + d * f2, yy[i] = c * f1 + d * f3;
     zz[i] *= e;
-    volume[i] *= (a * d - b * c) * e;
   };
   const double second = terms >= 2 ? 0.5 : 0.0;
   if (terms <= 2) {
@@ -78,30 +89,26 @@ void deform(Particles<2>& particles, std::uint32_t first, int count, double dt, 
 
 void deform(Particles<3>& particles, std::uint32_t first, int count, double dt, int terms, const Gathered<3>& got) {
   const auto F = particles.F();
-  double* __restrict volume = particles.volume() + first;
-  double* __restrict f[9];
-  for (std::size_t k = 0; k < 9; ++k) f[k] = F[k] + first;
-  const auto apply = [&](int i, const double* m) {
-    for (int c = 0; c < 3; ++c) {
-      const double a = f[c][i], b = f[3 + c][i], e = f[6 + c][i];
-      f[c][i] = m[0] * a + m[1] * b + m[2] * e;
-      f[3 + c][i] = m[3] * a + m[4] * b + m[5] * e;
-      f[6 + c][i] = m[6] * a + m[7] * b + m[8] * e;
-    }
-    volume[i] *=
-        m[0] * (m[4] * m[8] - m[5] * m[7]) - m[1] * (m[3] * m[8] - m[5] * m[6]) + m[2] * (m[3] * m[7] - m[4] * m[6]);
-  };
+  double* volume = particles.volume() + first;
   const double second = terms >= 2 ? 0.5 : 0.0;
   if (terms <= 2) {
-#pragma omp simd
-    for (int i = 0; i < count; ++i) {
-      double l[9], m[9];
-      for (int k = 0; k < 9; ++k) l[k] = dt * got.L[k][i];
-      for (int r = 0; r < 3; ++r)
+    for (int i = 0; i < count; i += lane_count) {
+      Lanes l[9], m[9];
+      for (int k = 0; k < 9; ++k) l[k] = dt * load_lanes(got.L[k] + i);
+      for (int r = 0; r < 9; r += 3)
         for (int c = 0; c < 3; ++c)
-          m[3 * r + c] = l[3 * r + c] + second * (l[3 * r] * l[c] + l[3 * r + 1] * l[3 + c] + l[3 * r + 2] * l[6 + c]);
-      m[0] += 1, m[4] += 1, m[8] += 1;
-      apply(i, m);
+          m[r + c] = l[r + c] + second * (l[r] * l[c] + l[r + 1] * l[3 + c] + l[r + 2] * l[6 + c]);
+      m[0] += 1.0, m[4] += 1.0, m[8] += 1.0;
+      const Lanes det =
+          m[0] * (m[4] * m[8] - m[5] * m[7]) - m[1] * (m[3] * m[8] - m[5] * m[6]) + m[2] * (m[3] * m[7] - m[4] * m[6]);
+      store_some(volume + i, load_lanes(volume + i) * det, count - i);
+      for (std::size_t c = 0; c < 3 && F[0]; ++c) {
+        double *x = F[c] + first + i, *y = F[3 + c] + first + i, *z = F[6 + c] + first + i;
+        const Lanes a = load_lanes(x), b = load_lanes(y), e = load_lanes(z);
+        store_some(x, m[0] * a + m[1] * b + m[2] * e, count - i);
+        store_some(y, m[3] * a + m[4] * b + m[5] * e, count - i);
+        store_some(z, m[6] * a + m[7] * b + m[8] * e, count - i);
+      }
     }
     return;
   }
@@ -110,9 +117,9 @@ void deform(Particles<3>& particles, std::uint32_t first, int count, double dt, 
     for (int k = 0; k < 9; ++k) l(k / 3, k % 3) = dt * got.L[k][i];
     Mat3 sum = Mat3::Identity();
     for (int k = terms; k >= 1; --k) sum = Mat3::Identity() + l * sum / k;
-    double m[9];
-    for (int k = 0; k < 9; ++k) m[k] = sum(k / 3, k % 3);
-    apply(i, m);
+    const auto at = static_cast<int>(first) + i;
+    if (F[0]) store_full<3>(sum * load_full<3>(F, at), F, at);
+    volume[i] *= sum.determinant();
   }
 }
 
@@ -122,7 +129,7 @@ MaterialPoints<Dim> points_of(Body<Dim>& body, std::uint32_t first, int count, s
   points.count = count;
   const auto F = body.particles.F();
   const auto stress = body.particles.stress();
-  for (std::size_t k = 0; k < F.size(); ++k) points.F[k] = F[k] + first;
+  for (std::size_t k = 0; k < F.size(); ++k) points.F[k] = F[k] ? F[k] + first : nullptr;
   for (std::size_t k = 0; k < stress.size(); ++k) points.stress[k] = stress[k] + first;
   points.mass = body.particles.mass() + first;
   points.volume = body.particles.volume() + first;

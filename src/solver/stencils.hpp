@@ -6,12 +6,13 @@
 #include "grid/nodes.hpp"
 
 #include <cstring>
+#include <type_traits>
 
 namespace tribo {
 
 /// Points worked on together: large enough to vectorise, small enough for the first-level cache.
 inline constexpr int batch = 64;
-inline constexpr int batch_lanes = batch + 8;
+inline constexpr int batch_lanes = batch;
 
 /// The nodes that points of one block can reach, drift of up to one cell included.
 template <int Dim, int width>
@@ -25,40 +26,47 @@ struct Patch {
 
   void clear() { std::memset(data, 0, sizeof data); }
 
-  /// Calls f(doubles in the patch, first node in the layers, count) for each run of nodes along x.
+  using Slots = std::array<int, BlockMap<Dim>::neighbour_count>;
+
+  void load(const Slots& slots, const NodeLayer& nodes) {
+    each_run(slots, [&](double* patch, std::size_t node, auto count) {
+      std::memcpy(patch, nodes[node].data(), sizeof(Node) * count);
+    });
+  }
+
+  void add_to(const Slots& slots, NodeLayer& nodes) {
+    each_run(slots, [&](const double* patch, std::size_t node, auto count) {
+      double* to = nodes[node].data();
+      for (int i = 0; i < static_cast<int>(8 * count); i += 8)
+        (Wide::load(to + i) + Wide::load(patch + i)).store(to + i);
+    });
+  }
+
+ private:
+  // Calls f(patch, first node in the layers, count) for every run of nodes along x. Per axis the patch takes the last
+  // node of the block below, the block, and the first nodes of the block above. Counts are types so that copies unroll.
   template <class F>
-  static void each_run(const std::array<int, BlockMap<Dim>::neighbour_count>& slots, F&& f) {
+  void each_run(const Slots& slots, F&& f) {
     constexpr int B = block_edge<Dim>;
-    // Per axis: part -1 is the last node of the neighbour below, 0 the block, 1 the first nodes of the one above.
     struct Part {
       int patch, node, count;
     };
     constexpr Part parts[3] = {{0, B - 1, 1}, {1, 0, B}, {1 + B, 0, edge - 1 - B}};
     std::size_t k = 0;
     for (int pz = 0; pz < (Dim == 2 ? 1 : 3); ++pz)
-      for (int py = 0; py < 3; ++py)
-        for (int px = 0; px < 3; ++px) {
-          const std::int64_t first = static_cast<std::int64_t>(slots[k++]) * block_nodes<Dim>;
-          const Part x = parts[px], y = parts[py], z = Dim == 2 ? Part{0, 0, 1} : parts[pz];
-          for (int c = 0; c < z.count; ++c)
-            for (int b = 0; b < y.count; ++b)
-              f(((z.patch + c) * plane + (y.patch + b) * row + x.patch) * 8,
-                first + ((z.node + c) * B + y.node + b) * B + x.node, x.count);
-        }
-  }
-
-  void load(const std::array<int, BlockMap<Dim>::neighbour_count>& slots, const NodeLayer& nodes) {
-    each_run(slots, [&](int at, std::int64_t node, int count) {
-      std::memcpy(data + at, nodes[static_cast<std::size_t>(node)].data(),
-                  sizeof(Node) * static_cast<std::size_t>(count));
-    });
-  }
-
-  void add_to(const std::array<int, BlockMap<Dim>::neighbour_count>& slots, NodeLayer& nodes) const {
-    each_run(slots, [&](int at, std::int64_t node, int count) {
-      double* to = nodes[static_cast<std::size_t>(node)].data();
-      for (int i = 0; i < count; ++i) (Wide::load(to + 8 * i) + Wide::load(data + at + 8 * i)).store(to + 8 * i);
-    });
+      for (int py = 0; py < 3; ++py, k += 3) {
+        const Part y = parts[py], z = Dim == 2 ? Part{0, 0, 1} : parts[pz];
+        const auto first = [&](std::size_t px) { return static_cast<std::size_t>(slots[k + px]) * block_nodes<Dim>; };
+        const std::size_t below = first(0) + B - 1, block = first(1), above = first(2);
+        for (int c = 0; c < z.count; ++c)
+          for (int b = 0; b < y.count; ++b) {
+            double* at = data + ((z.patch + c) * plane + (y.patch + b) * row) * 8;
+            const auto offset = static_cast<std::size_t>(((z.node + c) * B + y.node + b) * B);
+            f(at, below + offset, std::integral_constant<std::size_t, 1>{});
+            f(at + 8, block + offset, std::integral_constant<std::size_t, B>{});
+            f(at + 8 * (1 + B), above + offset, std::integral_constant<std::size_t, edge - 1 - B>{});
+          }
+      }
   }
 };
 
@@ -84,17 +92,17 @@ struct Stencils {
       const double* __restrict position = x[k] + first;
       const double* __restrict size = half[k] ? half[k] + first : nullptr;
       const double uniform = uniform_half[d] * inverse;
-      const int step = stride[d];
-#pragma omp simd
-      for (int i = 0; i < count; ++i) {
-        const double s = position[i] * inverse - origin;
-        const int b = static_cast<int>(s - Kernel::shift);
-        const double local = s - b;
-        double ww[width], gg[width];
-        Kernel::at(local, Kernel::sized ? (size ? size[i] * inverse : uniform) : 0.0, ww, gg);
-        for (int n = 0; n < width; ++n) w[d][n][i] = ww[n], g[d][n][i] = gg[n] * inverse;
-        r[d][i] = local;
-        base[i] = d == 0 ? b * step : base[i] + b * step;
+      for (int i = 0; i < count; i += lane_count) {
+        const Lanes s = load_lanes(position + i) * inverse - origin;
+        const IntLanes b = __builtin_convertvector(s - Kernel::shift, IntLanes);
+        const Lanes local = s - __builtin_convertvector(b, Lanes);
+        const Lanes half_cells = Kernel::sized && size ? load_lanes(size + i) * inverse : Lanes{} + uniform;
+        Lanes ww[width], gg[width];
+        Kernel::at(local, half_cells, ww, gg);
+        for (int n = 0; n < width; ++n) store_lanes(w[d][n] + i, ww[n]), store_lanes(g[d][n] + i, gg[n] * inverse);
+        store_lanes(r[d] + i, local);
+        auto* at = reinterpret_cast<IntLanes*>(base + i);
+        *at = d == 0 ? b * stride[d] : *at + b * stride[d];
       }
     }
   }

@@ -68,6 +68,13 @@ class ProductTransfers final : public Transfers<Dim> {
     return half;
   }
 
+  // Brings the next batch closer: a bin reads more columns than the hardware prefetcher follows.
+  static void fetch_ahead(Body<Dim>& body, std::uint32_t next) {
+    if (next + batch > body.particles.size()) return;
+    for (const auto& column : body.particles.columns())
+      for (int k = 0; k < batch; k += 8) __builtin_prefetch(column.data.data() + next + k);
+  }
+
   // What a particle gives to the nodes: the vectors that multiply w and the three slopes.
   struct Given {
     alignas(64) double whole[batch_lanes][8];        // (m, m v | 0, f)
@@ -88,6 +95,7 @@ class ProductTransfers final : public Transfers<Dim> {
     Given given;
     for (std::uint32_t first = bin.begin; first < bin.end; first += batch) {
       const int count = static_cast<int>(std::min<std::uint32_t>(batch, bin.end - first));
+      fetch_ahead(body, first + batch);
       stencils.compute(map.lattice(), block, x, first, count, half, body.uniform_half_size);
       prepare<Force>(body, first, count, what, axisymmetric, given);
       if constexpr (Affine) prepare_affine(body, map.lattice(), stencils, first, count, given);
@@ -174,9 +182,9 @@ class ProductTransfers final : public Transfers<Dim> {
   static void add(const Stencils<Dim, Kernel>& s, const Given& given, const Lattice<Dim>& lattice, int i,
                   double* data) {
     const Wide whole = Wide::load(given.whole[i]);
-    const Vec4 none{};
-    const Vec4 px = Force ? load4(given.pull[0][i]) : none, py = Force ? load4(given.pull[1][i]) : none;
-    [[maybe_unused]] const Vec4 pz = Force && Dim == 3 ? load4(given.pull[Dim - 1][i]) : none;
+    [[maybe_unused]] Upper pull[3];
+    if constexpr (Force)
+      for (int d = 0; d < Dim; ++d) pull[d] = Upper::from(load4(given.pull[d][i]));
     double wx[width];
     [[maybe_unused]] double gx[width], ax[width];
     for (int n = 0; n < width; ++n) {
@@ -185,26 +193,29 @@ class ProductTransfers final : public Transfers<Dim> {
       if constexpr (Affine) ax[n] = wx[n] * (n - s.r[0][i]) * lattice.spacing[0];
     }
     double* base = data + s.base[i];
+#pragma GCC unroll 4
     for (int c = 0; c < (Dim == 3 ? width : 1); ++c) {
       const double wz = Dim == 3 ? s.w[Dim - 1][c][i] : 1.0;
-      [[maybe_unused]] const double gz = Dim == 3 ? s.g[Dim - 1][c][i] : 0.0;
+#pragma GCC unroll 4
       for (int b = 0; b < width; ++b) {
         const double wy = s.w[1][b][i], wyz = wy * wz;
-        Vec4 low = none, high = none;
-        if constexpr (Affine) {
-          low = (b - s.r[1][i]) * lattice.spacing[1] * load4(given.affine[1][i]);
-          if constexpr (Dim == 3) low += (c - s.r[2][i]) * lattice.spacing[2] * load4(given.affine[2][i]);
-          low = wyz * low;
-        }
-        if constexpr (Force) {
-          high = (s.g[1][b][i] * wz) * py;
-          if constexpr (Dim == 3) high += (wy * gz) * pz;
-        }
         Wide row = wyz * whole;
-        if constexpr (Force || Affine) row = row + Wide::join(low, high);
-        const Wide slope = Wide::join(none, Force ? wyz * px : none);
-        [[maybe_unused]] const Wide spin = Wide::join(Affine ? wyz * load4(given.affine[0][i]) : none, none);
+        [[maybe_unused]] Upper slope;
+        if constexpr (Force) {
+          row = row + (s.g[1][b][i] * wz) * pull[1];
+          if constexpr (Dim == 3) row = row + (wy * s.g[Dim - 1][c][i]) * pull[2];
+          slope = wyz * pull[0];
+        }
+        [[maybe_unused]] Wide spin;
+        if constexpr (Affine) {
+          Vec4 low = (b - s.r[1][i]) * lattice.spacing[1] * load4(given.affine[1][i]);
+          if constexpr (Dim == 3)
+            low += (c - s.r[Dim - 1][i]) * lattice.spacing[Dim - 1] * load4(given.affine[Dim - 1][i]);
+          row = row + Wide::join(wyz * low, Vec4{});
+          spin = Wide::join(wyz * load4(given.affine[0][i]), Vec4{});
+        }
         double* node = base + 8 * (c * NodePatch::plane + b * NodePatch::row);
+#pragma GCC unroll 4
         for (int a = 0; a < width; ++a) {
           Wide sum = Wide::load(node + 8 * a) + wx[a] * row;
           if constexpr (Force) sum = sum + gx[a] * slope;
@@ -228,6 +239,7 @@ class ProductTransfers final : public Transfers<Dim> {
     Gathered<Dim> got;
     for (std::uint32_t first = bin.begin; first < bin.end; first += batch) {
       const int count = static_cast<int>(std::min<std::uint32_t>(batch, bin.end - first));
+      fetch_ahead(body, first + batch);
       stencils.compute(map.lattice(), block, x, first, count, half, body.uniform_half_size);
       for (int i = 0; i < count; i += 4) {
         for (int k = 0; k < 4; ++k)
@@ -252,9 +264,11 @@ class ProductTransfers final : public Transfers<Dim> {
     Wide value = Wide::zero();
     Vec4 lx{}, ly{};
     [[maybe_unused]] Vec4 lz{}, bx{}, by{}, bz{};
+#pragma GCC unroll 4
     for (int c = 0; c < (Dim == 3 ? width : 1); ++c) {
       const double wz = Dim == 3 ? s.w[Dim - 1][c][i] : 1.0;
       [[maybe_unused]] const double gz = Dim == 3 ? s.g[Dim - 1][c][i] : 0.0;
+#pragma GCC unroll 4
       for (int b = 0; b < width; ++b) {
         const double* node = base + 8 * (c * NodePatch::plane + b * NodePatch::row);
         const double wy = s.w[1][b][i], wyz = wy * wz;
