@@ -58,16 +58,8 @@ int run(Kernel kernel, Transfer transfer, UpdateOrder order, int cells, int step
   std::size_t n = 1;
   for (int d = 0; d < Dim; ++d) n *= static_cast<std::size_t>(m);
   auto transfers = make_transfers<Dim>(kernel);
-  Body<Dim> body{.name = "block",
-                 .law = law,
-                 .particles = Particles<Dim>(n, law->needs_deformation()),
-                 .bins = Bins<Dim>(transfers->shift(), transfers->colours_per_axis()),
-                 .history_columns = {},
-                 .affine = {},
-                 .filtered = {},
-                 .start = {},
-                 .half_size = {},
-                 .load = {}};
+  Body<Dim> body(n, law->needs_deformation(), transfers->shift(), transfers->colours_per_axis());
+  body.name = "block", body.law = law;
   body.uniform_half_size.setConstant(h / 4);
   if (transfer == Transfer::apic)
     body.affine = body.particles.add("affine", Dimension::none), [&] {

@@ -123,6 +123,8 @@ void deform(Particles<3>& particles, std::uint32_t first, int count, double dt, 
   }
 }
 
+}  // namespace
+
 template <int Dim>
 MaterialPoints<Dim> points_of(Body<Dim>& body, std::uint32_t first, int count, std::array<double*, 64>& history) {
   MaterialPoints<Dim> points;
@@ -137,8 +139,6 @@ MaterialPoints<Dim> points_of(Body<Dim>& body, std::uint32_t first, int count, s
   points.history = {history.data(), body.history_columns.size()};
   return points;
 }
-
-}  // namespace
 
 template <int Dim>
 void update_particles(Body<Dim>& body, const Lattice<Dim>& lattice, std::uint32_t first, int count, const Gather& what,
@@ -173,6 +173,8 @@ void update_particles(Body<Dim>& body, const Lattice<Dim>& lattice, std::uint32_
   }
 }
 
+template MaterialPoints<2> points_of<2>(Body<2>&, std::uint32_t, int, std::array<double*, 64>&);
+template MaterialPoints<3> points_of<3>(Body<3>&, std::uint32_t, int, std::array<double*, 64>&);
 template void update_particles<2>(Body<2>&, const Lattice<2>&, std::uint32_t, int, const Gather&, Gathered<2>&,
                                   GatherResult&);
 template void update_particles<3>(Body<3>&, const Lattice<3>&, std::uint32_t, int, const Gather&, Gathered<3>&,

@@ -51,6 +51,10 @@ template <int Dim>
 void update_particles(Body<Dim>& body, const Lattice<Dim>& lattice, std::uint32_t first, int count, const Gather& what,
                       Gathered<Dim>& got, GatherResult& result);
 
+/// Views of the particles first ... first + count - 1 for their law; `history` backs the span of history columns.
+template <int Dim>
+MaterialPoints<Dim> points_of(Body<Dim>& body, std::uint32_t first, int count, std::array<double*, 64>& history);
+
 /// One result per thread; maxima do not depend on the order.
 class GatherCollector {
  public:

@@ -17,7 +17,8 @@ void Stepper<Dim>::advance(double dt) {
 
   // 1. Particles to nodes: mass, momentum; stress last also needs nothing else before the forces
   clear();
-  load(dt);
+  apply_loads();
+  follow_rigid(dt);
   if (order == UpdateOrder::usl) {
     scatter(Scatter::momentum_and_force);
   } else {
@@ -32,8 +33,7 @@ void Stepper<Dim>::advance(double dt) {
 
   // 3. Momentum balance on the nodes:  m a = f,  v += dt a; prescribed velocities
   accelerate(dt, order == UpdateOrder::usl);
-  for (std::size_t f = 0; f < conditions_.size(); ++f)
-    conditions_[f].impose_update(system_.fields[f].nodes, system_.time + dt, dt, order != UpdateOrder::usl);
+  impose_update(dt, order != UpdateOrder::usl);
 
   // 4. XPIC and FMPM: sharper velocities than the lumped mass gives
   if (filter_now()) filter(dt);
@@ -48,8 +48,7 @@ void Stepper<Dim>::advance(double dt) {
     clear();
     scatter(Scatter::momentum, true);
     divide_by_mass();
-    for (std::size_t f = 0; f < conditions_.size(); ++f)
-      conditions_[f].impose(system_.fields[f].nodes, system_.time + dt, dt);
+    impose(system_.time + dt, dt);
     strain(after, true);
   }
 
@@ -61,14 +60,14 @@ template <int Dim>
 Stepper<Dim>::Stepper(const Model& model, System<Dim>& system)
     : model_(model), system_(system), transfers_(make_transfers<Dim>(model.scheme.kernel)) {
   for (std::size_t f = 0; f < system.fields.size(); ++f) conditions_.emplace_back(model, system.lattice);
+  load_share_ = find_loaded(model, system);
 }
 
 template <int Dim>
 void Stepper<Dim>::sort() {
-  for (auto& body : system_.bodies) {
-    const auto lost = body.bins.sort(system_.lattice, body.particles);
-    if (lost >= 0) stop_at_bad_particle();
-  }
+  for (auto* bodies : {&system_.bodies, &system_.rigids})
+    for (auto& body : *bodies)
+      if (body.bins.sort(system_.lattice, body.particles) >= 0) stop_at_bad_particle();
   allocate();
   system_.drift = 0.0;
   system_.sorted = true;
@@ -80,13 +79,15 @@ void Stepper<Dim>::allocate() {
   for (std::size_t f = 0; f < system_.fields.size(); ++f) {
     auto& field = system_.fields[f];
     std::vector<std::int64_t> occupied;
-    for (auto& body : system_.bodies) {
-      if (body.field != f) continue;
-      for (const Bin& bin : body.bins.list()) occupied.push_back(bin.block);
-    }
+    for (auto* bodies : {&system_.bodies, &system_.rigids})
+      for (const auto& body : *bodies)
+        if (body.field == f || body.law->rigid())
+          for (const Bin& bin : body.bins.list()) occupied.push_back(bin.block);
     field.map.rebuild(occupied);
     const auto nodes = static_cast<std::size_t>(field.map.node_count());
     field.nodes.resize(nodes);
+    field.rigid.resize(system_.rigids.size());
+    for (auto& layer : field.rigid) layer.resize(nodes);
     if (filtering) field.filter.resize(nodes), field.increment.resize(nodes);
     conditions_[f].locate(field.map);
   }
@@ -162,6 +163,19 @@ void Stepper<Dim>::accelerate(double dt, bool from_momentum) {
 }
 
 template <int Dim>
+void Stepper<Dim>::impose(double time, double dt) {
+  for (std::size_t f = 0; f < conditions_.size(); ++f) conditions_[f].impose(system_.fields[f].nodes, time, dt);
+  impose_rigid(dt, false, false);
+}
+
+template <int Dim>
+void Stepper<Dim>::impose_update(double dt, bool after_impose) {
+  for (std::size_t f = 0; f < conditions_.size(); ++f)
+    conditions_[f].impose_update(system_.fields[f].nodes, system_.time + dt, dt, after_impose);
+  impose_rigid(dt, true, after_impose);
+}
+
+template <int Dim>
 bool Stepper<Dim>::filter_now() const {
   const Scheme& s = model_.scheme;
   if (s.transfer != Transfer::xpic && s.transfer != Transfer::fmpm) return false;
@@ -200,7 +214,7 @@ void Stepper<Dim>::move(double dt, double strain_dt) {
     travel = std::max(travel, result.travel);
     if (!result.finite) stop_at_bad_particle();
   }
-  system_.drift += travel;
+  system_.drift += std::max(travel, rigid_travel_);
 }
 
 template <int Dim>
@@ -288,28 +302,26 @@ void Stepper<Dim>::filter(double dt) {
 }
 
 template <int Dim>
-void Stepper<Dim>::load(double) {}
-
-template <int Dim>
 void Stepper<Dim>::stop_at_bad_particle() const {
-  for (const auto& body : system_.bodies)
-    for (std::size_t i = 0; i < body.particles.size(); ++i) {
-      const Vec<Dim> x = body.particles.position(i), v = body.particles.velocity(i);
-      const bool finite = x.allFinite() && v.allFinite();
-      const bool inside = finite && (x.array() >= system_.lattice.low.array()).all() &&
-                          (x.array() <= system_.lattice.high.array()).all();
-      if (finite && inside) continue;
-      std::string at;
-      for (int d = 0; d < Dim; ++d) at += (d ? ", " : "") + std::to_string(x[d]);
-      throw SimulationError("particle " + std::to_string(body.particles.id[i]) + " of '" + body.name + "' at (" + at +
-                            ") " + (finite ? "left the grid" : "has a velocity or position that is not a number") +
-                            " in step " + std::to_string(system_.step) + ", time " + std::to_string(system_.time) +
-                            ". " +
-                            (finite ? "Enlarge the grid, or give <LeaveLimit> to push such particles back."
-                                    : "Usually the step is too large for the stiffness or the material is crushed; try "
-                                      "a smaller <TimeFactor>, or "
-                                      "finer particles."));
-    }
+  for (const auto* bodies : {&system_.bodies, &system_.rigids})
+    for (const auto& body : *bodies)
+      for (std::size_t i = 0; i < body.particles.size(); ++i) {
+        const Vec<Dim> x = body.particles.position(i), v = body.particles.velocity(i);
+        const bool finite = x.allFinite() && v.allFinite();
+        const bool inside = finite && (x.array() >= system_.lattice.low.array()).all() &&
+                            (x.array() <= system_.lattice.high.array()).all();
+        if (finite && inside) continue;
+        std::string at;
+        for (int d = 0; d < Dim; ++d) at += (d ? ", " : "") + std::to_string(x[d]);
+        throw SimulationError(
+            "particle " + std::to_string(body.particles.id[i]) + " of '" + body.name + "' at (" + at + ") " +
+            (finite ? "left the grid" : "has a velocity or position that is not a number") + " in step " +
+            std::to_string(system_.step) + ", time " + std::to_string(system_.time) + ". " +
+            (finite ? "Enlarge the grid, or give <LeaveLimit> to push such particles back."
+                    : "Usually the step is too large for the stiffness or the material is crushed; try "
+                      "a smaller <TimeFactor>, or "
+                      "finer particles."));
+      }
   throw SimulationError("a nodal value is not a number in step " + std::to_string(system_.step) +
                         "; try a smaller <TimeFactor>");
 }

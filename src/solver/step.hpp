@@ -6,12 +6,18 @@
 
 namespace tribo {
 
-/// Energy and momentum that entered or left during the run.
+/// Energy and momentum that entered or left during the run, besides the nodal conditions.
 struct Ledger {
-  double external_work = 0.0;  ///< body forces and loads
-  double damping_work = 0.0;   ///< taken out by grid damping, >= 0
-  Vec3 external_impulse = Vec3::Zero();
+  double external_work = 0.0;  ///< by body forces, loads and tractions        [energy]
+  double damping_work = 0.0;   ///< taken out by damping, >= 0                 [energy]
+  double rigid_work = 0.0;     ///< by rigid particles                         [energy]
 };
+
+/// Marks the particles every load and traction acts on (column `load_set`); returns per condition the factor of its
+/// value, 1 or one over the number of particles found for net loads. Throws InputError for a condition without
+/// particles.
+template <int Dim>
+std::vector<double> find_loaded(const Model& model, System<Dim>& system);
 
 template <int Dim>
 class Stepper {
@@ -23,6 +29,8 @@ class Stepper {
   void advance(double dt);
 
   Conditions<Dim>& conditions(std::size_t field) { return conditions_[field]; }
+  /// Force of rigid particles on the material in the last step [force].
+  const Vec3& rigid_reaction() const { return rigid_reaction_; }
   Ledger& ledger() { return ledger_; }
   const Transfers<Dim>& transfers() const { return *transfers_; }
   /// Rebuilds blocks and nodes for the present bins; needed after a restart.
@@ -40,7 +48,12 @@ class Stepper {
   void strain(double dt, bool from_start);
   void move(double dt, double strain_dt);
   void remember_positions();
-  void load(double dt);
+  void apply_loads();
+  void follow_rigid(double dt);
+  void impose(double time, double dt);
+  void impose_update(double dt, bool after_impose);
+  void impose_rigid(Field<Dim>& field, std::size_t rigid, double dt, bool update, bool after_impose);
+  void impose_rigid(double dt, bool update, bool after_impose);
   Gather gather_options() const;
   [[noreturn]] void stop_at_bad_particle() const;
   bool filter_now() const;
@@ -50,6 +63,10 @@ class Stepper {
   std::unique_ptr<Transfers<Dim>> transfers_;
   std::vector<Conditions<Dim>> conditions_;
   Ledger ledger_;
+  Vec3 rigid_reaction_ = Vec3::Zero();
+  double rigid_travel_ = 0.0;
+  std::vector<std::array<double, 4>> sums_;  ///< per piece of nodes, added up in order
+  std::vector<double> load_share_;           ///< per particle condition: 1, or 1 / particles found for net loads
   double next_filter_ = 0.0;
 };
 

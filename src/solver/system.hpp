@@ -20,13 +20,17 @@ struct Field {
   explicit Field(const Lattice<Dim>& lattice) : map(lattice) {}
   BlockMap<Dim> map;
   NodeLayer nodes;
-  NodeLayer filter;     ///< XPIC, FMPM: increment and sum of the filter; empty without
-  NodeLayer increment;  ///< XPIC, FMPM: what is scattered during filtering; empty without
+  std::vector<NodeLayer> rigid;  ///< per rigid body: the velocity its particles prescribe
+  NodeLayer filter;              ///< XPIC, FMPM: increment and sum of the filter; empty without
+  NodeLayer increment;           ///< XPIC, FMPM: what is scattered during filtering; empty without
 };
 
 /// The particles of one material.
 template <int Dim>
 struct Body {
+  Body(std::size_t count, bool with_deformation, double kernel_shift, int colours_per_axis)
+      : particles(count, with_deformation), bins(kernel_shift, colours_per_axis) {}
+
   std::string name;
   std::shared_ptr<const Material> law;
   int material = 0;  ///< index into Model::materials
@@ -40,7 +44,9 @@ struct Body {
   std::optional<std::size_t> start;      ///< "+" schemes: columns of the position at the start of the step
   std::optional<std::size_t> half_size;  ///< GIMP, CPDI with mixed particle sizes: columns of the domain's half widths
   Vec<Dim> uniform_half_size = Vec<Dim>::Zero();
-  std::optional<std::size_t> load;  ///< external force on particles, Dim columns
+  std::optional<std::size_t> load;      ///< external force on particles, Dim columns
+  std::optional<std::size_t> origin;    ///< position at the start of the run, Dim columns, for displacements
+  std::optional<std::size_t> load_set;  ///< bit k set: particle condition k acts on the particle
   double particle_damping = 0.0;
 
   void refresh() {
@@ -56,6 +62,7 @@ struct System {
   Analysis analysis = Analysis::plane_strain;
   std::vector<Field<Dim>> fields;
   std::vector<Body<Dim>> bodies;
+  std::vector<Body<Dim>> rigids;  ///< particles that prescribe velocities: `velocity` follows the material's functions
   double time = 0.0;
   std::int64_t step = 0;
   double drift = 0.0;  ///< largest distance any particle may have moved since the last sort [cells]
