@@ -57,7 +57,7 @@ int run(Kernel kernel, Transfer transfer, UpdateOrder order, int cells, int step
   const int m = 2 * cells;
   std::size_t n = 1;
   for (int d = 0; d < Dim; ++d) n *= static_cast<std::size_t>(m);
-  auto transfers = make_transfers<Dim>(kernel);
+  auto transfers = make_transfers<Dim>(model.scheme);
   Body<Dim> body(n, law->needs_deformation(), transfers->shift(), transfers->colours_per_axis());
   body.name = "block", body.law = law;
   body.uniform_half_size.setConstant(h / 4);

@@ -19,6 +19,10 @@ void add_optional_columns(Body<Dim>& body, const Model& model) {
         particles.add(std::string("affine_") + axis[static_cast<std::size_t>(i)] + axis[static_cast<std::size_t>(j)],
                       Dimension::none);
   }
+  if (scheme.kernel == Kernel::cpdi) {
+    body.domain = particles.columns().size();
+    for (int k = 0; k < Dim * Dim; ++k) particles.add("domain_" + std::to_string(k), Dimension::none);
+  }
   if (scheme.transfer == Transfer::xpic || scheme.transfer == Transfer::fmpm)
     body.filtered = particles.add_vector("filtered_velocity", Dimension::velocity);
   if (scheme.extrapolate_again && scheme.order != UpdateOrder::usf)
@@ -90,7 +94,7 @@ System<Dim> build_system(const Model& model, const std::vector<Seed>& seeds) {
   system.analysis = model.analysis;
   system.fields.emplace_back(system.lattice);
 
-  const auto transfers = make_transfers<Dim>(model.scheme.kernel);
+  const auto transfers = make_transfers<Dim>(model.scheme);
   std::int64_t next_id = 0;
   for (int m = 0; m < static_cast<int>(model.materials.size()); ++m) {
     std::vector<const Seed*> mine;

@@ -16,6 +16,7 @@ void Stepper<Dim>::advance(double dt) {
   if (!system_.sorted || system_.drift >= 1.0 - 1e-6) sort();
 
   // 1. Particles to nodes: mass, momentum; stress last also needs nothing else before the forces
+  remember_domains();
   clear();
   apply_loads();
   follow_rigid(dt);
@@ -58,7 +59,7 @@ void Stepper<Dim>::advance(double dt) {
 
 template <int Dim>
 Stepper<Dim>::Stepper(const Model& model, System<Dim>& system)
-    : model_(model), system_(system), transfers_(make_transfers<Dim>(model.scheme.kernel)) {
+    : model_(model), system_(system), transfers_(make_transfers<Dim>(model.scheme)) {
   for (std::size_t f = 0; f < system.fields.size(); ++f) conditions_.emplace_back(model, system.lattice);
   load_share_ = find_loaded(model, system);
 }
@@ -236,6 +237,18 @@ Gather Stepper<Dim>::gather_options() const {
   what.axisymmetric = system_.analysis == Analysis::axisymmetric;
   what.terms = model_.scheme.deformation_terms;
   return what;
+}
+
+// CPDI keeps the weights of a step although stress-first schemes change F within it.
+template <int Dim>
+void Stepper<Dim>::remember_domains() {
+  for (auto* bodies : {&system_.bodies, &system_.rigids})
+    for (auto& body : *bodies) {
+      if (!body.domain) continue;
+      const auto F = body.particles.F();
+      for (std::size_t k = 0; k < Dim * Dim; ++k)
+        std::copy_n(F[k], body.particles.size(), body.particles.column(*body.domain + k));
+    }
 }
 
 template <int Dim>

@@ -48,6 +48,7 @@ class Stepper {
   void strain(double dt, bool from_start);
   void move(double dt, double strain_dt);
   void remember_positions();
+  void remember_domains();
   void apply_loads();
   void follow_rigid(double dt);
   void impose(double time, double dt);

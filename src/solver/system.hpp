@@ -44,6 +44,7 @@ struct Body {
   std::optional<std::size_t> start;      ///< "+" schemes: columns of the position at the start of the step
   std::optional<std::size_t> half_size;  ///< GIMP, CPDI with mixed particle sizes: columns of the domain's half widths
   Vec<Dim> uniform_half_size = Vec<Dim>::Zero();
+  std::optional<std::size_t> domain;    ///< CPDI: F at the start of the step, Dim x Dim columns row by row
   std::optional<std::size_t> load;      ///< external force on particles, Dim columns
   std::optional<std::size_t> origin;    ///< position at the start of the run, Dim columns, for displacements
   std::optional<std::size_t> load_set;  ///< bit k set: particle condition k acts on the particle

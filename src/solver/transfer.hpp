@@ -48,8 +48,8 @@ class Transfers {
   virtual int colours_per_axis() const = 0;
 };
 
-/// The transfers of a kernel.
+/// The transfers of a scheme's kernel.
 template <int Dim>
-std::unique_ptr<Transfers<Dim>> make_transfers(Kernel kernel);
+std::unique_ptr<Transfers<Dim>> make_transfers(const Scheme& scheme);
 
 }  // namespace tribo

@@ -8,6 +8,7 @@
 #pragma once
 
 #include "base/parallel.hpp"
+#include "solver/given.hpp"
 #include "solver/motion.hpp"
 #include "solver/stencils.hpp"
 #include "solver/transfer.hpp"
@@ -68,20 +69,6 @@ class ProductTransfers final : public Transfers<Dim> {
     return half;
   }
 
-  // Brings the next batch closer: a bin reads more columns than the hardware prefetcher follows.
-  static void fetch_ahead(Body<Dim>& body, std::uint32_t next) {
-    if (next + batch > body.particles.size()) return;
-    for (const auto& column : body.particles.columns())
-      for (int k = 0; k < batch; k += 8) __builtin_prefetch(column.data.data() + next + k);
-  }
-
-  // What a particle gives to the nodes: the vectors that multiply w and the three slopes.
-  struct Given {
-    alignas(64) double whole[batch_lanes][8];        // (m, m v | 0, f)
-    alignas(64) double pull[Dim][batch_lanes][4];    // -V sigma e_d
-    alignas(64) double affine[Dim][batch_lanes][4];  // m C e_d
-  };
-
   template <bool Force, bool Affine>
   void scatter_bin(Body<Dim>& body, const BlockMap<Dim>& map, NodeLayer& nodes, const Bin& bin, Scatter what,
                    bool from_start, bool axisymmetric) const {
@@ -92,73 +79,22 @@ class ProductTransfers final : public Transfers<Dim> {
     NodePatch patch;
     patch.clear();
     Stencils<Dim, Kernel> stencils;
-    Given given;
+    Given<Dim> given;
     for (std::uint32_t first = bin.begin; first < bin.end; first += batch) {
       const int count = static_cast<int>(std::min<std::uint32_t>(batch, bin.end - first));
       fetch_ahead(body, first + batch);
       stencils.compute(map.lattice(), block, x, first, count, half, body.uniform_half_size);
-      prepare<Force>(body, first, count, what, axisymmetric, given);
+      given.template prepare<Force>(body, first, count, what, axisymmetric);
       if constexpr (Affine) prepare_affine(body, map.lattice(), stencils, first, count, given);
       for (int i = 0; i < count; ++i) add<Force, Affine>(stencils, given, map.lattice(), i, patch.data);
     }
     patch.add_to(slots, nodes);
   }
 
-  template <bool Force>
-  static void prepare(Body<Dim>& body, std::uint32_t first, int count, Scatter what, bool axisymmetric, Given& given) {
-    const double* m = body.particles.mass() + first;
-    const auto v = what == Scatter::filtered ? body.particles.vector(*body.filtered) : body.particles.v();
-    const bool momentum = what != Scatter::force;
-    for (int i = 0; i < count; i += 4) {
-      const Vec4 mass = momentum ? load4(m + i) : Vec4{};
-      Vec4 a = mass, b = mass * load4(v[0] + first + i), c = mass * load4(v[1] + first + i), d{};
-      if constexpr (Dim == 3) d = mass * load4(v[2] + first + i);
-      transpose4(a, b, c, d);
-      store4(given.whole[i], a), store4(given.whole[i + 1], b), store4(given.whole[i + 2], c),
-          store4(given.whole[i + 3], d);
-      for (int k = 0; k < 4; ++k) store4(given.whole[i + k] + 4, Vec4{});
-    }
-    if constexpr (Force) {
-      const auto s = body.particles.stress();
-      const double* volume = body.particles.volume() + first;
-      for (int i = 0; i < count; i += 4) {
-        const Vec4 k = -load4(volume + i);
-        const auto stress = [&](std::size_t c) { return k * load4(s[c] + first + i); };
-        if constexpr (Dim == 2) {
-          const Vec4 xy = stress(3);
-          pull(given, 0, i, stress(0), xy, Vec4{});
-          pull(given, 1, i, xy, stress(1), Vec4{});
-        } else {
-          const Vec4 xy = stress(3), yz = stress(4), xz = stress(5);
-          pull(given, 0, i, stress(0), xy, xz);
-          pull(given, 1, i, xy, stress(1), yz);
-          pull(given, 2, i, xz, yz, stress(2));
-        }
-      }
-      if (body.load) {
-        const auto f = body.particles.vector(*body.load);
-        for (int i = 0; i < count; ++i)
-          for (std::size_t d = 0; d < Dim; ++d) given.whole[i][5 + d] += f[d][first + static_cast<std::uint32_t>(i)];
-      }
-      if (axisymmetric) {
-        const double* r = body.particles.x()[0] + first;
-        for (int i = 0; i < count; ++i)
-          given.whole[i][5] -= volume[i] * s[2][first + static_cast<std::uint32_t>(i)] / r[i];
-      }
-    }
-  }
-
-  static void pull(Given& given, int axis, int i, Vec4 x, Vec4 y, Vec4 z) {
-    Vec4 none{};
-    transpose4(none, x, y, z);
-    auto* to = given.pull[axis];
-    store4(to[i], none), store4(to[i + 1], x), store4(to[i + 2], y), store4(to[i + 3], z);
-  }
-
   // C = B D^-1 with D = sum w (x_i - x)(x_i - x)^T, diagonal for product kernels. Where D vanishes (a point on a node
   // of the linear kernel) there is no affine part.
   static void prepare_affine(Body<Dim>& body, const Lattice<Dim>& lattice, const Stencils<Dim, Kernel>& stencils,
-                             std::uint32_t first, int count, Given& given) {
+                             std::uint32_t first, int count, Given<Dim>& given) {
     const double* m = body.particles.mass() + first;
     for (int d = 0; d < Dim; ++d)
       for (int i = 0; i < count; ++i) {
@@ -179,7 +115,7 @@ class ProductTransfers final : public Transfers<Dim> {
   }
 
   template <bool Force, bool Affine>
-  static void add(const Stencils<Dim, Kernel>& s, const Given& given, const Lattice<Dim>& lattice, int i,
+  static void add(const Stencils<Dim, Kernel>& s, const Given<Dim>& given, const Lattice<Dim>& lattice, int i,
                   double* data) {
     const Wide whole = Wide::load(given.whole[i]);
     [[maybe_unused]] Upper pull[3];
