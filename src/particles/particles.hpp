@@ -71,6 +71,7 @@ class Particles {
   Vector v() { return vector(v_); }
   double* mass() { return column(mass_); }
   double* volume() { return column(volume_); }
+  const double* volume() const { return column(volume_); }
   bool has_deformation() const { return F_ != 0; }
   Tensor F() { return has_deformation() ? pointers<Tensor>(F_) : Tensor{}; }
   Symmetric stress() { return pointers<Symmetric>(stress_); }

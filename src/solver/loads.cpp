@@ -90,14 +90,15 @@ std::vector<double> find_loaded(const Model& model, System<Dim>& system) {
 }
 
 template <int Dim>
-void Stepper<Dim>::apply_loads() {
+void Stepper<Dim>::apply_loads(double dt) {
   if (model_.particle_conditions.empty()) return;
   static constexpr std::ptrdiff_t piece = 4096;
   for (auto& body : system_.bodies) {
     const double* set = body.particles.column(*body.load_set);
-    const auto load = body.particles.vector(*body.load);
+    const auto load = body.particles.vector(*body.load), v = body.particles.v();
     const auto n = static_cast<std::ptrdiff_t>(body.particles.size());
-    parallel_for((n + piece - 1) / piece, [&](std::ptrdiff_t k) {
+    sums_.assign(static_cast<std::size_t>((n + piece - 1) / piece), 0.0);
+    parallel_for(static_cast<std::ptrdiff_t>(sums_.size()), [&](std::ptrdiff_t k) {
       for (auto i = static_cast<std::size_t>(k * piece); i < static_cast<std::size_t>(std::min(n, (k + 1) * piece));
            ++i) {
         if (set[i] == 0.0) continue;
@@ -105,9 +106,13 @@ void Stepper<Dim>::apply_loads() {
         Vec3 sum = Vec3::Zero();
         for (std::size_t c = 0; c < model_.particle_conditions.size(); ++c)
           if (bits >> c & 1U) sum += force_on(model_.particle_conditions[c], body, i, load_share_[c], system_.time);
-        for (std::size_t d = 0; d < Dim; ++d) load[d][i] = sum[static_cast<Eigen::Index>(d)];
+        for (std::size_t d = 0; d < Dim; ++d) {
+          load[d][i] = sum[static_cast<Eigen::Index>(d)];
+          sums_[static_cast<std::size_t>(k)] += dt * load[d][i] * v[d][i];
+        }
       }
     });
+    for (const double work : sums_) ledger_.external_work += work;
   }
 }
 
@@ -174,8 +179,8 @@ void Stepper<Dim>::impose_rigid(Field<Dim>& field, std::size_t r, double dt, boo
 
 template std::vector<double> find_loaded<2>(const Model&, System<2>&);
 template std::vector<double> find_loaded<3>(const Model&, System<3>&);
-template void Stepper<2>::apply_loads();
-template void Stepper<3>::apply_loads();
+template void Stepper<2>::apply_loads(double);
+template void Stepper<3>::apply_loads(double);
 template void Stepper<2>::follow_rigid(double);
 template void Stepper<3>::follow_rigid(double);
 template void Stepper<2>::impose_rigid(Field<2>&, std::size_t, double, bool, bool);

@@ -42,7 +42,7 @@ void move(Body<Dim>& body, const Lattice<Dim>& lattice, std::uint32_t first, int
     travel = far > travel ? far : travel;
   }
   result.travel = travel;
-  if (!(poison == 0.0)) result.finite = false;
+  if (!(poison == 0.0)) result.valid = false;
 }
 
 // F <- exp(L dt) F and V <- det(exp(L dt)) V with a truncated series.
@@ -164,6 +164,10 @@ void update_particles(Body<Dim>& body, const Lattice<Dim>& lattice, std::uint32_
     points.plane_stress = what.plane_stress;
     for (std::size_t k = 0; k < points.L.size(); ++k) points.L[k] = got.L[k];
     body.law->update(points);
+    double least = 1.0;
+    for (int i = 0; i < count; ++i)
+      least = points.volume[i] < least || !(points.volume[i] == points.volume[i]) ? points.volume[i] : least;
+    if (!(least > 0)) result.valid = false;
   }
   if (what.move) {
     move(body, lattice, first, count, what, got, result);

@@ -64,7 +64,7 @@ class GatherCollector {
     GatherResult all;
     for (const auto& r : results_) {
       if (r.result.travel > all.travel) all.travel = r.result.travel;
-      all.finite = all.finite && r.result.finite;
+      all.valid = all.valid && r.result.valid;
     }
     return all;
   }

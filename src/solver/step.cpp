@@ -18,7 +18,7 @@ void Stepper<Dim>::advance(double dt) {
   // 1. Particles to nodes: mass, momentum; stress last also needs nothing else before the forces
   remember_domains();
   clear();
-  apply_loads();
+  apply_loads(dt);
   follow_rigid(dt);
   if (order == UpdateOrder::usl) {
     scatter(Scatter::momentum_and_force);
@@ -68,10 +68,30 @@ template <int Dim>
 void Stepper<Dim>::sort() {
   for (auto* bodies : {&system_.bodies, &system_.rigids})
     for (auto& body : *bodies)
-      if (body.bins.sort(system_.lattice, body.particles) >= 0) stop_at_bad_particle();
+      if (body.bins.sort(system_.lattice, body.particles) >= 0) {
+        push_back(body);
+        if (body.bins.sort(system_.lattice, body.particles) >= 0) stop_at_bad_particle();
+      }
   allocate();
   system_.drift = 0.0;
   system_.sorted = true;
+}
+
+// Particles that left the grid return to its edge and lose the velocity that took them out, as often as the model
+// allows.
+template <int Dim>
+void Stepper<Dim>::push_back(Body<Dim>& body) {
+  if (!model_.leave_limit) stop_at_bad_particle();
+  const auto x = body.particles.x(), v = body.particles.v();
+  for (std::size_t i = 0; i < body.particles.size(); ++i)
+    for (std::size_t d = 0; d < Dim; ++d) {
+      const auto axis = static_cast<Eigen::Index>(d);
+      const double inside = std::clamp(x[d][i], system_.lattice.low[axis], system_.lattice.high[axis]);
+      if (x[d][i] == inside || !std::isfinite(x[d][i])) continue;
+      if (++pushed_back > *model_.leave_limit) stop_at_bad_particle();
+      x[d][i] = inside;
+      v[d][i] = 0.0;
+    }
 }
 
 template <int Dim>
@@ -160,7 +180,62 @@ void Stepper<Dim>::accelerate(double dt, bool from_momentum) {
         node.velocity[d] = v + dt * a;
       }
     });
+    apply_body_force(system_.fields[f], dt);
+    if (damping != 0.0) ledger_.damping_work += damping_work(system_.fields[f], dt);
   }
+}
+
+// Accelerations that the user gave as functions of position and time.
+template <int Dim>
+void Stepper<Dim>::apply_body_force(Field<Dim>& field, double dt) {
+  const BodyForce& force = model_.body_force;
+  if (!force.function[0] && !force.function[1] && !force.function[2]) return;
+  ledger_.external_work += sum_over_nodes(field, [&](std::int64_t n, Node& node) {
+    const Vec<Dim> x = system_.lattice.position(field.map.node_at(n));
+    Variables at;
+    at.t = system_.time / force.function_time, at.dt = dt / force.function_time;
+    at.x = x[0], at.y = x[1], at.z = Dim == 3 ? x[Dim - 1] : 0.0;
+    double power = 0.0;
+    for (int d = 0; d < Dim; ++d) {
+      const auto& function = force.function[static_cast<std::size_t>(d)];
+      if (!function) continue;
+      const double a = (*function)(at);
+      node.acceleration[d] += a;
+      node.velocity[d] += dt * a;
+      power += node.mass * a * (node.velocity[d] - 0.5 * dt * node.acceleration[d]);
+    }
+    return dt * power;
+  });
+}
+
+template <int Dim>
+double Stepper<Dim>::damping_work(Field<Dim>& field, double dt) {
+  return sum_over_nodes(field, [&](std::int64_t, const Node& node) {
+    double square = 0.0;
+    for (int d = 0; d < Dim; ++d) {
+      const double old = node.velocity[d] - dt * node.acceleration[d];
+      square += old * (node.velocity[d] + old) * 0.5;
+    }
+    return dt * grid_damping * node.mass * square;
+  });
+}
+
+// Sum of f over the nodes with mass, in the order of the blocks for any number of threads.
+template <int Dim>
+template <class F>
+double Stepper<Dim>::sum_over_nodes(Field<Dim>& field, F&& f) {
+  sums_.assign(field.map.active().size(), 0.0);
+  parallel_for(static_cast<std::ptrdiff_t>(sums_.size()), [&](std::ptrdiff_t block) {
+    double sum = 0.0;
+    for (std::int64_t n = block * block_nodes<Dim>; n < (block + 1) * block_nodes<Dim>; ++n) {
+      Node& node = field.nodes[static_cast<std::size_t>(n)];
+      if (node.mass > 0) sum += f(n, node);
+    }
+    sums_[static_cast<std::size_t>(block)] = sum;
+  });
+  double total = 0.0;
+  for (const double part : sums_) total += part;
+  return total;
 }
 
 template <int Dim>
@@ -180,7 +255,7 @@ template <int Dim>
 bool Stepper<Dim>::filter_now() const {
   const Scheme& s = model_.scheme;
   if (s.transfer != Transfer::xpic && s.transfer != Transfer::fmpm) return false;
-  if (s.filter_period > 0) return system_.time >= next_filter_;
+  if (s.filter_period > 0) return system_.time >= next_filter;
   return system_.step % std::max(1, s.filter_every) == 0;
 }
 
@@ -213,7 +288,7 @@ void Stepper<Dim>::move(double dt, double strain_dt) {
     what.damping = body.particle_damping + particle_damping;
     const auto result = transfers_->gather(body, field.map, field.nodes, what);
     travel = std::max(travel, result.travel);
-    if (!result.finite) stop_at_bad_particle();
+    if (!result.valid) stop_at_bad_particle();
   }
   system_.drift += std::max(travel, rigid_travel_);
 }
@@ -226,7 +301,7 @@ void Stepper<Dim>::strain(double dt, bool from_start) {
   what.from_start = from_start;
   for (auto& body : system_.bodies) {
     auto& field = system_.fields[body.field];
-    transfers_->gather(body, field.map, field.nodes, what);
+    if (!transfers_->gather(body, field.map, field.nodes, what).valid) stop_at_bad_particle();
   }
 }
 
@@ -311,11 +386,12 @@ void Stepper<Dim>::filter(double dt) {
     });
   }
   if (model_.scheme.filter_period > 0)
-    while (next_filter_ <= system_.time) next_filter_ += model_.scheme.filter_period;
+    while (next_filter <= system_.time) next_filter += model_.scheme.filter_period;
 }
 
 template <int Dim>
 void Stepper<Dim>::stop_at_bad_particle() const {
+  const auto when = " in step " + std::to_string(system_.step + 1) + " at time " + std::to_string(system_.time);
   for (const auto* bodies : {&system_.bodies, &system_.rigids})
     for (const auto& body : *bodies)
       for (std::size_t i = 0; i < body.particles.size(); ++i) {
@@ -323,20 +399,23 @@ void Stepper<Dim>::stop_at_bad_particle() const {
         const bool finite = x.allFinite() && v.allFinite();
         const bool inside = finite && (x.array() >= system_.lattice.low.array()).all() &&
                             (x.array() <= system_.lattice.high.array()).all();
-        if (finite && inside) continue;
+        const bool crushed = !(body.particles.volume()[i] > 0);
+        if (inside && !crushed) continue;
         std::string at;
         for (int d = 0; d < Dim; ++d) at += (d ? ", " : "") + std::to_string(x[d]);
+        const std::string who =
+            "particle " + std::to_string(body.particles.id[i]) + " of '" + body.name + "' at (" + at + ")";
+        if (finite && !crushed)
+          throw SimulationError(
+              who + " left the grid" + when +
+              ": it moves too far, or the run became unstable. Enlarge <Grid>, check the conditions that should "
+              "hold it, or return such particles with <LeaveLimit>.");
         throw SimulationError(
-            "particle " + std::to_string(body.particles.id[i]) + " of '" + body.name + "' at (" + at + ") " +
-            (finite ? "left the grid" : "has a velocity or position that is not a number") + " in step " +
-            std::to_string(system_.step) + ", time " + std::to_string(system_.time) + ". " +
-            (finite ? "Enlarge the grid, or give <LeaveLimit> to push such particles back."
-                    : "Usually the step is too large for the stiffness or the material is crushed; try "
-                      "a smaller <TimeFactor>, or "
-                      "finer particles."));
+            who + (crushed ? " was compressed to no volume" : " has a velocity that is not a number") + when +
+            ": usually the step is too large for the present stiffness. Try a smaller <TimeFactor>, adaptive steps "
+            "(custom task AdjustTimeStep), or more particles per cell.");
       }
-  throw SimulationError("a nodal value is not a number in step " + std::to_string(system_.step) +
-                        "; try a smaller <TimeFactor>");
+  throw SimulationError("a value on the grid is not a number" + when + "; try a smaller <TimeFactor>");
 }
 
 template class Stepper<2>;

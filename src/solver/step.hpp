@@ -37,9 +37,18 @@ class Stepper {
   void allocate();
   /// Coefficient of grid and particle damping with feedback, kept for restart.
   double grid_damping = 0.0, particle_damping = 0.0;
+  /// Times a particle was returned to the grid, see Model::leave_limit.
+  long pushed_back = 0;
+  /// Time of the next filtered step when filters run by period; kept for restart.
+  double next_filter = 0.0;
 
  private:
   void sort();
+  void push_back(Body<Dim>& body);
+  void apply_body_force(Field<Dim>& field, double dt);
+  double damping_work(Field<Dim>& field, double dt);
+  template <class F>
+  double sum_over_nodes(Field<Dim>& field, F&& f);
   void clear();
   void scatter(Scatter what, bool from_start = false);
   void divide_by_mass();
@@ -49,7 +58,7 @@ class Stepper {
   void move(double dt, double strain_dt);
   void remember_positions();
   void remember_domains();
-  void apply_loads();
+  void apply_loads(double dt);
   void follow_rigid(double dt);
   void impose(double time, double dt);
   void impose_update(double dt, bool after_impose);
@@ -66,9 +75,8 @@ class Stepper {
   Ledger ledger_;
   Vec3 rigid_reaction_ = Vec3::Zero();
   double rigid_travel_ = 0.0;
-  std::vector<std::array<double, 4>> sums_;  ///< per piece of nodes, added up in order
-  std::vector<double> load_share_;           ///< per particle condition: 1, or 1 / particles found for net loads
-  double next_filter_ = 0.0;
+  std::vector<double> sums_;        ///< per block of nodes
+  std::vector<double> load_share_;  ///< per particle condition: 1, or 1 / particles found for net loads
 };
 
 }  // namespace tribo

@@ -32,7 +32,7 @@ struct Gather {
 /// What a gather found out, the same for any number of threads.
 struct GatherResult {
   double travel = 0.0;  ///< largest particle displacement along an axis   [cells]
-  bool finite = true;   ///< false: some velocity is not a number or infinite
+  bool valid = true;    ///< false: a velocity is not finite, or a volume not positive
 };
 
 template <int Dim>
