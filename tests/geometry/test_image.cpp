@@ -22,7 +22,7 @@ struct Scratch {
 
 std::string little(std::uint32_t value, int bytes) {
   std::string out;
-  for (int k = 0; k < bytes; ++k) out += static_cast<char>(value >> (8 * k) & 0xFF);
+  for (int k = 0; k < bytes; ++k) out += k < 4 ? static_cast<char>(value >> (8 * k) & 0xFF) : '\0';
   return out;
 }
 
