@@ -6,6 +6,7 @@
 
 #include "base/catalogue.hpp"
 #include "base/types.hpp"
+#include "materials/plane_stress.hpp"
 
 #include <array>
 #include <cmath>
@@ -52,8 +53,9 @@ class Material {
   virtual double density() const = 0;
   /// Largest rho c^2 in the reference state, for the first time step [stress].
   virtual double wave_modulus() const = 0;
-  /// Largest rho c^2 / J of the batch in its present state (spatial density), for adaptive steps; never below what
-  /// the points need. Laws that do not stiffen keep the default.
+  /// Largest rho_0 c^2 of the batch in its present state, c the spatial wave speed and rho_0 the reference density
+  /// (the spatial modulus times J), for adaptive steps; never below what the points need. Laws that do not stiffen
+  /// keep the default.
   virtual double wave_modulus(const MaterialPoints<2>&) const { return wave_modulus(); }
   virtual double wave_modulus(const MaterialPoints<3>&) const { return wave_modulus(); }
   /// Stored energy of the batch in its present state, sum over points [energy].
@@ -88,7 +90,7 @@ struct NoState {};
 ///   static auto history();                            // std::tuple of StateVariable, only with a State
 ///   Mat3 stress(const Motion&, const Mat3& old_stress, State&) const;
 ///   double energy_density(const Mat3& F, const Mat3& stress, const State&) const;   // stored, per current volume
-/// Plane stress is solved here for every such law: the out-of-plane rate that makes sigma_zz vanish, by secant steps.
+/// Plane stress is solved here for every such law, see plane_stress.hpp.
 template <class State>
 struct StateVariable {
   std::string_view name;
@@ -170,30 +172,20 @@ class PointwiseMaterial final : public Material {
     }
   }
 
-  // Secant iteration on the out-of-plane rate until sigma_zz vanishes.
+  // The out-of-plane rate is chosen so that sigma_zz vanishes.
   template <int Dim>
   Mat3 plane_stress(Motion motion, const Mat3& old, State& state, const MaterialPoints<Dim>& points, int i) const {
     const State start = state;
     const double F_zz = motion.F(2, 2);
+    Mat3 s;
     const auto trial = [&](double rate) {
       motion.L(2, 2) = rate;
       motion.F(2, 2) = F_zz * std::exp(rate * motion.dt);
       state = start;
-      return law_.stress(motion, old, state);
+      s = law_.stress(motion, old, state);
+      return s(2, 2);
     };
-    const double scale = law_.wave_modulus();
-    double r0 = 0.0;
-    Mat3 s = trial(r0);
-    double s0 = s(2, 2);
-    double r1 = -s0 / (scale * motion.dt);
-    for (int k = 0; k < 60 && std::abs(s(2, 2)) > 1e-14 * scale && r1 != r0; ++k) {
-      s = trial(r1);
-      const double s1 = s(2, 2);
-      const double slope = (s1 - s0) / (r1 - r0);
-      r0 = r1, s0 = s1;
-      if (!(slope > 0.0)) break;
-      r1 = r1 - s1 / slope;
-    }
+    out_of_plane_rate(trial, law_.wave_modulus(), motion.dt);
     constexpr auto zz = static_cast<std::size_t>(Layout<Dim>::full - 1);
     points.L[zz][i] = motion.L(2, 2);
     points.F[zz][i] = motion.F(2, 2);
@@ -208,7 +200,7 @@ class PointwiseMaterial final : public Material {
       double most = 0.0;
       for (int i = 0; i < points.count; ++i) {
         const Mat3 F = load_full<Dim>(points.F, i);
-        // rho c^2 over the reference density's share: c^2 = M / rho = M J / rho0
+        // the law gives the spatial modulus rho c^2; rho_0 = rho J
         most = std::max(most,
                         law_.wave_modulus(F, load_symmetric<Dim>(points.stress, i), load(points, i)) * F.determinant());
       }

@@ -1,0 +1,206 @@
+/// Mohr-Coulomb plasticity and viscoplasticity over batches of points.
+///
+/// Trial stress by elastic_step (Jaumann rate), return to the pyramid in principal space (mohr_coulomb_return.hpp),
+/// rate dependence after Duvaut & Lions (1972), backward Euler: sigma = (trial + b returned)/(1 + b), b = dt/eta.
+
+#include "materials/mohr_coulomb_law.hpp"
+#include "materials/plane_stress.hpp"
+
+namespace tribo {
+namespace {
+
+constexpr int chunk = 128;  // points whose trial stresses stay in the first-level cache
+
+/// A run of points of a batch, with its own array of history columns.
+template <int Dim>
+struct Slice {
+  MaterialPoints<Dim> points;
+  std::array<double*, 4> columns;
+
+  Slice(const MaterialPoints<Dim>& all, int begin) : points(all) {
+    points.count = std::min(chunk, all.count - begin);
+    for (auto& c : points.L) c += begin;
+    for (auto& c : points.F) c += begin;
+    for (auto& c : points.stress) c += begin;
+    points.volume += begin;
+    for (std::size_t k = 0; k < columns.size(); ++k) columns[k] = all.history[k] + begin;
+  }
+  MohrCoulombState load(int i) const { return {columns[0][i], columns[1][i], columns[2][i], columns[3][i]}; }
+  void store(const MohrCoulombState& s, int i) const {
+    columns[0][i] = s.plastic_shear, columns[1][i] = s.plastic_volume;
+    columns[2][i] = s.tension_strain, columns[3][i] = s.dissipation;
+  }
+};
+
+template <int Dim>
+double volume_ratio(const MaterialPoints<Dim>& points, int i) {
+  const auto& F = points.F;
+  if constexpr (Dim == 2)
+    return (F[0][i] * F[3][i] - F[1][i] * F[2][i]) * F[4][i];
+  else
+    return F[0][i] * (F[4][i] * F[8][i] - F[5][i] * F[7][i]) - F[1][i] * (F[3][i] * F[8][i] - F[5][i] * F[6][i]) +
+           F[2][i] * (F[3][i] * F[7][i] - F[4][i] * F[6][i]);
+}
+
+// How far points may be beyond yield [stress]: exact in two dimensions.
+void yield_bound(const MaterialPoints<2>& points, const Strength& s, double* bound) {
+  const double high = 0.5 * (1 + s.sin_friction), low = 0.5 * (1 - s.sin_friction);
+  const double resistance = s.cohesion * s.cos_friction, tension = s.tension;
+  const double* __restrict xx = points.stress[0];
+  const double* __restrict yy = points.stress[1];
+  const double* __restrict zz = points.stress[2];
+  const double* __restrict xy = points.stress[3];
+#pragma omp simd
+  for (int i = 0; i < points.count; ++i) {
+    const double mean = 0.5 * (xx[i] + yy[i]), half = 0.5 * (xx[i] - yy[i]);
+    const double radius = std::sqrt(half * half + xy[i] * xy[i]);
+    const double S1 = std::min(mean - radius, zz[i]), S3 = std::max(mean + radius, zz[i]);
+    bound[i] = std::max(high * S3 - low * S1 - resistance, S3 - tension);
+  }
+}
+
+// In three dimensions an upper bound that needs no principal values, from F = p sin phi + sqrt(J2) (cos theta -
+// sin theta sin phi/sqrt 3) - c cos phi and S3 = p + 2 sqrt(J2/3) sin(theta + 120 deg), each at its worst Lode angle.
+void yield_bound(const MaterialPoints<3>& points, const Strength& s, double* bound) {
+  const double steep = std::sqrt(1 + s.sin_friction * s.sin_friction / 3), root = std::sqrt(4.0 / 3.0);
+  const double resistance = s.cohesion * s.cos_friction, tension = s.tension, sine = s.sin_friction;
+  const double* __restrict xx = points.stress[0];
+  const double* __restrict yy = points.stress[1];
+  const double* __restrict zz = points.stress[2];
+  const double* __restrict xy = points.stress[3];
+  const double* __restrict yz = points.stress[4];
+  const double* __restrict xz = points.stress[5];
+#pragma omp simd
+  for (int i = 0; i < points.count; ++i) {
+    const double p = (xx[i] + yy[i] + zz[i]) / 3;
+    const double a = xx[i] - p, b = yy[i] - p, c = zz[i] - p;
+    const double q = std::sqrt(0.5 * (a * a + b * b + c * c) + xy[i] * xy[i] + yz[i] * yz[i] + xz[i] * xz[i]);
+    bound[i] = std::max(p * sine + q * steep - resistance, p + root * q - tension);
+  }
+}
+
+class MohrCoulomb final : public Material {
+ public:
+  explicit MohrCoulomb(MohrCoulombLaw law) : law_(std::move(law)) {}
+
+  void update(const MaterialPoints<2>& points) const override { advance<2>(points); }
+  void update(const MaterialPoints<3>& points) const override { advance<3>(points); }
+  double density() const override { return law_.density; }
+  double wave_modulus() const override { return law_.elastic.wave_modulus(); }
+  double stored_energy(const MaterialPoints<2>& points) const override { return stored<2>(points); }
+  double stored_energy(const MaterialPoints<3>& points) const override { return stored<3>(points); }
+  int dissipation_index() const override { return 3; }
+  const std::vector<HistoryVariable>& history() const override {
+    static const std::vector<HistoryVariable> variables{
+        {"plastic_shear"}, {"plastic_volume"}, {"tension_strain"}, {"dissipation", Dimension::stress}};
+    return variables;
+  }
+
+ private:
+  template <int Dim>
+  void advance(const MaterialPoints<Dim>& points) const {
+    for (int begin = 0; begin < points.count; begin += chunk) {
+      const Slice<Dim> slice(points, begin);
+      if constexpr (Dim == 2) {
+        if (points.plane_stress) {
+          for (int i = 0; i < slice.points.count; ++i) plane_stress_point(slice, i);
+          continue;
+        }
+      }
+      elastic_step<Dim>(slice.points, law_.elastic);
+      yield_beyond(slice);
+    }
+  }
+
+  template <int Dim>
+  void yield_beyond(const Slice<Dim>& slice) const {
+    if (law_.softens()) {
+      for (int i = 0; i < slice.points.count; ++i)
+        plastic_point(slice, i, Pyramid(law_.elastic, law_.strength(slice.columns[0][i], slice.columns[2][i])));
+      return;
+    }
+    std::array<double, chunk> bound;
+    yield_bound(slice.points, law_.pyramid().strength(), bound.data());
+    for (int i = 0; i < slice.points.count; ++i)
+      if (bound[static_cast<std::size_t>(i)] > 0) plastic_point(slice, i, law_.pyramid());
+  }
+
+  void plastic_point(const Slice<2>& slice, int i, const Pyramid& pyramid) const {
+    const auto& stress = slice.points.stress;
+    const double mean = 0.5 * (stress[0][i] + stress[1][i]), half = 0.5 * (stress[0][i] - stress[1][i]);
+    const double shear = stress[3][i], zz = stress[2][i];
+    const double radius = std::sqrt(half * half + shear * shear);
+    const double low = mean - radius, high = mean + radius;
+    // places of the in-plane values and of zz in the sorted triple
+    const std::size_t z = zz <= low ? 0 : zz <= high ? 1 : 2, l = z == 0 ? 1 : 0, h = z == 2 ? 1 : 2;
+    Triple trial;
+    trial[l] = low, trial[h] = high, trial[z] = zz;
+    if (!pyramid.yields(trial[0], trial[2])) return;
+    MohrCoulombState state = slice.load(i);
+    const Triple change = law_.flow(trial, slice.points.dt, volume_ratio<2>(slice.points, i), state);
+    const double mean_change = 0.5 * (change[h] + change[l]);
+    const double turn = radius > 0 ? 0.5 * (change[h] - change[l]) / radius : 0.0;
+    stress[0][i] -= mean_change + turn * half;
+    stress[1][i] -= mean_change - turn * half;
+    stress[2][i] -= change[z];
+    stress[3][i] -= turn * shear;
+    slice.store(state, i);
+  }
+
+  void plastic_point(const Slice<3>& slice, int i, const Pyramid& pyramid) const {
+    const auto& s = slice.points.stress;
+    const Principal p = principal(s[0][i], s[1][i], s[2][i], s[3][i], s[4][i], s[5][i]);
+    if (!pyramid.yields(p.value[0], p.value[2])) return;
+    MohrCoulombState state = slice.load(i);
+    const Triple change = law_.flow(p.value, slice.points.dt, volume_ratio<3>(slice.points, i), state);
+    const double first = change[0] - change[1], last = change[2] - change[1];
+    const Triple &n = p.axis[0], &m = p.axis[2];
+    s[0][i] -= change[1] + first * n[0] * n[0] + last * m[0] * m[0];
+    s[1][i] -= change[1] + first * n[1] * n[1] + last * m[1] * m[1];
+    s[2][i] -= change[1] + first * n[2] * n[2] + last * m[2] * m[2];
+    s[3][i] -= first * n[0] * n[1] + last * m[0] * m[1];
+    s[4][i] -= first * n[1] * n[2] + last * m[1] * m[2];
+    s[5][i] -= first * n[0] * n[2] + last * m[0] * m[2];
+    slice.store(state, i);
+  }
+
+  void plane_stress_point(const Slice<2>& slice, int i) const {
+    const auto& points = slice.points;
+    Motion motion{load_full<2>(points.F, i), load_full<2>(points.L, i), points.dt};
+    const Mat3 old = load_symmetric<2>(points.stress, i);
+    const MohrCoulombState start = slice.load(i);
+    const double F_zz = motion.F(2, 2);
+    MohrCoulombState state;
+    Mat3 stress;
+    const auto trial = [&](double rate) {
+      motion.L(2, 2) = rate;
+      motion.F(2, 2) = F_zz * std::exp(rate * motion.dt);
+      state = start;
+      stress = law_.stress(motion, old, state);
+      return stress(2, 2);
+    };
+    out_of_plane_rate(trial, law_.elastic.wave_modulus(), motion.dt);
+    points.L[4][i] = motion.L(2, 2);
+    points.F[4][i] = motion.F(2, 2);
+    points.volume[i] *= motion.F(2, 2) / F_zz;
+    stress(2, 2) = 0;
+    store_symmetric<2>(stress, points.stress, i);
+    slice.store(state, i);
+  }
+
+  template <int Dim>
+  double stored(const MaterialPoints<Dim>& points) const {
+    double sum = 0;
+    for (int i = 0; i < points.count; ++i)
+      sum += points.volume[i] * law_.elastic.energy(load_symmetric<Dim>(points.stress, i));
+    return sum;
+  }
+
+  MohrCoulombLaw law_;
+};
+
+}  // namespace
+
+Catalogue<Material>::Item mohr_coulomb() { return material_law<MohrCoulombLaw, MohrCoulomb>(); }
+
+}  // namespace tribo

@@ -1,0 +1,56 @@
+/// Parameters of the Mohr-Coulomb law and what one point does with a principal trial stress.
+#pragma once
+
+#include "materials/elastic_constants.hpp"
+#include "materials/mohr_coulomb_return.hpp"
+
+namespace tribo {
+
+struct MohrCoulombState {
+  double plastic_shear = 0;   ///< kappa: path length of sqrt(e:e/2), e the deviatoric plastic strain
+  double plastic_volume = 0;  ///< trace of the plastic strain
+  double tension_strain = 0;  ///< kappa_t: path length of the plastic strain of the tension cut-off
+  double dissipation = 0;     ///< plastic work per initial volume [stress]
+};
+
+struct MohrCoulombLaw {
+  static constexpr std::string_view name = "MohrCoulomb";
+  static constexpr std::string_view summary =
+      "Elastic, frictional plastic or viscoplastic solid: Mohr-Coulomb with dilation, tension cut-off and softening.";
+  static constexpr int number = 0;
+
+  double density = 0;
+  double young_modulus = absent, poisson_ratio = absent, bulk_modulus = absent, shear_modulus = absent;
+  double cohesion = 0, friction = 0, dilation = 0, tension = absent;
+  double relaxation_time = 0, viscosity = 0;
+  double cohesion_residual = absent, friction_residual = absent, dilation_residual = absent, tension_residual = absent;
+  double softening_start = 0, softening_end = absent;
+
+  static std::array<Parameter<MohrCoulombLaw>, 17> parameters();
+  void prepare(const Statement& statement, Problems& problems);
+
+  /// Resistance after the plastic shear kappa and the tension strain kappa_t.
+  Strength strength(double kappa, double kappa_t) const;
+  bool softens() const { return softens_; }
+  /// Without softening.
+  const Pyramid& pyramid() const { return *pyramid_; }
+
+  /// Viscoplastic flow of a sorted principal trial stress beyond yield over a step: returns what is to be subtracted
+  /// from it and advances the state. `J` is the volume ratio.
+  Triple flow(const Triple& trial, double dt, double J, MohrCoulombState& state) const;
+
+  /// One point as a tensor; the trial stress as in elastic_step.
+  Mat3 stress(const Motion& motion, const Mat3& old, MohrCoulombState& state) const;
+
+  Elasticity elastic;
+
+ private:
+  Strength limit(double c, double phi, double psi, double cut_off) const;
+  Returned settle(const Triple& trial, double share, double drag, MohrCoulombState& state) const;
+  void check_softening(const Statement& statement, Problems& problems);
+
+  bool softens_ = false, angles_soften_ = false, tension_softens_ = false;
+  std::optional<Pyramid> pyramid_;
+};
+
+}  // namespace tribo

@@ -1,0 +1,40 @@
+/// The out-of-plane strain rate of plane stress, for laws that cannot solve for it in closed form.
+#pragma once
+
+#include "base/error.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace tribo {
+
+/// Finds the rate at which `stress_zz(rate)` vanishes to round-off of `modulus` [stress]; the last call of `stress_zz`
+/// is with the solution. Secant steps, kept inside the bracket once there is one: sigma_zz must not fall with the rate.
+/// Throws SimulationError if no out-of-plane strain of a sane size frees the face.
+template <class Function>
+double out_of_plane_rate(Function&& stress_zz, double modulus, double dt) {
+  constexpr double infinite = std::numeric_limits<double>::infinity(), largest_strain = 20.0;
+  const double tolerance = 1e-14 * modulus;
+  double low = -infinite, high = infinite;
+  double r0 = 0.0, s0 = stress_zz(r0);
+  if (std::abs(s0) <= tolerance) return r0;
+  (s0 < 0 ? low : high) = r0;
+  double r1 = -s0 / (modulus * dt);
+  for (int k = 0; k < 200; ++k) {
+    const double s1 = stress_zz(r1);
+    if (std::abs(s1) <= tolerance) return r1;
+    (s1 < 0 ? low : high) = r1;
+    const double slope = (s1 - s0) / (r1 - r0);
+    double r2 = slope > 0 ? r1 - s1 / slope : std::copysign(infinite, -s1);
+    if (!(r2 > low && r2 < high))
+      r2 = std::isfinite(low) && std::isfinite(high) ? 0.5 * (low + high) : r1 + 2 * std::copysign(r1 - r0, -s1);
+    else if (k > 20 && std::isfinite(low) && std::isfinite(high))
+      r2 = k % 2 ? 0.5 * (low + high) : r2;
+    if (r2 == r1 || r2 == low || r2 == high) return r1;
+    if (!(std::abs(r2) * dt < largest_strain)) break;
+    r0 = r1, s0 = s1, r1 = r2;
+  }
+  throw SimulationError("plane stress: no out-of-plane strain makes the out-of-plane stress vanish");
+}
+
+}  // namespace tribo
