@@ -37,6 +37,7 @@ class Stepper {
   void allocate();
   /// Coefficient of grid and particle damping with feedback, kept for restart.
   double grid_damping = 0.0, particle_damping = 0.0;
+  double grid_feedback = 0.0, particle_feedback = 0.0;  ///< part of the above that feedback built up
   /// Times a particle was returned to the grid, see Model::leave_limit.
   long pushed_back = 0;
   /// Time of the next filtered step when filters run by period; kept for restart.
