@@ -37,7 +37,7 @@ void elastic_step<2>(const MaterialPoints<2>& points, const Elasticity& elastic)
     for (int i = 0; i < points.count; ++i) {
       Lzz[i] = ratio * (Lxx[i] + Lyy[i]);
       const double stretch = std::exp(Lzz[i] * dt);
-      Fzz[i] *= stretch;
+      if (Fzz) Fzz[i] *= stretch;
       volume[i] *= stretch;
     }
   }
@@ -99,7 +99,8 @@ void elastic_step<3>(const MaterialPoints<3>& points, const Elasticity& elastic)
   double most = 0.0;
 #pragma omp simd reduction(max : most)
   for (int i = 0; i < points.count; ++i)
-    most = std::max(most, std::max(std::abs(Lzy[i] - Lyz[i]), std::max(std::abs(Lxz[i] - Lzx[i]), std::abs(Lyx[i] - Lxy[i]))));
+    most = std::max(
+        most, std::max(std::abs(Lzy[i] - Lyz[i]), std::max(std::abs(Lxz[i] - Lzx[i]), std::abs(Lyx[i] - Lxy[i]))));
   const bool small = most * dt < small_angle;
 
   // Half the rotation before the strain increment, half after.

@@ -11,9 +11,7 @@ namespace tribo {
 struct Elasticity {
   double lambda = 0, mu = 0;
 
-  static Elasticity young(double E, double nu) {
-    return {E * nu / ((1 + nu) * (1 - 2 * nu)), E / (2 * (1 + nu))};
-  }
+  static Elasticity young(double E, double nu) { return {E * nu / ((1 + nu) * (1 - 2 * nu)), E / (2 * (1 + nu))}; }
   static Elasticity bulk_shear(double K, double G) { return {K - 2.0 / 3.0 * G, G}; }
   double bulk() const { return lambda + 2.0 / 3.0 * mu; }
   double wave_modulus() const { return lambda + 2 * mu; }

@@ -33,7 +33,7 @@ struct MaterialPoints {
   double dt = 0.0;            ///< step                                                            [time]
   bool plane_stress = false;  ///< the law chooses L_zz so that sigma_zz = 0; it updates L[zz], F[zz] and volume
   std::array<double*, Layout<Dim>::full> L{};            ///< velocity gradient during the step    [1/time]
-  std::array<double*, Layout<Dim>::full> F{};            ///< deformation gradient at t + dt       [-]
+  std::array<double*, Layout<Dim>::full> F{};            ///< deformation gradient at t + dt       [-]; null if not kept
   std::array<double*, Layout<Dim>::symmetric> stress{};  ///< at t on entry, at t + dt on return   [stress]
   const double* mass = nullptr;                          ///< [mass]
   double* volume = nullptr;                              ///< current, at t + dt                   [length^3]
@@ -63,6 +63,8 @@ class Material {
   virtual int dissipation_index() const { return -1; }
 
   virtual const std::vector<HistoryVariable>& history() const = 0;
+  /// False if the law never looks at F; the engine then need not keep it.
+  virtual bool needs_deformation() const { return true; }
   /// True for rigid materials: prescribed motion, no stress.
   virtual bool rigid() const { return false; }
 };
@@ -100,8 +102,11 @@ class PointwiseMaterial final : public Material {
   explicit PointwiseMaterial(Law law) : law_(std::move(law)) {
     if constexpr (has_state) {
       const typename Law::State start = initial();
-      std::apply([&](const auto&... v) { (history_.push_back({std::string(v.name), v.dimension, start.*(v.member)}), ...); },
-                 Law::history());
+      std::apply(
+          [&](const auto&... v) {
+            (history_.push_back({std::string(v.name), v.dimension, start.*(v.member)}), ...);
+          },
+          Law::history());
       for (std::size_t k = 0; k < history_.size(); ++k)
         if (history_[k].name == "dissipation") dissipation_ = static_cast<int>(k);
     }
@@ -124,8 +129,10 @@ class PointwiseMaterial final : public Material {
   static constexpr bool has_state = !std::is_same_v<State, NoState>;
 
   State initial() const {
-    if constexpr (requires { law_.initial_state(); }) return law_.initial_state();
-    else return State{};
+    if constexpr (requires { law_.initial_state(); })
+      return law_.initial_state();
+    else
+      return State{};
   }
 
   template <int Dim>
@@ -202,7 +209,8 @@ class PointwiseMaterial final : public Material {
       for (int i = 0; i < points.count; ++i) {
         const Mat3 F = load_full<Dim>(points.F, i);
         // rho c^2 over the reference density's share: c^2 = M / rho = M J / rho0
-        most = std::max(most, law_.wave_modulus(F, load_symmetric<Dim>(points.stress, i), load(points, i)) * F.determinant());
+        most = std::max(most,
+                        law_.wave_modulus(F, load_symmetric<Dim>(points.stress, i), load(points, i)) * F.determinant());
       }
       return most;
     } else {
@@ -214,8 +222,8 @@ class PointwiseMaterial final : public Material {
   double stored(const MaterialPoints<Dim>& points) const {
     double sum = 0.0;
     for (int i = 0; i < points.count; ++i)
-      sum += points.volume[i] * law_.energy_density(load_full<Dim>(points.F, i), load_symmetric<Dim>(points.stress, i),
-                                                    load(points, i));
+      sum += points.volume[i] *
+             law_.energy_density(load_full<Dim>(points.F, i), load_symmetric<Dim>(points.stress, i), load(points, i));
     return sum;
   }
 
