@@ -1,6 +1,6 @@
 #include "materials/material.hpp"
-#include "particles/lattice.hpp"
 #include "particles/seed.hpp"
+#include "particles/sites.hpp"
 
 #include <Eigen/LU>
 
@@ -67,14 +67,13 @@ class Filler {
       } else {
         lattice_of_.back() = cell_lattice(per_axis(piece));
       }
-      Lattice& lattice = lattices_[static_cast<std::size_t>(lattice_of_.back())];
+      Sites& lattice = lattices_[static_cast<std::size_t>(lattice_of_.back())];
       lattice.extend(reach);
       lattice.last_piece = static_cast<int>(p);
     }
     for (std::size_t k = 0; k < lattices_.size(); ++k)
       if (!lattices_[k].allocate())
-        throw InputError(model_.grid.origin, "the points are so small that there would be more than " +
-                                                 std::to_string(Lattice::most_sites) + " sites");
+        throw InputError(model_.grid.origin, "the points are so small that there would be more than 4e9 sites");
   }
 
   int cell_lattice(const std::array<int, 3>& n) {
@@ -92,7 +91,7 @@ class Filler {
     long count = 0;
     const Bounds reach = grid_.clip(piece.region->bounds());
     if (!hole) {
-      Lattice& lattice = lattices_[static_cast<std::size_t>(own)];
+      Sites& lattice = lattices_[static_cast<std::size_t>(own)];
       const Seed pattern = prepare(p, lattice);
       lattice.visit(reach, [&](const Vec3& x, std::size_t site) {
         if (!piece.region->contains(x) || !grid_.contains(x)) return;
@@ -112,7 +111,7 @@ class Filler {
   void take_from_others(std::size_t p, int own, const Bounds& reach) {
     const Region& region = *model_.pieces[p].region;
     for (int k = 0; k < static_cast<int>(lattices_.size()); ++k) {
-      Lattice& lattice = lattices_[static_cast<std::size_t>(k)];
+      Sites& lattice = lattices_[static_cast<std::size_t>(k)];
       if (k == own || lattice.last_piece <= static_cast<int>(p)) continue;
       lattice.visit(reach, [&](const Vec3& x, std::size_t site) {
         if (!lattice.taken[site] && region.contains(x)) lattice.taken[site] = true;
@@ -138,7 +137,7 @@ class Filler {
   }
 
   // What all points of a piece have in common; `volume` without the radius, `mass` its density.
-  Seed prepare(std::size_t p, const Lattice& lattice) const {
+  Seed prepare(std::size_t p, const Sites& lattice) const {
     const Piece& piece = model_.pieces[p];
     Seed seed;
     seed.piece = static_cast<int>(p);
@@ -248,7 +247,7 @@ class Filler {
   const std::function<void(const Seed&)>& receive_;
   GridBox grid_;
   int per_axis_ = 2;
-  std::vector<Lattice> lattices_;
+  std::vector<Sites> lattices_;
   std::vector<int> lattice_of_;  // of each piece; -1 for holes
 };
 

@@ -11,7 +11,7 @@
 namespace tribo {
 
 /// Regular sites in groups: cell by cell, and `per_cell` sub-cells in each. Covers the part that was asked for.
-struct Lattice {
+struct Sites {
   static constexpr double most_sites = 4e9;
 
   Vec3 origin = Vec3::Zero();   ///< low corner of cell 0
@@ -117,8 +117,8 @@ struct GridBox {
     }
   }
 
-  Lattice lattice(const std::array<int, 3>& per_cell) const {
-    Lattice out;
+  Sites lattice(const std::array<int, 3>& per_cell) const {
+    Sites out;
     out.origin = low;
     out.per_cell = per_cell;
     out.flat = flat;
@@ -131,8 +131,8 @@ struct GridBox {
   }
 
   /// Single points of edge length `size` from a corner to the end of the grid.
-  Lattice lattice(const Vec3& corner, double size) const {
-    Lattice out;
+  Sites lattice(const Vec3& corner, double size) const {
+    Sites out;
     out.origin = corner;
     out.spacing = Vec3::Constant(size);
     out.of_cells = false;
