@@ -170,6 +170,7 @@ class Filler {
       for (std::size_t k = 0; k < 6; ++k) {
         double& entry = seed.stress(place[k][0], place[k][1]);
         set(entry, piece.stress[k], at);
+        if (piece.stress[k]) entry *= piece.stress_factor;
         seed.stress(place[k][1], place[k][0]) = entry;
       }
       if (piece.deformation) deform(piece, at, seed);

@@ -1,6 +1,7 @@
 #include "run/simulation.hpp"
 
 #include "base/parallel.hpp"
+#include "output/atomic_file.hpp"
 #include "output/progress.hpp"
 #include "output/provenance.hpp"
 #include "run/clock.hpp"
@@ -65,6 +66,9 @@ class Simulation {
       resume_time = system_.time;
       archive_.set_count(state.archive), history_.set_count(state.history), checkpoints_.set_count(state.checkpoint);
     }
+    // Where the model came from, for 'tribo resume'
+    if (!resume_time)
+      write_atomically(options_.folder / "model.path", std::filesystem::absolute(model_.file).string() + "\n");
     Results<Dim> results(model_, system_, stepper_, options_.folder, resume_time);
     results.initial_energy = state.initial_energy;
     Provenance provenance(options_.folder / "provenance.json", options_.command_line, model_.file, threads(), facts());
@@ -135,7 +139,7 @@ class Simulation {
       std::snprintf(buffer, sizeof buffer, pattern, values...);
       line(buffer);
     };
-    for (const auto& placed : volume_error(model_)) {
+    for (const auto& placed : volume_error(model_, place_points(model_))) {
       const auto& piece = model_.pieces[static_cast<std::size_t>(placed.piece)];
       if (piece.material < 0) continue;
       const auto name = model_.materials[static_cast<std::size_t>(piece.material)].name;
