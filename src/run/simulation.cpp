@@ -40,6 +40,12 @@ class SignalGuard {
   void (*old_terminate_)(int);
 };
 
+// More threads than this only wait for each other. Results do not depend on it.
+int sensible_threads(int wanted, std::int64_t particles) {
+  static constexpr std::int64_t worthwhile = 8192;
+  return static_cast<int>(std::min<std::int64_t>(wanted, 1 + particles / worthwhile));
+}
+
 template <int Dim>
 class Simulation {
  public:
@@ -55,6 +61,7 @@ class Simulation {
                                                           : Schedule(model.output.archive)) {}
 
   Outcome run() {
+    set_threads(sensible_threads(options_.threads, particle_count()));
     const SignalGuard signals;
     const auto begin = std::chrono::steady_clock::now();
     const auto checkpoint = options_.folder / "checkpoint.bin";
@@ -132,6 +139,7 @@ class Simulation {
   }
 
   std::string preflight() {
+    set_threads(sensible_threads(options_.threads, particle_count()));
     std::string out;
     const auto line = [&](const std::string& text) { out += text + "\n"; };
     char buffer[256];
@@ -289,7 +297,8 @@ Outcome run(const Model& model, const RunOptions& options) {
 
 std::string preflight(const Model& model, int thread_count) {
   set_threads(thread_count);
-  const RunOptions options;
+  RunOptions options;
+  options.threads = thread_count;
   return model.dimension() == 2 ? Simulation<2>(model, options).preflight() : Simulation<3>(model, options).preflight();
 }
 
