@@ -167,9 +167,12 @@ Returned MohrCoulombLaw::settle(const Triple& trial, double share, double drag, 
     const double far = share * now.opening;
     opened = increment([&](double dt) { return with_opening(dt), share * now.opening; }, far, 1e-16 * before_t);
   }
-  attempt(with_opening(opened), opened);
-  state.plastic_shear += shear_of(now);
-  state.tension_strain += share * now.opening;
+  // Where the material softens faster than it unloads, the increments may be those of a jump; the stress is that of the
+  // strength they leave.
+  const double sheared = with_opening(opened);
+  attempt(sheared, opened);
+  state.plastic_shear += sheared;
+  state.tension_strain += opened;
   return now;
 }
 
