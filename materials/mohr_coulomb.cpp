@@ -107,7 +107,7 @@ struct Face {
   }
 };
 
-// Returns the points that belong on the face, and sets `bound` to 0 for them.
+// Returns the points that belong on the face, and sets their `bound` to 0.
 void flow_on_face(const Slice<2>& slice, const Face face, const Strength strength, double* __restrict bound) {
   double* __restrict xx = slice.points.stress[0];
   double* __restrict yy = slice.points.stress[1];
@@ -137,7 +137,32 @@ void flow_on_face(const Slice<2>& slice, const Face face, const Strength strengt
   }
 }
 
+// Principal values and axes of a slice: S1 S2 S3 and the axes of S1, S2, S3.
+using Spectrum = std::array<std::array<double, chunk>, 12>;
+
+void decompose(const Slice<3>& slice, Spectrum& spectrum) {
+  const auto& s = slice.points.stress;
+  const double* __restrict xx = s[0];
+  const double* __restrict yy = s[1];
+  const double* __restrict zz = s[2];
+  const double* __restrict xy = s[3];
+  const double* __restrict yz = s[4];
+  const double* __restrict xz = s[5];
+// not `omp simd`, which keeps the local Principal in memory and then gives up
+#pragma GCC ivdep
+  for (int i = 0; i < slice.points.count; ++i) {
+    const Principal p = principal(xx[i], yy[i], zz[i], xy[i], yz[i], xz[i]);
+    const auto n = static_cast<std::size_t>(i);
+    spectrum[0][n] = p.value[0], spectrum[1][n] = p.value[1], spectrum[2][n] = p.value[2];
+    spectrum[3][n] = p.axis[0][0], spectrum[4][n] = p.axis[0][1], spectrum[5][n] = p.axis[0][2];
+    spectrum[6][n] = p.axis[1][0], spectrum[7][n] = p.axis[1][1], spectrum[8][n] = p.axis[1][2];
+    spectrum[9][n] = p.axis[2][0], spectrum[10][n] = p.axis[2][1], spectrum[11][n] = p.axis[2][2];
+  }
+}
+
 void flow_on_face(const Slice<3>& slice, const Face face, const Strength strength, double* __restrict bound) {
+  Spectrum spectrum;
+  decompose(slice, spectrum);
   double* __restrict xx = slice.points.stress[0];
   double* __restrict yy = slice.points.stress[1];
   double* __restrict zz = slice.points.stress[2];
@@ -147,14 +172,14 @@ void flow_on_face(const Slice<3>& slice, const Face face, const Strength strengt
   double* __restrict shear = slice.columns[0];
   double* __restrict volume = slice.columns[1];
   double* __restrict dissipation = slice.columns[3];
+  const double* first = spectrum[0].data();
+  const auto part = [first](int k, int i) { return first[k * chunk + i]; };
 #pragma omp simd
   for (int i = 0; i < slice.points.count; ++i) {
-    const Principal p = principal(xx[i], yy[i], zz[i], xy[i], yz[i], xz[i]);
-    const double S1 = p.value[0], S3 = p.value[2], m = face.multiplier(S1, p.value[1], S3, strength);
+    const double S1 = part(0, i), S3 = part(2, i), m = face.multiplier(S1, part(1, i), S3, strength);
     // change of S1 and S3 beyond that of S2, which all three share
     const double all = face.spread * m, one = -face.rise * m - all, three = face.fall * m - all;
-    const double a = p.axis[0][0], b = p.axis[0][1], c = p.axis[0][2], d = p.axis[2][0], e = p.axis[2][1],
-                 f = p.axis[2][2];
+    const double a = part(3, i), b = part(4, i), c = part(5, i), d = part(9, i), e = part(10, i), f = part(11, i);
     xx[i] -= all + one * a * a + three * d * d;
     yy[i] -= all + one * b * b + three * e * e;
     zz[i] -= all + one * c * c + three * f * f;

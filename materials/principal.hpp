@@ -38,12 +38,12 @@ inline double separate_root(double r) {
 /// for 3x3 Symmetric Matrices (2014).
 ///
 /// Written without branches so that loops over points vectorise.
-inline Principal principal(double xx, double yy, double zz, double xy, double yz, double xz) {
+[[gnu::always_inline]] inline Principal principal(double xx, double yy, double zz, double xy, double yz, double xz) {
   constexpr double tiny = std::numeric_limits<double>::min();
   const double mean = (xx + yy + zz) / 3;
   const double a = xx - mean, b = yy - mean, c = zz - mean;
   const double J2 = 0.5 * (a * a + b * b + c * c) + xy * xy + yz * yz + xz * xz;
-  const bool isotropic = !(J2 > 1e-32 * mean * mean + 1e20 * tiny);
+  const double idle = J2 < 1e-140 ? 1.0 : 0.0;  // isotropic: any axes will do, take the coordinate axes
 
   const double J3 = a * (b * c - yz * yz) - xy * (xy * c - yz * xz) + xz * (xy * yz - b * xz);
   const double k = std::sqrt(J2 / 3), cosine3 = std::abs(J3) / (2 * k * k * k + tiny);
@@ -55,15 +55,8 @@ inline Principal principal(double xx, double yy, double zz, double xy, double yz
   const double c01 = xz * yz - xy * C, c02 = xy * yz - xz * B, c12 = xy * xz - yz * A;
   const double d0 = std::abs(c00), d1 = std::abs(c11), d2 = std::abs(c22);
   const bool first = (d0 >= d1) & (d0 >= d2), second = d1 >= d2;
-  const double w0 = first    ? c00
-                    : second ? c01
-                             : c02,
-               w1 = first    ? c01
-                    : second ? c11
-                             : c12,
-               w2 = first    ? c02
-                    : second ? c12
-                             : c22;
+  const double n0 = second ? +c01 : +c02, n1 = second ? +c11 : +c12, n2 = second ? +c12 : +c22;
+  const double w0 = (first ? +c00 : +n0) + idle, w1 = first ? +c01 : +n1, w2 = first ? +c02 : +n2;
   const double scale = 1 / std::sqrt(w0 * w0 + w1 * w1 + w2 * w2 + tiny);
   const double v0 = w0 * scale, v1 = w1 * scale, v2 = w2 * scale;
 
@@ -86,13 +79,12 @@ inline Principal principal(double xx, double yy, double zz, double xy, double yz
 
   const double high = mean - 0.5 * apart + radius, low = mean - 0.5 * apart - radius, lone = mean + apart;
   const bool top = apart > 0;  // the lone value is the largest
-  const auto choose = [&](double ifsame, double iftop, double otherwise) {
-    return isotropic ? ifsame : top ? iftop : otherwise;
-  };
-  return {{choose(mean, low, lone), choose(mean, high, low), choose(mean, lone, high)},
-          {{{choose(1, l0, v0), choose(0, l1, v1), choose(0, l2, v2)},
-            {choose(0, h0, l0), choose(1, h1, l1), choose(0, h2, l2)},
-            {choose(0, v0, h0), choose(0, v1, h1), choose(1, v2, h2)}}}};
+  // by value: a conditional between variables is a reference, which keeps them in memory
+  const double S1 = top ? +low : +lone, S2 = top ? +high : +low, S3 = top ? +lone : +high;
+  const double x1 = top ? +l0 : +v0, y1 = top ? +l1 : +v1, z1 = top ? +l2 : +v2;
+  const double x2 = top ? +h0 : +l0, y2 = top ? +h1 : +l1, z2 = top ? +h2 : +l2;
+  const double x3 = top ? +v0 : +h0, y3 = top ? +v1 : +h1, z3 = top ? +v2 : +h2;
+  return {{S1, S2, S3}, {{{x1, y1, z1}, {x2, y2, z2}, {x3, y3, z3}}}};
 }
 
 inline Principal principal(const Mat3& s) { return principal(s(0, 0), s(1, 1), s(2, 2), s(0, 1), s(1, 2), s(0, 2)); }
