@@ -115,6 +115,7 @@ Returned Pyramid::corner(const Triple& trial, double drag) const {
 
   // The tension planes can only matter for a trial stress beyond them, unless shear raises S3 (negative lambda).
   const bool tension = trial[2] > s_.tension || (lambda_ < 0 && std::isfinite(s_.tension));
+  if (trial[0] > s_.tension && search.attempt<T3, T2, T1>()) return search.best;
   if (search.attempt<F13, F12>() || search.attempt<F13, F23>() || search.attempt<F13>()) return search.best;
   if (tension && (search.attempt<T3>() || search.attempt<F13, T3>() || search.attempt<T3, T2>() ||
                   search.attempt<T3, T2, T1>() || search.attempt<F13, F23, T3>() || search.attempt<F13, F12, T3>() ||

@@ -55,8 +55,8 @@ inline double separate_root(double r) {
   const double c01 = xz * yz - xy * C, c02 = xy * yz - xz * B, c12 = xy * xz - yz * A;
   const double d0 = std::abs(c00), d1 = std::abs(c11), d2 = std::abs(c22);
   const bool first = (d0 >= d1) & (d0 >= d2), second = d1 >= d2;
-  const double n0 = second ? +c01 : +c02, n1 = second ? +c11 : +c12, n2 = second ? +c12 : +c22;
-  const double w0 = (first ? +c00 : +n0) + idle, w1 = first ? +c01 : +n1, w2 = first ? +c02 : +n2;
+  const double n0 = second ? c01 : c02, n1 = second ? c11 : c12, n2 = second ? c12 : c22;
+  const double w0 = (first ? c00 : n0) + idle, w1 = first ? c01 : n1, w2 = first ? c02 : n2;
   const double scale = 1 / std::sqrt(w0 * w0 + w1 * w1 + w2 * w2 + tiny);
   const double v0 = w0 * scale, v1 = w1 * scale, v2 = w2 * scale;
 
@@ -79,11 +79,10 @@ inline double separate_root(double r) {
 
   const double high = mean - 0.5 * apart + radius, low = mean - 0.5 * apart - radius, lone = mean + apart;
   const bool top = apart > 0;  // the lone value is the largest
-  // by value: a conditional between variables is a reference, which keeps them in memory
-  const double S1 = top ? +low : +lone, S2 = top ? +high : +low, S3 = top ? +lone : +high;
-  const double x1 = top ? +l0 : +v0, y1 = top ? +l1 : +v1, z1 = top ? +l2 : +v2;
-  const double x2 = top ? +h0 : +l0, y2 = top ? +h1 : +l1, z2 = top ? +h2 : +l2;
-  const double x3 = top ? +v0 : +h0, y3 = top ? +v1 : +h1, z3 = top ? +v2 : +h2;
+  const double S1 = top ? low : lone, S2 = top ? high : low, S3 = top ? lone : high;
+  const double x1 = top ? l0 : v0, y1 = top ? l1 : v1, z1 = top ? l2 : v2;
+  const double x2 = top ? h0 : l0, y2 = top ? h1 : l1, z2 = top ? h2 : l2;
+  const double x3 = top ? v0 : h0, y3 = top ? v1 : h1, z3 = top ? v2 : h2;
   return {{S1, S2, S3}, {{{x1, y1, z1}, {x2, y2, z2}, {x3, y3, z3}}}};
 }
 
