@@ -37,7 +37,7 @@ void elastic_step<2>(const MaterialPoints<2>& points, const Elasticity& elastic)
     for (int i = 0; i < points.count; ++i) {
       Lzz[i] = ratio * (Lxx[i] + Lyy[i]);
       const double stretch = std::exp(Lzz[i] * dt);
-      Fzz[i] *= stretch;
+      if (Fzz) Fzz[i] *= stretch;
       volume[i] *= stretch;
     }
   }

@@ -37,6 +37,7 @@ class LinearElastic final : public Material {
   void update(const MaterialPoints<2>& points) const override { elastic_step<2>(points, p_.elastic); }
   void update(const MaterialPoints<3>& points) const override { elastic_step<3>(points, p_.elastic); }
   double density() const override { return p_.density; }
+  bool needs_deformation() const override { return false; }
   double wave_modulus() const override { return p_.elastic.wave_modulus(); }
   double stored_energy(const MaterialPoints<2>& points) const override { return stored<2>(points); }
   double stored_energy(const MaterialPoints<3>& points) const override { return stored<3>(points); }

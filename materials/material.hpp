@@ -34,7 +34,7 @@ struct MaterialPoints {
   double dt = 0.0;            ///< step                                                            [time]
   bool plane_stress = false;  ///< the law chooses L_zz so that sigma_zz = 0; it updates L[zz], F[zz] and volume
   std::array<double*, Layout<Dim>::full> L{};            ///< velocity gradient during the step    [1/time]
-  std::array<double*, Layout<Dim>::full> F{};            ///< deformation gradient at t + dt       [-]
+  std::array<double*, Layout<Dim>::full> F{};            ///< deformation gradient at t + dt       [-]; null if not kept
   std::array<double*, Layout<Dim>::symmetric> stress{};  ///< at t on entry, at t + dt on return   [stress]
   const double* mass = nullptr;                          ///< [mass]
   double* volume = nullptr;                              ///< current, at t + dt                   [length^3]
@@ -65,6 +65,8 @@ class Material {
   virtual int dissipation_index() const { return -1; }
 
   virtual const std::vector<HistoryVariable>& history() const = 0;
+  /// False if the law never looks at F; the engine then need not keep it.
+  virtual bool needs_deformation() const { return true; }
   /// True for rigid materials: prescribed motion, no stress.
   virtual bool rigid() const { return false; }
 };

@@ -13,9 +13,9 @@ template <class Base>
 class Catalogue {
  public:
   struct Item {
-    std::string name;     ///< as written in the input, e.g. `MohrCoulomb`
-    std::string summary;  ///< one sentence
-    int number = 0;       ///< type number in the NairnMPM dialect; 0: has none
+    std::string name;                  ///< as written in the input, e.g. `MohrCoulomb`
+    std::string summary;               ///< one sentence
+    int number = 0;                    ///< type number in the NairnMPM dialect; 0: has none
     std::vector<std::string> aliases;  ///< further accepted names
     std::vector<ParameterInfo> parameters;
     /// Reads the properties of a <Material> element; problems are collected, null if there were any.

@@ -33,7 +33,8 @@ std::size_t distance(std::string_view a, std::string_view b) {
     std::size_t diagonal = row[0];
     row[0] = i + 1;
     for (std::size_t j = 0; j < b.size(); ++j) {
-      const bool same = std::tolower(static_cast<unsigned char>(a[i])) == std::tolower(static_cast<unsigned char>(b[j]));
+      const bool same =
+          std::tolower(static_cast<unsigned char>(a[i])) == std::tolower(static_cast<unsigned char>(b[j]));
       const std::size_t replace = diagonal + (same ? 0 : 1);
       diagonal = row[j + 1];
       row[j + 1] = std::min({replace, row[j] + 1, row[j + 1] + 1});
@@ -44,7 +45,8 @@ std::size_t distance(std::string_view a, std::string_view b) {
 
 }  // namespace
 
-InputError::InputError(std::vector<Problem> problems) : std::runtime_error(report(problems)), problems_(std::move(problems)) {}
+InputError::InputError(std::vector<Problem> problems)
+    : std::runtime_error(report(problems)), problems_(std::move(problems)) {}
 
 InputError::InputError(Origin origin, std::string message)
     : InputError(std::vector<Problem>{{std::move(origin), std::move(message)}}) {}

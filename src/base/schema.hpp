@@ -46,14 +46,14 @@ struct ParameterInfo {
 /// One line of a law's parameter table.
 template <class Law>
 struct Parameter {
-  std::string_view name;              ///< as written in the input
-  double Law::*member;                ///< where the value goes
-  Dimension dimension;                ///< converted to consistent units on reading; angles to radians
-  Range range;                        ///< checked on reading, in input units
-  std::string_view meaning;           ///< one phrase for the manual
-  std::optional<double> fallback{};   ///< absent: the user must give it (unless `optional`)
-  bool optional = false;              ///< may be absent: the member keeps the value it was constructed with
-  std::string_view alias{};           ///< second accepted spelling
+  std::string_view name;             ///< as written in the input
+  double Law::*member;               ///< where the value goes
+  Dimension dimension;               ///< converted to consistent units on reading; angles to radians
+  Range range;                       ///< checked on reading, in input units
+  std::string_view meaning;          ///< one phrase for the manual
+  std::optional<double> fallback{};  ///< absent: the user must give it (unless `optional`)
+  bool optional = false;             ///< may be absent: the member keeps the value it was constructed with
+  std::string_view alias{};          ///< second accepted spelling
 
   ParameterInfo info() const {
     return {std::string(name), std::string(alias), dimension, range, fallback, optional, std::string(meaning)};

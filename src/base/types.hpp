@@ -2,14 +2,17 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <array>
 #include <string_view>
 
 namespace tribo {
 
-template <int Dim> using Vec = Eigen::Matrix<double, Dim, 1>;
-template <int Dim> using Mat = Eigen::Matrix<double, Dim, Dim>;
+template <int Dim>
+using Vec = Eigen::Matrix<double, Dim, 1>;
+template <int Dim>
+using Mat = Eigen::Matrix<double, Dim, Dim>;
 using Vec3 = Vec<3>;
 using Mat3 = Mat<3>;
 

@@ -8,68 +8,118 @@ double Units::factor(Dimension dimension) const {
   if (dimension == Dimension::angle) return std::numbers::pi / 180.0;
   if (!legacy) return 1.0;
   switch (dimension) {  // to mm, g, s
-    case Dimension::density: return 1e-3;              // g/cm^3
-    case Dimension::stress: return 1e6;                // MPa
-    case Dimension::force: return 1e6;                 // N = kg m/s^2
-    case Dimension::expansion: return 1e-6;            // ppm
-    case Dimension::heat_capacity: return 1e6;         // J/(kg K)
-    case Dimension::conductivity: return 1e6;          // W/(m K)
-    case Dimension::viscosity: return 1e-3;            // cP
-    case Dimension::interface_stiffness: return 1e6;   // MPa/mm
-    case Dimension::energy_release: return 1e3;        // J/m^2
-    default: return 1.0;
+    case Dimension::density:
+      return 1e-3;  // g/cm^3
+    case Dimension::stress:
+      return 1e6;  // MPa
+    case Dimension::force:
+      return 1e6;  // N = kg m/s^2
+    case Dimension::expansion:
+      return 1e-6;  // ppm
+    case Dimension::heat_capacity:
+      return 1e6;  // J/(kg K)
+    case Dimension::conductivity:
+      return 1e6;  // W/(m K)
+    case Dimension::viscosity:
+      return 1e-3;  // cP
+    case Dimension::interface_stiffness:
+      return 1e6;  // MPa/mm
+    case Dimension::energy_release:
+      return 1e3;  // J/m^2
+    default:
+      return 1.0;
   }
 }
 
 std::string Units::name(Dimension dimension) const {
   const std::string l = legacy ? "mm" : length, m = legacy ? "g" : mass, t = legacy ? "s" : time;
   switch (dimension) {
-    case Dimension::none: return "-";
-    case Dimension::length: return l;
-    case Dimension::mass: return m;
-    case Dimension::time: return t;
-    case Dimension::velocity: return l + "/" + t;
-    case Dimension::acceleration: return l + "/" + t + "^2";
-    case Dimension::density: return m + "/" + l + "^3";
-    case Dimension::stress: return m + "/(" + l + " " + t + "^2)";
-    case Dimension::force: return m + " " + l + "/" + t + "^2";
-    case Dimension::rate: return "1/" + t;
-    case Dimension::expansion: return "1/K";
-    case Dimension::temperature: return "K";
-    case Dimension::heat_capacity: return l + "^2/(" + t + "^2 K)";
-    case Dimension::conductivity: return m + " " + l + "/(" + t + "^3 K)";
-    case Dimension::viscosity: return m + "/(" + l + " " + t + ")";
-    case Dimension::interface_stiffness: return m + "/(" + l + "^2 " + t + "^2)";
-    case Dimension::energy_release: return m + "/" + t + "^2";
-    case Dimension::per_length: return "1/" + l;
-    case Dimension::per_velocity: return t + "/" + l;
-    case Dimension::angle: return "rad";
+    case Dimension::none:
+      return "-";
+    case Dimension::length:
+      return l;
+    case Dimension::mass:
+      return m;
+    case Dimension::time:
+      return t;
+    case Dimension::velocity:
+      return l + "/" + t;
+    case Dimension::acceleration:
+      return l + "/" + t + "^2";
+    case Dimension::density:
+      return m + "/" + l + "^3";
+    case Dimension::stress:
+      return m + "/(" + l + " " + t + "^2)";
+    case Dimension::force:
+      return m + " " + l + "/" + t + "^2";
+    case Dimension::rate:
+      return "1/" + t;
+    case Dimension::expansion:
+      return "1/K";
+    case Dimension::temperature:
+      return "K";
+    case Dimension::heat_capacity:
+      return l + "^2/(" + t + "^2 K)";
+    case Dimension::conductivity:
+      return m + " " + l + "/(" + t + "^3 K)";
+    case Dimension::viscosity:
+      return m + "/(" + l + " " + t + ")";
+    case Dimension::interface_stiffness:
+      return m + "/(" + l + "^2 " + t + "^2)";
+    case Dimension::energy_release:
+      return m + "/" + t + "^2";
+    case Dimension::per_length:
+      return "1/" + l;
+    case Dimension::per_velocity:
+      return t + "/" + l;
+    case Dimension::angle:
+      return "rad";
   }
   return "-";
 }
 
 std::string_view dimension_name(Dimension dimension) {
   switch (dimension) {
-    case Dimension::none: return "-";
-    case Dimension::length: return "length";
-    case Dimension::mass: return "mass";
-    case Dimension::time: return "time";
-    case Dimension::velocity: return "length/time";
-    case Dimension::acceleration: return "length/time^2";
-    case Dimension::density: return "mass/length^3";
-    case Dimension::stress: return "stress";
-    case Dimension::force: return "force";
-    case Dimension::rate: return "1/time";
-    case Dimension::expansion: return "1/temperature";
-    case Dimension::temperature: return "temperature";
-    case Dimension::heat_capacity: return "energy/(mass temperature)";
-    case Dimension::conductivity: return "power/(length temperature)";
-    case Dimension::viscosity: return "stress time";
-    case Dimension::interface_stiffness: return "stress/length";
-    case Dimension::energy_release: return "energy/area";
-    case Dimension::per_length: return "1/length";
-    case Dimension::per_velocity: return "time/length";
-    case Dimension::angle: return "degrees";
+    case Dimension::none:
+      return "-";
+    case Dimension::length:
+      return "length";
+    case Dimension::mass:
+      return "mass";
+    case Dimension::time:
+      return "time";
+    case Dimension::velocity:
+      return "length/time";
+    case Dimension::acceleration:
+      return "length/time^2";
+    case Dimension::density:
+      return "mass/length^3";
+    case Dimension::stress:
+      return "stress";
+    case Dimension::force:
+      return "force";
+    case Dimension::rate:
+      return "1/time";
+    case Dimension::expansion:
+      return "1/temperature";
+    case Dimension::temperature:
+      return "temperature";
+    case Dimension::heat_capacity:
+      return "energy/(mass temperature)";
+    case Dimension::conductivity:
+      return "power/(length temperature)";
+    case Dimension::viscosity:
+      return "stress time";
+    case Dimension::interface_stiffness:
+      return "stress/length";
+    case Dimension::energy_release:
+      return "energy/area";
+    case Dimension::per_length:
+      return "1/length";
+    case Dimension::per_velocity:
+      return "time/length";
+    case Dimension::angle:
+      return "degrees";
   }
   return "-";
 }

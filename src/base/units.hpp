@@ -17,8 +17,8 @@ enum class Dimension {
   density,
   stress,
   force,
-  rate,         ///< 1/time
-  expansion,    ///< thermal expansion, 1/temperature (ppm in legacy input)
+  rate,       ///< 1/time
+  expansion,  ///< thermal expansion, 1/temperature (ppm in legacy input)
   temperature,
   heat_capacity,
   conductivity,

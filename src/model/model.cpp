@@ -6,11 +6,16 @@ namespace tribo {
 
 double Prescribed::at(double t, const Vec3& x, double dt) const {
   switch (style) {
-    case Style::constant: return t >= time ? value : 0.0;
-    case Style::linear: return t >= time ? value * (t - time) : 0.0;
-    case Style::sine: return value * std::sin(time * t);
-    case Style::cosine: return value * std::cos(time * t);
-    case Style::silent: return 0.0;
+    case Style::constant:
+      return t >= time ? value : 0.0;
+    case Style::linear:
+      return t >= time ? value * (t - time) : 0.0;
+    case Style::sine:
+      return value * std::sin(time * t);
+    case Style::cosine:
+      return value * std::cos(time * t);
+    case Style::silent:
+      return 0.0;
     case Style::function: {
       if (t < time) return 0.0;
       Variables at;

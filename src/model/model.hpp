@@ -1,4 +1,5 @@
-/// The model: everything a run needs to know, in consistent units. Readers write it, the engine reads it; they never meet.
+/// The model: everything a run needs to know, in consistent units. Readers write it, the engine reads it; they never
+/// meet.
 ///
 /// Angles are radians, vectors always have three components (unused ones 0), coordinates are absolute.
 #pragma once
@@ -63,10 +64,10 @@ struct MaterialSpec {
   std::string name;
   std::string type;  ///< catalogue name
   std::shared_ptr<const Material> law;
-  std::optional<double> particle_damping;  ///< [1/time]
+  std::optional<double> particle_damping;                   ///< [1/time]
   std::array<std::optional<Expression>, 3> rigid_velocity;  ///< rigid materials: prescribed components
   int rigid_directions = 0;                                 ///< type 11: bits x 1, y 2, z 4
-  Statement statement;  ///< as written, for provenance and late errors
+  Statement statement;                                      ///< as written, for provenance and late errors
   Origin origin;
 };
 
@@ -88,6 +89,7 @@ struct Piece {
   std::optional<double> point_size;             ///< instead: edge length of a particle's domain
   std::optional<InitialDeformation> deformation;
   std::array<std::optional<Expression>, 6> stress;  ///< initial Cauchy stress xx yy zz xy yz xz, functions of position
+  double stress_factor = 1.0;                        ///< consistent units of the stress functions
   double angle = 0.0;                               ///< material axes, rotation about z
   Origin origin;
 };
@@ -111,8 +113,8 @@ struct Prescribed {
   Style style = Style::constant;
   double value = 0.0, time = 0.0;
   Expression function;
-  double function_time = 1.0;  ///< consistent time of one unit of the function's t
-  double function_scale = 1.0; ///< consistent units of the function's value
+  double function_time = 1.0;   ///< consistent time of one unit of the function's t
+  double function_scale = 1.0;  ///< consistent units of the function's value
   double at(double t, const Vec3& x, double dt = 0.0) const;
 };
 
@@ -137,8 +139,8 @@ struct ParticleCondition {
 };
 
 struct Damping {
-  std::optional<Expression> grid, particle;  ///< [1/time]
-  double function_time = 1.0;                ///< consistent time of one unit of t
+  std::optional<Expression> grid, particle;        ///< [1/time]
+  double function_time = 1.0;                      ///< consistent time of one unit of t
   std::optional<double> grid_gain, particle_gain;  ///< feedback damping: alpha' = gain (KE - target)
   std::optional<Expression> target_energy;
   double max_alpha = 0.0;  ///< 0: unlimited

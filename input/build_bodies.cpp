@@ -1,0 +1,234 @@
+/// MaterialPoints: bodies, holes, pictures, single particles; and the shapes that conditions share.
+
+#include "input/builder.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace tribo {
+namespace {
+
+constexpr double degrees = std::numbers::pi / 180.0;
+
+bool is_shape(std::string_view name) {
+  for (const auto shape : {"Rect", "Oval", "Polygon", "Line", "Arc", "Box", "Sphere", "Cylinder", "Torus", "STL"})
+    if (name == shape) return true;
+  return false;
+}
+
+int axis_of(const std::string& text) { return text == "1" || text == "x" ? 0 : text == "2" || text == "y" ? 1 : 2; }
+
+}  // namespace
+
+// A shape with everything that is cut out of it; what is cut out of a cut is kept.
+RegionPtr Builder::shape(const Statement& s) {
+  const bool three =
+      s.name == "Box" || s.name == "Sphere" || s.name == "Cylinder" || s.name == "Torus" || s.name == "STL";
+  must(!three || model_.dimension() == 3, s.origin,
+       "<" + s.name + "> is a three-dimensional shape, and the model is two-dimensional");
+  const bool flat = s.name == "Rect" || s.name == "Oval" || s.name == "Polygon" || s.name == "Arc";
+  must(!flat || model_.dimension() == 2, s.origin,
+       "<" + s.name + "> is a two-dimensional shape, and the model is three-dimensional");
+  RegionPtr region = placed(s, [&] { return plain_shape(s); });
+  for (const auto& child : s.children)
+    if (is_shape(child.name)) region = subtract(region, shape(child));
+  return region;
+}
+
+RegionPtr Builder::plain_shape(const Statement& s) {
+  const auto x = [&](const char* name) { return coordinate(s, name, 0); };
+  const auto y = [&](const char* name) { return coordinate(s, name, 1); };
+  const auto z = [&](const char* name) { return coordinate(s, name, 2); };
+  if (s.name == "Rect" || s.name == "LdRect") return rectangle(x("xmin"), x("xmax"), y("ymin"), y("ymax"));
+  if (s.name == "Oval") {
+    const auto* arc = s.child("arc");
+    const double start = arc ? number(*arc, "start", Dimension::angle) : 0.0,
+                 end = arc ? number(*arc, "end", Dimension::angle) : 0.0;
+    return oval(x("xmin"), x("xmax"), y("ymin"), y("ymax"), start, end);
+  }
+  if (s.name == "Polygon") {
+    std::vector<Vec<2>> corners;
+    for (const auto& pt : s.children)
+      if (pt.name == "pt") corners.emplace_back(coordinate(pt, "x", 0), coordinate(pt, "y", 1));
+    if (corners.size() < 3) throw std::runtime_error("a polygon needs at least three <pt>");
+    return polygon(std::move(corners));
+  }
+  if (s.name == "Line" || s.name == "BCLine") return line_shape(s);
+  if (s.name == "Arc" || s.name == "BCArc") return arc_shape(s);
+  if (s.name == "STL") {
+    const Vec3 shift(number(s, "x", Dimension::length), number(s, "y", Dimension::length),
+                     number(s, "z", Dimension::length));
+    try {
+      return stl((folder_ / word(s, "file")).string(), number(s, "scale", Dimension::none, 1.0), shift);
+    } catch (const FileError& error) {
+      throw std::runtime_error(error.what());
+    }
+  }
+  const Vec3 low(x("xmin"), y("ymin"), z("zmin")), high(x("xmax"), y("ymax"), z("zmax"));
+  if (s.name == "Sphere") return ellipsoid(low, high);
+  if (s.name == "Torus") return torus(low, high, axis_of(word(s, "axis")), number(s, "radius", Dimension::length));
+  if (s.name == "Cylinder" || (s.name == "BCBox" && has(s, "axis"))) {
+    const double taper = number(s, "radius", Dimension::none, 1.0);
+    if (!(taper >= -1 && taper <= 1)) throw std::runtime_error("the attribute radius must be in [-1, 1]");
+    return cylinder(low, high, axis_of(word(s, "axis")), taper);
+  }
+  return box(low, high);
+}
+
+RegionPtr Builder::line_shape(const Statement& s) {
+  const auto end = [&](const char* a, const char* b, int axis) {
+    must(has(s, a) || has(s, b) || axis == 2, s.origin, "<" + s.name + "> needs the attribute '" + a + "'");
+    return coordinate(s, has(s, a) ? a : b, axis);
+  };
+  return line({end("x1", "xmin", 0), end("y1", "ymin", 1), end("z1", "zmin", 2)},
+              {end("x2", "xmax", 0), end("y2", "ymax", 1), end("z2", "zmax", 2)}, tolerance(s));
+}
+
+RegionPtr Builder::arc_shape(const Statement& s) {
+  const double start = number(s, "start", Dimension::angle),
+               end = has(s, "end") ? number(s, "end", Dimension::angle) : 360 * degrees;
+  return arc(coordinate(s, "xmin", 0), coordinate(s, "xmax", 0), coordinate(s, "ymin", 1), coordinate(s, "ymax", 1),
+             start, end, tolerance(s));
+}
+
+void Builder::bodies() {
+  const Statement& points = *root_.child("MaterialPoints");
+  for (const auto& s : points.children) {
+    if (s.name == "Body") body(s, false);
+    if (s.name == "Hole") body(s, true);
+    if (s.name == "BMP") picture(s);
+    if (s.name == "PointList")
+      for (const auto& mp : s.children) point(mp);
+  }
+  must(!model_.pieces.empty() || !model_.points.empty(), points.origin,
+       "<MaterialPoints> holds no particle; give a <Body> with a shape");
+}
+
+void Builder::body(const Statement& s, bool hole) {
+  Piece piece;
+  if (!hole) {
+    piece.material = material(s);
+    piece.velocity = Vec3(number(s, "vx", Dimension::velocity), number(s, "vy", Dimension::velocity),
+                          number(s, "vz", Dimension::velocity));
+    if (has(s, "temp")) piece.temperature = number(s, "temp", Dimension::temperature);
+    if (has(s, "thick")) piece.thickness = number(s, "thick", Dimension::length);
+    must(!piece.thickness || *piece.thickness > 0, s.origin, "the thickness must be positive");
+    piece.angle = number(s, "angle", Dimension::angle);
+    if (has(s, "size")) piece.point_size = number(s, "size", Dimension::length);
+    must(!piece.point_size || *piece.point_size > 0, s.origin, "the particle size must be positive");
+  }
+  bool any = false;
+  for (const auto& child : s.children) {
+    if (!is_shape(child.name)) {
+      modify(child, piece);
+      continue;
+    }
+    any = true;
+    Piece filled = piece;
+    filled.region = shape(child);
+    filled.origin = child.origin;
+    model_.pieces.push_back(std::move(filled));
+  }
+  must(any, s.origin, "<" + s.name + "> has no shape");
+}
+
+// Elements between the shapes act on the shapes that follow.
+void Builder::modify(const Statement& s, Piece& piece) {
+  if (s.name == "vel0X") piece.velocity_function[0] = function(s.text, s.text_origin);
+  if (s.name == "vel0Y") piece.velocity_function[1] = function(s.text, s.text_origin);
+  if (s.name == "vel0Z") piece.velocity_function[2] = function(s.text, s.text_origin);
+  if (s.name == "RotateZ") piece.angle += function(s.text, s.text_origin)(Variables{}) * degrees;
+  must(s.name != "RotateX" && s.name != "RotateY", s.origin,
+       "<" + s.name + "> turns material axes out of the plane; no material of Tribo has axes yet");
+  if (s.name == "Unrotate") piece.angle = 0.0;
+  if (s.name == "Undeform") piece.deformation.reset();
+  if (s.name == "MatlPtsPerElement") {
+    const double n = text_number(s, Dimension::none);
+    const double root = model_.dimension() == 2 ? std::sqrt(n) : std::cbrt(n);
+    must(root >= 1 && root < 5.001 && std::abs(root - std::round(root)) < 1e-9, s.origin,
+         "particles per cell must be a square (2D) or a cube (3D), at most 5 per axis");
+    const int per_axis = static_cast<int>(std::round(root));
+    piece.points_per_axis = {per_axis, per_axis, model_.dimension() == 3 ? per_axis : 1};
+  }
+  if (s.name == "Deform") {
+    InitialDeformation d;
+    constexpr std::array shifts{"dX", "dY", "dZ"};
+    for (std::size_t i = 0; i < 3; ++i) {
+      d.shift[i] = function(s, shifts[i]);
+      for (std::size_t j = 0; j < 3; ++j) d.F[i][j] = function(s, "F" + std::to_string(i + 1) + std::to_string(j + 1));
+    }
+    piece.deformation = d;
+  }
+  if (s.name == "InitialStress") {
+    constexpr std::array names{"xx", "yy", "zz", "xy", "yz", "xz"};
+    for (std::size_t k = 0; k < 6; ++k) piece.stress[k] = function(s, names[k]);
+    piece.stress_factor = model_.units.factor(Dimension::stress);
+  }
+}
+
+void Builder::picture(const Statement& s) {
+  std::shared_ptr<const Image> image;
+  try {
+    image = std::make_shared<const Image>((folder_ / word(s, "name")).string());
+  } catch (const FileError& error) {
+    problems_.add(s.attribute("name")->origin, error.what());
+    return;
+  }
+  const double width = number(s, "width", Dimension::length, image->width()),
+               height = number(s, "height", Dimension::length, image->height());
+  const auto* origin = s.child("Origin");
+  const double x = origin ? number(*origin, "x", Dimension::length) : 0.0,
+               y = origin ? number(*origin, "y", Dimension::length) : 0.0;
+  must(width > 0 && height > 0, s.origin, "width and height of the picture must be positive");
+  for (const auto& range : s.children) {
+    if (range.name != "Intensity") continue;
+    Piece piece;
+    piece.material = material(range);
+    piece.velocity = Vec3(number(range, "vx", Dimension::velocity), number(range, "vy", Dimension::velocity),
+                          number(range, "vz", Dimension::velocity));
+    if (has(range, "thick")) piece.thickness = number(range, "thick", Dimension::length);
+    piece.angle = number(range, "angle", Dimension::angle);
+    const int low = static_cast<int>(number(range, "imin", Dimension::none)),
+              high = static_cast<int>(number(range, "imax", Dimension::none));
+    must(low >= 0 && low <= high && high <= 255, range.origin,
+         "imin and imax must be grey values 0 ... 255, imin <= imax");
+    piece.region = image_region(image, x, x + width, y, y + height, low, high);
+    piece.origin = range.origin;
+    model_.pieces.push_back(std::move(piece));
+  }
+}
+
+void Builder::point(const Statement& s) {
+  PointSpec p;
+  p.origin = s.origin;
+  p.material = material(s);
+  p.angle = number(s, "angle", Dimension::angle);
+  const auto* at = s.child("pt");
+  if (!at) {
+    problems_.add(s.origin, "<mp> needs <pt x= y=>");
+    return;
+  }
+  p.position =
+      Vec3(coordinate(*at, "x", 0), coordinate(*at, "y", 1), model_.dimension() == 3 ? coordinate(*at, "z", 2) : 0.0);
+  if (const auto* v = s.child("vel"))
+    p.velocity = Vec3(number(*v, "x", Dimension::velocity), number(*v, "y", Dimension::velocity),
+                      number(*v, "z", Dimension::velocity));
+  if (const auto* m = s.child("mass")) {
+    p.mass = number(*m, "m", Dimension::mass);
+    must(*p.mass > 0, m->origin, "the mass must be positive");
+  }
+  if (has(s, "lpx") || has(s, "lpy") || has(s, "lpz")) {
+    Vec3 half = Vec3::Zero();
+    constexpr std::array names{"lpx", "lpy", "lpz"};
+    for (int d = 0; d < model_.dimension(); ++d) {
+      const auto k = static_cast<std::size_t>(d);
+      const double h = (model_.grid.high[k] - model_.grid.low[k]) / model_.grid.cells[k];
+      half[d] = number(s, names[k], Dimension::none, 0.5) * 0.5 * h;
+      must(half[d] > 0, s.origin, "the size of a particle must be positive");
+    }
+    p.half_size = half;
+  }
+  model_.points.push_back(p);
+}
+
+}  // namespace tribo

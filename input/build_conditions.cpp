@@ -1,0 +1,143 @@
+/// GridBCs, ParticleBCs and Gravity.
+
+#include "input/builder.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace tribo {
+
+void Builder::conditions() {
+  if (const auto* grid = root_.child("GridBCs"))
+    for (const auto& s : grid->children) selector(s, true);
+  if (const auto* particles = root_.child("ParticleBCs"))
+    for (const auto& s : particles->children) selector(s, false);
+}
+
+void Builder::selector(const Statement& s, bool grid) {
+  const RegionPtr where = selected(s);
+  bool any = false, net = false;
+  for (const auto& child : s.children) {
+    if (child.name == "net") net = true;
+    if (child.name == "perParticle") net = false;
+    const bool load = child.name == "LoadBC" || child.name == "TractionBC";
+    if (child.name == "DisBC" || load) {
+      any = true;
+      must(grid != load, child.origin,
+           "<" + child.name + "> belongs into <" + (load ? "ParticleBCs" : "GridBCs") + ">");
+    }
+    if (child.name == "DisBC" && grid) node_condition(child, where);
+    if (load && !grid) particle_condition(child, where, net);
+  }
+  must(any, s.origin, "<" + s.name + "> selects " + (grid ? "nodes" : "particles") + " but sets nothing");
+}
+
+RegionPtr Builder::selected(const Statement& s) {
+  if (s.name != "BCShape" && s.name != "LdShape") return placed(s, [&] { return plain_shape(s); });
+  std::vector<RegionPtr> shapes;
+  for (const auto& child : s.children)
+    if (child.name != "DisBC" && child.name != "LoadBC" && child.name != "TractionBC" && child.name != "net" &&
+        child.name != "perParticle")
+      shapes.push_back(shape(child));
+  if (shapes.empty()) {
+    problems_.add(s.origin, "<" + s.name + "> has no shape");
+    return rectangle(0, 0, 0, 0);
+  }
+  return shapes.size() == 1 ? shapes.front() : unite(std::move(shapes));
+}
+
+Prescribed Builder::prescribed(const Statement& s, std::string_view value, Dimension dimension) {
+  Prescribed p;
+  const std::string style = word(s, "style", has(s, "function") ? "6" : "1");
+  p.style = style == "2" || style == "linear"     ? Style::linear
+            : style == "3" || style == "sine"     ? Style::sine
+            : style == "4" || style == "cosine"   ? Style::cosine
+            : style == "5" || style == "silent"   ? Style::silent
+            : style == "6" || style == "function" ? Style::function
+                                                  : Style::constant;
+  const double alternative = model_.units.alternative_time();
+  const bool periodic = p.style == Style::sine || p.style == Style::cosine;
+  const double time = number(s, has(s, "time") ? "time" : "ftime", Dimension::none);
+  p.time = periodic ? time / alternative : time * alternative;  // a frequency, or a time
+  p.value = number(s, value, dimension);
+  if (p.style == Style::linear) p.value /= alternative;  // per unit of time
+  if (p.style == Style::function) {
+    if (const auto f = function(s, "function"))
+      p.function = *f;
+    else
+      problems_.add(s.origin, "style 'function' needs the attribute 'function'");
+    p.function_time = alternative;
+    p.function_scale = model_.units.factor(dimension);
+  } else {
+    must(!has(s, "function"), s.origin, "'function' has an effect with style 'function' (6) only");
+  }
+  return p;
+}
+
+void Builder::node_condition(const Statement& s, const RegionPtr& where) {
+  NodeCondition c;
+  c.where = where;
+  c.origin = s.origin;
+  const std::string dir = word(s, "dir", "1");
+  const double angle = number(s, "angle", Dimension::angle), angle2 = number(s, "angle2", Dimension::angle);
+  // Skewed directions turn clockwise from the first axis, as the dialect has it
+  if (dir == "1") c.direction = Vec3::UnitX();
+  if (dir == "2") c.direction = Vec3::UnitY();
+  if (dir == "3") c.direction = Vec3::UnitZ();
+  if (dir == "12") c.direction = Vec3(std::cos(angle), -std::sin(angle), 0);
+  if (dir == "13") c.direction = Vec3(std::cos(angle), 0, -std::sin(angle));
+  if (dir == "23") c.direction = Vec3(0, std::cos(angle), -std::sin(angle));
+  if (dir == "123")
+    c.direction = Vec3(std::cos(angle) * std::sin(angle2), -std::sin(angle) * std::sin(angle2), std::cos(angle2));
+  must(model_.dimension() == 3 || dir.find('3') == std::string::npos, s.origin,
+       "direction " + dir + " needs a three-dimensional model");
+  must(!(has(s, "vel") && has(s, "disp")), s.origin, "give 'vel' or 'disp', which mean the same, not both");
+  c.velocity = prescribed(s, has(s, "vel") ? "vel" : "disp", Dimension::velocity);
+  must(c.velocity.style != Style::silent, s.origin,
+       "a velocity cannot be silent; an absorbing boundary is a <TractionBC style=\"silent\">");
+  c.id = static_cast<int>(number(s, "id", Dimension::none));
+  must(c.id <= 0, s.origin, "the id of a condition is 0 or negative");
+  model_.node_conditions.push_back(std::move(c));
+}
+
+void Builder::particle_condition(const Statement& s, const RegionPtr& where, bool net) {
+  ParticleCondition c;
+  c.where = where;
+  c.origin = s.origin;
+  const bool traction = s.name == "TractionBC";
+  c.kind = traction ? ParticleCondition::Kind::traction : ParticleCondition::Kind::force;
+  const int dir = static_cast<int>(number(s, "dir", Dimension::none, 1));
+  c.direction = dir - 1;
+  c.face = static_cast<int>(number(s, "face", Dimension::none));
+  c.net = net && !traction;
+  must(model_.dimension() == 3 || (dir != 3 && c.face < 5), s.origin,
+       "this direction or face needs a three-dimensional model");
+  must(model_.dimension() == 2 || dir != 12, s.origin,
+       "shear traction (12) is for two-dimensional models; give 1, 2 or 3");
+  c.value = prescribed(s,
+                       traction         ? "stress"
+                       : has(s, "load") ? "load"
+                                        : "value",
+                       traction ? Dimension::stress : Dimension::force);
+  must(traction || c.value.style != Style::silent, s.origin,
+       "a force cannot be silent; use <TractionBC style=\"silent\">");
+  model_.particle_conditions.push_back(std::move(c));
+}
+
+void Builder::gravity() {
+  const auto* g = root_.child("Gravity");
+  if (!g) return;
+  constexpr std::array constants{"BodyXForce", "BodyYForce", "BodyZForce"},
+      functions{"GridBodyXForce", "GridBodyYForce", "GridBodyZForce"};
+  model_.body_force.function_time = model_.units.alternative_time();
+  for (std::size_t d = 0; d < 3; ++d) {
+    if (const auto* s = g->child(constants[d])) {
+      model_.body_force.gravity[static_cast<Eigen::Index>(d)] = text_number(*s, Dimension::acceleration);
+      must(d < 2 || model_.dimension() == 3 || model_.body_force.gravity[2] == 0, s->origin,
+           "a force along z needs a three-dimensional model");
+    }
+    if (const auto* s = g->child(functions[d])) model_.body_force.function[d] = function(s->text, s->text_origin);
+  }
+}
+
+}  // namespace tribo

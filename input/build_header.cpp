@@ -1,0 +1,387 @@
+/// Header, MPMHeader, Mesh and CustomTasks.
+
+#include "input/builder.hpp"
+#include "model/quantities.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace tribo {
+namespace {
+
+std::vector<std::string> names_of(const std::vector<QuantityInfo>& list) {
+  std::vector<std::string> out;
+  for (const auto& q : list) out.emplace_back(q.name);
+  return out;
+}
+
+// The dialect's archive letters, in order; an empty name has no field in Tribo or is always written.
+constexpr std::array<std::string_view, 18> archive_order{"", "", "velocity", "stress",  "", "", "", "", "",
+                                                         "", "", "",         "history", "", "", "", "", ""};
+
+}  // namespace
+
+void Builder::header() {
+  const Statement& h = *root_.child("Header");
+  if (const auto* d = h.child("Description")) model_.title = d->text;
+  const std::string analysis = h.child("Analysis")->text;
+  model_.analysis = analysis == "10"   ? Analysis::plane_strain
+                    : analysis == "11" ? Analysis::plane_stress
+                    : analysis == "12" ? Analysis::solid
+                                       : Analysis::axisymmetric;
+  const auto* units = h.child("ConsistentUnits");
+  model_.units.legacy = units == nullptr;
+  if (units) {
+    model_.units.length = word(*units, "length", "L");
+    model_.units.mass = word(*units, "mass", "M");
+    model_.units.time = word(*units, "time", "T");
+  }
+  if (const auto* seed = h.child("RandSeed"))
+    model_.random_seed = static_cast<unsigned>(std::abs(text_number(*seed, Dimension::none)));
+}
+
+void Builder::mpm_header() {
+  const Statement& h = *root_.child("MPMHeader");
+  Scheme& scheme = model_.scheme;
+  if (const auto* m = h.child("MPMMethod"))
+    scheme.order = m->text == "0" || m->text == "USF"   ? UpdateOrder::usf
+                   : m->text == "3" || m->text == "USL" ? UpdateOrder::usl
+                                                        : UpdateOrder::usavg;
+  scheme.extrapolate_again = !h.child("SkipPostExtrapolation");
+  if (const auto* g = h.child("GIMP")) {
+    const std::string type = word(*g, "type", "uGIMP");
+    const auto is = [&](std::initializer_list<std::string_view> names) {
+      return std::find(names.begin(), names.end(), type) != names.end();
+    };
+    scheme.kernel = is({"Classic", "Dirac", "linear", "0"}) ? Kernel::linear
+                    : is({"lCPDI", "CPDI", "2"})            ? Kernel::cpdi
+                    : is({"B2SPLINE", "quadratic", "6"})    ? Kernel::quadratic_spline
+                    : is({"B3SPLINE", "cubic"})             ? Kernel::cubic_spline
+                                                            : Kernel::gimp;
+  }
+  if (const auto* t = h.child("Transfer")) {
+    const std::string type = word(*t, "type");
+    scheme.transfer = type == "FLIP"    ? Transfer::flip
+                      : type == "PIC"   ? Transfer::pic
+                      : type == "blend" ? Transfer::blend
+                      : type == "XPIC"  ? Transfer::xpic
+                      : type == "FMPM"  ? Transfer::fmpm
+                                        : Transfer::apic;
+    scheme.flip_fraction = number(*t, "fraction", Dimension::none, 0.99);
+    must(scheme.flip_fraction >= 0 && scheme.flip_fraction <= 1, t->origin, "the fraction of FLIP must be in [0, 1]");
+    must(!has(*t, "fraction") || type == "blend", t->origin, "'fraction' belongs to type blend");
+    scheme.filter_order = static_cast<int>(number(*t, "order", Dimension::none, 2));
+    must(scheme.filter_order >= 1 && scheme.filter_order <= 100, t->origin, "the order must be in 1 ... 100");
+    must(!has(*t, "order") || type == "XPIC" || type == "FMPM", t->origin, "'order' belongs to types XPIC and FMPM");
+  }
+  if (const auto* d = h.child("DefGradTerms")) {
+    scheme.deformation_terms = static_cast<int>(text_number(*d, Dimension::none, 2));
+    must(scheme.deformation_terms >= 1 && scheme.deformation_terms <= 20, d->origin,
+         "the number of terms must be in 1 ... 20");
+  }
+  if (const auto* c = h.child("CPDIrcrit")) {
+    scheme.cpdi_limit = text_number(*c, Dimension::none, 1);
+    must(scheme.cpdi_limit > 0 && scheme.cpdi_limit <= 1, c->origin, "<CPDIrcrit> must be in (0, 1] cells");
+  }
+
+  TimeControl& time = model_.time;
+  const auto positive_time = [&](const Statement& s, double value) {
+    must(value > 0, s.origin, "<" + s.name + "> must be positive");
+    return value;
+  };
+  if (const auto* t = h.child("Timing")) {
+    time.max_step = number(*t, "step", Dimension::time, 1.0);
+    time.end = number(*t, "max", Dimension::time, 1.0);
+    time.courant = number(*t, "CFL", Dimension::none, 0.5);
+    positive_time(*t, std::min({time.max_step, time.end, time.courant}));
+  }
+  if (const auto* t = h.child("TimeStep")) time.max_step = positive_time(*t, text_number(*t, Dimension::time, 1.0));
+  if (const auto* t = h.child("MaxTime")) time.end = positive_time(*t, text_number(*t, Dimension::time, 1.0));
+  if (const auto* t = h.child("TimeFactor")) {
+    time.courant = text_number(*t, Dimension::none, 0.5);
+    must(time.courant > 0 && time.courant <= 1, t->origin, "<TimeFactor> must be in (0, 1]");
+  }
+
+  if (const auto* n = h.child("MatlPtsPerElement")) {
+    model_.points_per_cell = static_cast<int>(text_number(*n, Dimension::none, 4));
+    const double root = model_.dimension() == 2 ? std::sqrt(model_.points_per_cell) : std::cbrt(model_.points_per_cell);
+    must(model_.points_per_cell > 0 && root <= 5.001 && std::abs(root - std::round(root)) < 1e-9, n->text_origin,
+         model_.dimension() == 2 ? "particles per cell must be 1, 4, 9, 16 or 25"
+                                 : "particles per cell must be 1, 8, 27, 64 or 125");
+  }
+  if (const auto* l = h.child("LeaveLimit")) {
+    const auto limit = static_cast<long>(text_number(*l, Dimension::none, 0));
+    must(limit >= 0, l->text_origin,
+         "Tribo never deletes particles; <LeaveLimit> must be 0 (one per cent are put back) or more");
+    model_.leave_limit = limit == 0 ? 100000 : limit;
+  }
+  archive(h);
+  history(h);
+  damping(h);
+}
+
+void Builder::archive(const Statement& h) {
+  OutputSpec& out = model_.output;
+  double start = 0.0;
+  if (const auto* first = h.child("FirstArchiveTime")) start = text_number(*first, Dimension::time);
+  for (const auto& s : h.children) {
+    if (s.name != "ArchiveTime" && s.name != "ArchiveGroup") continue;
+    const bool group = s.name == "ArchiveGroup";
+    const double interval = group ? number(s, "time", Dimension::time) : text_number(s, Dimension::time);
+    must(interval > 0, s.origin, "the time between archives must be positive");
+    const double from = group                 ? number(s, "start", Dimension::time)
+                        : out.archive.empty() ? 0.0
+                                              : out.archive.back().start + 1e-300;
+    if (!group && !out.archive.empty()) {
+      problems_.add(s.origin, "<ArchiveTime> is given twice; use <ArchiveGroup time= start=> for further intervals");
+      continue;
+    }
+    must(out.archive.empty() || from > out.archive.back().start, s.origin, "archive groups must start later and later");
+    out.archive.push_back({from, interval, 0});
+  }
+  if (out.archive.empty()) {
+    problems_.add(h.origin, "<MPMHeader> needs <ArchiveTime>, the time between particle files");
+    return;
+  }
+  if (start > 0) {
+    // The first file after the start comes at `start`, then at every interval.
+    const double interval = out.archive.front().interval;
+    out.archive.front() = {0.0, 0.0, 0};
+    out.archive.insert(out.archive.begin() + 1, {start, interval, 0});
+  }
+  if (const auto* g = h.child("GlobalArchiveTime")) {
+    out.history_interval = text_number(*g, Dimension::time);
+    must(out.history_interval > 0, g->origin, "<GlobalArchiveTime> must be positive");
+  }
+
+  const auto add_field = [&](const std::string& name, const Origin& origin) {
+    const auto* field = find_particle_field(name);
+    if (!field)
+      problems_.add(origin, "'" + name + "' is no field of the particle files" +
+                                did_you_mean(name, names_of(particle_fields())) +
+                                "; valid: " + join(names_of(particle_fields())));
+    else if (std::find(out.particle_fields.begin(), out.particle_fields.end(), field->name) ==
+             out.particle_fields.end())
+      out.particle_fields.emplace_back(field->name);
+  };
+  if (const auto* order = h.child("MPMArchiveOrder"); order && !h.child("Output")) {
+    for (const auto name : {"id", "material", "displacement", "volume_ratio"}) add_field(name, order->origin);
+    for (std::size_t k = 2; k < archive_order.size() && k < order->text.size(); ++k)
+      if (order->text[k] != 'N' && !archive_order[k].empty())
+        add_field(std::string(archive_order[k]), order->text_origin);
+    for (const auto name : {"velocity", "stress", "pressure", "von_mises"}) add_field(name, order->origin);
+  }
+  for (const auto& s : h.children)
+    if (s.name == "MPMArchive" && word(s, "setting", "yes") != "no") add_field(word(s, "result"), s.origin);
+  if (const auto* o = h.child("Output")) {
+    std::istringstream fields(word(*o, "fields")), grid(word(*o, "grid"));
+    for (std::string name; fields >> name;) add_field(name, o->attribute("fields")->origin);
+    for (std::string name; grid >> name;) {
+      if (name == "mass" || name == "velocity")
+        out.grid_fields.push_back(name);
+      else
+        problems_.add(o->attribute("grid")->origin,
+                      "'" + name + "' is no field of the grid files; valid: mass, velocity");
+    }
+    out.checkpoint_interval = number(*o, "checkpoint", Dimension::time);
+    must(out.checkpoint_interval >= 0, o->origin, "the time between checkpoints must not be negative");
+  }
+}
+
+void Builder::history(const Statement& h) {
+  for (const auto& s : h.children) {
+    if (s.name != "GlobalArchive") continue;
+    HistoryQuantity q;
+    q.name = q.column = word(s, "type");
+    q.origin = s.origin;
+    const auto* info = find_global_quantity(q.name);
+    if (!info) {
+      problems_.add(s.attribute("type")->origin, "'" + q.name + "' is no quantity of the histories" +
+                                                     did_you_mean(q.name, names_of(global_quantities())) +
+                                                     "; valid: " + join(names_of(global_quantities())));
+      continue;
+    }
+    const Attribute* of = s.attribute("material") ? s.attribute("material") : s.attribute("mat");
+    const bool reaction = info->name.rfind("reaction", 0) == 0;
+    if (of && !s.attribute("matname") && to_number(of->text).value_or(0) <= 0) {
+      q.condition_id = static_cast<int>(to_number(of->text).value_or(0));
+      must(reaction, of->origin, "a number <= 0 is the id of a condition, for reactionx, reactiony, reactionz");
+      q.column += ":" + of->text;
+    } else if (of || s.attribute("matname")) {
+      must(info->of_material, s.origin, "'" + q.name + "' is not a quantity of one material");
+      q.material = material(s, s.attribute("material") ? "material" : "mat");
+      if (q.material >= 0 && q.material < static_cast<int>(material_statements_.size()))
+        q.column += ":" + word(*material_statements_[static_cast<std::size_t>(q.material)], "Name");
+    }
+    model_.output.history.push_back(q);
+  }
+}
+
+void Builder::damping(const Statement& h) {
+  Damping& d = model_.damping;
+  d.function_time = model_.units.alternative_time();
+  const auto constant = [&](const char* name, std::optional<Expression>& to) {
+    const auto* s = h.child(name);
+    if (!s) return;
+    if (s->attribute("function"))
+      to = function(*s, "function");
+    else
+      to = Expression(text_number(*s, Dimension::rate));
+  };
+  constant("Damping", d.grid);
+  constant("PDamping", d.particle);
+  const auto feedback = [&](const char* name, std::optional<double>& gain) {
+    const auto* s = h.child(name);
+    if (!s) return;
+    gain = text_number(*s, Dimension::none);
+    must(*gain >= 0, s->origin, "a gain must not be negative");
+    if (s->attribute("target")) d.target_energy = function(*s, "target");
+    d.max_alpha = number(*s, "max", Dimension::rate);
+  };
+  feedback("FeedbackDamping", d.grid_gain);
+  feedback("PFeedbackDamping", d.particle_gain);
+}
+
+void Builder::mesh() {
+  const Statement& grid = *root_.child("Mesh")->child("Grid");
+  GridSpec& g = model_.grid;
+  g.origin = grid.origin;
+  constexpr std::array names{"x", "y", "z"};
+  for (int d = 0; d < model_.dimension(); ++d) {
+    const std::string low = std::string(names[static_cast<std::size_t>(d)]) + "min",
+                      high = std::string(names[static_cast<std::size_t>(d)]) + "max";
+    g.low[static_cast<std::size_t>(d)] = number(grid, low, Dimension::length);
+    g.high[static_cast<std::size_t>(d)] = number(grid, high, Dimension::length);
+    if (!has(grid, low) || !has(grid, high))
+      problems_.add(grid.origin, "<Grid> needs " + low + " and " + high);
+    else if (!(g.low[static_cast<std::size_t>(d)] < g.high[static_cast<std::size_t>(d)]))
+      problems_.add(grid.attribute(high)->origin, high + " must be larger than " + low);
+  }
+  must(model_.dimension() == 3 || !grid.child("Depth"), grid.origin, "<Depth> belongs to three-dimensional models");
+  g.thickness = number(grid, "thickness", Dimension::length, 1.0);
+  must(g.thickness > 0, grid.origin, "the thickness must be positive");
+  constexpr std::array elements{"Horiz", "Vert", "Depth"}, counts{"nx", "ny", "nz"};
+  for (int d = 0; d < model_.dimension(); ++d)
+    axis(grid, d, elements[static_cast<std::size_t>(d)], counts[static_cast<std::size_t>(d)]);
+  double nodes = 1;
+  for (const int n : g.cells) nodes *= n + 1.0;
+  must(nodes < 2e11, grid.origin, "the grid has more than 2e11 nodes; use larger cells");
+  if (model_.analysis == Analysis::axisymmetric) {
+    must(g.low[0] >= 0 || g.symmetry[0][0].has_value(), grid.origin, "an axisymmetric grid must not reach below r = 0");
+    if (g.low[0] <= 0) g.symmetry[0][0] = 0.0;
+  }
+}
+
+void Builder::axis(const Statement& grid, int axis, std::string_view element, std::string_view count) {
+  const auto k = static_cast<std::size_t>(axis);
+  GridSpec& g = model_.grid;
+  const auto* s = grid.child(element);
+  if (!s) {
+    problems_.add(grid.origin, "<Grid> needs <" + std::string(element) + "> with the number of cells '" +
+                                   std::string(count) + "' or their 'cellsize'");
+    return;
+  }
+  for (const auto* other : {"nx", "ny", "nz"})
+    must(other == count || !has(*s, other), s->origin,
+         "<" + std::string(element) + "> takes " + std::string(count) + ", not " + other);
+  if (has(*s, "cellsize")) {
+    must(!has(*s, count), s->origin, "give either the number of cells or their size");
+    const double size = number(*s, "cellsize", Dimension::length);
+    if (!(size > 0)) {
+      problems_.add(s->attribute("cellsize")->origin, "the cell size must be positive");
+      return;
+    }
+    const double cells = std::ceil((g.high[k] - g.low[k]) / size - 1e-9);
+    must(cells < 1e9, s->origin, "more than 1e9 cells along one axis");
+    g.cells[k] = std::max(1, static_cast<int>(std::min(cells, 1e9)));
+    g.high[k] = g.low[k] + g.cells[k] * size;
+  } else if (has(*s, count)) {
+    const double cells = number(*s, count, Dimension::none);
+    must(cells >= 1 && cells < 1e9, s->attribute(count)->origin, "the number of cells must be positive");
+    g.cells[k] = std::max(1, static_cast<int>(std::min(cells, 1e9)));
+  } else {
+    problems_.add(s->origin, "<" + std::string(element) + "> needs '" + std::string(count) + "' or 'cellsize'");
+  }
+  const auto plane = [&](const char* name, std::optional<double>& to) {
+    if (!has(*s, name)) return;
+    to = number(*s, name, Dimension::length);
+    const double h = (g.high[k] - g.low[k]) / g.cells[k], at = (*to - g.low[k]) / h;
+    must(std::abs(at - std::round(at)) < 1e-6 && at > -0.5 && at < g.cells[k] + 0.5, s->attribute(name)->origin,
+         std::string(name) + " must be the coordinate of a grid line inside the grid");
+  };
+  plane("symmin", g.symmetry[k][0]), plane("symmax", g.symmetry[k][1]);
+  plane("wallmin", g.wall[k][0]), plane("wallmax", g.wall[k][1]);
+}
+
+void Builder::tasks() {
+  const auto* tasks = root_.child("CustomTasks");
+  if (!tasks) return;
+  for (const auto& schedule : tasks->children)
+    if (schedule.name == "Schedule") task(schedule);
+}
+
+void Builder::task(const Statement& schedule) {
+  const std::string name = word(schedule, "name");
+  std::vector<std::string> known;
+  // Calls set(value) for the parameter of this name
+  const auto parameter = [&](const char* wanted, const std::function<void(const Statement&, double)>& set) {
+    known.emplace_back(wanted);
+    for (const auto& p : schedule.children)
+      if (word(p, "name") == wanted) {
+        const auto value = to_number(p.text);
+        must(value.has_value(), p.text.empty() ? p.origin : p.text_origin,
+             "parameter '" + std::string(wanted) + "' needs a number");
+        set(p, value.value_or(1.0));
+      }
+  };
+  Scheme& scheme = model_.scheme;
+  if (name == "PeriodicXPIC") {
+    parameter("FMPMOrder", [&](const Statement&, double v) {
+      scheme.transfer = Transfer::fmpm, scheme.filter_order = static_cast<int>(v);
+    });
+    parameter("XPICOrder", [&](const Statement&, double v) {
+      scheme.transfer = Transfer::xpic, scheme.filter_order = static_cast<int>(v);
+    });
+    parameter("periodicSteps", [&](const Statement& p, double v) {
+      must(v >= 1, p.text_origin, "periodicSteps must be at least 1");
+      scheme.filter_every = static_cast<int>(v);
+    });
+    parameter("periodicTime",
+              [&](const Statement&, double v) { scheme.filter_period = v * model_.units.alternative_time(); });
+    parameter("verbose", [](const Statement&, double) {});
+    must(scheme.filter_order >= 1 && scheme.filter_order <= 100, schedule.origin, "the order must be in 1 ... 100");
+  } else if (name == "AdjustTimeStep") {
+    model_.time.adaptive = true;
+    parameter("adjustTime", [](const Statement&, double) {});
+    parameter("velocityCFL", [&](const Statement& p, double v) {
+      must(v > 0, p.text_origin, "velocityCFL must be positive");
+      model_.time.velocity_courant = v;
+    });
+    parameter("maxIncrease", [&](const Statement& p, double v) {
+      must(v > 0, p.text_origin, "maxIncrease must be positive");
+      model_.time.max_increase = v > 1 ? v : 1 + v;
+    });
+    parameter("verbose", [](const Statement&, double) {});
+  } else if (name == "VTKArchive") {
+    for (const auto& p : schedule.children) {
+      const std::string wanted = word(p, "name");
+      if (wanted == "mass" || wanted == "velocity") model_.output.grid_fields.push_back(wanted);
+    }
+    known = {"mass", "velocity"};
+  } else {
+    problems_.add(schedule.attribute("name")->origin,
+                  "the task '" + name + "' is not supported by Tribo" +
+                      did_you_mean(name, {"PeriodicXPIC", "AdjustTimeStep", "VTKArchive"}) +
+                      "; valid: PeriodicXPIC, AdjustTimeStep, VTKArchive");
+    return;
+  }
+  for (const auto& p : schedule.children) {
+    const std::string wanted = word(p, "name");
+    if (std::find(known.begin(), known.end(), wanted) == known.end())
+      problems_.add(p.origin, "task " + name + " has no parameter '" + wanted + "' in Tribo" +
+                                  did_you_mean(wanted, known) + "; valid: " + join(known));
+  }
+}
+
+}  // namespace tribo

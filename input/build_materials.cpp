@@ -1,0 +1,150 @@
+/// Materials: numbers, names, laws.
+
+#include "input/builder.hpp"
+#include "materials/material.hpp"
+
+#include <algorithm>
+
+namespace tribo {
+namespace {
+
+// Properties that every material may have. The first group acts only with temperature or on the screen.
+const std::vector<std::string> without_effect{"alpha", "Cv", "Cp", "kCond", "color"};
+const std::vector<std::string> common{"PDamping", "largeRotation", "ArtificialVisc"};
+const std::vector<std::string> rigid_properties{"SetDirection", "SettingFunction", "SettingFunction2",
+                                                "SettingFunction3"};
+constexpr std::string_view contact_laws[] = {"60",
+                                             "61",
+                                             "62",
+                                             "63",
+                                             "64",
+                                             "65",
+                                             "IgnoreContact",
+                                             "CoulombFriction",
+                                             "LinearInterface",
+                                             "AdhesiveFriction",
+                                             "LiquidContact",
+                                             "NonlinearInterface"};
+
+std::vector<std::string> law_names() {
+  std::vector<std::string> out;
+  for (const auto& item : materials().items())
+    out.push_back(item.name + (item.number ? " (" + std::to_string(item.number) + ")" : ""));
+  return out;
+}
+
+}  // namespace
+
+// If materials are referred to by name, they are numbered in the order of first reference, else in the order of the
+// file.
+void Builder::number_materials() {
+  std::vector<const Statement*> in_file;
+  for (const auto& s : root_.children)
+    if (s.name == "Material") in_file.push_back(&s);
+  for (const auto* a : in_file)
+    for (const auto* b : in_file) {
+      if (a == b) break;
+      if (word(*a, "Name") == word(*b, "Name"))
+        problems_.add(a->origin,
+                      "two materials are named '" + word(*a, "Name") + "'; the first is at " + b->origin.text());
+    }
+  const std::function<void(const Statement&)> visit = [&](const Statement& s) {
+    if (const Attribute* a = s.attribute("matname"))
+      for (const auto* m : in_file)
+        if (word(*m, "Name") == a->text &&
+            std::find(material_statements_.begin(), material_statements_.end(), m) == material_statements_.end())
+          material_statements_.push_back(m);
+    for (const auto& child : s.children) visit(child);
+  };
+  visit(root_);
+  for (const auto* m : in_file)
+    if (std::find(material_statements_.begin(), material_statements_.end(), m) == material_statements_.end())
+      material_statements_.push_back(m);
+}
+
+int Builder::material(const Statement& s, std::string_view by_number, std::string_view by_name) {
+  std::vector<std::string> names;
+  for (const auto* m : material_statements_) names.push_back(word(*m, "Name"));
+  if (const Attribute* a = s.attribute(by_name)) {
+    const auto found = std::find(names.begin(), names.end(), a->text);
+    if (found != names.end()) return static_cast<int>(found - names.begin());
+    problems_.add(a->origin, "there is no material named '" + a->text + "'" + did_you_mean(a->text, names) +
+                                 "; materials: " + join(names));
+    return 0;
+  }
+  if (const Attribute* a = s.attribute(by_number)) {
+    const auto number = to_number(a->text);
+    if (number && *number >= 1 && *number <= static_cast<double>(names.size()) && *number == static_cast<int>(*number))
+      return static_cast<int>(*number) - 1;
+    problems_.add(a->origin,
+                  "there is no material number '" + a->text + "'; this file has " + std::to_string(names.size()));
+    return 0;
+  }
+  problems_.add(s.origin, "<" + s.name + "> needs the attribute 'mat' or 'matname'");
+  return 0;
+}
+
+void Builder::materials() {
+  for (const auto* s : material_statements_) {
+    MaterialSpec spec;
+    spec.name = word(*s, "Name");
+    spec.statement = *s;
+    spec.origin = s->origin;
+    const Attribute* type = s->attribute("Type");
+    const auto* item = type ? tribo::materials().find(type->text) : nullptr;
+    if (!type) {
+      problems_.add(s->origin, "<Material> needs the attributes Type and Name");
+    } else if (!item) {
+      const bool contact =
+          std::find(std::begin(contact_laws), std::end(contact_laws), type->text) != std::end(contact_laws);
+      problems_.add(type->origin,
+                    contact ? "type '" + type->text +
+                                  "' is a contact law, and contact between materials is not supported by Tribo"
+                            : "there is no material type '" + type->text + "'" + did_you_mean(type->text, law_names()) +
+                                  "; valid: " + join(law_names()));
+    } else {
+      spec.type = item->name;
+      auto elsewhere = without_effect;
+      elsewhere.insert(elsewhere.end(), common.begin(), common.end());
+      const bool has_own_density =
+          std::any_of(item->parameters.begin(), item->parameters.end(), [](const auto& p) { return p.name == "rho"; });
+      if (!has_own_density) elsewhere.emplace_back("rho");
+      if (item->number == 11 || item->number == 35)
+        elsewhere.insert(elsewhere.end(), rigid_properties.begin(), rigid_properties.end());
+      // What the law knows by itself is the law's
+      std::erase_if(elsewhere, [&](const std::string& name) {
+        return std::any_of(item->parameters.begin(), item->parameters.end(),
+                           [&](const auto& p) { return p.name == name || p.alias == name; });
+      });
+      spec.law = item->make(*s, elsewhere, model_.units, problems_);
+      for (const auto& child : s->children)
+        if (child.name == "PDamping")
+          spec.particle_damping = text_number(child, Dimension::rate);
+        else if (child.name == "ArtificialVisc")
+          problems_.add(child.origin, "<ArtificialVisc> is not supported by Tribo");
+      if (spec.law && spec.law->rigid()) rigid_functions(*s, spec);
+    }
+    model_.materials.push_back(std::move(spec));
+  }
+}
+
+void Builder::rigid_functions(const Statement& s, MaterialSpec& spec) {
+  std::vector<const Statement*> functions;
+  for (const auto& child : s.children) {
+    if (child.name == "SetDirection") {
+      spec.rigid_directions = static_cast<int>(to_number(child.text).value_or(-1));
+      must(spec.rigid_directions >= 0 && spec.rigid_directions <= 7, child.origin,
+           "<SetDirection> is the sum of 1 (x), 2 (y) and 4 (z); rigid contact (8) needs contact, which is not "
+           "supported by Tribo");
+    }
+    if (child.name.rfind("SettingFunction", 0) == 0) functions.push_back(&child);
+  }
+  // SettingFunction n sets the n-th direction that is set
+  std::size_t n = 0;
+  for (std::size_t d = 0; d < 3 && n < functions.size(); ++d)
+    if (spec.rigid_directions >> d & 1)
+      spec.rigid_velocity[d] = function(functions[n]->text, functions[n]->text_origin), ++n;
+  must(n == functions.size(), s.origin, "more <SettingFunction>s than directions in <SetDirection>");
+}
+
+}  // namespace tribo

@@ -1,0 +1,165 @@
+#include "input/builder.hpp"
+
+#include "input/dialect.hpp"
+#include "input/read.hpp"
+#include "input/xml.hpp"
+
+namespace tribo {
+
+Model Builder::build() {
+  header();
+  number_materials();
+  mesh();
+  mpm_header();
+  materials();
+  bodies();
+  conditions();
+  gravity();
+  tasks();
+  problems_.raise();
+  return std::move(model_);
+}
+
+double Builder::number(const Statement& s, std::string_view attribute, Dimension dimension, double fallback) {
+  const Attribute* a = s.attribute(attribute);
+  if (!a) return fallback;
+  return to_number(a->text).value_or(fallback) * model_.units.factor(dimension) * unit_factor(s, dimension);
+}
+
+double Builder::text_number(const Statement& s, Dimension dimension, double fallback) {
+  return to_number(s.text).value_or(fallback) * model_.units.factor(dimension) * unit_factor(s, dimension);
+}
+
+double Builder::coordinate(const Statement& s, std::string_view attribute, int axis, double fallback) {
+  const Attribute* a = s.attribute(attribute);
+  if (!a) return fallback;
+  const auto k = static_cast<std::size_t>(axis);
+  const double h = (model_.grid.high[k] - model_.grid.low[k]) / model_.grid.cells[k];
+  if (a->text.rfind("min", 0) == 0 || a->text.rfind("max", 0) == 0) {
+    const std::string rest = a->text.substr(3);
+    const double cells = rest.empty() ? 0.0 : rest == "+" ? 1.0 : rest == "-" ? -1.0 : to_number(rest).value_or(0.0);
+    return (a->text[1] == 'i' ? model_.grid.low[k] : model_.grid.high[k]) + cells * h;
+  }
+  return to_number(a->text).value_or(fallback) * unit_factor(s, Dimension::length);
+}
+
+std::string Builder::word(const Statement& s, std::string_view attribute, std::string fallback) const {
+  const Attribute* a = s.attribute(attribute);
+  return a ? a->text : std::move(fallback);
+}
+
+Expression Builder::function(const std::string& text, const Origin& origin) {
+  try {
+    return Expression(text, origin);
+  } catch (const InputError& error) {
+    problems_.add(error);
+    return Expression(0.0);
+  }
+}
+
+std::optional<Expression> Builder::function(const Statement& s, std::string_view attribute) {
+  const Attribute* a = s.attribute(attribute);
+  if (!a) return std::nullopt;
+  return function(a->text, a->origin);
+}
+
+double Builder::unit_factor(const Statement& s, Dimension dimension) {
+  const Attribute* a = s.attribute("units");
+  if (!a) return 1.0;
+  if (!model_.units.legacy) {
+    problems_.add(a->origin,
+                  "'units' has a meaning in legacy files only; this file has <ConsistentUnits>, so write the number in "
+                  "its units");
+    return 1.0;
+  }
+  struct Unit {
+    std::string_view name;
+    Dimension dimension;
+    double factor;
+  };
+  using D = Dimension;
+  static constexpr Unit all[] = {{"s", D::time, 1},
+                                 {"sec", D::time, 1},
+                                 {"ms", D::time, 1e-3},
+                                 {"msec", D::time, 1e-3},
+                                 {"us", D::time, 1e-6},
+                                 {"microsec", D::time, 1e-6},
+                                 {"m", D::length, 1000},
+                                 {"cm", D::length, 10},
+                                 {"mm", D::length, 1},
+                                 {"microns", D::length, 1e-3},
+                                 {"in", D::length, 25.4},
+                                 {"ft", D::length, 304.8},
+                                 {"m/sec", D::velocity, 1e3},
+                                 {"mm/msec", D::velocity, 1e3},
+                                 {"mm/sec", D::velocity, 1},
+                                 {"cm/sec", D::velocity, 10},
+                                 {"in/sec", D::velocity, 25.4},
+                                 {"ft/sec", D::velocity, 304.8},
+                                 {"kg", D::mass, 1000},
+                                 {"g", D::mass, 1},
+                                 {"mg", D::mass, 1e-3},
+                                 {"lbs", D::mass, 453.59237},
+                                 {"oz", D::mass, 28.349523125}};
+  std::vector<std::string> fitting;
+  for (const auto& unit : all)
+    if (unit.dimension == dimension) {
+      if (unit.name == a->text) return unit.factor;
+      fitting.emplace_back(unit.name);
+    }
+  for (const auto& unit : all)  // of another value of the same element: not ours to judge
+    if (unit.name == a->text && !fitting.empty() && s.attributes.size() > 2) return 1.0;
+  if (!fitting.empty())
+    problems_.add(a->origin, "'" + a->text + "' is no unit of " + std::string(dimension_name(dimension)) +
+                                 "; valid: " + join(fitting));
+  return 1.0;
+}
+
+double Builder::tolerance(const Statement& s) {
+  const double h = (model_.grid.high[0] - model_.grid.low[0]) / model_.grid.cells[0];
+  const Attribute* a = s.attribute("tolerance");
+  if (!a) return 0.1 * h;
+  const bool cells = !a->text.empty() && a->text[0] == '*';
+  const auto value = to_number(cells ? std::string_view(a->text).substr(1) : std::string_view(a->text));
+  if (!value || *value < 0) {
+    problems_.add(a->origin, "a tolerance is a distance, or *f for f cells, not '" + a->text + "'");
+    return h;
+  }
+  return *value * (cells ? h : 1.0);
+}
+
+void Builder::must(bool condition, const Origin& origin, const std::string& message) {
+  if (!condition) problems_.add(origin, message);
+}
+
+RegionPtr Builder::placed(const Statement& s, const std::function<RegionPtr()>& make) {
+  try {
+    return make();
+  } catch (const InputError& error) {
+    problems_.add(error);
+  } catch (const std::runtime_error& error) {
+    problems_.add(s.origin, "<" + s.name + ">: " + error.what());
+  }
+  return rectangle(0, 0, 0, 0);
+}
+
+Model build_model(const Statement& root, const std::filesystem::path& folder) {
+  Problems problems;
+  check_statements(root, problems);
+  problems.raise();
+  return Builder(root, folder).build();
+}
+
+Model read_model(const std::filesystem::path& file) {
+  Model model = build_model(read_xml_file(file), file.parent_path());
+  model.file = file.string();
+  return model;
+}
+
+Model read_model_text(std::string_view text, const std::string& name) {
+  Model model = build_model(read_xml(text, std::make_shared<const std::string>(name)), {});
+  model.file = name;
+  return model;
+}
+
+}  // namespace tribo

@@ -1,0 +1,82 @@
+/// Turns a checked tree of statements into a Model. Problems are collected; values that could not be read are replaced
+/// by harmless ones so that the rest can still be checked.
+#pragma once
+
+#include "base/schema.hpp"
+#include "model/model.hpp"
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace tribo {
+
+class Builder {
+ public:
+  Builder(const Statement& root, std::filesystem::path folder) : root_(root), folder_(std::move(folder)) {}
+  /// Throws InputError.
+  Model build();
+
+ private:
+  // header.cpp
+  void header();
+  void mpm_header();
+  void archive(const Statement& header);
+  void history(const Statement& header);
+  void damping(const Statement& header);
+  void mesh();
+  void axis(const Statement& grid, int axis, std::string_view element, std::string_view count);
+  void tasks();
+  void task(const Statement& schedule);
+
+  // materials.cpp
+  void number_materials();
+  void materials();
+  void rigid_functions(const Statement& statement, MaterialSpec& spec);
+  /// Index of the material an element names by mat or matname; problems and 0 if there is none.
+  int material(const Statement& s, std::string_view by_number = "mat", std::string_view by_name = "matname");
+
+  // bodies.cpp
+  void bodies();
+  void body(const Statement& s, bool hole);
+  void picture(const Statement& s);
+  void point(const Statement& s);
+  void modify(const Statement& s, Piece& piece);
+  RegionPtr shape(const Statement& s);
+  RegionPtr plain_shape(const Statement& s);
+  RegionPtr line_shape(const Statement& s);
+  RegionPtr arc_shape(const Statement& s);
+
+  // conditions.cpp
+  void conditions();
+  void selector(const Statement& s, bool grid);
+  RegionPtr selected(const Statement& s);
+  void node_condition(const Statement& s, const RegionPtr& where);
+  void particle_condition(const Statement& s, const RegionPtr& where, bool net);
+  Prescribed prescribed(const Statement& s, std::string_view value, Dimension dimension);
+  void gravity();
+
+  // values
+  bool has(const Statement& s, std::string_view attribute) const { return s.attribute(attribute) != nullptr; }
+  double number(const Statement& s, std::string_view attribute, Dimension dimension, double fallback = 0.0);
+  double coordinate(const Statement& s, std::string_view attribute, int axis, double fallback = 0.0);
+  double text_number(const Statement& s, Dimension dimension, double fallback = 0.0);
+  std::string word(const Statement& s, std::string_view attribute, std::string fallback = {}) const;
+  Expression function(const std::string& text, const Origin& origin);
+  std::optional<Expression> function(const Statement& s, std::string_view attribute);
+  /// Factor of the `units` attribute of an element; legacy files only.
+  double unit_factor(const Statement& s, Dimension dimension);
+  double tolerance(const Statement& s);
+  void must(bool condition, const Origin& origin, const std::string& message);
+  /// Calls `make` and adds the place to what it throws.
+  RegionPtr placed(const Statement& s, const std::function<RegionPtr()>& make);
+
+  const Statement& root_;
+  std::filesystem::path folder_;
+  Model model_;
+  Problems problems_;
+  std::vector<const Statement*> material_statements_;
+};
+
+}  // namespace tribo

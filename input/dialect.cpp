@@ -1,0 +1,466 @@
+#include "input/dialect.hpp"
+
+namespace tribo {
+namespace {
+
+using T = ValueType;
+
+constexpr std::string_view units_words =
+    "ms msec s sec us microsec m cm mm microns in ft m/sec mm/msec mm/sec cm/sec in/sec ft/sec kg g mg lbs oz";
+constexpr std::string_view styles = "1 2 3 4 5 6 constant linear sine cosine silent function";
+
+AttributeSpec number(std::string_view name, std::string_view meaning, bool required = false) {
+  return {name, T::number, meaning, {}, required};
+}
+AttributeSpec text(std::string_view name, std::string_view meaning, bool required = false) {
+  return {name, T::text, meaning, {}, required};
+}
+AttributeSpec function(std::string_view name, std::string_view meaning) { return {name, T::function, meaning}; }
+AttributeSpec units() { return {"units", T::choice, "unit of the value, in legacy files only", units_words}; }
+
+std::vector<AttributeSpec> box(bool three) {
+  std::vector<AttributeSpec> out;
+  for (const auto name : {"xmin", "xmax", "ymin", "ymax"}) out.push_back({name, T::coordinate, "edge", {}, true});
+  if (three)
+    for (const auto name : {"zmin", "zmax"}) out.push_back({name, T::coordinate, "edge", {}, true});
+  out.push_back(units());
+  return out;
+}
+
+std::vector<AttributeSpec> operator+(std::vector<AttributeSpec> a, const std::vector<AttributeSpec>& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
+std::vector<AttributeSpec> ends() {
+  std::vector<AttributeSpec> out;
+  for (const auto name : {"x1", "y1", "z1", "x2", "y2", "z2", "xmin", "ymin", "zmin", "xmax", "ymax", "zmax"})
+    out.push_back({name, T::coordinate, "end"});
+  out.push_back({"tolerance", T::text, "distance, or *f for f cells (default *0.1)"});
+  return out;
+}
+
+std::vector<AttributeSpec> body_attributes() {
+  return {text("mat", "number of the material"),
+          text("matname", "or its name"),
+          number("angle", "material axes [degrees]"),
+          number("thick", "thickness (2D)"),
+          number("vx", "initial velocity"),
+          number("vy", "initial velocity"),
+          number("vz", "initial velocity"),
+          number("temp", "initial temperature"),
+          number("size", "edge of a particle's domain, instead of a number per cell")};
+}
+
+std::vector<AttributeSpec> condition_attributes() {
+  return {{"style", T::choice, "how the value follows time (default constant)", styles},
+          number("time", "start, slope origin, or frequency, as the style says"),
+          number("ftime", "the same"),
+          function("function", "value for style function"),
+          {"id", T::integer, "number <= 0 that histories name"}};
+}
+
+std::vector<ElementSpec> make() {
+  constexpr std::string_view shapes_in = "Body Hole BCShape LdShape @shape";
+  std::vector<ElementSpec> e;
+  const auto add = [&](ElementSpec spec) { e.push_back(std::move(spec)); };
+
+  add({"JANFEAInput", "", "a command file", T::none, {{"version", T::text, "of the dialect: 3"}}});
+
+  // Header
+  add({"Header", "JANFEAInput", "what the file is about", T::none, {}, true, true});
+  add({"Description", "Header", "free text", T::text, {}, true});
+  add({"Analysis",
+       "Header",
+       "10 plane strain, 11 plane stress, 12 three-dimensional, 13 axisymmetric",
+       T::choice,
+       {},
+       true,
+       true,
+       false,
+       "10 11 12 13"});
+  add({"ConsistentUnits",
+       "Header",
+       "all numbers are in one system; without it, legacy units",
+       T::none,
+       {{"length", T::choice, "", "km m dm cm mm um microns nm L"},
+        {"mass", T::choice, "", "kg g mg ug M"},
+        {"time", T::choice, "", "s sec ms msec us T"}},
+       true});
+  add({"RandSeed", "Header", "accepted; Tribo draws no random numbers", T::integer, {}, true});
+
+  // MPMHeader
+  add({"MPMHeader", "JANFEAInput", "how to solve", T::none, {}, true, true});
+  add({"MPMMethod",
+       "MPMHeader",
+       "0 stress first (USF), 2 half before and half after (USAVG), 3 stress last (USL)",
+       T::choice,
+       {},
+       true,
+       false,
+       false,
+       "0 2 3 USF USAVG USL"});
+  add({"SkipPostExtrapolation",
+       "MPMHeader",
+       "strain without extrapolating the velocities again (USL-, USAVG-)",
+       T::none,
+       {},
+       true});
+  add({"GIMP",
+       "MPMHeader",
+       "shape functions; the empty element means uGIMP, none means linear",
+       T::none,
+       {{"type", T::choice, "",
+         "Classic Dirac linear 0 uGIMP GIMP 1 lCPDI CPDI 2 B2SPLINE quadratic 6 B3SPLINE cubic"}},
+       true});
+  add({"Transfer",
+       "MPMHeader",
+       "how particles take their velocity from the nodes (default FLIP)",
+       T::none,
+       {{"type", T::choice, "", "FLIP PIC blend XPIC FMPM APIC", true},
+        number("fraction", "of FLIP in a blend"),
+        {"order", T::integer, "m of XPIC(m), k of FMPM(k)"}},
+       true});
+  add({"TimeStep", "MPMHeader", "largest time step", T::number, {units()}, true});
+  add({"MaxTime", "MPMHeader", "end of the run", T::number, {units()}, true});
+  add({"TimeFactor", "MPMHeader", "Courant factor, cells per step of the fastest wave", T::number, {}, true});
+  add({"TransTimeFactor", "MPMHeader", "the same for transport; no effect without it", T::number, {}, true});
+  add({"Timing",
+       "MPMHeader",
+       "step, end and Courant factor in one",
+       T::none,
+       {number("step", "largest time step"), number("max", "end of the run"), number("CFL", "Courant factor"),
+        number("TransCFL", "for transport; no effect"), units()},
+       true});
+  add({"ArchiveTime",
+       "MPMHeader",
+       "time between particle files",
+       T::number,
+       {units(), {"maxProps", T::integer, "no effect"}},
+       false});
+  add({"FirstArchiveTime", "MPMHeader", "time of the first particle file after the start", T::number, {units()}, true});
+  add({"ArchiveGroup",
+       "MPMHeader",
+       "another interval from a later time",
+       T::none,
+       {number("time", "interval", true),
+        number("start", "from this time on"),
+        {"maxProps", T::integer, "no effect"},
+        units()}});
+  add({"GlobalArchiveTime",
+       "MPMHeader",
+       "time between rows of history.csv (default as the particle files)",
+       T::number,
+       {units()},
+       true});
+  add({"GlobalArchive",
+       "MPMHeader",
+       "a column of history.csv",
+       T::none,
+       {text("type", "name of the quantity", true), text("material", "number of a material, or id of a condition"),
+        text("mat", "the same"), text("matname", "name of a material")}});
+  add({"ArchiveRoot",
+       "MPMHeader",
+       "accepted; results go to the run folder",
+       T::text,
+       {{"unique", T::flag, "no effect"}},
+       true});
+  add({"MPMArchiveOrder",
+       "MPMHeader",
+       "Y and N per field of the dialect's particle records: choose fields of the particle files",
+       T::text,
+       {},
+       true});
+  add({"MPMArchive",
+       "MPMHeader",
+       "one field of the particle files",
+       T::none,
+       {text("result", "name", true), {"setting", T::flag, "write it (default yes)"}}});
+  add({"CrackArchiveOrder", "MPMHeader", "accepted; no effect without cracks", T::text, {}, true});
+  add({"Output",
+       "MPMHeader",
+       "fields of the particle files and grid files, and checkpoints",
+       T::none,
+       {text("fields", "names for the particle files"), text("grid", "names for the grid files: mass velocity"),
+        number("checkpoint", "time between checkpoints (default: with every particle file)")},
+       true});
+  add({"MatlPtsPerElement",
+       "MPMHeader Body",
+       "particles per cell: a square in 2D, a cube in 3D",
+       T::integer,
+       {},
+       true});
+  add({"Damping",
+       "MPMHeader",
+       "grid damping [1/time]",
+       T::number,
+       {function("function", "of time, instead of the number")},
+       true});
+  add({"PDamping",
+       "MPMHeader",
+       "particle damping [1/time]",
+       T::number,
+       {function("function", "of time, instead of the number")},
+       true});
+  add({"FeedbackDamping",
+       "MPMHeader",
+       "gain of grid damping that follows the kinetic energy",
+       T::number,
+       {function("target", "kinetic energy aimed at"), number("max", "largest damping")},
+       true});
+  add({"PFeedbackDamping",
+       "MPMHeader",
+       "gain of particle damping that follows the kinetic energy",
+       T::number,
+       {function("target", "kinetic energy aimed at"), number("max", "largest damping")},
+       true});
+  add({"DefGradTerms", "MPMHeader", "terms of the exponential that advances F (default 2)", T::integer, {}, true});
+  add({"LeaveLimit",
+       "MPMHeader",
+       "how many particles that leave the grid are put back before the run stops",
+       T::integer,
+       {},
+       true});
+  add({"CPDIrcrit", "MPMHeader", "largest reach of a CPDI corner, in cells (at most 1)", T::number, {}, true});
+  add({"StressFreeTemp", "MPMHeader", "accepted; no effect without temperature", T::number, {}, true});
+
+  // Mesh
+  add({"Mesh", "JANFEAInput", "the grid", T::none, {text("output", "accepted")}, true, true});
+  add({"Grid",
+       "Mesh",
+       "its box",
+       T::none,
+       {number("xmin", "", true),
+        number("xmax", "", true),
+        number("ymin", "", true),
+        number("ymax", "", true),
+        number("zmin", ""),
+        number("zmax", ""),
+        number("thickness", "of a plane model (default 1)"),
+        {"type", T::integer, "accepted"},
+        units()},
+       true,
+       true});
+  for (const auto name : {"Horiz", "Vert", "Depth"})
+    add({name,
+         "Grid",
+         name[0] == 'H'   ? "cells along x"
+         : name[0] == 'V' ? "cells along y"
+                          : "cells along z",
+         T::none,
+         {{"nx", T::integer, "number of cells (Horiz)"},
+          {"ny", T::integer, "(Vert)"},
+          {"nz", T::integer, "(Depth)"},
+          number("cellsize", "or their size; the upper edge grows to a whole cell"),
+          number("symmin", "symmetry plane at this coordinate"),
+          number("symmax", "symmetry plane at this coordinate"),
+          number("wallmin", "shape functions end at this wall (B-splines)"),
+          number("wallmax", "shape functions end at this wall (B-splines)"),
+          {"rx", T::number, "accepted for equal cells: 1"},
+          {"style", T::text, "accepted for equal cells"},
+          units()},
+         true});
+
+  // MaterialPoints
+  add({"MaterialPoints", "JANFEAInput", "bodies and particles", T::none, {}, true, true});
+  add({"Body", "MaterialPoints", "shapes filled with a material", T::none, body_attributes() + std::vector{units()}});
+  add({"Hole", "MaterialPoints", "shapes left empty", T::none});
+  for (const auto name : {"vel0X", "vel0Y", "vel0Z"})
+    add({name, "Body", "initial velocity of the following shapes, a function of position", T::function});
+  for (const auto name : {"RotateX", "RotateY", "RotateZ"})
+    add({name, "Body", "material axes of the following shapes [degrees]", T::function});
+  add({"Unrotate", "Body", "material axes along the grid again"});
+  add({"Deform",
+       "Body",
+       "moves and strains the following shapes before the start",
+       T::none,
+       {function("dX", "shift"), function("dY", "shift"), function("dZ", "shift"), function("F11", ""),
+        function("F12", ""), function("F13", ""), function("F21", ""), function("F22", ""), function("F23", ""),
+        function("F31", ""), function("F32", ""), function("F33", "")}});
+  add({"Undeform", "Body", "no initial deformation of the following shapes"});
+  add({"InitialStress",
+       "Body",
+       "Cauchy stress of the following shapes at the start, functions of position",
+       T::none,
+       {function("xx", ""), function("yy", ""), function("zz", ""), function("xy", ""), function("yz", ""),
+        function("xz", "")}});
+  add({"PointList", "MaterialPoints", "single particles"});
+  add({"mp",
+       "PointList",
+       "a particle",
+       T::none,
+       {{"elem", T::integer, "accepted"},
+        text("mat", "number of the material"),
+        text("matname", "or its name"),
+        number("angle", "material axes [degrees]"),
+        number("thick", "thickness"),
+        number("temp", "temperature"),
+        number("lpx", "half width of its domain [half cells]"),
+        number("lpy", ""),
+        number("lpz", "")}});
+  add({"pt",
+       "mp Polygon",
+       "coordinates",
+       T::none,
+       {{"x", T::coordinate, "", {}, true}, {"y", T::coordinate, "", {}, true}, {"z", T::coordinate, ""}, units()}});
+  add({"vel", "mp", "velocity", T::none, {number("x", ""), number("y", ""), number("z", ""), units()}, true});
+  add({"mass", "mp", "mass instead of density times volume", T::none, {number("m", "", true), units()}, true});
+
+  // Shapes
+  const auto shape = [&](std::string_view name, std::string_view meaning, std::vector<AttributeSpec> attributes) {
+    add({name, shapes_in, meaning, T::none, std::move(attributes), false, false, true});
+  };
+  shape("Rect", "rectangle", box(false));
+  shape("Oval", "ellipse in a box; with <arc>, a sector", box(false));
+  add({"arc", "Oval", "sector [degrees]", T::none, {number("start", "", true), number("end", "", true)}, true});
+  shape("Polygon", "polygon through <pt>s", {});
+  shape("Line", "strip around a line", ends());
+  shape("Arc", "strip around the edge of an ellipse",
+        box(false) + std::vector{number("start", "[degrees]"), number("end", "[degrees]"),
+                                 AttributeSpec{"tolerance", T::text, "distance, or *f cells"}});
+  shape("Box", "box", box(true));
+  shape("Sphere", "ellipsoid in a box", box(true));
+  shape("Cylinder", "elliptic cylinder or cone in a box",
+        box(true) + std::vector{AttributeSpec{"axis", T::choice, "", "1 2 3 x y z", true},
+                                number("radius", "-1..1: ratio of end radii, 0 a cone")});
+  shape("Torus", "ring in a box",
+        box(true) + std::vector{AttributeSpec{"axis", T::choice, "", "1 2 3 x y z", true},
+                                number("radius", "half width of the ring's section; 0 a circle")});
+  shape("STL", "closed surface from a file",
+        {text("file", "", true), number("scale", "factor (default 1)"), number("x", "shift"), number("y", "shift"),
+         number("z", "shift")});
+  add({"BMP",
+       "MaterialPoints",
+       "grey picture (PNG or BMP) laid over a rectangle",
+       T::none,
+       {text("name", "file", true), number("width", "(default: one unit per pixel)"), number("height", ""), units()}});
+  add({"Origin", "BMP", "lower left corner", T::none, {number("x", ""), number("y", ""), units()}, true});
+  add({"Intensity",
+       "BMP",
+       "material of a range of grey",
+       T::none,
+       {text("mat", "number of the material"),
+        text("matname", "or its name"),
+        {"imin", T::integer, "0 black", {}, true},
+        {"imax", T::integer, "255 white", {}, true},
+        number("vx", ""),
+        number("vy", ""),
+        number("vz", ""),
+        number("thick", ""),
+        number("angle", "")}});
+
+  // Material
+  add({"Material",
+       "JANFEAInput",
+       "a material; its properties are elements, see the list of materials",
+       T::none,
+       {text("Type", "number or name", true), text("Name", "", true)},
+       false,
+       true});
+
+  // Conditions on the grid
+  add({"GridBCs", "JANFEAInput", "conditions on grid nodes", T::none, {}, true});
+  for (const auto* parent : {"GridBCs", "ParticleBCs"}) {
+    const std::string_view in = parent;
+    const bool grid = in == "GridBCs";
+    add({grid ? "BCShape" : "LdShape", in, "nodes or particles in a shape"});
+  }
+  add({"BCLine", "GridBCs ParticleBCs", "nodes or particles near a line", T::none, ends()});
+  add({"BCArc", "GridBCs ParticleBCs", "nodes or particles near the edge of an ellipse", T::none,
+       box(false) + std::vector{number("start", "[degrees]"), number("end", "[degrees]"),
+                                AttributeSpec{"tolerance", T::text, "distance, or *f cells"}}});
+  add({"LdRect", "GridBCs ParticleBCs", "nodes or particles in a rectangle", T::none, box(false)});
+  add({"BCBox", "GridBCs ParticleBCs", "nodes or particles in a box, or a cylinder in it", T::none,
+       box(true) + std::vector{AttributeSpec{"axis", T::choice, "of the cylinder", "1 2 3 x y z"}}});
+  add({"DisBC", "BCShape BCLine BCArc LdRect BCBox", "prescribed velocity", T::none,
+       std::vector{AttributeSpec{"dir", T::choice, "1 x, 2 y, 3 z, or skewed", "1 2 3 12 13 23 123", true},
+                   number("vel", "velocity"), number("disp", "the same"),
+                   number("angle", "of a skewed direction, clockwise [degrees]"),
+                   number("angle2", "second angle [degrees]"), units()} +
+           condition_attributes()});
+
+  // Conditions on particles
+  add({"ParticleBCs", "JANFEAInput", "loads on particles", T::none, {}, true});
+  add({"net", "LdShape BCLine BCArc LdRect BCBox", "following loads are totals, divided among the particles found"});
+  add({"perParticle", "LdShape BCLine BCArc LdRect BCBox", "following loads act on each particle"});
+  add({"LoadBC", "LdShape BCLine BCArc LdRect BCBox", "force", T::none,
+       std::vector{AttributeSpec{"dir", T::choice, "1 x, 2 y, 3 z", "1 2 3", true}, number("load", "force"),
+                   number("value", "the same")} +
+           condition_attributes()});
+  add({"TractionBC", "LdShape BCLine BCArc LdRect BCBox", "traction on a face of the particles", T::none,
+       std::vector{AttributeSpec{"dir", T::choice, "1 x, 2 y, 3 z, 11 normal, 12 shear (2D)", "1 2 3 11 12", true},
+                   AttributeSpec{"face", T::choice, "2D: 1 bottom 2 right 3 top 4 left; 3D also 5, 6: low and high z",
+                                 "1 2 3 4 5 6", true},
+                   number("stress", "traction")} +
+           condition_attributes()});
+
+  // Gravity
+  add({"Gravity", "JANFEAInput", "body forces per mass", T::none, {}, true});
+  for (const auto name : {"BodyXForce", "BodyYForce", "BodyZForce"})
+    add({name, "Gravity", "constant acceleration", T::number, {}, true});
+  for (const auto name : {"GridBodyXForce", "GridBodyYForce", "GridBodyZForce"})
+    add({name, "Gravity", "acceleration as a function of x, y, z, t", T::function, {}, true});
+
+  // Tasks
+  add({"CustomTasks", "JANFEAInput", "further tasks", T::none, {}, true});
+  add({"Schedule",
+       "CustomTasks",
+       "a task: PeriodicXPIC, AdjustTimeStep, VTKArchive",
+       T::none,
+       {text("name", "", true)}});
+  add({"Parameter", "Schedule", "a setting of the task; the text is its value", T::text, {text("name", "", true)}});
+  return e;
+}
+
+}  // namespace
+
+const std::vector<ElementSpec>& dialect() {
+  static const std::vector<ElementSpec> all = make();
+  return all;
+}
+
+const std::vector<RefusedName>& refused_names() {
+  static const std::vector<RefusedName> all{
+      {"MultiMaterialMode",
+       "contact between materials is not built; without it all materials share one velocity field and stick"},
+      {"Cracks", "cracks are not built"},
+      {"CrackList", "cracks are not built"},
+      {"Thermal", "heat conduction is not built"},
+      {"TempBC", "heat conduction is not built"},
+      {"ConcBC", "diffusion is not built"},
+      {"Diffusion", "diffusion is not built"},
+      {"Poroelasticity", "pore pressure is not built"},
+      {"HeatFluxBC", "heat conduction is not built"},
+      {"ConcFluxBC", "diffusion is not built"},
+      {"Damage", "damage is not built"},
+      {"DisplacementBCs", "conditions by node number depend on the numbering of another program; use BCShape"},
+      {"LoadBCs", "loads by particle number depend on the numbering of another program; use LdShape"},
+      {"AreaOfInterest", "grids with unequal cells are not built"},
+      {"Border", "grids with unequal cells are not built"},
+      {"Fill", "particle reservoirs are not built"},
+      {"Shell", "its meaning in the dialect is not documented well enough; use a Cylinder with a Cylinder cut out"},
+      {"Polyhedron", "use STL"},
+      {"RestartScaling", "runs are resumed with 'tribo resume'"},
+      {"DeleteLimit", "particles are never deleted; use LeaveLimit"},
+      {"ExtrapolateRigid", "rigid particles always act through extrapolated velocities"},
+      {"ExactTractions", "tractions act at the particles"},
+      {"PatchGrid", "threads share blocks by themselves"},
+      {"NodeList", "unstructured grids are not built"},
+      {"ElementList", "unstructured grids are not built"},
+      {"DevelFlag", "it switches experiments of another program"},
+      {"XPIC", "use <Transfer> or the task PeriodicXPIC"},
+      {"Isothermal", "it was withdrawn from the dialect"},
+      {"ContactHeatFlow", "it was withdrawn from the dialect"},
+      {"TrackParticleSpin", "it was withdrawn from the dialect"},
+      {"TrackGradV", "it was withdrawn from the dialect"},
+      {"TransportOnly", "it was withdrawn from the dialect"},
+      {"ShiftCracks", "it was withdrawn from the dialect"},
+      {"CrackParticleSize", "it was withdrawn from the dialect"},
+      {"Lp0X", "it was withdrawn from the dialect"},
+      {"Lp0Y", "it was withdrawn from the dialect"},
+      {"Lp0Z", "it was withdrawn from the dialect"},
+  };
+  return all;
+}
+
+}  // namespace tribo

@@ -1,0 +1,176 @@
+/// The table of keywords as an XML schema and as text.
+
+#include "input/dialect.hpp"
+#include "materials/material.hpp"
+
+#include <map>
+#include <set>
+#include <sstream>
+
+namespace tribo {
+namespace {
+
+std::string escaped(std::string_view text) {
+  std::string out;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        out += "&amp;";
+        break;
+      case '<':
+        out += "&lt;";
+        break;
+      case '>':
+        out += "&gt;";
+        break;
+      case '"':
+        out += "&quot;";
+        break;
+      default:
+        out += c;
+    }
+  }
+  return out;
+}
+
+std::vector<std::string> split(std::string_view list) {
+  std::istringstream in{std::string(list)};
+  std::vector<std::string> out;
+  for (std::string word; in >> word;) out.push_back(word);
+  return out;
+}
+
+std::string type_name(ValueType type) {
+  switch (type) {
+    case ValueType::none:
+      return "nothing";
+    case ValueType::text:
+      return "text";
+    case ValueType::number:
+      return "number";
+    case ValueType::integer:
+      return "whole number";
+    case ValueType::coordinate:
+      return "coordinate";
+    case ValueType::function:
+      return "function";
+    case ValueType::flag:
+      return "yes|no";
+    case ValueType::choice:
+      return "one of";
+  }
+  return "";
+}
+
+/// Elements of one name may differ by parent; a schema without local names holds their union.
+struct Union {
+  std::map<std::string, const AttributeSpec*> attributes;
+  std::set<std::string> children;
+  std::string meaning;
+};
+
+std::map<std::string, Union> unions() {
+  std::map<std::string, Union> all;
+  std::set<std::string> shapes;
+  for (const auto& e : dialect())
+    if (e.shape) shapes.emplace(e.name);
+  for (const auto& e : dialect()) {
+    auto& u = all[std::string(e.name)];
+    if (u.meaning.empty()) u.meaning = e.meaning;
+    for (const auto& a : e.attributes) u.attributes.emplace(a.name, &a);
+    for (const auto& parent : split(e.parents)) {
+      if (parent == "@shape")
+        for (const auto& s : shapes) all[s].children.emplace(e.name);
+      else
+        all[parent].children.emplace(e.name);
+    }
+  }
+  auto& material = all["Material"];
+  for (const auto& item : materials().items())
+    for (const auto& p : item.parameters) {
+      material.children.insert(p.name);
+      if (!p.alias.empty()) material.children.insert(p.alias);
+    }
+  for (const auto name : {"alpha", "Cv", "Cp", "kCond", "color", "PDamping", "largeRotation", "SetDirection",
+                          "SettingFunction", "SettingFunction2", "SettingFunction3", "rho"})
+    material.children.emplace(name);
+  return all;
+}
+
+}  // namespace
+
+std::string schema() {
+  const auto all = unions();
+  std::ostringstream out;
+  out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<xs:schema xmlns:xs=\"http://www.w3.org/2001/XMLSchema\">\n";
+  const auto& material = all.at("Material").children;
+  for (const auto& name : material)
+    if (!all.count(name))
+      out << "<xs:element name=\"" << name
+          << "\"><xs:complexType mixed=\"true\"><xs:anyAttribute "
+             "processContents=\"skip\"/></xs:complexType></xs:element>\n";
+  for (const auto& [name, u] : all) {
+    out << "<xs:element name=\"" << name << "\">";
+    if (!u.meaning.empty())
+      out << "<xs:annotation><xs:documentation>" << escaped(u.meaning) << "</xs:documentation></xs:annotation>";
+    out << "<xs:complexType mixed=\"true\">";
+    if (!u.children.empty()) {
+      out << "<xs:choice minOccurs=\"0\" maxOccurs=\"unbounded\">";
+      for (const auto& child : u.children) out << "<xs:element ref=\"" << child << "\"/>";
+      out << "</xs:choice>";
+    }
+    for (const auto& [attribute, spec] : u.attributes) {
+      out << "<xs:attribute name=\"" << attribute << "\"";
+      if (spec->type == ValueType::choice) {
+        out << "><xs:simpleType><xs:restriction base=\"xs:string\">";
+        for (const auto& word : split(spec->choices)) out << "<xs:enumeration value=\"" << escaped(word) << "\"/>";
+        out << "</xs:restriction></xs:simpleType></xs:attribute>";
+      } else {
+        out << " type=\""
+            << (spec->type == ValueType::number    ? "xs:double"
+                : spec->type == ValueType::integer ? "xs:integer"
+                                                   : "xs:string")
+            << "\"/>";
+      }
+    }
+    out << "</xs:complexType></xs:element>\n";
+  }
+  out << "</xs:schema>\n";
+  return out.str();
+}
+
+std::string list_keywords(std::string_view only) {
+  std::ostringstream out;
+  for (const auto& e : dialect()) {
+    if (!only.empty() && e.name != only) continue;
+    out << "<" << e.name << ">";
+    if (!e.parents.empty()) out << "  in " << e.parents;
+    out << "\n    " << e.meaning;
+    if (e.content != ValueType::none)
+      out << "; text: " << type_name(e.content) << (e.choices.empty() ? "" : " ") << e.choices;
+    if (e.required) out << "; required";
+    out << "\n";
+    for (const auto& a : e.attributes) {
+      out << "      " << a.name << ": " << type_name(a.type);
+      if (!a.choices.empty()) out << " " << a.choices;
+      if (!a.meaning.empty()) out << ", " << a.meaning;
+      if (a.required) out << " (required)";
+      out << "\n";
+    }
+  }
+  for (const auto& item : materials().items()) {
+    if (!only.empty() && item.name != only) continue;
+    out << "Material " << item.name;
+    if (item.number) out << " (" << item.number << ")";
+    out << "\n    " << item.summary << "\n";
+    for (const auto& p : item.parameters) {
+      out << "      <" << p.name << "> " << dimension_name(p.dimension) << ", " << p.range.text() << ", " << p.meaning;
+      if (!p.alias.empty()) out << "; also <" << p.alias << ">";
+      if (p.fallback) out << " (default " << *p.fallback << ")";
+      out << "\n";
+    }
+  }
+  return out.str();
+}
+
+}  // namespace tribo

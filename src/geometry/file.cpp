@@ -1,0 +1,30 @@
+#include "geometry/file.hpp"
+
+#include <fstream>
+#include <sstream>
+
+namespace tribo {
+
+Bytes::Bytes(std::string path) : path_(std::move(path)) {
+  std::ifstream in(path_, std::ios::binary);
+  if (!in) fail("the file cannot be opened");
+  std::ostringstream all;
+  all << in.rdbuf();
+  if (in.bad() || (all.fail() && in.peek() != std::ifstream::traits_type::eof())) fail("the file cannot be read");
+  data_ = std::move(all).str();
+}
+
+std::uint8_t Bytes::byte(std::size_t offset) const {
+  if (offset >= data_.size()) fail("the file is cut off");
+  return static_cast<std::uint8_t>(data_[offset]);
+}
+
+std::uint16_t Bytes::half(std::size_t offset) const {
+  return static_cast<std::uint16_t>(byte(offset) | byte(offset + 1) << 8);
+}
+
+std::uint32_t Bytes::word(std::size_t offset) const {
+  return half(offset) | static_cast<std::uint32_t>(half(offset + 2)) << 16;
+}
+
+}  // namespace tribo

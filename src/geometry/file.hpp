@@ -1,0 +1,30 @@
+/// A whole file in memory, read with checks.
+#pragma once
+
+#include "base/error.hpp"
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace tribo {
+
+class Bytes {
+ public:
+  /// Throws FileError if the file cannot be read.
+  explicit Bytes(std::string path);
+
+  std::size_t size() const { return data_.size(); }
+  std::string_view text() const { return data_; }
+  /// Little-endian numbers at an offset; throw FileError beyond the end.
+  std::uint8_t byte(std::size_t offset) const;
+  std::uint16_t half(std::size_t offset) const;
+  std::uint32_t word(std::size_t offset) const;
+  /// Throws FileError `path: message`.
+  [[noreturn]] void fail(const std::string& message) const { throw FileError(path_ + ": " + message); }
+
+ private:
+  std::string path_, data_;
+};
+
+}  // namespace tribo

@@ -1,1 +1,0 @@
-#include "geometry/region.hpp"

@@ -1,0 +1,70 @@
+/// The regular lattice of nodes and its division into blocks.
+#pragma once
+
+#include "base/types.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+namespace tribo {
+
+/// Nodes per block edge. A block is the unit of sorting, threading, memory and (with a halo) of distribution.
+template <int Dim>
+inline constexpr int block_edge = Dim == 2 ? 8 : 4;
+template <int Dim>
+inline constexpr int block_nodes = Dim == 2 ? 64 : 64;
+
+template <int Dim>
+using Index = std::array<int, static_cast<std::size_t>(Dim)>;
+
+/// Geometry only; what lives on the nodes is in nodes.hpp. Surrounded by one block of padding on every side, so that
+/// stencils of points inside the user's grid, and the neighbours of their blocks, always exist.
+template <int Dim>
+struct Lattice {
+  Vec<Dim> origin;     ///< lowest node, padding included                [length]
+  Vec<Dim> spacing;    ///< cell edges                                   [length]
+  Vec<Dim> low, high;  ///< the user's grid: points must stay inside     [length]
+  Index<Dim> blocks;   ///< blocks along each axis, padding included
+
+  Lattice() = default;
+  Lattice(const Vec<Dim>& from, const Vec<Dim>& to, const Index<Dim>& cells) : low(from), high(to) {
+    for (int d = 0; d < Dim; ++d) {
+      const auto k = static_cast<std::size_t>(d);
+      spacing[d] = (to[d] - from[d]) / cells[k];
+      origin[d] = from[d] - block_edge<Dim> * spacing[d];
+      blocks[k] = (cells[k] + 1 + 2 * block_edge<Dim> + block_edge<Dim> - 1) / block_edge<Dim> + 1;
+    }
+  }
+
+  std::int64_t block_count() const {
+    std::int64_t n = 1;
+    for (const int b : blocks) n *= b;
+    return n;
+  }
+  std::int64_t block_index(const Index<Dim>& b) const {
+    std::int64_t n = 0;
+    for (std::size_t d = Dim; d-- > 0;) n = n * blocks[d] + b[d];
+    return n;
+  }
+  Index<Dim> block_at(std::int64_t index) const {
+    Index<Dim> b{};
+    for (std::size_t d = 0; d < Dim; ++d) b[d] = static_cast<int>(index % blocks[d]), index /= blocks[d];
+    return b;
+  }
+  Vec<Dim> position(const Index<Dim>& node) const {
+    Vec<Dim> x;
+    for (int d = 0; d < Dim; ++d) x[d] = origin[d] + spacing[d] * node[static_cast<std::size_t>(d)];
+    return x;
+  }
+  /// The node on the grid line through coordinate `x` of an axis, or -1 if there is none within 1e-6 cells.
+  int line(int axis, double x) const {
+    const double s = (x - origin[axis]) / spacing[axis];
+    const double n = std::round(s);
+    const int last = blocks[static_cast<std::size_t>(axis)] * block_edge<Dim> - 1;
+    return std::abs(s - n) < 1e-6 && n >= 0 && n <= last ? static_cast<int>(n) : -1;
+  }
+  double smallest_spacing() const { return spacing.minCoeff(); }
+};
+
+}  // namespace tribo

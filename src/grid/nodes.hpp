@@ -1,0 +1,110 @@
+/// Nodes of one velocity field, kept in blocks that exist only where particles are.
+#pragma once
+
+#include "base/aligned.hpp"
+#include "grid/lattice.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace tribo {
+
+/// One node in one cache line. During the transfer to the grid `velocity` holds momentum and `acceleration` force.
+struct alignas(64) Node {
+  double mass;
+  double velocity[3];  ///< momentum [mass velocity] before, velocity after division by the mass
+  double spare;
+  double acceleration[3];  ///< force before, acceleration after division by the mass
+  double* data() { return &mass; }
+  const double* data() const { return &mass; }
+};
+static_assert(sizeof(Node) == 64);
+
+/// Nodes lighter than this share of the field's heaviest node do not exist (round-off of the weights).
+inline constexpr double least_mass_ratio = 1e-14;
+
+/// Which blocks exist, in lexicographic order: the sparse part of the grid, shared by all layers of node data.
+template <int Dim>
+class BlockMap {
+ public:
+  static constexpr int neighbour_count = Dim == 2 ? 9 : 27;
+
+  explicit BlockMap(const Lattice<Dim>& lattice)
+      : lattice_(lattice), slot_(static_cast<std::size_t>(lattice.block_count()), -1) {}
+
+  const Lattice<Dim>& lattice() const { return lattice_; }
+
+  /// Makes exactly the given blocks (lattice block indices) and their neighbours exist.
+  void rebuild(std::span<const std::int64_t> occupied) {
+    for (const auto b : active_) slot_[static_cast<std::size_t>(b)] = -1;
+    active_.clear();
+    for (const auto b : occupied) {
+      each_neighbour(b, [&](std::int64_t n) {
+        auto& s = slot_[static_cast<std::size_t>(n)];
+        if (s < 0) s = 0, active_.push_back(n);
+      });
+    }
+    std::sort(active_.begin(), active_.end());
+    for (std::size_t k = 0; k < active_.size(); ++k) slot_[static_cast<std::size_t>(active_[k])] = static_cast<int>(k);
+  }
+
+  /// Lattice indices of the blocks that exist; their position in this list is their slot.
+  const std::vector<std::int64_t>& active() const { return active_; }
+  int slot(std::int64_t block) const { return slot_[static_cast<std::size_t>(block)]; }
+
+  /// Slots of a block and its neighbours, x fastest, the block itself in the middle.
+  std::array<int, neighbour_count> neighbours(std::int64_t block) const {
+    std::array<int, neighbour_count> out{};
+    std::size_t k = 0;
+    each_neighbour(block, [&](std::int64_t n) { out[k++] = slot(n); });
+    return out;
+  }
+
+  /// Position of a node in the layers, or -1 if its block does not exist.
+  std::int64_t node(const Index<Dim>& n) const {
+    Index<Dim> block;
+    std::int64_t local = 0;
+    for (std::size_t d = Dim; d-- > 0;) {
+      if (n[d] < 0 || n[d] >= lattice_.blocks[d] * block_edge<Dim>) return -1;
+      block[d] = n[d] / block_edge<Dim>;
+      local = local * block_edge<Dim> + n[d] % block_edge<Dim>;
+    }
+    const int s = slot(lattice_.block_index(block));
+    return s < 0 ? -1 : static_cast<std::int64_t>(s) * block_nodes<Dim> + local;
+  }
+
+  /// Lattice index of the node at a position in the layers.
+  Index<Dim> node_at(std::int64_t position) const {
+    auto n = lattice_.block_at(active_[static_cast<std::size_t>(position / block_nodes<Dim>)]);
+    auto local = static_cast<int>(position % block_nodes<Dim>);
+    for (std::size_t d = 0; d < Dim; ++d)
+      n[d] = n[d] * block_edge<Dim> + local % block_edge<Dim>, local /= block_edge<Dim>;
+    return n;
+  }
+
+  std::int64_t node_count() const { return static_cast<std::int64_t>(active_.size()) * block_nodes<Dim>; }
+
+ private:
+  template <class F>
+  void each_neighbour(std::int64_t block, F&& f) const {
+    const auto b = lattice_.block_at(block);
+    for (int k = Dim == 2 ? 0 : -1; k <= (Dim == 2 ? 0 : 1); ++k)
+      for (int j = -1; j <= 1; ++j)
+        for (int i = -1; i <= 1; ++i) {
+          auto n = b;
+          n[0] += i, n[1] += j;
+          if constexpr (Dim == 3) n[2] += k;
+          f(lattice_.block_index(n));
+        }
+  }
+
+  Lattice<Dim> lattice_;
+  std::vector<int> slot_;
+  std::vector<std::int64_t> active_;
+};
+
+using NodeLayer = AlignedVector<Node>;
+
+}  // namespace tribo

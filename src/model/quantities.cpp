@@ -1,0 +1,89 @@
+#include "model/quantities.hpp"
+
+#include <algorithm>
+#include <cctype>
+
+namespace tribo {
+namespace {
+
+bool same(std::string_view a, std::string_view b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](char x, char y) {
+    return std::tolower(static_cast<unsigned char>(x)) == std::tolower(static_cast<unsigned char>(y));
+  });
+}
+
+const QuantityInfo* find(const std::vector<QuantityInfo>& list, std::string_view name) {
+  const auto entry = std::find_if(list.begin(), list.end(), [&](const QuantityInfo& q) { return same(q.name, name); });
+  return entry == list.end() ? nullptr : &*entry;
+}
+
+}  // namespace
+
+const std::vector<QuantityInfo>& global_quantities() {
+  static const std::vector<QuantityInfo> list{
+      {"velx", "velocity", "mass average of the velocity, x", true},
+      {"vely", "velocity", "mass average of the velocity, y", true},
+      {"velz", "velocity", "mass average of the velocity, z", true},
+      {"dispx", "length", "mass average of the displacement, x", true},
+      {"dispy", "length", "mass average of the displacement, y", true},
+      {"dispz", "length", "mass average of the displacement, z", true},
+      {"posx", "length", "centre of mass, x", true},
+      {"posy", "length", "centre of mass, y", true},
+      {"posz", "length", "centre of mass, z", true},
+      {"px", "mass velocity", "momentum, x", true},
+      {"py", "mass velocity", "momentum, y", true},
+      {"pz", "mass velocity", "momentum, z", true},
+      {"Lpx", "mass length velocity", "angular momentum about the origin, x", true},
+      {"Lpy", "mass length velocity", "angular momentum about the origin, y", true},
+      {"Lpz", "mass length velocity", "angular momentum about the origin, z", true},
+      {"sxx", "stress", "volume average of the stress, xx", true},
+      {"syy", "stress", "volume average of the stress, yy", true},
+      {"szz", "stress", "volume average of the stress, zz", true},
+      {"sxy", "stress", "volume average of the stress, xy", true},
+      {"sxz", "stress", "volume average of the stress, xz", true},
+      {"syz", "stress", "volume average of the stress, yz", true},
+      {"pressure", "stress", "minus a third of the trace of the average stress", true},
+      {"Kinetic Energy", "energy", "of the particles", true},
+      {"Strain Energy", "energy", "stored elastically", true},
+      {"Plastic Energy", "energy", "dissipated by the material", true},
+      {"Potential Energy", "energy", "of constant gravity, zero at the start", false},
+      {"External Work", "energy", "of body forces, loads and tractions", false},
+      {"Boundary Work", "energy", "of prescribed velocities", false},
+      {"Damping Energy", "energy", "taken out by damping", false},
+      {"mass", "mass", "of the particles", true},
+      {"volume", "length^3", "present volume", true},
+      {"particles", "-", "number of particles", true},
+      {"reactionx", "force", "of a condition with an id on the material, x", false},
+      {"reactiony", "force", "of a condition with an id on the material, y", false},
+      {"reactionz", "force", "of a condition with an id on the material, z", false},
+      {"alpha", "1/time", "grid damping", false},
+      {"palpha", "1/time", "particle damping", false},
+      {"step number", "-", "steps done", false},
+      {"time step", "time", "present step", false},
+  };
+  return list;
+}
+
+const QuantityInfo* find_global_quantity(std::string_view name) { return find(global_quantities(), name); }
+
+const std::vector<QuantityInfo>& particle_fields() {
+  static const std::vector<QuantityInfo> list{
+      {"id", "-", "number given at the start, kept for life", false},
+      {"material", "-", "number of the material in the command file", false},
+      {"velocity", "velocity", "", false},
+      {"displacement", "length", "since the start", false},
+      {"mass", "mass", "", false},
+      {"volume", "length^3", "present volume", false},
+      {"stress", "stress", "Cauchy stress, tension positive", false},
+      {"pressure", "stress", "minus a third of the trace", false},
+      {"von_mises", "stress", "sqrt(3 J2)", false},
+      {"deformation_gradient", "-", "F, if the material or kernel keeps it", false},
+      {"volume_ratio", "-", "J = V / V0", false},
+      {"history", "-", "all variables the material keeps, by name", false},
+  };
+  return list;
+}
+
+const QuantityInfo* find_particle_field(std::string_view name) { return find(particle_fields(), name); }
+
+}  // namespace tribo

@@ -1,0 +1,29 @@
+/// Names of what can be asked for: columns of history.csv and fields of the particle files. The one list that the
+/// reader, the manual and the output share.
+#pragma once
+
+#include "base/units.hpp"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tribo {
+
+struct QuantityInfo {
+  std::string_view name;
+  std::string_view unit;     ///< generic, e.g. `velocity`
+  std::string_view meaning;  ///< one phrase
+  bool of_material;          ///< may be restricted to a material
+};
+
+/// Global quantities, by the dialect's names and Tribo's own.
+const std::vector<QuantityInfo>& global_quantities();
+/// The entry of this name in any case, or null.
+const QuantityInfo* find_global_quantity(std::string_view name);
+
+/// Fields of the particle files.
+const std::vector<QuantityInfo>& particle_fields();
+const QuantityInfo* find_particle_field(std::string_view name);
+
+}  // namespace tribo

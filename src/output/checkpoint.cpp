@@ -1,0 +1,119 @@
+#include "output/checkpoint.hpp"
+
+#include "base/error.hpp"
+#include "output/atomic_file.hpp"
+
+#include <zlib.h>
+
+#include <cstring>
+#include <fstream>
+#include <sstream>
+
+namespace tribo {
+namespace {
+
+// Layout: magic, then per entry: kind, name length, byte count, name, bytes, CRC-32 of name and bytes; the end has kind
+// 0.
+constexpr std::string_view magic = "Tribo checkpoint 1\n";
+
+std::uint32_t checksum(const std::string& name, const char* data, std::size_t size) {
+  auto crc = ::crc32(0, reinterpret_cast<const Bytef*>(name.data()), static_cast<uInt>(name.size()));
+  while (size > 0) {  // zlib counts in 32 bits
+    const auto piece = static_cast<uInt>(std::min<std::size_t>(size, 1U << 30));
+    crc = ::crc32(crc, reinterpret_cast<const Bytef*>(data), piece);
+    data += piece, size -= piece;
+  }
+  return static_cast<std::uint32_t>(crc);
+}
+
+template <class T>
+void append(std::string& to, T value) {
+  to.append(reinterpret_cast<const char*>(&value), sizeof value);
+}
+
+}  // namespace
+
+void CheckpointWriter::entry(const std::string& name, char kind, const void* data, std::size_t bytes) {
+  append(bytes_, kind);
+  append(bytes_, static_cast<std::uint64_t>(name.size()));
+  append(bytes_, static_cast<std::uint64_t>(bytes));
+  bytes_ += name;
+  bytes_.append(static_cast<const char*>(data), bytes);
+  append(bytes_, checksum(name, static_cast<const char*>(data), bytes));
+}
+
+void CheckpointWriter::put(const std::string& name, std::span<const double> values) {
+  entry(name, 'd', values.data(), values.size_bytes());
+}
+void CheckpointWriter::put(const std::string& name, std::span<const std::int64_t> values) {
+  entry(name, 'i', values.data(), values.size_bytes());
+}
+void CheckpointWriter::put(const std::string& name, const std::string& text) {
+  entry(name, 't', text.data(), text.size());
+}
+
+void CheckpointWriter::save(const std::filesystem::path& path) const {
+  std::string all(magic);
+  all += bytes_;
+  all += '\0';
+  write_atomically(path, all);
+}
+
+Checkpoint::Checkpoint(const std::filesystem::path& path) : path_(path.string()) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw FileError("cannot read checkpoint '" + path_ + "'");
+  std::ostringstream buffer;
+  buffer << file.rdbuf();
+  const std::string all = buffer.str();
+  if (all.compare(0, magic.size(), magic) != 0)
+    throw FileError("'" + path_ + "' is not a checkpoint of this version of Tribo");
+  std::size_t at = magic.size();
+  const auto take = [&](void* to, std::size_t n) {
+    if (all.size() - at < n) throw FileError("checkpoint '" + path_ + "' is cut off");
+    std::memcpy(to, all.data() + at, n);
+    at += n;
+  };
+  while (true) {
+    char kind = 0;
+    take(&kind, 1);
+    if (kind == 0) return;
+    std::uint64_t name_size = 0, size = 0;
+    take(&name_size, sizeof name_size), take(&size, sizeof size);
+    if (name_size > all.size() - at || size > all.size() - at - name_size)
+      throw FileError("checkpoint '" + path_ + "' is cut off");
+    std::string name(name_size, '\0');
+    take(name.data(), name_size);
+    Entry entry{kind, std::string(size, '\0')};
+    take(entry.bytes.data(), size);
+    std::uint32_t crc = 0;
+    take(&crc, sizeof crc);
+    if (crc != checksum(name, entry.bytes.data(), size))
+      throw FileError("checkpoint '" + path_ + "': entry '" + name + "' is damaged");
+    entries_[name] = std::move(entry);
+  }
+}
+
+const Checkpoint::Entry& Checkpoint::entry(const std::string& name, char kind) const {
+  const auto found = entries_.find(name);
+  if (found == entries_.end() || found->second.kind != kind)
+    throw FileError("checkpoint '" + path_ + "' has no entry '" + name + "'; it belongs to another command file");
+  return found->second;
+}
+
+std::vector<double> Checkpoint::doubles(const std::string& name) const {
+  const auto& bytes = entry(name, 'd').bytes;
+  std::vector<double> values(bytes.size() / sizeof(double));
+  if (!values.empty()) std::memcpy(values.data(), bytes.data(), bytes.size());
+  return values;
+}
+
+std::vector<std::int64_t> Checkpoint::integers(const std::string& name) const {
+  const auto& bytes = entry(name, 'i').bytes;
+  std::vector<std::int64_t> values(bytes.size() / sizeof(std::int64_t));
+  if (!values.empty()) std::memcpy(values.data(), bytes.data(), bytes.size());
+  return values;
+}
+
+std::string Checkpoint::text(const std::string& name) const { return entry(name, 't').bytes; }
+
+}  // namespace tribo

@@ -1,0 +1,51 @@
+/// Named arrays in one file, for stopping and resuming to the bit.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace tribo {
+
+class CheckpointWriter {
+ public:
+  void put(const std::string& name, std::span<const double> values);
+  void put(const std::string& name, std::span<const std::int64_t> values);
+  void put(const std::string& name, const std::string& text);
+  void put(const std::string& name, double value) { put(name, std::span<const double>(&value, 1)); }
+  void put(const std::string& name, std::int64_t value) { put(name, std::span<const std::int64_t>(&value, 1)); }
+  /// Throws FileError.
+  void save(const std::filesystem::path& path) const;
+
+ private:
+  void entry(const std::string& name, char kind, const void* data, std::size_t bytes);
+  std::string bytes_;
+};
+
+class Checkpoint {
+ public:
+  /// Reads and checks everything. Throws FileError that says what is wrong: not a checkpoint, another version, cut off,
+  /// or which entry is damaged.
+  explicit Checkpoint(const std::filesystem::path& path);
+  bool has(const std::string& name) const { return entries_.count(name) > 0; }
+  /// Throw FileError if there is no such entry of this kind.
+  std::vector<double> doubles(const std::string& name) const;
+  std::vector<std::int64_t> integers(const std::string& name) const;
+  std::string text(const std::string& name) const;
+  double number(const std::string& name) const { return doubles(name).at(0); }
+  std::int64_t integer(const std::string& name) const { return integers(name).at(0); }
+
+ private:
+  struct Entry {
+    char kind;
+    std::string bytes;
+  };
+  const Entry& entry(const std::string& name, char kind) const;
+  std::string path_;
+  std::map<std::string, Entry> entries_;
+};
+
+}  // namespace tribo

@@ -1,0 +1,36 @@
+/// Time histories as CSV.
+#pragma once
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace tribo {
+
+/// A table that grows by rows; the first column is `time`. Every row is flushed whole.
+class History {
+ public:
+  /// Starts the file `path` with a header. Column names with commas or quotes are quoted. Throws FileError.
+  History(std::filesystem::path path, std::vector<std::string> columns);
+  /// Continues the file, keeping the rows up to a time; a torn last line is dropped. Throws FileError if the header
+  /// differs.
+  static History resume(std::filesystem::path path, std::vector<std::string> columns, double time);
+
+  /// One value per column, `time` first.
+  void add(std::span<const double> row);
+
+ private:
+  struct Close {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+  };
+  History() = default;
+  void open(const char* mode);
+  std::filesystem::path path_;
+  std::size_t columns_ = 0;
+  std::unique_ptr<std::FILE, Close> file_;
+};
+
+}  // namespace tribo

@@ -1,0 +1,28 @@
+/// What the terminal shows while a run goes on.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+
+namespace tribo {
+
+/// One updating line on a terminal, a line per tenth of the run elsewhere, nothing if quiet.
+class Progress {
+ public:
+  Progress(bool quiet, double start, double end, std::int64_t particles);
+  /// Call once per step; looks at the clock now and then only.
+  void step(double time, std::int64_t step, double dt);
+  void finish(double time, std::int64_t step);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  void line(double time, std::int64_t step, double dt, bool last);
+
+  bool quiet_, terminal_;
+  double start_, end_;
+  std::int64_t particles_, first_step_ = -1, next_look_ = 0;
+  int tenth_ = 0;
+  Clock::time_point begin_, last_;
+};
+
+}  // namespace tribo

@@ -1,0 +1,77 @@
+#include "output/provenance.hpp"
+
+#include "output/atomic_file.hpp"
+
+#include <zlib.h>
+
+#include <chrono>
+#include <ctime>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+namespace tribo {
+namespace {
+
+std::string now() {
+  const std::time_t t = std::time(nullptr);
+  std::tm utc{};
+  gmtime_r(&t, &utc);
+  char text[32];
+  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc);
+  return text;
+}
+
+std::string processor() {
+  std::ifstream file("/proc/cpuinfo");
+  for (std::string line; std::getline(file, line);)
+    if (line.rfind("model name", 0) == 0) return line.substr(line.find(':') + 2);
+  return "unknown";
+}
+
+std::string checksum(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream buffer;
+  buffer << file.rdbuf();
+  const std::string all = buffer.str();
+  std::ostringstream out;
+  out << "crc32:" << std::hex << ::crc32(0, reinterpret_cast<const Bytef*>(all.data()), static_cast<uInt>(all.size()));
+  return out.str();
+}
+
+}  // namespace
+
+std::string version_text() {
+  return std::string("tribo ") + TRIBO_VERSION + " (" + TRIBO_COMMIT + ", " + TRIBO_COMPILER +
+         ", -march=" + TRIBO_MARCH + ")";
+}
+
+Provenance::Provenance(std::filesystem::path path, std::string command_line, std::filesystem::path input, int threads,
+                       std::map<std::string, std::string> facts)
+    : path_(std::move(path)),
+      command_line_(std::move(command_line)),
+      input_(input.string()),
+      input_checksum_(checksum(input)),
+      started_(now()),
+      threads_(threads),
+      facts_(std::move(facts)) {}
+
+void Provenance::write(const std::string& status, const std::string& reason, double time, long step) const {
+  nlohmann::ordered_json record;
+  record["program"] = version_text();
+  record["command"] = command_line_;
+  record["input"] = input_;
+  record["input_checksum"] = input_checksum_;
+  record["processor"] = processor();
+  record["threads"] = threads_;
+  record["started"] = started_;
+  record["written"] = now();
+  record["status"] = status;
+  if (!reason.empty()) record["reason"] = reason;
+  record["time"] = time;
+  record["step"] = step;
+  for (const auto& [name, value] : facts_) record["model"][name] = value;
+  write_atomically(path_, record.dump(2) + "\n");
+}
+
+}  // namespace tribo

@@ -1,0 +1,28 @@
+/// Where a result comes from: provenance.json beside it.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+namespace tribo {
+
+/// Version, commit, compiler and instruction set this program was built with; one line for --version.
+std::string version_text();
+
+class Provenance {
+ public:
+  /// Starts the record of a run. `facts`: further names and values, e.g. particles per material.
+  Provenance(std::filesystem::path path, std::string command_line, std::filesystem::path input, int threads,
+             std::map<std::string, std::string> facts);
+  /// Writes the file with a status: running, finished, stopped, failed, and why. Throws FileError.
+  void write(const std::string& status, const std::string& reason, double time, long step) const;
+
+ private:
+  std::filesystem::path path_;
+  std::string command_line_, input_, input_checksum_, started_;
+  int threads_;
+  std::map<std::string, std::string> facts_;
+};
+
+}  // namespace tribo

@@ -1,0 +1,136 @@
+#include "output/vtk.hpp"
+
+#include "base/error.hpp"
+#include "output/atomic_file.hpp"
+#include "output/number.hpp"
+
+#include <vtkCellArray.h>
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkTypeInt64Array.h>
+#include <vtkXMLImageDataWriter.h>
+#include <vtkXMLPolyDataWriter.h>
+
+#include <fstream>
+#include <sstream>
+
+namespace tribo {
+namespace {
+
+void add_fields(vtkPointData* data, std::size_t count, std::span<const OutputField> fields) {
+  const auto n = static_cast<vtkIdType>(count);
+  for (const auto& field : fields) {
+    if (field.integers) {
+      vtkNew<vtkTypeInt64Array> array;
+      array->SetName(field.name.c_str());
+      array->SetNumberOfTuples(n);
+      for (vtkIdType i = 0; i < n; ++i) array->SetValue(i, field.integers[i]);
+      data->AddArray(array);
+      continue;
+    }
+    vtkNew<vtkDoubleArray> array;
+    const auto components = static_cast<int>(field.components.size());
+    array->SetName(field.name.c_str());
+    array->SetNumberOfComponents(components);
+    array->SetNumberOfTuples(n);
+    if (components == 6) {
+      int c = 0;
+      for (const char* label : {"XX", "YY", "ZZ", "XY", "YZ", "XZ"}) array->SetComponentName(c++, label);
+    }
+    double* to = array->GetPointer(0);
+    for (int c = 0; c < components; ++c) {
+      const double* from = field.components[static_cast<std::size_t>(c)];
+      for (vtkIdType i = 0; i < n; ++i) to[i * components + c] = from ? from[i] : 0.0;
+    }
+    data->AddArray(array);
+  }
+}
+
+void add_time(vtkDataObject* object, double time) {
+  vtkNew<vtkDoubleArray> value;
+  value->SetName("TimeValue");
+  value->InsertNextValue(time);
+  object->GetFieldData()->AddArray(value);
+}
+
+template <class Writer, class Data>
+void write(const std::filesystem::path& path, Data* data) {
+  write_atomically(path, [&](const std::string& temporary) {
+    vtkNew<Writer> writer;
+    writer->SetFileName(temporary.c_str());
+    writer->SetInputData(data);
+    writer->SetDataModeToAppended();
+    writer->EncodeAppendedDataOff();
+    writer->SetCompressorTypeToZLib();
+    return writer->Write() == 1 && writer->GetErrorCode() == 0;
+  });
+}
+
+}  // namespace
+
+void write_particles(const std::filesystem::path& path, std::size_t count, const std::array<const double*, 3>& position,
+                     std::span<const OutputField> fields, double time) {
+  const auto n = static_cast<vtkIdType>(count);
+  vtkNew<vtkPolyData> data;
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(n);
+  for (vtkIdType i = 0; i < n; ++i)
+    points->SetPoint(i, position[0][i], position[1] ? position[1][i] : 0.0, position[2] ? position[2][i] : 0.0);
+  data->SetPoints(points);
+  vtkNew<vtkCellArray> vertices;
+  vertices->AllocateExact(n, n);
+  for (vtkIdType i = 0; i < n; ++i) vertices->InsertNextCell(1, &i);
+  data->SetVerts(vertices);
+  add_fields(data->GetPointData(), count, fields);
+  add_time(data, time);
+  write<vtkXMLPolyDataWriter>(path, data.Get());
+}
+
+void write_grid(const std::filesystem::path& path, const std::array<double, 3>& origin,
+                const std::array<double, 3>& spacing, const std::array<int, 3>& nodes,
+                std::span<const OutputField> fields, double time) {
+  vtkNew<vtkImageData> data;
+  data->SetOrigin(origin[0], origin[1], origin[2]);
+  data->SetSpacing(spacing[0], spacing[1], spacing[2]);
+  data->SetDimensions(nodes[0], nodes[1], nodes[2]);
+  add_fields(data->GetPointData(), static_cast<std::size_t>(data->GetNumberOfPoints()), fields);
+  add_time(data, time);
+  write<vtkXMLImageDataWriter>(path, data.Get());
+}
+
+void Collection::resume(double time) {
+  std::ifstream file(path_);
+  if (!file) throw FileError("cannot read '" + path_.string() + "'");
+  entries_.clear();
+  // Our own files: one <DataSet .../> per line.
+  for (std::string line; std::getline(file, line);) {
+    const auto value = [&](const std::string& name) {
+      const auto at = line.find(" " + name + "=\"");
+      if (at == std::string::npos) throw FileError("'" + path_.string() + "' is damaged: " + line);
+      const auto from = at + name.size() + 3;
+      return line.substr(from, line.find('"', from) - from);
+    };
+    if (line.find("<DataSet") == std::string::npos) continue;
+    const double t = parse_number(value("timestep"));
+    if (t <= time) entries_.push_back({t, value("file")});
+  }
+}
+
+void Collection::add(double time, const std::string& file) {
+  entries_.push_back({time, file});
+  std::ostringstream out;
+  out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" "
+         "byte_order=\"LittleEndian\">\n<Collection>\n";
+  for (const auto& e : entries_)
+    out << "<DataSet timestep=\"" << number_text(e.time) << "\" part=\"0\" file=\"" << e.file << "\"/>\n";
+  out << "</Collection>\n</VTKFile>\n";
+  write_atomically(path_, out.str());
+}
+
+}  // namespace tribo

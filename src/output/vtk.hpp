@@ -1,0 +1,50 @@
+/// Files for ParaView. The only place that knows VTK is vtk.cpp.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace tribo {
+
+/// A field of particles or nodes: components as separate arrays. Vectors have 3 components (a null pointer stands for
+/// zeros), symmetric tensors 6 in VTK's order XX YY ZZ XY YZ XZ.
+struct OutputField {
+  std::string name;
+  std::vector<const double*> components;
+  const std::int64_t* integers = nullptr;  ///< instead of components
+};
+
+/// Writes points as a .vtp with one vertex each, appended and compressed, with the field data TimeValue. Throws
+/// FileError.
+void write_particles(const std::filesystem::path& path, std::size_t count, const std::array<const double*, 3>& position,
+                     std::span<const OutputField> fields, double time);
+
+/// Writes nodal fields of a regular lattice as a .vti; x runs fastest. Throws FileError.
+void write_grid(const std::filesystem::path& path, const std::array<double, 3>& origin,
+                const std::array<double, 3>& spacing, const std::array<int, 3>& nodes,
+                std::span<const OutputField> fields, double time);
+
+/// The list of files and times that ParaView opens.
+class Collection {
+ public:
+  explicit Collection(std::filesystem::path path) : path_(std::move(path)) {}
+  /// Takes over the entries of an existing file up to a time. Throws FileError if the file is damaged.
+  void resume(double time);
+  /// Adds a file, relative to the collection, and rewrites the collection.
+  void add(double time, const std::string& file);
+  std::size_t size() const { return entries_.size(); }
+
+ private:
+  struct Entry {
+    double time;
+    std::string file;
+  };
+  std::filesystem::path path_;
+  std::vector<Entry> entries_;
+};
+
+}  // namespace tribo

@@ -1,0 +1,92 @@
+#include "particles/bins.hpp"
+
+#include "base/parallel.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tribo {
+
+template <int Dim>
+std::int64_t Bins<Dim>::sort(const Lattice<Dim>& lattice, Particles<Dim>& particles) {
+  const std::size_t n = particles.size();
+  const auto x = particles.x();
+
+  // Key: block (lexicographic), then cell in the block.
+  static constexpr std::ptrdiff_t piece = 1 << 14;
+  std::vector<std::int64_t> key(n);
+  const auto pieces = (static_cast<std::ptrdiff_t>(n) + piece - 1) / piece;
+  std::vector<std::int64_t> lost(static_cast<std::size_t>(pieces), -1);
+  parallel_for(pieces, [&](std::ptrdiff_t p) {
+    const auto end = std::min(n, static_cast<std::size_t>((p + 1) * piece));
+    for (auto i = static_cast<std::size_t>(p * piece); i < end; ++i) {
+      Index<Dim> block;
+      std::int64_t cell = 0;
+      for (std::size_t d = Dim; d-- > 0;) {
+        const auto axis = static_cast<Eigen::Index>(d);
+        if (!(x[d][i] >= lattice.low[axis] && x[d][i] <= lattice.high[axis])) {
+          if (lost[static_cast<std::size_t>(p)] < 0) lost[static_cast<std::size_t>(p)] = static_cast<std::int64_t>(i);
+          block = {};
+          break;
+        }
+        const auto base =
+            static_cast<int>(std::floor((x[d][i] - lattice.origin[axis]) / lattice.spacing[axis] - shift_));
+        block[d] = base / block_edge<Dim>;
+        cell = cell * block_edge<Dim> + base % block_edge<Dim>;
+      }
+      key[i] = lattice.block_index(block) * block_nodes<Dim> + cell;
+    }
+  });
+  for (const auto i : lost)
+    if (i >= 0) return i;
+
+  // Occupied blocks, densely numbered in lexicographic order.
+  std::vector<int> rank(static_cast<std::size_t>(lattice.block_count()), 0);
+  for (const auto k : key) rank[static_cast<std::size_t>(k / block_nodes<Dim>)] = 1;
+  std::vector<std::int64_t> occupied;
+  for (std::size_t b = 0; b < rank.size(); ++b)
+    if (rank[b]) rank[b] = static_cast<int>(occupied.size()), occupied.push_back(static_cast<std::int64_t>(b));
+
+  // Stable counting sort.
+  const auto dense = [&](std::int64_t k) {
+    return static_cast<std::size_t>(rank[static_cast<std::size_t>(k / block_nodes<Dim>)]) * block_nodes<Dim> +
+           static_cast<std::size_t>(k % block_nodes<Dim>);
+  };
+  std::vector<std::uint32_t> start(occupied.size() * block_nodes<Dim> + 1, 0);
+  for (const auto k : key) ++start[dense(k) + 1];
+  for (std::size_t c = 1; c < start.size(); ++c) start[c] += start[c - 1];
+  bins_.clear();
+  for (std::size_t b = 0; b < occupied.size(); ++b)
+    bins_.push_back({occupied[b], start[b * block_nodes<Dim>], start[(b + 1) * block_nodes<Dim>]});
+  std::vector<std::uint32_t> order(n);
+  for (std::size_t i = 0; i < n; ++i) order[start[dense(key[i])]++] = static_cast<std::uint32_t>(i);
+
+  particles.reorder(order);
+  paint(lattice);
+  return -1;
+}
+
+template <int Dim>
+void Bins<Dim>::restore(const Lattice<Dim>& lattice, std::vector<Bin> bins) {
+  bins_ = std::move(bins);
+  paint(lattice);
+}
+
+template <int Dim>
+void Bins<Dim>::paint(const Lattice<Dim>& lattice) {
+  std::size_t count = 1;
+  for (int d = 0; d < Dim; ++d) count *= static_cast<std::size_t>(colours_per_axis_);
+  colours_.assign(count, {});
+  for (std::size_t k = 0; k < bins_.size(); ++k) {
+    const auto block = lattice.block_at(bins_[k].block);
+    std::size_t colour = 0;
+    for (const int b : block)
+      colour = colour * static_cast<std::size_t>(colours_per_axis_) + static_cast<std::size_t>(b % colours_per_axis_);
+    colours_[colour].push_back(static_cast<std::uint32_t>(k));
+  }
+}
+
+template class Bins<2>;
+template class Bins<3>;
+
+}  // namespace tribo

@@ -1,0 +1,47 @@
+/// Particles of a body sorted by block of cells, and the order in which blocks may be worked on at the same time.
+#pragma once
+
+#include "grid/lattice.hpp"
+#include "particles/particles.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace tribo {
+
+/// A block that holds particles, and which: [begin, end).
+struct Bin {
+  std::int64_t block;
+  std::uint32_t begin, end;
+};
+
+/// Particles lie in the bin of the block of their stencil's lowest node. Between sorts they may drift by less than one
+/// cell; every transfer allows for that. Blocks of one colour never write to the same node, so a scatter runs through
+/// the colours one after the other, in parallel within a colour: no atomics, and the same sums on any number of
+/// threads.
+template <int Dim>
+class Bins {
+ public:
+  /// `shift`: of the kernel's base; `colours_per_axis`: 2 where stencil plus drift fit two blocks, else 3.
+  Bins(double shift, int colours_per_axis) : shift_(shift), colours_per_axis_(colours_per_axis) {}
+
+  /// Sorts the particles. Returns the index of a particle outside the lattice's user grid (or not a number), or -1.
+  std::int64_t sort(const Lattice<Dim>& lattice, Particles<Dim>& particles);
+
+  /// Takes over bins of a checkpoint; the particles must be in their order.
+  void restore(const Lattice<Dim>& lattice, std::vector<Bin> bins);
+
+  const std::vector<Bin>& list() const { return bins_; }
+  /// Bins of one colour, as positions in list().
+  const std::vector<std::vector<std::uint32_t>>& colours() const { return colours_; }
+
+ private:
+  void paint(const Lattice<Dim>& lattice);
+
+  double shift_;
+  int colours_per_axis_;
+  std::vector<Bin> bins_;
+  std::vector<std::vector<std::uint32_t>> colours_;
+};
+
+}  // namespace tribo

@@ -1,0 +1,290 @@
+#include "materials/material.hpp"
+#include "particles/seed.hpp"
+#include "particles/sites.hpp"
+
+#include <Eigen/LU>
+
+#include <cmath>
+
+namespace tribo {
+namespace {
+
+// Number n with n^dimension = total, or none.
+std::optional<int> root(int total, int dimension) {
+  for (int n = 1; n <= 64; ++n) {
+    const int power = dimension == 2 ? n * n : n * n * n;
+    if (power == total) return n;
+  }
+  return std::nullopt;
+}
+
+class Filler {
+ public:
+  Filler(const Model& model, const std::function<void(const Seed&)>& receive)
+      : model_(model), receive_(receive), grid_(model) {}
+
+  void run() {
+    choose_lattices();
+    for (std::size_t p = 0; p < model_.pieces.size(); ++p) fill(p);
+    for (const auto& point : model_.points) place(point);
+  }
+
+ private:
+  // Points per axis of a cell unless a piece says otherwise.
+  int default_per_axis() const {
+    const int dimension = model_.dimension();
+    const int total = model_.points_per_cell > 0 ? model_.points_per_cell : (dimension == 2 ? 4 : 8);
+    const auto n = root(total, dimension);
+    if (!n)
+      throw InputError(model_.grid.origin, std::to_string(total) + " points per cell is not a " +
+                                               (dimension == 2 ? "square: 1, 4, 9, 16, 25 ..." : "cube: 1, 8, 27 ..."));
+    return *n;
+  }
+
+  std::array<int, 3> per_axis(const Piece& piece) const {
+    std::array<int, 3> n{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const int wanted = piece.points_per_axis[k];
+      if (wanted < 0 || wanted > 64)
+        throw InputError(piece.origin, std::to_string(wanted) + " points per axis of a cell; valid: 1 to 64");
+      n[k] = static_cast<int>(k) >= model_.dimension() ? 1 : (wanted > 0 ? wanted : per_axis_);
+    }
+    return n;
+  }
+
+  // Pieces that divide the cells in the same way share a lattice; holes need none of their own.
+  void choose_lattices() {
+    per_axis_ = default_per_axis();
+    for (std::size_t p = 0; p < model_.pieces.size(); ++p) {
+      const Piece& piece = model_.pieces[p];
+      lattice_of_.push_back(-1);
+      if (piece.material < 0) continue;
+      const Bounds reach = grid_.clip(piece.region->bounds());
+      if (piece.point_size) {
+        if (!(*piece.point_size > 0.0)) throw InputError(piece.origin, "the size of the points must be positive");
+        lattices_.push_back(grid_.lattice(reach.low, *piece.point_size));
+        lattice_of_.back() = static_cast<int>(lattices_.size()) - 1;
+      } else {
+        lattice_of_.back() = cell_lattice(per_axis(piece));
+      }
+      Sites& lattice = lattices_[static_cast<std::size_t>(lattice_of_.back())];
+      lattice.extend(reach);
+      lattice.last_piece = static_cast<int>(p);
+    }
+    for (std::size_t k = 0; k < lattices_.size(); ++k)
+      if (!lattices_[k].allocate())
+        throw InputError(model_.grid.origin, "the points are so small that there would be more than 4e9 sites");
+  }
+
+  int cell_lattice(const std::array<int, 3>& n) {
+    for (std::size_t k = 0; k < lattices_.size(); ++k)
+      if (lattices_[k].of_cells && lattices_[k].per_cell == n) return static_cast<int>(k);
+    lattices_.push_back(grid_.lattice(n));
+    return static_cast<int>(lattices_.size()) - 1;
+  }
+
+  void fill(std::size_t p) {
+    const Piece& piece = model_.pieces[p];
+    const bool hole = piece.material < 0;
+    if (piece.deformation && hole) throw InputError(piece.origin, "a hole cannot be deformed");
+    const int own = lattice_of_[p];
+    long count = 0;
+    const Bounds reach = grid_.clip(piece.region->bounds());
+    if (!hole) {
+      Sites& lattice = lattices_[static_cast<std::size_t>(own)];
+      const Seed pattern = prepare(p, lattice);
+      lattice.visit(reach, [&](const Vec3& x, std::size_t site) {
+        if (!piece.region->contains(x) || !grid_.contains(x)) return;
+        if (!piece.deformation) {
+          if (lattice.taken[site]) return;
+          lattice.taken[site] = true;
+        }
+        emit(piece, pattern, x);
+        ++count;
+      });
+      if (count == 0) throw InputError(piece.origin, no_points(piece));
+    }
+    if (!piece.deformation) take_from_others(p, own, reach);
+  }
+
+  // The shape's sites on the lattices of later pieces belong to it as well.
+  void take_from_others(std::size_t p, int own, const Bounds& reach) {
+    const Region& region = *model_.pieces[p].region;
+    for (int k = 0; k < static_cast<int>(lattices_.size()); ++k) {
+      Sites& lattice = lattices_[static_cast<std::size_t>(k)];
+      if (k == own || lattice.last_piece <= static_cast<int>(p)) continue;
+      lattice.visit(reach, [&](const Vec3& x, std::size_t site) {
+        if (!lattice.taken[site] && region.contains(x)) lattice.taken[site] = true;
+      });
+    }
+  }
+
+  std::string no_points(const Piece& piece) const {
+    const Bounds b = piece.region->bounds();
+    if (!grid_.meets(b)) return "this body lies outside the grid";
+    return "this body gets no material point: it is smaller than the distance of the points, or earlier bodies or "
+           "holes "
+           "cover it";
+  }
+
+  const Material& law(int material, const Origin& origin) const {
+    if (material < 0 || material >= static_cast<int>(model_.materials.size()))
+      throw InputError(origin, "this body has no material");
+    const auto& spec = model_.materials[static_cast<std::size_t>(material)];
+    if (!spec.law)
+      throw InputError(origin, "'" + spec.name + "' is a contact law and cannot be the material of a body");
+    return *spec.law;
+  }
+
+  // What all points of a piece have in common; `volume` without the radius, `mass` its density.
+  Seed prepare(std::size_t p, const Sites& lattice) const {
+    const Piece& piece = model_.pieces[p];
+    Seed seed;
+    seed.piece = static_cast<int>(p);
+    seed.material = piece.material;
+    seed.mass = law(piece.material, piece.origin).density();
+    seed.angle = piece.angle;
+    seed.temperature = piece.temperature.value_or(0.0);
+    seed.v = piece.velocity;
+    seed.half_size = 0.5 * lattice.spacing;
+    if (model_.dimension() == 2) seed.half_size[2] = 0.5 * thickness(piece.thickness);
+    seed.volume = 8.0 * seed.half_size.prod();
+    return seed;
+  }
+
+  // Out of plane; one radian for axisymmetric analyses.
+  double thickness(const std::optional<double>& own) const {
+    return model_.analysis == Analysis::axisymmetric ? 1.0 : own.value_or(model_.grid.thickness);
+  }
+
+  void emit(const Piece& piece, const Seed& pattern, const Vec3& x) {
+    Seed seed = pattern;
+    seed.x = x;
+    const auto set = [](double& target, const std::optional<Expression>& function, const Variables& at) {
+      if (function) target = (*function)(at);
+    };
+    if (varies(piece)) {
+      const auto at = Variables::at(x);
+      for (std::size_t k = 0; k < 3; ++k) set(seed.v[static_cast<Eigen::Index>(k)], piece.velocity_function[k], at);
+      static constexpr std::array<std::array<int, 2>, 6> place{{{0, 0}, {1, 1}, {2, 2}, {0, 1}, {1, 2}, {0, 2}}};
+      for (std::size_t k = 0; k < 6; ++k) {
+        double& entry = seed.stress(place[k][0], place[k][1]);
+        set(entry, piece.stress[k], at);
+        if (piece.stress[k]) entry *= piece.stress_factor;
+        seed.stress(place[k][1], place[k][0]) = entry;
+      }
+      if (piece.deformation) deform(piece, at, seed);
+    }
+    weigh(seed, x[0], piece.origin);
+    check_finite(seed, piece.origin);
+    receive_(seed);
+  }
+
+  static bool varies(const Piece& piece) {
+    const auto given = [](const auto& functions) {
+      for (const auto& f : functions)
+        if (f) return true;
+      return false;
+    };
+    return piece.deformation || given(piece.velocity_function) || given(piece.stress);
+  }
+
+  void deform(const Piece& piece, const Variables& at, Seed& seed) const {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto row = static_cast<Eigen::Index>(i);
+      if (piece.deformation->shift[i]) seed.x[row] += (*piece.deformation->shift[i])(at);
+      for (std::size_t j = 0; j < 3; ++j)
+        if (piece.deformation->F[i][j]) seed.F(row, static_cast<Eigen::Index>(j)) = (*piece.deformation->F[i][j])(at);
+    }
+    if (!(seed.F.determinant() > 0.0))
+      throw InputError(piece.origin, "the initial deformation turns the body inside out (det F = " +
+                                         std::to_string(seed.F.determinant()) + ") at " + text(seed.x));
+    if (!grid_.contains(seed.x))
+      throw InputError(piece.origin, "the initial deformation moves a point out of the grid, to " + text(seed.x));
+  }
+
+  // Volume and mass of a domain whose centre is at radius r before any deformation.
+  void weigh(Seed& seed, double r, const Origin& origin) const {
+    if (model_.analysis == Analysis::axisymmetric) {
+      if (!(r > 0.0) || !(seed.x[0] >= 0.0))
+        throw InputError(origin, "a point lies at radius " + std::to_string(std::min(r, seed.x[0])) +
+                                     "; radii must be positive in an axisymmetric analysis");
+      seed.volume *= r;
+    }
+    seed.mass *= seed.volume;
+  }
+
+  static void check_finite(const Seed& seed, const Origin& origin) {
+    if (!seed.x.allFinite() || !seed.v.allFinite() || !seed.stress.allFinite() || !seed.F.allFinite())
+      throw InputError(origin, "a function of this body has no finite value at " + text(seed.x));
+  }
+
+  static std::string text(const Vec3& x) {
+    return "(" + std::to_string(x[0]) + ", " + std::to_string(x[1]) + ", " + std::to_string(x[2]) + ")";
+  }
+
+  void place(const PointSpec& point) {
+    if (!grid_.contains(point.position))
+      throw InputError(point.origin, "the point " + text(point.position) + " lies outside the grid");
+    const Material& material = law(point.material, point.origin);
+    Seed seed;
+    seed.x = point.position;
+    seed.v = point.velocity;
+    seed.angle = point.angle;
+    seed.material = point.material;
+    for (int k = 0; k < 3; ++k) seed.half_size[k] = 0.5 * grid_.cell[k] / (k < model_.dimension() ? per_axis_ : 1);
+    if (point.half_size) seed.half_size = *point.half_size;
+    if (model_.dimension() == 2) seed.half_size[2] = 0.5 * thickness(std::nullopt);
+    if (!(seed.half_size.minCoeff() > 0.0)) throw InputError(point.origin, "the domain of the point has no volume");
+    seed.volume = 8.0 * seed.half_size.prod();
+    seed.mass = material.density();
+    weigh(seed, point.position[0], point.origin);
+    if (point.mass) seed.mass = *point.mass;
+    if (!(seed.mass > 0.0)) throw InputError(point.origin, "the mass of the point must be positive");
+    receive_(seed);
+  }
+
+  const Model& model_;
+  const std::function<void(const Seed&)>& receive_;
+  GridBox grid_;
+  int per_axis_ = 2;
+  std::vector<Sites> lattices_;
+  std::vector<int> lattice_of_;  // of each piece; -1 for holes
+};
+
+}  // namespace
+
+void place_points(const Model& model, const std::function<void(const Seed&)>& receive) { Filler(model, receive).run(); }
+
+std::vector<Seed> place_points(const Model& model) {
+  std::vector<Seed> seeds;
+  place_points(model, [&](const Seed& seed) { seeds.push_back(seed); });
+  return seeds;
+}
+
+std::vector<PlacedVolume> volume_error(const Model& model, const std::vector<Seed>& seeds) {
+  const GridBox grid(model);
+  std::vector<PlacedVolume> by_piece(model.pieces.size());
+  for (const auto& seed : seeds) {
+    if (seed.piece < 0) continue;
+    auto& entry = by_piece.at(static_cast<std::size_t>(seed.piece));
+    ++entry.points;
+    entry.placed += seed.volume;
+  }
+  std::vector<PlacedVolume> out;
+  for (std::size_t p = 0; p < model.pieces.size(); ++p) {
+    const Piece& piece = model.pieces[p];
+    if (piece.material < 0) continue;
+    PlacedVolume entry = by_piece[p];
+    entry.piece = static_cast<int>(p);
+    bool whole = model.analysis != Analysis::axisymmetric && grid.holds(piece.region->bounds());
+    for (std::size_t q = 0; q < p && whole && !piece.deformation; ++q)
+      whole = model.pieces[q].deformation || !grid.overlap(piece.region->bounds(), model.pieces[q].region->bounds());
+    if (whole) entry.exact = piece.region->measure();
+    if (entry.exact && model.dimension() == 2) *entry.exact *= piece.thickness.value_or(model.grid.thickness);
+    out.push_back(entry);
+  }
+  return out;
+}
+
+}  // namespace tribo

@@ -1,0 +1,85 @@
+#include "run/restart.hpp"
+
+namespace tribo {
+namespace {
+
+template <int Dim, class F>
+void each_body(System<Dim>& system, F&& f) {
+  int k = 0;
+  for (auto* bodies : {&system.bodies, &system.rigids})
+    for (auto& body : *bodies) f(body, "body" + std::to_string(k++) + ".");
+}
+
+}  // namespace
+
+template <int Dim>
+CheckpointWriter save_state(const RunState& state, System<Dim>& system, Stepper<Dim>& stepper) {
+  CheckpointWriter out;
+  out.put("dimension", std::int64_t{Dim});
+  out.put("counters", std::array<std::int64_t, 5>{state.archive, state.history, state.checkpoint, system.step,
+                                                  stepper.pushed_back});
+  out.put("clock", std::array{system.time, system.drift, system.sorted ? 1.0 : 0.0, state.initial_energy, state.dt,
+                              stepper.next_filter});
+  const Ledger& l = stepper.ledger();
+  out.put("ledger", std::array{l.external_work, l.damping_work, l.rigid_work, stepper.grid_damping,
+                               stepper.particle_damping, stepper.grid_feedback, stepper.particle_feedback});
+  for (std::size_t f = 0; f < system.fields.size(); ++f) {
+    const auto& c = stepper.conditions(f);
+    out.put("conditions" + std::to_string(f), std::array{c.work(), c.impulse()[0], c.impulse()[1], c.impulse()[2]});
+  }
+  each_body(system, [&](Body<Dim>& body, const std::string& prefix) {
+    out.put(prefix + "id", std::span<const std::int64_t>(body.particles.id));
+    std::vector<std::int64_t> bins;
+    for (const Bin& bin : body.bins.list())
+      bins.insert(bins.end(), {bin.block, std::int64_t{bin.begin}, std::int64_t{bin.end}});
+    out.put(prefix + "bins", std::span<const std::int64_t>(bins));
+    for (const auto& column : body.particles.columns())
+      out.put(prefix + column.name, std::span<const double>(column.data.data(), body.particles.size()));
+  });
+  return out;
+}
+
+template <int Dim>
+RunState load_state(const Checkpoint& checkpoint, System<Dim>& system, Stepper<Dim>& stepper) {
+  const auto mismatch = [] { throw FileError("the checkpoint belongs to another command file: its particles differ"); };
+  if (checkpoint.integer("dimension") != Dim) mismatch();
+  RunState state;
+  const auto counters = checkpoint.integers("counters");
+  const auto clock = checkpoint.doubles("clock"), ledger = checkpoint.doubles("ledger");
+  state.archive = counters.at(0), state.history = counters.at(1), state.checkpoint = counters.at(2);
+  system.step = counters.at(3), stepper.pushed_back = static_cast<long>(counters.at(4));
+  system.time = clock.at(0), system.drift = clock.at(1), system.sorted = clock.at(2) != 0.0;
+  state.initial_energy = clock.at(3), state.dt = clock.at(4), stepper.next_filter = clock.at(5);
+  stepper.ledger() = {ledger.at(0), ledger.at(1), ledger.at(2)};
+  stepper.grid_damping = ledger.at(3), stepper.particle_damping = ledger.at(4);
+  stepper.grid_feedback = ledger.at(5), stepper.particle_feedback = ledger.at(6);
+  for (std::size_t f = 0; f < system.fields.size(); ++f) {
+    const auto values = checkpoint.doubles("conditions" + std::to_string(f));
+    stepper.conditions(f).set_work(values.at(0));
+    stepper.conditions(f).set_impulse({values.at(1), values.at(2), values.at(3)});
+  }
+  each_body(system, [&](Body<Dim>& body, const std::string& prefix) {
+    const auto ids = checkpoint.integers(prefix + "id");
+    if (ids.size() != body.particles.size()) mismatch();
+    body.particles.id = ids;
+    const auto flat = checkpoint.integers(prefix + "bins");
+    std::vector<Bin> bins;
+    for (std::size_t k = 0; k + 2 < flat.size(); k += 3)
+      bins.push_back({flat[k], static_cast<std::uint32_t>(flat[k + 1]), static_cast<std::uint32_t>(flat[k + 2])});
+    body.bins.restore(system.lattice, std::move(bins));
+    for (auto& column : body.particles.columns()) {
+      const auto values = checkpoint.doubles(prefix + column.name);
+      if (values.size() != body.particles.size()) mismatch();
+      std::copy(values.begin(), values.end(), column.data.begin());
+    }
+  });
+  if (system.sorted) stepper.allocate();
+  return state;
+}
+
+template CheckpointWriter save_state<2>(const RunState&, System<2>&, Stepper<2>&);
+template CheckpointWriter save_state<3>(const RunState&, System<3>&, Stepper<3>&);
+template RunState load_state<2>(const Checkpoint&, System<2>&, Stepper<2>&);
+template RunState load_state<3>(const Checkpoint&, System<3>&, Stepper<3>&);
+
+}  // namespace tribo

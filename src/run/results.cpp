@@ -1,0 +1,321 @@
+#include "run/results.hpp"
+
+#include "model/quantities.hpp"
+
+#include <cctype>
+#include <cmath>
+#include <cstdio>
+#include <deque>
+#include <map>
+
+namespace tribo {
+namespace {
+
+std::string lower(std::string_view text) {
+  std::string out(text);
+  for (char& c : out) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return out;
+}
+
+std::string numbered(const std::string& stem, std::int64_t number, const std::string& extension) {
+  char digits[32];
+  std::snprintf(digits, sizeof digits, "_%06lld", static_cast<long long>(number));
+  return stem + digits + extension;
+}
+
+std::vector<std::string> energy_columns() {
+  return {"time",          "kinetic",       "elastic",   "plastic",   "potential",
+          "external_work", "boundary_work", "damping",   "residual",  "momentum_x",
+          "momentum_y",    "momentum_z",    "impulse_x", "impulse_y", "impulse_z"};
+}
+
+// One value per particle of all bodies, put together for a file.
+class Gatherer {
+ public:
+  explicit Gatherer(std::size_t count) : count_(count) {}
+  std::vector<double>& array() { return arrays_.emplace_back(count_, 0.0); }
+  std::vector<std::int64_t>& integers() { return integers_.emplace_back(count_, 0); }
+
+ private:
+  std::size_t count_;
+  std::deque<std::vector<double>> arrays_;
+  std::deque<std::vector<std::int64_t>> integers_;
+};
+
+const std::vector<std::string>& standard_fields() {
+  static const std::vector<std::string> fields{"id",       "material",  "velocity",     "displacement", "stress",
+                                               "pressure", "von_mises", "volume_ratio", "history"};
+  return fields;
+}
+
+double von_mises(const Mat3& s) {
+  const Mat3 deviator = s - s.trace() / 3.0 * Mat3::Identity();
+  return std::sqrt(1.5 * deviator.squaredNorm());
+}
+
+}  // namespace
+
+template <int Dim>
+Results<Dim>::Results(const Model& model, System<Dim>& system, Stepper<Dim>& stepper, std::filesystem::path folder,
+                      std::optional<double> resume_time)
+    : model_(model),
+      system_(system),
+      stepper_(stepper),
+      folder_(std::move(folder)),
+      particles_(folder_ / "run.pvd"),
+      grid_(folder_ / "grid.pvd") {
+  std::vector<std::string> columns{"time"};
+  for (const auto& q : model.output.history) columns.push_back(q.column);
+  if (!resume_time) {
+    history_.emplace(folder_ / "history.csv", columns);
+    energy_.emplace(folder_ / "energy.csv", energy_columns());
+    return;
+  }
+  history_.emplace(History::resume(folder_ / "history.csv", columns, *resume_time));
+  energy_.emplace(History::resume(folder_ / "energy.csv", energy_columns(), *resume_time));
+  particles_.resume(*resume_time);
+  if (!model.output.grid_fields.empty()) grid_.resume(*resume_time);
+}
+
+template <int Dim>
+void Results<Dim>::write_particles(std::int64_t number) {
+  std::vector<Body<Dim>*> bodies;
+  for (auto* list : {&system_.bodies, &system_.rigids})
+    for (auto& body : *list) bodies.push_back(&body);
+  std::size_t count = 0;
+  for (const auto* body : bodies) count += body->particles.size();
+
+  Gatherer gatherer(count);
+  std::vector<OutputField> fields;
+  // f(body, local index) for every particle
+  const auto each = [&](auto&& f) {
+    std::size_t at = 0;
+    for (auto* body : bodies)
+      for (std::size_t i = 0; i < body->particles.size(); ++i) f(*body, i, at++);
+  };
+  const auto scalar = [&](const std::string& name, auto&& f) {
+    auto& a = gatherer.array();
+    each([&](Body<Dim>& body, std::size_t i, std::size_t at) { a[at] = f(body, i); });
+    fields.push_back({name, {a.data()}, nullptr});
+  };
+  const auto vector = [&](const std::string& name, auto&& f) {
+    OutputField field{name, {}, nullptr};
+    std::array<std::vector<double>*, 3> a{};
+    for (auto& c : a) c = &gatherer.array(), field.components.push_back(c->data());
+    each([&](Body<Dim>& body, std::size_t i, std::size_t at) {
+      const Vec<Dim> value = f(body, i);
+      for (std::size_t d = 0; d < Dim; ++d) (*a[d])[at] = value[static_cast<Eigen::Index>(d)];
+    });
+    fields.push_back(field);
+  };
+  const auto stress_of = [](Body<Dim>& body, std::size_t i) {
+    return load_symmetric<Dim>(body.particles.stress(), static_cast<int>(i));
+  };
+
+  std::array<std::vector<double>*, 3> position{};
+  for (auto& c : position) c = &gatherer.array();
+  each([&](Body<Dim>& body, std::size_t i, std::size_t at) {
+    const Vec<Dim> x = body.particles.position(i);
+    for (std::size_t d = 0; d < Dim; ++d) (*position[d])[at] = x[static_cast<Eigen::Index>(d)];
+  });
+
+  const auto& wanted = model_.output.particle_fields.empty() ? standard_fields() : model_.output.particle_fields;
+  for (const auto& name : wanted) {
+    if (name == "id") {
+      auto& a = gatherer.integers();
+      each([&](Body<Dim>& body, std::size_t i, std::size_t at) { a[at] = body.particles.id[i]; });
+      fields.push_back({name, {}, a.data()});
+    } else if (name == "material") {
+      auto& a = gatherer.integers();
+      each([&](Body<Dim>& body, std::size_t, std::size_t at) { a[at] = body.material + 1; });
+      fields.push_back({name, {}, a.data()});
+    } else if (name == "velocity") {
+      vector(name, [](Body<Dim>& body, std::size_t i) { return body.particles.velocity(i); });
+    } else if (name == "displacement") {
+      vector(name, [](Body<Dim>& body, std::size_t i) -> Vec<Dim> {
+        const auto origin = body.particles.vector(*body.origin);
+        Vec<Dim> u = body.particles.position(i);
+        for (std::size_t d = 0; d < Dim; ++d) u[static_cast<Eigen::Index>(d)] -= origin[d][i];
+        return u;
+      });
+    } else if (name == "mass") {
+      scalar(name, [](Body<Dim>& body, std::size_t i) { return body.particles.mass()[i]; });
+    } else if (name == "volume") {
+      scalar(name, [](Body<Dim>& body, std::size_t i) { return body.particles.volume()[i]; });
+    } else if (name == "volume_ratio") {
+      scalar(name, [](Body<Dim>& body, std::size_t i) {
+        return body.particles.volume()[i] * body.law->density() / body.particles.mass()[i];
+      });
+    } else if (name == "pressure") {
+      scalar(name, [&](Body<Dim>& body, std::size_t i) { return -stress_of(body, i).trace() / 3.0; });
+    } else if (name == "von_mises") {
+      scalar(name, [&](Body<Dim>& body, std::size_t i) { return von_mises(stress_of(body, i)); });
+    } else if (name == "stress") {
+      OutputField field{name, {}, nullptr};
+      std::array<std::vector<double>*, 6> a{};
+      for (auto& c : a) c = &gatherer.array(), field.components.push_back(c->data());
+      each([&](Body<Dim>& body, std::size_t i, std::size_t at) {
+        const Mat3 s = stress_of(body, i);
+        for (std::size_t k = 0; k < 6; ++k) {
+          const auto [r, c] = Layout<3>::symmetric_at[k];
+          (*a[k])[at] = s(r, c);
+        }
+      });
+      fields.push_back(field);
+    } else if (name == "deformation_gradient") {
+      OutputField field{name, {}, nullptr};
+      std::array<std::vector<double>*, 9> a{};
+      for (auto& c : a) c = &gatherer.array(), field.components.push_back(c->data());
+      each([&](Body<Dim>& body, std::size_t i, std::size_t at) {
+        const Mat3 F = body.particles.has_deformation() ? load_full<Dim>(body.particles.F(), static_cast<int>(i))
+                                                        : Mat3(Mat3::Identity());
+        for (std::size_t k = 0; k < 9; ++k) (*a[k])[at] = F(static_cast<int>(k) / 3, static_cast<int>(k) % 3);
+      });
+      fields.push_back(field);
+    } else if (name == "history") {
+      // Variables of the same name in several materials share a field.
+      std::map<std::string, std::vector<double>*> known;
+      std::size_t offset = 0;
+      for (auto* body : bodies) {
+        const auto& variables = body->law->history();
+        for (std::size_t k = 0; k < variables.size(); ++k) {
+          auto& a = known[variables[k].name];
+          if (!a) a = &gatherer.array(), fields.push_back({variables[k].name, {a->data()}, nullptr});
+          std::copy_n(body->history_columns[k], body->particles.size(),
+                      a->begin() + static_cast<std::ptrdiff_t>(offset));
+        }
+        offset += body->particles.size();
+      }
+    }
+  }
+  const std::string file = "particles/" + numbered("run", number, ".vtp");
+  tribo::write_particles(folder_ / file, count, {position[0]->data(), position[1]->data(), position[2]->data()}, fields,
+                         system_.time);
+  particles_.add(system_.time, file);
+  if (!model_.output.grid_fields.empty()) write_grid(number);
+}
+
+template <int Dim>
+void Results<Dim>::write_grid(std::int64_t number) {
+  const auto& lattice = system_.lattice;
+  const auto& field = system_.fields[0];
+  std::array<double, 3> origin{}, spacing{1, 1, 1};
+  std::array<int, 3> nodes{1, 1, 1};
+  std::size_t count = 1;
+  for (std::size_t d = 0; d < Dim; ++d) {
+    origin[d] = model_.grid.low[d];
+    spacing[d] = lattice.spacing[static_cast<Eigen::Index>(d)];
+    nodes[d] = model_.grid.cells[d] + 1;
+    count *= static_cast<std::size_t>(nodes[d]);
+  }
+  Gatherer gatherer(count);
+  auto& mass = gatherer.array();
+  std::array<std::vector<double>*, 3> velocity{&gatherer.array(), &gatherer.array(), &gatherer.array()};
+  std::size_t at = 0;
+  for (int k = 0; k < nodes[2]; ++k)
+    for (int j = 0; j < nodes[1]; ++j)
+      for (int i = 0; i < nodes[0]; ++i, ++at) {
+        Index<Dim> n{};
+        n[0] = i + block_edge<Dim>, n[1] = j + block_edge<Dim>;
+        if constexpr (Dim == 3) n[2] = k + block_edge<Dim>;
+        const auto position = field.map.node(n);
+        if (position < 0 || field.nodes.empty()) continue;
+        const Node& node = field.nodes[static_cast<std::size_t>(position)];
+        mass[at] = node.mass;
+        if (node.mass > 0)
+          for (std::size_t d = 0; d < Dim; ++d) (*velocity[d])[at] = node.velocity[d];
+      }
+  std::vector<OutputField> fields;
+  for (const auto& name : model_.output.grid_fields) {
+    if (name == "mass") fields.push_back({name, {mass.data()}, nullptr});
+    if (name == "velocity")
+      fields.push_back({name, {velocity[0]->data(), velocity[1]->data(), velocity[2]->data()}, nullptr});
+  }
+  const std::string file = "grid/" + numbered("run", number, ".vti");
+  tribo::write_grid(folder_ / file, origin, spacing, nodes, fields, system_.time);
+  grid_.add(system_.time, file);
+}
+
+template <int Dim>
+Ledgers Results<Dim>::ledgers(const Measures& all) const {
+  Ledgers l;
+  // Mass times the displacement of the centre of mass
+  l.potential = -all.mass * model_.body_force.gravity.dot(all.displacement);
+  l.external_work = stepper_.ledger().external_work;
+  l.damping = stepper_.ledger().damping_work;
+  l.boundary_work = stepper_.ledger().rigid_work;
+  for (std::size_t f = 0; f < system_.fields.size(); ++f) l.boundary_work += stepper_.conditions(f).work();
+  return l;
+}
+
+template <int Dim>
+void Results<Dim>::write_history(double dt) {
+  const Measures all = measure(system_);
+  std::vector<Measures> bodies;
+  for (auto& body : system_.bodies) bodies.push_back(measure(body));
+  const Ledgers l = ledgers(all);
+
+  std::vector<double> row{system_.time};
+  for (const auto& q : model_.output.history) row.push_back(quantity(q, all, bodies, l, dt));
+  history_->add(row);
+
+  const double content = all.kinetic + all.stored + all.dissipated + l.potential + l.damping;
+  if (system_.step == 0) initial_energy = content;
+  Vec3 impulse = Vec3::Zero();
+  for (std::size_t f = 0; f < system_.fields.size(); ++f) impulse += stepper_.conditions(f).impulse();
+  energy_->add(std::array{system_.time, all.kinetic, all.stored, all.dissipated, l.potential, l.external_work,
+                          l.boundary_work, l.damping, content - initial_energy - l.external_work - l.boundary_work,
+                          all.momentum[0], all.momentum[1], all.momentum[2], impulse[0], impulse[1], impulse[2]});
+}
+
+template <int Dim>
+double Results<Dim>::quantity(const HistoryQuantity& q, const Measures& all, const std::vector<Measures>& bodies,
+                              const Ledgers& ledgers, double dt) const {
+  const Measures* m = &all;
+  static const Measures nothing;
+  if (q.material >= 0) {
+    m = &nothing;
+    for (std::size_t b = 0; b < system_.bodies.size(); ++b)
+      if (system_.bodies[b].material == q.material) m = &bodies[b];
+  }
+  const std::string name = lower(q.name);
+  const auto axis = [&](const std::string& stem) {
+    return name.size() == stem.size() + 1 && name.rfind(stem, 0) == 0 ? name.back() - 'x' : -1;
+  };
+  const Vec3 velocity = m->mass > 0 ? Vec3(m->momentum / m->mass) : Vec3(Vec3::Zero());
+  if (const int d = axis("vel"); d >= 0) return velocity[d];
+  if (const int d = axis("disp"); d >= 0) return m->displacement[d];
+  if (const int d = axis("pos"); d >= 0) return m->centre[d];
+  if (const int d = axis("lp"); d >= 0) return m->angular_momentum[d];
+  if (const int d = axis("reaction"); d >= 0) {
+    Vec3 sum = q.condition_id == 0 ? stepper_.rigid_reaction() : Vec3(Vec3::Zero());
+    for (std::size_t f = 0; f < system_.fields.size(); ++f)
+      for (std::size_t c = 0; c < model_.node_conditions.size(); ++c)
+        if (q.condition_id == 0 || model_.node_conditions[c].id == q.condition_id)
+          sum += stepper_.conditions(f).reactions()[c];
+    return sum[d];
+  }
+  if (const int d = axis("p"); d >= 0) return m->momentum[d];
+  if (name.size() == 3 && name[0] == 's') return m->stress(name[1] - 'x', name[2] - 'x');
+  if (name == "pressure") return -m->stress.trace() / 3.0;
+  if (name == "kinetic energy") return m->kinetic;
+  if (name == "strain energy") return m->stored;
+  if (name == "plastic energy") return m->dissipated;
+  if (name == "potential energy") return ledgers.potential;
+  if (name == "external work") return ledgers.external_work;
+  if (name == "boundary work") return ledgers.boundary_work;
+  if (name == "damping energy") return ledgers.damping;
+  if (name == "mass") return m->mass;
+  if (name == "volume") return m->volume;
+  if (name == "particles") return static_cast<double>(m->particles);
+  if (name == "alpha") return stepper_.grid_damping;
+  if (name == "palpha") return stepper_.particle_damping;
+  if (name == "step number") return static_cast<double>(system_.step);
+  if (name == "time step") return dt;
+  throw std::logic_error("no such quantity: " + q.name);
+}
+
+template class Results<2>;
+template class Results<3>;
+
+}  // namespace tribo

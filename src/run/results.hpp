@@ -1,0 +1,48 @@
+/// What a run writes: particle and grid files, histories, the energy ledger.
+#pragma once
+
+#include "output/history.hpp"
+#include "output/vtk.hpp"
+#include "solver/measures.hpp"
+#include "solver/step.hpp"
+
+#include <filesystem>
+#include <optional>
+
+namespace tribo {
+
+/// Everything the histories need to know of the present state.
+struct Ledgers {
+  double potential = 0.0;      ///< of constant gravity, zero at the start   [energy]
+  double external_work = 0.0;  ///< body forces as functions, loads          [energy]
+  double boundary_work = 0.0;  ///< prescribed velocities, rigid particles   [energy]
+  double damping = 0.0;        ///< taken out                                [energy]
+};
+
+template <int Dim>
+class Results {
+ public:
+  /// Starts the files, or continues them after `resume_time`.
+  Results(const Model& model, System<Dim>& system, Stepper<Dim>& stepper, std::filesystem::path folder,
+          std::optional<double> resume_time);
+
+  void write_particles(std::int64_t number);
+  void write_history(double dt);
+  /// Energies at the start, for the residual; kept for restart.
+  double initial_energy = 0.0;
+
+ private:
+  double quantity(const HistoryQuantity& q, const Measures& all, const std::vector<Measures>& bodies,
+                  const Ledgers& ledgers, double dt) const;
+  Ledgers ledgers(const Measures& all) const;
+  void write_grid(std::int64_t number);
+
+  const Model& model_;
+  System<Dim>& system_;
+  Stepper<Dim>& stepper_;
+  std::filesystem::path folder_;
+  Collection particles_, grid_;
+  std::optional<History> history_, energy_;
+};
+
+}  // namespace tribo

@@ -1,0 +1,296 @@
+#include "run/simulation.hpp"
+
+#include "base/parallel.hpp"
+#include "output/atomic_file.hpp"
+#include "output/progress.hpp"
+#include "output/provenance.hpp"
+#include "run/clock.hpp"
+#include "run/restart.hpp"
+#include "run/results.hpp"
+#include "solver/build.hpp"
+
+#include <atomic>
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+
+namespace tribo {
+namespace {
+
+std::atomic<bool> stop_requested{false};
+
+/// Turns the first SIGINT or SIGTERM into a request, restores the old handlers afterwards.
+class SignalGuard {
+ public:
+  SignalGuard() {
+    stop_requested = false;
+    old_interrupt_ = std::signal(SIGINT, handle);
+    old_terminate_ = std::signal(SIGTERM, handle);
+  }
+  ~SignalGuard() {
+    std::signal(SIGINT, old_interrupt_);
+    std::signal(SIGTERM, old_terminate_);
+  }
+  SignalGuard(const SignalGuard&) = delete;
+  SignalGuard& operator=(const SignalGuard&) = delete;
+
+ private:
+  static void handle(int) { stop_requested = true; }
+  void (*old_interrupt_)(int);
+  void (*old_terminate_)(int);
+};
+
+template <int Dim>
+class Simulation {
+ public:
+  Simulation(const Model& model, const RunOptions& options)
+      : model_(model),
+        options_(options),
+        system_(build_system<Dim>(model, place_points(model))),
+        stepper_(model, system_),
+        archive_(model.output.archive),
+        history_(model.output.history_interval > 0 ? Schedule::every(model.output.history_interval)
+                                                   : Schedule(model.output.archive)),
+        checkpoints_(model.output.checkpoint_interval > 0 ? Schedule::every(model.output.checkpoint_interval)
+                                                          : Schedule(model.output.archive)) {}
+
+  Outcome run() {
+    const SignalGuard signals;
+    const auto begin = std::chrono::steady_clock::now();
+    const auto checkpoint = options_.folder / "checkpoint.bin";
+    std::optional<double> resume_time;
+    RunState state;
+    if (options_.resume) {
+      const Checkpoint saved(checkpoint);
+      state = load_state(saved, system_, stepper_);
+      resume_time = system_.time;
+      archive_.set_count(state.archive), history_.set_count(state.history), checkpoints_.set_count(state.checkpoint);
+    }
+    // Where the model came from, for 'tribo resume'
+    if (!resume_time)
+      write_atomically(options_.folder / "model.path", std::filesystem::absolute(model_.file).string() + "\n");
+    Results<Dim> results(model_, system_, stepper_, options_.folder, resume_time);
+    results.initial_energy = state.initial_energy;
+    Provenance provenance(options_.folder / "provenance.json", options_.command_line, model_.file, threads(), facts());
+    provenance.write("running", "", system_.time, static_cast<long>(system_.step));
+
+    dt_ = resume_time ? state.dt : stable_step();
+    const auto save = [&] {
+      save_state({archive_.count(), history_.count(), checkpoints_.count(), results.initial_energy, dt_}, system_,
+                 stepper_)
+          .save(checkpoint);
+    };
+    const auto write = [&](bool all) {
+      const double tolerance = 1e-6 * dt_;
+      if (history_.due(system_.time, tolerance) || all) results.write_history(dt_);
+      if (archive_.due(system_.time, tolerance) || all) results.write_particles(archive_.count() - (all ? 0 : 1));
+      if (checkpoints_.due(system_.time, tolerance) || all) save();
+    };
+    if (!resume_time) write(false);
+
+    Progress progress(options_.quiet, system_.time, model_.time.end, particle_count());
+    const std::int64_t first_step = system_.step;
+    try {
+      while (system_.time < model_.time.end * (1 - 1e-12)) {
+        if (stop_requested || (options_.max_wall > 0 && seconds_since(begin) > options_.max_wall)) {
+          save();
+          provenance.write("stopped", stop_requested ? "signal" : "wall time", system_.time,
+                           static_cast<long>(system_.step));
+          return Outcome::stopped;
+        }
+        const double step = next_step();
+        update_damping(step);
+        stepper_.advance(step);
+        write(false);
+        progress.step(system_.time, system_.step, step);
+      }
+    } catch (const SimulationError& error) {
+      provenance.write("failed", error.what(), system_.time, static_cast<long>(system_.step));
+      const bool usable = std::filesystem::exists(checkpoint);
+      throw SimulationError(std::string(error.what()) +
+                            (usable ? "\nThe last checkpoint is in '" + checkpoint.string() + "'." : std::string()));
+    }
+    if (system_.step > first_step) finish(results);
+    save();
+    provenance.write("finished", "", system_.time, static_cast<long>(system_.step));
+    progress.finish(system_.time, system_.step);
+    return Outcome::finished;
+  }
+
+  /// Size of the first steps, and which material sets it.
+  double stable_step() {
+    double fastest = 0.0;
+    for (auto& body : system_.bodies) {
+      const double c = measure(body).largest_wave_speed;
+      if (c > fastest) fastest = c, controlling_ = body.name;
+    }
+    if (!(fastest > 0)) throw SimulationError("no material has a wave speed; the time step cannot be chosen");
+    const double wave_step = model_.time.courant * system_.lattice.smallest_spacing() / fastest;
+    wave_speed_ = fastest;
+    limited_by_user_ = model_.time.max_step < wave_step;
+    return std::min(wave_step, model_.time.max_step);
+  }
+
+  std::string preflight() {
+    std::string out;
+    const auto line = [&](const std::string& text) { out += text + "\n"; };
+    char buffer[256];
+    const auto format = [&](const char* pattern, auto... values) {
+      std::snprintf(buffer, sizeof buffer, pattern, values...);
+      line(buffer);
+    };
+    for (const auto& placed : volume_error(model_, place_points(model_))) {
+      const auto& piece = model_.pieces[static_cast<std::size_t>(placed.piece)];
+      if (piece.material < 0) continue;
+      const auto name = model_.materials[static_cast<std::size_t>(piece.material)].name;
+      if (placed.exact)
+        format("body of %-20s %9lld particles, volume %.6g (exact %.6g, %+.2f %%)", ("'" + name + "':").c_str(),
+               static_cast<long long>(placed.points), placed.placed, *placed.exact,
+               100 * (placed.placed / *placed.exact - 1));
+      else
+        format("body of %-20s %9lld particles, volume %.6g", ("'" + name + "':").c_str(),
+               static_cast<long long>(placed.points), placed.placed);
+    }
+    const double dt = stable_step();
+    format("time step: %.6g, set by %s (wave speed %.6g)", dt,
+           limited_by_user_ ? "<TimeStep>" : ("material '" + controlling_ + "'").c_str(), wave_speed_);
+    const double steps = std::ceil(model_.time.end / dt);
+    format("steps: about %.0f to time %.6g", steps, model_.time.end);
+    double bytes = 0;
+    for (const auto& body : system_.bodies)
+      bytes +=
+          static_cast<double>(body.particles.size()) * 8.0 * static_cast<double>(body.particles.columns().size() + 3);
+    dt_ = dt;
+    for (int k = 0; k < 3; ++k) stepper_.advance(dt);
+    for (const auto& field : system_.fields) bytes += static_cast<double>(field.nodes.size() * sizeof(Node));
+    format("memory: about %.3g MB", 1e-6 * bytes);
+    const auto begin = std::chrono::steady_clock::now();
+    int trial = 0;
+    while (seconds_since(begin) < 0.2 && trial < 20) stepper_.advance(dt), ++trial;
+    format("estimated time: %.3g s on %d thread%s, without output", seconds_since(begin) / trial * steps, threads(),
+           threads() == 1 ? "" : "s");
+    for (const auto& warning : model_.warnings) line(warning);
+    return out;
+  }
+
+ private:
+  static double seconds_since(std::chrono::steady_clock::time_point begin) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  }
+
+  std::int64_t particle_count() const {
+    std::int64_t n = 0;
+    for (const auto& body : system_.bodies) n += static_cast<std::int64_t>(body.particles.size());
+    return n;
+  }
+
+  std::map<std::string, std::string> facts() const {
+    std::map<std::string, std::string> out{{"title", model_.title}};
+    for (const auto& body : system_.bodies) out["particles of " + body.name] = std::to_string(body.particles.size());
+    out["units"] = model_.units.name(Dimension::length) + ", " + model_.units.name(Dimension::mass) + ", " +
+                   model_.units.name(Dimension::time);
+    return out;
+  }
+
+  // Adaptive steps follow the wave speeds and the fastest particle; the last step ends at the end.
+  double next_step() {
+    static constexpr int every = 10;
+    if (model_.time.adaptive && system_.step % every == 0) {
+      const Measures all = measure(system_);
+      const double h = system_.lattice.smallest_spacing();
+      double wanted = std::min(model_.time.max_step, model_.time.courant * h / all.largest_wave_speed);
+      if (all.largest_speed > 0) wanted = std::min(wanted, model_.time.velocity_courant * h / all.largest_speed);
+      dt_ = std::min(wanted, model_.time.max_increase * dt_);
+    }
+    const double left = model_.time.end - system_.time;
+    return left < dt_ * (1 + 1e-9) ? left : dt_;
+  }
+
+  void update_damping(double dt) {
+    const Damping& d = model_.damping;
+    Variables at;
+    at.t = system_.time / d.function_time, at.dt = dt / d.function_time;
+    const auto follow = [&](const std::optional<Expression>& constant, const std::optional<double>& gain, double& alpha,
+                            double& feedback) {
+      if (gain) {
+        const double target = d.target_energy ? (*d.target_energy)(at) : 0.0;
+        feedback = std::max(0.0, feedback + dt * *gain * (kinetic_energy() - target));
+        if (d.max_alpha > 0) feedback = std::min(feedback, d.max_alpha);
+      }
+      alpha = (constant ? (*constant)(at) : 0.0) + feedback;
+    };
+    follow(d.grid, d.grid_gain, stepper_.grid_damping, stepper_.grid_feedback);
+    follow(d.particle, d.particle_gain, stepper_.particle_damping, stepper_.particle_feedback);
+  }
+
+  double kinetic_energy() { return measure(system_).kinetic; }
+
+  // The last state is always on disk, also if the end is no output time.
+  void finish(Results<Dim>& results) {
+    if (last_written(archive_)) return;
+    results.write_history(dt_);
+    results.write_particles(archive_.count());
+  }
+  bool last_written(Schedule schedule) const {
+    Schedule before = schedule;
+    before.set_count(schedule.count() - 1);
+    return schedule.count() > 0 && before.due(system_.time, 1e-6 * dt_) &&
+           !Schedule(before).due(system_.time - 0.5 * dt_, 0.0);
+  }
+
+  const Model& model_;
+  const RunOptions& options_;
+  System<Dim> system_;
+  Stepper<Dim> stepper_;
+  Schedule archive_, history_, checkpoints_;
+  double dt_ = 0.0, wave_speed_ = 0.0;
+  std::string controlling_;
+  bool limited_by_user_ = false;
+};
+
+void prepare_folder(const RunOptions& options) {
+  const auto& folder = options.folder;
+  const bool used = std::filesystem::exists(folder / "run.pvd") || std::filesystem::exists(folder / "provenance.json");
+  if (options.resume) {
+    if (!std::filesystem::exists(folder / "checkpoint.bin"))
+      throw FileError("'" + folder.string() + "' has no checkpoint.bin to resume from");
+    return;
+  }
+  if (used && !options.overwrite)
+    throw FileError("'" + folder.string() +
+                    "' already holds a run; pass --overwrite to replace it, --output DIR for another folder, or use "
+                    "'tribo resume'");
+  std::error_code error;
+  std::filesystem::remove_all(folder / "particles", error);
+  std::filesystem::remove_all(folder / "grid", error);
+  for (const char* file : {"run.pvd", "grid.pvd", "history.csv", "energy.csv", "checkpoint.bin", "provenance.json"})
+    std::filesystem::remove(folder / file, error);
+  for (const char* part : {"particles", "grid"}) {
+    std::filesystem::create_directories(folder / part, error);
+    if (error) throw FileError("cannot create '" + (folder / part).string() + "': " + error.message());
+  }
+}
+
+}  // namespace
+
+void request_stop() { stop_requested = true; }
+
+Outcome run(const Model& model, const RunOptions& options) {
+  set_threads(options.threads);
+  if (model.dimension() == 2) {
+    Simulation<2> simulation(model, options);
+    prepare_folder(options);
+    return simulation.run();
+  }
+  Simulation<3> simulation(model, options);
+  prepare_folder(options);
+  return simulation.run();
+}
+
+std::string preflight(const Model& model, int thread_count) {
+  set_threads(thread_count);
+  const RunOptions options;
+  return model.dimension() == 2 ? Simulation<2>(model, options).preflight() : Simulation<3>(model, options).preflight();
+}
+
+}  // namespace tribo

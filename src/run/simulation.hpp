@@ -1,0 +1,38 @@
+/// A run from the model to the last file.
+#pragma once
+
+#include "model/model.hpp"
+
+#include <filesystem>
+#include <string>
+
+namespace tribo {
+
+struct RunOptions {
+  std::filesystem::path folder;  ///< of the results
+  int threads = 1;
+  bool quiet = false;
+  bool overwrite = false;    ///< an existing finished run may be replaced
+  bool resume = false;       ///< continue from the folder's checkpoint
+  double max_wall = 0.0;     ///< seconds after which the run stops with a checkpoint; 0: none
+  std::string command_line;  ///< for the record
+};
+
+enum class Outcome {
+  finished,
+  stopped  ///< at a limit or by a signal; a checkpoint was written
+};
+
+/// Runs the model and writes its results into the folder: run.pvd, particles/, history.csv, energy.csv,
+/// provenance.json, checkpoint.bin. SIGINT and SIGTERM finish the step, write a checkpoint and stop. Throws InputError,
+/// SimulationError (after saving the last checkpoint), FileError.
+Outcome run(const Model& model, const RunOptions& options);
+
+/// The pre-flight sheet: particles, volumes, time step and what controls it, memory, estimated time. Runs a few steps
+/// for the estimate but writes nothing.
+std::string preflight(const Model& model, int threads);
+
+/// Asks all running simulations to stop after their step; safe in a signal handler.
+void request_stop();
+
+}  // namespace tribo

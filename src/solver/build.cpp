@@ -1,0 +1,122 @@
+#include "solver/build.hpp"
+
+#include "solver/transfer.hpp"
+
+#include <algorithm>
+
+namespace tribo {
+namespace {
+
+template <int Dim>
+void add_optional_columns(Body<Dim>& body, const Model& model) {
+  auto& particles = body.particles;
+  const Scheme& scheme = model.scheme;
+  if (scheme.transfer == Transfer::apic) {
+    constexpr std::string_view axis = "xyz";
+    body.affine = particles.columns().size();
+    for (int i = 0; i < Dim; ++i)
+      for (int j = 0; j < Dim; ++j)
+        particles.add(std::string("affine_") + axis[static_cast<std::size_t>(i)] + axis[static_cast<std::size_t>(j)],
+                      Dimension::none);
+  }
+  if (scheme.kernel == Kernel::cpdi) {
+    body.domain = particles.columns().size();
+    for (int k = 0; k < Dim * Dim; ++k) particles.add("domain_" + std::to_string(k), Dimension::none);
+  }
+  if (scheme.transfer == Transfer::xpic || scheme.transfer == Transfer::fmpm)
+    body.filtered = particles.add_vector("filtered_velocity", Dimension::velocity);
+  if (scheme.extrapolate_again && scheme.order != UpdateOrder::usf)
+    body.start = particles.add_vector("start_position", Dimension::length);
+  if (!model.particle_conditions.empty()) body.load = particles.add_vector("load", Dimension::force);
+  body.origin = particles.add_vector("origin", Dimension::length);
+}
+
+template <int Dim>
+void fill(Body<Dim>& body, const std::vector<const Seed*>& seeds, std::int64_t first_id) {
+  auto& particles = body.particles;
+  const auto x = particles.x(), v = particles.v(), origin = particles.vector(*body.origin);
+  const auto F = particles.F();
+  const auto stress = particles.stress();
+  for (std::size_t i = 0; i < seeds.size(); ++i) {
+    const Seed& seed = *seeds[i];
+    const auto at = static_cast<int>(i);
+    for (std::size_t d = 0; d < Dim; ++d) {
+      const auto axis = static_cast<Eigen::Index>(d);
+      x[d][i] = origin[d][i] = seed.x[axis];
+      v[d][i] = seed.v[axis];
+      if (body.half_size) particles.column(*body.half_size + d)[i] = seed.half_size[axis];
+    }
+    particles.mass()[i] = seed.mass;
+    particles.volume()[i] = seed.volume * seed.F.determinant();
+    if (F[0]) store_full<Dim>(seed.F, F, at);
+    store_symmetric<Dim>(seed.stress, stress, at);
+    particles.id[i] = first_id + at;
+  }
+}
+
+template <int Dim>
+Body<Dim> make_body(const Model& model, int material, const std::vector<const Seed*>& seeds, std::int64_t first_id,
+                    const Transfers<Dim>& transfers) {
+  const MaterialSpec& spec = model.materials[static_cast<std::size_t>(material)];
+  const bool keep_deformation = spec.law->needs_deformation() || model.scheme.kernel == Kernel::cpdi;
+  Body<Dim> body(seeds.size(), keep_deformation, transfers.shift(), transfers.colours_per_axis());
+  body.name = spec.name;
+  body.law = spec.law;
+  body.material = material;
+  body.particle_damping = spec.particle_damping.value_or(0.0);
+
+  body.uniform_half_size = seeds.front()->half_size.template head<Dim>();
+  const bool mixed = std::any_of(seeds.begin(), seeds.end(), [&](const Seed* s) {
+    return (s->half_size.template head<Dim>() - body.uniform_half_size).norm() > 1e-12 * body.uniform_half_size.norm();
+  });
+  if (mixed) body.half_size = body.particles.add_vector("half_size", Dimension::length);
+  body.history = body.particles.columns().size();
+  for (const auto& variable : spec.law->history())
+    body.particles.add(variable.name, variable.dimension, variable.initial);
+  add_optional_columns(body, model);
+  fill(body, seeds, first_id);
+  body.refresh();
+  return body;
+}
+
+}  // namespace
+
+template <int Dim>
+System<Dim> build_system(const Model& model, const std::vector<Seed>& seeds) {
+  Vec<Dim> low, high;
+  Index<Dim> cells;
+  for (std::size_t d = 0; d < Dim; ++d) {
+    low[static_cast<Eigen::Index>(d)] = model.grid.low[d];
+    high[static_cast<Eigen::Index>(d)] = model.grid.high[d];
+    cells[d] = model.grid.cells[d];
+  }
+  System<Dim> system{Lattice<Dim>(low, high, cells)};
+  system.analysis = model.analysis;
+  system.fields.emplace_back(system.lattice);
+
+  const auto transfers = make_transfers<Dim>(model.scheme);
+  std::int64_t next_id = 0;
+  for (int m = 0; m < static_cast<int>(model.materials.size()); ++m) {
+    std::vector<const Seed*> mine;
+    for (const Seed& seed : seeds)
+      if (seed.material == m) mine.push_back(&seed);
+    if (mine.empty()) continue;
+    auto body = make_body<Dim>(model, m, mine, next_id, *transfers);
+    next_id += static_cast<std::int64_t>(mine.size());
+    for (int d = 0; d < Dim; ++d)
+      if (model.scheme.kernel == Kernel::gimp &&
+          body.uniform_half_size[d] > 0.5 * system.lattice.spacing[d] * (1 + 1e-12))
+        throw InputError(
+            model.materials[static_cast<std::size_t>(m)].origin,
+            "particles of '" + body.name + "' are larger than a cell; uGIMP needs at least one per cell and axis");
+    (body.law->rigid() ? system.rigids : system.bodies).push_back(std::move(body));
+  }
+  if (system.bodies.empty())
+    throw InputError(Origin{}, "the model has no deformable particle; give a <Body> with a material");
+  return system;
+}
+
+template System<2> build_system<2>(const Model&, const std::vector<Seed>&);
+template System<3> build_system<3>(const Model&, const std::vector<Seed>&);
+
+}  // namespace tribo

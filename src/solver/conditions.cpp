@@ -1,0 +1,208 @@
+#include "solver/conditions.hpp"
+
+#include "base/simd.hpp"
+
+#include <map>
+
+namespace tribo {
+namespace {
+
+template <int Dim>
+void each_node(const Lattice<Dim>& lattice, const Region& region, auto&& f) {
+  const Bounds bounds = region.bounds();
+  Index<3> from{0, 0, 0}, to{0, 0, 0};
+  for (std::size_t d = 0; d < Dim; ++d) {
+    const auto axis = static_cast<Eigen::Index>(d);
+    const double last = lattice.blocks[d] * block_edge<Dim> - 1.0;
+    const auto cell = [&](double x) {
+      return std::clamp((x - lattice.origin[axis]) / lattice.spacing[axis], -1.0, last + 1);
+    };
+    from[d] = std::max(0, static_cast<int>(std::floor(cell(bounds.low[axis]))));
+    to[d] = static_cast<int>(std::min(last, std::ceil(cell(bounds.high[axis]))));
+  }
+  for (int k = from[2]; k <= to[2]; ++k)
+    for (int j = from[1]; j <= to[1]; ++j)
+      for (int i = from[0]; i <= to[0]; ++i) {
+        Index<Dim> node{};
+        node[0] = i, node[1] = j;
+        if constexpr (Dim == 3) node[2] = k;
+        Vec3 x = Vec3::Zero();
+        x.head<Dim>() = lattice.position(node);
+        if (region.contains(x)) f(node);
+      }
+}
+
+}  // namespace
+
+template <int Dim>
+Conditions<Dim>::Conditions(const Model& model, const Lattice<Dim>& lattice)
+    : model_(model), lattice_(lattice), reactions_(model.node_conditions.size(), Vec3::Zero()) {
+  Problems problems;
+  for (int axis = 0; axis < Dim; ++axis)
+    for (int side = 0; side < 2; ++side)
+      for (const bool symmetry : {true, false}) {
+        const auto& planes = symmetry ? model.grid.symmetry : model.grid.wall;
+        const auto& at = planes[static_cast<std::size_t>(axis)][static_cast<std::size_t>(side)];
+        if (!at) continue;
+        const int node = lattice.line(axis, *at);
+        if (node < 0)
+          problems.add(model.grid.origin,
+                       "the plane at " + std::to_string(*at) + " is not on a grid line; put it on one");
+        else
+          planes_.push_back({axis, node, side == 0 ? 1 : -1, symmetry});
+      }
+
+  // Conditions on the same node in the same direction add.
+  std::map<std::pair<std::int64_t, std::array<double, 3>>, std::size_t> known;
+  for (std::size_t c = 0; c < model.node_conditions.size(); ++c) {
+    const auto& condition = model.node_conditions[c];
+    bool any = false;
+    each_node<Dim>(lattice, *condition.where, [&](const Index<Dim>& node) {
+      any = true;
+      std::int64_t flat = 0;
+      for (std::size_t d = Dim; d-- > 0;) flat = flat * lattice.blocks[d] * block_edge<Dim> + node[d];
+      const auto& n = condition.direction;
+      const auto [entry, fresh] = known.try_emplace({flat, {n[0], n[1], n[2]}}, chosen_.size());
+      if (fresh) chosen_.push_back({node, n.template head<Dim>(), {}});
+      chosen_[entry->second].conditions.push_back(c);
+    });
+    if (!any) problems.add(condition.origin, "this condition selects no node of the grid");
+  }
+  problems.raise();
+}
+
+template <int Dim>
+void Conditions<Dim>::locate(const BlockMap<Dim>& map) {
+  located_.clear();
+  for (std::size_t c = 0; c < chosen_.size(); ++c) {
+    const auto node = map.node(chosen_[c].node);
+    if (node >= 0) located_.push_back({node, c});
+  }
+  ghosts_.assign(planes_.size(), {});
+  for (auto& list : mirror_nodes_) list.clear();
+  for (std::size_t p = 0; p < planes_.size(); ++p) {
+    const Plane& plane = planes_[p];
+    const auto axis = static_cast<std::size_t>(plane.axis);
+    for (std::int64_t at = 0; at < map.node_count(); ++at) {
+      auto node = map.node_at(at);
+      const int depth = (plane.node - node[axis]) * plane.inward;
+      if (depth == 0 && plane.symmetry) mirror_nodes_[axis].push_back(at);
+      if (depth < 1 || depth > 2) continue;
+      Ghost ghost{at, -1, -1, depth, plane.axis, plane.symmetry};
+      node[axis] = plane.node;
+      ghost.plane = map.node(node);
+      node[axis] = plane.node + plane.inward * (plane.symmetry ? depth : 1);
+      ghost.inside = map.node(node);
+      if (ghost.plane >= 0 && ghost.inside >= 0) ghosts_[p].push_back(ghost);
+    }
+  }
+}
+
+template <int Dim>
+void Conditions<Dim>::fold(NodeLayer& nodes) const {
+  for (std::size_t p = 0; p < planes_.size(); ++p) {
+    const Plane& plane = planes_[p];
+    for (const Ghost& g : ghosts_[p]) {
+      Node& ghost = nodes[static_cast<std::size_t>(g.ghost)];
+      Node& inside = nodes[static_cast<std::size_t>(g.inside)];
+      const Wide beyond = Wide::load(ghost.data());
+      if (g.symmetry) {
+        ghost.velocity[plane.axis] = -ghost.velocity[plane.axis];
+        ghost.acceleration[plane.axis] = -ghost.acceleration[plane.axis];
+        (Wide::load(inside.data()) + Wide::load(ghost.data())).store(inside.data());
+      } else {
+        Node& on = nodes[static_cast<std::size_t>(g.plane)];
+        (Wide::load(on.data()) + (g.depth + 1.0) * beyond).store(on.data());
+        (Wide::load(inside.data()) + -static_cast<double>(g.depth) * beyond).store(inside.data());
+      }
+      Wide::zero().store(ghost.data());
+    }
+    if (plane.symmetry)
+      for (const auto at : mirror_nodes_[plane.axis]) {
+        Node& node = nodes[static_cast<std::size_t>(at)];
+        (2.0 * Wide::load(node.data())).store(node.data());
+        node.velocity[plane.axis] = node.acceleration[plane.axis] = 0.0;
+      }
+  }
+}
+
+template <int Dim>
+void Conditions<Dim>::extend(NodeLayer& nodes) const {
+  for (std::size_t p = planes_.size(); p-- > 0;) {
+    const Plane& plane = planes_[p];
+    for (const Ghost& g : ghosts_[p]) {
+      Node& ghost = nodes[static_cast<std::size_t>(g.ghost)];
+      const Node& inside = nodes[static_cast<std::size_t>(g.inside)];
+      const double mass = ghost.mass;
+      if (g.symmetry) {
+        Wide::load(inside.data()).store(ghost.data());
+        ghost.velocity[plane.axis] = -ghost.velocity[plane.axis];
+        ghost.acceleration[plane.axis] = -ghost.acceleration[plane.axis];
+      } else {
+        const Node& on = nodes[static_cast<std::size_t>(g.plane)];
+        ((g.depth + 1.0) * Wide::load(on.data()) + -static_cast<double>(g.depth) * Wide::load(inside.data()))
+            .store(ghost.data());
+      }
+      ghost.mass = mass;
+    }
+  }
+}
+
+template <int Dim>
+double Conditions<Dim>::prescribed(const Chosen& chosen, const Vec<Dim>& x, double time, double dt) const {
+  Vec3 at = Vec3::Zero();
+  at.head<Dim>() = x;
+  double sum = 0.0;
+  for (const auto c : chosen.conditions) sum += model_.node_conditions[c].velocity.at(time, at, dt);
+  return sum;
+}
+
+template <int Dim>
+void Conditions<Dim>::impose(NodeLayer& nodes, double time, double dt) {
+  for (Located& l : located_) {
+    const Chosen& chosen = chosen_[l.chosen];
+    Node& node = nodes[static_cast<std::size_t>(l.node)];
+    l.pending = 0.0;
+    if (!(node.mass > 0)) continue;
+    Eigen::Map<Vec<Dim>> v(node.velocity);
+    const double change = prescribed(chosen, lattice_.position(chosen.node), time, dt) - v.dot(chosen.direction);
+    v += change * chosen.direction;
+    l.pending = change;
+  }
+}
+
+template <int Dim>
+void Conditions<Dim>::impose_update(NodeLayer& nodes, double time, double dt, bool after_impose) {
+  for (auto& r : reactions_) r.setZero();
+  for (Located& l : located_) {
+    const Chosen& chosen = chosen_[l.chosen];
+    Node& node = nodes[static_cast<std::size_t>(l.node)];
+    if (!(node.mass > 0)) continue;
+    Eigen::Map<Vec<Dim>> v(node.velocity), a(node.acceleration);
+    const double wanted = prescribed(chosen, lattice_.position(chosen.node), time, dt);
+    const double change = wanted - v.dot(chosen.direction);
+    const double correction = (change + (after_impose ? l.pending : 0.0)) / dt;
+    v += change * chosen.direction;
+    a += correction * chosen.direction;
+
+    Vec3 force = Vec3::Zero();
+    force.head<Dim>() = node.mass * correction * chosen.direction;
+    for (const auto c : chosen.conditions) reactions_[c] += force / static_cast<double>(chosen.conditions.size());
+    work_ += dt * node.mass * correction * (wanted - 0.5 * dt * correction);
+    impulse_ += dt * force;
+  }
+}
+
+template <int Dim>
+void Conditions<Dim>::release(NodeLayer& nodes) const {
+  for (const Located& l : located_) {
+    const auto& direction = chosen_[l.chosen].direction;
+    Eigen::Map<Vec<Dim>> v(nodes[static_cast<std::size_t>(l.node)].velocity);
+    v -= v.dot(direction) * direction;
+  }
+}
+
+template class Conditions<2>;
+template class Conditions<3>;
+
+}  // namespace tribo

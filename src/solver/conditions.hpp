@@ -1,0 +1,81 @@
+/// Symmetry planes, walls and prescribed velocities on the nodes of one field.
+#pragma once
+
+#include "grid/nodes.hpp"
+#include "model/model.hpp"
+
+#include <vector>
+
+namespace tribo {
+
+/// Nodal conditions of the model, translated to the nodes that exist at present.
+template <int Dim>
+class Conditions {
+ public:
+  /// Nodes are chosen once from the whole lattice. Throws InputError for a condition that selects no node, or a plane
+  /// that is not a grid line.
+  Conditions(const Model& model, const Lattice<Dim>& lattice);
+
+  /// Finds the nodes among the blocks that exist; call after every change of the map.
+  void locate(const BlockMap<Dim>& map);
+
+  /// Brings what was scattered beyond a plane back inside. A symmetry plane adds the mirror image; a wall gives the
+  /// boundary-modified shape functions, in which the node k beyond the wall stands for (k+1) v0 - k v1.
+  /// Steffen, Kirby & Berzins (2008); exact for linear fields.
+  void fold(NodeLayer& nodes) const;
+  /// The values beyond the planes that belong to the values inside. Inverse of fold in the sense of the transfers.
+  void extend(NodeLayer& nodes) const;
+
+  /// Sets velocities before a strain update and remembers the change.
+  void impose(NodeLayer& nodes, double time, double dt);
+  /// Sets velocities after the momentum update and corrects accelerations, so that particles feel the reaction.
+  void impose_update(NodeLayer& nodes, double time, double dt, bool after_impose);
+  /// Removes the constrained components from filter increments.
+  void release(NodeLayer& nodes) const;
+
+  /// Reaction force of the last step by condition [force], and work done on the material so far [energy].
+  const std::vector<Vec3>& reactions() const { return reactions_; }
+  double work() const { return work_; }
+  void set_work(double work) { work_ = work; }
+  /// Impulse of the conditions on the material so far, planes of symmetry and walls not included.
+  const Vec3& impulse() const { return impulse_; }
+  void set_impulse(const Vec3& impulse) { impulse_ = impulse; }
+
+ private:
+  struct Plane {
+    int axis, node, inward;  ///< inward: +1 at the low end, -1 at the high end
+    bool symmetry;
+  };
+  // A ghost node k beyond a plane with its plane node and the nodes k (symmetry) or 1 (wall) inside; -1 if absent.
+  struct Ghost {
+    std::int64_t ghost, plane, inside;
+    int depth, axis;
+    bool symmetry;
+  };
+  // A node with the conditions on it that share a direction.
+  struct Chosen {
+    Index<Dim> node;
+    Vec<Dim> direction;
+    std::vector<std::size_t> conditions;
+  };
+  struct Located {
+    std::int64_t node;
+    std::size_t chosen;
+    double pending = 0.0;
+  };
+
+  double prescribed(const Chosen& chosen, const Vec<Dim>& x, double time, double dt) const;
+
+  const Model& model_;
+  Lattice<Dim> lattice_;
+  std::vector<Plane> planes_;
+  std::vector<Chosen> chosen_;
+  std::vector<Located> located_;
+  std::vector<std::vector<Ghost>> ghosts_;     ///< per plane
+  std::vector<std::int64_t> mirror_nodes_[3];  ///< nodes on symmetry planes, by axis
+  std::vector<Vec3> reactions_;
+  double work_ = 0.0;
+  Vec3 impulse_ = Vec3::Zero();
+};
+
+}  // namespace tribo

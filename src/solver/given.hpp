@@ -1,0 +1,78 @@
+/// What a batch of particles gives to the nodes, ready for vector sums; the same for every kernel.
+#pragma once
+
+#include "base/simd.hpp"
+#include "solver/stencils.hpp"
+#include "solver/transfer.hpp"
+
+namespace tribo {
+
+/// Brings the next batch closer: a bin reads more columns than the hardware prefetcher follows.
+template <int Dim>
+void fetch_ahead(const Body<Dim>& body, std::uint32_t next) {
+  if (next + batch > body.particles.size()) return;
+  for (const auto& column : body.particles.columns())
+    for (int k = 0; k < batch; k += 8) __builtin_prefetch(column.data.data() + next + k);
+}
+
+/// Per particle: the vectors that multiply the weight and its slopes.
+template <int Dim>
+struct Given {
+  alignas(64) double whole[batch_lanes][8];        ///< times w: (m, m v | 0, f)
+  alignas(64) double pull[Dim][batch_lanes][4];    ///< times dw/dx_d: -V sigma e_d
+  alignas(64) double affine[Dim][batch_lanes][4];  ///< times w (x_I - x)_d: m C e_d
+
+  /// Fills `whole`, and `pull` if forces are scattered.
+  template <bool Force>
+  void prepare(Body<Dim>& body, std::uint32_t first, int count, Scatter what, bool axisymmetric) {
+    const double* m = body.particles.mass() + first;
+    const auto v = what == Scatter::filtered ? body.particles.vector(*body.filtered) : body.particles.v();
+    const bool momentum = what != Scatter::force;
+    for (int i = 0; i < count; i += 4) {
+      const Vec4 mass = momentum ? load4(m + i) : Vec4{};
+      Vec4 a = mass, b = mass * load4(v[0] + first + i), c = mass * load4(v[1] + first + i), d{};
+      if constexpr (Dim == 3) d = mass * load4(v[2] + first + i);
+      transpose4(a, b, c, d);
+      store4(whole[i], a), store4(whole[i + 1], b), store4(whole[i + 2], c), store4(whole[i + 3], d);
+      for (int k = 0; k < 4; ++k) store4(whole[i + k] + 4, Vec4{});
+    }
+    if constexpr (Force) prepare_force(body, first, count, axisymmetric);
+  }
+
+ private:
+  void prepare_force(Body<Dim>& body, std::uint32_t first, int count, bool axisymmetric) {
+    const auto s = body.particles.stress();
+    const double* volume = body.particles.volume() + first;
+    for (int i = 0; i < count; i += 4) {
+      const Vec4 k = -load4(volume + i);
+      const auto stress = [&](std::size_t c) { return k * load4(s[c] + first + i); };
+      const Vec4 xy = stress(3);
+      if constexpr (Dim == 2) {
+        spread(pull[0], i, stress(0), xy, Vec4{});
+        spread(pull[1], i, xy, stress(1), Vec4{});
+      } else {
+        const Vec4 yz = stress(4), xz = stress(5);
+        spread(pull[0], i, stress(0), xy, xz);
+        spread(pull[1], i, xy, stress(1), yz);
+        spread(pull[2], i, xz, yz, stress(2));
+      }
+    }
+    if (body.load) {
+      const auto f = body.particles.vector(*body.load);
+      for (int i = 0; i < count; ++i)
+        for (std::size_t d = 0; d < Dim; ++d) whole[i][5 + d] += f[d][first + static_cast<std::uint32_t>(i)];
+    }
+    if (axisymmetric) {  // hoop stress pulls inwards
+      const double* r = body.particles.x()[0] + first;
+      for (int i = 0; i < count; ++i) whole[i][5] -= volume[i] * s[2][first + static_cast<std::uint32_t>(i)] / r[i];
+    }
+  }
+
+  static void spread(double (*to)[4], int i, Vec4 x, Vec4 y, Vec4 z) {
+    Vec4 none{};
+    transpose4(none, x, y, z);
+    store4(to[i], none), store4(to[i + 1], x), store4(to[i + 2], y), store4(to[i + 3], z);
+  }
+};
+
+}  // namespace tribo

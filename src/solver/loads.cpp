@@ -1,0 +1,191 @@
+/// Forces on particles and velocities prescribed by rigid particles.
+
+#include "base/parallel.hpp"
+#include "solver/step.hpp"
+
+#include <cmath>
+
+namespace tribo {
+namespace {
+
+constexpr std::size_t most_conditions = 52;  // bits of a double's mantissa
+
+// Outward normal of the dialect's face numbers: 2D 1 bottom 2 right 3 top 4 left; 3D 1-4 likewise, 5 bottom 6 top in z.
+Vec3 face_normal(int face) {
+  switch (face) {
+    case 1:
+      return -Vec3::UnitY();
+    case 2:
+      return Vec3::UnitX();
+    case 3:
+      return Vec3::UnitY();
+    case 4:
+      return -Vec3::UnitX();
+    case 5:
+      return -Vec3::UnitZ();
+    default:
+      return Vec3::UnitZ();
+  }
+}
+
+template <int Dim>
+Vec3 force_on(const ParticleCondition& condition, Body<Dim>& body, std::size_t i, double share, double time) {
+  Vec3 x = Vec3::Zero();
+  x.head<Dim>() = body.particles.position(i);
+  if (condition.kind == ParticleCondition::Kind::force) {
+    Vec3 f = Vec3::Zero();
+    f[condition.direction] = share * condition.value.at(time, x);
+    return f;
+  }
+  // Traction times the undeformed area of the face of the particle's domain.
+  const Vec3 normal = face_normal(condition.face);
+  const int axis = normal[0] != 0 ? 0 : normal[1] != 0 ? 1 : 2;
+  const double half = body.half_size ? body.particles.column(*body.half_size + static_cast<std::size_t>(axis))[i]
+                                     : body.uniform_half_size[axis];
+  const double density = body.law->density();
+  const double area = body.particles.mass()[i] / density / (2 * half);
+  const Vec3 direction = condition.direction == 10   ? normal
+                         : condition.direction == 11 ? Vec3(normal.cross(Vec3::UnitZ()) * -1.0)
+                                                     : Vec3(Mat3::Identity().col(condition.direction));
+  if (condition.value.style == Style::silent) {  // absorbs plane waves, Lysmer & Kuhlemeyer (1969)
+    Vec3 v = Vec3::Zero();
+    v.head<Dim>() = body.particles.velocity(i);
+    const double impedance = std::sqrt(density * body.law->wave_modulus());
+    return -area * impedance * v.dot(direction) * direction;
+  }
+  return area * condition.value.at(time, x) * direction;
+}
+
+}  // namespace
+
+template <int Dim>
+std::vector<double> find_loaded(const Model& model, System<Dim>& system) {
+  const auto& conditions = model.particle_conditions;
+  std::vector<double> share(conditions.size(), 1.0);
+  if (conditions.empty()) return share;
+  Problems problems;
+  if (conditions.size() > most_conditions)
+    problems.add(conditions[most_conditions].origin,
+                 "at most " + std::to_string(most_conditions) + " loads and tractions");
+  problems.raise();
+  for (auto& body : system.bodies)
+    if (!body.load_set) body.load_set = body.particles.add("load_set", Dimension::none);
+  for (std::size_t c = 0; c < conditions.size(); ++c) {
+    std::size_t found = 0;
+    for (auto& body : system.bodies) {
+      double* set = body.particles.column(*body.load_set);
+      for (std::size_t i = 0; i < body.particles.size(); ++i) {
+        Vec3 x = Vec3::Zero();
+        x.head<Dim>() = body.particles.position(i);
+        if (!conditions[c].where->contains(x)) continue;
+        set[i] += std::ldexp(1.0, static_cast<int>(c));
+        ++found;
+      }
+    }
+    if (found == 0) problems.add(conditions[c].origin, "this load selects no particle");
+    if (conditions[c].net && found > 0) share[c] = 1.0 / static_cast<double>(found);
+  }
+  problems.raise();
+  return share;
+}
+
+template <int Dim>
+void Stepper<Dim>::apply_loads(double dt) {
+  if (model_.particle_conditions.empty()) return;
+  static constexpr std::ptrdiff_t piece = 4096;
+  for (auto& body : system_.bodies) {
+    const double* set = body.particles.column(*body.load_set);
+    const auto load = body.particles.vector(*body.load), v = body.particles.v();
+    const auto n = static_cast<std::ptrdiff_t>(body.particles.size());
+    sums_.assign(static_cast<std::size_t>((n + piece - 1) / piece), 0.0);
+    parallel_for(static_cast<std::ptrdiff_t>(sums_.size()), [&](std::ptrdiff_t k) {
+      for (auto i = static_cast<std::size_t>(k * piece); i < static_cast<std::size_t>(std::min(n, (k + 1) * piece));
+           ++i) {
+        if (set[i] == 0.0) continue;
+        const auto bits = static_cast<std::uint64_t>(set[i]);
+        Vec3 sum = Vec3::Zero();
+        for (std::size_t c = 0; c < model_.particle_conditions.size(); ++c)
+          if (bits >> c & 1U) sum += force_on(model_.particle_conditions[c], body, i, load_share_[c], system_.time);
+        for (std::size_t d = 0; d < Dim; ++d) {
+          load[d][i] = sum[static_cast<Eigen::Index>(d)];
+          sums_[static_cast<std::size_t>(k)] += dt * load[d][i] * v[d][i];
+        }
+      }
+    });
+    for (const double work : sums_) ledger_.external_work += work;
+  }
+}
+
+template <int Dim>
+void Stepper<Dim>::follow_rigid(double dt) {
+  if (system_.rigids.empty()) return;
+  double travel = 0.0;
+  for (std::size_t r = 0; r < system_.rigids.size(); ++r) {
+    auto& body = system_.rigids[r];
+    const MaterialSpec& spec = model_.materials[static_cast<std::size_t>(body.material)];
+    const auto x = body.particles.x(), v = body.particles.v();
+    for (std::size_t i = 0; i < body.particles.size(); ++i) {
+      Variables at;
+      at.t = (system_.time + dt) / model_.units.alternative_time();
+      at.dt = dt / model_.units.alternative_time();
+      at.x = x[0][i], at.y = x[1][i], at.z = Dim == 3 ? x[Dim - 1][i] : 0.0;
+      for (std::size_t d = 0; d < Dim; ++d)
+        if (spec.rigid_velocity[d]) v[d][i] = (*spec.rigid_velocity[d])(at);
+    }
+    for (auto& field : system_.fields) {
+      std::fill(field.rigid[r].begin(), field.rigid[r].end(), Node{});
+      transfers_->scatter(body, field.map, field.rigid[r], Scatter::momentum, false, false);
+    }
+    for (std::size_t i = 0; i < body.particles.size(); ++i)
+      for (std::size_t d = 0; d < Dim; ++d) {
+        x[d][i] += dt * v[d][i];
+        travel = std::max(travel, std::abs(dt * v[d][i]) / system_.lattice.spacing[static_cast<Eigen::Index>(d)]);
+      }
+  }
+  rigid_travel_ = travel;
+}
+
+template <int Dim>
+void Stepper<Dim>::impose_rigid(double dt, bool update, bool after_impose) {
+  rigid_reaction_.setZero();
+  for (std::size_t r = 0; r < system_.rigids.size(); ++r)
+    for (auto& field : system_.fields) impose_rigid(field, r, dt, update, after_impose);
+}
+
+template <int Dim>
+void Stepper<Dim>::impose_rigid(Field<Dim>& field, std::size_t r, double dt, bool update, bool after_impose) {
+  const int directions = model_.materials[static_cast<std::size_t>(system_.rigids[r].material)].rigid_directions;
+  for (std::size_t n = 0; n < field.nodes.size(); ++n) {
+    Node& node = field.nodes[n];
+    Node& rigid = field.rigid[r][n];
+    if (!(rigid.mass > 0) || !(node.mass > 0)) continue;
+    for (int d = 0; d < Dim; ++d) {
+      if (!(directions >> d & 1)) continue;
+      const double wanted = rigid.velocity[d] / rigid.mass;
+      const double change = wanted - node.velocity[d];
+      node.velocity[d] = wanted;
+      if (!update) {
+        rigid.acceleration[d] = change;
+        continue;
+      }
+      const double correction = (change + (after_impose ? rigid.acceleration[d] : 0.0)) / dt;
+      node.acceleration[d] += correction;
+      const double force = node.mass * correction;
+      rigid_reaction_[d] += force;
+      ledger_.rigid_work += dt * force * (wanted - 0.5 * dt * correction);
+    }
+  }
+}
+
+template std::vector<double> find_loaded<2>(const Model&, System<2>&);
+template std::vector<double> find_loaded<3>(const Model&, System<3>&);
+template void Stepper<2>::apply_loads(double);
+template void Stepper<3>::apply_loads(double);
+template void Stepper<2>::follow_rigid(double);
+template void Stepper<3>::follow_rigid(double);
+template void Stepper<2>::impose_rigid(Field<2>&, std::size_t, double, bool, bool);
+template void Stepper<3>::impose_rigid(Field<3>&, std::size_t, double, bool, bool);
+template void Stepper<2>::impose_rigid(double, bool, bool);
+template void Stepper<3>::impose_rigid(double, bool, bool);
+
+}  // namespace tribo

@@ -1,0 +1,424 @@
+#include "solver/step.hpp"
+
+#include "base/parallel.hpp"
+#include "base/simd.hpp"
+
+#include <cmath>
+#include <cstring>
+
+namespace tribo {
+
+// The step. Notation: w_Ip weights, S the gather (sum over nodes), S+ the scatter divided by nodal mass.
+template <int Dim>
+void Stepper<Dim>::advance(double dt) {
+  const UpdateOrder order = model_.scheme.order;
+  const bool again = model_.scheme.extrapolate_again && order != UpdateOrder::usf;
+  if (!system_.sorted || system_.drift >= 1.0 - 1e-6) sort();
+
+  // 1. Particles to nodes: mass, momentum; stress last also needs nothing else before the forces
+  remember_domains();
+  clear();
+  apply_loads(dt);
+  follow_rigid(dt);
+  if (order == UpdateOrder::usl) {
+    scatter(Scatter::momentum_and_force);
+  } else {
+    // 2. Stress first (or half of it): strain from the extrapolated velocities
+    scatter(Scatter::momentum);
+    divide_by_mass();
+    for (std::size_t f = 0; f < conditions_.size(); ++f)
+      conditions_[f].impose(system_.fields[f].nodes, system_.time, dt);
+    strain(order == UpdateOrder::usf ? dt : 0.5 * dt, false);
+    scatter(Scatter::force);
+  }
+
+  // 3. Momentum balance on the nodes:  m a = f,  v += dt a; prescribed velocities
+  accelerate(dt, order == UpdateOrder::usl);
+  impose_update(dt, order != UpdateOrder::usl);
+
+  // 4. XPIC and FMPM: sharper velocities than the lumped mass gives
+  if (filter_now()) filter(dt);
+
+  // 5. Nodes to particles: velocity, position; stress last unless it waits for better velocities
+  if (again) remember_positions();
+  const double after = order == UpdateOrder::usl ? dt : order == UpdateOrder::usavg ? 0.5 * dt : 0.0;
+  move(dt, again ? 0.0 : after);
+
+  // 6. "+" variants: strain from the velocities of the moved particles, with the weights of the step's start
+  if (again) {
+    clear();
+    scatter(Scatter::momentum, true);
+    divide_by_mass();
+    impose(system_.time + dt, dt);
+    strain(after, true);
+  }
+
+  system_.time += dt;
+  ++system_.step;
+}
+
+template <int Dim>
+Stepper<Dim>::Stepper(const Model& model, System<Dim>& system)
+    : model_(model), system_(system), transfers_(make_transfers<Dim>(model.scheme)) {
+  for (std::size_t f = 0; f < system.fields.size(); ++f) conditions_.emplace_back(model, system.lattice);
+  load_share_ = find_loaded(model, system);
+}
+
+template <int Dim>
+void Stepper<Dim>::sort() {
+  for (auto* bodies : {&system_.bodies, &system_.rigids})
+    for (auto& body : *bodies)
+      if (body.bins.sort(system_.lattice, body.particles) >= 0) {
+        push_back(body);
+        if (body.bins.sort(system_.lattice, body.particles) >= 0) stop_at_bad_particle();
+      }
+  allocate();
+  system_.drift = 0.0;
+  system_.sorted = true;
+}
+
+// Particles that left the grid return to its edge and lose the velocity that took them out, as often as the model
+// allows.
+template <int Dim>
+void Stepper<Dim>::push_back(Body<Dim>& body) {
+  if (!model_.leave_limit) stop_at_bad_particle();
+  const auto x = body.particles.x(), v = body.particles.v();
+  for (std::size_t i = 0; i < body.particles.size(); ++i)
+    for (std::size_t d = 0; d < Dim; ++d) {
+      const auto axis = static_cast<Eigen::Index>(d);
+      const double inside = std::clamp(x[d][i], system_.lattice.low[axis], system_.lattice.high[axis]);
+      if (x[d][i] == inside || !std::isfinite(x[d][i])) continue;
+      if (++pushed_back > *model_.leave_limit) stop_at_bad_particle();
+      x[d][i] = inside;
+      v[d][i] = 0.0;
+    }
+}
+
+template <int Dim>
+void Stepper<Dim>::allocate() {
+  const bool filtering = model_.scheme.transfer == Transfer::xpic || model_.scheme.transfer == Transfer::fmpm;
+  for (std::size_t f = 0; f < system_.fields.size(); ++f) {
+    auto& field = system_.fields[f];
+    std::vector<std::int64_t> occupied;
+    for (auto* bodies : {&system_.bodies, &system_.rigids})
+      for (const auto& body : *bodies)
+        if (body.field == f || body.law->rigid())
+          for (const Bin& bin : body.bins.list()) occupied.push_back(bin.block);
+    field.map.rebuild(occupied);
+    const auto nodes = static_cast<std::size_t>(field.map.node_count());
+    field.nodes.resize(nodes);
+    field.rigid.resize(system_.rigids.size());
+    for (auto& layer : field.rigid) layer.resize(nodes);
+    if (filtering) field.filter.resize(nodes), field.increment.resize(nodes);
+    conditions_[f].locate(field.map);
+  }
+  for (auto& body : system_.bodies) body.refresh();
+}
+
+namespace {
+
+void zero(NodeLayer& nodes) {
+  static constexpr std::ptrdiff_t piece = 1024;
+  const auto n = static_cast<std::ptrdiff_t>(nodes.size());
+  parallel_for((n + piece - 1) / piece, [&](std::ptrdiff_t k) {
+    std::memset(static_cast<void*>(nodes.data() + k * piece), 0,
+                sizeof(Node) * static_cast<std::size_t>(std::min(piece, n - k * piece)));
+  });
+}
+
+void each_node(NodeLayer& nodes, auto&& f) {
+  static constexpr std::ptrdiff_t piece = 1024;
+  const auto n = static_cast<std::ptrdiff_t>(nodes.size());
+  parallel_for((n + piece - 1) / piece, [&](std::ptrdiff_t k) {
+    for (std::ptrdiff_t i = k * piece; i < std::min(n, (k + 1) * piece); ++i) f(nodes[static_cast<std::size_t>(i)]);
+  });
+}
+
+}  // namespace
+
+template <int Dim>
+void Stepper<Dim>::clear() {
+  for (auto& field : system_.fields) zero(field.nodes);
+}
+
+template <int Dim>
+void Stepper<Dim>::scatter(Scatter what, bool from_start) {
+  for (auto& body : system_.bodies) {
+    auto& field = system_.fields[body.field];
+    transfers_->scatter(body, field.map, field.nodes, what, from_start, system_.analysis == Analysis::axisymmetric);
+  }
+}
+
+template <int Dim>
+void Stepper<Dim>::divide_by_mass() {
+  for (std::size_t f = 0; f < system_.fields.size(); ++f) {
+    auto& nodes = system_.fields[f].nodes;
+    conditions_[f].fold(nodes);
+    each_node(nodes, [](Node& node) {
+      if (!(node.mass > 0)) return;
+      const double inverse = 1.0 / node.mass;
+      for (double& v : node.velocity) v *= inverse;
+    });
+    conditions_[f].extend(nodes);
+  }
+}
+
+template <int Dim>
+void Stepper<Dim>::accelerate(double dt, bool from_momentum) {
+  const Vec3 gravity = model_.body_force.gravity;
+  const double damping = grid_damping;
+  for (std::size_t f = 0; f < system_.fields.size(); ++f) {
+    auto& nodes = system_.fields[f].nodes;
+    conditions_[f].fold(nodes);
+    each_node(nodes, [&](Node& node) {
+      if (!(node.mass > 0)) return;
+      const double inverse = 1.0 / node.mass;
+      for (int d = 0; d < Dim; ++d) {
+        const double v = from_momentum ? node.velocity[d] * inverse : node.velocity[d];
+        const double a = node.acceleration[d] * inverse + gravity[d] - damping * v;
+        node.acceleration[d] = a;
+        node.velocity[d] = v + dt * a;
+      }
+    });
+    apply_body_force(system_.fields[f], dt);
+    if (damping != 0.0) ledger_.damping_work += damping_work(system_.fields[f], dt);
+  }
+}
+
+// Accelerations that the user gave as functions of position and time.
+template <int Dim>
+void Stepper<Dim>::apply_body_force(Field<Dim>& field, double dt) {
+  const BodyForce& force = model_.body_force;
+  if (!force.function[0] && !force.function[1] && !force.function[2]) return;
+  ledger_.external_work += sum_over_nodes(field, [&](std::int64_t n, Node& node) {
+    const Vec<Dim> x = system_.lattice.position(field.map.node_at(n));
+    Variables at;
+    at.t = system_.time / force.function_time, at.dt = dt / force.function_time;
+    at.x = x[0], at.y = x[1], at.z = Dim == 3 ? x[Dim - 1] : 0.0;
+    double power = 0.0;
+    for (int d = 0; d < Dim; ++d) {
+      const auto& function = force.function[static_cast<std::size_t>(d)];
+      if (!function) continue;
+      const double a = (*function)(at);
+      node.acceleration[d] += a;
+      node.velocity[d] += dt * a;
+      power += node.mass * a * (node.velocity[d] - 0.5 * dt * node.acceleration[d]);
+    }
+    return dt * power;
+  });
+}
+
+template <int Dim>
+double Stepper<Dim>::damping_work(Field<Dim>& field, double dt) {
+  return sum_over_nodes(field, [&](std::int64_t, const Node& node) {
+    double square = 0.0;
+    for (int d = 0; d < Dim; ++d) {
+      const double old = node.velocity[d] - dt * node.acceleration[d];
+      square += old * (node.velocity[d] + old) * 0.5;
+    }
+    return dt * grid_damping * node.mass * square;
+  });
+}
+
+// Sum of f over the nodes with mass, in the order of the blocks for any number of threads.
+template <int Dim>
+template <class F>
+double Stepper<Dim>::sum_over_nodes(Field<Dim>& field, F&& f) {
+  sums_.assign(field.map.active().size(), 0.0);
+  parallel_for(static_cast<std::ptrdiff_t>(sums_.size()), [&](std::ptrdiff_t block) {
+    double sum = 0.0;
+    for (std::int64_t n = block * block_nodes<Dim>; n < (block + 1) * block_nodes<Dim>; ++n) {
+      Node& node = field.nodes[static_cast<std::size_t>(n)];
+      if (node.mass > 0) sum += f(n, node);
+    }
+    sums_[static_cast<std::size_t>(block)] = sum;
+  });
+  double total = 0.0;
+  for (const double part : sums_) total += part;
+  return total;
+}
+
+template <int Dim>
+void Stepper<Dim>::impose(double time, double dt) {
+  for (std::size_t f = 0; f < conditions_.size(); ++f) conditions_[f].impose(system_.fields[f].nodes, time, dt);
+  impose_rigid(dt, false, false);
+}
+
+template <int Dim>
+void Stepper<Dim>::impose_update(double dt, bool after_impose) {
+  for (std::size_t f = 0; f < conditions_.size(); ++f)
+    conditions_[f].impose_update(system_.fields[f].nodes, system_.time + dt, dt, after_impose);
+  impose_rigid(dt, true, after_impose);
+}
+
+template <int Dim>
+bool Stepper<Dim>::filter_now() const {
+  const Scheme& s = model_.scheme;
+  if (s.transfer != Transfer::xpic && s.transfer != Transfer::fmpm) return false;
+  if (s.filter_period > 0) return system_.time >= next_filter;
+  return system_.step % std::max(1, s.filter_every) == 0;
+}
+
+template <int Dim>
+void Stepper<Dim>::move(double dt, double strain_dt) {
+  Gather what = gather_options();
+  what.move = true;
+  what.dt = dt;
+  what.strain_dt = strain_dt;
+  switch (model_.scheme.transfer) {
+    case Transfer::flip:
+      what.flip = 1.0;
+      break;
+    case Transfer::blend:
+      what.flip = model_.scheme.flip_fraction;
+      break;
+    case Transfer::pic:
+    case Transfer::apic:
+      what.flip = 0.0;
+      break;
+    case Transfer::xpic:
+    case Transfer::fmpm:
+      what.flip = filter_now() ? 0.0 : 1.0;
+      break;
+  }
+  double travel = 0.0;
+  for (std::size_t f = 0; f < system_.fields.size(); ++f) conditions_[f].extend(system_.fields[f].nodes);
+  for (auto& body : system_.bodies) {
+    auto& field = system_.fields[body.field];
+    what.damping = body.particle_damping + particle_damping;
+    const auto result = transfers_->gather(body, field.map, field.nodes, what);
+    travel = std::max(travel, result.travel);
+    if (!result.valid) stop_at_bad_particle();
+  }
+  system_.drift += std::max(travel, rigid_travel_);
+}
+
+template <int Dim>
+void Stepper<Dim>::strain(double dt, bool from_start) {
+  if (!(dt > 0)) return;
+  Gather what = gather_options();
+  what.strain_dt = dt;
+  what.from_start = from_start;
+  for (auto& body : system_.bodies) {
+    auto& field = system_.fields[body.field];
+    if (!transfers_->gather(body, field.map, field.nodes, what).valid) stop_at_bad_particle();
+  }
+}
+
+template <int Dim>
+Gather Stepper<Dim>::gather_options() const {
+  Gather what;
+  what.plane_stress = system_.analysis == Analysis::plane_stress;
+  what.axisymmetric = system_.analysis == Analysis::axisymmetric;
+  what.terms = model_.scheme.deformation_terms;
+  return what;
+}
+
+// CPDI keeps the weights of a step although stress-first schemes change F within it.
+template <int Dim>
+void Stepper<Dim>::remember_domains() {
+  for (auto* bodies : {&system_.bodies, &system_.rigids})
+    for (auto& body : *bodies) {
+      if (!body.domain) continue;
+      const auto F = body.particles.F();
+      for (std::size_t k = 0; k < Dim * Dim; ++k)
+        std::copy_n(F[k], body.particles.size(), body.particles.column(*body.domain + k));
+    }
+}
+
+template <int Dim>
+void Stepper<Dim>::remember_positions() {
+  for (auto& body : system_.bodies) {
+    const auto from = body.particles.x();
+    const auto to = body.particles.vector(*body.start);
+    for (std::size_t d = 0; d < Dim; ++d) std::copy_n(from[d], body.particles.size(), to[d]);
+  }
+}
+
+// v(k) = sum over j < k of (1 - S+ S)^j v. FMPM: of the updated velocities; XPIC: of the velocities before the forces.
+// Hammerquist & Nairn, CMAME 318 (2017) 724-753; Nairn & Hammerquist, CMAME 377 (2021) 113686.
+template <int Dim>
+void Stepper<Dim>::filter(double dt) {
+  const bool xpic = model_.scheme.transfer == Transfer::xpic;
+  for (std::size_t f = 0; f < system_.fields.size(); ++f) {
+    auto& field = system_.fields[f];
+    auto& conditions = conditions_[f];
+    const auto each = [&](auto&& function) {
+      static constexpr std::ptrdiff_t piece = 1024;
+      const auto n = static_cast<std::ptrdiff_t>(field.nodes.size());
+      parallel_for((n + piece - 1) / piece, [&](std::ptrdiff_t k) {
+        for (auto i = static_cast<std::size_t>(k * piece); i < static_cast<std::size_t>(std::min(n, (k + 1) * piece));
+             ++i)
+          function(field.nodes[i], field.filter[i], field.increment[i]);
+      });
+    };
+    // filter: velocity = the present increment, acceleration = the sum so far
+    each([&](const Node& node, Node& filtered, Node&) {
+      filtered.mass = node.mass;
+      for (int d = 0; d < 3; ++d) {
+        filtered.velocity[d] = node.velocity[d] - (xpic ? dt * node.acceleration[d] : 0.0);
+        filtered.acceleration[d] = filtered.velocity[d];
+      }
+    });
+    Gather value;
+    value.filtered = true;
+    for (int j = 1; j < model_.scheme.filter_order; ++j) {
+      conditions.extend(field.filter);
+      zero(field.increment);
+      for (auto& body : system_.bodies) {
+        if (body.field != f) continue;
+        transfers_->gather(body, field.map, field.filter, value);
+        transfers_->scatter(body, field.map, field.increment, Scatter::filtered, false, false);
+      }
+      conditions.fold(field.increment);
+      each([](const Node& node, Node& filtered, const Node& increment) {
+        if (!(node.mass > 0)) return;
+        for (int d = 0; d < 3; ++d) filtered.velocity[d] -= increment.velocity[d] / node.mass;
+      });
+      if (!xpic) conditions.release(field.filter);
+      each([](const Node&, Node& filtered, const Node&) {
+        for (int d = 0; d < 3; ++d) filtered.acceleration[d] += filtered.velocity[d];
+      });
+    }
+    each([&](Node& node, const Node& filtered, const Node&) {
+      for (int d = 0; d < 3; ++d)
+        node.velocity[d] = filtered.acceleration[d] + (xpic ? dt * node.acceleration[d] : 0.0);
+    });
+  }
+  if (model_.scheme.filter_period > 0)
+    while (next_filter <= system_.time) next_filter += model_.scheme.filter_period;
+}
+
+template <int Dim>
+void Stepper<Dim>::stop_at_bad_particle() const {
+  const auto when = " in step " + std::to_string(system_.step + 1) + " at time " + std::to_string(system_.time);
+  for (const auto* bodies : {&system_.bodies, &system_.rigids})
+    for (const auto& body : *bodies)
+      for (std::size_t i = 0; i < body.particles.size(); ++i) {
+        const Vec<Dim> x = body.particles.position(i), v = body.particles.velocity(i);
+        const bool finite = x.allFinite() && v.allFinite();
+        const bool inside = finite && (x.array() >= system_.lattice.low.array()).all() &&
+                            (x.array() <= system_.lattice.high.array()).all();
+        const bool crushed = !(body.particles.volume()[i] > 0);
+        if (inside && !crushed) continue;
+        std::string at;
+        for (int d = 0; d < Dim; ++d) at += (d ? ", " : "") + std::to_string(x[d]);
+        const std::string who =
+            "particle " + std::to_string(body.particles.id[i]) + " of '" + body.name + "' at (" + at + ")";
+        if (finite && !crushed)
+          throw SimulationError(
+              who + " left the grid" + when +
+              ": it moves too far, or the run became unstable. Enlarge <Grid>, check the conditions that should "
+              "hold it, or return such particles with <LeaveLimit>.");
+        throw SimulationError(
+            who + (crushed ? " was compressed to no volume" : " has a velocity that is not a number") + when +
+            ": usually the step is too large for the present stiffness. Try a smaller <TimeFactor>, adaptive steps "
+            "(custom task AdjustTimeStep), or more particles per cell.");
+      }
+  throw SimulationError("a value on the grid is not a number" + when + "; try a smaller <TimeFactor>");
+}
+
+template class Stepper<2>;
+template class Stepper<3>;
+
+}  // namespace tribo

@@ -1,0 +1,83 @@
+/// One explicit step. The algorithm is in step.cpp, on one screen.
+#pragma once
+
+#include "solver/conditions.hpp"
+#include "solver/transfer.hpp"
+
+namespace tribo {
+
+/// Energy and momentum that entered or left during the run, besides the nodal conditions.
+struct Ledger {
+  double external_work = 0.0;  ///< by body forces, loads and tractions        [energy]
+  double damping_work = 0.0;   ///< taken out by damping, >= 0                 [energy]
+  double rigid_work = 0.0;     ///< by rigid particles                         [energy]
+};
+
+/// Marks the particles every load and traction acts on (column `load_set`); returns per condition the factor of its
+/// value, 1 or one over the number of particles found for net loads. Throws InputError for a condition without
+/// particles.
+template <int Dim>
+std::vector<double> find_loaded(const Model& model, System<Dim>& system);
+
+template <int Dim>
+class Stepper {
+ public:
+  Stepper(const Model& model, System<Dim>& system);
+
+  /// Advances by dt: sorts if some particle may have left its bin's reach, then one step of the chosen order.
+  /// Throws SimulationError if a particle left the grid or something is not a number.
+  void advance(double dt);
+
+  Conditions<Dim>& conditions(std::size_t field) { return conditions_[field]; }
+  /// Force of rigid particles on the material in the last step [force].
+  const Vec3& rigid_reaction() const { return rigid_reaction_; }
+  Ledger& ledger() { return ledger_; }
+  const Transfers<Dim>& transfers() const { return *transfers_; }
+  /// Rebuilds blocks and nodes for the present bins; needed after a restart.
+  void allocate();
+  /// Coefficient of grid and particle damping with feedback, kept for restart.
+  double grid_damping = 0.0, particle_damping = 0.0;
+  double grid_feedback = 0.0, particle_feedback = 0.0;  ///< part of the above that feedback built up
+  /// Times a particle was returned to the grid, see Model::leave_limit.
+  long pushed_back = 0;
+  /// Time of the next filtered step when filters run by period; kept for restart.
+  double next_filter = 0.0;
+
+ private:
+  void sort();
+  void push_back(Body<Dim>& body);
+  void apply_body_force(Field<Dim>& field, double dt);
+  double damping_work(Field<Dim>& field, double dt);
+  template <class F>
+  double sum_over_nodes(Field<Dim>& field, F&& f);
+  void clear();
+  void scatter(Scatter what, bool from_start = false);
+  void divide_by_mass();
+  void accelerate(double dt, bool from_momentum);
+  void filter(double dt);
+  void strain(double dt, bool from_start);
+  void move(double dt, double strain_dt);
+  void remember_positions();
+  void remember_domains();
+  void apply_loads(double dt);
+  void follow_rigid(double dt);
+  void impose(double time, double dt);
+  void impose_update(double dt, bool after_impose);
+  void impose_rigid(Field<Dim>& field, std::size_t rigid, double dt, bool update, bool after_impose);
+  void impose_rigid(double dt, bool update, bool after_impose);
+  Gather gather_options() const;
+  [[noreturn]] void stop_at_bad_particle() const;
+  bool filter_now() const;
+
+  const Model& model_;
+  System<Dim>& system_;
+  std::unique_ptr<Transfers<Dim>> transfers_;
+  std::vector<Conditions<Dim>> conditions_;
+  Ledger ledger_;
+  Vec3 rigid_reaction_ = Vec3::Zero();
+  double rigid_travel_ = 0.0;
+  std::vector<double> sums_;        ///< per block of nodes
+  std::vector<double> load_share_;  ///< per particle condition: 1, or 1 / particles found for net loads
+};
+
+}  // namespace tribo

@@ -1,0 +1,73 @@
+/// What a step works on.
+#pragma once
+
+#include "grid/nodes.hpp"
+#include "materials/material.hpp"
+#include "model/model.hpp"
+#include "particles/bins.hpp"
+#include "particles/particles.hpp"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tribo {
+
+/// One velocity field: the nodes that all bodies assigned to it share.
+template <int Dim>
+struct Field {
+  explicit Field(const Lattice<Dim>& lattice) : map(lattice) {}
+  BlockMap<Dim> map;
+  NodeLayer nodes;
+  std::vector<NodeLayer> rigid;  ///< per rigid body: the velocity its particles prescribe
+  NodeLayer filter;              ///< XPIC, FMPM: increment and sum of the filter; empty without
+  NodeLayer increment;           ///< XPIC, FMPM: what is scattered during filtering; empty without
+};
+
+/// The particles of one material.
+template <int Dim>
+struct Body {
+  Body(std::size_t count, bool with_deformation, double kernel_shift, int colours_per_axis)
+      : particles(count, with_deformation), bins(kernel_shift, colours_per_axis) {}
+
+  std::string name;
+  std::shared_ptr<const Material> law;
+  int material = 0;  ///< index into Model::materials
+  std::size_t field = 0;
+  Particles<Dim> particles;
+  Bins<Dim> bins;
+  std::size_t history = 0;               ///< first history column
+  std::vector<double*> history_columns;  ///< refreshed after every sort
+  std::optional<std::size_t> affine;     ///< APIC: first column of sum w v (x_i - x)^T, Dim x Dim row by row
+  std::optional<std::size_t> filtered;   ///< XPIC, FMPM: columns of the filtered velocity
+  std::optional<std::size_t> start;      ///< "+" schemes: columns of the position at the start of the step
+  std::optional<std::size_t> half_size;  ///< GIMP, CPDI with mixed particle sizes: columns of the domain's half widths
+  Vec<Dim> uniform_half_size = Vec<Dim>::Zero();
+  std::optional<std::size_t> domain;    ///< CPDI: F at the start of the step, Dim x Dim columns row by row
+  std::optional<std::size_t> load;      ///< external force on particles, Dim columns
+  std::optional<std::size_t> origin;    ///< position at the start of the run, Dim columns, for displacements
+  std::optional<std::size_t> load_set;  ///< bit k set: particle condition k acts on the particle
+  double particle_damping = 0.0;
+
+  void refresh() {
+    history_columns.clear();
+    for (std::size_t k = 0; k < law->history().size(); ++k) history_columns.push_back(particles.column(history + k));
+  }
+};
+
+template <int Dim>
+struct System {
+  explicit System(const Lattice<Dim>& l) : lattice(l) {}
+  Lattice<Dim> lattice;
+  Analysis analysis = Analysis::plane_strain;
+  std::vector<Field<Dim>> fields;
+  std::vector<Body<Dim>> bodies;
+  std::vector<Body<Dim>> rigids;  ///< particles that prescribe velocities: `velocity` follows the material's functions
+  double time = 0.0;
+  std::int64_t step = 0;
+  double drift = 0.0;  ///< largest distance any particle may have moved since the last sort [cells]
+  bool sorted = false;
+};
+
+}  // namespace tribo

@@ -1,0 +1,30 @@
+#include "solver/transfer.hpp"
+
+#include "solver/transfer_cpdi.hpp"
+#include "solver/transfer_product.hpp"
+
+#include <stdexcept>
+
+namespace tribo {
+
+template <int Dim>
+std::unique_ptr<Transfers<Dim>> make_transfers(const Scheme& scheme) {
+  switch (scheme.kernel) {
+    case Kernel::linear:
+      return std::make_unique<ProductTransfers<Dim, LinearKernel>>();
+    case Kernel::gimp:
+      return std::make_unique<ProductTransfers<Dim, GimpKernel>>();
+    case Kernel::quadratic_spline:
+      return std::make_unique<ProductTransfers<Dim, QuadraticKernel>>();
+    case Kernel::cubic_spline:
+      return std::make_unique<ProductTransfers<Dim, CubicKernel>>();
+    case Kernel::cpdi:
+      return std::make_unique<CpdiTransfers<Dim>>(scheme.cpdi_limit);
+  }
+  throw std::logic_error("no such kernel");
+}
+
+template std::unique_ptr<Transfers<2>> make_transfers<2>(const Scheme&);
+template std::unique_ptr<Transfers<3>> make_transfers<3>(const Scheme&);
+
+}  // namespace tribo

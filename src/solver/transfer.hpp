@@ -1,0 +1,55 @@
+/// The transfers between particles and nodes, for one kernel.
+#pragma once
+
+#include "solver/system.hpp"
+
+#include <memory>
+
+namespace tribo {
+
+/// What a scatter adds to the nodes.
+enum class Scatter {
+  momentum,            ///< sum w m, sum w m v (+ affine part)
+  force,               ///< sum w f_ext - V sigma grad w
+  momentum_and_force,  ///< both in one sweep
+  filtered             ///< sum w m, sum w m v*, v* the filtered velocity columns
+};
+
+/// What a gather does to the particles.
+struct Gather {
+  bool move = false;         ///< velocity and position
+  double dt = 0.0;           ///< of the motion                                            [time]
+  double flip = 1.0;         ///< share of v + dt S a; the rest is S v
+  double damping = 0.0;      ///< particle damping, subtracts damping dt S v               [1/time]
+  bool trapezoidal = false;  ///< x += dt (v_old + v_new)/2 instead of dt S v
+  double strain_dt = 0.0;    ///< > 0: deformation, stress and history over this time      [time]
+  bool filtered = false;     ///< only: filtered velocity columns = S v
+  bool from_start = false;   ///< weights at the positions of the start of the step
+  bool plane_stress = false, axisymmetric = false;
+  int terms = 2;  ///< of exp(L dt)
+};
+
+/// What a gather found out, the same for any number of threads.
+struct GatherResult {
+  double travel = 0.0;  ///< largest particle displacement along an axis   [cells]
+  bool valid = true;    ///< false: a velocity is not finite, or a volume not positive
+};
+
+template <int Dim>
+class Transfers {
+ public:
+  virtual ~Transfers() = default;
+  /// Adds the particles of a body to zeroed or partly filled nodes.
+  virtual void scatter(Body<Dim>& body, const BlockMap<Dim>& map, NodeLayer& nodes, Scatter what, bool from_start,
+                       bool axisymmetric) const = 0;
+  virtual GatherResult gather(Body<Dim>& body, const BlockMap<Dim>& map, const NodeLayer& nodes,
+                              const Gather& what) const = 0;
+  virtual double shift() const = 0;
+  virtual int colours_per_axis() const = 0;
+};
+
+/// The transfers of a scheme's kernel.
+template <int Dim>
+std::unique_ptr<Transfers<Dim>> make_transfers(const Scheme& scheme);
+
+}  // namespace tribo

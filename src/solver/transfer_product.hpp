@@ -1,0 +1,242 @@
+/// Transfers for kernels that are products of one-axis functions.
+///
+///   scatter   m_I = sum_p w_Ip m_p,   (m v)_I = sum_p w_Ip m_p (v_p + C_p (x_I - x_p)),   f_I = sum_p w_Ip f_p - V_p
+///   sigma_p grad w_Ip gather    S v = sum_I w_Ip v_I,   L_p = sum_I v_I (x) grad w_Ip
+///
+/// A bin works on a small dense patch of nodes with constant strides; weights and particle updates run over batches in
+/// loops the compiler vectorises, the sums over the stencil in vectors across the components of a node.
+#pragma once
+
+#include "base/parallel.hpp"
+#include "solver/given.hpp"
+#include "solver/motion.hpp"
+#include "solver/stencils.hpp"
+#include "solver/transfer.hpp"
+
+#include <algorithm>
+
+namespace tribo {
+
+template <int Dim, class Kernel>
+class ProductTransfers final : public Transfers<Dim> {
+ public:
+  static constexpr int width = Kernel::width;
+  using NodePatch = Patch<Dim, width>;
+
+  double shift() const override { return Kernel::shift; }
+  int colours_per_axis() const override { return width + 1 <= block_edge<Dim> ? 2 : 3; }
+
+  void scatter(Body<Dim>& body, const BlockMap<Dim>& map, NodeLayer& nodes, Scatter what, bool from_start,
+               bool axisymmetric) const override {
+    const bool affine = body.affine && what != Scatter::force && what != Scatter::filtered;
+    const bool force = what == Scatter::force || what == Scatter::momentum_and_force;
+    for (const auto& colour : body.bins.colours())
+      parallel_for(static_cast<std::ptrdiff_t>(colour.size()), [&](std::ptrdiff_t k) {
+        const Bin& bin = body.bins.list()[colour[static_cast<std::size_t>(k)]];
+        if (force && affine)
+          scatter_bin<true, true>(body, map, nodes, bin, what, from_start, axisymmetric);
+        else if (force)
+          scatter_bin<true, false>(body, map, nodes, bin, what, from_start, axisymmetric);
+        else if (affine)
+          scatter_bin<false, true>(body, map, nodes, bin, what, from_start, axisymmetric);
+        else
+          scatter_bin<false, false>(body, map, nodes, bin, what, from_start, axisymmetric);
+      });
+  }
+
+  GatherResult gather(Body<Dim>& body, const BlockMap<Dim>& map, const NodeLayer& nodes,
+                      const Gather& what) const override {
+    GatherCollector collector;
+    const auto& bins = body.bins.list();
+    parallel_for(static_cast<std::ptrdiff_t>(bins.size()), [&](std::ptrdiff_t k) {
+      auto& result = collector.mine();
+      const Bin& bin = bins[static_cast<std::size_t>(k)];
+      if (what.filtered)
+        gather_bin<false, false>(body, map, nodes, bin, what, result);
+      else if (body.affine && what.move)
+        gather_bin<true, true>(body, map, nodes, bin, what, result);
+      else
+        gather_bin<true, false>(body, map, nodes, bin, what, result);
+    });
+    return collector.total();
+  }
+
+ private:
+  static std::array<const double*, Dim> half_sizes(const Body<Dim>& body) {
+    std::array<const double*, Dim> half{};
+    if (Kernel::sized && body.half_size)
+      for (std::size_t d = 0; d < Dim; ++d) half[d] = body.particles.column(*body.half_size + d);
+    return half;
+  }
+
+  template <bool Force, bool Affine>
+  void scatter_bin(Body<Dim>& body, const BlockMap<Dim>& map, NodeLayer& nodes, const Bin& bin, Scatter what,
+                   bool from_start, bool axisymmetric) const {
+    const auto slots = map.neighbours(bin.block);
+    const auto block = map.lattice().block_at(bin.block);
+    const auto x = from_start ? body.particles.vector(*body.start) : body.particles.x();
+    const auto half = half_sizes(body);
+    NodePatch patch;
+    patch.clear();
+    Stencils<Dim, Kernel> stencils;
+    Given<Dim> given;
+    for (std::uint32_t first = bin.begin; first < bin.end; first += batch) {
+      const int count = static_cast<int>(std::min<std::uint32_t>(batch, bin.end - first));
+      fetch_ahead(body, first + batch);
+      stencils.compute(map.lattice(), block, x, first, count, half, body.uniform_half_size);
+      given.template prepare<Force>(body, first, count, what, axisymmetric);
+      if constexpr (Affine) prepare_affine(body, map.lattice(), stencils, first, count, given);
+      for (int i = 0; i < count; ++i) add<Force, Affine>(stencils, given, map.lattice(), i, patch.data);
+    }
+    patch.add_to(slots, nodes);
+  }
+
+  // C = B D^-1 with D = sum w (x_i - x)(x_i - x)^T, diagonal for product kernels. Where D vanishes (a point on a node
+  // of the linear kernel) there is no affine part.
+  static void prepare_affine(Body<Dim>& body, const Lattice<Dim>& lattice, const Stencils<Dim, Kernel>& stencils,
+                             std::uint32_t first, int count, Given<Dim>& given) {
+    const double* m = body.particles.mass() + first;
+    for (int d = 0; d < Dim; ++d)
+      for (int i = 0; i < count; ++i) {
+        double moment = 0.0;
+        for (int n = 0; n < width; ++n) {
+          const double distance = (n - stencils.r[d][i]) * lattice.spacing[d];
+          moment += stencils.w[d][n][i] * distance * distance;
+        }
+        const double h = lattice.spacing[d];
+        const double scale = moment > 1e-8 * h * h ? m[i] / moment : 0.0;
+        double* to = given.affine[d][i];
+        to[0] = 0.0, to[3] = 0.0;
+        for (int c = 0; c < Dim; ++c)
+          to[1 + c] =
+              scale * body.particles.column(
+                          *body.affine + static_cast<std::size_t>(c * Dim + d))[first + static_cast<std::uint32_t>(i)];
+      }
+  }
+
+  template <bool Force, bool Affine>
+  static void add(const Stencils<Dim, Kernel>& s, const Given<Dim>& given, const Lattice<Dim>& lattice, int i,
+                  double* data) {
+    const Wide whole = Wide::load(given.whole[i]);
+    [[maybe_unused]] Upper pull[3];
+    if constexpr (Force)
+      for (int d = 0; d < Dim; ++d) pull[d] = Upper::from(load4(given.pull[d][i]));
+    double wx[width];
+    [[maybe_unused]] double gx[width], ax[width];
+    for (int n = 0; n < width; ++n) {
+      wx[n] = s.w[0][n][i];
+      if constexpr (Force) gx[n] = s.g[0][n][i];
+      if constexpr (Affine) ax[n] = wx[n] * (n - s.r[0][i]) * lattice.spacing[0];
+    }
+    double* base = data + s.base[i];
+#pragma GCC unroll 4
+    for (int c = 0; c < (Dim == 3 ? width : 1); ++c) {
+      const double wz = Dim == 3 ? s.w[Dim - 1][c][i] : 1.0;
+#pragma GCC unroll 4
+      for (int b = 0; b < width; ++b) {
+        const double wy = s.w[1][b][i], wyz = wy * wz;
+        Wide row = wyz * whole;
+        [[maybe_unused]] Upper slope;
+        if constexpr (Force) {
+          row = row + (s.g[1][b][i] * wz) * pull[1];
+          if constexpr (Dim == 3) row = row + (wy * s.g[Dim - 1][c][i]) * pull[2];
+          slope = wyz * pull[0];
+        }
+        [[maybe_unused]] Wide spin;
+        if constexpr (Affine) {
+          Vec4 low = (b - s.r[1][i]) * lattice.spacing[1] * load4(given.affine[1][i]);
+          if constexpr (Dim == 3)
+            low += (c - s.r[Dim - 1][i]) * lattice.spacing[Dim - 1] * load4(given.affine[Dim - 1][i]);
+          row = row + Wide::join(wyz * low, Vec4{});
+          spin = Wide::join(wyz * load4(given.affine[0][i]), Vec4{});
+        }
+        double* node = base + 8 * (c * NodePatch::plane + b * NodePatch::row);
+#pragma GCC unroll 4
+        for (int a = 0; a < width; ++a) {
+          Wide sum = Wide::load(node + 8 * a) + wx[a] * row;
+          if constexpr (Force) sum = sum + gx[a] * slope;
+          if constexpr (Affine) sum = sum + ax[a] * spin;
+          sum.store(node + 8 * a);
+        }
+      }
+    }
+  }
+
+  template <bool Gradient, bool Affine>
+  void gather_bin(Body<Dim>& body, const BlockMap<Dim>& map, const NodeLayer& nodes, const Bin& bin, const Gather& what,
+                  GatherResult& result) const {
+    const auto slots = map.neighbours(bin.block);
+    const auto block = map.lattice().block_at(bin.block);
+    const auto x = what.from_start ? body.particles.vector(*body.start) : body.particles.x();
+    const auto half = half_sizes(body);
+    NodePatch patch;
+    patch.load(slots, nodes);
+    Stencils<Dim, Kernel> stencils;
+    Gathered<Dim> got;
+    for (std::uint32_t first = bin.begin; first < bin.end; first += batch) {
+      const int count = static_cast<int>(std::min<std::uint32_t>(batch, bin.end - first));
+      fetch_ahead(body, first + batch);
+      stencils.compute(map.lattice(), block, x, first, count, half, body.uniform_half_size);
+      for (int i = 0; i < count; i += 4) {
+        for (int k = 0; k < 4; ++k)
+          if (i + k < count) sum<Gradient, Affine>(stencils, map.lattice(), i + k, patch.data, got);
+        got.template transpose<Gradient, Affine>(i);
+      }
+      update_particles(body, map.lattice(), first, count, what, got, result);
+    }
+  }
+
+  template <bool Gradient, bool Affine>
+  static void sum(const Stencils<Dim, Kernel>& s, const Lattice<Dim>& lattice, int i, const double* data,
+                  Gathered<Dim>& got) {
+    double wx[width];
+    [[maybe_unused]] double gx[width], ax[width];
+    for (int n = 0; n < width; ++n) {
+      wx[n] = s.w[0][n][i];
+      if constexpr (Gradient) gx[n] = s.g[0][n][i];
+      if constexpr (Affine) ax[n] = wx[n] * (n - s.r[0][i]) * lattice.spacing[0];
+    }
+    const double* base = data + s.base[i];
+    Wide value = Wide::zero();
+    Vec4 lx{}, ly{};
+    [[maybe_unused]] Vec4 lz{}, bx{}, by{}, bz{};
+#pragma GCC unroll 4
+    for (int c = 0; c < (Dim == 3 ? width : 1); ++c) {
+      const double wz = Dim == 3 ? s.w[Dim - 1][c][i] : 1.0;
+      [[maybe_unused]] const double gz = Dim == 3 ? s.g[Dim - 1][c][i] : 0.0;
+#pragma GCC unroll 4
+      for (int b = 0; b < width; ++b) {
+        const double* node = base + 8 * (c * NodePatch::plane + b * NodePatch::row);
+        const double wy = s.w[1][b][i], wyz = wy * wz;
+        Wide along = wx[0] * Wide::load(node);
+        for (int a = 1; a < width; ++a) along = along + wx[a] * Wide::load(node + 8 * a);
+        value = value + wyz * along;
+        if constexpr (Gradient) {
+          Vec4 slope = gx[0] * load4(node);
+          for (int a = 1; a < width; ++a) slope += gx[a] * load4(node + 8 * a);
+          lx += wyz * slope;
+          ly += (s.g[1][b][i] * wz) * along.low();
+          if constexpr (Dim == 3) lz += (wy * gz) * along.low();
+        }
+        if constexpr (Affine) {
+          Vec4 moment = ax[0] * load4(node);
+          for (int a = 1; a < width; ++a) moment += ax[a] * load4(node + 8 * a);
+          bx += wyz * moment;
+          by += wyz * (b - s.r[1][i]) * lattice.spacing[1] * along.low();
+          if constexpr (Dim == 3) bz += wyz * (c - s.r[2][i]) * lattice.spacing[2] * along.low();
+        }
+      }
+    }
+    value.store(got.whole[i % 4]);
+    if constexpr (Gradient) {
+      store4(got.slope[0][i % 4], lx), store4(got.slope[1][i % 4], ly);
+      if constexpr (Dim == 3) store4(got.slope[Dim - 1][i % 4], lz);
+    }
+    if constexpr (Affine) {
+      store4(got.moment[0][i % 4], bx), store4(got.moment[1][i % 4], by);
+      if constexpr (Dim == 3) store4(got.moment[Dim - 1][i % 4], bz);
+    }
+  }
+};
+
+}  // namespace tribo
