@@ -79,6 +79,121 @@ void yield_bound(const MaterialPoints<3>& points, const Strength& s, double* bou
   }
 }
 
+// What flow on the face F_13 does per unit of its multiplier; constant without softening.
+struct Face {
+  double spread, rise, fall;  // D r: middle stress falls by spread, S1 rises by rise, S3 falls by fall [stress]
+  double inverse;             // 1/a
+  double share;               // of the multiplier that flows in the step, for its viscosity
+  double shear, volume;       // plastic shear and volume
+  double high, low;           // r: plastic strain along S3 and, negative, along S1
+
+  Face(const MohrCoulombLaw& law, double dt) {
+    const double lambda = law.elastic.lambda, mu = law.elastic.mu;
+    const double sf = law.pyramid().strength().sin_friction, sp = law.pyramid().strength().sin_dilation;
+    const double a = mu + (lambda + mu) * sf * sp;
+    spread = lambda * sp, rise = mu * (1 - sp) - spread, fall = mu * (1 + sp) + spread, inverse = 1 / a;
+    share = dt / (dt + law.relaxation_time) * a / (a + law.viscosity / dt);
+    high = 0.5 * (1 + sp), low = 0.5 * (1 - sp), volume = sp;
+    shear = std::sqrt(0.5 * (high * high + low * low - sp * sp / 3));
+  }
+
+  // The multiplier that flows, or 0 if the face is not where this sorted trial stress returns to.
+  double multiplier(double S1, double S2, double S3, const Strength& s) const {
+    const double excess =
+        0.5 * (1 + s.sin_friction) * S3 - 0.5 * (1 - s.sin_friction) * S1 - s.cohesion * s.cos_friction;
+    const double m = excess * inverse, middle = S2 - spread * m, last = S3 - fall * m;
+    const bool here = (excess > 0) & (S1 + rise * m <= middle) & (middle <= last) & (last <= s.tension);
+    return here ? share * m : 0.0;
+  }
+};
+
+// Returns the points that belong on the face, and sets their `bound` to 0.
+void flow_on_face(const Slice<2>& slice, const Face face, const Strength strength, double* __restrict bound) {
+  double* __restrict xx = slice.points.stress[0];
+  double* __restrict yy = slice.points.stress[1];
+  double* __restrict zz = slice.points.stress[2];
+  double* __restrict xy = slice.points.stress[3];
+  double* __restrict shear = slice.columns[0];
+  double* __restrict volume = slice.columns[1];
+  double* __restrict dissipation = slice.columns[3];
+#pragma omp simd
+  for (int i = 0; i < slice.points.count; ++i) {
+    const double mean = 0.5 * (xx[i] + yy[i]), half = 0.5 * (xx[i] - yy[i]), t = xy[i], z = zz[i];
+    const double radius = std::sqrt(half * half + t * t), low = mean - radius, high = mean + radius;
+    const bool first = z <= low, last = !first & (z > high);  // place of zz among the principal values
+    const double S1 = first ? z : low, S3 = last ? z : high, S2 = first ? low : last ? high : z;
+    const double m = face.multiplier(S1, S2, S3, strength);
+    const double c1 = -face.rise * m, c2 = face.spread * m, c3 = face.fall * m;
+    const double c_low = first ? c2 : c1, c_high = last ? c2 : c3;
+    const double turn = radius > 0 ? 0.5 * (c_high - c_low) / radius : 0.0, centre = 0.5 * (c_high + c_low);
+    xx[i] -= centre + turn * half;
+    yy[i] -= centre - turn * half;
+    xy[i] -= turn * t;
+    zz[i] -= first ? c1 : last ? c3 : c2;
+    shear[i] += face.shear * m;
+    volume[i] += face.volume * m;
+    dissipation[i] += volume_ratio<2>(slice.points, i) * m * (face.high * (S3 - c3) - face.low * (S1 - c1));
+    bound[i] = m > 0 ? 0.0 : bound[i];
+  }
+}
+
+// Principal values and axes of a slice: S1 S2 S3 and the axes of S1, S2, S3.
+using Spectrum = std::array<std::array<double, chunk>, 12>;
+
+void decompose(const Slice<3>& slice, Spectrum& spectrum) {
+  const auto& s = slice.points.stress;
+  const double* __restrict xx = s[0];
+  const double* __restrict yy = s[1];
+  const double* __restrict zz = s[2];
+  const double* __restrict xy = s[3];
+  const double* __restrict yz = s[4];
+  const double* __restrict xz = s[5];
+// not `omp simd`, which keeps the local Principal in memory and then gives up
+#pragma GCC ivdep
+  for (int i = 0; i < slice.points.count; ++i) {
+    const Principal p = principal(xx[i], yy[i], zz[i], xy[i], yz[i], xz[i]);
+    const auto n = static_cast<std::size_t>(i);
+    spectrum[0][n] = p.value[0], spectrum[1][n] = p.value[1], spectrum[2][n] = p.value[2];
+    spectrum[3][n] = p.axis[0][0], spectrum[4][n] = p.axis[0][1], spectrum[5][n] = p.axis[0][2];
+    spectrum[6][n] = p.axis[1][0], spectrum[7][n] = p.axis[1][1], spectrum[8][n] = p.axis[1][2];
+    spectrum[9][n] = p.axis[2][0], spectrum[10][n] = p.axis[2][1], spectrum[11][n] = p.axis[2][2];
+  }
+}
+
+void flow_on_face(const Slice<3>& slice, const Face face, const Strength strength, double* __restrict bound) {
+  Spectrum spectrum;
+  decompose(slice, spectrum);
+  double* __restrict xx = slice.points.stress[0];
+  double* __restrict yy = slice.points.stress[1];
+  double* __restrict zz = slice.points.stress[2];
+  double* __restrict xy = slice.points.stress[3];
+  double* __restrict yz = slice.points.stress[4];
+  double* __restrict xz = slice.points.stress[5];
+  double* __restrict shear = slice.columns[0];
+  double* __restrict volume = slice.columns[1];
+  double* __restrict dissipation = slice.columns[3];
+  const double* first = spectrum[0].data();
+  const auto part = [first](int k, int i) { return first[k * chunk + i]; };
+#pragma omp simd
+  for (int i = 0; i < slice.points.count; ++i) {
+    const double S1 = part(0, i), S3 = part(2, i), m = face.multiplier(S1, part(1, i), S3, strength);
+    // change of S1 and S3 beyond that of S2, which all three share
+    const double all = face.spread * m, one = -face.rise * m - all, three = face.fall * m - all;
+    const double a = part(3, i), b = part(4, i), c = part(5, i), d = part(9, i), e = part(10, i), f = part(11, i);
+    xx[i] -= all + one * a * a + three * d * d;
+    yy[i] -= all + one * b * b + three * e * e;
+    zz[i] -= all + one * c * c + three * f * f;
+    xy[i] -= one * a * b + three * d * e;
+    yz[i] -= one * b * c + three * e * f;
+    xz[i] -= one * a * c + three * d * f;
+    shear[i] += face.shear * m;
+    volume[i] += face.volume * m;
+    dissipation[i] +=
+        volume_ratio<3>(slice.points, i) * m * (face.high * (S3 - three - all) - face.low * (S1 - one - all));
+    bound[i] = m > 0 ? 0.0 : bound[i];
+  }
+}
+
 class MohrCoulomb final : public Material {
  public:
   explicit MohrCoulomb(MohrCoulombLaw law) : law_(std::move(law)) {}
@@ -121,6 +236,8 @@ class MohrCoulomb final : public Material {
     }
     std::array<double, chunk> bound;
     yield_bound(slice.points, law_.pyramid().strength(), bound.data());
+    if (*std::max_element(bound.begin(), bound.begin() + slice.points.count) <= 0) return;
+    flow_on_face(slice, Face(law_, slice.points.dt), law_.pyramid().strength(), bound.data());
     for (int i = 0; i < slice.points.count; ++i)
       if (bound[static_cast<std::size_t>(i)] > 0) plastic_point(slice, i, law_.pyramid());
   }

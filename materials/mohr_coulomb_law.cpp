@@ -5,11 +5,11 @@
 namespace tribo {
 namespace {
 
-// The x > 0 with x = y(x). For softening y grows with x and is largest, `far`, when all strength is lost; for hardening
-// it falls from y(0). Exact after one secant step where y is linear. If several x qualify (the material softens faster
-// than it can unload), one of them is returned: the step jumps along the softening branch.
-template <class Function>
-double increment(Function&& y, double far, double resolution) {
+// The x > 0 with x = y(x). For softening y grows with x and is largest, `far()`, when all strength is lost; for
+// hardening it falls from y(0). Exact after one secant step where y is linear. If several x qualify (the material
+// softens faster than it can unload), one of them is returned: the step jumps along the softening branch.
+template <class Function, class Far>
+double increment(Function&& y, Far&& far, double resolution) {
   double x0 = 0, g0 = -y(0);
   double x1 = -g0;
   if (!(x1 > 0)) return 0;
@@ -20,7 +20,7 @@ double increment(Function&& y, double far, double resolution) {
     (g1 < 0 ? low : high) = x1;
     double x2 = x1 - g1 * (x1 - x0) / (g1 - g0);
     if (!(x2 > low && x2 < high) || k > 30) {
-      if (std::isinf(high)) high = std::max(2 * x1, 1.000001 * far);
+      if (std::isinf(high)) high = std::max(2 * x1, 1.000001 * far());
       x2 = 0.5 * (low + high);
     }
     if (x2 == low || x2 == high) return x2;
@@ -157,19 +157,22 @@ Returned MohrCoulombLaw::settle(const Triple& trial, double share, double drag, 
   };
   constexpr double all = std::numeric_limits<double>::infinity();
   const auto with_opening = [&](double opened) {
-    attempt(all, opened);
-    const double far = shear_of(now);
-    return increment([&](double dk) { return attempt(dk, opened), shear_of(now); }, far, 1e-16 * before);
+    const auto sheared = [&](double dk) { return attempt(dk, opened), shear_of(now); };
+    return increment(
+        sheared, [&] { return sheared(all); }, 1e-16 * before);
   };
   double opened = 0;
   if (tension_softens_) {
-    attempt(all, all);
-    const double far = share * now.opening;
-    opened = increment([&](double dt) { return with_opening(dt), share * now.opening; }, far, 1e-16 * before_t);
+    const auto open = [&](double dt) { return with_opening(dt), share * now.opening; };
+    const auto far = [&] { return attempt(all, all), share * now.opening; };
+    opened = increment(open, far, 1e-16 * before_t);
   }
-  attempt(with_opening(opened), opened);
-  state.plastic_shear += shear_of(now);
-  state.tension_strain += share * now.opening;
+  // Where the material softens faster than it unloads, the increments may be those of a jump; the stress is that of the
+  // strength they leave.
+  const double sheared = with_opening(opened);
+  attempt(sheared, opened);
+  state.plastic_shear += sheared;
+  state.tension_strain += opened;
   return now;
 }
 

@@ -9,7 +9,7 @@ namespace tribo {
 struct MohrCoulombState {
   double plastic_shear = 0;   ///< kappa: path length of sqrt(e:e/2), e the deviatoric plastic strain
   double plastic_volume = 0;  ///< trace of the plastic strain
-  double tension_strain = 0;  ///< kappa_t: path length of the plastic strain of the tension cut-off
+  double tension_strain = 0;  ///< kappa_t: plastic volume strain of the tension cut-off
   double dissipation = 0;     ///< plastic work per initial volume [stress]
 };
 

@@ -85,9 +85,8 @@ struct Search {
       Returned r{g.trial, 0};
       for (std::size_t j = 0; j < N; ++j) {
         for (std::size_t i = 0; i < 3; ++i) r.stress[i] -= flow[j][i] * multipliers[j];
-        if (set[j].from < 0) r.opening += multipliers[j] * multipliers[j];
+        if (set[j].from < 0) r.opening += multipliers[j];
       }
-      r.opening = std::sqrt(r.opening);
       return r;
     };
     const auto multipliers = solve(m, f);
@@ -116,6 +115,7 @@ Returned Pyramid::corner(const Triple& trial, double drag) const {
 
   // The tension planes can only matter for a trial stress beyond them, unless shear raises S3 (negative lambda).
   const bool tension = trial[2] > s_.tension || (lambda_ < 0 && std::isfinite(s_.tension));
+  if (trial[0] > s_.tension && search.attempt<T3, T2, T1>()) return search.best;
   if (search.attempt<F13, F12>() || search.attempt<F13, F23>() || search.attempt<F13>()) return search.best;
   if (tension && (search.attempt<T3>() || search.attempt<F13, T3>() || search.attempt<T3, T2>() ||
                   search.attempt<T3, T2, T1>() || search.attempt<F13, F23, T3>() || search.attempt<F13, F12, T3>() ||
@@ -127,7 +127,7 @@ Returned Pyramid::corner(const Triple& trial, double drag) const {
   if (search.least <= 1e-9 * std::max(s_.cohesion, size)) return search.best;
   const double apex = s_.tension;
   const double volume = (trial[0] + trial[1] + trial[2] - 3 * apex) / (3 * lambda_ + 2 * mu_);
-  Returned r{{apex, apex, apex}, std::max(0.0, volume) / std::sqrt(3.0)};
+  Returned r{{apex, apex, apex}, std::max(0.0, volume)};
   if (drag > 0) {  // overstress of the triple of tension planes
     const double kept = drag / (3 * lambda_ + 2 * mu_ + drag);
     for (std::size_t i = 0; i < 3; ++i) r.stress[i] += kept * (trial[i] - apex);

@@ -23,7 +23,8 @@ struct Strength {
 /// A stress on or inside the pyramid.
 struct Returned {
   Triple stress;
-  double opening = 0;  ///< norm of the plastic strain of the tension planes [-]
+  /// Plastic volume strain of the tension planes: the sum of their multipliers, unique also where four planes meet.
+  double opening = 0;
 };
 
 class Pyramid {

@@ -3,6 +3,7 @@
 
 #include "base/error.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -25,11 +26,14 @@ double out_of_plane_rate(Function&& stress_zz, double modulus, double dt) {
     if (std::abs(s1) <= tolerance) return r1;
     (s1 < 0 ? low : high) = r1;
     const double slope = (s1 - s0) / (r1 - r0);
-    double r2 = slope > 0 ? r1 - s1 / slope : std::copysign(infinite, -s1);
-    if (!(r2 > low && r2 < high))
-      r2 = std::isfinite(low) && std::isfinite(high) ? 0.5 * (low + high) : r1 + 2 * std::copysign(r1 - r0, -s1);
-    else if (k > 20 && std::isfinite(low) && std::isfinite(high))
-      r2 = k % 2 ? 0.5 * (low + high) : r2;
+    const bool bracketed = std::isfinite(low) && std::isfinite(high);
+    double r2 = r1 - s1 / slope;
+    if (!bracketed) {  // go on downhill, but not far on a plateau whose slope is round-off
+      const double reach = 8 * std::max(std::abs(r1 - r0), std::abs(s1) / (modulus * dt));
+      if (!(slope > 0 && std::abs(r2 - r1) < reach)) r2 = r1 - std::copysign(reach, s1);
+    } else if (!(r2 > low && r2 < high) || (k > 20 && k % 2)) {
+      r2 = 0.5 * (low + high);
+    }
     if (r2 == r1 || r2 == low || r2 == high) return r1;
     if (!(std::abs(r2) * dt < largest_strain)) break;
     r0 = r1, s0 = s1, r1 = r2;

@@ -36,62 +36,54 @@ inline double separate_root(double r) {
 /// conditioned and come from the characteristic cubic and its cofactors; the two others are those of a 2x2 tensor in
 /// the plane across that axis, whose angle is well conditioned even when they are equal. Eberly, A Robust Eigensolver
 /// for 3x3 Symmetric Matrices (2014).
-inline Principal principal(double xx, double yy, double zz, double xy, double yz, double xz) {
+///
+/// Written without branches so that loops over points vectorise.
+[[gnu::always_inline]] inline Principal principal(double xx, double yy, double zz, double xy, double yz, double xz) {
+  constexpr double tiny = std::numeric_limits<double>::min();
   const double mean = (xx + yy + zz) / 3;
   const double a = xx - mean, b = yy - mean, c = zz - mean;
   const double J2 = 0.5 * (a * a + b * b + c * c) + xy * xy + yz * yz + xz * xz;
-  if (!(J2 > 1e-32 * mean * mean + std::numeric_limits<double>::min() * 1e20))
-    return {{mean, mean, mean}, {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}};
+  const double idle = J2 < 1e-140 ? 1.0 : 0.0;  // isotropic: any axes will do, take the coordinate axes
 
   const double J3 = a * (b * c - yz * yz) - xy * (xy * c - yz * xz) + xz * (xy * yz - b * xz);
-  const double k = std::sqrt(J2 / 3);
-  const double t = separate_root(std::min(1.0, std::abs(J3) / (2 * k * k * k)));
-  const double apart = std::copysign(k * t, J3);
+  const double k = std::sqrt(J2 / 3), cosine3 = std::abs(J3) / (2 * k * k * k + tiny);
+  const double apart = std::copysign(k * separate_root(cosine3 < 1 ? cosine3 : 1.0), J3);
 
-  // cofactors of (deviator - apart) are a multiple of v v^T
+  // cofactors of (deviator - apart) are a multiple of v v^T; take the largest column
   const double A = a - apart, B = b - apart, C = c - apart;
   const double c00 = B * C - yz * yz, c11 = A * C - xz * xz, c22 = A * B - xy * xy;
   const double c01 = xz * yz - xy * C, c02 = xy * yz - xz * B, c12 = xy * xz - yz * A;
-  Triple v;
   const double d0 = std::abs(c00), d1 = std::abs(c11), d2 = std::abs(c22);
-  if (d0 >= d1 && d0 >= d2)
-    v = {c00, c01, c02};
-  else if (d1 >= d2)
-    v = {c01, c11, c12};
-  else
-    v = {c02, c12, c22};
-  const double scale = 1 / std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-  for (double& x : v) x *= scale;
+  const bool first = (d0 >= d1) & (d0 >= d2), second = d1 >= d2;
+  const double n0 = second ? c01 : c02, n1 = second ? c11 : c12, n2 = second ? c12 : c22;
+  const double w0 = (first ? c00 : n0) + idle, w1 = first ? c01 : n1, w2 = first ? c02 : n2;
+  const double scale = 1 / std::sqrt(w0 * w0 + w1 * w1 + w2 * w2 + tiny);
+  const double v0 = w0 * scale, v1 = w1 * scale, v2 = w2 * scale;
 
-  Triple u;
-  if (std::abs(v[0]) > std::abs(v[1])) {
-    const double s = 1 / std::sqrt(v[0] * v[0] + v[2] * v[2]);
-    u = {-v[2] * s, 0, v[0] * s};
-  } else {
-    const double s = 1 / std::sqrt(v[1] * v[1] + v[2] * v[2]);
-    u = {0, v[2] * s, -v[1] * s};
-  }
-  const Triple w{v[1] * u[2] - v[2] * u[1], v[2] * u[0] - v[0] * u[2], v[0] * u[1] - v[1] * u[0]};
+  // u across v, w across both
+  const bool wide = std::abs(v0) > std::abs(v1);
+  const double long_side = wide ? v0 : v1, shrink = 1 / std::sqrt(long_side * long_side + v2 * v2 + tiny);
+  const double u0 = wide ? -v2 * shrink : 0.0, u1 = wide ? 0.0 : v2 * shrink, u2 = (wide ? v0 : -v1) * shrink;
+  const double t0 = v1 * u2 - v2 * u1, t1 = v2 * u0 - v0 * u2, t2 = v0 * u1 - v1 * u0;
 
-  const double p0 = a * u[0] + xy * u[1] + xz * u[2], p1 = xy * u[0] + b * u[1] + yz * u[2],
-               p2 = xz * u[0] + yz * u[1] + c * u[2];
-  const double half = u[0] * p0 + u[1] * p1 + u[2] * p2 + 0.5 * apart;  // the deviator has no trace
-  const double off = w[0] * p0 + w[1] * p1 + w[2] * p2;
+  const double p0 = a * u0 + xy * u1 + xz * u2, p1 = xy * u0 + b * u1 + yz * u2, p2 = xz * u0 + yz * u1 + c * u2;
+  const double half = u0 * p0 + u1 * p1 + u2 * p2 + 0.5 * apart;  // the deviator has no trace
+  const double off = t0 * p0 + t1 * p1 + t2 * p2;
   const double radius = std::sqrt(half * half + off * off);
-  double cosine = 1, sine = 0;  // of half the angle 2 theta, tan(2 theta) = off / half
-  if (radius > 0) {
-    const double big = std::sqrt(0.5 * (1 + std::abs(half) / radius)), small = off / (2 * radius * big);
-    cosine = half >= 0 ? big : std::abs(small);
-    sine = half >= 0 ? small : std::copysign(big, off);
-  }
-  Triple high, low;
-  for (std::size_t i = 0; i < 3; ++i) {
-    high[i] = cosine * u[i] + sine * w[i];
-    low[i] = cosine * w[i] - sine * u[i];
-  }
-  const double centre = mean - 0.5 * apart;
-  if (apart > 0) return {{centre - radius, centre + radius, mean + apart}, {low, high, v}};
-  return {{mean + apart, centre - radius, centre + radius}, {v, low, high}};
+  // cosine and sine of the angle theta with tan(2 theta) = off / half
+  const double inverse = radius > 0 ? 1 / radius : 0.0, share = radius > 0 ? std::abs(half) * inverse : 1.0;
+  const double big = std::sqrt(0.5 * (1 + share)), small = off * inverse / (2 * big);
+  const double cosine = half >= 0 ? big : std::abs(small), sine = half >= 0 ? small : std::copysign(big, off);
+  const double h0 = cosine * u0 + sine * t0, h1 = cosine * u1 + sine * t1, h2 = cosine * u2 + sine * t2;
+  const double l0 = cosine * t0 - sine * u0, l1 = cosine * t1 - sine * u1, l2 = cosine * t2 - sine * u2;
+
+  const double high = mean - 0.5 * apart + radius, low = mean - 0.5 * apart - radius, lone = mean + apart;
+  const bool top = apart > 0;  // the lone value is the largest
+  const double S1 = top ? low : lone, S2 = top ? high : low, S3 = top ? lone : high;
+  const double x1 = top ? l0 : v0, y1 = top ? l1 : v1, z1 = top ? l2 : v2;
+  const double x2 = top ? h0 : l0, y2 = top ? h1 : l1, z2 = top ? h2 : l2;
+  const double x3 = top ? v0 : h0, y3 = top ? v1 : h1, z3 = top ? v2 : h2;
+  return {{S1, S2, S3}, {{{x1, y1, z1}, {x2, y2, z2}, {x3, y3, z3}}}};
 }
 
 inline Principal principal(const Mat3& s) { return principal(s(0, 0), s(1, 1), s(2, 2), s(0, 1), s(1, 2), s(0, 2)); }

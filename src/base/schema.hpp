@@ -4,6 +4,7 @@
 #include "base/statement.hpp"
 #include "base/units.hpp"
 
+#include <array>
 #include <limits>
 #include <optional>
 #include <string>
@@ -77,8 +78,9 @@ void read_law(Law& law, const Statement& statement, const std::vector<std::strin
   std::vector<ParameterInfo> infos;
   for (const auto& p : table) infos.push_back(p.info());
   const auto values = read_parameters(statement, infos, handled_elsewhere, units, problems);
-  for (std::size_t k = 0; k < values.size(); ++k)
-    if (values[k]) law.*(table[k].member) = *values[k];
+  if constexpr (std::tuple_size_v<decltype(table)> > 0)  // a law may have no parameters
+    for (std::size_t k = 0; k < values.size(); ++k)
+      if (values[k]) law.*(table[k].member) = *values[k];
 }
 
 }  // namespace tribo

@@ -15,7 +15,11 @@ std::vector<std::pair<std::string, Properties>> laws() {
                         {"friction", "30"}, {"dilation", "10"}, {"tension", "2"}};
   Properties soft = soil;
   soft.insert(soft.end(), {{"cohesion_residual", "1"}, {"softening_end", "0.05"}, {"relaxation_time", "0.3"}});
-  return {{"LinearElastic", {{"rho", "1"}, {"E", "1e3"}, {"nu", "0.3"}}}, {"MohrCoulomb", soil}, {"MohrCoulomb", soft}};
+  return {{"LinearElastic", {{"rho", "1"}, {"E", "1e3"}, {"nu", "0.3"}}},
+          {"NeoHookean", {{"rho", "1"}, {"E", "1e3"}, {"nu", "0.3"}}},
+          {"MooneyRivlin", {{"rho", "1"}, {"E", "1e3"}, {"nu", "0.3"}, {"G2", "100"}, {"UJOption", "2"}}},
+          {"MohrCoulomb", soil},
+          {"MohrCoulomb", soft}};
 }
 
 template <int Dim>
@@ -61,7 +65,7 @@ void check(const std::string& type, const Properties& properties, int count, boo
     worst = std::max(worst, std::abs(volume[i] - alone[i].volume));
   }
   INFO(type << " " << Dim << "D, " << count << " points, spin " << spin);
-  REQUIRE(worst < 1e-12);
+  REQUIRE(worst < 5e-11);  // plane stress is solved to 1e-14 of the modulus, 1.3e3
 }
 
 }  // namespace

@@ -1,0 +1,20 @@
+/// Rigid bodies with prescribed motion that other materials touch by contact laws.
+
+#include "materials/rigid_material.hpp"
+
+namespace tribo {
+namespace {
+
+struct RigidContact {
+  static constexpr std::string_view name = "RigidContact";
+  static constexpr std::string_view summary = "Rigid body with prescribed motion, touched through contact laws.";
+  static constexpr int number = 35;
+  static std::array<Parameter<RigidContact>, 0> parameters() { return {}; }
+  void prepare(const Statement&, Problems&) {}
+};
+
+}  // namespace
+
+Catalogue<Material>::Item rigid_contact() { return material_law<RigidContact, RigidBody<RigidContact>>(); }
+
+}  // namespace tribo
