@@ -18,10 +18,12 @@ inline constexpr int block_nodes = Dim == 2 ? 64 : 64;
 template <int Dim>
 using Index = std::array<int, static_cast<std::size_t>(Dim)>;
 
-/// Geometry only; what lives on the nodes is in nodes.hpp. Surrounded by one block of padding on every side, so that
-/// stencils of points inside the user's grid, and the neighbours of their blocks, always exist.
+/// Geometry only; what lives on the nodes is in nodes.hpp. Surrounded by padding on every side, so that the blocks of
+/// stencils of points inside the user's grid, and the neighbours of those blocks, always exist.
 template <int Dim>
 struct Lattice {
+  static constexpr int padding = 2 * block_edge<Dim>;  ///< nodes below the user's lowest node
+
   Vec<Dim> origin;     ///< lowest node, padding included                [length]
   Vec<Dim> spacing;    ///< cell edges                                   [length]
   Vec<Dim> low, high;  ///< the user's grid: points must stay inside     [length]
@@ -32,8 +34,8 @@ struct Lattice {
     for (int d = 0; d < Dim; ++d) {
       const auto k = static_cast<std::size_t>(d);
       spacing[d] = (to[d] - from[d]) / cells[k];
-      origin[d] = from[d] - block_edge<Dim> * spacing[d];
-      blocks[k] = (cells[k] + 1 + 2 * block_edge<Dim> + block_edge<Dim> - 1) / block_edge<Dim> + 1;
+      origin[d] = from[d] - padding * spacing[d];
+      blocks[k] = (cells[k] + 1 + 2 * padding + block_edge<Dim> - 1) / block_edge<Dim>;
     }
   }
 

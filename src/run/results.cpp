@@ -216,8 +216,8 @@ void Results<Dim>::write_grid(std::int64_t number) {
     for (int j = 0; j < nodes[1]; ++j)
       for (int i = 0; i < nodes[0]; ++i, ++at) {
         Index<Dim> n{};
-        n[0] = i + block_edge<Dim>, n[1] = j + block_edge<Dim>;
-        if constexpr (Dim == 3) n[2] = k + block_edge<Dim>;
+        n[0] = i + Lattice<Dim>::padding, n[1] = j + Lattice<Dim>::padding;
+        if constexpr (Dim == 3) n[2] = k + Lattice<Dim>::padding;
         const auto position = field.map.node(n);
         if (position < 0 || field.nodes.empty()) continue;
         const Node& node = field.nodes[static_cast<std::size_t>(position)];

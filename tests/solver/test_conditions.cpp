@@ -1,0 +1,138 @@
+#include "cloud.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace tribo;
+using namespace tribo::test;
+
+namespace {
+
+// Mass shares of a single particle at distance x (cells) from the plane at node 0 of the user's grid, after folding.
+std::vector<double> folded_weights(Kernel kernel, double x, bool symmetry, bool high_side) {
+  Model model = grid_model<2>(kernel, Transfer::flip);
+  auto& plane = symmetry ? model.grid.symmetry : model.grid.wall;
+  plane[0][high_side ? 1 : 0] = high_side ? 24.0 : 0.0;
+  Seed s;
+  s.x = Vec3(high_side ? 24 - x : x, 12, 0), s.half_size = Vec3(0.25, 0.25, 0), s.volume = 0.25, s.mass = 1;
+  auto system = build_system<2>(model, {s});
+  settle(system);
+  auto& field = system.fields[0];
+  Conditions<2> conditions(model, system.lattice);
+  conditions.locate(field.map);
+  make_transfers<2>(model.scheme)->scatter(system.bodies[0], field.map, field.nodes, Scatter::momentum, false, false);
+  conditions.fold(field.nodes);
+  std::vector<double> shares(5, 0.0);
+  for (std::int64_t n = 0; n < field.map.node_count(); ++n) {
+    const int i = field.map.node_at(n)[0] - Lattice<2>::padding;
+    const int from_plane = high_side ? 24 - i : i;
+    const double mass = field.nodes[static_cast<std::size_t>(n)].mass;
+    if (from_plane >= 0 && from_plane < 5)
+      shares[static_cast<std::size_t>(from_plane)] += mass;
+    else
+      REQUIRE(mass == 0.0);
+  }
+  return shares;
+}
+
+void equal(const std::vector<double>& a, const std::vector<double>& b) {
+  for (std::size_t k = 0; k < b.size(); ++k) CHECK(std::abs(a[k] - b[k]) < 1e-14);
+}
+
+}  // namespace
+
+TEST_CASE("a wall gives the boundary-modified B-splines", "[conditions]") {
+  for (const bool high : {false, true}) {
+    equal(folded_weights(Kernel::quadratic_spline, 0.2, false, high), {0.8, 0.2, 0, 0, 0});
+    equal(folded_weights(Kernel::quadratic_spline, 0.5, false, high), {0.5, 0.5, 0, 0, 0});
+    equal(folded_weights(Kernel::quadratic_spline, 0.9, false, high), {0.18, 0.74, 0.08, 0, 0});
+    // w = 2/3 - x^2 + x^3/2 + 2 (1-x)^3/6 at the wall and so on, x = 0.2
+    equal(folded_weights(Kernel::cubic_spline, 0.2, false, high),
+          {0.80133333333333334, 0.19733333333333333, 0.0013333333333333333, 0, 0});
+    equal(folded_weights(Kernel::quadratic_spline, 0.0, false, high), {1, 0, 0, 0, 0});
+    equal(folded_weights(Kernel::cubic_spline, 0.0, false, high), {1, 0, 0, 0, 0});
+  }
+}
+
+TEST_CASE("a symmetry plane adds the mirror image", "[conditions]") {
+  for (const bool high : {false, true}) {
+    // quadratic weights at x = 0.2: 0.045 at -1, 0.71 at 0, 0.245 at 1; the image has 0.245, 0.71, 0.045
+    equal(folded_weights(Kernel::quadratic_spline, 0.2, true, high), {1.42, 0.29, 0, 0, 0});
+  }
+}
+
+TEST_CASE("linear fields pass a wall unchanged", "[conditions]") {
+  Model model = grid_model<2>(Kernel::cubic_spline, Transfer::pic);
+  model.grid.wall[0][0] = 0.0, model.grid.wall[1][1] = 24.0;
+  Seed s;
+  s.x = Vec3(0.3, 23.8, 0), s.half_size = Vec3(0.25, 0.25, 0), s.volume = 0.25, s.mass = 1;
+  auto system = build_system<2>(model, {s});
+  settle(system);
+  auto& field = system.fields[0];
+  Conditions<2> conditions(model, system.lattice);
+  conditions.locate(field.map);
+  for (std::int64_t n = 0; n < field.map.node_count(); ++n) {
+    const Vec<2> x = system.lattice.position(field.map.node_at(n));
+    Node& node = field.nodes[static_cast<std::size_t>(n)];
+    const bool inside = x[0] > -0.5 && x[1] < 24.5;
+    node.velocity[0] = inside ? 1 + 2 * x[0] - x[1] : 1e9;  // what is beyond must not matter
+    node.velocity[1] = inside ? 3 - x[0] : -1e9;
+  }
+  conditions.extend(field.nodes);
+  Gather what;
+  what.move = true, what.flip = 0, what.dt = 1e-12;
+  make_transfers<2>(model.scheme)->gather(system.bodies[0], field.map, field.nodes, what);
+  CHECK(system.bodies[0].particles.velocity(0)[0] == Approx(1 + 0.6 - 23.8).epsilon(1e-12));
+  CHECK(system.bodies[0].particles.velocity(0)[1] == Approx(2.7).epsilon(1e-12));
+}
+
+TEST_CASE("a block against a symmetry plane moves like half of the whole block", "[conditions]") {
+  const Kernel kernel = GENERATE(from_range(all_kernels));
+  INFO(name(kernel));
+  const auto run = [&](bool half) {
+    Model model = grid_model<2>(kernel, Transfer::flip);
+    if (half) model.grid.symmetry[0][0] = 12.0;
+    std::vector<Seed> seeds;
+    for (const Seed& s : lattice_seeds<2>(model, 8, 16)) {
+      Seed moved = s;
+      const double u = s.x[0] - 12, w = s.x[1] - 12;
+      moved.v = Vec3(-3 * std::sin(0.3 * u), std::cos(0.4 * u) * w * 0.2, 0);
+      if (!half || s.x[0] > 12) seeds.push_back(moved);
+    }
+    auto system = build_system<2>(model, seeds);
+    Stepper<2> stepper(model, system);
+    for (int k = 0; k < 100; ++k) stepper.advance(2e-3);
+    std::vector<std::array<double, 4>> right;
+    for (std::size_t i = 0; i < system.bodies[0].particles.size(); ++i) {
+      const Vec<2> x = system.bodies[0].particles.position(i), v = system.bodies[0].particles.velocity(i);
+      if (x[0] > 12) right.push_back({x[1], x[0], v[0], v[1]});
+    }
+    std::sort(right.begin(), right.end());
+    return right;
+  };
+  const auto whole = run(false), half = run(true);
+  REQUIRE(whole.size() == half.size());
+  double worst = 0;
+  for (std::size_t i = 0; i < whole.size(); ++i)
+    for (std::size_t k = 0; k < 4; ++k) worst = std::max(worst, std::abs(whole[i][k] - half[i][k]));
+  CHECK(worst < 1e-9);  // round-off, amplified over 100 steps
+}
+
+TEST_CASE("prescribed velocities hold, react and do work", "[conditions]") {
+  const auto order = GENERATE(UpdateOrder::usf, UpdateOrder::usl, UpdateOrder::usavg);
+  const bool again = GENERATE(false, true);
+  Model model = grid_model<2>(Kernel::gimp, Transfer::flip, order, again);
+  NodeCondition condition;
+  condition.where = rectangle(0, 24, 0, 24);
+  condition.direction = Vec3::UnitX();
+  condition.velocity.value = 2.0;
+  model.node_conditions.push_back(condition);
+  auto system = build_system<2>(model, lattice_seeds<2>(model, 8, 16));
+  Stepper<2> stepper(model, system);
+  stepper.advance(1e-4);
+  const Measures m = measure(system);
+  // From rest to 2 in one step: the impulse is m v, the work m v^2/2
+  CHECK(m.momentum[0] == Approx(m.mass * 2).epsilon(1e-10));
+  CHECK(stepper.conditions(0).impulse()[0] == Approx(m.mass * 2).epsilon(1e-10));
+  CHECK(stepper.conditions(0).work() == Approx(m.kinetic).epsilon(1e-10));
+  CHECK(stepper.conditions(0).reactions()[0][0] == Approx(m.mass * 2 / 1e-4).epsilon(1e-10));
+}
