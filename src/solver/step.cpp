@@ -399,7 +399,7 @@ void Stepper<Dim>::stop_at_bad_particle() const {
         const bool finite = x.allFinite() && v.allFinite();
         const bool inside = finite && (x.array() >= system_.lattice.low.array()).all() &&
                             (x.array() <= system_.lattice.high.array()).all();
-        const bool crushed = !(body.particles.volume()[i] > 0);
+        const bool crushed = finite && !(body.particles.volume()[i] > 0);
         if (inside && !crushed) continue;
         std::string at;
         for (int d = 0; d < Dim; ++d) at += (d ? ", " : "") + std::to_string(x[d]);

@@ -92,7 +92,7 @@ class ProductTransfers final : public Transfers<Dim> {
   }
 
   // C = B D^-1 with D = sum w (x_i - x)(x_i - x)^T, diagonal for product kernels. Where D vanishes (a point on a node
-  // of the linear kernel) there is no affine part.
+  // of the linear kernel) round-off would be amplified, so there is no affine part.
   static void prepare_affine(Body<Dim>& body, const Lattice<Dim>& lattice, const Stencils<Dim, Kernel>& stencils,
                              std::uint32_t first, int count, Given<Dim>& given) {
     const double* m = body.particles.mass() + first;
@@ -104,7 +104,7 @@ class ProductTransfers final : public Transfers<Dim> {
           moment += stencils.w[d][n][i] * distance * distance;
         }
         const double h = lattice.spacing[d];
-        const double scale = moment > 1e-8 * h * h ? m[i] / moment : 0.0;
+        const double scale = moment > 1e-2 * h * h ? m[i] / moment : 0.0;
         double* to = given.affine[d][i];
         to[0] = 0.0, to[3] = 0.0;
         for (int c = 0; c < Dim; ++c)
