@@ -26,10 +26,10 @@ constexpr std::string_view contact_laws[] = {"60",
                                              "LiquidContact",
                                              "NonlinearInterface"};
 
-std::vector<std::string> law_names() {
+std::vector<std::string> law_names(bool with_number) {
   std::vector<std::string> out;
   for (const auto& item : materials().items())
-    out.push_back(item.name + (item.number ? " (" + std::to_string(item.number) + ")" : ""));
+    out.push_back(item.name + (with_number && item.number ? " (" + std::to_string(item.number) + ")" : ""));
   return out;
 }
 
@@ -100,8 +100,8 @@ void Builder::materials() {
       problems_.add(type->origin,
                     contact ? "type '" + type->text +
                                   "' is a contact law, and contact between materials is not supported by Tribo"
-                            : "there is no material type '" + type->text + "'" + did_you_mean(type->text, law_names()) +
-                                  "; valid: " + join(law_names()));
+                            : "there is no material type '" + type->text + "'" +
+                                  did_you_mean(type->text, law_names(false)) + "; valid: " + join(law_names(true)));
     } else {
       spec.type = item->name;
       auto elsewhere = without_effect;

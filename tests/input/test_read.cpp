@@ -1,0 +1,111 @@
+#include "input/dialect.hpp"
+#include "input/read.hpp"
+#include "materials/material.hpp"
+#include "particles/seed.hpp"
+#include "run/simulation.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+using namespace tribo;
+
+namespace {
+
+const std::filesystem::path here = std::filesystem::path(__FILE__).parent_path();
+
+std::string text_of(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream buffer;
+  buffer << in.rdbuf();
+  return buffer.str();
+}
+
+}  // namespace
+
+TEST_CASE("every malformed command file is refused with places and the right words", "[input]") {
+  int count = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(here / "malformed")) {
+    ++count;
+    INFO(entry.path());
+    const std::string text = text_of(entry.path());
+    std::string expected;
+    if (const auto at = text.find("expect: "); at != std::string::npos)
+      expected = text.substr(at + 8, text.find(" -->", at) - at - 8);
+    bool refused = false;
+    try {
+      const Model model = read_model(entry.path());
+      preflight(model, 1);
+    } catch (const InputError& error) {
+      refused = true;
+      for (const auto& problem : error.problems()) {
+        INFO(problem.message);
+        CHECK(problem.origin.file);
+        CHECK(problem.origin.line > 0);
+        CHECK(problem.origin.column > 0);
+      }
+      CHECK_THAT(error.what(), Catch::Contains(expected));
+    }
+    CHECK(refused);
+  }
+  CHECK(count >= 60);
+}
+
+TEST_CASE("all problems are reported at once, in the order of the file", "[input]") {
+  try {
+    read_model_text("<JANFEAInput>\n <Header><Analysis>7</Analysis></Header>\n <Nonsense/>\n</JANFEAInput>",
+                    "deck.xml");
+    FAIL();
+  } catch (const InputError& error) {
+    REQUIRE(error.problems().size() >= 3);
+    CHECK_THAT(error.what(), Catch::Contains("deck.xml:2:20: error: <Analysis> needs one of 10, 11, 12, 13, not '7'") ||
+                                 Catch::Contains("deck.xml:2:10: error: <Analysis>"));
+    CHECK_THAT(error.what(), Catch::Contains("deck.xml:3:2: error: <Nonsense> is not known"));
+    for (std::size_t k = 1; k < error.problems().size(); ++k)
+      CHECK(error.problems()[k - 1].origin.line <= error.problems()[k].origin.line);
+  }
+}
+
+TEST_CASE("a legacy file is read into mm, g and s", "[input]") {
+  const Model m = read_model(here / "legacy_disks.xml");
+  CHECK(m.units.legacy);
+  CHECK(m.time.end == Approx(0.02));  // 20 ms
+  CHECK(m.output.archive.at(0).interval == Approx(5e-4));
+  CHECK(m.materials.at(0).law->density() == Approx(1.5e-3));                           // 1.5 g/cm^3
+  CHECK(m.materials.at(0).law->wave_modulus() == Approx(1e6 * 0.67 / (1.33 * 0.34)));  // MPa
+  CHECK(m.pieces.at(0).velocity[0] == 2500);                                           // mm/s
+  CHECK(m.pieces.at(1).velocity[0] == -2500);
+  CHECK(m.grid.low[0] == -52);
+  CHECK(m.grid.cells[0] == 52);
+  CHECK(m.grid.symmetry[0][0].value() == -52);
+  CHECK(m.scheme.kernel == Kernel::gimp);
+  CHECK(m.scheme.order == UpdateOrder::usavg);
+  CHECK(m.scheme.extrapolate_again);
+  CHECK(m.output.history.at(0).column == "velx:Left disk");
+  CHECK(place_points(m).size() == 2 * 716);
+}
+
+TEST_CASE("materials are numbered by first reference if names are used", "[input]") {
+  std::string text = text_of(here / "legacy_disks.xml");
+  const Model m = read_model_text(text, "deck.xml");
+  CHECK(m.materials.at(0).name == "Left disk");
+  CHECK(m.materials.at(1).name == "Right disk");
+}
+
+TEST_CASE("the cell size enlarges the upper edge to a whole cell", "[input]") {
+  std::string text = text_of(here / "legacy_disks.xml");
+  const auto at = text.find("ymax=\"&vmax;\"");
+  text.replace(at, 13, "ymax=\"23\"");
+  text.replace(text.find("symmax=\"&vmax;\""), 15, "");
+  const Model m = read_model_text(text, "deck.xml");
+  CHECK(m.grid.cells[1] == 24);
+  CHECK(m.grid.high[1] == 24);
+}
+
+TEST_CASE("the keyword table has no element twice in one parent", "[input]") {
+  const auto& all = dialect();
+  for (std::size_t a = 0; a < all.size(); ++a)
+    for (std::size_t b = 0; b < a; ++b) CHECK_FALSE((all[a].name == all[b].name && all[a].parents == all[b].parents));
+}
