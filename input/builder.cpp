@@ -43,9 +43,9 @@ double Builder::coordinate(const Statement& s, std::string_view attribute, int a
   return to_number(a->text).value_or(fallback) * unit_factor(s, Dimension::length);
 }
 
-std::string Builder::word(const Statement& s, std::string_view attribute, std::string fallback) const {
+std::string Builder::word(const Statement& s, std::string_view attribute, const std::string& fallback) const {
   const Attribute* a = s.attribute(attribute);
-  return a ? a->text : std::move(fallback);
+  return a ? a->text : fallback;
 }
 
 Expression Builder::function(const std::string& text, const Origin& origin) {

@@ -62,7 +62,7 @@ class Builder {
   double number(const Statement& s, std::string_view attribute, Dimension dimension, double fallback = 0.0);
   double coordinate(const Statement& s, std::string_view attribute, int axis, double fallback = 0.0);
   double text_number(const Statement& s, Dimension dimension, double fallback = 0.0);
-  std::string word(const Statement& s, std::string_view attribute, std::string fallback = {}) const;
+  std::string word(const Statement& s, std::string_view attribute, const std::string& fallback = {}) const;
   Expression function(const std::string& text, const Origin& origin);
   std::optional<Expression> function(const Statement& s, std::string_view attribute);
   /// Factor of the `units` attribute of an element; legacy files only.

@@ -13,7 +13,7 @@ namespace tribo {
 template <int Dim>
 inline constexpr int block_edge = Dim == 2 ? 8 : 4;
 template <int Dim>
-inline constexpr int block_nodes = Dim == 2 ? 64 : 64;
+inline constexpr int block_nodes = 64;  // 8^2 and 4^3
 
 template <int Dim>
 using Index = std::array<int, static_cast<std::size_t>(Dim)>;

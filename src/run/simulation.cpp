@@ -239,7 +239,7 @@ class Simulation {
     results.write_history(dt_);
     results.write_particles(archive_.count());
   }
-  bool last_written(Schedule schedule) const {
+  bool last_written(const Schedule& schedule) const {
     Schedule before = schedule;
     before.set_count(schedule.count() - 1);
     return schedule.count() > 0 && before.due(system_.time, 1e-6 * dt_) &&

@@ -188,7 +188,7 @@ void Conditions<Dim>::impose_update(NodeLayer& nodes, double time, double dt, bo
     Vec3 force = Vec3::Zero();
     force.head<Dim>() = node.mass * correction * chosen.direction;
     for (const auto c : chosen.conditions) reactions_[c] += force / static_cast<double>(chosen.conditions.size());
-    work_ += dt * node.mass * correction * (wanted - 0.5 * dt * correction);
+    work_ += dt * node.mass * correction * (wanted - 0.5 * dt * a.dot(chosen.direction));  // force times mid-step velocity
     impulse_ += dt * force;
   }
 }

@@ -172,7 +172,7 @@ void Stepper<Dim>::impose_rigid(Field<Dim>& field, std::size_t r, double dt, boo
       node.acceleration[d] += correction;
       const double force = node.mass * correction;
       rigid_reaction_[d] += force;
-      ledger_.rigid_work += dt * force * (wanted - 0.5 * dt * correction);
+      ledger_.rigid_work += dt * force * (wanted - 0.5 * dt * node.acceleration[d]);
     }
   }
 }
