@@ -99,28 +99,37 @@ void Conditions<Dim>::locate(const BlockMap<Dim>& map) {
 }
 
 template <int Dim>
-void Conditions<Dim>::fold(NodeLayer& nodes) const {
+void Conditions<Dim>::fold(NodeLayer& nodes, Fold what) const {
+  // Velocities that are already divided by the mass stay; only the forces scattered since are brought back.
+  const auto part = [&](const Node& node) {
+    const Wide all = Wide::load(node.data());
+    return what == Fold::everything ? all : Wide::join(Vec4{}, all.high());
+  };
+  const auto add = [](Node& to, const Wide& w) { (Wide::load(to.data()) + w).store(to.data()); };
   for (std::size_t p = 0; p < planes_.size(); ++p) {
     const Plane& plane = planes_[p];
     for (const Ghost& g : ghosts_[p]) {
       Node& ghost = nodes[static_cast<std::size_t>(g.ghost)];
       Node& inside = nodes[static_cast<std::size_t>(g.inside)];
-      const Wide beyond = Wide::load(ghost.data());
+      Node beyond{};
+      part(ghost).store(beyond.data());
       if (g.symmetry) {
-        ghost.velocity[plane.axis] = -ghost.velocity[plane.axis];
-        ghost.acceleration[plane.axis] = -ghost.acceleration[plane.axis];
-        (Wide::load(inside.data()) + Wide::load(ghost.data())).store(inside.data());
+        beyond.velocity[plane.axis] = -beyond.velocity[plane.axis];
+        beyond.acceleration[plane.axis] = -beyond.acceleration[plane.axis];
+        add(inside, part(beyond));
       } else {
-        Node& on = nodes[static_cast<std::size_t>(g.plane)];
-        (Wide::load(on.data()) + (g.depth + 1.0) * beyond).store(on.data());
-        (Wide::load(inside.data()) + -static_cast<double>(g.depth) * beyond).store(inside.data());
+        add(nodes[static_cast<std::size_t>(g.plane)], (g.depth + 1.0) * part(beyond));
+        add(inside, -static_cast<double>(g.depth) * part(beyond));
       }
-      Wide::zero().store(ghost.data());
+      if (what == Fold::everything)
+        Wide::zero().store(ghost.data());
+      else
+        store4(ghost.data() + 4, Vec4{});
     }
     if (plane.symmetry)
       for (const auto at : mirror_nodes_[plane.axis]) {
         Node& node = nodes[static_cast<std::size_t>(at)];
-        (2.0 * Wide::load(node.data())).store(node.data());
+        add(node, part(node));
         node.velocity[plane.axis] = node.acceleration[plane.axis] = 0.0;
       }
   }
@@ -188,7 +197,8 @@ void Conditions<Dim>::impose_update(NodeLayer& nodes, double time, double dt, bo
     Vec3 force = Vec3::Zero();
     force.head<Dim>() = node.mass * correction * chosen.direction;
     for (const auto c : chosen.conditions) reactions_[c] += force / static_cast<double>(chosen.conditions.size());
-    work_ += dt * node.mass * correction * (wanted - 0.5 * dt * a.dot(chosen.direction));  // force times mid-step velocity
+    work_ +=
+        dt * node.mass * correction * (wanted - 0.5 * dt * a.dot(chosen.direction));  // force times mid-step velocity
     impulse_ += dt * force;
   }
 }

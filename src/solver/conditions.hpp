@@ -8,6 +8,9 @@
 
 namespace tribo {
 
+/// What was scattered since the nodes were last folded.
+enum class Fold { everything, forces };
+
 /// Nodal conditions of the model, translated to the nodes that exist at present.
 template <int Dim>
 class Conditions {
@@ -22,7 +25,7 @@ class Conditions {
   /// Brings what was scattered beyond a plane back inside. A symmetry plane adds the mirror image; a wall gives the
   /// boundary-modified shape functions, in which the node k beyond the wall stands for (k+1) v0 - k v1.
   /// Steffen, Kirby & Berzins (2008); exact for linear fields.
-  void fold(NodeLayer& nodes) const;
+  void fold(NodeLayer& nodes, Fold what = Fold::everything) const;
   /// The values beyond the planes that belong to the values inside. Inverse of fold in the sense of the transfers.
   void extend(NodeLayer& nodes) const;
 

@@ -15,7 +15,9 @@ void Stepper<Dim>::advance(double dt) {
   const bool again = model_.scheme.extrapolate_again && order != UpdateOrder::usf;
   if (!system_.sorted || system_.drift >= 1.0 - 1e-6) sort();
 
-  // 1. Particles to nodes: mass, momentum; stress last also needs nothing else before the forces
+  filtering_ = filter_now();
+
+  // 1. Particles to nodes: mass and momentum; if stress comes last, forces in the same sweep
   remember_domains();
   clear();
   apply_loads(dt);
@@ -26,8 +28,8 @@ void Stepper<Dim>::advance(double dt) {
     // 2. Stress first (or half of it): strain from the extrapolated velocities
     scatter(Scatter::momentum);
     divide_by_mass();
-    for (std::size_t f = 0; f < conditions_.size(); ++f)
-      conditions_[f].impose(system_.fields[f].nodes, system_.time, dt);
+    impose(system_.time, dt);
+    if (filtering_) filter(0.0, false);
     strain(order == UpdateOrder::usf ? dt : 0.5 * dt, false);
     scatter(Scatter::force);
   }
@@ -37,7 +39,10 @@ void Stepper<Dim>::advance(double dt) {
   impose_update(dt, order != UpdateOrder::usl);
 
   // 4. XPIC and FMPM: sharper velocities than the lumped mass gives
-  if (filter_now()) filter(dt);
+  if (filtering_) {
+    filter(dt, false);
+    use_filtered(dt);
+  }
 
   // 5. Nodes to particles: velocity, position; stress last unless it waits for better velocities
   if (again) remember_positions();
@@ -50,6 +55,7 @@ void Stepper<Dim>::advance(double dt) {
     scatter(Scatter::momentum, true);
     divide_by_mass();
     impose(system_.time + dt, dt);
+    if (filtering_) filter(0.0, true);
     strain(after, true);
   }
 
@@ -169,7 +175,7 @@ void Stepper<Dim>::accelerate(double dt, bool from_momentum) {
   const double damping = grid_damping;
   for (std::size_t f = 0; f < system_.fields.size(); ++f) {
     auto& nodes = system_.fields[f].nodes;
-    conditions_[f].fold(nodes);
+    conditions_[f].fold(nodes, from_momentum ? Fold::everything : Fold::forces);
     each_node(nodes, [&](Node& node) {
       if (!(node.mass > 0)) return;
       const double inverse = 1.0 / node.mass;
@@ -252,14 +258,6 @@ void Stepper<Dim>::impose_update(double dt, bool after_impose) {
 }
 
 template <int Dim>
-bool Stepper<Dim>::filter_now() const {
-  const Scheme& s = model_.scheme;
-  if (s.transfer != Transfer::xpic && s.transfer != Transfer::fmpm) return false;
-  if (s.filter_period > 0) return system_.time >= next_filter;
-  return system_.step % std::max(1, s.filter_every) == 0;
-}
-
-template <int Dim>
 void Stepper<Dim>::move(double dt, double strain_dt) {
   Gather what = gather_options();
   what.move = true;
@@ -278,7 +276,7 @@ void Stepper<Dim>::move(double dt, double strain_dt) {
       break;
     case Transfer::xpic:
     case Transfer::fmpm:
-      what.flip = filter_now() ? 0.0 : 1.0;
+      what.flip = filtering_ ? 0.0 : 1.0;
       break;
   }
   double travel = 0.0;
@@ -301,7 +299,8 @@ void Stepper<Dim>::strain(double dt, bool from_start) {
   what.from_start = from_start;
   for (auto& body : system_.bodies) {
     auto& field = system_.fields[body.field];
-    if (!transfers_->gather(body, field.map, field.nodes, what).valid) stop_at_bad_particle();
+    const auto& nodes = filtering_ ? field.filter : field.nodes;
+    if (!transfers_->gather(body, field.map, nodes, what).valid) stop_at_bad_particle();
   }
 }
 
@@ -333,60 +332,6 @@ void Stepper<Dim>::remember_positions() {
     const auto to = body.particles.vector(*body.start);
     for (std::size_t d = 0; d < Dim; ++d) std::copy_n(from[d], body.particles.size(), to[d]);
   }
-}
-
-// v(k) = sum over j < k of (1 - S+ S)^j v. FMPM: of the updated velocities; XPIC: of the velocities before the forces.
-// Hammerquist & Nairn, CMAME 318 (2017) 724-753; Nairn & Hammerquist, CMAME 377 (2021) 113686.
-template <int Dim>
-void Stepper<Dim>::filter(double dt) {
-  const bool xpic = model_.scheme.transfer == Transfer::xpic;
-  for (std::size_t f = 0; f < system_.fields.size(); ++f) {
-    auto& field = system_.fields[f];
-    auto& conditions = conditions_[f];
-    const auto each = [&](auto&& function) {
-      static constexpr std::ptrdiff_t piece = 1024;
-      const auto n = static_cast<std::ptrdiff_t>(field.nodes.size());
-      parallel_for((n + piece - 1) / piece, [&](std::ptrdiff_t k) {
-        for (auto i = static_cast<std::size_t>(k * piece); i < static_cast<std::size_t>(std::min(n, (k + 1) * piece));
-             ++i)
-          function(field.nodes[i], field.filter[i], field.increment[i]);
-      });
-    };
-    // filter: velocity = the present increment, acceleration = the sum so far
-    each([&](const Node& node, Node& filtered, Node&) {
-      filtered.mass = node.mass;
-      for (int d = 0; d < 3; ++d) {
-        filtered.velocity[d] = node.velocity[d] - (xpic ? dt * node.acceleration[d] : 0.0);
-        filtered.acceleration[d] = filtered.velocity[d];
-      }
-    });
-    Gather value;
-    value.filtered = true;
-    for (int j = 1; j < model_.scheme.filter_order; ++j) {
-      conditions.extend(field.filter);
-      zero(field.increment);
-      for (auto& body : system_.bodies) {
-        if (body.field != f) continue;
-        transfers_->gather(body, field.map, field.filter, value);
-        transfers_->scatter(body, field.map, field.increment, Scatter::filtered, false, false);
-      }
-      conditions.fold(field.increment);
-      each([](const Node& node, Node& filtered, const Node& increment) {
-        if (!(node.mass > 0)) return;
-        for (int d = 0; d < 3; ++d) filtered.velocity[d] -= increment.velocity[d] / node.mass;
-      });
-      if (!xpic) conditions.release(field.filter);
-      each([](const Node&, Node& filtered, const Node&) {
-        for (int d = 0; d < 3; ++d) filtered.acceleration[d] += filtered.velocity[d];
-      });
-    }
-    each([&](Node& node, const Node& filtered, const Node&) {
-      for (int d = 0; d < 3; ++d)
-        node.velocity[d] = filtered.acceleration[d] + (xpic ? dt * node.acceleration[d] : 0.0);
-    });
-  }
-  if (model_.scheme.filter_period > 0)
-    while (next_filter <= system_.time) next_filter += model_.scheme.filter_period;
 }
 
 template <int Dim>

@@ -54,7 +54,8 @@ class Stepper {
   void scatter(Scatter what, bool from_start = false);
   void divide_by_mass();
   void accelerate(double dt, bool from_momentum);
-  void filter(double dt);
+  void filter(double dt, bool from_start);
+  void use_filtered(double dt);
   void strain(double dt, bool from_start);
   void move(double dt, double strain_dt);
   void remember_positions();
@@ -67,13 +68,14 @@ class Stepper {
   void impose_rigid(double dt, bool update, bool after_impose);
   Gather gather_options() const;
   [[noreturn]] void stop_at_bad_particle() const;
-  bool filter_now() const;
+  bool filter_now();
 
   const Model& model_;
   System<Dim>& system_;
   std::unique_ptr<Transfers<Dim>> transfers_;
   std::vector<Conditions<Dim>> conditions_;
   Ledger ledger_;
+  bool filtering_ = false;  ///< XPIC or FMPM acts in this step
   Vec3 rigid_reaction_ = Vec3::Zero();
   double rigid_travel_ = 0.0;
   std::vector<double> sums_;        ///< per block of nodes

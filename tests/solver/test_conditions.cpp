@@ -87,9 +87,11 @@ TEST_CASE("linear fields pass a wall unchanged", "[conditions]") {
 
 TEST_CASE("a block against a symmetry plane moves like half of the whole block", "[conditions]") {
   const Kernel kernel = GENERATE(from_range(all_kernels));
-  INFO(name(kernel));
+  const auto order = GENERATE(UpdateOrder::usf, UpdateOrder::usl, UpdateOrder::usavg);
+  const auto transfer = GENERATE(Transfer::flip, Transfer::fmpm);
+  INFO(name(kernel) << ", order " << static_cast<int>(order));
   const auto run = [&](bool half) {
-    Model model = grid_model<2>(kernel, Transfer::flip);
+    Model model = grid_model<2>(kernel, transfer, order, true);
     if (half) model.grid.symmetry[0][0] = 12.0;
     std::vector<Seed> seeds;
     for (const Seed& s : lattice_seeds<2>(model, 8, 16)) {
