@@ -270,7 +270,7 @@ std::string plain(const tinyxml2::XMLDocument& document) {
 
 }  // namespace
 
-Statement read_xml(std::string_view text, std::shared_ptr<const std::string> file_name) {
+Statement read_xml(std::string_view text, const std::shared_ptr<const std::string>& file_name) {
   if (text.substr(0, 3) == "\xEF\xBB\xBF") text.remove_prefix(3);
   Scanner scanner(text, file_name);
   scanner.run();

@@ -10,7 +10,7 @@
 namespace tribo {
 
 /// Entities of an internal DTD subset are expanded, the external one is ignored. Throws InputError with the place.
-Statement read_xml(std::string_view text, std::shared_ptr<const std::string> file_name);
+Statement read_xml(std::string_view text, const std::shared_ptr<const std::string>& file_name);
 
 /// Throws FileError if the file cannot be read.
 Statement read_xml_file(const std::filesystem::path& file);

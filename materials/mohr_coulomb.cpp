@@ -196,7 +196,7 @@ void flow_on_face(const Slice<3>& slice, const Face face, const Strength strengt
 
 class MohrCoulomb final : public Material {
  public:
-  explicit MohrCoulomb(MohrCoulombLaw law) : law_(std::move(law)) {}
+  explicit MohrCoulomb(MohrCoulombLaw law) : law_(law) {}
 
   void update(const MaterialPoints<2>& points) const override { advance<2>(points); }
   void update(const MaterialPoints<3>& points) const override { advance<3>(points); }

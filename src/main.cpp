@@ -95,7 +95,7 @@ int guarded(const std::function<int()>& action) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
+int main(int argc, char** argv) {  // NOLINT(bugprone-exception-escape): what escapes ends the program, as it should
   CLI::App app{"Tribo: material point method with contact"};
   app.set_version_flag("--version", tribo::version_text());
   app.require_subcommand(1);

@@ -78,7 +78,7 @@ void read_law(Law& law, const Statement& statement, const std::vector<std::strin
   std::vector<ParameterInfo> infos;
   for (const auto& p : table) infos.push_back(p.info());
   const auto values = read_parameters(statement, infos, handled_elsewhere, units, problems);
-  if constexpr (std::tuple_size_v<decltype(table)> > 0)  // a law may have no parameters
+  if constexpr (std::tuple_size_v < decltype(table) >> 0)  // a law may have no parameters
     for (std::size_t k = 0; k < values.size(); ++k)
       if (values[k]) law.*(table[k].member) = *values[k];
 }

@@ -119,7 +119,7 @@ class Polyhedron final : public Region {
 
 }  // namespace
 
-RegionPtr polyhedron(std::vector<std::array<Vec3, 3>> triangles) {
+RegionPtr polyhedron(const std::vector<std::array<Vec3, 3>>& triangles) {
   return std::make_shared<Polyhedron>(Surface(triangles, 1e-9));
 }
 

@@ -61,7 +61,7 @@ RegionPtr torus(const Vec3& low, const Vec3& high, int axis, double tube = 0.0);
 RegionPtr shell(const Vec3& low, const Vec3& high, int axis, double radius, double thickness);
 /// Closed triangulated surface; corners nearer than 1e-9 of the extent are one. Facets may be listed in any order and
 /// orientation. Throws std::runtime_error naming the coordinates of an edge that does not belong to exactly two facets.
-RegionPtr polyhedron(std::vector<std::array<Vec3, 3>> triangles);
+RegionPtr polyhedron(const std::vector<std::array<Vec3, 3>>& triangles);
 /// Closed surface from an STL file (ASCII or binary): x -> scale x + shift. Corners nearer than 1e-6 of the extent are
 /// one, for files in single precision. Throws FileError if the file cannot be
 /// read, or std::runtime_error as `polyhedron`.

@@ -89,7 +89,7 @@ struct Piece {
   std::optional<double> point_size;             ///< instead: edge length of a particle's domain
   std::optional<InitialDeformation> deformation;
   std::array<std::optional<Expression>, 6> stress;  ///< initial Cauchy stress xx yy zz xy yz xz, functions of position
-  double stress_factor = 1.0;                        ///< consistent units of the stress functions
+  double stress_factor = 1.0;                       ///< consistent units of the stress functions
   double angle = 0.0;                               ///< material axes, rotation about z
   Origin origin;
 };

@@ -33,13 +33,13 @@ void History::open(const char* mode) {
   if (!file_) throw FileError("cannot write '" + path_.string() + "': " + std::strerror(errno));
 }
 
-History::History(std::filesystem::path path, std::vector<std::string> columns)
+History::History(std::filesystem::path path, const std::vector<std::string>& columns)
     : path_(std::move(path)), columns_(columns.size()) {
   write_atomically(path_, header(columns));
   open("ab");
 }
 
-History History::resume(std::filesystem::path path, std::vector<std::string> columns, double time) {
+History History::resume(std::filesystem::path path, const std::vector<std::string>& columns, double time) {
   std::ifstream file(path, std::ios::binary);
   if (!file) throw FileError("cannot read '" + path.string() + "'");
   std::string kept, line;

@@ -14,10 +14,10 @@ namespace tribo {
 class History {
  public:
   /// Starts the file `path` with a header. Column names with commas or quotes are quoted. Throws FileError.
-  History(std::filesystem::path path, std::vector<std::string> columns);
+  History(std::filesystem::path path, const std::vector<std::string>& columns);
   /// Continues the file, keeping the rows up to a time; a torn last line is dropped. Throws FileError if the header
   /// differs.
-  static History resume(std::filesystem::path path, std::vector<std::string> columns, double time);
+  static History resume(std::filesystem::path path, const std::vector<std::string>& columns, double time);
 
   /// One value per column, `time` first.
   void add(std::span<const double> row);

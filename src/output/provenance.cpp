@@ -46,8 +46,8 @@ std::string version_text() {
          ", -march=" + TRIBO_MARCH + ")";
 }
 
-Provenance::Provenance(std::filesystem::path path, std::string command_line, std::filesystem::path input, int threads,
-                       std::map<std::string, std::string> facts)
+Provenance::Provenance(std::filesystem::path path, std::string command_line, const std::filesystem::path& input,
+                       int threads, std::map<std::string, std::string> facts)
     : path_(std::move(path)),
       command_line_(std::move(command_line)),
       input_(input.string()),

@@ -13,7 +13,7 @@ std::string version_text();
 class Provenance {
  public:
   /// Starts the record of a run. `facts`: further names and values, e.g. particles per material.
-  Provenance(std::filesystem::path path, std::string command_line, std::filesystem::path input, int threads,
+  Provenance(std::filesystem::path path, std::string command_line, const std::filesystem::path& input, int threads,
              std::map<std::string, std::string> facts);
   /// Writes the file with a status: running, finished, stopped, failed, and why. Throws FileError.
   void write(const std::string& status, const std::string& reason, double time, long step) const;

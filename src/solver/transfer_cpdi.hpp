@@ -60,8 +60,10 @@ class CpdiTransfers final : public Transfers<Dim> {
   static constexpr int offset(int n) { return 8 * (n % 4 + n / 4 % 4 * NodePatch::row + n / 16 * NodePatch::plane); }
   static Vec<Dim> distance(const Stencil& s, const Lattice<Dim>& lattice, int n) {
     Vec<Dim> d = s.to_base;
-    d[0] += n % 4 * lattice.spacing[0], d[1] += n / 4 % 4 * lattice.spacing[1];
-    if constexpr (Dim == 3) d[2] += n / 16 * lattice.spacing[2];
+    const int i = n % 4, j = n / 4 % 4, k = n / 16;
+    d[0] += i * lattice.spacing[0], d[1] += j * lattice.spacing[1];
+    if constexpr (Dim == 3) d[2] += k * lattice.spacing[2];
+    static_cast<void>(k);
     return d;
   }
 
