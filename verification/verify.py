@@ -1,0 +1,149 @@
+"""Runs verification cases: a command file in, numbers against a reference out.
+
+    scripts/verify            all cases; writes docs/verification.md and docs/figures
+    scripts/verify NAME ...   some of them; the results of the others are kept
+    scripts/verify --quick    the quick checks only, without figures; what ctest runs
+
+A case is a folder with README.md (source, what is compared, why the tolerance) and check.py with `run(case)`.
+"""
+
+import csv
+import datetime
+import importlib.util
+import json
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+root = pathlib.Path(__file__).resolve().parent.parent
+sys.path.insert(0, str(root / "scripts"))
+
+import numpy as np  # noqa: E402
+
+import vtp  # noqa: E402
+
+
+class Case:
+    """What a check.py works with."""
+
+    def __init__(self, name, tribo, quick):
+        self.name, self.tribo, self.quick = name, tribo, quick
+        self.folder = root / "verification" / name
+        self.scratch = pathlib.Path(tempfile.mkdtemp(prefix=f"tribo-{name}-"))
+        self.results, self.figures = [], []
+
+    def run(self, label, file="case.xml", entities=None, replace=None):
+        """Runs a command file with entities (and texts) replaced; returns the folder of its results."""
+        text = (self.folder / file).read_text()
+        for entity, value in (entities or {}).items():
+            text, count = re.subn(rf'<!ENTITY {entity} "[^"]*">', f'<!ENTITY {entity} "{value}">', text)
+            if count != 1:
+                raise SystemExit(f"{self.name}/{file} has no entity {entity}")
+        for old, new in (replace or {}).items():
+            if old not in text:
+                raise SystemExit(f"{self.name}/{file} has no text {old!r}")
+            text = text.replace(old, new)
+        deck = self.scratch / f"{label}.xml"
+        deck.write_text(text)
+        out = self.scratch / f"{label}.out"
+        done = subprocess.run([self.tribo, "run", "--quiet", "--overwrite", "--output", out, deck], capture_output=True, text=True)
+        if done.returncode != 0:
+            raise SystemExit(f"{deck}: exit code {done.returncode}\n{done.stderr}")
+        return out
+
+    def check(self, what, measured, reference, tolerance, kind="relative"):
+        """kind: relative or absolute error against the reference, or `at most` the tolerance."""
+        measured = float(measured)
+        if kind == "at most":
+            error = measured
+        else:
+            error = abs(measured - reference) / (abs(reference) if kind == "relative" else 1.0)
+        passed = bool(error <= tolerance)
+        self.results.append(dict(what=what, measured=measured, reference=reference, error=error, tolerance=tolerance, kind=kind, passed=passed))
+        print(f"{'ok  ' if passed else 'FAIL'} {self.name}: {what}: {measured:.10g}"
+              + ("" if kind == "at most" else f" (reference {reference:.10g}, error {error:.2g})") + f", tolerance {tolerance:g}", flush=True)
+
+    def figure(self, name, draw):
+        """Saves a figure to the docs; draw(axes). Not in quick runs."""
+        if self.quick:
+            return
+        import matplotlib
+
+        matplotlib.use("Agg")
+        import matplotlib.pyplot as plt
+
+        figure, axes = plt.subplots(figsize=(6.4, 4.0), layout="constrained")
+        draw(axes)
+        (root / "docs/figures").mkdir(parents=True, exist_ok=True)
+        figure.savefig(root / f"docs/figures/{name}.png", dpi=110)
+        plt.close(figure)
+        self.figures.append(name)
+
+
+def table(path):
+    """Columns of a CSV as arrays by name."""
+    with open(path) as file:
+        rows = list(csv.reader(file))
+    return {name: np.array([float(row[k]) for row in rows[1:]]) for k, name in enumerate(rows[0])}
+
+
+def history(folder):
+    return table(f"{folder}/history.csv")
+
+
+def energy(folder):
+    return table(f"{folder}/energy.csv")
+
+
+def last_particles(folder):
+    return vtp.read(vtp.collection(folder)[-1][1])
+
+
+def write_report(store):
+    version = subprocess.run([os.environ["TRIBO"], "--version"], capture_output=True, text=True).stdout.strip()
+    lines = ["# Verification", "", "Written by `scripts/verify`; each case is a folder of `verification/` with its command file, source and reasons.", "",
+             f"Program: `{version}`.", ""]
+    for name in sorted(store):
+        entry = store[name]
+        lines += [f"## {entry['title']}", "", f"`verification/{name}`, run {entry['date']}", "",
+                  "| check | measured | reference | error | tolerance | |", "|-|-|-|-|-|-|"]
+        for r in entry["results"]:
+            reference = "" if r["kind"] == "at most" else f"{r['reference']:.10g}"
+            lines.append(f"| {r['what']} | {r['measured']:.8g} | {reference} | {r['error']:.2g} | {r['tolerance']:g} | {'pass' if r['passed'] else '**fail**'} |")
+        lines.append("")
+        lines += [f"![{f}](figures/{f}.png)\n" for f in entry["figures"]]
+    (root / "docs/verification.md").write_text("\n".join(lines))
+
+
+def main():
+    arguments = sys.argv[1:]
+    quick = "--quick" in arguments
+    tribo = os.environ["TRIBO"]
+    folder = root / "verification"
+    names = [a for a in arguments if not a.startswith("-")] or sorted(p.parent.name for p in folder.glob("*/check.py"))
+    record = root / "docs/verification.json"
+    store = json.loads(record.read_text()) if record.exists() else {}
+    failed = total = 0
+    for name in names:
+        spec = importlib.util.spec_from_file_location(name, folder / name / "check.py")
+        module = importlib.util.module_from_spec(spec)
+        sys.modules["verify"] = sys.modules["__main__"]
+        spec.loader.exec_module(module)
+        case = Case(name, tribo, quick)
+        module.run(case)
+        failed += sum(not r["passed"] for r in case.results)
+        total += len(case.results)
+        title = (folder / name / "README.md").read_text().splitlines()[0].lstrip("# ")
+        store[name] = dict(title=title, date=datetime.date.today().isoformat(), results=case.results, figures=case.figures)
+    if not quick:
+        record.write_text(json.dumps(store, indent=1) + "\n")
+        write_report(store)
+    print(f"{total - failed} passed, {failed} failed")
+    sys.exit(1 if failed else 0)
+
+
+if __name__ == "__main__":
+    main()
