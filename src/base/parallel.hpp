@@ -15,7 +15,9 @@ inline int threads() { return omp_get_max_threads(); }
 inline int thread_index() { return omp_get_thread_num(); }
 
 /// Calls f(i) for i in [0, n). Iterations must not touch each other's data, so the result does not depend on the number
-/// of threads. Exceptions of the lowest index that threw are passed on. Below `serial` items no thread is started.
+/// of threads. Every thread gets one run of neighbouring indices, so that the same part of the domain stays in the same
+/// core's cache from sweep to sweep. Exceptions of the lowest index that threw are passed on. Below `serial` items no
+/// thread is started.
 template <class F>
 void parallel_for(std::ptrdiff_t n, F&& f, std::ptrdiff_t serial = 2) {
   if (n < serial || threads() == 1) {
@@ -25,7 +27,7 @@ void parallel_for(std::ptrdiff_t n, F&& f, std::ptrdiff_t serial = 2) {
   std::exception_ptr first;
   std::ptrdiff_t first_index = n;
   std::mutex guard;
-#pragma omp parallel for schedule(dynamic)
+#pragma omp parallel for schedule(static)
   for (std::ptrdiff_t i = 0; i < n; ++i) {
     try {
       f(i);

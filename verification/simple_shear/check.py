@@ -91,7 +91,7 @@ def run(case):
         for eta, h in curves:
             line, = axes.plot(h["time"] * 1e3, h["sxy"] / 1e6, label=f"{eta:g} s")
             axes.plot(h["time"][::20] * 1e3, closed_form(h["time"][::20], eta) / 1e6, ".", color=line.get_color(), markersize=4)
-        axes.set_xlabel("time [ms] = shear strain / 1000")
+        axes.set_xlabel("time [ms] = 1000 x shear strain")
         axes.set_ylabel("shear stress [MPa]")
         axes.legend(title="relaxation time; dots: closed form", fontsize=8)
 
