@@ -1,0 +1,147 @@
+#include "base/error.hpp"
+#include "output/atomic_file.hpp"
+#include "output/checkpoint.hpp"
+#include "output/history.hpp"
+#include "output/vtk.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+
+using namespace tribo;
+
+namespace {
+
+/// A folder that goes away with the test.
+struct Scratch {
+  std::filesystem::path path = std::filesystem::temp_directory_path() / ("tribo-test-" + std::to_string(std::rand()));
+  Scratch() { std::filesystem::create_directories(path); }
+  ~Scratch() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path, ignored);
+  }
+  Scratch(const Scratch&) = delete;
+  Scratch& operator=(const Scratch&) = delete;
+};
+
+std::string content(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream out;
+  out << in.rdbuf();
+  return out.str();
+}
+
+std::size_t files_in(const std::filesystem::path& folder) {
+  return static_cast<std::size_t>(
+      std::distance(std::filesystem::directory_iterator(folder), std::filesystem::directory_iterator()));
+}
+
+}  // namespace
+
+TEST_CASE("a file is replaced whole or not at all", "[output]") {
+  const Scratch scratch;
+  const auto file = scratch.path / "a.txt";
+  write_atomically(file, "one");
+  CHECK(content(file) == "one");
+  write_atomically(file, "two");
+  CHECK(content(file) == "two");
+  CHECK(files_in(scratch.path) == 1);
+
+  CHECK_THROWS_AS(write_atomically(file,
+                                   [](const std::string& temporary) {
+                                     std::ofstream(temporary) << "half";
+                                     return false;
+                                   }),
+                  FileError);
+  CHECK(content(file) == "two");
+  CHECK(files_in(scratch.path) == 1);
+  CHECK_THROWS_WITH(write_atomically(scratch.path / "nowhere" / "b.txt", "x"), Catch::Contains("nowhere"));
+}
+
+TEST_CASE("a history keeps its rows over a resume, without doubles and without torn lines", "[output]") {
+  const Scratch scratch;
+  const auto file = scratch.path / "h.csv";
+  const std::vector<std::string> columns{"time", "velx:a, \"b\""};
+  {
+    History h(file, columns);
+    for (const double t : {0.0, 0.1, 0.2, 0.30000000000000004}) h.add(std::array{t, 1 / (1 + t)});
+  }
+  const std::string whole = content(file);
+  CHECK(whole.rfind("time,\"velx:a, \"\"b\"\"\"\n0,1\n0.1,", 0) == 0);
+  std::ofstream(file, std::ios::app) << "0.4,0.";  // torn
+  {
+    auto h = History::resume(file, columns, 0.1);
+    for (const double t : {0.2, 0.30000000000000004}) h.add(std::array{t, 1 / (1 + t)});
+  }
+  CHECK(content(file) == whole);
+  CHECK_THROWS_AS(History::resume(file, {"time", "other"}, 0.1), FileError);
+}
+
+TEST_CASE("a checkpoint returns the same bits, and notices every damage", "[output]") {
+  const Scratch scratch;
+  const auto file = scratch.path / "c.bin";
+  const std::vector<double> values{1.5, -0.0, std::nan(""), HUGE_VAL, 5e-324};
+  const std::vector<std::int64_t> numbers{1, -2, INT64_MAX};
+  CheckpointWriter out;
+  out.put("values", std::span<const double>(values));
+  out.put("numbers", std::span<const std::int64_t>(numbers));
+  out.put("text", std::string("hello"));
+  out.put("empty", std::span<const double>());
+  out.save(file);
+
+  const Checkpoint in(file);
+  const auto back = in.doubles("values");
+  REQUIRE(back.size() == values.size());
+  CHECK(std::memcmp(back.data(), values.data(), values.size() * sizeof(double)) == 0);
+  CHECK(in.integers("numbers") == numbers);
+  CHECK(in.text("text") == "hello");
+  CHECK(in.doubles("empty").empty());
+  CHECK_THROWS_AS(in.doubles("text"), FileError);
+  CHECK_THROWS_AS(in.doubles("nothing"), FileError);
+
+  const std::string all = content(file);
+  for (std::size_t n = 0; n < all.size(); ++n) {
+    std::ofstream(file, std::ios::binary) << all.substr(0, n);
+    CHECK_THROWS_AS(Checkpoint(file), FileError);
+  }
+  std::string damaged = all;
+  damaged[damaged.find("hello") + 1] = 'a';
+  std::ofstream(file, std::ios::binary) << damaged;
+  CHECK_THROWS_WITH(Checkpoint(file), Catch::Contains("'text' is damaged"));
+}
+
+TEST_CASE("a collection lists its files with exact times and continues without doubles", "[output]") {
+  const Scratch scratch;
+  const auto file = scratch.path / "run.pvd";
+  Collection whole(file);
+  for (int k = 0; k < 4; ++k) whole.add(0.1 * k, "p" + std::to_string(k));
+  const std::string text = content(file);
+  CHECK(text.find("timestep=\"0.30000000000000004\"") != std::string::npos);
+  Collection again(file);
+  again.resume(0.1);
+  CHECK(again.size() == 2);
+  again.add(0.1 * 2, "p2");
+  again.add(0.1 * 3, "p3");
+  CHECK(content(file) == text);
+}
+
+TEST_CASE("a particle file is written whole, compressed and with its time", "[output]") {
+  const Scratch scratch;
+  const auto file = scratch.path / "p.vtp";
+  const std::vector<double> x{0, 1, 2}, y{3, 4, 5}, s{7, 8, 9};
+  const std::vector<std::int64_t> id{2, 0, 1};
+  const std::vector<OutputField> fields{
+      {"speed", {s.data()}, nullptr},
+      {"id", {}, id.data()},
+      {"stress", {s.data(), s.data(), s.data(), s.data(), nullptr, nullptr}, nullptr}};
+  write_particles(file, 3, {x.data(), y.data(), nullptr}, fields, 0.25);
+  const std::string text = content(file);
+  for (const auto word : {"vtkZLibDataCompressor", "NumberOfVerts=\"3\"", "Name=\"stress\"", "ComponentName3=\"XY\"",
+                          "TimeValue", "encoding=\"raw\""})
+    CHECK(text.find(word) != std::string::npos);
+  write_particles(scratch.path / "none.vtp", 0, {nullptr, nullptr, nullptr}, {}, 0.0);
+  CHECK(files_in(scratch.path) == 2);
+}
