@@ -1,5 +1,5 @@
-/// Any bytes must give a model or an InputError. Build with the preset `fuzz`, run `fuzz_read CORPUS_FOLDER`; the malformed
-/// files of the tests are a good start.
+/// Any bytes must give a model or an InputError. Build with the preset `fuzz`, run `fuzz_read CORPUS_FOLDER`; the
+/// malformed files of the tests are a good start.
 
 #include "input/read.hpp"
 
