@@ -128,7 +128,8 @@ void Builder::gravity() {
   const auto* g = root_.child("Gravity");
   if (!g) return;
   constexpr std::array constants{"BodyXForce", "BodyYForce", "BodyZForce"},
-      functions{"GridBodyXForce", "GridBodyYForce", "GridBodyZForce"};
+      functions{"GridBodyXForce", "GridBodyYForce", "GridBodyZForce"},
+      on_particles{"ParticleBodyXForce", "ParticleBodyYForce", "ParticleBodyZForce"};
   model_.body_force.function_time = model_.units.alternative_time();
   for (std::size_t d = 0; d < 3; ++d) {
     if (const auto* s = g->child(constants[d])) {
@@ -137,6 +138,8 @@ void Builder::gravity() {
            "a force along z needs a three-dimensional model");
     }
     if (const auto* s = g->child(functions[d])) model_.body_force.function[d] = function(s->text, s->text_origin);
+    if (const auto* s = g->child(on_particles[d]))
+      model_.body_force.on_particles[d] = particle_function(s->text, s->text_origin);
   }
 }
 

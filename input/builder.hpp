@@ -64,6 +64,7 @@ class Builder {
   double text_number(const Statement& s, Dimension dimension, double fallback = 0.0);
   std::string word(const Statement& s, std::string_view attribute, const std::string& fallback = {}) const;
   Expression function(const std::string& text, const Origin& origin);
+  Expression particle_function(const std::string& text, const Origin& origin);  ///< may depend on x0, y0, z0
   std::optional<Expression> function(const Statement& s, std::string_view attribute);
   /// Factor of the `units` attribute of an element; legacy files only.
   double unit_factor(const Statement& s, Dimension dimension);

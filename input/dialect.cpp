@@ -399,7 +399,10 @@ std::vector<ElementSpec> make() {
   for (const auto name : {"BodyXForce", "BodyYForce", "BodyZForce"})
     add({name, "Gravity", "constant acceleration", T::number, {}, true});
   for (const auto name : {"GridBodyXForce", "GridBodyYForce", "GridBodyZForce"})
-    add({name, "Gravity", "acceleration as a function of x, y, z, t", T::function, {}, true});
+    add({name, "Gravity", "acceleration of the nodes as a function of x, y, z, t", T::function, {}, true});
+  for (const auto name : {"ParticleBodyXForce", "ParticleBodyYForce", "ParticleBodyZForce"})
+    add({name, "Gravity", "acceleration of the particles as a function of t, x, y, z and of their places at the start x0, y0, z0",
+         T::function, {}, true});
 
   // Tasks
   add({"CustomTasks", "JANFEAInput", "further tasks", T::none, {}, true});

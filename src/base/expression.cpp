@@ -77,7 +77,7 @@ class Program {
   }
 
   void define_variables() {
-    const std::array<std::pair<const char*, double*>, 10> all{{{"t", &at_.t},
+    const std::array<std::pair<const char*, double*>, 13> all{{{"t", &at_.t},
                                                                {"x", &at_.x},
                                                                {"y", &at_.y},
                                                                {"z", &at_.z},
@@ -86,7 +86,10 @@ class Program {
                                                                {"R", &at_.R},
                                                                {"Z", &at_.Z},
                                                                {"D", &at_.D},
-                                                               {"T", &at_.T}}};
+                                                               {"T", &at_.T},
+                                                               {"x0", &at_.x0},
+                                                               {"y0", &at_.y0},
+                                                               {"z0", &at_.z0}}};
     for (const auto& [name, place] : all) parser_.DefineVar(name, place);
   }
 
@@ -138,6 +141,7 @@ Expression::Expression(double constant) : constant_(constant) {
 
 Expression::Expression(const std::string& text, const Origin& origin) : text_(text) {
   const CheckedText checked = check_expression(text, origin);
+  uses_start_ = checked.uses_start;
   try {
     if (checked.uses_variables) {
       auto compiled = std::make_shared<Compiled>(checked.program);

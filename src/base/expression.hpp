@@ -16,6 +16,7 @@ struct Variables {
   double dt = 0;
   double q = 0;                       ///< rotation angle of a particle [rad]
   double R = 0, Z = 0, D = 0, T = 0;  ///< dialect's further names: radius, axial position, distance, angle
+  double x0 = 0, y0 = 0, z0 = 0;      ///< where a particle was at the start of the run
 
   /// At a position: R = x, Z = y, and D, T = polar coordinates of (x, y) [length, rad].
   static Variables at(const Vec3& position, double time = 0.0);
@@ -47,11 +48,13 @@ class Expression {
 
   double operator()(const Variables& at) const;
   bool is_constant() const { return !compiled_; }
+  bool uses_start() const { return uses_start_; }  ///< depends on x0, y0 or z0, which only particles have
   const std::string& text() const { return text_; }
 
  private:
   struct Compiled;
   double constant_ = 0.0;
+  bool uses_start_ = false;
   std::string text_ = "0";
   std::shared_ptr<Compiled> compiled_;
 };

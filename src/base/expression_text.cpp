@@ -19,7 +19,7 @@ const std::vector<FunctionName>& expression_functions() {
 }
 
 const std::vector<std::string>& expression_variables() {
-  static const std::vector<std::string> all{"t", "x", "y", "z", "dt", "q", "R", "Z", "D", "T"};
+  static const std::vector<std::string> all{"t", "x", "y", "z", "dt", "q", "R", "Z", "D", "T", "x0", "y0", "z0"};
   return all;
 }
 
@@ -161,6 +161,7 @@ class Checker {
     if (variable || lower == "pi") {
       out_.program += variable ? word : lower;
       out_.uses_variables = out_.uses_variables || variable;
+      out_.uses_start = out_.uses_start || word == "x0" || word == "y0" || word == "z0";
       operand_next_ = false;
     } else if (function != functions.end()) {
       if (!called) fail(start, "the function '" + word + "' needs its arguments in parentheses");

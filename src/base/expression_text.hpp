@@ -23,6 +23,7 @@ const std::vector<std::string>& expression_variables();
 struct CheckedText {
   std::string program;  ///< canonical: functions in lower case, numbers in shortest form, `#` for ^, one sign at a time
   bool uses_variables = false;
+  bool uses_start = false;  ///< one of them is x0, y0 or z0
 };
 
 /// Throws InputError at the offending character, with what is valid.

@@ -148,7 +148,9 @@ struct Damping {
 
 struct BodyForce {
   Vec3 gravity = Vec3::Zero();
-  std::array<std::optional<Expression>, 3> function;  ///< acceleration f(x, y, z, t)
+  std::array<std::optional<Expression>, 3> function;      ///< acceleration f(x, y, z, t) of the nodes
+  std::array<std::optional<Expression>, 3> on_particles;  ///< of the particles, which also know x0, y0, z0
+  bool acts_on_particles() const { return on_particles[0] || on_particles[1] || on_particles[2]; }
   double function_time = 1.0;
 };
 

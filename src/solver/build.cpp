@@ -27,7 +27,8 @@ void add_optional_columns(Body<Dim>& body, const Model& model) {
     body.filtered = particles.add_vector("filtered_velocity", Dimension::velocity);
   if (scheme.extrapolate_again && scheme.order != UpdateOrder::usf)
     body.start = particles.add_vector("start_position", Dimension::length);
-  if (!model.particle_conditions.empty()) body.load = particles.add_vector("load", Dimension::force);
+  if (!model.particle_conditions.empty() || model.body_force.acts_on_particles())
+    body.load = particles.add_vector("load", Dimension::force);
   body.origin = particles.add_vector("origin", Dimension::length);
 }
 

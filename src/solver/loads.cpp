@@ -29,7 +29,8 @@ Vec3 face_normal(int face) {
 }
 
 template <int Dim>
-Vec3 force_on(const ParticleCondition& condition, Body<Dim>& body, std::size_t i, double share, double time) {
+Vec3 force_on(const ParticleCondition& condition, Analysis analysis, Body<Dim>& body, std::size_t i, double share,
+              double time) {
   Vec3 x = Vec3::Zero();
   x.head<Dim>() = body.particles.position(i);
   if (condition.kind == ParticleCondition::Kind::force) {
@@ -43,7 +44,11 @@ Vec3 force_on(const ParticleCondition& condition, Body<Dim>& body, std::size_t i
   const double half = body.half_size ? body.particles.column(*body.half_size + static_cast<std::size_t>(axis))[i]
                                      : body.uniform_half_size[axis];
   const double density = body.law->density();
-  const double area = body.particles.mass()[i] / density / (2 * half);
+  double area = body.particles.mass()[i] / density / (2 * half);
+  if (analysis == Analysis::axisymmetric && axis == 0) {  // a face at another radius than the particle
+    const double r = body.particles.column(*body.origin)[i];
+    area *= (r + normal[0] * half) / r;
+  }
   const Vec3 direction = condition.direction == 10   ? normal
                          : condition.direction == 11 ? Vec3(normal.cross(Vec3::UnitZ()) * -1.0)
                                                      : Vec3(Mat3::Identity().col(condition.direction));
@@ -90,29 +95,58 @@ std::vector<double> find_loaded(const Model& model, System<Dim>& system) {
 }
 
 template <int Dim>
+Vec3 Stepper<Dim>::load_on(Body<Dim>& body, std::size_t i, double dt) const {
+  Vec3 sum = Vec3::Zero();
+  if (body.load_set) {
+    const auto bits = static_cast<std::uint64_t>(body.particles.column(*body.load_set)[i]);
+    if (bits != 0)
+      for (std::size_t c = 0; c < model_.particle_conditions.size(); ++c)
+        if (bits >> c & 1U)
+          sum += force_on(model_.particle_conditions[c], system_.analysis, body, i, load_share_[c], system_.time);
+  }
+  const BodyForce& force = model_.body_force;
+  if (force.acts_on_particles()) {
+    const auto x = body.particles.x(), origin = body.particles.vector(*body.origin);
+    Variables at;
+    at.t = system_.time / force.function_time, at.dt = dt / force.function_time;
+    at.x = x[0][i], at.y = x[1][i], at.z = Dim == 3 ? x[Dim - 1][i] : 0.0;
+    at.x0 = origin[0][i], at.y0 = origin[1][i], at.z0 = Dim == 3 ? origin[Dim - 1][i] : 0.0;
+    for (std::size_t d = 0; d < Dim; ++d)
+      if (const auto& f = force.on_particles[d]) sum[static_cast<Eigen::Index>(d)] += body.particles.mass()[i] * (*f)(at);
+  }
+  return sum;
+}
+
+template <int Dim>
 void Stepper<Dim>::apply_loads(double dt) {
-  if (model_.particle_conditions.empty()) return;
+  for (auto& body : system_.bodies) {
+    if (!body.load) continue;
+    const auto load = body.particles.vector(*body.load);
+    parallel_for(static_cast<std::ptrdiff_t>(body.particles.size()), [&](std::ptrdiff_t k) {
+      const auto i = static_cast<std::size_t>(k);
+      const Vec3 sum = load_on(body, i, dt);
+      for (std::size_t d = 0; d < Dim; ++d) load[d][i] = sum[static_cast<Eigen::Index>(d)];
+    });
+  }
+  account_loads(0.5 * dt);
+}
+
+// Half of the step's work with the velocities at its start, half with those at its end: second order.
+template <int Dim>
+void Stepper<Dim>::account_loads(double dt) {
   static constexpr std::ptrdiff_t piece = 4096;
   for (auto& body : system_.bodies) {
-    const double* set = body.particles.column(*body.load_set);
+    if (!body.load) continue;
     const auto load = body.particles.vector(*body.load), v = body.particles.v();
     const auto n = static_cast<std::ptrdiff_t>(body.particles.size());
     sums_.assign(static_cast<std::size_t>((n + piece - 1) / piece), 0.0);
     parallel_for(static_cast<std::ptrdiff_t>(sums_.size()), [&](std::ptrdiff_t k) {
-      for (auto i = static_cast<std::size_t>(k * piece); i < static_cast<std::size_t>(std::min(n, (k + 1) * piece));
-           ++i) {
-        if (set[i] == 0.0) continue;
-        const auto bits = static_cast<std::uint64_t>(set[i]);
-        Vec3 sum = Vec3::Zero();
-        for (std::size_t c = 0; c < model_.particle_conditions.size(); ++c)
-          if (bits >> c & 1U) sum += force_on(model_.particle_conditions[c], body, i, load_share_[c], system_.time);
-        for (std::size_t d = 0; d < Dim; ++d) {
-          load[d][i] = sum[static_cast<Eigen::Index>(d)];
-          sums_[static_cast<std::size_t>(k)] += dt * load[d][i] * v[d][i];
-        }
-      }
+      double power = 0.0;
+      for (auto i = static_cast<std::size_t>(k * piece); i < static_cast<std::size_t>(std::min(n, (k + 1) * piece)); ++i)
+        for (std::size_t d = 0; d < Dim; ++d) power += load[d][i] * v[d][i];
+      sums_[static_cast<std::size_t>(k)] = power;
     });
-    for (const double work : sums_) ledger_.external_work += work;
+    for (const double power : sums_) ledger_.external_work += dt * power;
   }
 }
 
@@ -179,8 +213,12 @@ void Stepper<Dim>::impose_rigid(Field<Dim>& field, std::size_t r, double dt, boo
 
 template std::vector<double> find_loaded<2>(const Model&, System<2>&);
 template std::vector<double> find_loaded<3>(const Model&, System<3>&);
+template Vec3 Stepper<2>::load_on(Body<2>&, std::size_t, double) const;
+template Vec3 Stepper<3>::load_on(Body<3>&, std::size_t, double) const;
 template void Stepper<2>::apply_loads(double);
 template void Stepper<3>::apply_loads(double);
+template void Stepper<2>::account_loads(double);
+template void Stepper<3>::account_loads(double);
 template void Stepper<2>::follow_rigid(double);
 template void Stepper<3>::follow_rigid(double);
 template void Stepper<2>::impose_rigid(Field<2>&, std::size_t, double, bool, bool);

@@ -49,6 +49,8 @@ void Stepper<Dim>::advance(double dt) {
   const double after = order == UpdateOrder::usl ? dt : order == UpdateOrder::usavg ? 0.5 * dt : 0.0;
   move(dt, again ? 0.0 : after);
 
+  account_loads(0.5 * dt);
+
   // 6. "+" variants: strain from the velocities of the moved particles, with the weights of the step's start
   if (again) {
     clear();

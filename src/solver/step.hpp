@@ -60,7 +60,9 @@ class Stepper {
   void move(double dt, double strain_dt);
   void remember_positions();
   void remember_domains();
+  Vec3 load_on(Body<Dim>& body, std::size_t i, double dt) const;
   void apply_loads(double dt);
+  void account_loads(double dt);
   void follow_rigid(double dt);
   void impose(double time, double dt);
   void impose_update(double dt, bool after_impose);
