@@ -76,9 +76,9 @@ void Builder::mpm_header() {
     must(!has(*t, "order") || type == "XPIC" || type == "FMPM", t->origin, "'order' belongs to types XPIC and FMPM");
   }
   if (const auto* d = h.child("DefGradTerms")) {
-    scheme.deformation_terms = static_cast<int>(text_number(*d, Dimension::none, 2));
-    must(scheme.deformation_terms >= 1 && scheme.deformation_terms <= 20, d->origin,
-         "the number of terms must be in 1 ... 20");
+    const auto terms = text_number(*d, Dimension::none, 1);
+    must(terms == 1 || terms == 2, d->origin, "the number of terms must be 1 or 2; more are below (L dt)^3/6 per step");
+    scheme.exponential_deformation = terms == 2;
   }
   if (const auto* c = h.child("CPDIrcrit")) {
     scheme.cpdi_limit = text_number(*c, Dimension::none, 1);

@@ -214,7 +214,7 @@ std::vector<ElementSpec> make() {
        T::number,
        {function("target", "kinetic energy aimed at"), number("max", "largest damping")},
        true});
-  add({"DefGradTerms", "MPMHeader", "terms of the exponential that advances F (default 2)", T::integer, {}, true});
+  add({"DefGradTerms", "MPMHeader", "1 (default): F follows the particles, 1 + L dt; 2: the exponential of L dt to second order", T::integer, {}, true});
   add({"LeaveLimit",
        "MPMHeader",
        "how many particles that leave the grid are put back before the run stops",

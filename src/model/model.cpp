@@ -18,10 +18,8 @@ double Prescribed::at(double t, const Vec3& x, double dt) const {
       return 0.0;
     case Style::function: {
       if (t < time) return 0.0;
-      Variables at;
-      at.t = (t - time) / function_time;
+      auto at = Variables::at(x, (t - time) / function_time);
       at.dt = dt / function_time;
-      at.x = x[0], at.y = x[1], at.z = x[2];
       return function_scale * function(at);
     }
   }

@@ -34,7 +34,7 @@ struct Scheme {
   int filter_order = 2;        ///< XPIC(m), FMPM(k)
   int filter_every = 1;        ///< XPIC/FMPM on every n-th step, FLIP between (PeriodicXPIC)
   double filter_period = 0.0;  ///< XPIC/FMPM after this much time; 0: use filter_every
-  int deformation_terms = 2;   ///< terms of exp(L dt) after the unit
+  bool exponential_deformation = false;  ///< F <- exp(L dt) F instead of the motion of the particles, 1 + L dt
   double cpdi_limit = 1.0;     ///< largest reach of a CPDI corner from the centre, in cells; domains beyond are scaled
 };
 

@@ -181,17 +181,19 @@ void Conditions<Dim>::impose(NodeLayer& nodes, double time, double dt) {
 }
 
 template <int Dim>
-void Conditions<Dim>::impose_update(NodeLayer& nodes, double time, double dt, bool after_impose) {
+void Conditions<Dim>::impose_update(NodeLayer& nodes, double time, double dt, bool after_impose, bool first) {
   for (auto& r : reactions_) r.setZero();
   for (Located& l : located_) {
     const Chosen& chosen = chosen_[l.chosen];
     Node& node = nodes[static_cast<std::size_t>(l.node)];
     if (!(node.mass > 0)) continue;
     Eigen::Map<Vec<Dim>> v(node.velocity), a(node.acceleration);
-    const double wanted = prescribed(chosen, lattice_.position(chosen.node), time, dt);
-    const double change = wanted - v.dot(chosen.direction);
-    const double correction = (change + (after_impose ? l.pending : 0.0)) / dt;
-    v += change * chosen.direction;
+    const Vec<Dim> x = lattice_.position(chosen.node);
+    const double wanted = prescribed(chosen, x, time + dt, dt), before = prescribed(chosen, x, time, dt);
+    const double now = v.dot(chosen.direction), free = a.dot(chosen.direction);
+    const double start = !first ? before : after_impose ? before - l.pending : now - dt * free;
+    const double correction = (wanted - start) / dt - free;
+    v += (wanted - now) * chosen.direction;
     a += correction * chosen.direction;
 
     Vec3 force = Vec3::Zero();

@@ -31,8 +31,10 @@ class Conditions {
 
   /// Sets velocities before a strain update and remembers the change.
   void impose(NodeLayer& nodes, double time, double dt);
-  /// Sets velocities after the momentum update and corrects accelerations, so that particles feel the reaction.
-  void impose_update(NodeLayer& nodes, double time, double dt, bool after_impose);
+  /// Sets velocities to those at time + dt after the momentum update. Accelerations follow the prescribed velocity from
+  /// `time` to time + dt, not the difference that extrapolation left at a node: only in the `first` step, when a body may
+  /// start with another velocity than its supports, is that difference part of the reaction.
+  void impose_update(NodeLayer& nodes, double time, double dt, bool after_impose, bool first);
   /// Removes the constrained components from filter increments.
   void release(NodeLayer& nodes) const;
 

@@ -10,57 +10,6 @@ namespace {
 
 constexpr std::size_t most_conditions = 52;  // bits of a double's mantissa
 
-// Outward normal of the dialect's face numbers: 2D 1 bottom 2 right 3 top 4 left; 3D 1-4 likewise, 5 bottom 6 top in z.
-Vec3 face_normal(int face) {
-  switch (face) {
-    case 1:
-      return -Vec3::UnitY();
-    case 2:
-      return Vec3::UnitX();
-    case 3:
-      return Vec3::UnitY();
-    case 4:
-      return -Vec3::UnitX();
-    case 5:
-      return -Vec3::UnitZ();
-    default:
-      return Vec3::UnitZ();
-  }
-}
-
-template <int Dim>
-Vec3 force_on(const ParticleCondition& condition, Analysis analysis, Body<Dim>& body, std::size_t i, double share,
-              double time) {
-  Vec3 x = Vec3::Zero();
-  x.head<Dim>() = body.particles.position(i);
-  if (condition.kind == ParticleCondition::Kind::force) {
-    Vec3 f = Vec3::Zero();
-    f[condition.direction] = share * condition.value.at(time, x);
-    return f;
-  }
-  // Traction times the undeformed area of the face of the particle's domain.
-  const Vec3 normal = face_normal(condition.face);
-  const int axis = normal[0] != 0 ? 0 : normal[1] != 0 ? 1 : 2;
-  const double half = body.half_size ? body.particles.column(*body.half_size + static_cast<std::size_t>(axis))[i]
-                                     : body.uniform_half_size[axis];
-  const double density = body.law->density();
-  double area = body.particles.mass()[i] / density / (2 * half);
-  if (analysis == Analysis::axisymmetric && axis == 0) {  // a face at another radius than the particle
-    const double r = body.particles.column(*body.origin)[i];
-    area *= (r + normal[0] * half) / r;
-  }
-  const Vec3 direction = condition.direction == 10   ? normal
-                         : condition.direction == 11 ? Vec3(normal.cross(Vec3::UnitZ()) * -1.0)
-                                                     : Vec3(Mat3::Identity().col(condition.direction));
-  if (condition.value.style == Style::silent) {  // absorbs plane waves, Lysmer & Kuhlemeyer (1969)
-    Vec3 v = Vec3::Zero();
-    v.head<Dim>() = body.particles.velocity(i);
-    const double impedance = std::sqrt(density * body.law->wave_modulus());
-    return -area * impedance * v.dot(direction) * direction;
-  }
-  return area * condition.value.at(time, x) * direction;
-}
-
 }  // namespace
 
 template <int Dim>
@@ -96,20 +45,22 @@ std::vector<double> find_loaded(const Model& model, System<Dim>& system) {
 
 template <int Dim>
 Vec3 Stepper<Dim>::load_on(Body<Dim>& body, std::size_t i, double dt) const {
-  Vec3 sum = Vec3::Zero();
+  Vec3 sum = Vec3::Zero(), x = Vec3::Zero();
+  x.head<Dim>() = body.particles.position(i);
   if (body.load_set) {
     const auto bits = static_cast<std::uint64_t>(body.particles.column(*body.load_set)[i]);
     if (bits != 0)
-      for (std::size_t c = 0; c < model_.particle_conditions.size(); ++c)
-        if (bits >> c & 1U)
-          sum += force_on(model_.particle_conditions[c], system_.analysis, body, i, load_share_[c], system_.time);
+      for (std::size_t c = 0; c < model_.particle_conditions.size(); ++c) {
+        const auto& condition = model_.particle_conditions[c];
+        if ((bits >> c & 1U) && condition.kind == ParticleCondition::Kind::force)
+          sum[condition.direction] += load_share_[c] * condition.value.at(system_.time, x);
+      }
   }
   const BodyForce& force = model_.body_force;
   if (force.acts_on_particles()) {
-    const auto x = body.particles.x(), origin = body.particles.vector(*body.origin);
-    Variables at;
-    at.t = system_.time / force.function_time, at.dt = dt / force.function_time;
-    at.x = x[0][i], at.y = x[1][i], at.z = Dim == 3 ? x[Dim - 1][i] : 0.0;
+    const auto origin = body.particles.vector(*body.origin);
+    auto at = Variables::at(x, system_.time / force.function_time);
+    at.dt = dt / force.function_time;
     at.x0 = origin[0][i], at.y0 = origin[1][i], at.z0 = Dim == 3 ? origin[Dim - 1][i] : 0.0;
     for (std::size_t d = 0; d < Dim; ++d)
       if (const auto& f = force.on_particles[d]) sum[static_cast<Eigen::Index>(d)] += body.particles.mass()[i] * (*f)(at);
@@ -159,10 +110,10 @@ void Stepper<Dim>::follow_rigid(double dt) {
     const MaterialSpec& spec = model_.materials[static_cast<std::size_t>(body.material)];
     const auto x = body.particles.x(), v = body.particles.v();
     for (std::size_t i = 0; i < body.particles.size(); ++i) {
-      Variables at;
-      at.t = (system_.time + dt) / model_.units.alternative_time();
+      Vec3 position = Vec3::Zero();
+      position.head<Dim>() = body.particles.position(i);
+      auto at = Variables::at(position, (system_.time + dt) / model_.units.alternative_time());
       at.dt = dt / model_.units.alternative_time();
-      at.x = x[0][i], at.y = x[1][i], at.z = Dim == 3 ? x[Dim - 1][i] : 0.0;
       for (std::size_t d = 0; d < Dim; ++d)
         if (spec.rigid_velocity[d]) v[d][i] = (*spec.rigid_velocity[d])(at);
     }

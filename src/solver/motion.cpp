@@ -19,7 +19,6 @@ void move(Body<Dim>& body, const Lattice<Dim>& lattice, std::uint32_t first, int
   const auto xs = body.particles.x();
   const auto vs = body.particles.v();
   const double dt = what.dt, flip = what.flip, pic = 1.0 - what.flip, damping = what.damping * what.dt;
-  const double half = what.trapezoidal ? 0.5 : 0.0;
   double travel = result.travel, poison = 0.0;
   for (int d = 0; d < Dim; ++d) {
     double* __restrict x = xs[static_cast<std::size_t>(d)] + first;
@@ -32,7 +31,7 @@ void move(Body<Dim>& body, const Lattice<Dim>& lattice, std::uint32_t first, int
     for (int i = 0; i < count; ++i) {
       const double old = v[i];
       const double now = flip * (old + dt * sa[i]) + pic * sv[i] - damping * sv[i];
-      const double dx = dt * (sv[i] + half * (old + now - 2 * sv[i]));
+      const double dx = dt * sv[i];
       v[i] = now;
       x[i] += dx;
       const double cells = std::fabs(dx) * inverse;
@@ -45,8 +44,10 @@ void move(Body<Dim>& body, const Lattice<Dim>& lattice, std::uint32_t first, int
   if (!(poison == 0.0)) result.valid = false;
 }
 
-// F <- exp(L dt) F and V <- det(exp(L dt)) V with a truncated series.
-void deform(Particles<2>& particles, std::uint32_t first, int count, double dt, int terms, const Gathered<2>& got) {
+// F <- f F and V <- det(f) V over a time step. With `second` = 0, f = 1 + L dt is the motion x += dt v(x) itself; with 1
+// it is the inverse of 1 - L dt, to second order: the motion that led to where L is known; 1/2 gives exp(L dt). The law
+// sees the constant rate that leads to f, log(f)/dt, to second order: rotations do not strain it.
+void deform(Particles<2>& particles, std::uint32_t first, int count, double dt, double second, Gathered<2>& got) {
   const auto F = particles.F();
   double* __restrict volume = particles.volume() + first;
   const bool keep = particles.has_deformation();
@@ -56,7 +57,7 @@ void deform(Particles<2>& particles, std::uint32_t first, int count, double dt, 
   double* __restrict yx = at_first(2);
   double* __restrict yy = at_first(3);
   double* __restrict zz = at_first(4);
-  const auto& L = got.L;
+  auto& L = got.L;
   const auto apply = [&](int i, double a, double b, double c, double d, double e) {
     volume[i] *= (a * d - b * c) * e;
     if (!keep) return;
@@ -65,61 +66,40 @@ void deform(Particles<2>& particles, std::uint32_t first, int count, double dt, 
     yx[i] = c * f0 + d * f2, yy[i] = c * f1 + d * f3;
     zz[i] *= e;
   };
-  const double second = terms >= 2 ? 0.5 : 0.0;
-  if (terms <= 2) {
+  const double rate = (second - 0.5) / dt;
 #pragma omp simd
-    for (int i = 0; i < count; ++i) {
-      const double a = dt * L[0][i], b = dt * L[1][i], c = dt * L[2][i], d = dt * L[3][i], e = dt * L[4][i];
-      apply(i, 1 + a + second * (a * a + b * c), b + second * b * (a + d), c + second * c * (a + d),
-            1 + d + second * (d * d + b * c), 1 + e + second * e * e);
-    }
-    return;
-  }
   for (int i = 0; i < count; ++i) {
     const double a = dt * L[0][i], b = dt * L[1][i], c = dt * L[2][i], d = dt * L[3][i], e = dt * L[4][i];
-    double m0 = 1, m1 = 0, m2 = 0, m3 = 1, m4 = 1;
-    for (int k = terms; k >= 1; --k) {  // Horner
-      const double n0 = 1 + (a * m0 + b * m2) / k, n1 = (a * m1 + b * m3) / k;
-      const double n2 = (c * m0 + d * m2) / k, n3 = 1 + (c * m1 + d * m3) / k;
-      m0 = n0, m1 = n1, m2 = n2, m3 = n3, m4 = 1 + e * m4 / k;
-    }
-    apply(i, m0, m1, m2, m3, m4);
+    const double aa = a * a + b * c, bb = b * (a + d), cc = c * (a + d), dd = d * d + b * c, ee = e * e;
+    apply(i, 1 + a + second * aa, b + second * bb, c + second * cc, 1 + d + second * dd, 1 + e + second * ee);
+    L[0][i] += rate * aa, L[1][i] += rate * bb, L[2][i] += rate * cc, L[3][i] += rate * dd, L[4][i] += rate * ee;
   }
 }
 
-void deform(Particles<3>& particles, std::uint32_t first, int count, double dt, int terms, const Gathered<3>& got) {
+void deform(Particles<3>& particles, std::uint32_t first, int count, double dt, double second, Gathered<3>& got) {
   const auto F = particles.F();
   double* volume = particles.volume() + first;
-  const double second = terms >= 2 ? 0.5 : 0.0;
-  if (terms <= 2) {
-    for (int i = 0; i < count; i += lane_count) {
-      Lanes l[9], m[9];
-      for (int k = 0; k < 9; ++k) l[k] = dt * load_lanes(got.L[k] + i);
-      for (int r = 0; r < 9; r += 3)
-        for (int c = 0; c < 3; ++c)
-          m[r + c] = l[r + c] + second * (l[r] * l[c] + l[r + 1] * l[3 + c] + l[r + 2] * l[6 + c]);
-      m[0] += 1.0, m[4] += 1.0, m[8] += 1.0;
-      const Lanes det =
-          m[0] * (m[4] * m[8] - m[5] * m[7]) - m[1] * (m[3] * m[8] - m[5] * m[6]) + m[2] * (m[3] * m[7] - m[4] * m[6]);
-      store_some(volume + i, load_lanes(volume + i) * det, count - i);
-      for (std::size_t c = 0; c < 3 && F[0]; ++c) {
-        double *x = F[c] + first + i, *y = F[3 + c] + first + i, *z = F[6 + c] + first + i;
-        const Lanes a = load_lanes(x), b = load_lanes(y), e = load_lanes(z);
-        store_some(x, m[0] * a + m[1] * b + m[2] * e, count - i);
-        store_some(y, m[3] * a + m[4] * b + m[5] * e, count - i);
-        store_some(z, m[6] * a + m[7] * b + m[8] * e, count - i);
+  const double rate = (second - 0.5) / dt;
+  for (int i = 0; i < count; i += lane_count) {
+    Lanes l[9], m[9];
+    for (int k = 0; k < 9; ++k) l[k] = dt * load_lanes(got.L[k] + i);
+    for (int r = 0; r < 9; r += 3)
+      for (int c = 0; c < 3; ++c) {
+        const Lanes square = l[r] * l[c] + l[r + 1] * l[3 + c] + l[r + 2] * l[6 + c];
+        m[r + c] = l[r + c] + second * square;
+        store_lanes(got.L[r + c] + i, load_lanes(got.L[r + c] + i) + rate * square);
       }
+    m[0] += 1.0, m[4] += 1.0, m[8] += 1.0;
+    const Lanes det =
+        m[0] * (m[4] * m[8] - m[5] * m[7]) - m[1] * (m[3] * m[8] - m[5] * m[6]) + m[2] * (m[3] * m[7] - m[4] * m[6]);
+    store_some(volume + i, load_lanes(volume + i) * det, count - i);
+    for (std::size_t c = 0; c < 3 && F[0]; ++c) {
+      double *x = F[c] + first + i, *y = F[3 + c] + first + i, *z = F[6 + c] + first + i;
+      const Lanes a = load_lanes(x), b = load_lanes(y), e = load_lanes(z);
+      store_some(x, m[0] * a + m[1] * b + m[2] * e, count - i);
+      store_some(y, m[3] * a + m[4] * b + m[5] * e, count - i);
+      store_some(z, m[6] * a + m[7] * b + m[8] * e, count - i);
     }
-    return;
-  }
-  for (int i = 0; i < count; ++i) {
-    Mat3 l;
-    for (int k = 0; k < 9; ++k) l(k / 3, k % 3) = dt * got.L[k][i];
-    Mat3 sum = Mat3::Identity();
-    for (int k = terms; k >= 1; --k) sum = Mat3::Identity() + l * sum / k;
-    const auto at = static_cast<int>(first) + i;
-    if (F[0]) store_full<3>(sum * load_full<3>(F, at), F, at);
-    volume[i] *= sum.determinant();
   }
 }
 
@@ -157,17 +137,22 @@ void update_particles(Body<Dim>& body, const Lattice<Dim>& lattice, std::uint32_
         std::fill_n(got.L[4], count, 0.0);
       }
     }
-    deform(body.particles, first, count, what.strain_dt, what.terms, got);
+    // The nodes of a step's end moved the particles; those of its start are reached by the motion of the step before.
+    const double second = what.exponential ? 0.5 : what.move || what.from_start ? 0.0 : 1.0;
+    deform(body.particles, first, count, what.strain_dt, second, got);
+    const double* volume = body.particles.volume() + first;
+    double least = 1.0;
+    for (int i = 0; i < count; ++i) least = volume[i] < least || !(volume[i] == volume[i]) ? volume[i] : least;
+    if (!(least > 0)) {  // the caller finds the particle; no law has to cope with it
+      result.valid = false;
+      return;
+    }
     std::array<double*, 64> history{};
     auto points = points_of(body, first, count, history);
     points.dt = what.strain_dt;
     points.plane_stress = what.plane_stress;
     for (std::size_t k = 0; k < points.L.size(); ++k) points.L[k] = got.L[k];
     body.law->update(points);
-    double least = 1.0;
-    for (int i = 0; i < count; ++i)
-      least = points.volume[i] < least || !(points.volume[i] == points.volume[i]) ? points.volume[i] : least;
-    if (!(least > 0)) result.valid = false;
   }
   if (what.move) {
     move(body, lattice, first, count, what, got, result);

@@ -34,9 +34,12 @@ void Stepper<Dim>::advance(double dt) {
     scatter(Scatter::force);
   }
 
+  apply_tractions();
+
   // 3. Momentum balance on the nodes:  m a = f,  v += dt a; prescribed velocities
   accelerate(dt, order == UpdateOrder::usl);
   impose_update(dt, order != UpdateOrder::usl);
+  account_tractions(dt);
 
   // 4. XPIC and FMPM: sharper velocities than the lumped mass gives
   if (filtering_) {
@@ -199,10 +202,10 @@ void Stepper<Dim>::apply_body_force(Field<Dim>& field, double dt) {
   const BodyForce& force = model_.body_force;
   if (!force.function[0] && !force.function[1] && !force.function[2]) return;
   ledger_.external_work += sum_over_nodes(field, [&](std::int64_t n, Node& node) {
-    const Vec<Dim> x = system_.lattice.position(field.map.node_at(n));
-    Variables at;
-    at.t = system_.time / force.function_time, at.dt = dt / force.function_time;
-    at.x = x[0], at.y = x[1], at.z = Dim == 3 ? x[Dim - 1] : 0.0;
+    Vec3 x = Vec3::Zero();
+    x.head<Dim>() = system_.lattice.position(field.map.node_at(n));
+    auto at = Variables::at(x, system_.time / force.function_time);
+    at.dt = dt / force.function_time;
     double power = 0.0;
     for (int d = 0; d < Dim; ++d) {
       const auto& function = force.function[static_cast<std::size_t>(d)];
@@ -255,7 +258,7 @@ void Stepper<Dim>::impose(double time, double dt) {
 template <int Dim>
 void Stepper<Dim>::impose_update(double dt, bool after_impose) {
   for (std::size_t f = 0; f < conditions_.size(); ++f)
-    conditions_[f].impose_update(system_.fields[f].nodes, system_.time + dt, dt, after_impose);
+    conditions_[f].impose_update(system_.fields[f].nodes, system_.time, dt, after_impose, system_.step == 0);
   impose_rigid(dt, true, after_impose);
 }
 
@@ -311,7 +314,7 @@ Gather Stepper<Dim>::gather_options() const {
   Gather what;
   what.plane_stress = system_.analysis == Analysis::plane_stress;
   what.axisymmetric = system_.analysis == Analysis::axisymmetric;
-  what.terms = model_.scheme.deformation_terms;
+  what.exponential = model_.scheme.exponential_deformation;
   return what;
 }
 
@@ -346,19 +349,20 @@ void Stepper<Dim>::stop_at_bad_particle() const {
         const bool finite = x.allFinite() && v.allFinite();
         const bool inside = finite && (x.array() >= system_.lattice.low.array()).all() &&
                             (x.array() <= system_.lattice.high.array()).all();
-        const bool crushed = finite && !(body.particles.volume()[i] > 0);
-        if (inside && !crushed) continue;
+        const double volume = body.particles.volume()[i];
+        const bool crushed = finite && volume <= 0;
+        if (inside && volume > 0) continue;
         std::string at;
         for (int d = 0; d < Dim; ++d) at += (d ? ", " : "") + std::to_string(x[d]);
         const std::string who =
             "particle " + std::to_string(body.particles.id[i]) + " of '" + body.name + "' at (" + at + ")";
-        if (finite && !crushed)
+        if (finite && volume > 0)
           throw SimulationError(
               who + " left the grid" + when +
               ": it moves too far, or the run became unstable. Enlarge <Grid>, check the conditions that should "
               "hold it, or return such particles with <LeaveLimit>.");
         throw SimulationError(
-            who + (crushed ? " was compressed to no volume" : " has a velocity that is not a number") + when +
+            who + (crushed ? " was compressed to no volume" : " has a velocity or strain that is not a number") + when +
             ": usually the step is too large for the present stiffness. Try a smaller <TimeFactor>, adaptive steps "
             "(custom task AdjustTimeStep), or more particles per cell.");
       }

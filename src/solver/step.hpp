@@ -63,6 +63,10 @@ class Stepper {
   Vec3 load_on(Body<Dim>& body, std::size_t i, double dt) const;
   void apply_loads(double dt);
   void account_loads(double dt);
+  template <class K>
+  void apply_traction(const ParticleCondition& condition, Body<Dim>& body, std::size_t particle);
+  void apply_tractions();
+  void account_tractions(double dt);
   void follow_rigid(double dt);
   void impose(double time, double dt);
   void impose_update(double dt, bool after_impose);
@@ -80,6 +84,12 @@ class Stepper {
   bool filtering_ = false;  ///< XPIC or FMPM acts in this step
   Vec3 rigid_reaction_ = Vec3::Zero();
   double rigid_travel_ = 0.0;
+  struct Push {
+    std::size_t field;
+    std::int64_t node;
+    Vec<Dim> force;
+  };
+  std::vector<Push> pushes_;        ///< of the tractions in this step
   std::vector<double> sums_;        ///< per block of nodes
   std::vector<double> load_share_;  ///< per particle condition: 1, or 1 / particles found for net loads
 };

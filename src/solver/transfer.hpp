@@ -21,12 +21,11 @@ struct Gather {
   double dt = 0.0;           ///< of the motion                                            [time]
   double flip = 1.0;         ///< share of v + dt S a; the rest is S v
   double damping = 0.0;      ///< particle damping, subtracts damping dt S v               [1/time]
-  bool trapezoidal = false;  ///< x += dt (v_old + v_new)/2 instead of dt S v
   double strain_dt = 0.0;    ///< > 0: deformation, stress and history over this time      [time]
   bool filtered = false;     ///< only: filtered velocity columns = S v
   bool from_start = false;   ///< weights at the positions of the start of the step
   bool plane_stress = false, axisymmetric = false;
-  int terms = 2;  ///< of exp(L dt)
+  bool exponential = false;  ///< F <- exp(L dt) F to second order, not the motion of the particles
 };
 
 /// What a gather found out, the same for any number of threads.
