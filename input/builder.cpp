@@ -50,7 +50,8 @@ std::string Builder::word(const Statement& s, std::string_view attribute, const 
 
 Expression Builder::function(const std::string& text, const Origin& origin) {
   Expression f = particle_function(text, origin);
-  must(!f.uses_start(), origin, "x0, y0 and z0 (where a particle was at the start) are known in <ParticleBodyXForce> only");
+  must(!f.uses_start(), origin,
+       "x0, y0 and z0 (where a particle was at the start) are known in <ParticleBodyXForce> only");
   return f;
 }
 

@@ -214,7 +214,12 @@ std::vector<ElementSpec> make() {
        T::number,
        {function("target", "kinetic energy aimed at"), number("max", "largest damping")},
        true});
-  add({"DefGradTerms", "MPMHeader", "1 (default): F follows the particles, 1 + L dt; 2: the exponential of L dt to second order", T::integer, {}, true});
+  add({"DefGradTerms",
+       "MPMHeader",
+       "1 (default): F follows the particles, 1 + L dt; 2: the exponential of L dt to second order",
+       T::integer,
+       {},
+       true});
   add({"LeaveLimit",
        "MPMHeader",
        "how many particles that leave the grid are put back before the run stops",
@@ -401,8 +406,12 @@ std::vector<ElementSpec> make() {
   for (const auto name : {"GridBodyXForce", "GridBodyYForce", "GridBodyZForce"})
     add({name, "Gravity", "acceleration of the nodes as a function of x, y, z, t", T::function, {}, true});
   for (const auto name : {"ParticleBodyXForce", "ParticleBodyYForce", "ParticleBodyZForce"})
-    add({name, "Gravity", "acceleration of the particles as a function of t, x, y, z and of their places at the start x0, y0, z0",
-         T::function, {}, true});
+    add({name,
+         "Gravity",
+         "acceleration of the particles as a function of t, x, y, z and of their places at the start x0, y0, z0",
+         T::function,
+         {},
+         true});
 
   // Tasks
   add({"CustomTasks", "JANFEAInput", "further tasks", T::none, {}, true});

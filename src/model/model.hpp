@@ -30,12 +30,12 @@ struct Scheme {
   bool extrapolate_again = true;  ///< the "+" variants of USL and USAVG (MUSL): strain from re-extrapolated velocities
   Kernel kernel = Kernel::linear;
   Transfer transfer = Transfer::flip;
-  double flip_fraction = 1.0;  ///< blend only: share of FLIP in the particle velocity
-  int filter_order = 2;        ///< XPIC(m), FMPM(k)
-  int filter_every = 1;        ///< XPIC/FMPM on every n-th step, FLIP between (PeriodicXPIC)
-  double filter_period = 0.0;  ///< XPIC/FMPM after this much time; 0: use filter_every
+  double flip_fraction = 1.0;            ///< blend only: share of FLIP in the particle velocity
+  int filter_order = 2;                  ///< XPIC(m), FMPM(k)
+  int filter_every = 1;                  ///< XPIC/FMPM on every n-th step, FLIP between (PeriodicXPIC)
+  double filter_period = 0.0;            ///< XPIC/FMPM after this much time; 0: use filter_every
   bool exponential_deformation = false;  ///< F <- exp(L dt) F instead of the motion of the particles, 1 + L dt
-  double cpdi_limit = 1.0;     ///< largest reach of a CPDI corner from the centre, in cells; domains beyond are scaled
+  double cpdi_limit = 1.0;  ///< largest reach of a CPDI corner from the centre, in cells; domains beyond are scaled
 };
 
 struct TimeControl {

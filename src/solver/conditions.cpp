@@ -2,6 +2,8 @@
 
 #include "base/simd.hpp"
 
+#include <algorithm>
+
 #include <map>
 
 namespace tribo {
@@ -126,13 +128,21 @@ void Conditions<Dim>::fold(NodeLayer& nodes, Fold what) const {
       else
         store4(ghost.data() + 4, Vec4{});
     }
-    if (plane.symmetry)
-      for (const auto at : mirror_nodes_[plane.axis]) {
-        Node& node = nodes[static_cast<std::size_t>(at)];
-        add(node, part(node));
-        node.velocity[plane.axis] = node.acceleration[plane.axis] = 0.0;
-      }
+    // Nodes on planes are their own mirror images, after all ghosts of their axis have come home.
+    if (p + 1 < planes_.size() && planes_[p + 1].axis == plane.axis) continue;
+    for (const auto at : mirror_nodes_[plane.axis]) {
+      Node& node = nodes[static_cast<std::size_t>(at)];
+      add(node, part(node));
+      node.velocity[plane.axis] = node.acceleration[plane.axis] = 0.0;
+    }
   }
+}
+
+template <int Dim>
+bool Conditions<Dim>::folds(const Index<Dim>& node) const {
+  return std::any_of(planes_.begin(), planes_.end(), [&](const Plane& plane) {
+    return (plane.node - node[static_cast<std::size_t>(plane.axis)]) * plane.inward > 0;
+  });
 }
 
 template <int Dim>

@@ -26,14 +26,16 @@ class Conditions {
   /// boundary-modified shape functions, in which the node k beyond the wall stands for (k+1) v0 - k v1.
   /// Steffen, Kirby & Berzins (2008); exact for linear fields.
   void fold(NodeLayer& nodes, Fold what = Fold::everything) const;
+  /// Whether fold() brings this node's values inside.
+  bool folds(const Index<Dim>& node) const;
   /// The values beyond the planes that belong to the values inside. Inverse of fold in the sense of the transfers.
   void extend(NodeLayer& nodes) const;
 
   /// Sets velocities before a strain update and remembers the change.
   void impose(NodeLayer& nodes, double time, double dt);
   /// Sets velocities to those at time + dt after the momentum update. Accelerations follow the prescribed velocity from
-  /// `time` to time + dt, not the difference that extrapolation left at a node: only in the `first` step, when a body may
-  /// start with another velocity than its supports, is that difference part of the reaction.
+  /// `time` to time + dt, not the difference that extrapolation left at a node: only in the `first` step, when a body
+  /// may start with another velocity than its supports, is that difference part of the reaction.
   void impose_update(NodeLayer& nodes, double time, double dt, bool after_impose, bool first);
   /// Removes the constrained components from filter increments.
   void release(NodeLayer& nodes) const;

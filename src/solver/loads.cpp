@@ -63,7 +63,8 @@ Vec3 Stepper<Dim>::load_on(Body<Dim>& body, std::size_t i, double dt) const {
     at.dt = dt / force.function_time;
     at.x0 = origin[0][i], at.y0 = origin[1][i], at.z0 = Dim == 3 ? origin[Dim - 1][i] : 0.0;
     for (std::size_t d = 0; d < Dim; ++d)
-      if (const auto& f = force.on_particles[d]) sum[static_cast<Eigen::Index>(d)] += body.particles.mass()[i] * (*f)(at);
+      if (const auto& f = force.on_particles[d])
+        sum[static_cast<Eigen::Index>(d)] += body.particles.mass()[i] * (*f)(at);
   }
   return sum;
 }
@@ -93,7 +94,8 @@ void Stepper<Dim>::account_loads(double dt) {
     sums_.assign(static_cast<std::size_t>((n + piece - 1) / piece), 0.0);
     parallel_for(static_cast<std::ptrdiff_t>(sums_.size()), [&](std::ptrdiff_t k) {
       double power = 0.0;
-      for (auto i = static_cast<std::size_t>(k * piece); i < static_cast<std::size_t>(std::min(n, (k + 1) * piece)); ++i)
+      for (auto i = static_cast<std::size_t>(k * piece); i < static_cast<std::size_t>(std::min(n, (k + 1) * piece));
+           ++i)
         for (std::size_t d = 0; d < Dim; ++d) power += load[d][i] * v[d][i];
       sums_[static_cast<std::size_t>(k)] = power;
     });

@@ -44,9 +44,9 @@ void move(Body<Dim>& body, const Lattice<Dim>& lattice, std::uint32_t first, int
   if (!(poison == 0.0)) result.valid = false;
 }
 
-// F <- f F and V <- det(f) V over a time step. With `second` = 0, f = 1 + L dt is the motion x += dt v(x) itself; with 1
-// it is the inverse of 1 - L dt, to second order: the motion that led to where L is known; 1/2 gives exp(L dt). The law
-// sees the constant rate that leads to f, log(f)/dt, to second order: rotations do not strain it.
+// F <- f F and V <- det(f) V over a time step. With `second` = 0, f = 1 + L dt is the motion x += dt v(x) itself; with
+// 1 it is the inverse of 1 - L dt, to second order: the motion that led to where L is known; 1/2 gives exp(L dt). The
+// law sees the constant rate that leads to f, log(f)/dt, to second order: rotations do not strain it.
 void deform(Particles<2>& particles, std::uint32_t first, int count, double dt, double second, Gathered<2>& got) {
   const auto F = particles.F();
   double* __restrict volume = particles.volume() + first;

@@ -30,7 +30,7 @@ Vec3 face_normal(int face) {
 template <class K, int Dim>
 class PointStencil {
  public:
-  PointStencil(const BlockMap<Dim>& map, const NodeLayer& nodes, const Vec<Dim>& x) {
+  PointStencil(const BlockMap<Dim>& map, const NodeLayer& nodes, const Conditions<Dim>& conditions, const Vec<Dim>& x) {
     const auto& lattice = map.lattice();
     Index<Dim> base;
     double w[Dim][K::width], g[K::width];
@@ -48,7 +48,7 @@ class PointStencil {
         weight *= w[d][rest % K::width];
       }
       node[k] = map.node(n);
-      const bool there = node[k] >= 0 && nodes[static_cast<std::size_t>(node[k])].mass > 0;
+      const bool there = node[k] >= 0 && (nodes[static_cast<std::size_t>(node[k])].mass > 0 || conditions.folds(n));
       share[k] = there ? weight : 0.0;
       sum += share[k];
     }
@@ -101,7 +101,7 @@ void Stepper<Dim>::apply_traction(const ParticleCondition& condition, Body<Dim>&
       at = (load_full<Dim>(F, static_cast<int>(i)).template topLeftCorner<Dim, Dim>() * at).eval();
     }
     at += particles.position(i);
-    const PointStencil<K, Dim> stencil(field.map, field.nodes, at);
+    const PointStencil<K, Dim> stencil(field.map, field.nodes, conditions_[body.field], at);
     for (int k = 0; k < stencil.size; ++k) {
       if (stencil.share[k] == 0.0) continue;
       Node& node = field.nodes[static_cast<std::size_t>(stencil.node[k])];

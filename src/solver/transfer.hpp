@@ -17,13 +17,13 @@ enum class Scatter {
 
 /// What a gather does to the particles.
 struct Gather {
-  bool move = false;         ///< velocity and position
-  double dt = 0.0;           ///< of the motion                                            [time]
-  double flip = 1.0;         ///< share of v + dt S a; the rest is S v
-  double damping = 0.0;      ///< particle damping, subtracts damping dt S v               [1/time]
-  double strain_dt = 0.0;    ///< > 0: deformation, stress and history over this time      [time]
-  bool filtered = false;     ///< only: filtered velocity columns = S v
-  bool from_start = false;   ///< weights at the positions of the start of the step
+  bool move = false;        ///< velocity and position
+  double dt = 0.0;          ///< of the motion                                            [time]
+  double flip = 1.0;        ///< share of v + dt S a; the rest is S v
+  double damping = 0.0;     ///< particle damping, subtracts damping dt S v               [1/time]
+  double strain_dt = 0.0;   ///< > 0: deformation, stress and history over this time      [time]
+  bool filtered = false;    ///< only: filtered velocity columns = S v
+  bool from_start = false;  ///< weights at the positions of the start of the step
   bool plane_stress = false, axisymmetric = false;
   bool exponential = false;  ///< F <- exp(L dt) F to second order, not the motion of the particles
 };

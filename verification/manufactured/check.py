@@ -5,7 +5,7 @@ import numpy as np
 import verify
 import vtp
 
-transfer = {"FMPM": "<Transfer type='FMPM' order='4'/>", "FLIP": "<Transfer type='FLIP'/>"}
+FMPM, APIC = "<Transfer type='FMPM' order='4'/>", "<Transfer type='APIC'/>"
 
 
 def axis_aligned(x, t):
@@ -41,21 +41,60 @@ def ring(x, t):
     return k[:, None] * x
 
 
+def errors(case, file, grids, exact, transfer=FMPM, **entities):
+    """Errors on grids given as entity dictionaries."""
+    label = f"{file}_{entities.get('kernel')}_{entities.get('points')}"
+    return [error_of(case.run(f"{label}_{k}", file=f"{file}.xml", entities=dict(entities, **grid), replace={FMPM: transfer}), exact)
+            for k, grid in enumerate(grids)]
+
+
+def order(values):
+    return math.log2(values[-2] / values[-1])
+
+
 def run(case):
-    for A in (float(__import__("os").environ["AA"]),):
-      for kernel in ("uGIMP","quadratic","cubic","lCPDI"):
-       for points in (int(__import__("os").environ["PP"]),):
-        es=[]
-        for n in (8,16,32):
-            try:
-                out=case.run(f"v{A}{n}{kernel}{points}",file="vortex.xml",entities=dict(h=1/n,step=1/(6*n),kernel=kernel,points=points,A=A))
-                es.append(error_of(out,vortex(A)))
-            except SystemExit as e: print(e); es.append(float('nan'))
-        print(A,kernel,points,["%.2e"%e for e in es],["%.2f"%math.log2(a/b) for a,b in zip(es,es[1:])],flush=True)
-    for kernel in ("uGIMP","quadratic","cubic","lCPDI"):
-       for points in (int(__import__("os").environ["PP"]),):
-        es=[]
-        for n in (4,8,16,32):
-            out=case.run(f"v{n}{kernel}{points}",file="ring.xml",entities=dict(h=.2/n,kernel=kernel,points=points))
-            es.append(error_of(out,ring))
-        print(kernel,points,["%.2e"%e for e in es],["%.2f"%math.log2(a/b) for a,b in zip(es,es[1:])],flush=True)
+    squares = [dict(n=n) for n in (8, 16, 32)]
+    if case.quick:
+        found = errors(case, "axis_aligned", squares[:2], axis_aligned, kernel="lCPDI", points=4)
+        case.check("axis aligned, CPDI, 4 points: 2 minus order between 8 and 16 cells", 2 - order(found), 0, 0.1, "at most")
+        return
+
+    curves = {}
+    for kernel in ("linear", "uGIMP", "quadratic", "cubic", "lCPDI"):
+        curves[kernel] = errors(case, "axis_aligned", squares, axis_aligned, kernel=kernel, points=16)
+    for kernel, demand in (("uGIMP", 1.8), ("quadratic", 2.0), ("cubic", 2.0), ("lCPDI", 2.0)):
+        case.check(f"axis aligned, {kernel}: {demand} minus order between 8 and 16 cells", demand - order(curves[kernel][:2]), 0, 0, "at most")
+        case.check(f"axis aligned, {kernel}: error with 32 cells", curves[kernel][-1], 0, 5e-3 if kernel == "uGIMP" else 2e-3, "at most")
+    four = errors(case, "axis_aligned", squares + [dict(n=64)], axis_aligned, kernel="lCPDI", points=4)
+    case.check("axis aligned, CPDI, 4 points: 2 minus order between 32 and 64 cells", 2 - order(four), 0, 0.1, "at most")
+
+    vortices = [dict(h=1 / n, step=1 / (6 * n)) for n in (8, 16, 32)]
+    turning = {}
+    for kernel in ("uGIMP", "quadratic", "cubic", "lCPDI"):
+        turning[kernel] = errors(case, "vortex", vortices, vortex(0.1), kernel=kernel, points=4, A=0.1)
+        case.check(f"vortex, A = 0.1, {kernel}: error with cells of 1/32", turning[kernel][-1], 0, 0.02, "at most")
+    for kernel in ("cubic", "lCPDI"):
+        case.check(f"vortex, A = 0.1, {kernel}: 1.8 minus order between 1/16 and 1/32", 1.8 - order(turning[kernel]), 0, 0, "at most")
+    strong = errors(case, "vortex", [dict(h=1 / 32, step=1 / 768)], vortex(1.0), APIC, kernel="lCPDI", points=16, A=1)
+    case.check("vortex, A = 1 (shear 7), CPDI, APIC: error with cells of 1/32", strong[-1], 0, 0.05, "at most")
+
+    rings = [dict(h=0.2 / n) for n in (4, 8, 16)]
+    breathing = errors(case, "ring", rings, ring, kernel="lCPDI", points=4)
+    case.check("ring, CPDI: error with 16 cells across", breathing[-1], 0, 0.01, "at most")
+    case.check("ring, CPDI: 1 minus order between 8 and 16 cells", 1 - order(breathing), 0, 0, "at most")
+
+    def draw(cells, found, slope, title):
+        def plot(axes):
+            for kernel, values in found.items():
+                axes.loglog(cells, values, "o-", label=kernel)
+            axes.loglog(cells, [slope * (cells[0] / n) ** 2 for n in cells], "k--", linewidth=1, label="second order")
+            axes.set_xlabel(title)
+            axes.set_ylabel("L2 error of displacement, relative")
+            axes.set_xticks(cells, [str(n) for n in cells])
+            axes.minorticks_off()
+            axes.legend(fontsize=8)
+
+        return plot
+
+    case.figure("orders_axis_aligned", draw([8, 16, 32], curves, 0.05, "cells along the square, 16 points per cell"))
+    case.figure("orders_vortex", draw([8, 16, 32], turning, 0.3, "cells per unit of length, 4 points per cell"))

@@ -19,9 +19,9 @@ def swing(case, label, replace, start):
     case.check(f"{label}: energy, drift from the first half to the second", abs(drift), 0, 1e-6, "at most")
     phase = np.unwrap(np.arctan2(s, v))
     frequency = (phase[-1] - phase[0]) / (h["time"][-1] - h["time"][1])
-    case.check(f"{label}: frequency", frequency, 20 * math.asin(0.05), 1e-6)
+    case.check(f"{label}: frequency", frequency, 160 * math.asin(0.00625), 1e-6)
 
 
 def run(case):
-    swing(case, "symmetry plane", dict([symmetry, ("<GridBCs>", ""), (support, ""), ("</GridBCs>", "")]), 1e-6)
-    swing(case, "prescribed velocity", None, 0.5e-6)
+    swing(case, "symmetry plane", dict([symmetry, ("<GridBCs>", ""), (support, ""), ("</GridBCs>", "")]), 1e-7)
+    swing(case, "prescribed velocity", None, 0.5e-7)

@@ -1,7 +1,28 @@
+import numpy as np
+
 import verify
 
 
+def stress_errors(out, n):
+    data = verify.last_particles(out)
+    x, s = data["points"], data["stress"]
+    r = np.hypot(x[:, 0], x[:, 1])
+    c, k = x[:, 0] / r, x[:, 1] / r
+    hoop = s[:, 0] * k**2 + s[:, 1] * c**2 - 2 * s[:, 3] * c * k
+    inside = r < 0.09
+    slope, centre = np.polyfit(r[inside] ** 2, hoop[inside], 1)
+    return centre / (1.25e4 * (3 + n)) - 1, (centre + 0.01 * slope) / (1.25e4 * (2 - 2 * n)) - 1
+
+
 def run(case):
-    for kernel in ("uGIMP", "quadratic") if not case.quick else ("uGIMP",):
-        l = verify.history(case.run(f"apic_{kernel}", entities=dict(kernel=kernel)))["Lpz"]
-        case.check(f"{kernel}, APIC: drift of the angular momentum in a revolution", abs(l / l[0] - 1).max(), 0, 1e-4, "at most")
+    settings = {"plane stress": dict(analysis=11, n=0.3, rest=0), "plane strain": dict(analysis=10, n=0.3 / 0.7, rest=0.3)}
+    for kernel in ("uGIMP", "quadratic"):
+        for name, entities in settings.items():
+            if case.quick and (kernel, name) != ("uGIMP", "plane stress"):
+                continue
+            out = case.run(f"{kernel}_{entities['analysis']}", entities=dict(kernel=kernel, **entities))
+            spin = verify.history(out)["Lpz"]
+            case.check(f"{kernel}, {name}: drift of the angular momentum in a revolution", abs(spin / spin[0] - 1).max(), 0, 1e-4, "at most")
+            centre, rim = stress_errors(out, entities["n"])
+            case.check(f"{kernel}, {name}: stress in the centre", abs(centre), 0, 0.02, "at most")
+            case.check(f"{kernel}, {name}: hoop stress at the rim", abs(rim), 0, 0.02, "at most")
