@@ -138,3 +138,33 @@ TEST_CASE("prescribed velocities hold, react and do work", "[conditions]") {
   CHECK(stepper.conditions(0).work() == Approx(m.kinetic).epsilon(1e-10));
   CHECK(stepper.conditions(0).reactions()[0][0] == Approx(m.mass * 2 / 1e-4).epsilon(1e-10));
 }
+
+TEST_CASE("a layer between two symmetry planes moves like one of many layers", "[conditions]") {
+  const Kernel kernel = GENERATE(Kernel::gimp, Kernel::quadratic_spline, Kernel::cubic_spline);
+  INFO(name(kernel));
+  const auto run = [&](int low, int high) {
+    Model model = grid_model<2>(kernel, Transfer::flip, UpdateOrder::usl, false);
+    model.grid.symmetry[1] = {static_cast<double>(low), static_cast<double>(high)};
+    std::vector<Seed> seeds;
+    for (Seed s : lattice_seeds<2>(model, 8, 16)) {
+      if (s.x[1] < low || s.x[1] > high) continue;
+      s.v = Vec3(-3 * std::sin(0.3 * s.x[0]), 0, 0);
+      seeds.push_back(s);
+    }
+    auto system = build_system<2>(model, seeds);
+    Stepper<2> stepper(model, system);
+    for (int k = 0; k < 30; ++k) stepper.advance(2e-3);
+    std::vector<std::array<double, 2>> row;
+    for (std::size_t i = 0; i < system.bodies[0].particles.size(); ++i)
+      if (std::abs(system.bodies[0].particles.position(i)[1] - 12.25) < 0.1)
+        row.push_back({system.bodies[0].particles.position(i)[0], system.bodies[0].particles.velocity(i)[0]});
+    std::sort(row.begin(), row.end());
+    return row;
+  };
+  // One cell: nearer than the reach of the shape functions. An image of an image counts.
+  const auto thin = run(12, 13), thick = run(8, 16);
+  REQUIRE(thin.size() == 16);
+  REQUIRE(thin.size() == thick.size());
+  for (std::size_t i = 0; i < thin.size(); ++i)
+    for (std::size_t k = 0; k < 2; ++k) CHECK(std::abs(thin[i][k] - thick[i][k]) < 1e-10);
+}
