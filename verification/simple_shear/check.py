@@ -12,14 +12,14 @@ strength = cohesion * math.cos(friction)
 runs = [(1e-6, 6.076e-3), (1e-3, 2.350e-3), (5e-3, 8.188e-4), (1e-2, 5.447e-4), (2e-2, 4.168e-4), (10.0, 2.920e-4)]
 
 
-def march(eta, p0=0.0, dt=1e-5, end=0.03):
-    """s = (sxx - syy)/2, t = sxy of the discrete scheme; psi = 0 keeps the mean stress."""
-    s = t = 0.0
+def march(eta, p0=0.0, s=0.0, dt=1e-5, end=0.03):
+    """s = (sxx - syy)/2, t = sxy of the discrete scheme from s, 0; psi = 0 keeps the mean stress."""
+    t = 0.0
     limit = strength - p0 * math.sin(friction)
     half = -0.5 * dt / 2  # spin of v_x = y, half a step
     c2, s2 = math.cos(2 * half), math.sin(2 * half)
     b = dt / eta
-    out = [(0.0, 0.0)]
+    out = [(s, t)]
     for _ in range(round(end / dt)):
         s, t = c2 * s - s2 * t, s2 * s + c2 * t
         t += G * dt
@@ -86,6 +86,28 @@ def run(case):
         case.check(f"mean stress {p0:g} Pa: sigma_xy against the discrete scheme", np.abs(h["sxy"] - exact[step, 1]).max() / 1e6, 0, 1e-6, "at most")
         case.check(f"mean stress {p0:g} Pa: yield stress", h["sxy"][-1], strength - 0.5 * p0 + G * 1e-6, 5e-5)
         case.check(f"mean stress {p0:g} Pa: sigma_zz keeps it", h["szz"][-1], p0, 1e-6)
+
+    # Principal axes that turn, edges of the pyramid near: from a K0 stress
+    start = "<vel0X>y</vel0X><InitialStress xx='-1e6' yy='-2e6' zz='-1.5e6'/>"
+    h = verify.history(deck(case, "K0", 1e-6, {"<vel0X>y</vel0X>": start}))
+    exact = march(1e-6, -1.5e6, 0.5e6)
+    step = np.rint(h["time"] / 1e-5).astype(int)
+    case.check("K0 stress: sigma_xy against the discrete scheme", np.abs(h["sxy"] - exact[step, 1]).max() / 1e6, 0, 1e-6, "at most")
+    case.check("K0 stress: (sigma_xx - sigma_yy)/2 against the discrete scheme", np.abs((h["sxx"] - h["syy"]) / 2 - exact[step, 0]).max() / 1e6, 0, 1e-6, "at most")
+
+    # Closed forms of small strain; the rotation of the axes by the shear of 0.03 changes them by its square, 9e-4
+    h = verify.history(deck(case, "dilation", 1e-6, {"<dilation>0<": "<dilation>10<"}))
+    psi = math.radians(10)
+    a = G + (lame + G) * math.sin(friction) * math.sin(psi)
+    plastic = (0.03 - strength / G) * G / a
+    case.check("psi = 10: sigma_xy", h["sxy"][-1], strength + (0.03 - strength / G) * G - G * plastic, 1e-3)
+    case.check("psi = 10: mean stress", (h["sxx"][-1] + h["syy"][-1]) / 2, -(lame + G) * math.sin(psi) * plastic, 1e-3)
+    case.check("psi = 10: sigma_zz", h["szz"][-1], -lame * math.sin(psi) * plastic, 1e-3)
+    h = verify.history(deck(case, "tresca", 1e-3, {"<friction>30<": "<friction>0<"}))
+    case.check("phi = 0, eta = 0.001 s: sigma_xy", h["sxy"][-1], 1199999.999997, 1e-3)
+    softening = "<friction>30</friction><softening_end>0.01</softening_end><cohesion_residual>0.5e6</cohesion_residual>"
+    h = verify.history(deck(case, "softening", 5e-3, {"<friction>30</friction>": softening}))
+    case.check("cohesion halved, eta = 0.005 s: sigma_xy", h["sxy"][-1], 1498460.109739, 1e-3)
 
     def draw(axes):
         for eta, h in curves:
