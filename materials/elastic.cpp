@@ -11,8 +11,8 @@ constexpr double small_angle = 0.1;
 // Small angles only.
 inline void sine_cosine(double t, double& sine, double& cosine) {
   const double q = t * t;
-  sine = t * (1 - q / 6 * (1 - q / 20 * (1 - q / 42 * (1 - q / 72))));
-  cosine = 1 - q / 2 * (1 - q / 12 * (1 - q / 30 * (1 - q / 56)));
+  sine = t * sine_over_angle(q);
+  cosine = 1 - q * (1.0 / 2 - q * (1.0 / 24 - q * (1.0 / 720 - q * (1.0 / 40320))));
 }
 
 }  // namespace
@@ -141,9 +141,7 @@ void elastic_step<3>(const MaterialPoints<3>& points, const Elasticity& elastic)
     for (int i = 0; i < points.count; ++i) {
       const double x = quarter * (Lzy[i] - Lyz[i]), y = quarter * (Lxz[i] - Lzx[i]), z = quarter * (Lyx[i] - Lxy[i]);
       const double q = x * x + y * y + z * z;
-      const double a = 1 - q / 6 * (1 - q / 20 * (1 - q / 42 * (1 - q / 72)));
-      const double b = 0.5 * (1 - q / 12 * (1 - q / 30 * (1 - q / 56 * (1 - q / 90))));
-      update(i, a, b, x, y, z);
+      update(i, sine_over_angle(q), versine_over_square(q), x, y, z);
     }
   } else {
     for (int i = 0; i < points.count; ++i) {

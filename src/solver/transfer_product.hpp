@@ -131,16 +131,23 @@ class ProductTransfers final : public Transfers<Dim> {
     double* base = data + s.base[i];
 #pragma GCC unroll 4
     for (int c = 0; c < (Dim == 3 ? width : 1); ++c) {
+      // Products of one axis after the other: for the plane, for the row, for the node.
       const double wz = Dim == 3 ? s.w[Dim - 1][c][i] : 1.0;
+      Wide plane = Dim == 3 ? wz * whole : whole;
+      [[maybe_unused]] Upper plane_x = pull[0], plane_y = pull[1];
+      if constexpr (Force && Dim == 3) {
+        plane = plane + s.g[Dim - 1][c][i] * pull[2];
+        plane_x = wz * pull[0], plane_y = wz * pull[1];
+      }
 #pragma GCC unroll 4
       for (int b = 0; b < width; ++b) {
-        const double wy = s.w[1][b][i], wyz = wy * wz;
-        Wide row = wyz * whole;
+        const double wy = s.w[1][b][i];
+        [[maybe_unused]] const double wyz = wy * wz;
+        Wide row = wy * plane;
         [[maybe_unused]] Upper slope;
         if constexpr (Force) {
-          row = row + (s.g[1][b][i] * wz) * pull[1];
-          if constexpr (Dim == 3) row = row + (wy * s.g[Dim - 1][c][i]) * pull[2];
-          slope = wyz * pull[0];
+          row = row + s.g[1][b][i] * plane_y;
+          slope = wy * plane_x;
         }
         [[maybe_unused]] Wide spin;
         if constexpr (Affine) {
@@ -203,20 +210,21 @@ class ProductTransfers final : public Transfers<Dim> {
 #pragma GCC unroll 4
     for (int c = 0; c < (Dim == 3 ? width : 1); ++c) {
       const double wz = Dim == 3 ? s.w[Dim - 1][c][i] : 1.0;
-      [[maybe_unused]] const double gz = Dim == 3 ? s.g[Dim - 1][c][i] : 0.0;
+      Wide plane = Wide::zero();
+      [[maybe_unused]] Vec4 plane_x{}, plane_y{};
 #pragma GCC unroll 4
       for (int b = 0; b < width; ++b) {
         const double* node = base + 8 * (c * NodePatch::plane + b * NodePatch::row);
-        const double wy = s.w[1][b][i], wyz = wy * wz;
+        const double wy = s.w[1][b][i];
+        [[maybe_unused]] const double wyz = wy * wz;
         Wide along = wx[0] * Wide::load(node);
         for (int a = 1; a < width; ++a) along = along + wx[a] * Wide::load(node + 8 * a);
-        value = value + wyz * along;
+        plane = plane + wy * along;
         if constexpr (Gradient) {
           Vec4 slope = gx[0] * load4(node);
           for (int a = 1; a < width; ++a) slope += gx[a] * load4(node + 8 * a);
-          lx += wyz * slope;
-          ly += (s.g[1][b][i] * wz) * along.low();
-          if constexpr (Dim == 3) lz += (wy * gz) * along.low();
+          plane_x += wy * slope;
+          plane_y += s.g[1][b][i] * along.low();
         }
         if constexpr (Affine) {
           Vec4 moment = ax[0] * load4(node);
@@ -225,6 +233,12 @@ class ProductTransfers final : public Transfers<Dim> {
           by += wyz * (b - s.r[1][i]) * lattice.spacing[1] * along.low();
           if constexpr (Dim == 3) bz += wyz * (c - s.r[2][i]) * lattice.spacing[2] * along.low();
         }
+      }
+      if constexpr (Dim == 2) {
+        value = plane, lx = plane_x, ly = plane_y;
+      } else {
+        value = value + wz * plane;
+        if constexpr (Gradient) lx += wz * plane_x, ly += wz * plane_y, lz += s.g[Dim - 1][c][i] * plane.low();
       }
     }
     value.store(got.whole[i % 4]);
