@@ -259,6 +259,8 @@ std::string plain(const tinyxml2::XMLDocument& document) {
       return "an element is malformed";
     case tinyxml2::XML_ERROR_PARSING_TEXT:
       return "text or a tag is not closed";
+    case tinyxml2::XML_ERROR_PARSING:
+      return "a tag is malformed; is there a bare '<' in a text or a formula? Write &lt; instead";
     case tinyxml2::XML_ERROR_EMPTY_DOCUMENT:
       return "the file holds no element";
     case tinyxml2::XML_ELEMENT_DEPTH_EXCEEDED:

@@ -55,7 +55,6 @@ struct GridSpec {
   /// Plane faces, [axis][0 low, 1 high]; must lie on grid lines.
   std::array<std::array<std::optional<double>, 2>, 3> symmetry;  ///< mirror: no normal velocity, even tangential
   std::array<std::array<std::optional<double>, 2>, 3> wall;      ///< boundary-modified shape functions end here
-  std::array<bool, 3> periodic{};
   Origin origin;
 };
 
