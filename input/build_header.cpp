@@ -214,6 +214,15 @@ void Builder::history(const Statement& h) {
       if (q.material >= 0 && q.material < static_cast<int>(material_statements_.size()))
         q.column += ":" + word(*material_statements_[static_cast<std::size_t>(q.material)], "Name");
     }
+    if (s.attribute("with") || s.attribute("withname")) {
+      must(info->name.rfind("contact", 0) == 0 || info->name.rfind("Contact", 0) == 0 ||
+               info->name == "Friction Work" || info->name == "Impact Work" || info->name == "Interface Energy",
+           s.origin, "'with' names the other material of a contact quantity; '" + q.name + "' is none");
+      must(q.material >= 0, s.origin, "'with' needs a material; give 'matname' or 'material', too");
+      q.other = material(s, "with", "withname");
+      if (q.other < static_cast<int>(material_statements_.size()))
+        q.column += ":" + word(*material_statements_[static_cast<std::size_t>(q.other)], "Name");
+    }
     model_.output.history.push_back(q);
   }
 }

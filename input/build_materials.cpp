@@ -1,35 +1,28 @@
 /// Materials: numbers, names, laws.
 
+#include "contact/contact_law.hpp"
 #include "input/builder.hpp"
 #include "materials/material.hpp"
 
 #include <algorithm>
+#include <set>
 
 namespace tribo {
 namespace {
 
 // Properties that every material may have. The first group acts only with temperature or on the screen.
 const std::vector<std::string> without_effect{"alpha", "Cv", "Cp", "kCond", "color"};
-const std::vector<std::string> common{"PDamping", "largeRotation", "ArtificialVisc"};
+const std::vector<std::string> common{"PDamping", "largeRotation", "ArtificialVisc", "Friction", "shareMatField"};
 const std::vector<std::string> rigid_properties{"SetDirection", "SettingFunction", "SettingFunction2",
                                                 "SettingFunction3"};
-constexpr std::string_view contact_laws[] = {"60",
-                                             "61",
-                                             "62",
-                                             "63",
-                                             "64",
-                                             "65",
-                                             "IgnoreContact",
-                                             "CoulombFriction",
-                                             "LinearInterface",
-                                             "AdhesiveFriction",
-                                             "LiquidContact",
-                                             "NonlinearInterface"};
 
 std::vector<std::string> law_names(bool with_number) {
   std::vector<std::string> out;
-  for (const auto& item : materials().items())
+  const auto add = [&](const auto& item) {
     out.push_back(item.name + (with_number && item.number ? " (" + std::to_string(item.number) + ")" : ""));
+  };
+  for (const auto& item : materials().items()) add(item);
+  for (const auto& item : contact_laws().items()) add(item);
   return out;
 }
 
@@ -41,10 +34,18 @@ void Builder::number_materials() {
   std::vector<const Statement*> in_file;
   for (const auto& s : root_.children)
     if (s.name == "Material") in_file.push_back(&s);
+  // A name may be given twice as long as nothing refers to it.
+  std::set<std::string> referred;
+  const std::function<void(const Statement&)> collect = [&](const Statement& s) {
+    for (const char* name : {"matname", "lawname"})
+      if (const Attribute* a = s.attribute(name)) referred.insert(a->text);
+    for (const auto& child : s.children) collect(child);
+  };
+  collect(root_);
   for (const auto* a : in_file)
     for (const auto* b : in_file) {
       if (a == b) break;
-      if (word(*a, "Name") == word(*b, "Name"))
+      if (word(*a, "Name") == word(*b, "Name") && referred.count(word(*a, "Name")))
         problems_.add(a->origin,
                       "two materials are named '" + word(*a, "Name") + "'; the first is at " + b->origin.text());
     }
@@ -92,16 +93,17 @@ void Builder::materials() {
     spec.origin = s->origin;
     const Attribute* type = s->attribute("Type");
     const auto* item = type ? tribo::materials().find(type->text) : nullptr;
-    if (!type) {
+    const auto* law = type ? tribo::contact_laws().find(type->text) : nullptr;
+    if (law) {
+      spec.type = law->name;
+      auto elsewhere = without_effect;
+      elsewhere.insert(elsewhere.end(), {"rho", "Friction"});
+      spec.contact = law->make(*s, elsewhere, model_.units, problems_);
+    } else if (!type) {
       problems_.add(s->origin, "<Material> needs the attributes Type and Name");
     } else if (!item) {
-      const bool contact =
-          std::find(std::begin(contact_laws), std::end(contact_laws), type->text) != std::end(contact_laws);
-      problems_.add(type->origin,
-                    contact ? "type '" + type->text +
-                                  "' is a contact law, and contact between materials is not supported by Tribo"
-                            : "there is no material type '" + type->text + "'" +
-                                  did_you_mean(type->text, law_names(false)) + "; valid: " + join(law_names(true)));
+      problems_.add(type->origin, "there is no material type '" + type->text + "'" +
+                                      did_you_mean(type->text, law_names(false)) + "; valid: " + join(law_names(true)));
     } else {
       spec.type = item->name;
       auto elsewhere = without_effect;
@@ -122,22 +124,34 @@ void Builder::materials() {
           spec.particle_damping = text_number(child, Dimension::rate);
         else if (child.name == "ArtificialVisc")
           problems_.add(child.origin, "<ArtificialVisc> is not supported by Tribo");
-      if (spec.law && spec.law->rigid()) rigid_functions(*s, spec);
+      if (spec.law && spec.law->rigid()) rigid_functions(*s, spec, item->number == 35);
     }
     model_.materials.push_back(std::move(spec));
   }
 }
 
-void Builder::rigid_functions(const Statement& s, MaterialSpec& spec) {
+// Rigid materials of type 35, and of type 11 with direction 8, are touched by contact; their functions set x, y and z.
+void Builder::rigid_functions(const Statement& s, MaterialSpec& spec, bool contact) {
+  if (contact) spec.rigid_directions = 8;
   std::vector<const Statement*> functions;
   for (const auto& child : s.children) {
     if (child.name == "SetDirection") {
       spec.rigid_directions = static_cast<int>(to_number(child.text).value_or(-1));
-      must(spec.rigid_directions >= 0 && spec.rigid_directions <= 7, child.origin,
-           "<SetDirection> is the sum of 1 (x), 2 (y) and 4 (z); rigid contact (8) needs contact, which is not "
-           "supported by Tribo");
+      must(!contact || spec.rigid_directions == 8, child.origin,
+           "a rigid contact material moves in all directions; <SetDirection> belongs to Rigid (11)");
+      must(spec.rigid_directions >= 0 && spec.rigid_directions <= 8, child.origin,
+           "<SetDirection> is the sum of 1 (x), 2 (y) and 4 (z), or 8 for a body that others touch by contact");
     }
     if (child.name.rfind("SettingFunction", 0) == 0) functions.push_back(&child);
+  }
+  if (spec.touches()) {
+    const bool active = root_.child("MPMHeader")->child("MultiMaterialMode") != nullptr;
+    must(active, s.origin, "a rigid body that is touched by contact needs <MultiMaterialMode> in <MPMHeader>");
+    must(functions.size() <= static_cast<std::size_t>(model_.dimension()), s.origin,
+         "there are more <SettingFunction>s than directions");
+    for (std::size_t d = 0; d < std::min<std::size_t>(functions.size(), 3); ++d)
+      spec.rigid_velocity[d] = function(functions[d]->text, functions[d]->text_origin);
+    return;
   }
   // SettingFunction n sets the n-th direction that is set
   std::size_t n = 0;

@@ -12,6 +12,7 @@ Model Builder::build() {
   mesh();
   mpm_header();
   materials();
+  contact();
   bodies();
   conditions();
   gravity();

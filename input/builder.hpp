@@ -33,7 +33,13 @@ class Builder {
   // materials.cpp
   void number_materials();
   void materials();
-  void rigid_functions(const Statement& statement, MaterialSpec& spec);
+  void contact();
+  void pair_laws();
+  void shared_fields();
+  void liquid_of(const MaterialSpec& law);
+  std::shared_ptr<const ContactLaw> named_law(const Statement& s);
+  std::shared_ptr<const ContactLaw> law_by_number(const Statement& s);
+  void rigid_functions(const Statement& statement, MaterialSpec& spec, bool contact);
   /// Index of the material an element names by mat or matname; problems and 0 if there is none.
   int material(const Statement& s, std::string_view by_number = "mat", std::string_view by_name = "matname");
 

@@ -105,7 +105,8 @@ void check_element(const Statement& s, const ElementSpec& spec, Problems& proble
     if (a.required && !s.attribute(a.name))
       problems.add(s.origin, tag + " needs the attribute '" + std::string(a.name) + "'");
 
-  const bool optional_text = spec.content == ValueType::number && s.text.empty() && s.attribute("function");
+  const bool said_otherwise = s.attribute("function") || s.attribute("law") || s.attribute("lawname");
+  const bool optional_text = spec.content == ValueType::number && s.text.empty() && said_otherwise;
   if (!optional_text)
     check_value(tag, spec.content, spec.choices, s.text, s.text.empty() ? s.origin : s.text_origin, problems);
 
@@ -115,7 +116,11 @@ void check_element(const Statement& s, const ElementSpec& spec, Problems& proble
 }
 
 void check_children(const Statement& s, Problems& problems) {
-  if (s.name == "Material") return;  // the law reads them
+  if (s.name == "Material") {  // the law reads its properties
+    for (const auto& child : s.children)
+      if (const ElementSpec* spec = find_element(child.name, s.name)) check_element(child, *spec, problems);
+    return;
+  }
   const auto valid = children_of(s.name);
   for (const auto& child : s.children) {
     const ElementSpec* spec = find_element(child.name, s.name);

@@ -158,7 +158,8 @@ std::vector<ElementSpec> make() {
        "a column of history.csv",
        T::none,
        {text("type", "name of the quantity", true), text("material", "number of a material, or id of a condition"),
-        text("mat", "the same"), text("matname", "name of a material")}});
+        text("mat", "the same"), text("matname", "name of a material"),
+        text("with", "contact quantities: number of the other material"), text("withname", "or its name")}});
   add({"ArchiveRoot",
        "MPMHeader",
        "accepted; results go to the run folder",
@@ -363,6 +364,47 @@ std::vector<ElementSpec> make() {
        false,
        true});
 
+  // Contact
+  add({"MultiMaterialMode",
+       "MPMHeader",
+       "materials have velocity fields of their own and touch by contact laws",
+       T::none,
+       {{"Normals", T::choice,
+         "how normals are found (default margin): 0 larger gradient, 1 larger volume, 2 average gradient, 3 own "
+         "gradient, 4 specified, 5 linear regression, 6 logistic regression, 7 largest margin",
+         "0 1 2 3 4 5 6 7 maxgrad maxvol avggrad owngrad specify linreg logreg margin"},
+        {"Separation", T::choice,
+         "how gaps are found (default edges of the particle domains; with gradients positions if ContactPosition is "
+         "given, else displacements)",
+         "edges positions displacements"},
+        number("RigidBias", "weight of a rigid body's gradient (default 1)"),
+        number("Azimuth", "of a specified normal, from x [degrees]"),
+        number("Polar", "of a specified normal, from z [degrees]"),
+        text("Lumping", "obsolete: all pairs are solved together"),
+        text("Vmin", "obsolete"),
+        text("Dcheck", "obsolete")},
+       true});
+  const std::vector<AttributeSpec> law{text("law", "number of the contact law"),
+                                       text("lawname", "or its name"),
+                                       number("Dn", "old style: normal stiffness of an interface"),
+                                       number("Dnt", "the same"),
+                                       number("Dnc", "in compression"),
+                                       number("Dt", "tangential")};
+  add({"Friction", "MultiMaterialMode",
+       "the default law; or old style, a number: below -10 none, negative stick, below 10 friction coefficient, else "
+       "an "
+       "interface (absent: frictionless)",
+       T::number, law, true});
+  add({"Friction", "Material", "the law between this material and another", T::number,
+       law + std::vector<AttributeSpec>{text("mat", "number of the other material"), text("matname", "or its name")}});
+  add({"ContactPosition",
+       "MultiMaterialMode",
+       "gaps from positions, for normals from gradients: cells between touching bodies, or minus an exponent",
+       T::number,
+       {},
+       true});
+  add({"shareMatField", "Material", "number of a material whose velocity field this one shares", T::integer, {}, true});
+
   // Conditions on the grid
   add({"GridBCs", "JANFEAInput", "conditions on grid nodes", T::none, {}, true});
   for (const auto* parent : {"GridBCs", "ParticleBCs"}) {
@@ -433,8 +475,6 @@ const std::vector<ElementSpec>& dialect() {
 
 const std::vector<RefusedName>& refused_names() {
   static const std::vector<RefusedName> all{
-      {"MultiMaterialMode",
-       "contact between materials is not built; without it all materials share one velocity field and stick"},
       {"Cracks", "cracks are not built"},
       {"CrackList", "cracks are not built"},
       {"Thermal", "heat conduction is not built"},

@@ -67,6 +67,9 @@ class Material {
   virtual const std::vector<HistoryVariable>& history() const = 0;
   /// False if the law never looks at F; the engine then need not keep it.
   virtual bool needs_deformation() const { return true; }
+  /// True for liquids: they have a viscosity over shear rate [stress time](1/time).
+  virtual bool liquid() const { return false; }
+  virtual double viscosity(double) const { return 0.0; }
   /// True for rigid materials: prescribed motion, no stress.
   virtual bool rigid() const { return false; }
 };

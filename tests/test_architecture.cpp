@@ -16,7 +16,7 @@ const std::map<std::string, std::set<std::string>> allowed{
     {"src/model", {"base", "geometry", "model"}},
     {"materials", {"base", "materials"}},
     {"contact", {"base", "contact"}},
-    {"input", {"base", "geometry", "model", "materials", "input"}},
+    {"input", {"base", "geometry", "model", "materials", "contact", "input"}},
     {"src/grid", {"base", "geometry", "grid"}},
     {"src/particles", {"base", "geometry", "model", "materials", "grid", "particles"}},
     {"src/solver", {"base", "geometry", "model", "materials", "contact", "grid", "particles", "solver"}},

@@ -9,6 +9,7 @@
 #include "base/units.hpp"
 #include "geometry/region.hpp"
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <memory>
@@ -19,6 +20,7 @@
 namespace tribo {
 
 class Material;
+class ContactLaw;
 
 enum class Analysis { plane_strain, plane_stress, axisymmetric, solid };
 enum class UpdateOrder { usf, usl, usavg };
@@ -47,6 +49,36 @@ struct TimeControl {
   double max_increase = 1.1;      ///< adaptive: growth of the step per adjustment
 };
 
+/// How the normal between two bodies at a node is found.
+enum class NormalMethod {
+  margin,    ///< largest margin between the particle domains; exact for flat faces
+  logistic,  ///< logistic regression of the particles
+  linear,    ///< linear regression
+  average,   ///< mean of the volume gradients
+  steepest,  ///< the larger volume gradient
+  largest,   ///< the volume gradient of the larger volume
+  own,       ///< the deformable body's own volume gradient, of two the one defined first
+  specified
+};
+/// How the gap between two bodies at a node is found.
+enum class Separation { edges, positions, displacements };
+
+/// Contact between materials.
+struct ContactSpec {
+  bool active = false;
+  NormalMethod normals = NormalMethod::margin;
+  Separation separation = Separation::edges;
+  double position = 0.8;           ///< separation by positions: cells between touching bodies, or minus an exponent
+  double rigid_bias = 1.0;         ///< weight of a rigid body's gradient
+  Vec3 direction = Vec3::UnitX();  ///< specified normal
+  std::shared_ptr<const ContactLaw> default_law;
+  std::map<std::pair<int, int>, std::shared_ptr<const ContactLaw>> pair_laws;  ///< by materials, smaller number first
+  const ContactLaw* law(int a, int b) const {
+    const auto found = pair_laws.find({std::min(a, b), std::max(a, b)});
+    return (found == pair_laws.end() ? default_law : found->second).get();
+  }
+};
+
 /// The regular grid as the user wrote it, without the padding layers the engine adds.
 struct GridSpec {
   std::array<double, 3> low{}, high{};
@@ -58,16 +90,19 @@ struct GridSpec {
   Origin origin;
 };
 
-/// A law with its name; `law` is null for a contact law named as material.
+/// A law with its name: of a material, or of contact.
 struct MaterialSpec {
   std::string name;
   std::string type;  ///< catalogue name
   std::shared_ptr<const Material> law;
   std::optional<double> particle_damping;                   ///< [1/time]
   std::array<std::optional<Expression>, 3> rigid_velocity;  ///< rigid materials: prescribed components
-  int rigid_directions = 0;                                 ///< type 11: bits x 1, y 2, z 4
-  Statement statement;                                      ///< as written, for provenance and late errors
-  Origin origin;
+  int rigid_directions = 0;                                 ///< type 11: bits x 1, y 2, z 4; 8: touched by contact
+  bool touches() const { return (rigid_directions & 8) != 0; }
+  Statement statement{};  ///< as written, for provenance and late errors
+  Origin origin{};
+  std::shared_ptr<ContactLaw> contact{};  ///< instead of `law`
+  int share_field_with = -1;              ///< material whose velocity field this one shares
 };
 
 /// A deformation of a body before the start: x -> x + shift(x), with F. Points are found in the undeformed shape.
@@ -159,6 +194,7 @@ struct HistoryQuantity {
   std::string column;  ///< column head: `velx:Disk 1`
   int material = -1;   ///< -1: all
   int condition_id = 0;
+  int other = -1;  ///< contact: only with this material; -1: with all
   std::optional<Vec3> point;
   Origin origin;
 };
@@ -195,6 +231,7 @@ struct Model {
   std::vector<ParticleCondition> particle_conditions;
   BodyForce body_force;
   Damping damping;
+  ContactSpec contact;
   OutputSpec output;
   /// Particles that leave the grid: unset stops the run; otherwise this many may be pushed back before it stops.
   std::optional<long> leave_limit;

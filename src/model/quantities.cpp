@@ -56,6 +56,13 @@ const std::vector<QuantityInfo>& global_quantities() {
       {"reactionx", "force", "of a condition with an id on the material, x", false},
       {"reactiony", "force", "of a condition with an id on the material, y", false},
       {"reactionz", "force", "of a condition with an id on the material, z", false},
+      {"contactx", "force", "contact force on a material, x; with='n': from that material only", true},
+      {"contacty", "force", "contact force on a material, y", true},
+      {"contactz", "force", "contact force on a material, z", true},
+      {"Friction Work", "energy", "dissipated by sliding contact", true},
+      {"Impact Work", "energy", "dissipated by normal contact", true},
+      {"Interface Energy", "energy", "stored in imperfect interfaces", true},
+      {"Contact Area", "length^2", "of the faces in contact", true},
       {"alpha", "1/time", "grid damping", false},
       {"palpha", "1/time", "particle damping", false},
       {"step number", "-", "steps done", false},
@@ -79,6 +86,9 @@ const std::vector<QuantityInfo>& particle_fields() {
       {"von_mises", "stress", "sqrt(3 J2)", false},
       {"deformation_gradient", "-", "F, if the material or kernel keeps it", false},
       {"volume_ratio", "-", "J = V / V0", false},
+      {"contact_state", "-", "0 open, 1 stick, 2 slip", false},
+      {"contact_traction", "stress", "of contact on the particle's face", false},
+      {"contact_normal", "-", "of contact, out of the particle's body", false},
       {"history", "-", "all variables the material keeps, by name", false},
   };
   return list;

@@ -27,6 +27,11 @@ CheckpointWriter save_state(const RunState& state, System<Dim>& system, Stepper<
     const auto& c = stepper.conditions(f);
     out.put("conditions" + std::to_string(f), std::array{c.work(), c.impulse()[0], c.impulse()[1], c.impulse()[2]});
   }
+  std::vector<double> pairs{stepper.contact().rigid_work};
+  for (const auto& [fields, entry] : stepper.contact().ledger())
+    pairs.insert(pairs.end(), {static_cast<double>(fields.first), static_cast<double>(fields.second), entry.friction,
+                               entry.impact, entry.interface, entry.stored});
+  out.put("contact", std::span<const double>(pairs));
   each_body(system, [&](Body<Dim>& body, const std::string& prefix) {
     out.put(prefix + "id", std::span<const std::int64_t>(body.particles.id));
     std::vector<std::int64_t> bins;
@@ -57,6 +62,14 @@ RunState load_state(const Checkpoint& checkpoint, System<Dim>& system, Stepper<D
     const auto values = checkpoint.doubles("conditions" + std::to_string(f));
     stepper.conditions(f).set_work(values.at(0));
     stepper.conditions(f).set_impulse({values.at(1), values.at(2), values.at(3)});
+  }
+  const auto pairs = checkpoint.doubles("contact");
+  stepper.contact().rigid_work = pairs.at(0);
+  for (std::size_t k = 1; k + 5 < pairs.size(); k += 6) {
+    auto& entry =
+        stepper.contact().ledger()[{static_cast<std::size_t>(pairs[k]), static_cast<std::size_t>(pairs[k + 1])}];
+    entry.friction = pairs[k + 2], entry.impact = pairs[k + 3], entry.interface = pairs[k + 4],
+    entry.stored = pairs[k + 5];
   }
   each_body(system, [&](Body<Dim>& body, const std::string& prefix) {
     const auto ids = checkpoint.integers(prefix + "id");

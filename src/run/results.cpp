@@ -24,9 +24,9 @@ std::string numbered(const std::string& stem, std::int64_t number, const std::st
 }
 
 std::vector<std::string> energy_columns() {
-  return {"time",          "kinetic",       "elastic",   "plastic",   "potential",
-          "external_work", "boundary_work", "damping",   "residual",  "momentum_x",
-          "momentum_y",    "momentum_z",    "impulse_x", "impulse_y", "impulse_z"};
+  return {"time",       "kinetic",       "elastic",       "plastic",   "potential", "contact",
+          "interface",  "external_work", "boundary_work", "damping",   "residual",  "momentum_x",
+          "momentum_y", "momentum_z",    "impulse_x",     "impulse_y", "impulse_z"};
 }
 
 // One value per particle of all bodies, put together for a file.
@@ -43,8 +43,9 @@ class Gatherer {
 };
 
 const std::vector<std::string>& standard_fields() {
-  static const std::vector<std::string> fields{"id",       "material",  "velocity",     "displacement", "stress",
-                                               "pressure", "von_mises", "volume_ratio", "history"};
+  static const std::vector<std::string> fields{
+      "id",        "material",     "velocity",      "displacement",     "stress",         "pressure",
+      "von_mises", "volume_ratio", "contact_state", "contact_traction", "contact_normal", "history"};
   return fields;
 }
 
@@ -79,6 +80,7 @@ Results<Dim>::Results(const Model& model, System<Dim>& system, Stepper<Dim>& ste
 
 template <int Dim>
 void Results<Dim>::write_particles(std::int64_t number) {
+  stepper_.contact().show();
   std::vector<Body<Dim>*> bodies;
   for (auto* list : {&system_.bodies, &system_.rigids})
     for (auto& body : *list) bodies.push_back(&body);
@@ -172,6 +174,18 @@ void Results<Dim>::write_particles(std::int64_t number) {
         for (std::size_t k = 0; k < 9; ++k) (*a[k])[at] = F(static_cast<int>(k) / 3, static_cast<int>(k) % 3);
       });
       fields.push_back(field);
+    } else if (name == "contact_state") {
+      if (!model_.contact.active) continue;
+      scalar(name, [](Body<Dim>& body, std::size_t i) { return body.particles.column(*body.contact_view)[i]; });
+    } else if (name == "contact_traction" || name == "contact_normal") {
+      if (!model_.contact.active) continue;
+      const std::size_t first = name == "contact_normal" ? 1 + Dim : 1;
+      vector(name, [first](Body<Dim>& body, std::size_t i) -> Vec<Dim> {
+        Vec<Dim> out;
+        for (std::size_t d = 0; d < Dim; ++d)
+          out[static_cast<Eigen::Index>(d)] = body.particles.column(*body.contact_view + first + d)[i];
+        return out;
+      });
     } else if (name == "history") {
       // Variables of the same name in several materials share a field.
       std::map<std::string, std::vector<double>*> known;
@@ -244,6 +258,10 @@ Ledgers Results<Dim>::ledgers(const Measures& all) const {
   l.external_work = stepper_.ledger().external_work;
   l.damping = stepper_.ledger().damping_work;
   l.boundary_work = stepper_.ledger().rigid_work;
+  const PairLedger contact = stepper_.contact().total();
+  l.interface = contact.stored;
+  l.contact = contact.friction + contact.impact + contact.interface - contact.stored;
+  l.boundary_work += stepper_.contact().rigid_work;
   for (std::size_t f = 0; f < system_.fields.size(); ++f) l.boundary_work += stepper_.conditions(f).work();
   return l;
 }
@@ -259,13 +277,14 @@ void Results<Dim>::write_history(double dt) {
   for (const auto& q : model_.output.history) row.push_back(quantity(q, all, bodies, l, dt));
   history_->add(row);
 
-  const double content = all.kinetic + all.stored + all.dissipated + l.potential + l.damping;
+  const double content = all.kinetic + all.stored + all.dissipated + l.potential + l.damping + l.contact + l.interface;
   if (system_.step == 0) initial_energy = content;
   Vec3 impulse = Vec3::Zero();
   for (std::size_t f = 0; f < system_.fields.size(); ++f) impulse += stepper_.conditions(f).impulse();
-  energy_->add(std::array{system_.time, all.kinetic, all.stored, all.dissipated, l.potential, l.external_work,
-                          l.boundary_work, l.damping, content - initial_energy - l.external_work - l.boundary_work,
-                          all.momentum[0], all.momentum[1], all.momentum[2], impulse[0], impulse[1], impulse[2]});
+  energy_->add(std::array{system_.time, all.kinetic, all.stored, all.dissipated, l.potential, l.contact, l.interface,
+                          l.external_work, l.boundary_work, l.damping,
+                          content - initial_energy - l.external_work - l.boundary_work, all.momentum[0],
+                          all.momentum[1], all.momentum[2], impulse[0], impulse[1], impulse[2]});
 }
 
 template <int Dim>
@@ -295,6 +314,11 @@ double Results<Dim>::quantity(const HistoryQuantity& q, const Measures& all, con
           sum += stepper_.conditions(f).reactions()[c];
     return sum[d];
   }
+  if (const int d = axis("contact"); d >= 0) return contact_of(q).force[d];
+  if (name == "friction work") return contact_of(q).friction;
+  if (name == "impact work") return contact_of(q).impact;
+  if (name == "interface energy") return contact_of(q).stored;
+  if (name == "contact area") return contact_of(q).area;
   if (const int d = axis("p"); d >= 0) return m->momentum[d];
   if (name.size() == 3 && name[0] == 's') return m->stress(name[1] - 'x', name[2] - 'x');
   if (name == "pressure") return -m->stress.trace() / 3.0;
@@ -313,6 +337,31 @@ double Results<Dim>::quantity(const HistoryQuantity& q, const Measures& all, con
   if (name == "step number") return static_cast<double>(system_.step);
   if (name == "time step") return dt;
   throw std::logic_error("no such quantity: " + q.name);
+}
+
+// Sum over the pairs that a quantity asks for; force on its material, or on the first of each pair.
+template <int Dim>
+PairLedger Results<Dim>::contact_of(const HistoryQuantity& q) const {
+  const auto field = [&](int material) {
+    for (auto* list : {&system_.bodies, &system_.rigids})
+      for (const auto& body : *list)
+        if (body.material == material) return body.field;
+    return Body<Dim>::no_field;
+  };
+  PairLedger sum;
+  for (const auto& [pair, entry] : stepper_.contact().ledger()) {
+    double sign = 1.0;
+    if (q.material >= 0) {
+      const auto self = field(q.material);
+      if (pair.first != self && pair.second != self) continue;
+      const auto other = pair.first == self ? pair.second : pair.first;
+      if (q.other >= 0 && other != field(q.other)) continue;
+      sign = pair.first == self ? 1.0 : -1.0;
+    }
+    sum.force += sign * entry.force;
+    sum.friction += entry.friction, sum.impact += entry.impact, sum.stored += entry.stored, sum.area += entry.area;
+  }
+  return sum;
 }
 
 template class Results<2>;

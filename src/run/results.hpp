@@ -17,6 +17,8 @@ struct Ledgers {
   double external_work = 0.0;  ///< body forces as functions, loads          [energy]
   double boundary_work = 0.0;  ///< prescribed velocities, rigid particles   [energy]
   double damping = 0.0;        ///< taken out                                [energy]
+  double contact = 0.0;        ///< dissipated by contact                    [energy]
+  double interface = 0.0;      ///< stored in imperfect interfaces           [energy]
 };
 
 template <int Dim>
@@ -34,6 +36,7 @@ class Results {
  private:
   double quantity(const HistoryQuantity& q, const Measures& all, const std::vector<Measures>& bodies,
                   const Ledgers& ledgers, double dt) const;
+  PairLedger contact_of(const HistoryQuantity& q) const;
   Ledgers ledgers(const Measures& all) const;
   void write_grid(std::int64_t number);
 

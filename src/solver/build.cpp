@@ -2,7 +2,10 @@
 
 #include "solver/transfer.hpp"
 
+#include "contact/contact_law.hpp"
+
 #include <algorithm>
+#include <map>
 
 namespace tribo {
 namespace {
@@ -30,6 +33,18 @@ void add_optional_columns(Body<Dim>& body, const Model& model) {
   if (!model.particle_conditions.empty() || model.body_force.acts_on_particles())
     body.load = particles.add_vector("load", Dimension::force);
   body.origin = particles.add_vector("origin", Dimension::length);
+  const ContactSpec& contact = model.contact;
+  if (!contact.active) return;
+  body.volume_of_displacement = contact.separation == Separation::displacements;
+  bool remembers = contact.default_law && contact.default_law->remembers();
+  for (const auto& [pair, law] : contact.pair_laws) remembers = remembers || law->remembers();
+  if (remembers) {
+    body.contact_memory = particles.add("contact_sliding", Dimension::none);
+    particles.add("contact_bond", Dimension::none);
+  }
+  body.contact_view = particles.add("contact_state", Dimension::none);
+  particles.add_vector("contact_traction", Dimension::stress);
+  particles.add_vector("contact_normal", Dimension::none);
 }
 
 template <int Dim>
@@ -59,7 +74,8 @@ template <int Dim>
 Body<Dim> make_body(const Model& model, int material, const std::vector<const Seed*>& seeds, std::int64_t first_id,
                     const Transfers<Dim>& transfers) {
   const MaterialSpec& spec = model.materials[static_cast<std::size_t>(material)];
-  const bool keep_deformation = spec.law->needs_deformation() || model.scheme.kernel == Kernel::cpdi;
+  const bool keep_deformation =
+      spec.law->needs_deformation() || model.scheme.kernel == Kernel::cpdi || model.contact.active;
   Body<Dim> body(seeds.size(), keep_deformation, transfers.shift(), transfers.colours_per_axis());
   body.name = spec.name;
   body.law = spec.law;
@@ -80,6 +96,29 @@ Body<Dim> make_body(const Model& model, int material, const std::vector<const Se
   return body;
 }
 
+// One field for all, or with contact one per material (or group of materials that share).
+template <int Dim>
+void assign_fields(const Model& model, System<Dim>& system) {
+  if (!model.contact.active) {
+    system.fields.emplace_back(system.lattice);
+    return;
+  }
+  std::map<int, std::size_t> field_of;
+  for (auto* list : {&system.bodies, &system.rigids})
+    for (auto& body : *list) {
+      const MaterialSpec& spec = model.materials[static_cast<std::size_t>(body.material)];
+      if (spec.law->rigid() && !spec.touches()) {
+        body.field = Body<Dim>::no_field;
+        continue;
+      }
+      const int owner = spec.share_field_with >= 0 ? spec.share_field_with : body.material;
+      const auto [entry, fresh] = field_of.try_emplace(owner, system.fields.size());
+      if (fresh) system.fields.emplace_back(system.lattice);
+      body.field = entry->second;
+      system.fields[body.field].rigid_contact = spec.law->rigid();
+    }
+}
+
 }  // namespace
 
 template <int Dim>
@@ -93,8 +132,6 @@ System<Dim> build_system(const Model& model, const std::vector<Seed>& seeds) {
   }
   System<Dim> system{Lattice<Dim>(low, high, cells)};
   system.analysis = model.analysis;
-  system.fields.emplace_back(system.lattice);
-
   const auto transfers = make_transfers<Dim>(model.scheme);
   std::int64_t next_id = 0;
   for (int m = 0; m < static_cast<int>(model.materials.size()); ++m) {
@@ -112,6 +149,7 @@ System<Dim> build_system(const Model& model, const std::vector<Seed>& seeds) {
             "particles of '" + body.name + "' are larger than a cell; uGIMP needs at least one per cell and axis");
     (body.law->rigid() ? system.rigids : system.bodies).push_back(std::move(body));
   }
+  assign_fields(model, system);
   if (system.bodies.empty())
     throw InputError(Origin{}, "the model has no deformable particle; give a <Body> with a material");
   return system;

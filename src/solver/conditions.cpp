@@ -146,6 +146,14 @@ bool Conditions<Dim>::folds(const Index<Dim>& node) const {
 }
 
 template <int Dim>
+int Conditions<Dim>::mirrored(const Index<Dim>& node) const {
+  int axes = 0;
+  for (const Plane& plane : planes_)
+    if (plane.symmetry && node[static_cast<std::size_t>(plane.axis)] == plane.node) axes |= 1 << plane.axis;
+  return axes;
+}
+
+template <int Dim>
 void Conditions<Dim>::extend(NodeLayer& nodes) const {
   for (std::size_t p = planes_.size(); p-- > 0;) {
     const Plane& plane = planes_[p];

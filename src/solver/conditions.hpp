@@ -28,6 +28,8 @@ class Conditions {
   void fold(NodeLayer& nodes, Fold what = Fold::everything) const;
   /// Whether fold() brings this node's values inside.
   bool folds(const Index<Dim>& node) const;
+  /// Bits of the axes whose symmetry plane goes through this node.
+  int mirrored(const Index<Dim>& node) const;
   /// The values beyond the planes that belong to the values inside. Inverse of fold in the sense of the transfers.
   void extend(NodeLayer& nodes) const;
 

@@ -41,15 +41,20 @@ void Stepper<Dim>::filter(double dt, bool from_start) {
   Gather value;
   value.filtered = true;
   value.from_start = from_start;
-  for (std::size_t f = 0; f < system_.fields.size(); ++f) {
-    auto& field = system_.fields[f];
+  const auto each_field = [&](auto&& f) {
+    for (std::size_t k = 0; k < system_.fields.size(); ++k)
+      if (!system_.fields[k].rigid_contact) f(k, system_.fields[k]);
+  };
+  each_field([&](std::size_t, Field<Dim>& field) {
     // velocity: the present increment, acceleration: the sum so far
     each(field, [&](const Node& node, Node& filtered, Node&) {
       filtered.mass = node.mass;
       for (int d = 0; d < 3; ++d)
         filtered.acceleration[d] = filtered.velocity[d] = node.velocity[d] - without * node.acceleration[d];
     });
-    for (int j = 1; j < model_.scheme.filter_order; ++j) {
+  });
+  for (int j = 1; j < model_.scheme.filter_order; ++j) {
+    each_field([&](std::size_t f, Field<Dim>& field) {
       conditions_[f].extend(field.filter);
       each(field, [](const Node&, Node&, Node& increment) { increment = Node{}; });
       for (auto& body : system_.bodies) {
@@ -62,25 +67,32 @@ void Stepper<Dim>::filter(double dt, bool from_start) {
         if (!(node.mass > 0)) return;
         for (int d = 0; d < 3; ++d) filtered.velocity[d] -= increment.velocity[d] / node.mass;
       });
+    });
+    contact_.refine(dt > 0);
+    each_field([&](std::size_t f, Field<Dim>& field) {
       conditions_[f].release(field.filter);
       each(field, [](const Node&, Node& filtered, const Node&) {
         for (int d = 0; d < 3; ++d) filtered.acceleration[d] += filtered.velocity[d];
       });
-    }
+    });
+  }
+  each_field([&](std::size_t f, Field<Dim>& field) {
     each(field, [](const Node&, Node& filtered, const Node&) {
       for (int d = 0; d < 3; ++d) filtered.velocity[d] = filtered.acceleration[d];
     });
     conditions_[f].extend(field.filter);
-  }
+  });
 }
 
 template <int Dim>
 void Stepper<Dim>::use_filtered(double dt) {
   const double with = model_.scheme.transfer == Transfer::xpic ? dt : 0.0;
-  for (auto& field : system_.fields)
+  for (auto& field : system_.fields) {
+    if (field.rigid_contact) continue;
     each(field, [&](Node& node, const Node& filtered, const Node&) {
       for (int d = 0; d < 3; ++d) node.velocity[d] = filtered.velocity[d] + with * node.acceleration[d];
     });
+  }
 }
 
 template bool Stepper<2>::filter_now();

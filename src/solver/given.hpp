@@ -25,6 +25,10 @@ struct Given {
   /// Fills `whole`, and `pull` if forces are scattered.
   template <bool Force>
   void prepare(Body<Dim>& body, std::uint32_t first, int count, Scatter what, bool axisymmetric) {
+    if (what == Scatter::volume) {
+      prepare_volume(body, first, count, axisymmetric);
+      return;
+    }
     const double* m = body.particles.mass() + first;
     const auto v = what == Scatter::filtered ? body.particles.vector(*body.filtered) : body.particles.v();
     const bool momentum = what != Scatter::force;
@@ -40,6 +44,25 @@ struct Given {
   }
 
  private:
+  // Volumes pull like a unit tension, so that the force is the gradient of the volume.
+  void prepare_volume(Body<Dim>& body, std::uint32_t first, int count, bool axisymmetric) {
+    const double* volume = body.particles.volume() + first;
+    const auto x = body.particles.x();
+    const auto origin = body.particles.vector(*body.origin);
+    for (int i = 0; i < count; ++i) {
+      const double v = volume[i];
+      const auto p = first + static_cast<std::uint32_t>(i);
+      for (double& w : whole[i]) w = 0.0;
+      whole[i][0] = v;
+      for (std::size_t d = 0; d < Dim; ++d) {
+        whole[i][1 + d] = v * (body.volume_of_displacement ? x[d][p] - origin[d][p] : x[d][p]);
+        for (double& w : pull[d][i]) w = 0.0;
+        pull[d][i][1 + d] = v;
+      }
+      if (axisymmetric) whole[i][5] = v / x[0][p];
+    }
+  }
+
   void prepare_force(Body<Dim>& body, std::uint32_t first, int count, bool axisymmetric) {
     const auto s = body.particles.stress();
     const double* volume = body.particles.volume() + first;

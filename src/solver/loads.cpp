@@ -105,12 +105,10 @@ void Stepper<Dim>::account_loads(double dt) {
 
 template <int Dim>
 void Stepper<Dim>::follow_rigid(double dt) {
-  if (system_.rigids.empty()) return;
-  double travel = 0.0;
   for (std::size_t r = 0; r < system_.rigids.size(); ++r) {
     auto& body = system_.rigids[r];
     const MaterialSpec& spec = model_.materials[static_cast<std::size_t>(body.material)];
-    const auto x = body.particles.x(), v = body.particles.v();
+    const auto v = body.particles.v();
     for (std::size_t i = 0; i < body.particles.size(); ++i) {
       Vec3 position = Vec3::Zero();
       position.head<Dim>() = body.particles.position(i);
@@ -119,17 +117,26 @@ void Stepper<Dim>::follow_rigid(double dt) {
       for (std::size_t d = 0; d < Dim; ++d)
         if (spec.rigid_velocity[d]) v[d][i] = (*spec.rigid_velocity[d])(at);
     }
+    if (body.field != Body<Dim>::no_field) continue;
     for (auto& field : system_.fields) {
       std::fill(field.rigid[r].begin(), field.rigid[r].end(), Node{});
       transfers_->scatter(body, field.map, field.rigid[r], Scatter::momentum, false, false);
     }
+  }
+}
+
+template <int Dim>
+void Stepper<Dim>::move_rigid(double dt) {
+  rigid_travel_ = 0.0;
+  for (auto& body : system_.rigids) {
+    const auto x = body.particles.x(), v = body.particles.v();
     for (std::size_t i = 0; i < body.particles.size(); ++i)
       for (std::size_t d = 0; d < Dim; ++d) {
         x[d][i] += dt * v[d][i];
-        travel = std::max(travel, std::abs(dt * v[d][i]) / system_.lattice.spacing[static_cast<Eigen::Index>(d)]);
+        rigid_travel_ =
+            std::max(rigid_travel_, std::abs(dt * v[d][i]) / system_.lattice.spacing[static_cast<Eigen::Index>(d)]);
       }
   }
-  rigid_travel_ = travel;
 }
 
 template <int Dim>
@@ -141,6 +148,7 @@ void Stepper<Dim>::impose_rigid(double dt, bool update, bool after_impose) {
 
 template <int Dim>
 void Stepper<Dim>::impose_rigid(Field<Dim>& field, std::size_t r, double dt, bool update, bool after_impose) {
+  if (system_.rigids[r].field != Body<Dim>::no_field) return;
   const int directions = model_.materials[static_cast<std::size_t>(system_.rigids[r].material)].rigid_directions;
   for (std::size_t n = 0; n < field.nodes.size(); ++n) {
     Node& node = field.nodes[n];
@@ -173,6 +181,8 @@ template void Stepper<3>::apply_loads(double);
 template void Stepper<2>::account_loads(double);
 template void Stepper<3>::account_loads(double);
 template void Stepper<2>::follow_rigid(double);
+template void Stepper<2>::move_rigid(double);
+template void Stepper<3>::move_rigid(double);
 template void Stepper<3>::follow_rigid(double);
 template void Stepper<2>::impose_rigid(Field<2>&, std::size_t, double, bool, bool);
 template void Stepper<3>::impose_rigid(Field<3>&, std::size_t, double, bool, bool);

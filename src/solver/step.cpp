@@ -22,22 +22,31 @@ void Stepper<Dim>::advance(double dt) {
   clear();
   apply_loads(dt);
   follow_rigid(dt);
-  if (order == UpdateOrder::usl) {
+  const bool together = order == UpdateOrder::usl && !(contact_.active() && contact_.keeps_start());
+  if (together) {
     scatter(Scatter::momentum_and_force);
   } else {
-    // 2. Stress first (or half of it): strain from the extrapolated velocities
+    // 2. Stress first (or half of it): strain from the extrapolated velocities, made to obey contact
     scatter(Scatter::momentum);
     divide_by_mass();
-    impose(system_.time, dt);
-    if (filtering_) filter(0.0, false);
-    strain(order == UpdateOrder::usf ? dt : 0.5 * dt, false);
+    contact_.find(conditions_);
+    contact_.meet(dt, Contact<Dim>::Pass::start);
+    if (order != UpdateOrder::usl) {
+      impose(system_.time, dt);
+      extend();
+      if (filtering_) filter(0.0, false);
+      strain(order == UpdateOrder::usf ? dt : 0.5 * dt, false);
+    }
+    if (!contact_.keeps_start()) contact_.part();
     scatter(Scatter::force);
   }
 
   apply_tractions();
 
-  // 3. Momentum balance on the nodes:  m a = f,  v += dt a; prescribed velocities
-  accelerate(dt, order == UpdateOrder::usl);
+  // 3. Momentum balance on the nodes:  m a = f,  v += dt a; contact; prescribed velocities
+  accelerate(dt, together);
+  if (together) contact_.find(conditions_);
+  contact_.meet(dt, Contact<Dim>::Pass::update);
   impose_update(dt, order != UpdateOrder::usl);
   account_tractions(dt);
 
@@ -46,6 +55,8 @@ void Stepper<Dim>::advance(double dt) {
     filter(dt, false);
     use_filtered(dt);
   }
+
+  contact_.book(dt);
 
   // 5. Nodes to particles: velocity, position; stress last unless it waits for better velocities
   if (again) remember_positions();
@@ -59,7 +70,9 @@ void Stepper<Dim>::advance(double dt) {
     clear();
     scatter(Scatter::momentum, true);
     divide_by_mass();
+    contact_.meet(dt, Contact<Dim>::Pass::start);
     impose(system_.time + dt, dt);
+    extend();
     if (filtering_) filter(0.0, true);
     strain(after, true);
   }
@@ -70,7 +83,10 @@ void Stepper<Dim>::advance(double dt) {
 
 template <int Dim>
 Stepper<Dim>::Stepper(const Model& model, System<Dim>& system)
-    : model_(model), system_(system), transfers_(make_transfers<Dim>(model.scheme)) {
+    : model_(model),
+      system_(system),
+      transfers_(make_transfers<Dim>(model.scheme)),
+      contact_(model, system, *transfers_) {
   for (std::size_t f = 0; f < system.fields.size(); ++f) conditions_.emplace_back(model, system.lattice);
   load_share_ = find_loaded(model, system);
 }
@@ -113,7 +129,7 @@ void Stepper<Dim>::allocate() {
     std::vector<std::int64_t> occupied;
     for (auto* bodies : {&system_.bodies, &system_.rigids})
       for (const auto& body : *bodies)
-        if (body.field == f || body.law->rigid())
+        if (body.field == f || body.field == Body<Dim>::no_field)
           for (const Bin& bin : body.bins.list()) occupied.push_back(bin.block);
     field.map.rebuild(occupied);
     const auto nodes = static_cast<std::size_t>(field.map.node_count());
@@ -123,6 +139,7 @@ void Stepper<Dim>::allocate() {
     if (filtering) field.filter.resize(nodes), field.increment.resize(nodes);
     conditions_[f].locate(field.map);
   }
+  contact_.locate();
   for (auto& body : system_.bodies) body.refresh();
 }
 
@@ -158,6 +175,12 @@ void Stepper<Dim>::scatter(Scatter what, bool from_start) {
     auto& field = system_.fields[body.field];
     transfers_->scatter(body, field.map, field.nodes, what, from_start, system_.analysis == Analysis::axisymmetric);
   }
+  if (what == Scatter::force) return;
+  for (auto& body : system_.rigids)
+    if (body.field != Body<Dim>::no_field) {
+      auto& field = system_.fields[body.field];
+      transfers_->scatter(body, field.map, field.nodes, Scatter::momentum, from_start, false);
+    }
 }
 
 template <int Dim>
@@ -170,16 +193,21 @@ void Stepper<Dim>::divide_by_mass() {
       const double inverse = 1.0 / node.mass;
       for (double& v : node.velocity) v *= inverse;
     });
-    conditions_[f].extend(nodes);
   }
 }
 
 template <int Dim>
+void Stepper<Dim>::extend() {
+  for (std::size_t f = 0; f < system_.fields.size(); ++f) conditions_[f].extend(system_.fields[f].nodes);
+}
+
+template <int Dim>
 void Stepper<Dim>::accelerate(double dt, bool from_momentum) {
-  const Vec3 gravity = model_.body_force.gravity;
-  const double damping = grid_damping;
   for (std::size_t f = 0; f < system_.fields.size(); ++f) {
     auto& nodes = system_.fields[f].nodes;
+    const bool free = !system_.fields[f].rigid_contact;
+    const Vec3 gravity = free ? model_.body_force.gravity : Vec3(Vec3::Zero());
+    const double damping = free ? grid_damping : 0.0;
     conditions_[f].fold(nodes, from_momentum ? Fold::everything : Fold::forces);
     each_node(nodes, [&](Node& node) {
       if (!(node.mass > 0)) return;
@@ -191,6 +219,7 @@ void Stepper<Dim>::accelerate(double dt, bool from_momentum) {
         node.velocity[d] = v + dt * a;
       }
     });
+    if (!free) continue;
     apply_body_force(system_.fields[f], dt);
     if (damping != 0.0) ledger_.damping_work += damping_work(system_.fields[f], dt);
   }
@@ -285,7 +314,7 @@ void Stepper<Dim>::move(double dt, double strain_dt) {
       break;
   }
   double travel = 0.0;
-  for (std::size_t f = 0; f < system_.fields.size(); ++f) conditions_[f].extend(system_.fields[f].nodes);
+  extend();
   for (auto& body : system_.bodies) {
     auto& field = system_.fields[body.field];
     what.damping = body.particle_damping + particle_damping;
@@ -293,6 +322,7 @@ void Stepper<Dim>::move(double dt, double strain_dt) {
     travel = std::max(travel, result.travel);
     if (!result.valid) stop_at_bad_particle();
   }
+  move_rigid(dt);
   system_.drift += std::max(travel, rigid_travel_);
 }
 

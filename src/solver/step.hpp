@@ -1,7 +1,7 @@
 /// One explicit step. The algorithm is in step.cpp, on one screen.
 #pragma once
 
-#include "solver/conditions.hpp"
+#include "solver/contact.hpp"
 #include "solver/transfer.hpp"
 
 namespace tribo {
@@ -33,6 +33,8 @@ class Stepper {
   const Vec3& rigid_reaction() const { return rigid_reaction_; }
   Ledger& ledger() { return ledger_; }
   const Transfers<Dim>& transfers() const { return *transfers_; }
+  Contact<Dim>& contact() { return contact_; }
+  const Contact<Dim>& contact() const { return contact_; }
   /// Rebuilds blocks and nodes for the present bins; needed after a restart.
   void allocate();
   /// Coefficient of grid and particle damping with feedback, kept for restart.
@@ -68,6 +70,8 @@ class Stepper {
   void apply_tractions();
   void account_tractions(double dt);
   void follow_rigid(double dt);
+  void move_rigid(double dt);
+  void extend();
   void impose(double time, double dt);
   void impose_update(double dt, bool after_impose);
   void impose_rigid(Field<Dim>& field, std::size_t rigid, double dt, bool update, bool after_impose);
@@ -80,6 +84,7 @@ class Stepper {
   System<Dim>& system_;
   std::unique_ptr<Transfers<Dim>> transfers_;
   std::vector<Conditions<Dim>> conditions_;
+  Contact<Dim> contact_;
   Ledger ledger_;
   bool filtering_ = false;  ///< XPIC or FMPM acts in this step
   Vec3 rigid_reaction_ = Vec3::Zero();

@@ -23,6 +23,8 @@ struct Field {
   std::vector<NodeLayer> rigid;  ///< per rigid body: the velocity its particles prescribe
   NodeLayer filter;              ///< XPIC, FMPM: increment and sum of the filter; empty without
   NodeLayer increment;           ///< XPIC, FMPM: what is scattered during filtering; empty without
+  NodeLayer volumes;             ///< contact: volume, its first moment and its gradient; empty without
+  bool rigid_contact = false;    ///< the field of a rigid body that others touch: its velocity is prescribed
 };
 
 /// The particles of one material.
@@ -33,8 +35,9 @@ struct Body {
 
   std::string name;
   std::shared_ptr<const Material> law;
-  int material = 0;  ///< index into Model::materials
-  std::size_t field = 0;
+  int material = 0;       ///< index into Model::materials
+  std::size_t field = 0;  ///< of rigid bodies: only if others touch them, else `no_field`
+  static constexpr std::size_t no_field = static_cast<std::size_t>(-1);
   Particles<Dim> particles;
   Bins<Dim> bins;
   std::size_t history = 0;               ///< first history column
@@ -44,10 +47,13 @@ struct Body {
   std::optional<std::size_t> start;      ///< "+" schemes: columns of the position at the start of the step
   std::optional<std::size_t> half_size;  ///< GIMP, CPDI with mixed particle sizes: columns of the domain's half widths
   Vec<Dim> uniform_half_size = Vec<Dim>::Zero();
-  std::optional<std::size_t> domain;    ///< CPDI: F at the start of the step, Dim x Dim columns row by row
-  std::optional<std::size_t> load;      ///< external force on particles, Dim columns
-  std::optional<std::size_t> origin;    ///< position at the start of the run, Dim columns, for displacements
-  std::optional<std::size_t> load_set;  ///< bit k set: particle condition k acts on the particle
+  std::optional<std::size_t> domain;          ///< CPDI: F at the start of the step, Dim x Dim columns row by row
+  std::optional<std::size_t> load;            ///< external force on particles, Dim columns
+  std::optional<std::size_t> origin;          ///< position at the start of the run, Dim columns, for displacements
+  std::optional<std::size_t> load_set;        ///< bit k set: particle condition k acts on the particle
+  std::optional<std::size_t> contact_memory;  ///< laws that remember: columns sliding, bond
+  std::optional<std::size_t> contact_view;    ///< for output: columns state, traction, normal
+  bool volume_of_displacement = false;        ///< contact looks at displacements, not positions
   double particle_damping = 0.0;
 
   void refresh() {

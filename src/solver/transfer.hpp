@@ -12,7 +12,8 @@ enum class Scatter {
   momentum,            ///< sum w m, sum w m v (+ affine part)
   force,               ///< sum w f_ext - V sigma grad w
   momentum_and_force,  ///< both in one sweep
-  filtered             ///< sum w m, sum w m v*, v* the filtered velocity columns
+  filtered,            ///< sum w m, sum w m v*, v* the filtered velocity columns
+  volume  ///< sum w V in place of the mass, sum w V x (or displacements), sum V grad w in place of the force
 };
 
 /// What a gather does to the particles.
@@ -38,9 +39,10 @@ template <int Dim>
 class Transfers {
  public:
   virtual ~Transfers() = default;
-  /// Adds the particles of a body to zeroed or partly filled nodes.
+  /// Adds the particles of a body to zeroed or partly filled nodes. `only`: flags of lattice blocks; particles of other
+  /// blocks are left out.
   virtual void scatter(Body<Dim>& body, const BlockMap<Dim>& map, NodeLayer& nodes, Scatter what, bool from_start,
-                       bool axisymmetric) const = 0;
+                       bool axisymmetric, const std::vector<char>* only = nullptr) const = 0;
   virtual GatherResult gather(Body<Dim>& body, const BlockMap<Dim>& map, const NodeLayer& nodes,
                               const Gather& what) const = 0;
   virtual double shift() const = 0;

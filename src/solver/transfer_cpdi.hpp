@@ -29,11 +29,12 @@ class CpdiTransfers final : public Transfers<Dim> {
   int colours_per_axis() const override { return width + 1 <= block_edge<Dim> ? 2 : 3; }
 
   void scatter(Body<Dim>& body, const BlockMap<Dim>& map, NodeLayer& nodes, Scatter what, bool from_start,
-               bool axisymmetric) const override {
-    const bool force = what == Scatter::force || what == Scatter::momentum_and_force;
+               bool axisymmetric, const std::vector<char>* only) const override {
+    const bool force = what != Scatter::momentum && what != Scatter::filtered;
     for (const auto& colour : body.bins.colours())
       parallel_for(static_cast<std::ptrdiff_t>(colour.size()), [&](std::ptrdiff_t k) {
         const Bin& bin = body.bins.list()[colour[static_cast<std::size_t>(k)]];
+        if (only && !(*only)[static_cast<std::size_t>(bin.block)]) return;
         force ? scatter_bin<true>(body, map, nodes, bin, what, from_start, axisymmetric)
               : scatter_bin<false>(body, map, nodes, bin, what, from_start, axisymmetric);
       });

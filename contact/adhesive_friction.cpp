@@ -1,0 +1,95 @@
+/// Friction with adhesion: cohesion while sliding, bonds that break under shear and tension, speed-dependent friction.
+///
+///   in contact      S = Sa + (mu + k v) N,   or with v_half   mu(v) = (mu_s v_half + mu v)/(v_half + v)
+///   not in contact  faces that bonded hold while (S/Sa)^2 + (N/Na)^2 < 1; once broken they stay apart
+///
+/// v is the sliding speed at the end of the step, v = (S_stick - S) A dt/m, so each case is a scalar equation for S.
+/// Nairn, "Modeling imperfect interfaces in the material point method using multimaterial methods", CMES 92 (2013)
+/// 271-299; speed dependence: Nairn, Bardenhagen & Smith, Comput. Part. Mech. 5 (2018) 285-296.
+
+#include "contact/friction.hpp"
+
+namespace tribo {
+namespace {
+
+struct AdhesiveFriction final : ContactLaw {
+  static constexpr std::string_view name = "AdhesiveFriction";
+  static constexpr std::string_view summary = "Coulomb friction with cohesion, adhesion and speed dependence.";
+  static constexpr int number = 63;
+
+  double coefficient = 0, static_coefficient = -1, speed_coefficient = 0, half_speed = 0;
+  double shear_strength = 0, normal_strength = 0, rebond = 0;
+  double displacement_only = 0, contact_stiffness = -1;
+
+  static auto parameters() {
+    using L = AdhesiveFriction;
+    using P = Parameter<L>;
+    return std::array{
+        P{"coeff", &L::coefficient, Dimension::none, not_negative, "friction coefficient while sliding", 0.0},
+        P{"coeffStatic", &L::static_coefficient, Dimension::none, any_value,
+          "coefficient at which sliding begins; not positive: the same", -1.0},
+        P{"kmu", &L::speed_coefficient, Dimension::per_velocity, any_value, "growth of friction with speed", 0.0},
+        P{"vhalf", &L::half_speed, Dimension::velocity, not_negative,
+          "speed at which friction is half way from static to dynamic; 0: at once", 0.0},
+        P{"Sa", &L::shear_strength, Dimension::stress, not_negative, "shear strength of the bond, cohesion in contact",
+          0.0},
+        P{"Na", &L::normal_strength, Dimension::stress, not_negative, "tensile strength of the bond", 0.0},
+        P{"rebond", &L::rebond, Dimension::none, within(0, 1), "1: broken bonds form again in contact", 0.0},
+        displacement_only_parameter(&L::displacement_only),
+        contact_stiffness_parameter(&L::contact_stiffness)};
+  }
+
+  void prepare(const Statement& statement, Problems& problems) {
+    if (static_coefficient > 0 && static_coefficient <= coefficient)
+      problems.add(statement.child("coeffStatic")->origin,
+                   "<coeffStatic> must exceed <coeff>: faces begin to slide at "
+                   "the first and go on sliding with the second");
+    if (half_speed > 0 && !(static_coefficient > 0))
+      problems.add(statement.child("vhalf")->origin, "<vhalf> needs <coeffStatic>, the friction at rest");
+  }
+
+  // Sliding impulse S A dt for the pressure impulse N, or a value above `stick` if the faces stick.
+  double slide(const Meeting& m, double stick, double N) const {
+    const double cohesion = shear_strength * m.area * m.dt;
+    const double k = speed_coefficient / m.mass;
+    if (half_speed > 0) {
+      // (s - S + kappa)(S - C - mu N - k N (s - S)) = kappa N (mu_s - mu), kappa = v_half m, s = stick
+      const double kappa = half_speed * m.mass, q = 1 + k * N;
+      const double a0 = (cohesion + coefficient * N + k * N * stick) / q, D = stick + kappa;
+      const double under = 0.25 * (D - a0) * (D - a0) - kappa * N * (static_coefficient - coefficient) / q;
+      return under < 0 ? 2 * stick + 1 : 0.5 * (D + a0) - std::sqrt(under);
+    }
+    const double denominator = 1 + k * N;
+    if (denominator <= 0) return 2 * stick + 1;  // friction falls faster than the speed rises: no slow sliding
+    return (cohesion + (coefficient + k * stick) * N) / denominator;
+  }
+
+  Answer answer(const Meeting& m) const override {
+    const Contact c = resolve(m, {displacement_only, contact_stiffness});
+    const bool adheres = shear_strength > 0 && normal_strength > 0;
+    if (c.touching) {
+      const double N = c.pressure();
+      const double at_rest = static_coefficient > 0 ? static_coefficient : coefficient;
+      const bool remembers_slip = m.sliding && half_speed == 0;
+      const bool holds = !remembers_slip && c.stick <= shear_strength * m.area * m.dt + at_rest * N;
+      Answer out = rub(m, c, slide(m, c.stick, N), holds);
+      if (adheres && (m.bond == Bond::none || rebond > 0)) out.bond = Bond::whole;
+      return out;
+    }
+    if (!adheres || m.bond != Bond::whole) return {Vec3::Zero(), Touch::open, m.bond, 0.0};
+    const double pull = std::max(0.0, m.mass * m.velocity.dot(m.normal));
+    const double strength = m.area * m.dt;
+    const double load =
+        std::pow(c.stick / (shear_strength * strength), 2) + std::pow(pull / (normal_strength * strength), 2);
+    if (!(load < 1)) return {Vec3::Zero(), Touch::open, Bond::broken, 0.0};
+    return {m.mass * m.velocity, Touch::stick, Bond::whole, 0.0};
+  }
+  bool remembers() const override { return static_coefficient > 0 || (shear_strength > 0 && normal_strength > 0); }
+  bool uses_area() const override { return true; }
+};
+
+}  // namespace
+
+Catalogue<ContactLaw>::Item adhesive_friction() { return contact_law<AdhesiveFriction>(); }
+
+}  // namespace tribo

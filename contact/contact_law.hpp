@@ -1,0 +1,93 @@
+/// The interface between the engine and the laws of contact: two velocity fields that meet at a node.
+///
+/// Conventions. a and b are the two sides, n the unit normal from a to b, "relative" always b minus a. The impulse J
+/// acts on a, -J on b; J . n > 0 pulls them together (tension). m is the reduced mass m_a m_b / (m_a + m_b), so that
+/// J = m v ends the relative velocity v: the faces stick. Tractions are impulses over area and step.
+#pragma once
+
+#include "base/catalogue.hpp"
+#include "base/types.hpp"
+
+#include <functional>
+#include <memory>
+
+namespace tribo {
+
+/// What the faces did; kept by the particles near them and shown in the output.
+enum class Touch { open, stick, slip };
+
+/// Whether an adhesive bond joins the faces.
+enum class Bond { none, whole, broken };
+
+/// Two fields at one node, as far as their law may know.
+struct Meeting {
+  double mass = 0.0;  ///< reduced mass                                                        [mass]
+  double dt = 0.0;    ///< step                                                                [time]
+  double area = 0.0;  ///< of the faces at this node                                           [length^2]
+  double gap = 0.0;   ///< between the faces at the start of the step, negative: overlap       [length]
+  Vec3 normal = Vec3::UnitX();
+  Vec3 velocity = Vec3::Zero();  ///< relative, at the end of the step if the law did nothing  [velocity]
+  Vec3 start = Vec3::Zero();     ///< relative velocity at the start of the step               [velocity]
+  Vec3 opening = Vec3::Zero();   ///< relative displacement since the faces were together      [length]
+  bool sliding = false;          ///< the faces slid in the step before
+  Bond bond = Bond::none;
+};
+
+struct Answer {
+  Vec3 impulse = Vec3::Zero();  ///< on a                                                      [mass velocity]
+  Touch touch = Touch::open;
+  Bond bond = Bond::none;
+  double stored = 0.0;  ///< energy in the interface at the end of the step                    [energy]
+};
+
+/// Viscosity over shear rate [stress time](1/time); from a liquid's material.
+using Viscosity = std::function<double(double rate)>;
+
+class ContactLaw {
+ public:
+  virtual ~ContactLaw() = default;
+
+  /// Must not create kinetic energy unless it takes it from `stored`; must give the mirrored answer for mirrored sides.
+  virtual Answer answer(const Meeting& meeting) const = 0;
+
+  /// Imperfect interfaces act only in the momentum update, on displacements.
+  virtual bool interface() const { return false; }
+  /// The law reads `sliding` or `bond`, which the particles then keep.
+  virtual bool remembers() const { return false; }
+  /// The law reads `area`.
+  virtual bool uses_area() const { return false; }
+  /// Number of the liquid whose viscosity the law needs, or 0; it is given before the run.
+  virtual int liquid() const { return 0; }
+  virtual void set_viscosity(Viscosity) {}
+};
+
+/// Catalogue entry of a law, see material_law: `Law` has name, summary, number, parameters() and prepare().
+template <class Law>
+Catalogue<ContactLaw>::Item contact_law(std::vector<std::string> aliases = {}) {
+  Catalogue<ContactLaw>::Item item;
+  item.name = Law::name;
+  item.summary = Law::summary;
+  item.number = Law::number;
+  item.aliases = std::move(aliases);
+  for (const auto& p : Law::parameters()) item.parameters.push_back(p.info());
+  item.make = [](const Statement& statement, const std::vector<std::string>& handled_elsewhere, const Units& units,
+                 Problems& problems) -> std::unique_ptr<ContactLaw> {
+    auto law = std::make_unique<Law>();
+    Problems mine;
+    read_law(*law, statement, handled_elsewhere, units, mine);
+    if (mine.empty()) law->prepare(statement, mine);
+    if (mine.empty()) return law;
+    try {
+      mine.raise();
+    } catch (const InputError& error) {
+      problems.add(error);
+    }
+    return nullptr;
+  };
+  return item;
+}
+
+/// All contact laws; generated from contact/CMakeLists.txt.
+const Catalogue<ContactLaw>& contact_laws();
+
+}  // namespace tribo

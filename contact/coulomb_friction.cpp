@@ -1,0 +1,55 @@
+/// Dry friction.
+///
+///   S <= mu N,  sliding opposes the relative velocity at the end of the step; with a static coefficient faces that
+///   stick begin to slide at mu_s N and slide with mu N until they stick again
+///
+/// Negative coefficient: faces in contact do not slide, and separate freely.
+
+#include "contact/friction.hpp"
+
+namespace tribo {
+namespace {
+
+struct CoulombFriction final : ContactLaw {
+  static constexpr std::string_view name = "CoulombFriction";
+  static constexpr std::string_view summary = "Coulomb friction with static and dynamic coefficient.";
+  static constexpr int number = 61;
+
+  double coefficient = 0, static_coefficient = -1;
+  double displacement_only = 0, contact_stiffness = -1;
+
+  static auto parameters() {
+    using L = CoulombFriction;
+    using P = Parameter<L>;
+    return std::array{
+        P{"coeff", &L::coefficient, Dimension::none, any_value, "friction coefficient; negative: no sliding", 0.0},
+        P{"coeffStatic", &L::static_coefficient, Dimension::none, any_value,
+          "coefficient at which sliding begins; not positive: the same", -1.0},
+        displacement_only_parameter(&L::displacement_only), contact_stiffness_parameter(&L::contact_stiffness)};
+  }
+
+  void prepare(const Statement& statement, Problems& problems) {
+    if (static_coefficient > 0 && static_coefficient <= coefficient)
+      problems.add(statement.child("coeffStatic")->origin,
+                   "<coeffStatic> must exceed <coeff>: faces begin to slide at "
+                   "the first and go on sliding with the second");
+    if (static_coefficient > 0 && coefficient < 0)
+      problems.add(statement.child("coeffStatic")->origin,
+                   "<coeffStatic> has no meaning with a negative <coeff>, which forbids sliding");
+  }
+
+  Answer answer(const Meeting& m) const override {
+    const Contact c = resolve(m, {displacement_only, contact_stiffness});
+    if (!c.touching) return {Vec3::Zero(), Touch::open, m.bond, 0.0};
+    const bool holds = static_coefficient > 0 && !m.sliding && c.stick <= static_coefficient * c.pressure();
+    return rub(m, c, coefficient * c.pressure(), holds || coefficient < 0);
+  }
+  bool remembers() const override { return static_coefficient > 0; }
+  bool uses_area() const override { return contact_stiffness >= 0 || displacement_only < 0; }
+};
+
+}  // namespace
+
+Catalogue<ContactLaw>::Item coulomb_friction() { return contact_law<CoulombFriction>(); }
+
+}  // namespace tribo

@@ -1,0 +1,28 @@
+/// No contact law: the two materials move as one at the nodes they share, as with a single velocity field.
+
+#include "contact/contact_law.hpp"
+
+namespace tribo {
+namespace {
+
+struct IgnoreContact final : ContactLaw {
+  static constexpr std::string_view name = "IgnoreContact";
+  static constexpr std::string_view summary = "No contact: materials share one velocity; faces of a crack do not meet.";
+  static constexpr int number = 60;
+  static std::array<Parameter<IgnoreContact>, 0> parameters() { return {}; }
+  void prepare(const Statement&, Problems&) {}
+
+  Answer answer(const Meeting& m) const override {
+    Answer out;
+    out.impulse = m.mass * m.velocity;
+    out.touch = Touch::stick;
+    out.bond = m.bond;
+    return out;
+  }
+};
+
+}  // namespace
+
+Catalogue<ContactLaw>::Item ignore_contact() { return contact_law<IgnoreContact>(); }
+
+}  // namespace tribo

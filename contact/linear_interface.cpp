@@ -1,0 +1,106 @@
+/// Imperfect interface: tractions proportional to the opening displacements.
+///
+///   T_N = Dnt d_N open, Dnc d_N closed,  T_S = Dt d_S;  a negative stiffness joins that direction perfectly
+///
+/// Each direction is one step of a relative motion on a spring, see interface.hpp. Where the opening changes its sign
+/// within the step and the stiffnesses differ, each part of the step has its own.
+/// Hashin, J. Mech. Phys. Solids 50 (2002) 2509-2537; in MPM: Nairn, CMES 92 (2013) 271-299.
+
+#include "contact/contact_law.hpp"
+#include "contact/interface.hpp"
+
+namespace tribo {
+namespace {
+
+struct LinearInterface final : ContactLaw {
+  static constexpr std::string_view name = "LinearInterface";
+  static constexpr std::string_view summary = "Imperfect interface with stiffnesses; negative: perfect.";
+  static constexpr int number = 62;
+
+  double open = -1, closed = -1, tangential = -1;
+
+  static auto parameters() {
+    using L = LinearInterface;
+    using P = Parameter<L>;
+    constexpr auto D = Dimension::interface_stiffness;
+    return std::array{P{"Dnt", &L::open, D, any_value, "normal stiffness while open", -1.0, false, "Dn"},
+                      P{"Dnc", &L::closed, D, any_value, "normal stiffness while closed (default: Dnt)", {}, true},
+                      P{"Dt", &L::tangential, D, any_value, "tangential stiffness", -1.0}};
+  }
+  void prepare(const Statement& statement, Problems&) {
+    if (!statement.child("Dnc")) closed = open;
+  }
+
+  struct Spring {
+    double impulse, stored;
+  };
+
+  static Spring spring(const Meeting& m, double stiffness, double d0, double v0, double v_free) {
+    if (stiffness < 0) return {m.mass * v_free, 0.0};
+    const double k = stiffness * m.area;
+    const double J = interface_impulse(m.mass, k, d0, v0, v_free, m.dt);
+    const double d = opening_after(m.mass, d0, v0, v_free, J, m.dt);
+    return {J, 0.5 * k * d * d};
+  }
+
+  // The motion with the stiffness of its start; if it passes zero, the rest of the step with the other. A perfect side
+  // is a stop that the motion of the other side cannot pass.
+  Spring normal(const Meeting& m) const {
+    const double d0 = m.opening.dot(m.normal), v0 = m.start.dot(m.normal), v = m.velocity.dot(m.normal);
+    if (open < 0 && closed < 0) return spring(m, -1.0, d0, v0, v);
+    if (open == closed) return spring(m, open, d0, v0, v);
+    if (closed < 0) {
+      const double d = std::max(d0, 0.0), stop = m.mass * (v + d / m.dt);
+      const Spring free = spring(m, open, d, v0, v);
+      return free.impulse < stop ? free : Spring{stop, 0.0};
+    }
+    if (open < 0) {
+      const double d = std::min(d0, 0.0), stop = m.mass * (v + d / m.dt);
+      const Spring free = spring(m, closed, d, v0, v);
+      return free.impulse > stop ? free : Spring{stop, 0.0};
+    }
+    const bool starts_open = d0 > 0 || (d0 == 0 && v > 0);
+    const double first = starts_open ? open : closed, other = starts_open ? closed : open;
+    const auto until = [&](double t) {
+      Meeting part = m;
+      part.dt = t;
+      return spring(part, first, d0, v0, v0 + (v - v0) * t / m.dt);
+    };
+    const auto end = [&](double t) {
+      return opening_after(m.mass, d0, v0, v0 + (v - v0) * t / m.dt, until(t).impulse, t);
+    };
+    const Spring whole = until(m.dt);
+    if (d0 == 0.0 || end(m.dt) * d0 >= 0) return whole;
+    double low = 0, high = m.dt;
+    for (int k = 0; k < 60; ++k) {
+      const double t = 0.5 * (low + high);
+      (end(t) * d0 > 0 ? low : high) = t;
+    }
+    const double t = 0.5 * (low + high), v_t = v0 + (v - v0) * t / m.dt;
+    const Spring before = until(t);
+    Meeting rest = m;
+    rest.dt = m.dt - t;
+    const Spring after = spring(rest, other, 0.0, v_t - before.impulse / m.mass, v - before.impulse / m.mass);
+    return {before.impulse + after.impulse, after.stored};
+  }
+
+  Answer answer(const Meeting& m) const override {
+    const Spring n = normal(m);
+    Answer out{n.impulse * m.normal, Touch::stick, m.bond, n.stored};
+    const auto along = [&](const Vec3& x) { return Vec3(x - x.dot(m.normal) * m.normal); };
+    const Vec3 d = along(m.opening), v0 = along(m.start), v = along(m.velocity);
+    for (int i = 0; i < 3; ++i) {  // isotropic, so any axes serve
+      const Spring t = spring(m, tangential, d[i], v0[i], v[i]);
+      out.impulse[i] += t.impulse, out.stored += t.stored;
+    }
+    return out;
+  }
+  bool interface() const override { return true; }
+  bool uses_area() const override { return true; }
+};
+
+}  // namespace
+
+Catalogue<ContactLaw>::Item linear_interface() { return contact_law<LinearInterface>(); }
+
+}  // namespace tribo

@@ -1,0 +1,70 @@
+/// A liquid on a wall: shear traction proportional to viscosity and slip speed.
+///
+///   S = k eta(k v) v     Navier's slip length is 1/k; k = 0 slips freely, k -> infinity sticks
+///
+/// v is the slip speed at the end of the step; for a constant viscosity S = S_stick c/(c + m), c = k eta A dt.
+
+#include "contact/friction.hpp"
+
+namespace tribo {
+namespace {
+
+struct LiquidContact final : ContactLaw {
+  static constexpr std::string_view name = "LiquidContact";
+  static constexpr std::string_view summary = "Viscous drag of a liquid on a wall with a slip length.";
+  static constexpr int number = 64;
+
+  double coefficient = 2, liquid_phase = 0;
+  double displacement_only = 0, contact_stiffness = -1;
+  Viscosity viscosity;
+
+  static auto parameters() {
+    using L = LiquidContact;
+    using P = Parameter<L>;
+    return std::array{
+        P{"coeff", &L::coefficient, Dimension::per_length, not_negative, "k, the inverse of the slip length", 2.0},
+        P{"LiquidPhase", &L::liquid_phase, Dimension::none, positive, "number of the liquid's material"},
+        displacement_only_parameter(&L::displacement_only), contact_stiffness_parameter(&L::contact_stiffness)};
+  }
+  void prepare(const Statement&, Problems&) {}
+
+  // x = v / v_stick solves x (1 + F eta(k v_stick x)) = 1 with F = k A dt / m: a bracket [0, 1] that closes by
+  // the Illinois rule; monotone as long as the shear stress grows with the rate.
+  double slip_share(const Meeting& m, double speed) const {
+    const double F = coefficient * m.area * m.dt / m.mass;
+    const auto residual = [&](double x) { return x * (1 + F * viscosity(coefficient * speed * x)) - 1; };
+    double low = 0, high = 1, f_low = -1, f_high = residual(1.0);
+    if (!(f_high > 0)) return 1.0;
+    for (int k = 0, side = 0; k < 100 && high - low > 1e-15 * high; ++k) {
+      const double x = (low * f_high - high * f_low) / (f_high - f_low), f = residual(x);
+      if (f == 0) return x;
+      if (f > 0) {
+        high = x, f_high = f;
+        if (side == 1) f_low *= 0.5;
+        side = 1;
+      } else {
+        low = x, f_low = f;
+        if (side == -1) f_high *= 0.5;
+        side = -1;
+      }
+      if (std::abs(f) < 1e-15) return x;
+    }
+    return 0.5 * (low + high);
+  }
+
+  Answer answer(const Meeting& m) const override {
+    const Contact c = resolve(m, {displacement_only, contact_stiffness});
+    if (!c.touching) return {Vec3::Zero(), Touch::open, m.bond, 0.0};
+    const double slip = slip_share(m, c.stick / m.mass);
+    return {c.normal * m.normal + (1 - slip) * c.stick * c.direction, Touch::slip, m.bond, 0.0};
+  }
+  bool uses_area() const override { return true; }
+  int liquid() const override { return static_cast<int>(liquid_phase); }
+  void set_viscosity(Viscosity v) override { viscosity = std::move(v); }
+};
+
+}  // namespace
+
+Catalogue<ContactLaw>::Item liquid_contact() { return contact_law<LiquidContact>(); }
+
+}  // namespace tribo

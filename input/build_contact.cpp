@@ -1,0 +1,211 @@
+/// Contact between materials: normals, gaps, and which law acts between which.
+
+#include "contact/contact_law.hpp"
+#include "input/builder.hpp"
+#include "materials/material.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace tribo {
+namespace {
+
+std::vector<std::string> contact_law_names() {
+  std::vector<std::string> out;
+  for (const auto& item : contact_laws().items()) out.push_back(item.name + " (" + std::to_string(item.number) + ")");
+  return out;
+}
+
+NormalMethod normal_method(const std::string& word) {
+  struct Name {
+    std::string_view number, word;
+    NormalMethod method;
+  };
+  using N = NormalMethod;
+  static constexpr Name all[] = {{"0", "maxgrad", N::steepest},  {"1", "maxvol", N::largest},
+                                 {"2", "avggrad", N::average},   {"3", "owngrad", N::own},
+                                 {"4", "specify", N::specified}, {"5", "linreg", N::linear},
+                                 {"6", "logreg", N::logistic},   {"7", "margin", N::margin}};
+  for (const auto& name : all)
+    if (word == name.number || word == name.word) return name.method;
+  return N::margin;
+}
+
+Statement property(const Statement& from, const char* name, const std::string& value) {
+  Statement s;
+  s.name = name, s.text = value, s.origin = s.text_origin = from.origin;
+  return s;
+}
+
+}  // namespace
+
+// The law that <Friction> names by number or name; null after a problem.
+std::shared_ptr<const ContactLaw> Builder::named_law(const Statement& s) {
+  const Attribute* a = s.attribute("lawname") ? s.attribute("lawname") : s.attribute("law");
+  std::vector<std::string> names;
+  for (const auto& m : model_.materials)
+    if (m.contact || tribo::contact_laws().find(m.type)) names.push_back(m.name);
+  const MaterialSpec* found = nullptr;
+  if (a->name == "lawname") {
+    for (const auto& m : model_.materials)
+      if (m.name == a->text && (!found || tribo::contact_laws().find(m.type))) found = &m;
+  } else {
+    const auto number = to_number(a->text);
+    if (number && *number >= 1 && *number <= static_cast<double>(model_.materials.size()) &&
+        *number == std::floor(*number))
+      found = &model_.materials[static_cast<std::size_t>(*number) - 1];
+  }
+  const std::string valid = names.empty()
+                                ? "this file defines none: give a <Material> of type " + join(contact_law_names())
+                                : "contact laws: " + join(names);
+  if (!found) {
+    problems_.add(a->origin, "there is no contact law '" + a->text + "'" + did_you_mean(a->text, names) + "; " + valid);
+    return nullptr;
+  }
+  if (!tribo::contact_laws().find(found->type)) {
+    problems_.add(a->origin, "'" + a->text + "' is the material '" + found->name + "' at " + found->origin.text() +
+                                 ", not a contact law; " + valid);
+    return nullptr;
+  }
+  return found->contact;
+}
+
+// <Friction>0.3</Friction>: the dialect's old way to say the law with one number.
+std::shared_ptr<const ContactLaw> Builder::law_by_number(const Statement& s) {
+  const double value = text_number(s, Dimension::none);
+  Statement law;
+  law.name = "Material", law.origin = s.origin;
+  std::string_view type = "CoulombFriction";
+  if (value <= -10) {
+    type = "IgnoreContact";
+  } else if (value < 10) {
+    law.children.push_back(property(s, "coeff", s.text));
+  } else {
+    type = "LinearInterface";
+    for (const char* name : {"Dn", "Dnt", "Dnc", "Dt"})
+      if (const Attribute* a = s.attribute(name))
+        law.children.push_back(property(s, std::string_view(name) == "Dn" ? "Dnt" : name, a->text));
+  }
+  return tribo::contact_laws().find(type)->make(law, {}, model_.units, problems_);
+}
+
+void Builder::contact() {
+  for (const auto& m : model_.materials)
+    if (m.contact && m.contact->liquid() != 0) liquid_of(m);
+  const Statement* mode = root_.child("MPMHeader")->child("MultiMaterialMode");
+  if (!mode) {
+    for (const auto* m : material_statements_)
+      if (const auto* f = m->child("Friction"))
+        problems_.add(f->origin,
+                      "<Friction> needs <MultiMaterialMode> in <MPMHeader>; without it materials stick together");
+    return;
+  }
+  ContactSpec& c = model_.contact;
+  c.active = true;
+  c.normals = normal_method(word(*mode, "Normals", "margin"));
+  c.rigid_bias = number(*mode, "RigidBias", Dimension::none, 1.0);
+  must(c.rigid_bias > 0, mode->origin, "'RigidBias' must be positive");
+  const bool angles = has(*mode, "Azimuth") || has(*mode, "Polar");
+  if (c.normals == NormalMethod::specified)
+    must(has(*mode, "Azimuth"), mode->attribute("Normals")->origin,
+         "a specified normal needs its angles: Azimuth (from x, degrees) and in three dimensions Polar (from z)");
+  else
+    must(!angles, mode->origin, "'Azimuth' and 'Polar' belong to Normals='specify'");
+  const double azimuth = number(*mode, "Azimuth", Dimension::angle),
+               polar = number(*mode, "Polar", Dimension::angle, std::numbers::pi / 2);
+  c.direction = Vec3(std::cos(azimuth) * std::sin(polar), std::sin(azimuth) * std::sin(polar), std::cos(polar));
+  if (model_.dimension() == 2) c.direction[2] = 0.0, c.direction.normalize();
+
+  const bool particles =
+      c.normals == NormalMethod::margin || c.normals == NormalMethod::logistic || c.normals == NormalMethod::linear;
+  if (const auto* p = mode->child("ContactPosition")) {
+    c.position = text_number(*p, Dimension::none, 0.8);
+    must(c.position != 0, p->text_origin, "<ContactPosition> is a number of cells, or minus an exponent, not 0");
+    if (!particles) c.separation = Separation::positions;
+  } else if (has(*mode, "Normals") && !particles) {
+    c.separation = Separation::displacements;
+  }
+  if (const Attribute* s = mode->attribute("Separation"))
+    c.separation = s->text == "edges"       ? Separation::edges
+                   : s->text == "positions" ? Separation::positions
+                                            : Separation::displacements;
+
+  if (const auto* f = mode->child("Friction"))
+    c.default_law = f->attribute("law") || f->attribute("lawname") ? named_law(*f) : law_by_number(*f);
+  else
+    c.default_law = tribo::contact_laws().find("CoulombFriction")->make(Statement{}, {}, model_.units, problems_);
+  pair_laws();
+  shared_fields();
+}
+
+void Builder::pair_laws() {
+  ContactSpec& c = model_.contact;
+  std::map<std::pair<int, int>, Origin> given;
+  for (std::size_t k = 0; k < material_statements_.size(); ++k)
+    for (const auto& f : material_statements_[k]->children) {
+      if (f.name != "Friction") continue;
+      const bool contact_law = static_cast<bool>(tribo::contact_laws().find(word(*material_statements_[k], "Type")));
+      must(!contact_law, f.origin, "<Friction> belongs to a material, not to a contact law");
+      if (!has(f, "mat") && !has(f, "matname")) {
+        problems_.add(f.origin,
+                      "<Friction> inside a material needs 'mat' or 'matname', the other material of the pair");
+        continue;
+      }
+      const int self = static_cast<int>(k), other = material(f);
+      must(self != other, f.origin, "a pair needs two materials; this names the material itself");
+      const auto law = has(f, "law") || has(f, "lawname") ? named_law(f) : law_by_number(f);
+      const std::pair pair{std::min(self, other), std::max(self, other)};
+      const auto [entry, fresh] = given.try_emplace(pair, f.origin);
+      if (!fresh) problems_.add(f.origin, "this pair of materials has a law already, at " + entry->second.text());
+      if (law) c.pair_laws[pair] = law;
+    }
+}
+
+void Builder::shared_fields() {
+  for (std::size_t k = 0; k < material_statements_.size(); ++k) {
+    const auto* s = material_statements_[k]->child("shareMatField");
+    if (!s) continue;
+    const auto number = to_number(s->text);
+    const int count = static_cast<int>(material_statements_.size());
+    if (!number || *number < 1 || *number > count || *number != std::floor(*number)) {
+      problems_.add(s->origin,
+                    "<shareMatField> names a material by its number; this file has " + std::to_string(count));
+      continue;
+    }
+    const int with = static_cast<int>(*number) - 1;
+    auto& spec = model_.materials[k];
+    const auto& other = model_.materials[static_cast<std::size_t>(with)];
+    if (!spec.law || !other.law) {
+      must(!tribo::contact_laws().find(other.type), s->origin,
+           "'" + other.name + "' is a contact law and has no velocity field");
+      continue;
+    }
+    must(with != static_cast<int>(k), s->origin, "a material cannot share with itself");
+    must(!spec.law->rigid() && !other.law->rigid(), s->origin, "rigid materials do not share a velocity field");
+    must(other.share_field_with < 0, s->origin,
+         "'" + other.name + "' itself shares the field of another material; name that one");
+    spec.share_field_with = with;
+  }
+}
+
+void Builder::liquid_of(const MaterialSpec& law) {
+  const int number = law.contact->liquid();
+  const Statement* s = law.statement.child("LiquidPhase");
+  if (number < 1 || number > static_cast<int>(model_.materials.size())) {
+    problems_.add(s->text_origin, "there is no material number '" + s->text + "'; this file has " +
+                                      std::to_string(model_.materials.size()));
+    return;
+  }
+  const auto& liquid = model_.materials[static_cast<std::size_t>(number) - 1];
+  if (!liquid.law || !liquid.law->liquid()) {
+    if (liquid.law || liquid.contact)
+      problems_.add(s->text_origin,
+                    "'" + liquid.name + "' at " + liquid.origin.text() +
+                        " is no liquid; <LiquidPhase> needs a material with a viscosity, such as TaitLiquid");
+    return;
+  }
+  law.contact->set_viscosity([m = liquid.law](double rate) { return m->viscosity(rate); });
+}
+
+}  // namespace tribo

@@ -1,0 +1,133 @@
+/// Contact between velocity fields: where they meet, what their laws answer, and what it does to the nodes.
+#pragma once
+
+#include "contact/contact_law.hpp"
+#include "solver/contact_cloud.hpp"
+#include "solver/conditions.hpp"
+#include "solver/faces.hpp"
+#include "solver/transfer.hpp"
+
+#include <map>
+
+namespace tribo {
+
+/// What a pair of fields exchanged since the start of the run (works), or in the last step (force).
+struct PairLedger {
+  Vec3 force = Vec3::Zero();  ///< on the field with the lower number, mean over the last step    [force]
+  double friction = 0.0;      ///< work dissipated by sliding, >= 0 up to the scheme's accuracy     [energy]
+  double impact = 0.0;        ///< work of the normal impulses, dissipated                         [energy]
+  double interface = 0.0;     ///< work put into imperfect interfaces                              [energy]
+  double stored = 0.0;        ///< of it stored now                                                [energy]
+  double area = 0.0;          ///< of the faces that touch now                                     [length^2]
+};
+
+template <int Dim>
+class Contact {
+ public:
+  /// When in the step the fields are brought together.
+  enum class Pass {
+    start,  ///< extrapolated velocities, before a strain update
+    update  ///< after the momentum update: the impulse of the step
+  };
+
+  Contact(const Model& model, System<Dim>& system, const Transfers<Dim>& transfers);
+
+  /// False with a single field: there is nothing to do.
+  bool active() const { return active_; }
+  /// FLIP keeps the velocities of the first pass: a mismatch of extrapolated velocities must not turn into an
+  /// acceleration. Transfers that reset the particle velocities use that pass for the strain only.
+  bool keeps_start() const { return keeps_start_; }
+
+  /// Finds the blocks that fields share; after every change of their maps.
+  void locate();
+  /// Finds the nodes where fields meet, normals, gaps and areas, from particles at the start of the step.
+  void find(std::vector<Conditions<Dim>>& conditions);
+  /// Applies the laws to the present velocities.
+  void meet(double dt, Pass pass);
+  /// Takes the impulses of the first pass back.
+  void part();
+  /// Applies the laws to filter increments: the answer to all increments so far must follow the law.
+  /// Nairn, arXiv:2604.07307 (2026).
+  void refine(bool update);
+  /// Books the impulses of the update, and lets the particles remember.
+  void book(double dt);
+
+  /// By numbers of fields, smaller first.
+  const std::map<std::pair<std::size_t, std::size_t>, PairLedger>& ledger() const { return ledger_; }
+  std::map<std::pair<std::size_t, std::size_t>, PairLedger>& ledger() { return ledger_; }
+  /// Sums over pairs.
+  PairLedger total() const;
+  /// Work done on the deformable bodies by the motion of rigid ones so far [energy].
+  double rigid_work = 0.0;
+  /// Fills the particle columns that show contact: state (0 open, 1 stick, 2 slip), traction, normal.
+  void show();
+  std::size_t node_count() const { return nodes_.size(); }
+
+ private:
+  struct Member {  // one field at a node
+    std::size_t field;
+    std::int64_t at;
+    double mass, inverse_mass;   // inverse 0: rigid
+    Vec3 trial, start;           // velocity without contact at the end and at the start
+    Vec3 before = Vec3::Zero();  // scratch of refine
+  };
+  struct Pair {
+    std::size_t a, b;  // members
+    const ContactLaw* law;
+    Meeting meeting;
+    Vec3 impulse;
+    Answer answer;
+    Vec3 booked = Vec3::Zero();  // impulse and state of the last update, for output
+    Touch shown = Touch::open;
+    bool apart;  // never meet in this step
+  };
+  struct MeetingNode {
+    Index<Dim> index;
+    std::size_t first_member, end_member, first_pair, end_pair;
+    int mirrored;  // bits: axes of symmetry planes through the node
+  };
+  struct SharedBlock {
+    std::int64_t block;
+    std::vector<std::pair<std::size_t, int>> slots;  // field, slot
+  };
+  struct Scratch {
+    Side<Dim> a, b;
+    std::vector<CloudPoint<Dim>> near;
+  };
+
+  const ContactLaw* law_of(std::size_t a, std::size_t b) const { return laws_[a * field_count_ + b]; }
+  void list_nodes(std::vector<Conditions<Dim>>& conditions);
+  void scatter_volumes(std::vector<Conditions<Dim>>& conditions);
+  void face(const MeetingNode& node, Pair& pair, Scratch& scratch);
+  Vec<Dim> gradient_normal(const Member& a, const Member& b) const;
+  std::optional<Vec<Dim>> chosen_normal(Scratch& s, const Member& a, const Member& b) const;
+  double separation(const MeetingNode& node, const Pair& pair, Scratch& scratch, const Vec<Dim>& n) const;
+  Vec3 opening(const MeetingNode& node, const Pair& pair, const Scratch& scratch, const Vec<Dim>& n) const;
+  void recall(const MeetingNode& node, Pair& pair, const Scratch& scratch) const;
+  void remember();
+  void solve(MeetingNode& node, bool interfaces, bool warm);
+  double weight(const Vec<Dim>& distance) const;
+  template <class F>
+  void each_pair_near(const CloudPoint<Dim>& p, F&& f) const;
+
+  const Model& model_;
+  System<Dim>& system_;
+  const Transfers<Dim>& transfers_;
+  bool active_ = false, keeps_start_ = false, remembers_ = false, interfaces_ = false;
+  std::size_t field_count_ = 0;
+  std::vector<const ContactLaw*> laws_;
+  std::vector<Body<Dim>*> bodies_;
+  Cloud<Dim> cloud_;
+  std::vector<SharedBlock> shared_;
+  std::vector<char> near_;  ///< per lattice block: 1 where volumes are wanted
+  std::vector<MeetingNode> nodes_;
+  std::vector<Member> members_;
+  std::vector<Pair> pairs_;
+  std::vector<int> record_;     ///< per shared block and node: number of the meeting node, or -1
+  std::vector<int> shared_at_;  ///< per lattice block: number of the shared block, or -1
+  std::vector<Scratch> scratch_;
+  std::map<std::pair<std::size_t, std::size_t>, PairLedger> ledger_;
+  double h_ = 0.0, reach_ = 0.0;
+};
+
+}  // namespace tribo

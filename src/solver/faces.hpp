@@ -1,0 +1,90 @@
+/// Where two clouds of particles face each other: normal and gap at a node.
+#pragma once
+
+#include "base/types.hpp"
+
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <vector>
+
+namespace tribo {
+
+/// Particles of one body near a node: centres relative to the node and half axes, one array per component.
+template <int Dim>
+struct Side {
+  std::vector<double> x[Dim], axes[Dim][Dim];  ///< axes[k][d]: component d of half axis k
+  std::vector<double> reach;                   ///< scratch
+  int count = 0;
+
+  void clear() {
+    count = 0;
+    for (int d = 0; d < Dim; ++d) {
+      x[d].clear();
+      for (int k = 0; k < Dim; ++k) axes[k][d].clear();
+    }
+  }
+  void add(const Vec<Dim>& centre, const Mat<Dim>& half) {
+    ++count;
+    for (int d = 0; d < Dim; ++d) {
+      x[d].push_back(centre[d]);
+      for (int k = 0; k < Dim; ++k) axes[k][d].push_back(half(d, k));
+    }
+  }
+
+  /// reach[i] = x_i . n + share * sum_k |r_k . n|: how far each particle's domain, scaled by `share`, reaches along n.
+  void measure(const Vec<Dim>& n, double share) {
+    reach.resize(static_cast<std::size_t>(count));
+    double* __restrict out = reach.data();
+    for (int i = 0; i < count; ++i) {
+      double s = 0.0, e = 0.0;
+      for (int d = 0; d < Dim; ++d) s += x[d][static_cast<std::size_t>(i)] * n[d];
+      for (int k = 0; k < Dim; ++k) {
+        double r = 0.0;
+        for (int d = 0; d < Dim; ++d) r += axes[k][d][static_cast<std::size_t>(i)] * n[d];
+        e += std::fabs(r);
+      }
+      out[i] = s + share * e;
+    }
+  }
+
+  /// The corner of a domain, scaled by `share`, that reaches farthest along n.
+  Vec<Dim> farthest(const Vec<Dim>& n, double share) {
+    measure(n, share);
+    std::size_t best = 0;
+    for (std::size_t i = 1; i < reach.size(); ++i)
+      if (reach[i] > reach[best]) best = i;
+    Vec<Dim> corner;
+    for (int d = 0; d < Dim; ++d) corner[d] = x[d][best];
+    for (int k = 0; k < Dim; ++k) {
+      Vec<Dim> r;
+      for (int d = 0; d < Dim; ++d) r[d] = axes[k][d][best];
+      corner += (r.dot(n) < 0 ? -share : share) * r;
+    }
+    return corner;
+  }
+};
+
+/// Shortest vector from the convex hull of a's domains to that of b's, domains scaled by `share`; nothing if they
+/// overlap. Wolfe, "Finding the nearest point in a polytope", Math. Programming 11 (1976) 128-149. `guess`: direction
+/// from a to b to begin with.
+template <int Dim>
+std::optional<Vec<Dim>> shortest_vector(Side<Dim>& a, Side<Dim>& b, double share, const Vec<Dim>& guess);
+
+/// Unit normal of largest margin from a to b, or nothing if no plane parts the clouds. Its plane has all of a on one
+/// side and all of b on the other, as far from both as possible: exact for flat faces, their corners and edges.
+template <int Dim>
+std::optional<Vec<Dim>> margin_normal(Side<Dim>& a, Side<Dim>& b, const Vec<Dim>& guess, double length);
+
+/// Logistic (or only linear) regression of the classes a = -1, b = 1. Nairn, Hammerquist & Smith, "New material point
+/// method contact algorithms for improved accuracy, large-deformation problems, and proper null-space filtering",
+/// CMAME 362 (2020) 112859.
+template <int Dim>
+std::optional<Vec<Dim>> regression_normal(const Side<Dim>& a, const Side<Dim>& b, bool logistic, double length);
+
+/// Position of the face along n: of a, the largest reach, of b, the smallest (pass -n and negate). Only particles with
+/// a tangential distance from the node below `band` count; if there are none, those that come nearest.
+template <int Dim>
+double face_position(Side<Dim>& side, const Vec<Dim>& n, double band);
+
+}  // namespace tribo
