@@ -141,7 +141,7 @@ void Contact<Dim>::list_nodes(std::vector<Conditions<Dim>>& conditions) {
 }
 
 // Volume, and its gradient in place of the force, of the bodies near meeting nodes: sum_p V_p grad w_Ip is the
-// integral of the shape function over the surface times the inward normal.
+// integral of the shape function over the surface times the outward normal.
 template <int Dim>
 void Contact<Dim>::scatter_volumes(std::vector<Conditions<Dim>>& conditions) {
   std::fill(near_.begin(), near_.end(), 0);
@@ -176,25 +176,25 @@ void Contact<Dim>::scatter_volumes(std::vector<Conditions<Dim>>& conditions) {
 
 template <int Dim>
 Vec<Dim> Contact<Dim>::gradient_normal(const Member& a, const Member& b) const {
-  const auto inward = [&](const Member& m) {
+  const auto outward = [&](const Member& m) {
     const Node& node = system_.fields[m.field].volumes[static_cast<std::size_t>(m.at)];
     return Vec<Dim>(Eigen::Map<const Vec<Dim>>(node.acceleration));
   };
   const auto volume = [&](const Member& m) {
     return system_.fields[m.field].volumes[static_cast<std::size_t>(m.at)].mass;
   };
-  const Vec<Dim> ga = inward(a), gb = inward(b);
+  const Vec<Dim> ga = outward(a), gb = outward(b);
   const double bias = model_.contact.rigid_bias;
   const double wa = a.inverse_mass == 0.0 ? bias : 1.0, wb = b.inverse_mass == 0.0 ? bias : 1.0;
   switch (model_.contact.normals) {
     case NormalMethod::steepest:
-      return wa * ga.norm() >= wb * gb.norm() ? Vec<Dim>(-ga) : gb;
+      return wa * ga.norm() >= wb * gb.norm() ? ga : Vec<Dim>(-gb);
     case NormalMethod::largest:
-      return wa * volume(a) >= wb * volume(b) ? Vec<Dim>(-ga) : gb;
+      return wa * volume(a) >= wb * volume(b) ? ga : Vec<Dim>(-gb);
     case NormalMethod::own:
-      return a.inverse_mass > 0 ? Vec<Dim>(-ga) : gb;
+      return a.inverse_mass > 0 ? ga : Vec<Dim>(-gb);
     default:
-      return wb * gb - wa * ga;
+      return wa * ga - wb * gb;
   }
 }
 
@@ -206,7 +206,12 @@ std::optional<Vec<Dim>> Contact<Dim>::chosen_normal(Scratch& s, const Member& a,
     return Vec<Dim>(v / norm);
   };
   const Vec<Dim> gradient = gradient_normal(a, b);
-  switch (model_.contact.normals) {
+  // The faces of a rigid body are known: its geometry replaces the gradients.
+  NormalMethod method = model_.contact.normals;
+  const bool by_gradient = method == NormalMethod::steepest || method == NormalMethod::largest ||
+                           method == NormalMethod::average || method == NormalMethod::own;
+  if (by_gradient && (a.inverse_mass == 0.0 || b.inverse_mass == 0.0)) method = NormalMethod::margin;
+  switch (method) {
     case NormalMethod::specified: {
       // from the deformable into the rigid, else from the lower to the higher field
       const double sign = a.inverse_mass == 0.0 ? -1.0 : 1.0;
@@ -220,7 +225,7 @@ std::optional<Vec<Dim>> Contact<Dim>::chosen_normal(Scratch& s, const Member& a,
     case NormalMethod::linear:
     case NormalMethod::logistic:
       if (s.a.count == 0 || s.b.count == 0) return unit(gradient);
-      if (auto n = regression_normal<Dim>(s.a, s.b, model_.contact.normals == NormalMethod::logistic, h_)) return n;
+      if (auto n = regression_normal<Dim>(s.a, s.b, method == NormalMethod::logistic, h_)) return n;
       return unit(gradient);
     case NormalMethod::margin:
       if (s.a.count == 0 || s.b.count == 0) return std::nullopt;
@@ -257,7 +262,7 @@ void Contact<Dim>::face(const MeetingNode& node, Pair& pair, Scratch& s) {
     const Node& v = system_.fields[m.field].volumes[static_cast<std::size_t>(m.at)];
     return std::abs(Eigen::Map<const Vec<Dim>>(v.acceleration).dot(*n));
   };
-  pair.meeting.area = 0.5 * (slope(a) + slope(b));
+  pair.meeting.area = std::min(slope(a), slope(b));
   if (pair.law->interface()) pair.meeting.opening = opening(node, pair, s, *n);
   if (pair.law->remembers()) recall(node, pair, s);
 }
