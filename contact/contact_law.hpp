@@ -50,6 +50,8 @@ class ContactLaw {
   /// Must not create kinetic energy unless it takes it from `stored`; must give the mirrored answer for mirrored sides.
   virtual Answer answer(const Meeting& meeting) const = 0;
 
+  /// The law reads normal and gap.
+  virtual bool looks_at_faces() const { return true; }
   /// Imperfect interfaces act only in the momentum update, on displacements.
   virtual bool interface() const { return false; }
   /// The law reads `sliding` or `bond`, which the particles then keep.

@@ -19,6 +19,7 @@ struct IgnoreContact final : ContactLaw {
     out.bond = m.bond;
     return out;
   }
+  bool looks_at_faces() const override { return false; }
 };
 
 }  // namespace

@@ -8,8 +8,6 @@
 namespace tribo {
 namespace {
 
-// Fields lighter than this share of a node's mass carry round-off only.
-constexpr double least_share = 1e-12;
 // Gaps are measured from the particles at most this far sideways [cells].
 constexpr double band = 0.75;
 
@@ -27,7 +25,8 @@ Contact<Dim>::Contact(const Model& model, System<Dim>& system, const Transfers<D
   const std::size_t n = field_count_;
   active_ = model.contact.active && n > 1;
   if (!active_) return;
-  keeps_start_ = model.scheme.transfer == Transfer::flip || model.scheme.transfer == Transfer::blend;
+  const Transfer transfer = model.scheme.transfer;
+  keeps_start_ = transfer == Transfer::flip || transfer == Transfer::blend || transfer == Transfer::xpic;
   h_ = system.lattice.spacing.maxCoeff();
   const Kernel kernel = model.scheme.kernel;
   reach_ = h_ * (kernel == Kernel::cubic_spline ? 3.0 : kernel == Kernel::quadratic_spline ? 2.5 : 2.0);
@@ -95,12 +94,11 @@ void Contact<Dim>::list_nodes(std::vector<Conditions<Dim>>& conditions) {
   for (std::size_t s = 0; s < shared_.size(); ++s) {
     const SharedBlock& shared = shared_[s];
     for (int local = 0; local < block_nodes<Dim>; ++local) {
-      double total = 0.0;
       int count = 0;
       for (const auto& [f, slot] : shared.slots) {
         const auto at = static_cast<std::int64_t>(slot) * block_nodes<Dim> + local;
         const double m = system_.fields[f].nodes[static_cast<std::size_t>(at)].mass;
-        if (m > 0) ++count, total += m;
+        if (m > 0) ++count;
       }
       if (count < 2) continue;
       MeetingNode node{system_.fields[shared.slots[0].first].map.node_at(
@@ -114,7 +112,7 @@ void Contact<Dim>::list_nodes(std::vector<Conditions<Dim>>& conditions) {
       for (const auto& [f, slot] : shared.slots) {
         const auto at = static_cast<std::int64_t>(slot) * block_nodes<Dim> + local;
         const double m = system_.fields[f].nodes[static_cast<std::size_t>(at)].mass;
-        if (!(m > least_share * total)) continue;
+        if (!(m > 0)) continue;
         const bool rigid = system_.fields[f].rigid_contact;
         deformable = deformable || !rigid;
         members_.push_back({f, at, m, rigid ? 0.0 : 1.0 / m, Vec3::Zero(), Vec3::Zero(), Vec3::Zero()});
@@ -238,6 +236,7 @@ std::optional<Vec<Dim>> Contact<Dim>::chosen_normal(Scratch& s, const Member& a,
 
 template <int Dim>
 void Contact<Dim>::face(const MeetingNode& node, Pair& pair, Scratch& s) {
+  if (!pair.law->looks_at_faces()) return;
   const Member &a = members_[pair.a], &b = members_[pair.b];
   const Vec<Dim> centre = system_.lattice.position(node.index);
   s.a.clear(), s.b.clear();

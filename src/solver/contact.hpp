@@ -34,8 +34,9 @@ class Contact {
 
   /// False with a single field: there is nothing to do.
   bool active() const { return active_; }
-  /// FLIP keeps the velocities of the first pass: a mismatch of extrapolated velocities must not turn into an
-  /// acceleration. Transfers that reset the particle velocities use that pass for the strain only.
+  /// FLIP and XPIC add accelerations, or filter velocities without them; they keep the velocities of the first pass, as
+  /// a mismatch of extrapolated velocities must not turn into an acceleration. Transfers that reset the particle
+  /// velocities use that pass for the strain only, and the impulse of the update is the whole impulse.
   bool keeps_start() const { return keeps_start_; }
 
   /// Finds the blocks that fields share; after every change of their maps.
