@@ -108,6 +108,7 @@ void Builder::body(const Statement& s, bool hole) {
   Piece piece;
   if (!hole) {
     piece.material = material(s);
+    must_be_solid(s, piece.material);
     piece.velocity = Vec3(number(s, "vx", Dimension::velocity), number(s, "vy", Dimension::velocity),
                           number(s, "vz", Dimension::velocity));
     if (has(s, "temp")) piece.temperature = number(s, "temp", Dimension::temperature);
@@ -202,6 +203,7 @@ void Builder::point(const Statement& s) {
   PointSpec p;
   p.origin = s.origin;
   p.material = material(s);
+  must_be_solid(s, p.material);
   p.angle = number(s, "angle", Dimension::angle);
   const auto* at = s.child("pt");
   if (!at) {

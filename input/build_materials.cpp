@@ -85,6 +85,15 @@ int Builder::material(const Statement& s, std::string_view by_number, std::strin
   return 0;
 }
 
+// Bodies are made of materials, not of contact laws.
+void Builder::must_be_solid(const Statement& s, int material) {
+  if (material >= static_cast<int>(model_.materials.size())) return;
+  const auto& spec = model_.materials[static_cast<std::size_t>(material)];
+  const Attribute* a = s.attribute("matname") ? s.attribute("matname") : s.attribute("mat");
+  must(!tribo::contact_laws().find(spec.type), a ? a->origin : s.origin,
+       "'" + spec.name + "' at " + spec.origin.text() + " is a contact law; a body needs a material");
+}
+
 void Builder::materials() {
   for (const auto* s : material_statements_) {
     MaterialSpec spec;
@@ -98,6 +107,8 @@ void Builder::materials() {
       spec.type = law->name;
       auto elsewhere = without_effect;
       elsewhere.insert(elsewhere.end(), {"rho", "Friction"});
+      if (s->child("E"))
+        problems_.add(type->origin, "'" + law->name + "' is a contact law, but this looks like a solid");
       spec.contact = law->make(*s, elsewhere, model_.units, problems_);
     } else if (!type) {
       problems_.add(s->origin, "<Material> needs the attributes Type and Name");

@@ -49,6 +49,7 @@ class Builder {
   void picture(const Statement& s);
   void point(const Statement& s);
   void modify(const Statement& s, Piece& piece);
+  void must_be_solid(const Statement& s, int material);
   RegionPtr shape(const Statement& s);
   RegionPtr plain_shape(const Statement& s);
   RegionPtr line_shape(const Statement& s);

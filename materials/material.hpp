@@ -70,6 +70,8 @@ class Material {
   /// True for liquids: they have a viscosity over shear rate [stress time](1/time).
   virtual bool liquid() const { return false; }
   virtual double viscosity(double) const { return 0.0; }
+  /// Bound of it, for the time step [stress time].
+  virtual double largest_viscosity() const { return 0.0; }
   /// True for rigid materials: prescribed motion, no stress.
   virtual bool rigid() const { return false; }
 };
@@ -86,13 +88,12 @@ struct NoState {};
 /// Lifts a law written for one point to the batch interface. `Law` is a plain struct with
 ///   static constexpr std::string_view name, summary;  static constexpr int number;   (dialect number or 0)
 ///   static auto parameters();                         // std::array<Parameter<Law>, N>
-///   void prepare(const Statement&, Problems&);        // derived constants and cross-checks, once
-///   double density;
-///   double wave_modulus() const;
-///   using State = ...;                                // NoState, or a struct of doubles
-///   static auto history();                            // std::tuple of StateVariable, only with a State
-///   Mat3 stress(const Motion&, const Mat3& old_stress, State&) const;
-///   double energy_density(const Mat3& F, const Mat3& stress, const State&) const;   // stored, per current volume
+///   void prepare(const Statement&, Problems&);        // derived constants and cross-checks, once; or with Units
+///   between static std::vector<std::string> repeated();       // optional: properties that prepare reads itself double
+///   density; double wave_modulus() const; using State = ...;                                // NoState, or a struct of
+///   doubles static auto history();                            // std::tuple of StateVariable, only with a State Mat3
+///   stress(const Motion&, const Mat3& old_stress, State&) const; double energy_density(const Mat3& F, const Mat3&
+///   stress, const State&) const;   // stored, per current volume
 /// Plane stress is solved here for every such law, see plane_stress.hpp.
 template <class State>
 struct StateVariable {
@@ -102,7 +103,7 @@ struct StateVariable {
 };
 
 template <class Law>
-class PointwiseMaterial final : public Material {
+class PointwiseMaterial : public Material {
  public:
   explicit PointwiseMaterial(Law law) : law_(std::move(law)) {
     if constexpr (has_state) {
@@ -240,8 +241,15 @@ Catalogue<Material>::Item material_law(std::vector<std::string> aliases = {}) {
                  Problems& problems) -> std::unique_ptr<Material> {
     Law law;
     Problems mine;
-    read_law(law, statement, handled_elsewhere, units, mine);
-    if (mine.empty()) law.prepare(statement, mine);
+    auto skipped = handled_elsewhere;
+    if constexpr (requires { Law::repeated(); })
+      for (auto& name : Law::repeated()) skipped.push_back(name);
+    read_law(law, statement, skipped, units, mine);
+    if constexpr (requires { law.prepare(statement, units, mine); }) {
+      if (mine.empty()) law.prepare(statement, units, mine);
+    } else if (mine.empty()) {
+      law.prepare(statement, mine);
+    }
     if (mine.empty()) return std::make_unique<Lifted>(std::move(law));
     try {
       mine.raise();

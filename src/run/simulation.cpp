@@ -13,6 +13,7 @@
 #include <chrono>
 #include <csignal>
 #include <cstdio>
+#include <limits>
 
 namespace tribo {
 namespace {
@@ -132,7 +133,8 @@ class Simulation {
       if (c > fastest) fastest = c, controlling_ = body.name;
     }
     if (!(fastest > 0)) throw SimulationError("no material has a wave speed; the time step cannot be chosen");
-    const double wave_step = model_.time.courant * system_.lattice.smallest_spacing() / fastest;
+    double wave_step = model_.time.courant * system_.lattice.smallest_spacing() / fastest;
+    if (const double viscous = viscous_step(); viscous < wave_step) wave_step = viscous;
     wave_speed_ = fastest;
     limited_by_user_ = model_.time.max_step < wave_step;
     return std::min(wave_step, model_.time.max_step);
@@ -200,13 +202,24 @@ class Simulation {
     return out;
   }
 
+  // Explicit diffusion of momentum: dt < h^2 / (2 Dim nu).
+  double viscous_step() const {
+    double least = std::numeric_limits<double>::infinity();
+    const double h = system_.lattice.smallest_spacing();
+    for (const auto& body : system_.bodies)
+      if (const double eta = body.law->largest_viscosity(); eta > 0)
+        least = std::min(least, model_.time.courant * h * h * body.law->density() / (2 * Dim * eta));
+    return least;
+  }
+
   // Adaptive steps follow the wave speeds and the fastest particle; the last step ends at the end.
   double next_step() {
     static constexpr int every = 10;
     if (model_.time.adaptive && system_.step % every == 0) {
       const Measures all = measure(system_);
       const double h = system_.lattice.smallest_spacing();
-      double wanted = std::min(model_.time.max_step, model_.time.courant * h / all.largest_wave_speed);
+      double wanted =
+          std::min({model_.time.max_step, model_.time.courant * h / all.largest_wave_speed, viscous_step()});
       if (all.largest_speed > 0) wanted = std::min(wanted, model_.time.velocity_courant * h / all.largest_speed);
       dt_ = std::min(wanted, model_.time.max_increase * dt_);
     }

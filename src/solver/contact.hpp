@@ -2,8 +2,8 @@
 #pragma once
 
 #include "contact/contact_law.hpp"
-#include "solver/contact_cloud.hpp"
 #include "solver/conditions.hpp"
+#include "solver/contact_cloud.hpp"
 #include "solver/faces.hpp"
 #include "solver/transfer.hpp"
 

@@ -1,0 +1,121 @@
+#include "contact/contact_cases.hpp"
+#include "contact/interface.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace tribo;
+using namespace tribo::test;
+
+TEST_CASE("the step of an interface is the exact motion while the spring is soft", "[contact]") {
+  const double exact[] = {6.214436e-4, 5.896718e-4, 2.946413e-4, -9.666019e-4};
+  const double stiffness[] = {1e2, 1e3, 1e4, 1e6};
+  for (int n = 0; n < 4; ++n) {
+    const double d = exact[n], k = stiffness[n];
+    const double free = -0.05 + 3 * 0.01 / 1.2;
+    CHECK(exact_opening(1.2, k, 1e-3, -0.05, free, 0.01) == Approx(d).epsilon(2e-7));
+    // The impulse and the motion belong together: m (v1 - v0) = f dt - J, and energy is kept without a force.
+    const double J = exact_impulse(1.2, k, 1e-3, -0.05, -0.05, 0.01), v1 = -0.05 - J / 1.2;
+    const double d1 = exact_opening(1.2, k, 1e-3, -0.05, -0.05, 0.01);
+    CHECK(0.6 * v1 * v1 + 0.5 * k * d1 * d1 == Approx(0.6 * 0.05 * 0.05 + 0.5 * k * 1e-6).epsilon(1e-12));
+  }
+}
+
+TEST_CASE("the impulse of an interface is continuous in its stiffness and sticks in the limit", "[contact]") {
+  const auto J = [](double phi) { return interface_impulse(1.2, 1.2 * phi * phi / 1e-4, 1e-3, -0.05, 0.02, 0.01); };
+  for (const double phi : {1e-4, 1.5, 3.0})
+    CHECK(J(phi * (1 - 1e-9)) == Approx(J(phi * (1 + 1e-9))).epsilon(1e-7).margin(1e-14));
+  // A rigid spring closes the gap within the step (backward Euler).
+  CHECK(J(1e7) == Approx(1.2 * (0.02 + 1e-3 / 0.01)).epsilon(1e-5));
+}
+
+TEST_CASE("a bilinear interface swings with half periods of its two stiffnesses and keeps its energy", "[contact]") {
+  const auto law = make_law("62", {{"Dnt", "100"}, {"Dnc", "400"}, {"Dt", "0"}});
+  Meeting m;
+  m.mass = 1, m.dt = 1e-3, m.area = 1;
+  double d = 0, v = 1, opened = 0, closed = 0, most = 0, least = 0;
+  int sign = 1;
+  std::vector<double> half;
+  double last = 0;
+  for (int step = 1; step <= 47124; ++step) {  // 100 periods of 0.4712389
+    m.opening = Vec3(d, 0, 0), m.start = m.velocity = Vec3(v, 0, 0);
+    const double J = law->answer(m).impulse[0];
+    const double before = d;
+    d += 0.5 * m.dt * (2 * v - J), v -= J;
+    if ((d > 0) != (sign > 0)) {
+      const double t = (step - 1 + before / (before - d)) * m.dt;
+      half.push_back(t - last), last = t, sign = -sign;
+    }
+    most = std::max(most, d), least = std::min(least, d);
+  }
+  for (std::size_t k = 0; k < half.size(); ++k) (k % 2 == 0 ? opened : closed) += half[k];
+  CHECK(opened / static_cast<double>((half.size() + 1) / 2) == Approx(0.314159265).epsilon(1e-3));
+  CHECK(closed / static_cast<double>(half.size() / 2) == Approx(0.157079633).epsilon(1e-3));
+  CHECK(-least / most == Approx(0.5).epsilon(1e-3));
+  CHECK(0.5 * v * v + (d > 0 ? 50 : 200) * d * d == Approx(0.5).epsilon(1e-3));
+}
+
+TEST_CASE("perfect directions stick; a perfect side is a stop", "[contact]") {
+  Meeting m = plain_meeting();
+  m.opening = 1e-3 * m.normal, m.start = m.velocity;
+  CHECK((make_law("62", {})->answer(m).impulse - m.mass * m.velocity).norm() < 1e-15);
+  const auto stop = make_law("62", {{"Dnt", "100"}, {"Dnc", "-1"}, {"Dt", "0"}});
+  // closes with 0.88: open by 1e-3 it may close 1e-3 in this step, touching it may not close at all
+  const auto end = [&](double opening) {
+    m.opening = opening * m.normal;
+    return (m.velocity - stop->answer(m).impulse / m.mass).dot(m.normal);
+  };
+  CHECK(end(0.5e-3) == Approx(-0.5).epsilon(1e-12));
+  CHECK(end(0.0) == Approx(0.0).margin(1e-13));
+  CHECK(end(-1e-5) == Approx(0.0).margin(1e-13));
+  m.velocity = m.start = Vec3(0.8, 0.6, 0);
+  CHECK(end(0.0) == Approx(1.0).epsilon(1e-4));  // free to open
+}
+
+TEST_CASE("interfaces mirror, and only give back what they stored", "[contact]") {
+  std::mt19937 random(2);
+  std::vector<std::unique_ptr<ContactLaw>> laws;
+  laws.push_back(make_law("62", {{"Dn", "20"}, {"Dt", "5"}}));
+  laws.push_back(make_law("62", {{"Dnt", "20"}, {"Dnc", "2000"}, {"Dt", "-1"}}));
+  laws.push_back(make_law("65", {{"Dnt", "20"}, {"Dt", "5"}}));
+  laws.push_back(make_law(
+      "65",
+      {{"Dnt", "20"}, {"Dt", "5"}, {"normal_shape", "1"}, {"Npeak", "1"}, {"tangential_shape", "1"}, {"Tpeak", "1"}}));
+  for (auto& law : laws)
+    for (int n = 0; n < 2000; ++n) {
+      const Meeting m = random_meeting(random);
+      const Answer a = law->answer(m), b = law->answer(mirrored(m));
+      REQUIRE((a.impulse + b.impulse).norm() <= 1e-13 * (1 + a.impulse.norm()));
+      REQUIRE(a.stored == Approx(b.stored).epsilon(1e-12));
+      REQUIRE(a.stored >= 0);
+    }
+}
+
+TEST_CASE("a linear shape of the nonlinear interface agrees with the linear law to second order", "[contact]") {
+  const auto linear = make_law("62", {{"Dn", "20"}, {"Dt", "5"}}),
+             general = make_law("65", {{"Dn", "20"}, {"Dt", "5"}});
+  Meeting m = plain_meeting();
+  m.opening = Vec3(1e-3, 2e-3, 0), m.start = Vec3(-1.9, 1.3, 0);
+  double before = 0;
+  for (const double dt : {0.04, 0.02, 0.01}) {
+    m.dt = dt, m.velocity = m.start + dt * Vec3(3, -2, 0);
+    const double error = (linear->answer(m).impulse - general->answer(m).impulse).norm() / dt;
+    if (before > 0) CHECK(before / error > 3.5);
+    before = error;
+  }
+}
+
+TEST_CASE("Morse's law has its slope, its peak, and softens", "[contact]") {
+  const auto law = make_law("65", {{"Dnt", "400"}, {"Dt", "0"}, {"normal_shape", "1"}, {"Npeak", "10"}});
+  Meeting m;
+  m.mass = 1e9, m.dt = 1e-6, m.area = 1;  // too heavy to move
+  const auto traction = [&](double d) {
+    m.opening = Vec3(d, 0, 0);
+    return law->answer(m).impulse[0] / m.dt;
+  };
+  CHECK(traction(1e-7) == Approx(400e-7).epsilon(1e-5));
+  CHECK(traction(std::log(2.0) / 10) == Approx(10).epsilon(1e-6));
+  CHECK(traction(0.2) < traction(0.1));
+  CHECK(traction(-1e-3) == Approx(-0.4).epsilon(1e-6));
+  m.opening = Vec3(100, 0, 0);
+  CHECK(law->answer(m).stored == Approx(8 * 100.0 / 400).epsilon(1e-9));  // the well's depth: what it costs to part
+}
