@@ -2,8 +2,7 @@
 ///
 ///   T_N = Dnt d_N open, Dnc d_N closed,  T_S = Dt d_S;  a negative stiffness joins that direction perfectly
 ///
-/// Each direction is one step of a relative motion on a spring, see interface.hpp. Where the opening changes its sign
-/// within the step and the stiffnesses differ, each part of the step has its own.
+/// Each direction is one step of a relative motion on a spring, see interface.hpp.
 /// Hashin, J. Mech. Phys. Solids 50 (2002) 2509-2537; in MPM: Nairn, CMES 92 (2013) 271-299.
 
 #include "contact/contact_law.hpp"
@@ -39,49 +38,28 @@ struct LinearInterface final : ContactLaw {
     if (stiffness < 0) return {m.mass * v_free, 0.0};
     const double k = stiffness * m.area;
     const double J = interface_impulse(m.mass, k, d0, v0, v_free, m.dt);
-    const double d = opening_after(m.mass, d0, v0, v_free, J, m.dt);
+    const double d = d0 + m.dt * (v_free - J / m.mass);
     return {J, 0.5 * k * d * d};
   }
 
-  // The motion with the stiffness of its start; if it passes zero, the rest of the step with the other. A perfect side
-  // is a stop that the motion of the other side cannot pass.
+  // The side on which the step begins rules it. A perfect side is a stop that the motion of the other cannot pass.
   Spring normal(const Meeting& m) const {
     const double d0 = m.opening.dot(m.normal), v0 = m.start.dot(m.normal), v = m.velocity.dot(m.normal);
-    if (open < 0 && closed < 0) return spring(m, -1.0, d0, v0, v);
-    if (open == closed) return spring(m, open, d0, v0, v);
-    if (closed < 0) {
+    if (closed < 0 && open >= 0) {
       const double d = std::max(d0, 0.0), stop = m.mass * (v + d / m.dt);
       const Spring free = spring(m, open, d, v0, v);
       return free.impulse < stop ? free : Spring{stop, 0.0};
     }
-    if (open < 0) {
+    if (open < 0 && closed >= 0) {
       const double d = std::min(d0, 0.0), stop = m.mass * (v + d / m.dt);
       const Spring free = spring(m, closed, d, v0, v);
       return free.impulse > stop ? free : Spring{stop, 0.0};
     }
-    const bool starts_open = d0 > 0 || (d0 == 0 && v > 0);
-    const double first = starts_open ? open : closed, other = starts_open ? closed : open;
-    const auto until = [&](double t) {
-      Meeting part = m;
-      part.dt = t;
-      return spring(part, first, d0, v0, v0 + (v - v0) * t / m.dt);
-    };
-    const auto end = [&](double t) {
-      return opening_after(m.mass, d0, v0, v0 + (v - v0) * t / m.dt, until(t).impulse, t);
-    };
-    const Spring whole = until(m.dt);
-    if (d0 == 0.0 || end(m.dt) * d0 >= 0) return whole;
-    double low = 0, high = m.dt;
-    for (int k = 0; k < 60; ++k) {
-      const double t = 0.5 * (low + high);
-      (end(t) * d0 > 0 ? low : high) = t;
-    }
-    const double t = 0.5 * (low + high), v_t = v0 + (v - v0) * t / m.dt;
-    const Spring before = until(t);
-    Meeting rest = m;
-    rest.dt = m.dt - t;
-    const Spring after = spring(rest, other, 0.0, v_t - before.impulse / m.mass, v - before.impulse / m.mass);
-    return {before.impulse + after.impulse, after.stored};
+    const bool opens = d0 > 0 || (d0 == 0 && v > 0);
+    Spring s = spring(m, opens ? open : closed, d0, v0, v);
+    const double d1 = d0 + m.dt * (v - s.impulse / m.mass);
+    if (open >= 0) s.stored = 0.5 * (d1 > 0 ? open : closed) * m.area * d1 * d1;
+    return s;
   }
 
   Answer answer(const Meeting& m) const override {

@@ -2,9 +2,9 @@
 ///
 ///   Morse   T(d) = 2 D_e a e^(-a d) (1 - e^(-a d)),  D_e = 8 peak^2/D, a = D/(4 peak)
 ///
-/// has the slope D at zero and the largest traction `peak` at d = ln 2/a. The step takes the mean of the tractions at
-/// its two ends (second order, energy T averaged along the way), by Newton's method. The tangential law acts on the
-/// length of the tangential opening.
+/// has the slope D at zero and the largest traction `peak` at d = ln 2/a. The traction is that of the opening at the
+/// start of the step (leapfrog, second order), or an implicit one where the spring is stiff for the step, see
+/// interface.hpp. The tangential law acts along the tangential opening.
 
 #include "contact/contact_law.hpp"
 #include "contact/interface.hpp"
@@ -65,76 +65,64 @@ struct NonlinearInterface final : ContactLaw {
     return tangential_shape == 1 ? morse(tangential, tangential_peak, d) : linear(tangential, d);
   }
 
-  // Impulse of one direction: J = A dt (T(d0) + T(d1))/2, d1 = d0 + dt (v0 + v_free - J/m)/2. Bracketed Newton; stiff
-  // springs (see interface.hpp) weigh the end more.
+  // Impulse of one direction: J = A dt T(d0 + beta dt v1), v1 = v_free - J/m; explicit (beta = 0) unless the spring is
+  // stiff for the step, else by Newton's method in a bracket.
   template <class F>
-  static double impulse(const Meeting& m, const F& law, double d0, double v0, double v_free) {
+  static double impulse(const Meeting& m, const F& law, double d0, double v_free) {
     const Pull start = law(d0);
-    const double phi = m.dt * std::sqrt(std::max(start.slope, 0.0) * m.area / m.mass);
-    const double theta = phi <= 3 ? 0.5 : 1 - 1.5 / phi;
-    const auto opening = [&](double J) { return d0 + m.dt * ((1 - theta) * v0 + theta * (v_free - J / m.mass)); };
-    const auto residual = [&](double J) {
-      return J - m.area * m.dt * ((1 - theta) * start.traction + theta * law(opening(J)).traction);
-    };
-    // Between no impulse and the one that returns to zero opening the residual changes its sign.
-    double J = m.area * m.dt * start.traction;
-    const double back = m.mass * (v_free + (d0 / m.dt + (1 - theta) * v0) / theta);
-    double low = std::min({0.0, back, J}), high = std::max({0.0, back, J});
-    if (residual(low) * residual(high) > 0) return J / (1 + 0.25 * phi * phi);
+    const double beta = implicit_weight(m.dt * std::sqrt(std::max(start.slope, 0.0) * m.area / m.mass));
+    const double strength = m.area * m.dt;
+    double J = strength * start.traction;
+    if (beta == 0.0) return J;
+    const auto opening = [&](double impulse) { return d0 + beta * m.dt * (v_free - impulse / m.mass); };
+    const auto residual = [&](double impulse) { return impulse - strength * law(opening(impulse)).traction; };
+    // Between no impulse and the one that leads back to zero opening the residual changes its sign.
+    const double back = m.mass * (v_free + d0 / (beta * m.dt));
+    double low = std::min(0.0, back), high = std::max(0.0, back);
     const bool rising = residual(high) > 0;
-    for (int k = 0; k < 100 && high - low > 1e-15 * (std::abs(low) + std::abs(high)); ++k) {
+    J = std::clamp(J, low, high);
+    for (int k = 0; k < 100; ++k) {
       const double r = residual(J);
       if (r == 0) break;
       ((r > 0) == rising ? high : low) = J;
-      const double slope = 1 + m.area * m.dt * theta * law(opening(J)).slope * m.dt * theta / m.mass;
-      const double next = J - r / slope;
-      if (std::abs(next - J) <= 1e-15 * std::abs(J)) break;
-      J = next > low && next < high ? next : 0.5 * (low + high);
+      const double slope = 1 + strength * law(opening(J)).slope * beta * m.dt / m.mass, newton = J - r / slope;
+      const double next = newton > low && newton < high ? newton : 0.5 * (low + high);
+      if (std::abs(next - J) <= 1e-15 * (std::abs(low) + std::abs(high))) break;
+      J = next;
     }
     return J;
   }
 
   Answer answer(const Meeting& m) const override {
     Answer out{Vec3::Zero(), Touch::stick, m.bond, 0.0};
-    const double d0 = m.opening.dot(m.normal), v0 = m.start.dot(m.normal), v = m.velocity.dot(m.normal);
-    double J =
-        open < 0 && closed < 0 ? m.mass * v
-        : open < 0 || closed < 0
-            ? impulse(
-                  m,
-                  [&](double d) {
-                    return open < 0 && d >= 0 ? Pull{0, 0, 0} : closed < 0 && d < 0 ? Pull{0, 0, 0} : normal_law(d);
-                  },
-                  d0, v0, v)
-            : impulse(
-                  m, [&](double d) { return normal_law(d); }, d0, v0, v);
-    // A perfect side is a stop that the motion of the other side cannot pass.
-    if (closed < 0 && open >= 0) J = std::min(J, m.mass * (v + std::max(d0, 0.0) / m.dt));
-    if (open < 0 && closed >= 0) J = std::max(J, m.mass * (v + std::min(d0, 0.0) / m.dt));
-    const double d1 = opening_after(m.mass, d0, v0, v, J, m.dt);
-    if ((d1 >= 0 && open >= 0) || (d1 < 0 && closed >= 0)) out.stored += m.area * normal_law(d1).energy;
+    const double d0 = m.opening.dot(m.normal), v = m.velocity.dot(m.normal);
+    double J = m.mass * v;
+    if (open >= 0 || closed >= 0) {
+      const auto springs = [&](double d) { return (d >= 0 ? open : closed) < 0 ? Pull{0, 0, 0} : normal_law(d); };
+      J = impulse(m, springs, d0, v);
+      // A perfect side is a stop that the motion of the other side cannot pass.
+      if (closed < 0) J = std::min(J, m.mass * (v + std::max(d0, 0.0) / m.dt));
+      if (open < 0) J = std::max(J, m.mass * (v + std::min(d0, 0.0) / m.dt));
+      out.stored += m.area * springs(d0 + m.dt * (v - J / m.mass)).energy;
+    }
     out.impulse = J * m.normal;
 
     const auto along = [&](const Vec3& x) { return Vec3(x - x.dot(m.normal) * m.normal); };
-    const Vec3 d = along(m.opening), w0 = along(m.start), w = along(m.velocity);
+    const Vec3 d = along(m.opening), w = along(m.velocity);
     if (tangential < 0) {
       out.impulse += m.mass * w;
       return out;
     }
-    // Isotropic: along the opening that the step would reach halfway, and elastic across it.
-    const Vec3 ahead = d + 0.25 * m.dt * (w0 + w);
-    const double length = ahead.norm();
+    const double length = d.norm();
     if (!(length > 0)) return out;
-    const Vec3 t = ahead / length;
-    const double T = impulse(
-        m,
-        [&](double x) {
-          return x < 0 ? Pull{-tangential_law(-x).traction, tangential_law(-x).slope, 0.0} : tangential_law(x);
-        },
-        d.dot(t), w0.dot(t), w.dot(t));
+    const Vec3 t = d / length;
+    const auto law = [&](double x) {
+      const Pull pull = tangential_law(std::abs(x));
+      return Pull{x < 0 ? -pull.traction : pull.traction, pull.slope, pull.energy};
+    };
+    const double T = impulse(m, law, length, w.dot(t));
     out.impulse += T * t;
-    const double t1 = std::abs(opening_after(m.mass, d.dot(t), w0.dot(t), w.dot(t), T, m.dt));
-    out.stored += m.area * tangential_law(t1).energy;
+    out.stored += m.area * law((d + m.dt * (w - T / m.mass * t)).norm()).energy;
     return out;
   }
   bool interface() const override { return true; }

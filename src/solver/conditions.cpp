@@ -82,13 +82,15 @@ void Conditions<Dim>::locate(const BlockMap<Dim>& map) {
   }
   ghosts_.assign(planes_.size(), {});
   for (auto& list : mirror_nodes_) list.clear();
+  const bool symmetry = std::any_of(planes_.begin(), planes_.end(), [](const Plane& p) { return p.symmetry; });
+  share_.assign(symmetry ? static_cast<std::size_t>(map.node_count()) : 0, 1.0);
   for (std::size_t p = 0; p < planes_.size(); ++p) {
     const Plane& plane = planes_[p];
     const auto axis = static_cast<std::size_t>(plane.axis);
     for (std::int64_t at = 0; at < map.node_count(); ++at) {
       auto node = map.node_at(at);
       const int depth = (plane.node - node[axis]) * plane.inward;
-      if (depth == 0 && plane.symmetry) mirror_nodes_[axis].push_back(at);
+      if (depth == 0 && plane.symmetry) mirror_nodes_[axis].push_back(at), share_[static_cast<std::size_t>(at)] *= 0.5;
       if (depth < 1 || depth > 2) continue;
       Ghost ghost{at, -1, -1, depth, plane.axis, plane.symmetry};
       node[axis] = plane.node;
@@ -215,10 +217,10 @@ void Conditions<Dim>::impose_update(NodeLayer& nodes, double time, double dt, bo
     a += correction * chosen.direction;
 
     Vec3 force = Vec3::Zero();
-    force.head<Dim>() = node.mass * correction * chosen.direction;
+    const double mass = share(l.node) * node.mass;
+    force.head<Dim>() = mass * correction * chosen.direction;
     for (const auto c : chosen.conditions) reactions_[c] += force / static_cast<double>(chosen.conditions.size());
-    work_ +=
-        dt * node.mass * correction * (wanted - 0.5 * dt * a.dot(chosen.direction));  // force times mid-step velocity
+    work_ += dt * mass * correction * (wanted - 0.5 * dt * a.dot(chosen.direction));  // force times mid-step velocity
     impulse_ += dt * force;
   }
 }

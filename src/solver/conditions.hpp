@@ -28,6 +28,8 @@ class Conditions {
   void fold(NodeLayer& nodes, Fold what = Fold::everything) const;
   /// Whether fold() brings this node's values inside.
   bool folds(const Index<Dim>& node) const;
+  /// What a node counts in sums over nodes: nodes on symmetry planes carry their mirror images, too.
+  double share(std::int64_t node) const { return share_.empty() ? 1.0 : share_[static_cast<std::size_t>(node)]; }
   /// Bits of the axes whose symmetry plane goes through this node.
   int mirrored(const Index<Dim>& node) const;
   /// The values beyond the planes that belong to the values inside. Inverse of fold in the sense of the transfers.
@@ -82,6 +84,7 @@ class Conditions {
   std::vector<Located> located_;
   std::vector<std::vector<Ghost>> ghosts_;     ///< per plane
   std::vector<std::int64_t> mirror_nodes_[3];  ///< nodes on symmetry planes, by axis
+  std::vector<double> share_;                  ///< empty without symmetry planes
   std::vector<Vec3> reactions_;
   double work_ = 0.0;
   Vec3 impulse_ = Vec3::Zero();

@@ -101,13 +101,10 @@ void Contact<Dim>::list_nodes(std::vector<Conditions<Dim>>& conditions) {
         if (m > 0) ++count;
       }
       if (count < 2) continue;
-      MeetingNode node{system_.fields[shared.slots[0].first].map.node_at(
-                           static_cast<std::int64_t>(shared.slots[0].second) * block_nodes<Dim> + local),
-                       members_.size(),
-                       0,
-                       pairs_.size(),
-                       0,
-                       0};
+      MeetingNode node{};
+      node.index = system_.fields[shared.slots[0].first].map.node_at(
+          static_cast<std::int64_t>(shared.slots[0].second) * block_nodes<Dim> + local);
+      node.first_member = members_.size(), node.first_pair = pairs_.size();
       bool deformable = false;
       for (const auto& [f, slot] : shared.slots) {
         const auto at = static_cast<std::int64_t>(slot) * block_nodes<Dim> + local;
@@ -122,7 +119,9 @@ void Contact<Dim>::list_nodes(std::vector<Conditions<Dim>>& conditions) {
         members_.resize(node.first_member);
         continue;
       }
-      node.mirrored = conditions[members_[node.first_member].field].mirrored(node.index);
+      const Member& first = members_[node.first_member];
+      node.mirrored = conditions[first.field].mirrored(node.index);
+      node.share = conditions[first.field].share(first.at);
       for (std::size_t a = node.first_member; a < node.end_member; ++a)
         for (std::size_t b = a + 1; b < node.end_member; ++b) {
           if (members_[a].inverse_mass + members_[b].inverse_mass == 0.0) continue;
@@ -261,7 +260,9 @@ void Contact<Dim>::face(const MeetingNode& node, Pair& pair, Scratch& s) {
     const Node& v = system_.fields[m.field].volumes[static_cast<std::size_t>(m.at)];
     return std::abs(Eigen::Map<const Vec<Dim>>(v.acceleration).dot(*n));
   };
-  pair.meeting.area = std::min(slope(a), slope(b));
+  // Faces that end elsewhere than their partners meet on the smaller; open interfaces belong to both.
+  const double sa = slope(a), sb = slope(b);
+  pair.meeting.area = pair.law->interface() ? 0.5 * (sa + sb) : std::min(sa, sb);
   if (pair.law->interface()) pair.meeting.opening = opening(node, pair, s, *n);
   if (pair.law->remembers()) recall(node, pair, s);
 }
@@ -551,9 +552,9 @@ void Contact<Dim>::book(double dt) {
       if (pair.answer.touch == Touch::open) continue;
       const Member &a = members_[pair.a], &b = members_[pair.b];
       auto& entry = ledger_[{a.field, b.field}];
-      entry.force += pair.impulse / dt;
-      entry.stored += pair.answer.stored;
-      entry.area += pair.meeting.area;
+      entry.force += node.share / dt * pair.impulse;
+      entry.stored += node.share * pair.answer.stored;
+      entry.area += node.share * pair.meeting.area;
       const auto end = [&](const Member& m, std::size_t self) {
         Vec3 v = m.trial;
         for (std::size_t q = node.first_pair; q < node.end_pair; ++q) {
@@ -563,15 +564,15 @@ void Contact<Dim>::book(double dt) {
         return v;
       };
       // Work of the pair on the grid, at the mean of the velocities of the step's ends
-      const Vec3 mean = 0.5 * (b.start - a.start + end(b, pair.b) - end(a, pair.a));
+      const Vec3 mean = 0.5 * node.share * (b.start - a.start + end(b, pair.b) - end(a, pair.a));
       const double all = pair.impulse.dot(mean);
       const double normal = pair.impulse.dot(pair.meeting.normal) * mean.dot(pair.meeting.normal);
       if (pair.law->interface())
         entry.interface += all;
       else
         entry.impact += normal, entry.friction += all - normal;
-      if (a.inverse_mass == 0.0) rigid_work -= pair.impulse.dot(a.trial);
-      if (b.inverse_mass == 0.0) rigid_work += pair.impulse.dot(b.trial);
+      if (a.inverse_mass == 0.0) rigid_work -= node.share * pair.impulse.dot(a.trial);
+      if (b.inverse_mass == 0.0) rigid_work += node.share * pair.impulse.dot(b.trial);
     }
   if (remembers_) remember();
 }

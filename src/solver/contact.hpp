@@ -85,7 +85,8 @@ class Contact {
   struct MeetingNode {
     Index<Dim> index;
     std::size_t first_member, end_member, first_pair, end_pair;
-    int mirrored;  // bits: axes of symmetry planes through the node
+    double share;  // of sums over nodes
+    int mirrored;        // bits: axes of symmetry planes through the node
   };
   struct SharedBlock {
     std::int64_t block;

@@ -220,17 +220,18 @@ void Stepper<Dim>::accelerate(double dt, bool from_momentum) {
       }
     });
     if (!free) continue;
-    apply_body_force(system_.fields[f], dt);
-    if (damping != 0.0) ledger_.damping_work += damping_work(system_.fields[f], dt);
+    apply_body_force(f, dt);
+    if (damping != 0.0) ledger_.damping_work += damping_work(f, dt);
   }
 }
 
 // Accelerations that the user gave as functions of position and time.
 template <int Dim>
-void Stepper<Dim>::apply_body_force(Field<Dim>& field, double dt) {
+void Stepper<Dim>::apply_body_force(std::size_t f, double dt) {
   const BodyForce& force = model_.body_force;
   if (!force.function[0] && !force.function[1] && !force.function[2]) return;
-  ledger_.external_work += sum_over_nodes(field, [&](std::int64_t n, Node& node) {
+  const auto& field = system_.fields[f];
+  ledger_.external_work += sum_over_nodes(f, [&](std::int64_t n, Node& node) {
     Vec3 x = Vec3::Zero();
     x.head<Dim>() = system_.lattice.position(field.map.node_at(n));
     auto at = Variables::at(x, system_.time / force.function_time);
@@ -249,8 +250,8 @@ void Stepper<Dim>::apply_body_force(Field<Dim>& field, double dt) {
 }
 
 template <int Dim>
-double Stepper<Dim>::damping_work(Field<Dim>& field, double dt) {
-  return sum_over_nodes(field, [&](std::int64_t, const Node& node) {
+double Stepper<Dim>::damping_work(std::size_t f, double dt) {
+  return sum_over_nodes(f, [&](std::int64_t, const Node& node) {
     double square = 0.0;
     for (int d = 0; d < Dim; ++d) {
       const double old = node.velocity[d] - dt * node.acceleration[d];
@@ -263,13 +264,14 @@ double Stepper<Dim>::damping_work(Field<Dim>& field, double dt) {
 // Sum of f over the nodes with mass, in the order of the blocks for any number of threads.
 template <int Dim>
 template <class F>
-double Stepper<Dim>::sum_over_nodes(Field<Dim>& field, F&& f) {
+double Stepper<Dim>::sum_over_nodes(std::size_t f, F&& term) {
+  auto& field = system_.fields[f];
   sums_.assign(field.map.active().size(), 0.0);
   parallel_for(static_cast<std::ptrdiff_t>(sums_.size()), [&](std::ptrdiff_t block) {
     double sum = 0.0;
     for (std::int64_t n = block * block_nodes<Dim>; n < (block + 1) * block_nodes<Dim>; ++n) {
       Node& node = field.nodes[static_cast<std::size_t>(n)];
-      if (node.mass > 0) sum += f(n, node);
+      if (node.mass > 0) sum += conditions_[f].share(n) * term(n, node);
     }
     sums_[static_cast<std::size_t>(block)] = sum;
   });

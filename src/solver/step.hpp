@@ -48,10 +48,10 @@ class Stepper {
  private:
   void sort();
   void push_back(Body<Dim>& body);
-  void apply_body_force(Field<Dim>& field, double dt);
-  double damping_work(Field<Dim>& field, double dt);
+  void apply_body_force(std::size_t field, double dt);
+  double damping_work(std::size_t field, double dt);
   template <class F>
-  double sum_over_nodes(Field<Dim>& field, F&& f);
+  double sum_over_nodes(std::size_t field, F&& term);
   void clear();
   void scatter(Scatter what, bool from_start = false);
   void divide_by_mass();
