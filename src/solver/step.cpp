@@ -364,11 +364,13 @@ void Stepper<Dim>::remember_domains() {
 
 template <int Dim>
 void Stepper<Dim>::remember_positions() {
-  for (auto& body : system_.bodies) {
+  const auto remember = [](Body<Dim>& body) {
     const auto from = body.particles.x();
     const auto to = body.particles.vector(*body.start);
     for (std::size_t d = 0; d < Dim; ++d) std::copy_n(from[d], body.particles.size(), to[d]);
-  }
+  };
+  for (auto* bodies : {&system_.bodies, &system_.rigids})
+    for (auto& body : *bodies) remember(body);
 }
 
 template <int Dim>

@@ -1,0 +1,88 @@
+import math
+
+import numpy as np
+
+import verify
+
+g = 9.81
+
+
+def friction(text, kind="CoulombFriction"):
+    return dict(law=f"<Material Type='{kind}' Name='law'>{text}</Material>")
+
+
+def slide(case, name, angle=30.0, turned=0.0, **entities):
+    """Time, velocity, displacement and mean force (per weight) along and against the plane."""
+    c, s = math.cos(math.radians(turned)), math.sin(math.radians(turned))
+    entities |= dict(c=repr(c), s=repr(s), pull=repr(g * math.sin(math.radians(angle))), press=repr(g * math.cos(math.radians(angle))))
+    if turned:
+        entities["grid"] = "<Grid xmin='-1.5' xmax='3.5' ymin='-1.5' ymax='3.5'><Horiz cellsize='0.05'/><Vert cellsize='0.05'/></Grid>"
+    got = verify.history(case.run(name, entities=entities))
+    along = lambda q: c * got[f"{q}x:block"] + s * got[f"{q}y:block"]
+    against = lambda q: -s * got[f"{q}x:block"] + c * got[f"{q}y:block"]
+    return got["time"], along("vel"), along("disp"), against("contact") / (200 * g), got
+
+
+def acceleration(t, v, start):
+    """Slope of the mean velocity over the steady part."""
+    steady = t > start
+    return np.polyfit(t[steady], v[steady], 1)[0]
+
+
+def coulomb(mu, angle=30.0):
+    return g * (math.sin(math.radians(angle)) - mu * math.cos(math.radians(angle)))
+
+
+def run(case):
+    rows = []
+    for turned in (0, 17, 45) if not case.quick else (17,):
+        for mu, tolerance in ((0.0, 1e-5), (0.3, 5e-4)) if not case.quick else ((0.3, 5e-4),):
+            t, v, x, normal, _ = slide(case, f"mu{mu}_{turned}", turned=turned, **friction(f"<coeff>{mu}</coeff>"))
+            case.check(f"mu = {mu}, plane turned by {turned} degrees: acceleration", acceleration(t, v, 0.6), coulomb(mu), tolerance)
+            case.check(f"mu = {mu}, turned by {turned}: normal force over weight", normal[t > 0.6].mean(), math.cos(math.radians(30)), 2e-3)
+            rows.append((turned, mu, t, v))
+        t, v, x, _, _ = slide(case, f"mu06_{turned}", turned=turned, **friction("<coeff>0.6</coeff>"))
+        case.check(f"mu = 0.6, turned by {turned}: speed after 1 s (holds)", abs(v[-1]), 0, 1e-6, "at most")
+    if case.quick:
+        return
+    t, v, x, _, _ = slide(case, "mu055", end="2", **friction("<coeff>0.55</coeff>"))
+    case.check("mu = 0.55: acceleration", acceleration(t, v, 0.8), coulomb(0.55), 0.01)
+    for E, end in (("1e5", 1), ("1e9", 0.8)):
+        t, v, x, _, _ = slide(case, f"E{E}", E=E, end=str(end), **friction("<coeff>0.3</coeff>"))
+        case.check(f"mu = 0.3, E = {E}: acceleration", acceleration(t, v, 0.6), coulomb(0.3), 5e-4)
+    t, v, x, _, _ = slide(case, "hold", angle=15.0, **friction("<coeff>0.3</coeff>"))
+    case.check("mu = 0.3 at 15 degrees: creep in 0.4 s over the cell", abs(x[-1] - np.interp(0.6, t, x)) / 0.05, 0, 1e-5, "at most")
+    both = "<coeff>0.3</coeff><coeffStatic>0.5</coeffStatic>"
+    t, v, x, _, _ = slide(case, "static", **friction(both))
+    case.check("static 0.5, dynamic 0.3: acceleration once it slides", acceleration(t, v, 0.7), coulomb(0.3), 5e-3)
+    t, v, x, _, _ = slide(case, "static_hold", angle=25.0, **friction(both))
+    case.check("static 0.5, dynamic 0.3 at 25 degrees: speed after 1 s (holds)", abs(v[-1]), 0, 1e-6, "at most")
+    t, v, x, _, _ = slide(case, "stop", angle=0.0, end="1.2", start="-1", speed="2", **friction("<coeff>0.25</coeff>"))
+    stop = t[np.argmax(v < 1e-3)]
+    case.check("v0 = 2, mu = 0.25: way until it stops", x[-1], 4 / (2 * 0.25 * g), 5e-3)
+    case.check("v0 = 2, mu = 0.25: it stays", abs(v[-1]), 0, 1e-4, "at most")
+    t, v, x, _, got = slide(case, "work", angle=0.0, end="1.2", start="-1", speed="2", **friction("<coeff>0.25</coeff>"))
+    case.check("v0 = 2, mu = 0.25: frictional work over kinetic energy", got["Friction Work"][-1] / 400, 1, 5e-3)
+    t, v, x, _, _ = slide(case, "cohesion", **friction("<coeff>0.3</coeff><Sa>100</Sa>", "AdhesiveFriction"))
+    case.check("mu = 0.3, Sa = 100: acceleration", acceleration(t, v, 0.6), coulomb(0.3) - 100 / 200, 5e-3)
+    t, v, x, _, _ = slide(case, "speed", end="2", **friction("<coeff>0.3</coeff><kmu>0.5</kmu>", "AdhesiveFriction"))
+    terminal = coulomb(0.3) / (0.5 * g * math.cos(math.radians(30)))
+    case.check("mu = 0.3 + 0.5 v: terminal speed", v[-1] / (1 - math.exp(-(2 - 0.4) * 0.5 * g * math.cos(math.radians(30)))), terminal, 0.01)
+
+    schemes = [(f"{method}{'-' if skip else '+'} {name}", dict(method=method, skip=skip, transfer=transfer))
+               for method, skip in (("USF", "<SkipPostExtrapolation/>"), ("USL", "<SkipPostExtrapolation/>"), ("USL", ""), ("USAVG", "<SkipPostExtrapolation/>"), ("USAVG", ""))
+               for name, transfer in (("FLIP", "<Transfer type='FLIP'/>"), ("APIC", "<Transfer type='APIC'/>"), ("FMPM(2)", "<Transfer type='FMPM' order='2'/>"), ("XPIC(2)", "<Transfer type='XPIC' order='2'/>"))]
+    for name, entities in schemes:
+        t, v, x, _, _ = slide(case, name.replace(" ", "_").replace("(", "").replace(")", ""), turned=17, **friction("<coeff>0.3</coeff>"), **entities)
+        case.check(f"{name}, mu = 0.3, turned by 17: acceleration", acceleration(t, v, 0.6), coulomb(0.3), 2e-3)
+
+    def draw(axes):
+        for turned, mu, t, v in rows:
+            axes.plot(t, v, label=f"mu = {mu:g}, plane at {turned} degrees to the grid", linewidth=1)
+        for mu in (0.0, 0.3):
+            axes.plot([0.5, 1], [np.interp(0.5, t, v) + 0 * mu for t, v in [(rows[0][2], rows[int(mu > 0)][3])]] + [np.interp(0.5, rows[0][2], rows[int(mu > 0)][3]) + 0.5 * coulomb(mu)], "k--", linewidth=0.8)
+        axes.set_xlabel("time [s]")
+        axes.set_ylabel("velocity along the plane [m/s]")
+        axes.legend(fontsize=8)
+
+    case.figure("incline", draw)
