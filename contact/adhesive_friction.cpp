@@ -17,7 +17,7 @@ struct AdhesiveFriction final : ContactLaw {
   static constexpr std::string_view summary = "Coulomb friction with cohesion, adhesion and speed dependence.";
   static constexpr int number = 63;
 
-  double coefficient = 0, static_coefficient = -1, speed_coefficient = 0, half_speed = 0;
+  double coefficient = 0, static_coefficient = -1, weakening = -1, speed_coefficient = 0, half_speed = 0;
   double shear_strength = 0, normal_strength = 0, rebond = 0;
   double displacement_only = 0, contact_stiffness = -1;
 
@@ -35,6 +35,7 @@ struct AdhesiveFriction final : ContactLaw {
           0.0},
         P{"Na", &L::normal_strength, Dimension::stress, not_negative, "tensile strength of the bond", 0.0},
         P{"rebond", &L::rebond, Dimension::none, within(0, 1), "1: broken bonds form again in contact", 0.0},
+        weakening_parameter(&L::weakening),
         displacement_only_parameter(&L::displacement_only),
         contact_stiffness_parameter(&L::contact_stiffness)};
   }
@@ -49,7 +50,7 @@ struct AdhesiveFriction final : ContactLaw {
   }
 
   // Sliding impulse S A dt for the pressure impulse N, or a value above `stick` if the faces stick.
-  double slide(const Meeting& m, double stick, double N) const {
+  double slide(const Meeting& m, double stick, double N, double mu) const {
     const double cohesion = shear_strength * m.area * m.dt;
     const double k = speed_coefficient / m.mass;
     if (half_speed > 0) {
@@ -61,7 +62,7 @@ struct AdhesiveFriction final : ContactLaw {
     }
     const double denominator = 1 + k * N;
     if (denominator <= 0) return 2 * stick + 1;  // friction falls faster than the speed rises: no slow sliding
-    return (cohesion + (coefficient + k * stick) * N) / denominator;
+    return (cohesion + (mu + k * stick) * N) / denominator;
   }
 
   Answer answer(const Meeting& m) const override {
@@ -69,10 +70,10 @@ struct AdhesiveFriction final : ContactLaw {
     const bool adheres = shear_strength > 0 && normal_strength > 0;
     if (c.touching) {
       const double N = c.pressure();
-      const double at_rest = static_coefficient > 0 ? static_coefficient : coefficient;
-      const bool remembers_slip = m.sliding && half_speed == 0;
-      const bool holds = !remembers_slip && c.stick <= shear_strength * m.area * m.dt + at_rest * N;
-      Answer out = rub(m, c, slide(m, c.stick, N), holds);
+      const double mu = StaticFriction{static_coefficient, coefficient, weakening}.coefficient(m);
+      const double at_rest = half_speed > 0 ? static_coefficient : mu;
+      const bool holds = c.stick <= shear_strength * m.area * m.dt + at_rest * N;
+      Answer out = rub(m, c, slide(m, c.stick, N, mu), holds);
       if (adheres && (m.bond == Bond::none || rebond > 0)) out.bond = Bond::whole;
       return out;
     }
@@ -84,7 +85,9 @@ struct AdhesiveFriction final : ContactLaw {
     if (!(load < 1)) return {Vec3::Zero(), Touch::open, Bond::broken, 0.0};
     return {m.mass * m.velocity, Touch::stick, Bond::whole, 0.0};
   }
-  bool remembers() const override { return static_coefficient > 0 || (shear_strength > 0 && normal_strength > 0); }
+  bool remembers() const override {
+    return (static_coefficient > 0 && half_speed == 0) || (shear_strength > 0 && normal_strength > 0);
+  }
   bool uses_area() const override { return true; }
 };
 

@@ -29,7 +29,8 @@ struct Meeting {
   Vec3 velocity = Vec3::Zero();  ///< relative, at the end of the step if the law did nothing  [velocity]
   Vec3 start = Vec3::Zero();     ///< relative velocity at the start of the step               [velocity]
   Vec3 opening = Vec3::Zero();   ///< relative displacement since the faces were together      [length]
-  bool sliding = false;          ///< the faces slid in the step before
+  double slip = 0.0;             ///< way the faces slid since they last stuck                 [length]
+  double cell = 1.0;             ///< size of the grid's cells                                 [length]
   Bond bond = Bond::none;
 };
 
@@ -54,7 +55,7 @@ class ContactLaw {
   virtual bool looks_at_faces() const { return true; }
   /// Imperfect interfaces act only in the momentum update, on displacements.
   virtual bool interface() const { return false; }
-  /// The law reads `sliding` or `bond`, which the particles then keep.
+  /// The law reads `slip` or `bond`, which the particles then keep.
   virtual bool remembers() const { return false; }
   /// The law reads `area`.
   virtual bool uses_area() const { return false; }

@@ -1,7 +1,7 @@
 /// Dry friction.
 ///
 ///   S <= mu N,  sliding opposes the relative velocity at the end of the step; with a static coefficient faces that
-///   stick begin to slide at mu_s N and slide with mu N until they stick again
+///   stick begin to slide at mu_s N, and mu falls along a short way to the dynamic one until they stick again
 ///
 /// Negative coefficient: faces in contact do not slide, and separate freely.
 
@@ -15,7 +15,7 @@ struct CoulombFriction final : ContactLaw {
   static constexpr std::string_view summary = "Coulomb friction with static and dynamic coefficient.";
   static constexpr int number = 61;
 
-  double coefficient = 0, static_coefficient = -1;
+  double coefficient = 0, static_coefficient = -1, weakening = -1;
   double displacement_only = 0, contact_stiffness = -1;
 
   static auto parameters() {
@@ -25,7 +25,8 @@ struct CoulombFriction final : ContactLaw {
         P{"coeff", &L::coefficient, Dimension::none, any_value, "friction coefficient; negative: no sliding", 0.0},
         P{"coeffStatic", &L::static_coefficient, Dimension::none, any_value,
           "coefficient at which sliding begins; not positive: the same", -1.0},
-        displacement_only_parameter(&L::displacement_only), contact_stiffness_parameter(&L::contact_stiffness)};
+        weakening_parameter(&L::weakening), displacement_only_parameter(&L::displacement_only),
+        contact_stiffness_parameter(&L::contact_stiffness)};
   }
 
   void prepare(const Statement& statement, Problems& problems) {
@@ -41,8 +42,8 @@ struct CoulombFriction final : ContactLaw {
   Answer answer(const Meeting& m) const override {
     const Contact c = resolve(m, {displacement_only, contact_stiffness});
     if (!c.touching) return {Vec3::Zero(), Touch::open, m.bond, 0.0};
-    const bool holds = static_coefficient > 0 && !m.sliding && c.stick <= static_coefficient * c.pressure();
-    return rub(m, c, coefficient * c.pressure(), holds || coefficient < 0);
+    const double mu = StaticFriction{static_coefficient, coefficient, weakening}.coefficient(m);
+    return rub(m, c, mu * c.pressure(), coefficient < 0);
   }
   bool remembers() const override { return static_coefficient > 0; }
   bool uses_area() const override { return contact_stiffness >= 0 || displacement_only < 0; }

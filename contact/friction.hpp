@@ -13,6 +13,18 @@ struct TouchRule {
   double compliance_stiffness = -1.0;  ///< Dc, normal stiffness of faces in contact; negative: rigid [stress/length]
 };
 
+/// Coefficient between static and dynamic: it falls along the way the faces have slid, linearly within a weakening
+/// distance. Friction that dropped at once would let slip run along a strong face like a crack from any corner, as
+/// breaking would cost no energy; the distance gives it a length that the grid resolves. Default: 0.01 cells.
+struct StaticFriction {
+  double fixed = -1.0, sliding = 0.0, distance = -1.0;
+  double coefficient(const Meeting& m) const {
+    if (!(fixed > 0)) return sliding;
+    const double way = distance >= 0 ? distance : 0.01 * m.cell;
+    return m.slip < way ? fixed + (sliding - fixed) * m.slip / way : sliding;
+  }
+};
+
 /// Tangential and normal part of a meeting.
 struct Contact {
   double normal;   ///< J . n of the contact; 0 if open
@@ -68,6 +80,15 @@ Parameter<Law> displacement_only_parameter(double Law::*member) {
           any_value,
           "1: in contact whenever faces overlap; 0: only under compression; negative: up to that tension",
           0.0};
+}
+template <class Law>
+Parameter<Law> weakening_parameter(double Law::*member) {
+  return {"weakening",
+          member,
+          Dimension::length,
+          any_value,
+          "way of sliding along which friction falls from static to dynamic; negative: 0.01 cells",
+          -1.0};
 }
 template <class Law>
 Parameter<Law> contact_stiffness_parameter(double Law::*member) {

@@ -39,7 +39,7 @@ void add_optional_columns(Body<Dim>& body, const Model& model) {
   bool remembers = contact.default_law && contact.default_law->remembers();
   for (const auto& [pair, law] : contact.pair_laws) remembers = remembers || law->remembers();
   if (remembers) {
-    body.contact_memory = particles.add("contact_sliding", Dimension::none);
+    body.contact_memory = particles.add("contact_slip", Dimension::length);
     particles.add("contact_bond", Dimension::none);
   }
   body.contact_view = particles.add("contact_state", Dimension::none);

@@ -335,17 +335,18 @@ Vec3 Contact<Dim>::opening(const MeetingNode& node, const Pair& pair, const Scra
 template <int Dim>
 void Contact<Dim>::recall(const MeetingNode& node, Pair& pair, const Scratch& s) const {
   const Vec<Dim> centre = system_.lattice.position(node.index);
-  double total = 0.0, sliding = 0.0, whole = 0.0, broken = 0.0;
+  double total = 0.0, slip = 0.0, whole = 0.0, broken = 0.0;
   for (const auto& p : s.near) {
     if (p.field != members_[pair.a].field && p.field != members_[pair.b].field) continue;
     auto& body = *bodies_[p.body];
     if (!body.contact_memory) continue;
     const double w = weight(p.x - centre);
     const double bond = body.particles.column(*body.contact_memory + 1)[p.particle];
-    total += w, sliding += w * body.particles.column(*body.contact_memory)[p.particle];
+    total += w, slip += w * body.particles.column(*body.contact_memory)[p.particle];
     whole += bond > 0 ? w : 0.0, broken += bond < 0 ? w : 0.0;
   }
-  pair.meeting.sliding = total > 0 && sliding > 0.5 * total;
+  pair.meeting.slip = total > 0 ? slip / total : 0.0;
+  pair.meeting.cell = h_;
   pair.meeting.bond = whole == 0 && broken == 0 ? Bond::none : broken > whole ? Bond::broken : Bond::whole;
   // Faces that touch at the very start are joined.
   if (system_.step == 0 && std::abs(pair.meeting.gap) < 1e-6 * h_ && pair.meeting.bond == Bond::none)
@@ -396,15 +397,19 @@ void Contact<Dim>::remember() {
     const CloudPoint<Dim>& p = points[static_cast<std::size_t>(k)];
     auto& body = *bodies_[p.body];
     if (!body.contact_memory) return;
-    double touching = 0.0, sliding = 0.0, whole = 0.0, broken = 0.0;
+    double touching = 0.0, sliding = 0.0, way = 0.0, whole = 0.0, broken = 0.0;
     each_pair_near(p, [&](const Pair& pair, double w, double) {
       if (!pair.law->remembers()) return;
       if (pair.answer.touch != Touch::open) touching += w;
-      if (pair.answer.touch == Touch::slip) sliding += w;
+      if (pair.answer.touch == Touch::slip) {
+        const Vec3 v = pair.meeting.velocity - pair.impulse / pair.meeting.mass;
+        sliding += w, way += w * pair.meeting.dt * (v - v.dot(pair.meeting.normal) * pair.meeting.normal).norm();
+      }
       if (pair.answer.bond == Bond::whole) whole += w;
       if (pair.answer.bond == Bond::broken) broken += w;
     });
-    body.particles.column(*body.contact_memory)[p.particle] = touching > 0 ? sliding / touching : 0.0;
+    double& slip = body.particles.column(*body.contact_memory)[p.particle];
+    slip = sliding > 0.5 * touching ? slip + way / sliding : 0.0;
     if (whole + broken > 0) body.particles.column(*body.contact_memory + 1)[p.particle] = broken > whole ? -1.0 : 1.0;
   });
 }

@@ -51,7 +51,7 @@ struct Body {
   std::optional<std::size_t> load;            ///< external force on particles, Dim columns
   std::optional<std::size_t> origin;          ///< position at the start of the run, Dim columns, for displacements
   std::optional<std::size_t> load_set;        ///< bit k set: particle condition k acts on the particle
-  std::optional<std::size_t> contact_memory;  ///< laws that remember: columns sliding, bond
+  std::optional<std::size_t> contact_memory;  ///< laws that remember: columns slip, bond
   std::optional<std::size_t> contact_view;    ///< for output: columns state, traction, normal
   bool volume_of_displacement = false;        ///< contact looks at displacements, not positions
   double particle_damping = 0.0;

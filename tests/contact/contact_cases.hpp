@@ -52,7 +52,7 @@ inline Meeting random_meeting(std::mt19937& random) {
   m.gap = 0.05 * normal(random);
   m.normal = vector().normalized();
   m.velocity = vector(), m.start = vector(), m.opening = 0.1 * vector();
-  m.sliding = some(random) < 0.5;
+  m.slip = 0.02 * some(random);
   const double bond = some(random);
   m.bond = bond < 0.3 ? Bond::none : bond < 0.6 ? Bond::whole : Bond::broken;
   return m;

@@ -72,7 +72,8 @@ TEST_CASE("compliant faces push back with their stiffness", "[contact]") {
   m.gap = -0.01, m.velocity = m.start = Vec3(0, 0, 0);
   const auto law = make_law("61", {{"Dc", "1000"}});
   const double phi = 1e-3 * std::sqrt(1000 * 0.25 / 1.2);
-  CHECK(law->answer(m).impulse.dot(m.normal) == Approx(-0.01 * 1000 * 0.25 * 1e-3 * (1 - phi * phi / 12)).epsilon(1e-6));
+  CHECK(law->answer(m).impulse.dot(m.normal) ==
+        Approx(-0.01 * 1000 * 0.25 * 1e-3 * (1 - phi * phi / 12)).epsilon(1e-6));
 }
 
 TEST_CASE("a negative coefficient sticks in contact and lets go", "[contact]") {
@@ -83,20 +84,26 @@ TEST_CASE("a negative coefficient sticks in contact and lets go", "[contact]") {
   CHECK(law->answer(m).impulse.norm() == 0.0);
 }
 
-TEST_CASE("static friction holds until faces slide, then the dynamic one acts until they stick", "[contact]") {
-  const auto law = make_law("61", {{"coeff", "0.3"}, {"coeffStatic", "0.7"}});
+TEST_CASE("static friction holds until faces slide, and falls along the way they slid", "[contact]") {
   Meeting m;
-  m.mass = 1, m.dt = 1, m.area = 1;
-  const auto touch = [&](double slide, bool sliding) {
-    m.velocity = Vec3(-1, slide, 0), m.sliding = sliding;
-    return law->answer(m);
-  };
-  CHECK(touch(0.69, false).touch == Touch::stick);
-  CHECK(touch(0.71, false).touch == Touch::slip);
-  CHECK(touch(0.71, false).impulse[1] == Approx(0.3));
-  CHECK(touch(0.5, true).touch == Touch::slip);
-  CHECK(touch(0.29, true).touch == Touch::stick);
-  CHECK(law->remembers());
+  m.mass = 1, m.dt = 1, m.area = 1, m.cell = 2;
+  m.velocity = Vec3(-1, 10, 0);
+  for (const char* type : {"61", "63"}) {
+    const auto law = make_law(type, {{"coeff", "0.3"}, {"coeffStatic", "0.7"}});
+    const auto given = make_law(type, {{"coeff", "0.3"}, {"coeffStatic", "0.7"}, {"weakening", "0.5"}});
+    const auto friction = [&](const ContactLaw& of, double slip) {
+      m.slip = slip;
+      return of.answer(m).impulse[1];
+    };
+    CHECK(friction(*law, 0) == Approx(0.7));
+    CHECK(friction(*law, 0.005) == Approx(0.6));
+    CHECK(friction(*law, 0.02) == Approx(0.3));
+    CHECK(friction(*given, 0.25) == Approx(0.5));
+    CHECK(law->remembers());
+    m.slip = 0, m.velocity = Vec3(-1, 0.69, 0);
+    CHECK(law->answer(m).touch == Touch::stick);
+    m.velocity = Vec3(-1, 10, 0);
+  }
 }
 
 TEST_CASE("bonds hold inside their envelope and break for good", "[contact]") {

@@ -57,6 +57,8 @@ def run(case):
     case.check("static 0.5, dynamic 0.3: acceleration once it slides", acceleration(t, v, 0.7), coulomb(0.3), 5e-3)
     t, v, x, _, _ = slide(case, "static_hold", angle=25.0, **friction(both))
     case.check("static 0.5, dynamic 0.3 at 25 degrees: speed after 1 s (holds)", abs(v[-1]), 0, 1e-6, "at most")
+    t, v, x, _, _ = slide(case, "static_hold07", **friction("<coeff>0.3</coeff><coeffStatic>0.7</coeffStatic>"))
+    case.check("static 0.7, dynamic 0.3 at 30 degrees: creep in 0.4 s over the cell (holds)", abs(x[-1] - np.interp(0.6, t, x)) / 0.05, 0, 1e-5, "at most")
     t, v, x, _, _ = slide(case, "stop", angle=0.0, end="1.2", start="-1", speed="2", **friction("<coeff>0.25</coeff>"))
     stop = t[np.argmax(v < 1e-3)]
     case.check("v0 = 2, mu = 0.25: way until it stops", x[-1], 4 / (2 * 0.25 * g), 5e-3)
@@ -65,7 +67,13 @@ def run(case):
     case.check("v0 = 2, mu = 0.25: frictional work over kinetic energy", got["Friction Work"][-1] / 400, 1, 5e-3)
     t, v, x, _, _ = slide(case, "cohesion", **friction("<coeff>0.3</coeff><Sa>100</Sa>", "AdhesiveFriction"))
     case.check("mu = 0.3, Sa = 100: acceleration", acceleration(t, v, 0.6), coulomb(0.3) - 100 / 200, 5e-3)
-    t, v, x, _, _ = slide(case, "speed", end="2", **friction("<coeff>0.3</coeff><kmu>0.5</kmu>", "AdhesiveFriction"))
+    t, v, x, _, _ = slide(case, "ramp", angle=0.0, end="3.7525", along="(2*max(t-&start;,0))",
+                          grid="<Grid xmin='-1' xmax='3.5' ymin='-0.4' ymax='0.5'><Horiz cellsize='0.05'/><Vert cellsize='0.05'/></Grid>",
+                          **friction("<coeff>0.3</coeff><coeffStatic>0.5</coeffStatic><weakening>0.005</weakening>"))
+    slip = np.interp(0.02, v, t)
+    case.check("static 0.5, dynamic 0.3, pull grows by 2 m/s^3: it slides at", slip - 0.3, 0.5 * g / 2, 0.01)
+    case.check("the same: velocity 1 s later", np.interp(0.3 + 0.25 * g + 1, t, v), (0.5 - 0.3) * g + 1, 0.01)
+    t, v, x, _, _ = slide(case, "speed", end="2", transfer="<Transfer type='FMPM' order='2'/>", **friction("<coeff>0.3</coeff><kmu>0.5</kmu>", "AdhesiveFriction"))
     terminal = coulomb(0.3) / (0.5 * g * math.cos(math.radians(30)))
     case.check("mu = 0.3 + 0.5 v: terminal speed", v[-1] / (1 - math.exp(-(2 - 0.4) * 0.5 * g * math.cos(math.radians(30)))), terminal, 0.01)
 
