@@ -193,14 +193,14 @@ void Builder::liquid_of(const MaterialSpec& law) {
   const int number = law.contact->liquid();
   const Statement* s = law.statement.child("LiquidPhase");
   if (number < 1 || number > static_cast<int>(model_.materials.size())) {
-    problems_.add(s->text_origin, "there is no material number '" + s->text + "'; this file has " +
+    problems_.add(s->origin, "there is no material number '" + s->text + "'; this file has " +
                                       std::to_string(model_.materials.size()));
     return;
   }
   const auto& liquid = model_.materials[static_cast<std::size_t>(number) - 1];
   if (!liquid.law || !liquid.law->liquid()) {
     if (liquid.law || liquid.contact)
-      problems_.add(s->text_origin,
+      problems_.add(s->origin,
                     "'" + liquid.name + "' at " + liquid.origin.text() +
                         " is no liquid; <LiquidPhase> needs a material with a viscosity, such as TaitLiquid");
     return;
