@@ -5,6 +5,7 @@
 #include "solver/conditions.hpp"
 #include "solver/contact_cloud.hpp"
 #include "solver/faces.hpp"
+#include "solver/pair_impulses.hpp"
 #include "solver/transfer.hpp"
 
 #include <map>
@@ -65,28 +66,11 @@ class Contact {
   std::size_t node_count() const { return nodes_.size(); }
 
  private:
-  struct Member {  // one field at a node
-    std::size_t field;
-    std::int64_t at;
-    double mass, inverse_mass;   // inverse 0: rigid
-    Vec3 trial, start;           // velocity without contact at the end and at the start
-    Vec3 before = Vec3::Zero();  // scratch of refine
-  };
-  struct Pair {
-    std::size_t a, b;  // members
-    const ContactLaw* law;
-    Meeting meeting;
-    Vec3 impulse;
-    Answer answer;
-    Vec3 booked = Vec3::Zero();  // impulse and state of the last update, for output
-    Touch shown = Touch::open;
-    bool apart;  // never meet in this step
-  };
   struct MeetingNode {
     Index<Dim> index;
     std::size_t first_member, end_member, first_pair, end_pair;
     double share;  // of sums over nodes
-    int mirrored;        // bits: axes of symmetry planes through the node
+    int mirrored;  // bits: axes of symmetry planes through the node
   };
   struct SharedBlock {
     std::int64_t block;
@@ -100,14 +84,16 @@ class Contact {
   const ContactLaw* law_of(std::size_t a, std::size_t b) const { return laws_[a * field_count_ + b]; }
   void list_nodes(std::vector<Conditions<Dim>>& conditions);
   void scatter_volumes(std::vector<Conditions<Dim>>& conditions);
-  void face(const MeetingNode& node, Pair& pair, Scratch& scratch);
-  Vec<Dim> gradient_normal(const Member& a, const Member& b) const;
-  std::optional<Vec<Dim>> chosen_normal(Scratch& s, const Member& a, const Member& b) const;
-  double separation(const MeetingNode& node, const Pair& pair, Scratch& scratch, const Vec<Dim>& n) const;
-  Vec3 opening(const MeetingNode& node, const Pair& pair, const Scratch& scratch, const Vec<Dim>& n) const;
-  void recall(const MeetingNode& node, Pair& pair, const Scratch& scratch) const;
+  void face(const MeetingNode& node, ContactPair& pair, Scratch& scratch);
+  Vec<Dim> gradient_normal(const ContactMember& a, const ContactMember& b) const;
+  std::optional<Vec<Dim>> chosen_normal(Scratch& s, const ContactMember& a, const ContactMember& b) const;
+  double separation(const MeetingNode& node, const ContactPair& pair, Scratch& scratch, const Vec<Dim>& n) const;
+  Vec3 opening(const MeetingNode& node, const ContactPair& pair, const Scratch& scratch, const Vec<Dim>& n) const;
+  void recall(const MeetingNode& node, ContactPair& pair, const Scratch& scratch) const;
   void remember();
-  void solve(MeetingNode& node, bool interfaces, bool warm);
+  std::span<ContactPair> pairs_of(const MeetingNode& node) {
+    return {pairs_.data() + node.first_pair, node.end_pair - node.first_pair};
+  }
   double weight(const Vec<Dim>& distance) const;
   template <class F>
   void each_pair_near(const CloudPoint<Dim>& p, F&& f) const;
@@ -123,8 +109,8 @@ class Contact {
   std::vector<SharedBlock> shared_;
   std::vector<char> near_;  ///< per lattice block: 1 where volumes are wanted
   std::vector<MeetingNode> nodes_;
-  std::vector<Member> members_;
-  std::vector<Pair> pairs_;
+  std::vector<ContactMember> members_;
+  std::vector<ContactPair> pairs_;
   std::vector<int> record_;     ///< per shared block and node: number of the meeting node, or -1
   std::vector<int> shared_at_;  ///< per lattice block: number of the shared block, or -1
   std::vector<Scratch> scratch_;

@@ -1,0 +1,215 @@
+/// What contact does to nodes, ledger and particles.
+
+#include "base/parallel.hpp"
+#include "solver/contact.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tribo {
+
+template <int Dim>
+template <class F>
+void Contact<Dim>::each_pair_near(const CloudPoint<Dim>& p, F&& f) const {
+  Index<Dim> low, n;
+  for (std::size_t d = 0; d < Dim; ++d) {
+    const auto axis = static_cast<Eigen::Index>(d);
+    low[d] =
+        static_cast<int>(std::floor((p.x[axis] - system_.lattice.origin[axis]) / system_.lattice.spacing[axis])) - 1;
+  }
+  for (int k = 0; k < (Dim == 2 ? 16 : 64); ++k) {
+    n[0] = low[0] + k % 4, n[1] = low[1] + k / 4 % 4;
+    if constexpr (Dim == 3) n[2] = low[2] + k / 16;
+    Index<Dim> block;
+    std::size_t local = 0;
+    bool inside = true;
+    for (std::size_t d = Dim; d-- > 0;) {
+      inside = inside && n[d] >= 0 && n[d] < system_.lattice.blocks[d] * block_edge<Dim>;
+      block[d] = n[d] / block_edge<Dim>;
+      local = local * block_edge<Dim> + static_cast<std::size_t>(n[d] % block_edge<Dim>);
+    }
+    if (!inside) continue;
+    const int s = shared_at_[static_cast<std::size_t>(system_.lattice.block_index(block))];
+    if (s < 0) continue;
+    const int r = record_[static_cast<std::size_t>(s) * block_nodes<Dim> + local];
+    if (r < 0) continue;
+    const double w = weight(p.x - system_.lattice.position(n));
+    if (!(w > 0)) continue;
+    const MeetingNode& node = nodes_[static_cast<std::size_t>(r)];
+    for (std::size_t q = node.first_pair; q < node.end_pair; ++q) {
+      const ContactPair& pair = pairs_[q];
+      if (pair.apart) continue;
+      if (members_[pair.a].field == p.field) f(pair, w, 1.0);
+      if (members_[pair.b].field == p.field) f(pair, w, -1.0);
+    }
+  }
+}
+
+template <int Dim>
+void Contact<Dim>::remember() {
+  const auto& points = cloud_.points();
+  parallel_for(static_cast<std::ptrdiff_t>(points.size()), [&](std::ptrdiff_t k) {
+    const CloudPoint<Dim>& p = points[static_cast<std::size_t>(k)];
+    auto& body = *bodies_[p.body];
+    if (!body.contact_memory) return;
+    double touching = 0.0, sliding = 0.0, way = 0.0, whole = 0.0, broken = 0.0;
+    each_pair_near(p, [&](const ContactPair& pair, double w, double) {
+      if (!pair.law->remembers()) return;
+      if (pair.answer.touch != Touch::open) touching += w;
+      if (pair.answer.touch == Touch::slip) {
+        const Vec3 v = pair.meeting.velocity - pair.impulse / pair.meeting.mass;
+        sliding += w, way += w * pair.meeting.dt * (v - v.dot(pair.meeting.normal) * pair.meeting.normal).norm();
+      }
+      if (pair.answer.bond == Bond::whole) whole += w;
+      if (pair.answer.bond == Bond::broken) broken += w;
+    });
+    double& slip = body.particles.column(*body.contact_memory)[p.particle];
+    slip = sliding > 0.5 * touching ? slip + way / sliding : 0.0;
+    if (whole + broken > 0) body.particles.column(*body.contact_memory + 1)[p.particle] = broken > whole ? -1.0 : 1.0;
+  });
+}
+
+template <int Dim>
+void Contact<Dim>::show() {
+  for (auto* body : bodies_)
+    if (body->contact_view)
+      for (std::size_t k = 0; k < 1 + 2 * Dim; ++k)
+        std::fill_n(body->particles.column(*body->contact_view + k), body->particles.size(), 0.0);
+  for (const auto& p : cloud_.points()) {
+    auto& body = *bodies_[p.body];
+    if (!body.contact_view) continue;
+    double slip = 0.0, stick = 0.0, total = 0.0;
+    Vec<Dim> traction = Vec<Dim>::Zero(), normal = Vec<Dim>::Zero();
+    each_pair_near(p, [&](const ContactPair& pair, double w, double side) {
+      if (pair.shown == Touch::open || pair.meeting.gap > 0.1 * h_) return;
+      (pair.shown == Touch::slip ? slip : stick) += w;
+      normal += side * w * pair.meeting.normal.template head<Dim>();
+      if (!(pair.meeting.area > 0)) return;
+      total += w * pair.meeting.area;
+      traction += side * w / pair.meeting.dt * pair.booked.template head<Dim>();
+    });
+    if (slip + stick == 0.0) continue;
+    body.particles.column(*body.contact_view)[p.particle] = slip > stick ? 2.0 : 1.0;
+    if (total > 0) traction /= total;
+    if (normal.norm() > 0) normal.normalize();
+    for (std::size_t d = 0; d < Dim; ++d) {
+      body.particles.column(*body.contact_view + 1 + d)[p.particle] = traction[static_cast<Eigen::Index>(d)];
+      body.particles.column(*body.contact_view + 1 + Dim + d)[p.particle] = normal[static_cast<Eigen::Index>(d)];
+    }
+  }
+}
+
+template <int Dim>
+void Contact<Dim>::meet(double dt, Pass pass) {
+  if (!active_) return;
+  parallel_for(static_cast<std::ptrdiff_t>(nodes_.size()), [&](std::ptrdiff_t k) {
+    MeetingNode& node = nodes_[static_cast<std::size_t>(k)];
+    for (std::size_t i = node.first_member; i < node.end_member; ++i) {
+      ContactMember& m = members_[i];
+      const Node& at = system_.fields[m.field].nodes[static_cast<std::size_t>(m.at)];
+      m.trial = Eigen::Map<const Vec3>(at.velocity);
+      m.start = m.trial;
+      if (pass == Pass::update) m.start -= dt * Eigen::Map<const Vec3>(at.acceleration);
+    }
+    for (std::size_t p = node.first_pair; p < node.end_pair; ++p) pairs_[p].meeting.dt = dt;
+    solve_pairs(members_, pairs_of(node), pass == Pass::update, false);
+    for (std::size_t p = node.first_pair; p < node.end_pair; ++p)
+      for (const auto& [i, sign] : {std::pair{pairs_[p].a, 1.0}, std::pair{pairs_[p].b, -1.0}}) {
+        Node& at = system_.fields[members_[i].field].nodes[static_cast<std::size_t>(members_[i].at)];
+        const Vec3 change = sign * members_[i].inverse_mass * pairs_[p].impulse;
+        Eigen::Map<Vec3>(at.velocity) += change;
+        if (pass == Pass::update) Eigen::Map<Vec3>(at.acceleration) += change / dt;
+      }
+  });
+}
+
+template <int Dim>
+void Contact<Dim>::part() {
+  if (!active_) return;
+  parallel_for(static_cast<std::ptrdiff_t>(nodes_.size()), [&](std::ptrdiff_t k) {
+    const MeetingNode& node = nodes_[static_cast<std::size_t>(k)];
+    for (std::size_t p = node.first_pair; p < node.end_pair; ++p)
+      for (const auto& [i, sign] : {std::pair{pairs_[p].a, 1.0}, std::pair{pairs_[p].b, -1.0}}) {
+        Node& at = system_.fields[members_[i].field].nodes[static_cast<std::size_t>(members_[i].at)];
+        Eigen::Map<Vec3>(at.velocity) -= sign * members_[i].inverse_mass * pairs_[p].impulse;
+      }
+  });
+}
+
+template <int Dim>
+void Contact<Dim>::refine(bool update) {
+  if (!active_) return;
+  parallel_for(static_cast<std::ptrdiff_t>(nodes_.size()), [&](std::ptrdiff_t k) {
+    const MeetingNode& node = nodes_[static_cast<std::size_t>(k)];
+    const auto pairs = pairs_of(node);
+    const auto increment = [&](const ContactMember& m) {
+      return Eigen::Map<Vec3>(system_.fields[m.field].filter[static_cast<std::size_t>(m.at)].velocity);
+    };
+    // The increment becomes the change that contact makes of it: new velocity minus old.
+    for (std::size_t i = node.first_member; i < node.end_member; ++i) {
+      ContactMember& m = members_[i];
+      if (m.inverse_mass == 0.0) continue;
+      const Vec3 before = velocity_after(members_, pairs, i);
+      m.trial += increment(m);
+      increment(m) = -before;
+    }
+    solve_pairs(members_, pairs, update, true);
+    for (std::size_t i = node.first_member; i < node.end_member; ++i)
+      if (members_[i].inverse_mass > 0.0) increment(members_[i]) += velocity_after(members_, pairs, i);
+  });
+}
+
+template <int Dim>
+void Contact<Dim>::book(double dt) {
+  if (!active_) return;
+  for (auto& [fields, entry] : ledger_) entry.force.setZero(), entry.stored = entry.area = 0.0;
+  for (const auto& node : nodes_)
+    for (std::size_t p = node.first_pair; p < node.end_pair; ++p) {
+      ContactPair& pair = pairs_[p];
+      pair.booked = pair.impulse, pair.shown = pair.answer.touch;
+      if (pair.answer.touch == Touch::open) continue;
+      const ContactMember &a = members_[pair.a], &b = members_[pair.b];
+      auto& entry = ledger_[{a.field, b.field}];
+      entry.force += node.share / dt * pair.impulse;
+      entry.stored += node.share * pair.answer.stored;
+      entry.area += node.share * pair.meeting.area;
+      // Work of the pair on the grid, at the mean of the velocities of the step's ends
+      const Vec3 mean = 0.5 * node.share *
+                        (b.start - a.start + velocity_after(members_, pairs_of(node), pair.b) -
+                         velocity_after(members_, pairs_of(node), pair.a));
+      const double all = pair.impulse.dot(mean);
+      const double normal = pair.impulse.dot(pair.meeting.normal) * mean.dot(pair.meeting.normal);
+      if (pair.law->interface())
+        entry.interface += all;
+      else
+        entry.impact += normal, entry.friction += all - normal;
+      if (a.inverse_mass == 0.0) rigid_work -= node.share * pair.impulse.dot(a.trial);
+      if (b.inverse_mass == 0.0) rigid_work += node.share * pair.impulse.dot(b.trial);
+    }
+  if (remembers_) remember();
+}
+
+template <int Dim>
+PairLedger Contact<Dim>::total() const {
+  PairLedger sum;
+  for (const auto& [fields, entry] : ledger_) {
+    sum.friction += entry.friction, sum.impact += entry.impact, sum.interface += entry.interface;
+    sum.stored += entry.stored, sum.area += entry.area;
+  }
+  return sum;
+}
+
+template void Contact<2>::show();
+template void Contact<2>::meet(double, Pass);
+template void Contact<2>::part();
+template void Contact<2>::refine(bool);
+template void Contact<2>::book(double);
+template PairLedger Contact<2>::total() const;
+template void Contact<3>::show();
+template void Contact<3>::meet(double, Pass);
+template void Contact<3>::part();
+template void Contact<3>::refine(bool);
+template void Contact<3>::book(double);
+template PairLedger Contact<3>::total() const;
+
+}  // namespace tribo

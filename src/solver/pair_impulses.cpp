@@ -1,0 +1,44 @@
+#include "solver/pair_impulses.hpp"
+
+namespace tribo {
+namespace {
+
+constexpr int most_sweeps = 200;
+constexpr double tolerance = 1e-14;  // of the impulses, relative
+
+}  // namespace
+
+Vec3 velocity_after(std::span<const ContactMember> members, std::span<const ContactPair> pairs, std::size_t member) {
+  const ContactMember& m = members[member];
+  Vec3 v = m.trial;
+  for (const ContactPair& pair : pairs) {
+    if (pair.a == member) v += m.inverse_mass * pair.impulse;
+    if (pair.b == member) v -= m.inverse_mass * pair.impulse;
+  }
+  return v;
+}
+
+void solve_pairs(std::span<const ContactMember> members, std::span<ContactPair> pairs, bool interfaces, bool warm) {
+  if (!warm)
+    for (ContactPair& pair : pairs) pair.impulse.setZero(), pair.answer = {};
+  const std::size_t count = pairs.size();
+  for (int sweep = 0; sweep < (count == 1 ? 1 : most_sweeps); ++sweep) {
+    double change = 0.0, size = 0.0;
+    for (std::size_t k = 0; k < count; ++k) {
+      ContactPair& pair = pairs[sweep % 2 == 0 ? k : count - 1 - k];
+      if (pair.apart || (!interfaces && pair.law->interface())) continue;
+      Meeting& m = pair.meeting;
+      m.velocity =
+          velocity_after(members, pairs, pair.b) - velocity_after(members, pairs, pair.a) + pair.impulse / m.mass;
+      m.start = members[pair.b].start - members[pair.a].start;
+      pair.answer = pair.law->answer(m);
+      change += (pair.answer.impulse - pair.impulse).squaredNorm();
+      size +=
+          pair.answer.impulse.squaredNorm() + pair.impulse.squaredNorm() + m.mass * m.mass * m.velocity.squaredNorm();
+      pair.impulse = pair.answer.impulse;
+    }
+    if (change <= tolerance * tolerance * size) break;
+  }
+}
+
+}  // namespace tribo

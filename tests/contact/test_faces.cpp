@@ -1,0 +1,88 @@
+#include "solver/faces.hpp"
+
+#include <Eigen/Geometry>
+#include <catch2/catch.hpp>
+#include <random>
+
+using namespace tribo;
+
+namespace {
+
+/// Particles of size h/2 in a block [from, to] turned about the origin, within `reach` of it.
+Side<2> block(double angle, const Vec<2>& from, const Vec<2>& to, double reach = 2.5) {
+  Side<2> side;
+  const Mat<2> turn = Eigen::Rotation2Dd(angle).toRotationMatrix();
+  for (double x = from[0] + 0.25; x < to[0]; x += 0.5)
+    for (double y = from[1] + 0.25; y < to[1]; y += 0.5)
+      if (Vec<2>(x, y).norm() <= reach) side.add(turn * Vec<2>(x, y), turn * (0.25 * Mat<2>::Identity()));
+  return side;
+}
+
+Side<3> box(const Mat<3>& turn, const Vec<3>& from, const Vec<3>& to) {
+  Side<3> side;
+  for (double x = from[0] + 0.25; x < to[0]; x += 0.5)
+    for (double y = from[1] + 0.25; y < to[1]; y += 0.5)
+      for (double z = from[2] + 0.25; z < to[2]; z += 0.5)
+        if (Vec<3>(x, y, z).norm() <= 2.5) side.add(turn * Vec<3>(x, y, z), turn * (0.25 * Mat<3>::Identity()));
+  return side;
+}
+
+}  // namespace
+
+TEST_CASE("the margin normal of flat faces is exact at any angle, also at ends and corners", "[contact]") {
+  for (const double angle : {0.0, 0.3, 0.785, 2.1})
+    for (const double end : {-1.3, 0.0, 0.4, 3.0})
+      for (const double gap : {0.0, 1e-3, 0.3, -0.05}) {
+        auto a = block(angle, {-3, -3}, {3, 0}), b = block(angle, {end - 3, gap}, {end, 3});
+        const Vec<2> up(-std::sin(angle), std::cos(angle));
+        const auto n = margin_normal<2>(a, b, Vec<2>(0.3, 1).normalized(), 1.0);
+        REQUIRE(n);
+        CHECK((*n - up).norm() < 1e-7);
+        // exact up to the reach of the ball: the face of b ends at the end of its particles
+        const double measured = -face_position<2>(b, -*n, 0.75) - face_position<2>(a, *n, 0.75);
+        CHECK(measured == Approx(gap).margin(1e-6));
+      }
+}
+
+TEST_CASE("the margin normal is exact in three dimensions", "[contact]") {
+  const Mat<3> turn =
+      (Eigen::AngleAxisd(0.4, Vec<3>(1, 2, -1).normalized()) * Eigen::AngleAxisd(1.1, Vec<3>::UnitZ())).matrix();
+  for (const double end : {0.0, 0.4, 3.0}) {
+    auto a = box(turn, {-3, -3, -3}, {3, 3, 0}), b = box(turn, {-3, -3, 0.01}, {3, end, 3});
+    const auto n = margin_normal<3>(a, b, Vec<3>::UnitX(), 1.0);
+    REQUIRE(n);
+    CHECK((*n - turn * Vec<3>::UnitZ()).norm() < 1e-7);
+    CHECK(-face_position<3>(b, -*n, 0.75) - face_position<3>(a, *n, 0.75) == Approx(0.01).margin(1e-9));
+  }
+}
+
+TEST_CASE("the shortest vector between clouds is that of their nearest corners", "[contact]") {
+  std::mt19937 random(4);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  for (int n = 0; n < 200; ++n) {
+    Side<2> a, b;
+    for (int k = 0; k < 6; ++k) {
+      a.add({unit(random), unit(random)}, Mat<2>::Zero());
+      b.add({unit(random) + 3, unit(random) + 1}, Mat<2>::Zero());
+    }
+    const auto v = shortest_vector<2>(a, b, 1.0, Vec<2>(1, 0));
+    REQUIRE(v);
+    // Optimal if and only if the slab between the supporting lines is as wide as the vector is long.
+    const Vec<2> d = v->normalized();
+    CHECK(-face_position<2>(b, -d, 1e9) - face_position<2>(a, d, 1e9) == Approx(v->norm()).epsilon(1e-9));
+  }
+}
+
+TEST_CASE("clouds that overlap have no margin", "[contact]") {
+  auto a = block(0, {-3, -3}, {3, 1.5}), b = block(0, {-3, -1.5}, {3, 3});
+  CHECK_FALSE(margin_normal<2>(a, b, Vec<2>(0, 1), 1.0));
+}
+
+TEST_CASE("regression finds flat faces roughly", "[contact]") {
+  auto a = block(0, {-3, -3}, {3, 0}), b = block(0, {-3, 0}, {3, 3});
+  for (const bool logistic : {false, true}) {
+    const auto n = regression_normal<2>(a, b, logistic, 1.0);
+    REQUIRE(n);
+    CHECK((*n - Vec<2>(0, 1)).norm() < 1e-6);
+  }
+}

@@ -1,0 +1,88 @@
+#include "contact/contact_cases.hpp"
+#include "solver/pair_impulses.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace tribo;
+using namespace tribo::test;
+
+namespace {
+
+/// Three bodies a | b | c in a row, masses 1, 2, 4; a and c do not touch.
+struct Row {
+  std::vector<ContactMember> members;
+  std::vector<ContactPair> pairs;
+
+  Row(const ContactLaw& law, double a, double b, double c) {
+    const double mass[] = {1, 2, 4}, velocity[] = {a, b, c};
+    for (int k = 0; k < 3; ++k) {
+      ContactMember m;
+      m.mass = mass[k], m.inverse_mass = 1 / mass[k];
+      m.trial = Vec3(velocity[k], 0, 0);
+      members.push_back(m);
+    }
+    for (const auto& [i, j, gap] : {std::tuple{0, 1, 0.0}, {0, 2, 1e9}, {1, 2, 0.0}}) {
+      ContactPair pair;
+      pair.a = static_cast<std::size_t>(i), pair.b = static_cast<std::size_t>(j), pair.law = &law;
+      pair.meeting.mass = 1 / (members[pair.a].inverse_mass + members[pair.b].inverse_mass);
+      pair.meeting.dt = 1e-3, pair.meeting.gap = gap, pair.meeting.area = 1;
+      pairs.push_back(pair);
+    }
+  }
+  double after(std::size_t k) const { return velocity_after(members, pairs, k)[0]; }
+};
+
+}  // namespace
+
+TEST_CASE("three bodies at a node exchange the impulses of least energy", "[contact]") {
+  const auto law = make_law("61", {});
+  struct {
+    double start[3], end[3];
+  } const cases[] = {{{2, 0, -1}, {-2.0 / 7, -2.0 / 7, -2.0 / 7}},
+                     {{2, 0, 3}, {2.0 / 3, 2.0 / 3, 3}},
+                     {{2, 0, 0.5}, {4.0 / 7, 4.0 / 7, 4.0 / 7}},
+                     {{-1, 0, 1}, {-1, 0, 1}}};
+  for (const auto& [start, end] : cases) {
+    Row row(*law, start[0], start[1], start[2]);
+    solve_pairs(row.members, row.pairs, true, false);
+    for (std::size_t k = 0; k < 3; ++k) CHECK(row.after(k) == Approx(end[k]).epsilon(0).margin(1e-12));
+    const double before = start[0] + 2 * start[1] + 4 * start[2];
+    CHECK(row.after(0) + 2 * row.after(1) + 4 * row.after(2) == Approx(before).margin(1e-14));
+  }
+}
+
+TEST_CASE("many bodies with any frictional laws keep momentum and never gain energy", "[contact]") {
+  std::mt19937 random(3);
+  std::normal_distribution<double> normal;
+  const auto rough = make_law("61", {{"coeff", "0.6"}}), smooth = make_law("61", {}), sticky = make_law("60", {});
+  const ContactLaw* laws[] = {rough.get(), smooth.get(), sticky.get()};
+  for (int n = 0; n < 200; ++n) {
+    std::vector<ContactMember> members(4);
+    Vec3 momentum = Vec3::Zero();
+    double energy = 0;
+    for (auto& m : members) {
+      m.mass = std::exp(normal(random)), m.inverse_mass = 1 / m.mass;
+      m.trial = m.start = Vec3(normal(random), normal(random), normal(random));
+      momentum += m.mass * m.trial, energy += 0.5 * m.mass * m.trial.squaredNorm();
+    }
+    std::vector<ContactPair> pairs;
+    for (std::size_t a = 0; a < 4; ++a)
+      for (std::size_t b = a + 1; b < 4; ++b) {
+        ContactPair pair;
+        pair.a = a, pair.b = b, pair.law = laws[(a + b + static_cast<std::size_t>(n)) % 3];
+        pair.meeting.mass = 1 / (members[a].inverse_mass + members[b].inverse_mass);
+        pair.meeting.dt = 1e-3, pair.meeting.gap = -1e-3, pair.meeting.area = 1;
+        pair.meeting.normal = Vec3(normal(random), normal(random), normal(random)).normalized();
+        pairs.push_back(pair);
+      }
+    solve_pairs(members, pairs, true, false);
+    Vec3 after = Vec3::Zero();
+    double energy_after = 0;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const Vec3 v = velocity_after(members, pairs, k);
+      after += members[k].mass * v, energy_after += 0.5 * members[k].mass * v.squaredNorm();
+    }
+    REQUIRE((after - momentum).norm() <= 1e-13 * (1 + momentum.norm()));
+    REQUIRE(energy_after <= energy * (1 + 1e-9));
+  }
+}
