@@ -45,6 +45,16 @@ def run(case):
         case.check(f"mu = 0.6, turned by {turned}: speed after 1 s (holds)", abs(v[-1]), 0, 1e-6, "at most")
     if case.quick:
         return
+    speeds = []
+    for k, (dx, dy) in enumerate(np.random.default_rng(3).uniform(0, 0.05, (10, 2))):
+        grid = f"<Grid xmin='{dx - 1.05}' xmax='{dx + 3.5}' ymin='{dy - 0.45}' ymax='{dy + 0.5}'><Horiz cellsize='0.05'/><Vert cellsize='0.05'/></Grid>"
+        t, v, x, _, _ = slide(case, f"shift{k}", grid=grid, **friction("<coeff>0.3</coeff>"))
+        speeds.append(v[-1])
+    case.check("mu = 0.3, 10 shifts of the grid: spread of the velocity", np.ptp(speeds) / np.mean(speeds), 0, 0.01, "at most")
+    # Without the damping, which acts on velocities and would know the frame
+    t, v0, x, _, _ = slide(case, "still", damping="0", **friction("<coeff>0.3</coeff>"))
+    t, v, x, _, _ = slide(case, "frame", damping="0", frame="0.3", **friction("<coeff>0.3</coeff>"))
+    case.check("mu = 0.3, everything moves along at 0.3 m/s: velocity gained", v[-1] - 0.3, v0[-1], 0.01)
     t, v, x, _, _ = slide(case, "mu055", end="2", **friction("<coeff>0.55</coeff>"))
     case.check("mu = 0.55: acceleration", acceleration(t, v, 0.8), coulomb(0.55), 0.01)
     for E, end in (("1e5", 1), ("1e9", 0.8)):
