@@ -194,7 +194,7 @@ void Builder::liquid_of(const MaterialSpec& law) {
   const Statement* s = law.statement.child("LiquidPhase");
   if (number < 1 || number > static_cast<int>(model_.materials.size())) {
     problems_.add(s->origin, "there is no material number '" + s->text + "'; this file has " +
-                                      std::to_string(model_.materials.size()));
+                                 std::to_string(model_.materials.size()));
     return;
   }
   const auto& liquid = model_.materials[static_cast<std::size_t>(number) - 1];

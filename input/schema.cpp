@@ -1,5 +1,6 @@
 /// The table of keywords as an XML schema and as text.
 
+#include "contact/contact_law.hpp"
 #include "input/dialect.hpp"
 #include "materials/material.hpp"
 
@@ -86,13 +87,18 @@ std::map<std::string, Union> unions() {
     }
   }
   auto& material = all["Material"];
-  for (const auto& item : materials().items())
-    for (const auto& p : item.parameters) {
-      material.children.insert(p.name);
-      if (!p.alias.empty()) material.children.insert(p.alias);
-    }
-  for (const auto name : {"alpha", "Cv", "Cp", "kCond", "color", "PDamping", "largeRotation", "SetDirection",
-                          "SettingFunction", "SettingFunction2", "SettingFunction3", "rho"})
+  const auto add = [&](const auto& items) {
+    for (const auto& item : items)
+      for (const auto& p : item.parameters) {
+        material.children.insert(p.name);
+        if (!p.alias.empty()) material.children.insert(p.alias);
+      }
+  };
+  add(materials().items());
+  add(contact_laws().items());
+  for (const auto name :
+       {"alpha", "Cv", "Cp", "kCond", "color", "PDamping", "largeRotation", "SetDirection", "SettingFunction",
+        "SettingFunction2", "SettingFunction3", "rho", "viscosity", "logshearrate"})
     material.children.emplace(name);
   return all;
 }
@@ -158,18 +164,23 @@ std::string list_keywords(std::string_view only) {
       out << "\n";
     }
   }
-  for (const auto& item : materials().items()) {
-    if (!only.empty() && item.name != only) continue;
-    out << "Material " << item.name;
-    if (item.number) out << " (" << item.number << ")";
-    out << "\n    " << item.summary << "\n";
-    for (const auto& p : item.parameters) {
-      out << "      <" << p.name << "> " << dimension_name(p.dimension) << ", " << p.range.text() << ", " << p.meaning;
-      if (!p.alias.empty()) out << "; also <" << p.alias << ">";
-      if (p.fallback) out << " (default " << *p.fallback << ")";
-      out << "\n";
+  const auto list_laws = [&](const auto& items) {
+    for (const auto& item : items) {
+      if (!only.empty() && item.name != only) continue;
+      out << "Material " << item.name;
+      if (item.number) out << " (" << item.number << ")";
+      out << "\n    " << item.summary << "\n";
+      for (const auto& p : item.parameters) {
+        out << "      <" << p.name << "> " << dimension_name(p.dimension) << ", " << p.range.text() << ", "
+            << p.meaning;
+        if (!p.alias.empty()) out << "; also <" << p.alias << ">";
+        if (p.fallback) out << " (default " << *p.fallback << ")";
+        out << "\n";
+      }
     }
-  }
+  };
+  list_laws(materials().items());
+  list_laws(contact_laws().items());
   return out.str();
 }
 

@@ -87,6 +87,7 @@ class Simulation {
       save_state({archive_.count(), history_.count(), checkpoints_.count(), results.initial_energy, dt_}, system_,
                  stepper_)
           .save(checkpoint);
+      stepper_.contact().forget();
     };
     const auto write = [&](bool all) {
       const double tolerance = 1e-6 * dt_;
@@ -100,7 +101,9 @@ class Simulation {
     const std::int64_t first_step = system_.step;
     try {
       while (system_.time < model_.time.end * (1 - 1e-12)) {
-        if (stop_requested || (options_.max_wall > 0 && seconds_since(begin) > options_.max_wall)) {
+        // A few steps more, if contact keeps something that a checkpoint does not hold
+        const bool stop = stop_requested || (options_.max_wall > 0 && seconds_since(begin) > options_.max_wall);
+        if (stop && stepper_.contact().interruptible()) {
           save();
           provenance.write("stopped", stop_requested ? "signal" : "wall time", system_.time,
                            static_cast<long>(system_.step));

@@ -6,6 +6,13 @@
 #include <cmath>
 
 namespace tribo {
+namespace {
+
+// Faces are found anew when a particle may have moved this far [cells], or after so many steps.
+constexpr double most_travel = 0.01;
+constexpr int most_kept_steps = 50;
+
+}  // namespace
 template <int Dim>
 Contact<Dim>::Contact(const Model& model, System<Dim>& system, const Transfers<Dim>& transfers)
     : model_(model),
@@ -35,6 +42,8 @@ Contact<Dim>::Contact(const Model& model, System<Dim>& system, const Transfers<D
           interfaces_ = interfaces_ || law->interface();
         }
     }
+  // Laws that look at displacements or memories want all particles near, in every step.
+  keeps_faces_ = !interfaces_ && !remembers_ && model.contact.separation == Separation::edges;
   scratch_.resize(256);
   near_.assign(static_cast<std::size_t>(system.lattice.block_count()), 0);
   shared_at_.assign(near_.size(), -1);
@@ -56,6 +65,7 @@ void Contact<Dim>::locate() {
     shared_at_[static_cast<std::size_t>(block)] = static_cast<int>(shared_.size());
     shared_.push_back({block, std::move(slots)});
   }
+  forget();
   record_.assign(shared_.size() * block_nodes<Dim>, -1);
   nodes_.clear();
 }
@@ -64,17 +74,88 @@ template <int Dim>
 void Contact<Dim>::find(std::vector<Conditions<Dim>>& conditions) {
   if (!active_) return;
   list_nodes(conditions);
+  if (keeps_faces_ && kept_steps_ > 0 && !worn() && recall_faces()) {
+    ++kept_steps_;
+    return;
+  }
   cloud_.begin(reach_);
   for (const auto& node : nodes_) cloud_.want(node.index);
   cloud_.collect(bodies_);
   scatter_volumes(conditions);
+  found_.resize(pairs_.size());
   parallel_for(static_cast<std::ptrdiff_t>(nodes_.size()), [&](std::ptrdiff_t k) {
     const MeetingNode& node = nodes_[static_cast<std::size_t>(k)];
     Scratch& scratch = scratch_[static_cast<std::size_t>(thread_index()) % scratch_.size()];
     scratch.near.clear();
     cloud_.each_near(node.index, [&](const CloudPoint<Dim>& p) { scratch.near.push_back(p); });
-    for (std::size_t p = node.first_pair; p < node.end_pair; ++p) face(node, pairs_[p], scratch);
+    for (std::size_t p = node.first_pair; p < node.end_pair; ++p) face(node, pairs_[p], found_[p], scratch);
   });
+  keep_faces();
+}
+
+template <int Dim>
+bool Contact<Dim>::worn() const {
+  return moved_ > most_travel || kept_steps_ >= most_kept_steps;
+}
+
+// Gives every pair the faces found before; false if some pair is new.
+template <int Dim>
+bool Contact<Dim>::recall_faces() {
+  std::size_t f = 0;
+  face_of_.resize(pairs_.size());
+  for (const MeetingNode& node : nodes_)
+    for (std::size_t p = node.first_pair; p < node.end_pair; ++p) {
+      const auto before = [&](const Faces& face) {
+        return std::tuple(face.node, face.a, face.b) <
+               std::tuple(node.number, members_[pairs_[p].a].field, members_[pairs_[p].b].field);
+      };
+      while (f < faces_.size() && before(faces_[f])) ++f;
+      if (f == faces_.size() || faces_[f].node != node.number || faces_[f].a != members_[pairs_[p].a].field ||
+          faces_[f].b != members_[pairs_[p].b].field)
+        return false;
+      face_of_[p] = f;
+    }
+  parallel_for(static_cast<std::ptrdiff_t>(nodes_.size()), [&](std::ptrdiff_t k) {
+    const MeetingNode& node = nodes_[static_cast<std::size_t>(k)];
+    for (std::size_t p = node.first_pair; p < node.end_pair; ++p) {
+      const Faces& face = faces_[face_of_[p]];
+      ContactPair& pair = pairs_[p];
+      pair.apart = face.apart;
+      if (face.apart || !pair.law->looks_at_faces()) continue;
+      pair.meeting.normal = face.normal, pair.meeting.area = face.area;
+      pair.meeting.gap = kept_gap(node, pair, face);
+    }
+  });
+  return true;
+}
+
+template <int Dim>
+void Contact<Dim>::keep_faces() {
+  moved_ = 0.0, kept_steps_ = 0;
+  if (!keeps_faces_) return;
+  for (const Faces& face : found_)
+    if (face.count[0] > Faces::most || face.count[1] > Faces::most) return;
+  std::swap(faces_, found_);
+  kept_steps_ = 1;
+}
+
+template <int Dim>
+double Contact<Dim>::kept_gap(const MeetingNode& node, const ContactPair&, const Faces& face) const {
+  const Vec<Dim> centre = system_.lattice.position(node.index), n = face.normal.template head<Dim>();
+  double gap = 0.0;
+  for (std::size_t side = 0; side < 2; ++side) {
+    const Vec<Dim> out = side == 0 ? n : Vec<Dim>(-n);
+    double most = -std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < face.count[side]; ++k) {
+      const auto& corner = face.corners[side][k];
+      const auto p = cloud_.point(*bodies_[corner.body], corner.body, corner.particle);
+      double reach = (p.x - centre).dot(out);
+      for (int axis = 0; axis < Dim; ++axis) reach += std::abs(p.axes.col(axis).dot(out));
+      most = std::max(most, reach);
+    }
+    gap -= most;
+  }
+  return gap;
 }
 
 // Nodes that carry two or more fields, not all rigid.
@@ -95,6 +176,7 @@ void Contact<Dim>::list_nodes(std::vector<Conditions<Dim>>& conditions) {
       MeetingNode node{};
       node.index = system_.fields[shared.slots[0].first].map.node_at(
           static_cast<std::int64_t>(shared.slots[0].second) * block_nodes<Dim> + local);
+      node.number = static_cast<std::int64_t>(s) * block_nodes<Dim> + local;
       node.first_member = members_.size(), node.first_pair = pairs_.size();
       bool deformable = false;
       for (const auto& [f, slot] : shared.slots) {

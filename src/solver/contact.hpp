@@ -42,8 +42,15 @@ class Contact {
 
   /// Finds the blocks that fields share; after every change of their maps.
   void locate();
-  /// Finds the nodes where fields meet, normals, gaps and areas, from particles at the start of the step.
+  /// Finds the nodes where fields meet, normals, gaps and areas, from particles at the start of the step. Normals and
+  /// areas are kept for as long as no particle moves more than a small part of a cell; gaps are always new.
   void find(std::vector<Conditions<Dim>>& conditions);
+  /// Tells how far some particle may have moved in this step [cells].
+  void moved(double cells) { moved_ += cells; }
+  /// Forgets what is kept from step to step.
+  void forget() { kept_steps_ = 0; }
+  /// True if the next step starts from particles alone, so that a run may be interrupted here without a trace.
+  bool interruptible() const { return !active_ || !keeps_faces_ || kept_steps_ == 0 || worn(); }
   /// Applies the laws to the present velocities.
   void meet(double dt, Pass pass);
   /// Takes the impulses of the first pass back.
@@ -69,12 +76,27 @@ class Contact {
   struct MeetingNode {
     Index<Dim> index;
     std::size_t first_member, end_member, first_pair, end_pair;
-    double share;  // of sums over nodes
-    int mirrored;  // bits: axes of symmetry planes through the node
+    double share;         // of sums over nodes
+    int mirrored;         // bits: axes of symmetry planes through the node
+    std::int64_t number;  // among the nodes of shared blocks
   };
   struct SharedBlock {
     std::int64_t block;
     std::vector<std::pair<std::size_t, int>> slots;  // field, slot
+  };
+  // The faces of a pair as found some steps ago: its normal, and the particles that make the faces.
+  struct Faces {
+    static constexpr std::size_t most = 24;
+    struct Corner {
+      std::uint32_t body, particle;
+    };
+    std::int64_t node = -1;  // number among the nodes of shared blocks
+    std::size_t a = 0, b = 0;
+    Vec3 normal = Vec3::Zero();
+    double area = 0.0;
+    bool apart = false;
+    std::array<std::size_t, 2> count{};
+    std::array<std::array<Corner, most>, 2> corners{};
   };
   struct Scratch {
     Side<Dim> a, b;
@@ -84,7 +106,11 @@ class Contact {
   const ContactLaw* law_of(std::size_t a, std::size_t b) const { return laws_[a * field_count_ + b]; }
   void list_nodes(std::vector<Conditions<Dim>>& conditions);
   void scatter_volumes(std::vector<Conditions<Dim>>& conditions);
-  void face(const MeetingNode& node, ContactPair& pair, Scratch& scratch);
+  bool worn() const;
+  bool recall_faces();
+  void keep_faces();
+  double kept_gap(const MeetingNode& node, const ContactPair& pair, const Faces& faces) const;
+  void face(const MeetingNode& node, ContactPair& pair, Faces& kept, Scratch& scratch);
   Vec<Dim> gradient_normal(const ContactMember& a, const ContactMember& b) const;
   std::optional<Vec<Dim>> chosen_normal(Scratch& s, const ContactMember& a, const ContactMember& b) const;
   double separation(const MeetingNode& node, const ContactPair& pair, Scratch& scratch, const Vec<Dim>& n) const;
@@ -111,6 +137,11 @@ class Contact {
   std::vector<MeetingNode> nodes_;
   std::vector<ContactMember> members_;
   std::vector<ContactPair> pairs_;
+  std::vector<Faces> faces_, found_;
+  std::vector<std::size_t> face_of_;  ///< per pair: which of faces_
+  bool keeps_faces_ = false;
+  int kept_steps_ = 0;          ///< steps since the faces were found; 0: none are kept
+  double moved_ = 0.0;          ///< since then [cells]
   std::vector<int> record_;     ///< per shared block and node: number of the meeting node, or -1
   std::vector<int> shared_at_;  ///< per lattice block: number of the shared block, or -1
   std::vector<Scratch> scratch_;

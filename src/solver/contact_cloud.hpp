@@ -47,6 +47,9 @@ class Cloud {
     });
   }
 
+  /// Particle i of a body as it is now.
+  CloudPoint<Dim> point(Body<Dim>& body, std::uint32_t b, std::uint32_t i) const;
+
  private:
   // Calls f(block, cell in the block) for the cells that a ball about a node may cut.
   template <class F>
@@ -76,7 +79,6 @@ class Cloud {
   }
 
   bool wanted(const Vec<Dim>& x, std::size_t& at) const;
-  CloudPoint<Dim> point(Body<Dim>& body, std::uint32_t b, std::uint32_t i) const;
 
   Lattice<Dim> lattice_;
   double reach_ = 0.0;

@@ -76,7 +76,10 @@ std::optional<Vec<Dim>> Contact<Dim>::chosen_normal(Scratch& s, const ContactMem
 }
 
 template <int Dim>
-void Contact<Dim>::face(const MeetingNode& node, ContactPair& pair, Scratch& s) {
+void Contact<Dim>::face(const MeetingNode& node, ContactPair& pair, Faces& kept, Scratch& s) {
+  kept.node = node.number, kept.a = members_[pair.a].field, kept.b = members_[pair.b].field;
+  kept.count = {};
+  kept.apart = false;
   if (!pair.law->looks_at_faces()) return;
   const ContactMember &a = members_[pair.a], &b = members_[pair.b];
   const Vec<Dim> centre = system_.lattice.position(node.index);
@@ -86,12 +89,12 @@ void Contact<Dim>::face(const MeetingNode& node, ContactPair& pair, Scratch& s) 
     if (p.field == b.field) s.b.add(p.x - centre, p.axes);
   }
   auto n = chosen_normal(s, a, b);
-  pair.apart = !n;
+  pair.apart = kept.apart = !n;
   if (pair.apart) return;
   for (int d = 0; d < Dim; ++d)
     if (node.mirrored >> d & 1) (*n)[d] = 0.0;
   const double norm = n->norm();
-  pair.apart = !(norm > 1e-6);
+  pair.apart = kept.apart = !(norm > 1e-6);
   if (pair.apart) return;
   *n /= norm;
   pair.meeting.normal.setZero();
@@ -105,6 +108,24 @@ void Contact<Dim>::face(const MeetingNode& node, ContactPair& pair, Scratch& s) 
   // Faces that end elsewhere than their partners meet on the smaller; open interfaces belong to both.
   const double sa = slope(a), sb = slope(b);
   pair.meeting.area = pair.law->interface() ? 0.5 * (sa + sb) : std::min(sa, sb);
+  kept.normal = pair.meeting.normal, kept.area = pair.meeting.area;
+  if (keeps_faces_) {
+    // Whatever may become the outermost particle before the faces are found again
+    for (std::size_t side = 0; side < 2; ++side) {
+      Side<Dim>& of = side == 0 ? s.a : s.b;
+      const std::uint32_t field = static_cast<std::uint32_t>(side == 0 ? a.field : b.field);
+      each_at_face(of, side == 0 ? *n : Vec<Dim>(-*n), band * h_, 0.05 * h_, [&](std::size_t which) {
+        const std::size_t k = kept.count[side]++;
+        if (k >= Faces::most) return;
+        std::size_t seen = 0;
+        for (const auto& p : s.near)
+          if (p.field == field && seen++ == which) {
+            kept.corners[side][k] = {p.body, p.particle};
+            break;
+          }
+      });
+    }
+  }
   if (pair.law->interface()) pair.meeting.opening = opening(node, pair, s, *n);
   if (pair.law->remembers()) recall(node, pair, s);
 }
@@ -196,8 +217,8 @@ void Contact<Dim>::recall(const MeetingNode& node, ContactPair& pair, const Scra
     pair.meeting.bond = Bond::whole;
 }
 
-template void Contact<2>::face(const MeetingNode&, ContactPair&, Scratch&);
-template void Contact<3>::face(const MeetingNode&, ContactPair&, Scratch&);
+template void Contact<2>::face(const MeetingNode&, ContactPair&, Faces&, Scratch&);
+template void Contact<3>::face(const MeetingNode&, ContactPair&, Faces&, Scratch&);
 template double Contact<2>::weight(const Vec<2>&) const;
 template double Contact<3>::weight(const Vec<3>&) const;
 

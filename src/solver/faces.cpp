@@ -128,17 +128,10 @@ std::optional<Vec<Dim>> regression_normal(const Side<Dim>& a, const Side<Dim>& b
 template <int Dim>
 double face_position(Side<Dim>& side, const Vec<Dim>& n, double band) {
   side.measure(n, 1.0);
-  double nearest = std::numeric_limits<double>::infinity();
-  const auto distance2 = [&](std::size_t i) {
-    double along = 0.0, square = 0.0;
-    for (int d = 0; d < Dim; ++d) along += side.x[d][i] * n[d], square += side.x[d][i] * side.x[d][i];
-    return square - along * along;
-  };
-  for (std::size_t i = 0; i < side.reach.size(); ++i) nearest = std::min(nearest, distance2(i));
-  const double limit = std::max(band * band, nearest * (1 + 1e-6));
+  const double limit = side.band_limit(n, band);
   double most = -std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < side.reach.size(); ++i)
-    if (side.reach[i] > most && distance2(i) <= limit) most = side.reach[i];
+    if (side.reach[i] > most && side.sideways2(n, i) <= limit) most = side.reach[i];
   return most;
 }
 

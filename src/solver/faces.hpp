@@ -3,6 +3,7 @@
 
 #include "base/types.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -48,6 +49,19 @@ struct Side {
     }
   }
 
+  /// Square of a particle's distance from the line through the node along n.
+  double sideways2(const Vec<Dim>& n, std::size_t i) const {
+    double along = 0.0, square = 0.0;
+    for (int d = 0; d < Dim; ++d) along += x[d][i] * n[d], square += x[d][i] * x[d][i];
+    return square - along * along;
+  }
+  /// Square of the band's half width, widened to the nearest particle.
+  double band_limit(const Vec<Dim>& n, double band) const {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) nearest = std::min(nearest, sideways2(n, i));
+    return std::max(band * band, nearest * (1 + 1e-6));
+  }
+
   /// The corner of a domain, scaled by `share`, that reaches farthest along n.
   Vec<Dim> farthest(const Vec<Dim>& n, double share) {
     measure(n, share);
@@ -86,5 +100,14 @@ std::optional<Vec<Dim>> regression_normal(const Side<Dim>& a, const Side<Dim>& b
 /// a tangential distance from the node below `band` count; if there are none, those that come nearest.
 template <int Dim>
 double face_position(Side<Dim>& side, const Vec<Dim>& n, double band);
+
+/// Calls f(i) for the particles that reach within `depth` of that face.
+template <int Dim, class F>
+void each_at_face(Side<Dim>& side, const Vec<Dim>& n, double band, double depth, F&& f) {
+  const double face = face_position<Dim>(side, n, band);  // leaves `reach`
+  const double limit = side.band_limit(n, band + depth);
+  for (std::size_t i = 0; i < side.reach.size(); ++i)
+    if (side.reach[i] >= face - depth && side.sideways2(n, i) <= limit) f(i);
+}
 
 }  // namespace tribo

@@ -22,30 +22,35 @@ void Stepper<Dim>::advance(double dt) {
   clear();
   apply_loads(dt);
   follow_rigid(dt);
-  const bool together = order == UpdateOrder::usl && !(contact_.active() && contact_.keeps_start());
-  if (together) {
+  if (order == UpdateOrder::usl) {
     scatter(Scatter::momentum_and_force);
+    apply_tractions();
+    if (contact_.keeps_start()) {
+      divide_by_mass();
+      contact_.find(conditions_);
+      contact_.meet(dt, Contact<Dim>::Pass::start);
+      accelerate(dt, Known::velocity_and_folded_force);
+    } else {
+      accelerate(dt, Known::momentum);
+      contact_.find(conditions_);
+    }
   } else {
     // 2. Stress first (or half of it): strain from the extrapolated velocities, made to obey contact
     scatter(Scatter::momentum);
     divide_by_mass();
     contact_.find(conditions_);
     contact_.meet(dt, Contact<Dim>::Pass::start);
-    if (order != UpdateOrder::usl) {
-      impose(system_.time, dt);
-      extend();
-      if (filtering_) filter(0.0, false);
-      strain(order == UpdateOrder::usf ? dt : 0.5 * dt, false);
-    }
+    impose(system_.time, dt);
+    extend();
+    if (filtering_) filter(0.0, false);
+    strain(order == UpdateOrder::usf ? dt : 0.5 * dt, false);
     if (!contact_.keeps_start()) contact_.part();
     scatter(Scatter::force);
+    apply_tractions();
+    accelerate(dt, Known::velocity);
   }
 
-  apply_tractions();
-
-  // 3. Momentum balance on the nodes:  m a = f,  v += dt a; contact; prescribed velocities
-  accelerate(dt, together);
-  if (together) contact_.find(conditions_);
+  // 3. The nodes now have  m a = f,  v += dt a; contact and prescribed velocities correct both
   contact_.meet(dt, Contact<Dim>::Pass::update);
   impose_update(dt, order != UpdateOrder::usl);
   account_tractions(dt);
@@ -202,13 +207,15 @@ void Stepper<Dim>::extend() {
 }
 
 template <int Dim>
-void Stepper<Dim>::accelerate(double dt, bool from_momentum) {
+void Stepper<Dim>::accelerate(double dt, Known known) {
+  const bool from_momentum = known == Known::momentum;
   for (std::size_t f = 0; f < system_.fields.size(); ++f) {
     auto& nodes = system_.fields[f].nodes;
     const bool free = !system_.fields[f].rigid_contact;
     const Vec3 gravity = free ? model_.body_force.gravity : Vec3(Vec3::Zero());
     const double damping = free ? grid_damping : 0.0;
-    conditions_[f].fold(nodes, from_momentum ? Fold::everything : Fold::forces);
+    if (known != Known::velocity_and_folded_force)
+      conditions_[f].fold(nodes, from_momentum ? Fold::everything : Fold::forces);
     each_node(nodes, [&](Node& node) {
       if (!(node.mass > 0)) return;
       const double inverse = 1.0 / node.mass;
@@ -326,6 +333,7 @@ void Stepper<Dim>::move(double dt, double strain_dt) {
   }
   move_rigid(dt);
   system_.drift += std::max(travel, rigid_travel_);
+  contact_.moved(std::max(travel, rigid_travel_));
 }
 
 template <int Dim>

@@ -55,7 +55,9 @@ class Stepper {
   void clear();
   void scatter(Scatter what, bool from_start = false);
   void divide_by_mass();
-  void accelerate(double dt, bool from_momentum);
+  /// What the nodes hold before the momentum update; forces always.
+  enum class Known { momentum, velocity, velocity_and_folded_force };
+  void accelerate(double dt, Known known);
   void filter(double dt, bool from_start);
   void use_filtered(double dt);
   void strain(double dt, bool from_start);

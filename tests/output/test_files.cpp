@@ -4,6 +4,8 @@
 #include "output/history.hpp"
 #include "output/vtk.hpp"
 
+#include <unistd.h>
+
 #include <catch2/catch.hpp>
 
 #include <cmath>
@@ -17,7 +19,7 @@ namespace {
 
 /// A folder that goes away with the test.
 struct Scratch {
-  std::filesystem::path path = std::filesystem::temp_directory_path() / ("tribo-test-" + std::to_string(std::rand()));
+  std::filesystem::path path = std::filesystem::temp_directory_path() / ("tribo-test-" + std::to_string(getpid()));
   Scratch() { std::filesystem::create_directories(path); }
   ~Scratch() {
     std::error_code ignored;

@@ -55,7 +55,7 @@ def run(case):
     t, v0, x, _, _ = slide(case, "still", damping="0", **friction("<coeff>0.3</coeff>"))
     t, v, x, _, _ = slide(case, "frame", damping="0", frame="0.3", **friction("<coeff>0.3</coeff>"))
     case.check("mu = 0.3, everything moves along at 0.3 m/s: velocity gained", v[-1] - 0.3, v0[-1], 0.01)
-    t, v, x, _, _ = slide(case, "mu055", end="2", **friction("<coeff>0.55</coeff>"))
+    t, v, x, _, _ = slide(case, "mu055", end="2", transfer="<Transfer type='FMPM' order='2'/>", **friction("<coeff>0.55</coeff>"))
     case.check("mu = 0.55: acceleration", acceleration(t, v, 0.8), coulomb(0.55), 0.01)
     for E, end in (("1e5", 1), ("1e9", 0.8)):
         t, v, x, _, _ = slide(case, f"E{E}", E=E, end=str(end), **friction("<coeff>0.3</coeff>"))
