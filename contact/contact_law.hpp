@@ -61,7 +61,7 @@ class ContactLaw {
   virtual bool uses_area() const { return false; }
   /// Number of the liquid whose viscosity the law needs, or 0; it is given before the run.
   virtual int liquid() const { return 0; }
-  virtual void set_viscosity(Viscosity) {}
+  virtual void set_viscosity(const Viscosity&) {}
 };
 
 /// Catalogue entry of a law, see material_law: `Law` has name, summary, number, parameters() and prepare().

@@ -60,7 +60,7 @@ struct LiquidContact final : ContactLaw {
   }
   bool uses_area() const override { return true; }
   int liquid() const override { return static_cast<int>(liquid_phase); }
-  void set_viscosity(Viscosity v) override { viscosity = std::move(v); }
+  void set_viscosity(const Viscosity& v) override { viscosity = v; }
 };
 
 }  // namespace

@@ -135,13 +135,13 @@ double face_position(Side<Dim>& side, const Vec<Dim>& n, double band) {
   return most;
 }
 
-#define TRIBO_INSTANTIATE(Dim)                                                                               \
-  template std::optional<Vec<Dim>> shortest_vector<Dim>(Side<Dim>&, Side<Dim>&, double, const Vec<Dim>&);    \
-  template std::optional<Vec<Dim>> margin_normal<Dim>(Side<Dim>&, Side<Dim>&, const Vec<Dim>&, double);      \
-  template std::optional<Vec<Dim>> regression_normal<Dim>(const Side<Dim>&, const Side<Dim>&, bool, double); \
-  template double face_position<Dim>(Side<Dim>&, const Vec<Dim>&, double);
-TRIBO_INSTANTIATE(2)
-TRIBO_INSTANTIATE(3)
-#undef TRIBO_INSTANTIATE
+template std::optional<Vec<2>> shortest_vector<2>(Side<2>&, Side<2>&, double, const Vec<2>&);
+template std::optional<Vec<2>> margin_normal<2>(Side<2>&, Side<2>&, const Vec<2>&, double);
+template std::optional<Vec<2>> regression_normal<2>(const Side<2>&, const Side<2>&, bool, double);
+template double face_position<2>(Side<2>&, const Vec<2>&, double);
+template std::optional<Vec<3>> shortest_vector<3>(Side<3>&, Side<3>&, double, const Vec<3>&);
+template std::optional<Vec<3>> margin_normal<3>(Side<3>&, Side<3>&, const Vec<3>&, double);
+template std::optional<Vec<3>> regression_normal<3>(const Side<3>&, const Side<3>&, bool, double);
+template double face_position<3>(Side<3>&, const Vec<3>&, double);
 
 }  // namespace tribo
