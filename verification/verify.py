@@ -106,6 +106,7 @@ def write_report(store):
     version = subprocess.run([os.environ["TRIBO"], "--version"], capture_output=True, text=True).stdout.strip()
     lines = ["# Verification", "", "Written by `scripts/verify`; each case is a folder of `verification/` with its command file, source and reasons.", "",
              f"Program: `{version}`.", ""]
+    lines += (root / "verification/limits.md").read_text().split("\n")
     for name in sorted(store):
         entry = store[name]
         lines += [f"## {entry['title']}", "", f"`verification/{name}`, run {entry['date']}", "",
