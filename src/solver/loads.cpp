@@ -115,7 +115,15 @@ void Stepper<Dim>::follow_rigid(double dt) {
       auto at = Variables::at(position, (system_.time + dt) / model_.units.alternative_time());
       at.dt = dt / model_.units.alternative_time();
       for (std::size_t d = 0; d < Dim; ++d)
-        if (spec.rigid_velocity[d]) v[d][i] = (*spec.rigid_velocity[d])(at);
+        if (spec.rigid_velocity[d]) {
+          v[d][i] = (*spec.rigid_velocity[d])(at);
+          if (!std::isfinite(v[d][i]))
+            throw SimulationError("a velocity function of the rigid material '" + body.name + "' (" +
+                                  spec.origin.text() + ") is not a number for particle " +
+                                  std::to_string(body.particles.id[i]) + " in step " +
+                                  std::to_string(system_.step + 1) + " at time " + std::to_string(system_.time) +
+                                  "; check its <SettingFunction>s");
+        }
     }
     if (body.field != Body<Dim>::no_field) continue;
     for (auto& field : system_.fields) {
