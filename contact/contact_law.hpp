@@ -66,28 +66,8 @@ class ContactLaw {
 
 /// Catalogue entry of a law, see material_law: `Law` has name, summary, number, parameters() and prepare().
 template <class Law>
-Catalogue<ContactLaw>::Item contact_law(std::vector<std::string> aliases = {}) {
-  Catalogue<ContactLaw>::Item item;
-  item.name = Law::name;
-  item.summary = Law::summary;
-  item.number = Law::number;
-  item.aliases = std::move(aliases);
-  for (const auto& p : Law::parameters()) item.parameters.push_back(p.info());
-  item.make = [](const Statement& statement, const std::vector<std::string>& handled_elsewhere, const Units& units,
-                 Problems& problems) -> std::unique_ptr<ContactLaw> {
-    auto law = std::make_unique<Law>();
-    Problems mine;
-    read_law(*law, statement, handled_elsewhere, units, mine);
-    if (mine.empty()) law->prepare(statement, mine);
-    if (mine.empty()) return law;
-    try {
-      mine.raise();
-    } catch (const InputError& error) {
-      problems.add(error);
-    }
-    return nullptr;
-  };
-  return item;
+Catalogue<ContactLaw>::Item contact_law(const std::vector<std::string>& aliases = {}) {
+  return catalogue_item<ContactLaw, Law, Law>(aliases);
 }
 
 /// All contact laws; generated from contact/CMakeLists.txt.

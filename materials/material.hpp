@@ -230,35 +230,8 @@ class PointwiseMaterial : public Material {
 
 /// Catalogue entry of a law that is lifted by `Lift<Law>` (PointwiseMaterial unless the law brings its own batch).
 template <class Law, class Lifted = PointwiseMaterial<Law>>
-Catalogue<Material>::Item material_law(std::vector<std::string> aliases = {}) {
-  Catalogue<Material>::Item item;
-  item.name = Law::name;
-  item.summary = Law::summary;
-  item.number = Law::number;
-  item.aliases = std::move(aliases);
-  for (const auto& p : Law::parameters()) item.parameters.push_back(p.info());
-  item.make = [](const Statement& statement, const std::vector<std::string>& handled_elsewhere, const Units& units,
-                 Problems& problems) -> std::unique_ptr<Material> {
-    Law law;
-    Problems mine;
-    auto skipped = handled_elsewhere;
-    if constexpr (requires { Law::repeated(); })
-      for (auto& name : Law::repeated()) skipped.push_back(name);
-    read_law(law, statement, skipped, units, mine);
-    if constexpr (requires { law.prepare(statement, units, mine); }) {
-      if (mine.empty()) law.prepare(statement, units, mine);
-    } else if (mine.empty()) {
-      law.prepare(statement, mine);
-    }
-    if (mine.empty()) return std::make_unique<Lifted>(std::move(law));
-    try {
-      mine.raise();
-    } catch (const InputError& error) {
-      problems.add(error);
-    }
-    return nullptr;
-  };
-  return item;
+Catalogue<Material>::Item material_law(const std::vector<std::string>& aliases = {}) {
+  return catalogue_item<Material, Law, Lifted>(aliases);
 }
 
 /// All materials; generated from materials/CMakeLists.txt.

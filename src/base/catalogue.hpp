@@ -46,4 +46,41 @@ class Catalogue {
   std::vector<Item> items_;
 };
 
+/// Catalogue entry of `Law`, which has name, summary, number, parameters(), prepare() and, if it reads some properties
+/// itself, repeated(). `Host` is what the engine calls, made from the law it was given: the law itself or an adaptor.
+template <class Base, class Law, class Host>
+typename Catalogue<Base>::Item catalogue_item(const std::vector<std::string>& aliases) {
+  typename Catalogue<Base>::Item item;
+  item.name = Law::name;
+  item.summary = Law::summary;
+  item.number = Law::number;
+  item.aliases = aliases;
+  for (const auto& p : Law::parameters()) item.parameters.push_back(p.info());
+  item.make = [](const Statement& statement, const std::vector<std::string>& handled_elsewhere, const Units& units,
+                 Problems& problems) -> std::unique_ptr<Base> {
+    Law law;
+    Problems mine;
+    if constexpr (requires { Law::repeated(); }) {
+      auto skipped = Law::repeated();
+      skipped.insert(skipped.end(), handled_elsewhere.begin(), handled_elsewhere.end());
+      read_law(law, statement, skipped, units, mine);
+    } else {
+      read_law(law, statement, handled_elsewhere, units, mine);
+    }
+    if constexpr (requires { law.prepare(statement, units, mine); }) {
+      if (mine.empty()) law.prepare(statement, units, mine);
+    } else if (mine.empty()) {
+      law.prepare(statement, mine);
+    }
+    if (mine.empty()) return std::make_unique<Host>(std::move(law));
+    try {
+      mine.raise();
+    } catch (const InputError& error) {
+      problems.add(error);
+    }
+    return nullptr;
+  };
+  return item;
+}
+
 }  // namespace tribo
