@@ -71,6 +71,7 @@ struct ContactSpec {
   double position = 0.8;           ///< separation by positions: cells between touching bodies, or minus an exponent
   double rigid_bias = 1.0;         ///< weight of a rigid body's gradient
   Vec3 direction = Vec3::UnitX();  ///< specified normal
+  bool at_faces = false;           ///< impulses act on faces, between nodes, not on single nodes
   std::shared_ptr<const ContactLaw> default_law;
   std::map<std::pair<int, int>, std::shared_ptr<const ContactLaw>> pair_laws;  ///< by materials, smaller number first
   const ContactLaw* law(int a, int b) const {

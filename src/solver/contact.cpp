@@ -19,7 +19,8 @@ Contact<Dim>::Contact(const Model& model, System<Dim>& system, const Transfers<D
       system_(system),
       transfers_(transfers),
       field_count_(system.fields.size()),
-      cloud_(system.lattice) {
+      cloud_(system.lattice),
+      face_impulses_(system) {
   const std::size_t n = field_count_;
   active_ = model.contact.active && n > 1;
   if (!active_) return;
@@ -76,6 +77,7 @@ void Contact<Dim>::find(std::vector<Conditions<Dim>>& conditions) {
   list_nodes(conditions);
   if (keeps_faces_ && kept_steps_ > 0 && !worn() && recall_faces()) {
     ++kept_steps_;
+    gather_faces();
     return;
   }
   cloud_.begin(reach_);
@@ -91,6 +93,21 @@ void Contact<Dim>::find(std::vector<Conditions<Dim>>& conditions) {
     for (std::size_t p = node.first_pair; p < node.end_pair; ++p) face(node, pairs_[p], found_[p], scratch);
   });
   keep_faces();
+  gather_faces();
+}
+
+// Hands the pairs whose impulses act on faces, and those that share a node with them, to their solver.
+template <int Dim>
+void Contact<Dim>::gather_faces() {
+  if (!model_.contact.at_faces) return;
+  face_impulses_.clear();
+  const auto has_face = [](const ContactPair& pair) { return !pair.apart && pair.law->looks_at_faces(); };
+  for (MeetingNode& node : nodes_) {
+    const auto pairs = pairs_of(node);
+    node.by_faces = std::any_of(pairs.begin(), pairs.end(), has_face);
+    if (!node.by_faces) continue;
+    for (ContactPair& pair : pairs) face_impulses_.add(pair, members_, node.index, has_face(pair));
+  }
 }
 
 template <int Dim>
@@ -123,6 +140,7 @@ bool Contact<Dim>::recall_faces() {
       pair.apart = face.apart;
       if (face.apart || !pair.law->looks_at_faces()) continue;
       pair.meeting.normal = face.normal, pair.meeting.area = face.area;
+      pair.face = face.face;
       pair.meeting.gap = kept_gap(node, pair, face);
     }
   });

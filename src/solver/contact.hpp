@@ -4,6 +4,7 @@
 #include "contact/contact_law.hpp"
 #include "solver/conditions.hpp"
 #include "solver/contact_cloud.hpp"
+#include "solver/face_impulses.hpp"
 #include "solver/faces.hpp"
 #include "solver/pair_impulses.hpp"
 #include "solver/transfer.hpp"
@@ -76,9 +77,10 @@ class Contact {
   struct MeetingNode {
     Index<Dim> index;
     std::size_t first_member, end_member, first_pair, end_pair;
-    double share;         // of sums over nodes
-    int mirrored;         // bits: axes of symmetry planes through the node
-    std::int64_t number;  // among the nodes of shared blocks
+    double share;           // of sums over nodes
+    int mirrored;           // bits: axes of symmetry planes through the node
+    bool by_faces = false;  // solved by face_impulses_
+    std::int64_t number;    // among the nodes of shared blocks
   };
   struct SharedBlock {
     std::int64_t block;
@@ -93,7 +95,7 @@ class Contact {
     std::int64_t node = -1;  // number among the nodes of shared blocks
     std::size_t a = 0, b = 0;
     Vec3 normal = Vec3::Zero();
-    double area = 0.0;
+    double area = 0.0, face = 0.0;
     bool apart = false;
     std::array<std::size_t, 2> count{};
     std::array<std::array<Corner, most>, 2> corners{};
@@ -106,6 +108,7 @@ class Contact {
   const ContactLaw* law_of(std::size_t a, std::size_t b) const { return laws_[a * field_count_ + b]; }
   void list_nodes(std::vector<Conditions<Dim>>& conditions);
   void scatter_volumes(std::vector<Conditions<Dim>>& conditions);
+  void gather_faces();
   bool worn() const;
   bool recall_faces();
   void keep_faces();
@@ -132,6 +135,7 @@ class Contact {
   std::vector<const ContactLaw*> laws_;
   std::vector<Body<Dim>*> bodies_;
   Cloud<Dim> cloud_;
+  FaceImpulses<Dim> face_impulses_;
   std::vector<SharedBlock> shared_;
   std::vector<char> near_;  ///< per lattice block: 1 where volumes are wanted
   std::vector<MeetingNode> nodes_;

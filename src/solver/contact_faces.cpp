@@ -108,7 +108,11 @@ void Contact<Dim>::face(const MeetingNode& node, ContactPair& pair, Faces& kept,
   // Faces that end elsewhere than their partners meet on the smaller; open interfaces belong to both.
   const double sa = slope(a), sb = slope(b);
   pair.meeting.area = pair.law->interface() ? 0.5 * (sa + sb) : std::min(sa, sb);
-  kept.normal = pair.meeting.normal, kept.area = pair.meeting.area;
+  if (model_.contact.at_faces) {
+    const double of_a = face_position<Dim>(s.a, *n, band * h_), of_b = -face_position<Dim>(s.b, -*n, band * h_);
+    pair.face = a.inverse_mass == 0.0 ? of_a : b.inverse_mass == 0.0 ? of_b : 0.5 * (of_a + of_b);
+  }
+  kept.normal = pair.meeting.normal, kept.area = pair.meeting.area, kept.face = pair.face;
   if (keeps_faces_) {
     // Whatever may become the outermost particle before the faces are found again
     for (std::size_t side = 0; side < 2; ++side) {

@@ -33,12 +33,15 @@ void Contact<Dim>::each_pair_near(const CloudPoint<Dim>& p, F&& f) const {
     if (s < 0) continue;
     const int r = record_[static_cast<std::size_t>(s) * block_nodes<Dim> + local];
     if (r < 0) continue;
-    const double w = weight(p.x - system_.lattice.position(n));
-    if (!(w > 0)) continue;
+    const Vec<Dim> distance = p.x - system_.lattice.position(n);
+    if (!(weight(distance) > 0)) continue;
     const MeetingNode& node = nodes_[static_cast<std::size_t>(r)];
     for (std::size_t q = node.first_pair; q < node.end_pair; ++q) {
       const ContactPair& pair = pairs_[q];
       if (pair.apart) continue;
+      // Nodes on both sides of a face share its tractions: only the distance along it counts.
+      const Vec<Dim> normal = pair.meeting.normal.template head<Dim>();
+      const double w = weight(distance - distance.dot(normal) * normal);
       if (members_[pair.a].field == p.field) f(pair, w, 1.0);
       if (members_[pair.b].field == p.field) f(pair, w, -1.0);
     }
@@ -104,6 +107,7 @@ void Contact<Dim>::meet(double dt, Pass pass) {
   if (!active_) return;
   parallel_for(static_cast<std::ptrdiff_t>(nodes_.size()), [&](std::ptrdiff_t k) {
     MeetingNode& node = nodes_[static_cast<std::size_t>(k)];
+    if (node.by_faces) return;
     for (std::size_t i = node.first_member; i < node.end_member; ++i) {
       ContactMember& m = members_[i];
       const Node& at = system_.fields[m.field].nodes[static_cast<std::size_t>(m.at)];
@@ -121,13 +125,16 @@ void Contact<Dim>::meet(double dt, Pass pass) {
         if (pass == Pass::update) Eigen::Map<Vec3>(at.acceleration) += change / dt;
       }
   });
+  face_impulses_.meet(dt, pass == Pass::update);
 }
 
 template <int Dim>
 void Contact<Dim>::part() {
   if (!active_) return;
+  face_impulses_.part();
   parallel_for(static_cast<std::ptrdiff_t>(nodes_.size()), [&](std::ptrdiff_t k) {
     const MeetingNode& node = nodes_[static_cast<std::size_t>(k)];
+    if (node.by_faces) return;
     for (std::size_t p = node.first_pair; p < node.end_pair; ++p)
       for (const auto& [i, sign] : {std::pair{pairs_[p].a, 1.0}, std::pair{pairs_[p].b, -1.0}}) {
         Node& at = system_.fields[members_[i].field].nodes[static_cast<std::size_t>(members_[i].at)];
@@ -141,6 +148,7 @@ void Contact<Dim>::refine(bool update) {
   if (!active_) return;
   parallel_for(static_cast<std::ptrdiff_t>(nodes_.size()), [&](std::ptrdiff_t k) {
     const MeetingNode& node = nodes_[static_cast<std::size_t>(k)];
+    if (node.by_faces) return;
     const auto pairs = pairs_of(node);
     const auto increment = [&](const ContactMember& m) {
       return Eigen::Map<Vec3>(system_.fields[m.field].filter[static_cast<std::size_t>(m.at)].velocity);
@@ -157,6 +165,7 @@ void Contact<Dim>::refine(bool update) {
     for (std::size_t i = node.first_member; i < node.end_member; ++i)
       if (members_[i].inverse_mass > 0.0) increment(members_[i]) += velocity_after(members_, pairs, i);
   });
+  face_impulses_.refine(update);
 }
 
 template <int Dim>
@@ -175,16 +184,20 @@ void Contact<Dim>::book(double dt) {
       entry.area += node.share * pair.meeting.area;
       // Work of the pair on the grid, at the mean of the velocities of the step's ends
       const Vec3 mean = 0.5 * node.share *
-                        (b.start - a.start + velocity_after(members_, pairs_of(node), pair.b) -
-                         velocity_after(members_, pairs_of(node), pair.a));
+                        (node.by_faces ? Vec3(pair.meeting.start + pair.after)
+                                       : Vec3(b.start - a.start + velocity_after(members_, pairs_of(node), pair.b) -
+                                              velocity_after(members_, pairs_of(node), pair.a)));
       const double all = pair.impulse.dot(mean);
       const double normal = pair.impulse.dot(pair.meeting.normal) * mean.dot(pair.meeting.normal);
       if (pair.law->interface())
         entry.interface += all;
       else
         entry.impact += normal, entry.friction += all - normal;
-      if (a.inverse_mass == 0.0) rigid_work -= node.share * pair.impulse.dot(a.trial);
-      if (b.inverse_mass == 0.0) rigid_work += node.share * pair.impulse.dot(b.trial);
+      const auto velocity = [&](const ContactMember& m) {
+        return Vec3(Eigen::Map<const Vec3>(system_.fields[m.field].nodes[static_cast<std::size_t>(m.at)].velocity));
+      };
+      if (a.inverse_mass == 0.0) rigid_work -= node.share * pair.impulse.dot(velocity(a));
+      if (b.inverse_mass == 0.0) rigid_work += node.share * pair.impulse.dot(velocity(b));
     }
   if (remembers_) remember();
 }
