@@ -68,7 +68,8 @@ std::optional<Vec<Dim>> Contact<Dim>::chosen_normal(Scratch& s, const ContactMem
       return unit(gradient);
     case NormalMethod::margin:
       if (s.a.count == 0 || s.b.count == 0) return std::nullopt;
-      if (auto n = margin_normal<Dim>(s.a, s.b, unit(gradient).value_or(Vec<Dim>::Unit(0)), h_)) return n;
+      if (auto n = margin_normal<Dim>(s.a, s.b, unit(gradient).value_or(Vec<Dim>::Unit(0)), h_))
+        return facing_normal<Dim>(s.a, s.b, *n, h_);
       if (auto n = regression_normal<Dim>(s.a, s.b, false, h_)) return n;
       return unit(gradient);
   }

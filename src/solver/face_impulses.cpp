@@ -1,14 +1,11 @@
 #include "solver/face_impulses.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace tribo {
 namespace {
 
-// Rows that share their nodes may share the pressure in any way, unless their laws depend on how: those first answer
-// all at once.
-constexpr int first_sweeps = 5;
+constexpr int first_sweeps = 5;  // in which all rows answer at once: those that share nodes share the pressure
 constexpr int most_sweeps = 50;
 constexpr double tolerance = 1e-8;  // of the impulses, relative
 
@@ -127,8 +124,7 @@ void FaceImpulses<Dim>::push(const Row& row, const Vec3& impulse) {
 template <int Dim>
 void FaceImpulses<Dim>::solve(bool update) {
   const auto silent = [&](const Row& row) { return row.pair->apart || (!update && row.pair->law->interface()); };
-  const bool share = std::any_of(rows_.begin(), rows_.end(), [](const Row& row) { return row.pair->law->uses_area(); });
-  for (int sweep = 0; share && sweep < first_sweeps; ++sweep) {
+  for (int sweep = 0; sweep < first_sweeps; ++sweep) {
     for (Row& row : rows_)
       if (!silent(row)) ask(row, row.mass_among);
     for (Row& row : rows_)

@@ -83,6 +83,110 @@ std::optional<Vec<Dim>> margin_normal(Side<Dim>& a, Side<Dim>& b, const Vec<Dim>
   return std::nullopt;
 }
 
+namespace {
+
+template <int Dim>
+double farthest_reach(Side<Dim>& side, const Vec<Dim>& n) {
+  side.measure(n, 1.0);
+  return *std::max_element(side.reach.begin(), side.reach.end());
+}
+
+// Calls f(x) for the corners of the domains within `depth` of the face along n.
+template <int Dim, class F>
+void each_corner(Side<Dim>& side, const Vec<Dim>& n, double depth, F&& f) {
+  const double face = farthest_reach<Dim>(side, n);
+  for (std::size_t i = 0; i < side.reach.size(); ++i) {
+    if (side.reach[i] < face - depth) continue;
+    for (int corner = 0; corner < 1 << Dim; ++corner) {
+      Vec<Dim> x;
+      for (int d = 0; d < Dim; ++d) {
+        x[d] = side.x[d][i];
+        for (int k = 0; k < Dim; ++k) x[d] += (corner >> k & 1) != 0 ? side.axes[k][d][i] : -side.axes[k][d][i];
+      }
+      if (x.dot(n) >= face - depth) f(x);
+    }
+  }
+}
+
+// From where to where they reach along t.
+template <int Dim>
+std::pair<double, double> extent(Side<Dim>& side, const Vec<Dim>& n, double depth, const Vec<Dim>& t) {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  each_corner<Dim>(side, n, depth,
+                   [&](const Vec<Dim>& x) { low = std::min(low, x.dot(t)), high = std::max(high, x.dot(t)); });
+  return {low, high};
+}
+
+// The distance of the nearest one from the node.
+template <int Dim>
+double nearest_corner(Side<Dim>& side, const Vec<Dim>& n, double depth) {
+  double square = std::numeric_limits<double>::infinity();
+  each_corner<Dim>(side, n, depth, [&](const Vec<Dim>& x) { square = std::min(square, x.squaredNorm()); });
+  return std::sqrt(square);
+}
+
+// Normals of the sides of the particle that reaches farthest along n.
+template <int Dim>
+Mat<Dim> side_normals(Side<Dim>& side, const Vec<Dim>& n) {
+  farthest_reach<Dim>(side, n);
+  const auto corner =
+      static_cast<std::size_t>(std::max_element(side.reach.begin(), side.reach.end()) - side.reach.begin());
+  Mat<Dim> axes;
+  for (int k = 0; k < Dim; ++k)
+    for (int d = 0; d < Dim; ++d) axes(d, k) = side.axes[k][d][corner];
+  return axes.inverse().transpose().colwise().normalized();
+}
+
+// The directions across n in which faces may part: in three dimensions those of the particles' sides.
+template <int Dim, class F>
+void each_across(const Vec<Dim>& n, const std::array<Mat<Dim>, 2>& sides, F&& f) {
+  if constexpr (Dim == 2) {
+    f(Vec<2>(-n[1], n[0]));
+  } else {
+    for (const Mat<3>& normals : sides)
+      for (int k = 0; k < 3; ++k) {
+        const Vec<3> across = normals.col(k) - normals.col(k).dot(n) * n;
+        if (across.norm() > 0.1) f(Vec<3>(across.normalized()));
+      }
+  }
+}
+
+}  // namespace
+
+template <int Dim>
+std::optional<Vec<Dim>> facing_normal(Side<Dim>& a, Side<Dim>& b, const Vec<Dim>& n, double length) {
+  const double depth = 0.1 * length;
+  // Far from the node the clouds end where they were cut off; that is no corner.
+  if (std::max(nearest_corner<Dim>(a, n, depth), nearest_corner<Dim>(b, -n, depth)) > 1.6 * length) return n;
+  const std::array<Mat<Dim>, 2> sides{side_normals<Dim>(a, n), side_normals<Dim>(b, -n)};
+  bool corners = false;
+  each_across<Dim>(n, sides, [&](const Vec<Dim>& t) {
+    const auto [low_a, high_a] = extent<Dim>(a, n, depth, t);
+    const auto [low_b, high_b] = extent<Dim>(b, -n, depth, t);
+    corners = corners || std::max(high_a - low_a, high_b - low_b) < 0.5 * length;
+  });
+  if (!corners) return n;
+  std::optional<Vec<Dim>> best;
+  double largest = -std::numeric_limits<double>::infinity();
+  const auto try_normal = [&](const Vec<Dim>& m) {
+    const double gap = -farthest_reach<Dim>(a, m) - farthest_reach<Dim>(b, -m);
+    double opposite = std::numeric_limits<double>::infinity();
+    each_across<Dim>(m, sides, [&](const Vec<Dim>& t) {
+      const auto [low_a, high_a] = extent<Dim>(a, m, depth, t);
+      const auto [low_b, high_b] = extent<Dim>(b, -m, depth, t);
+      opposite = std::min({opposite, high_a - low_b, high_b - low_a});
+    });
+    if (gap > largest && opposite >= 0.05 * length) best = m, largest = gap;
+  };
+  try_normal(n);
+  for (const Mat<Dim>& normals : sides)
+    for (int k = 0; k < Dim; ++k) {
+      const Vec<Dim> m = normals.col(k);
+      if (std::abs(m.dot(n)) > 0.1) try_normal(m.dot(n) > 0 ? m : Vec<Dim>(-m));
+    }
+  return best;
+}
+
 template <int Dim>
 std::optional<Vec<Dim>> regression_normal(const Side<Dim>& a, const Side<Dim>& b, bool logistic, double length) {
   using Row = Eigen::Matrix<double, Dim + 1, 1>;
@@ -137,10 +241,12 @@ double face_position(Side<Dim>& side, const Vec<Dim>& n, double band) {
 
 template std::optional<Vec<2>> shortest_vector<2>(Side<2>&, Side<2>&, double, const Vec<2>&);
 template std::optional<Vec<2>> margin_normal<2>(Side<2>&, Side<2>&, const Vec<2>&, double);
+template std::optional<Vec<2>> facing_normal<2>(Side<2>&, Side<2>&, const Vec<2>&, double);
 template std::optional<Vec<2>> regression_normal<2>(const Side<2>&, const Side<2>&, bool, double);
 template double face_position<2>(Side<2>&, const Vec<2>&, double);
 template std::optional<Vec<3>> shortest_vector<3>(Side<3>&, Side<3>&, double, const Vec<3>&);
 template std::optional<Vec<3>> margin_normal<3>(Side<3>&, Side<3>&, const Vec<3>&, double);
+template std::optional<Vec<3>> facing_normal<3>(Side<3>&, Side<3>&, const Vec<3>&, double);
 template std::optional<Vec<3>> regression_normal<3>(const Side<3>&, const Side<3>&, bool, double);
 template double face_position<3>(Side<3>&, const Vec<3>&, double);
 

@@ -90,6 +90,12 @@ std::optional<Vec<Dim>> shortest_vector(Side<Dim>& a, Side<Dim>& b, double share
 template <int Dim>
 std::optional<Vec<Dim>> margin_normal(Side<Dim>& a, Side<Dim>& b, const Vec<Dim>& guess, double length);
 
+/// The normal along which faces can press: `n`, unless it joins two corners (or edges) narrower than half a `length`.
+/// Then that of the particles' sides there with the largest gap and with faces opposite each other. A corner that
+/// slides past another one has none: touching in a point, they do not stop each other.
+template <int Dim>
+std::optional<Vec<Dim>> facing_normal(Side<Dim>& a, Side<Dim>& b, const Vec<Dim>& n, double length);
+
 /// Logistic (or only linear) regression of the classes a = -1, b = 1. Nairn, Hammerquist & Smith, "New material point
 /// method contact algorithms for improved accuracy, large-deformation problems, and proper null-space filtering",
 /// CMAME 362 (2020) 112859.

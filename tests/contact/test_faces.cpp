@@ -86,3 +86,42 @@ TEST_CASE("regression finds flat faces roughly", "[contact]") {
     CHECK((*n - Vec<2>(0, 1)).norm() < 1e-6);
   }
 }
+
+TEST_CASE("a corner that slides past another one does not meet it", "[contact]") {
+  for (const double angle : {0.0, 0.4}) {
+    const Vec<2> along(std::cos(angle), std::sin(angle)), up(-along[1], along[0]);
+    auto floor = block(angle, {0, -3}, {3, 0});
+    for (const double front : {-0.3, -0.01, 0.0, 0.03, 0.3, 0.6, 2.0}) {
+      // A block on the same level whose front is about to pass, or has passed, the floor's corner; pressed in a little
+      Side<2> slider;
+      for (double x = front - 0.25; x > -3; x -= 0.5)
+        for (double y = 0.249; y < 2.5; y += 0.5)
+          slider.add(x * along + y * up, 0.25 * (Mat<2>() << along, up).finished());
+      const auto margin = margin_normal<2>(slider, floor, along, 1.0);
+      REQUIRE(margin);
+      const auto n = facing_normal<2>(slider, floor, *margin, 1.0);
+      if (front < 0.05) {
+        CHECK_FALSE(n);
+      } else {
+        REQUIRE(n);
+        CHECK((*n + up).norm() < 1e-6);
+      }
+    }
+    // and one that meets it head on
+    auto wall = block(angle, {0.01, -3}, {3, 3});
+    auto bar = block(angle, {-3, -1}, {0, 1});
+    const auto n = facing_normal<2>(bar, wall, *margin_normal<2>(bar, wall, up, 1.0), 1.0);
+    REQUIRE(n);
+    CHECK((*n - along).norm() < 1e-6);
+  }
+}
+
+TEST_CASE("a box above the edge of a box rests on it, and beside it falls past", "[contact]") {
+  const Mat<3> turn = Eigen::AngleAxisd(0.7, Vec<3>(1, -1, 2).normalized()).matrix();
+  auto floor = box(turn, {-3, -3, -3}, {0, 3, 0});
+  auto on = box(turn, {-0.5, -3, 0}, {3, 3, 3}), beside = box(turn, {0, -3, 0}, {3, 3, 3});
+  const auto n = facing_normal<3>(floor, on, *margin_normal<3>(floor, on, turn.col(0), 1.0), 1.0);
+  REQUIRE(n);
+  CHECK((*n - turn.col(2)).norm() < 1e-6);
+  CHECK_FALSE(facing_normal<3>(floor, beside, *margin_normal<3>(floor, beside, turn.col(0), 1.0), 1.0));
+}
