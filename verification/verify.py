@@ -127,6 +127,7 @@ def main():
     names = [a for a in arguments if not a.startswith("-")] or sorted(p.parent.name for p in folder.glob("*/check.py"))
     record = root / "docs/verification.json"
     store = json.loads(record.read_text()) if record.exists() else {}
+    store = {name: entry for name, entry in store.items() if (folder / name).exists()}
     failed = total = 0
     for name in names:
         spec = importlib.util.spec_from_file_location(name, folder / name / "check.py")

@@ -77,6 +77,7 @@ def run(case):
     case.check("v0 = 2, mu = 0.25: frictional work over kinetic energy", got["Friction Work"][-1] / 400, 1, 5e-3)
     t, v, x, _, _ = slide(case, "cohesion", **friction("<coeff>0.3</coeff><Sa>100</Sa>", "AdhesiveFriction"))
     case.check("mu = 0.3, Sa = 100: acceleration", acceleration(t, v, 0.6), coulomb(0.3) - 100 / 200, 5e-3)
+    laws = [("AdhesiveFriction, mu = 0.3, Sa = 100 Pa", t, v, lambda s: (coulomb(0.3) - 0.5) * s)]
     t, v, x, _, _ = slide(case, "ramp", angle=0.0, end="3.7525", along="(2*max(t-&start;,0))", E="1e8",
                           grid="<Grid xmin='-1' xmax='3.5' ymin='-0.4' ymax='0.5'><Horiz cellsize='0.05'/><Vert cellsize='0.05'/></Grid>",
                           **friction("<coeff>0.3</coeff><coeffStatic>0.5</coeffStatic><weakening>0.00005</weakening>"))
@@ -87,11 +88,15 @@ def run(case):
     terminal = coulomb(0.3) / (0.5 * g * math.cos(math.radians(30)))
     case.check("mu = 0.3 + 0.5 v: terminal speed", v[-1] / (1 - math.exp(-(2 - 0.4) * 0.5 * g * math.cos(math.radians(30)))), terminal, 0.01)
 
+    rate = 0.5 * g * math.cos(math.radians(30))
+    laws.append(("AdhesiveFriction, mu = 0.3 + 0.5 s/m v", t, v, lambda s: terminal * (1 - np.exp(-rate * s))))
+
     oil = "<Material Type='TaitLiquid' Name='oil'><rho>1000</rho><K>1e6</K><viscosity>0.981</viscosity></Material>"
     for order in (0, 1):
         wet = f"<Material Type='LiquidContact' Name='law'><coeff>2000</coeff><LiquidPhase>{4 if order == 0 else 3}</LiquidPhase></Material>"
         t, v, x, _, _ = slide(case, f"liquid{order}", end="1.5", transfer="<Transfer type='FMPM' order='2'/>", law=wet + oil if order == 0 else oil + wet)
         case.check(f"LiquidContact, k eta = 1962 ({'law' if order == 0 else 'liquid'} defined first): terminal speed", v[-1], g * 0.5 * 200 / 1962, 0.01)
+    laws.append(("LiquidContact, k eta = 1962 Pa s/m", t, v, lambda s: 0.5 * (1 - np.exp(-9.81 * s))))
 
     schemes = [(f"{method}{'-' if skip else '+'} {name}", dict(method=method, skip=skip, transfer=transfer))
                for method, skip in (("USF", "<SkipPostExtrapolation/>"), ("USL", "<SkipPostExtrapolation/>"), ("USL", ""), ("USAVG", "<SkipPostExtrapolation/>"), ("USAVG", ""))
@@ -110,3 +115,18 @@ def run(case):
         axes.legend(fontsize=8)
 
     case.figure("incline", draw)
+
+    def draw_laws(axes):
+        for mu, colour in ((0.0, "C0"), (0.3, "C1")):
+            t, v = next((t, v) for turned, m, t, v in rows if turned == 17 and m == mu)
+            laws.append((f"CoulombFriction, mu = {mu:g}", t, v, lambda s, a=coulomb(mu): a * s))
+        for k, (label, t, v, exact) in enumerate(laws):
+            axes.plot(t[t < 1.2], v[t < 1.2], color=f"C{k}", label=label, linewidth=1)
+            # The turn of gravity, from 0.3 to 0.5 s, counts as a start at its middle
+            s = np.linspace(0.5, 1.2 if t[-1] > 1.1 else t[-1], 8)
+            axes.plot(s, exact(s - 0.4), "o", color=f"C{k}", markersize=3)
+        axes.set_xlabel("time [s]")
+        axes.set_ylabel("velocity along the plane [m/s]")
+        axes.legend(fontsize=8, title="lines: Tribo; dots: closed form", title_fontsize=8)
+
+    case.figure("incline_laws", draw_laws)
