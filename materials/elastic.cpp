@@ -1,12 +1,13 @@
 #include "materials/elastic.hpp"
 
-#include <algorithm>
-
 namespace tribo {
 namespace {
 
 // Angles per step above this leave the series of the fast loops.
 constexpr double small_angle = 0.1;
+
+// By value: std::max returns references, which vectorise to gathers.
+double larger(double a, double b) { return a > b ? a : b; }
 
 // Small angles only.
 inline void sine_cosine(double t, double& sine, double& cosine) {
@@ -44,7 +45,7 @@ void elastic_step<2>(const MaterialPoints<2>& points, const Elasticity& elastic)
 
   double most = 0.0;
 #pragma omp simd reduction(max : most)
-  for (int i = 0; i < points.count; ++i) most = std::max(most, std::abs(Lyx[i] - Lxy[i]));
+  for (int i = 0; i < points.count; ++i) most = larger(most, std::abs(Lyx[i] - Lxy[i]));
   const bool small = 0.5 * most * dt < small_angle;
 
   // s = (xx - yy)/2 and t = xy turn by twice the angle of the body
@@ -99,8 +100,8 @@ void elastic_step<3>(const MaterialPoints<3>& points, const Elasticity& elastic)
   double most = 0.0;
 #pragma omp simd reduction(max : most)
   for (int i = 0; i < points.count; ++i)
-    most = std::max(
-        most, std::max(std::abs(Lzy[i] - Lyz[i]), std::max(std::abs(Lxz[i] - Lzx[i]), std::abs(Lyx[i] - Lxy[i]))));
+    most =
+        larger(most, larger(std::abs(Lzy[i] - Lyz[i]), larger(std::abs(Lxz[i] - Lzx[i]), std::abs(Lyx[i] - Lxy[i]))));
   const bool small = most * dt < small_angle;
 
   // Half the rotation before the strain increment, half after.

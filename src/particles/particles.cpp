@@ -10,15 +10,15 @@ void Particles<Dim>::reorder(std::span<const std::uint32_t> order) {
   static constexpr std::ptrdiff_t piece = 1 << 14;
   const auto n = static_cast<std::ptrdiff_t>(count_);
   const std::ptrdiff_t pieces = (n + piece - 1) / piece;
-  AlignedVector<double> spare(count_ + padding, 0.0);
+  spare_.resize(count_ + padding, 0.0);
   for (auto& column : columns_) {
     const double* from = column.data.data();
-    double* to = spare.data();
+    double* to = spare_.data();
     parallel_for(pieces, [&](std::ptrdiff_t k) {
       for (std::ptrdiff_t i = k * piece; i < std::min(n, (k + 1) * piece); ++i)
         to[i] = from[order[static_cast<std::size_t>(i)]];
     });
-    std::swap(column.data, spare);
+    std::swap(column.data, spare_);
   }
   std::vector<std::int64_t> ids(count_);
   for (std::size_t i = 0; i < count_; ++i) ids[i] = id[order[i]];

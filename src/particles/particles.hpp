@@ -101,6 +101,7 @@ class Particles {
 
   std::size_t count_;
   std::vector<Column> columns_;
+  AlignedVector<double> spare_;
   std::size_t x_ = 0, v_ = 0, mass_ = 0, volume_ = 0, F_ = 0, stress_ = 0;
 
  public:

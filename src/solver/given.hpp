@@ -7,12 +7,12 @@
 
 namespace tribo {
 
-/// Brings the next batch closer: a bin reads more columns than the hardware prefetcher follows.
+/// Brings eight particles closer that a later batch needs: a bin reads more columns than the hardware prefetcher
+/// follows. Called now and then while the present batch is summed, so that the loads never queue up.
 template <int Dim>
-void fetch_ahead(const Body<Dim>& body, std::uint32_t next) {
-  if (next + batch > body.particles.size()) return;
-  for (const auto& column : body.particles.columns())
-    for (int k = 0; k < batch; k += 8) __builtin_prefetch(column.data.data() + next + k);
+void fetch_ahead(const Body<Dim>& body, std::uint32_t later) {
+  if (later >= body.particles.size()) return;
+  for (const auto& column : body.particles.columns()) __builtin_prefetch(column.data.data() + later);
 }
 
 /// Per particle: the vectors that multiply the weight and its slopes.

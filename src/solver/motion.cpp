@@ -141,9 +141,10 @@ void update_particles(Body<Dim>& body, const Lattice<Dim>& lattice, std::uint32_
     const double second = what.exponential ? 0.5 : what.move || what.from_start ? 0.0 : 1.0;
     deform(body.particles, first, count, what.strain_dt, second, got);
     const double* volume = body.particles.volume() + first;
-    double least = 1.0;
-    for (int i = 0; i < count; ++i) least = volume[i] < least || !(volume[i] == volume[i]) ? volume[i] : least;
-    if (!(least > 0)) {  // the caller finds the particle; no law has to cope with it
+    double bad = 0.0;
+#pragma omp simd reduction(+ : bad)
+    for (int i = 0; i < count; ++i) bad += volume[i] > 0 ? 0.0 : 1.0;
+    if (bad > 0) {  // the caller finds the particle; no law has to cope with it
       result.valid = false;
       return;
     }

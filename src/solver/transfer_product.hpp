@@ -83,11 +83,13 @@ class ProductTransfers final : public Transfers<Dim> {
     Given<Dim> given;
     for (std::uint32_t first = bin.begin; first < bin.end; first += batch) {
       const int count = static_cast<int>(std::min<std::uint32_t>(batch, bin.end - first));
-      fetch_ahead(body, first + batch);
       stencils.compute(map.lattice(), block, x, first, count, half, body.uniform_half_size);
       given.template prepare<Force>(body, first, count, what, axisymmetric);
       if constexpr (Affine) prepare_affine(body, map.lattice(), stencils, first, count, given);
-      for (int i = 0; i < count; ++i) add<Force, Affine>(stencils, given, map.lattice(), i, patch.data);
+      for (int i = 0; i < count; ++i) {
+        if (i % 8 == 0) fetch_ahead(body, first + static_cast<std::uint32_t>(batch + i));
+        add<Force, Affine>(stencils, given, map.lattice(), i, patch.data);
+      }
     }
     patch.add_to(slots, nodes);
   }
@@ -183,9 +185,9 @@ class ProductTransfers final : public Transfers<Dim> {
     Gathered<Dim> got;
     for (std::uint32_t first = bin.begin; first < bin.end; first += batch) {
       const int count = static_cast<int>(std::min<std::uint32_t>(batch, bin.end - first));
-      fetch_ahead(body, first + batch);
       stencils.compute(map.lattice(), block, x, first, count, half, body.uniform_half_size);
       for (int i = 0; i < count; i += 4) {
+        if (i % 8 == 0) fetch_ahead(body, first + static_cast<std::uint32_t>(batch + i));
         for (int k = 0; k < 4; ++k)
           if (i + k < count) sum<Gradient, Affine>(stencils, map.lattice(), i + k, patch.data, got);
         got.template transpose<Gradient, Affine>(i);
