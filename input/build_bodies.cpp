@@ -219,6 +219,7 @@ void Builder::point(const Statement& s) {
     p.mass = number(*m, "m", Dimension::mass);
     must(*p.mass > 0, m->origin, "the mass must be positive");
   }
+  if (has(s, "temp")) p.temperature = number(s, "temp", Dimension::temperature);
   if (has(s, "lpx") || has(s, "lpy") || has(s, "lpz")) {
     Vec3 half = Vec3::Zero();
     constexpr std::array names{"lpx", "lpy", "lpz"};

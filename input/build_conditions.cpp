@@ -1,11 +1,19 @@
-/// GridBCs, ParticleBCs and Gravity.
+/// GridBCs, ParticleBCs, Thermal and Gravity.
 
 #include "input/builder.hpp"
+
+#include "materials/material.hpp"
 
 #include <cmath>
 #include <numbers>
 
 namespace tribo {
+namespace {
+
+bool on_nodes(const Statement& s) { return s.name == "DisBC" || s.name == "TempBC"; }
+bool on_particles(const Statement& s) { return s.name == "LoadBC" || s.name == "TractionBC" || s.name == "HeatFluxBC"; }
+
+}  // namespace
 
 void Builder::conditions() {
   if (const auto* grid = root_.child("GridBCs"))
@@ -20,14 +28,15 @@ void Builder::selector(const Statement& s, bool grid) {
   for (const auto& child : s.children) {
     if (child.name == "net") net = true;
     if (child.name == "perParticle") net = false;
-    const bool load = child.name == "LoadBC" || child.name == "TractionBC";
-    if (child.name == "DisBC" || load) {
-      any = true;
-      must(grid != load, child.origin,
-           "<" + child.name + "> belongs into <" + (load ? "ParticleBCs" : "GridBCs") + ">");
-    }
-    if (child.name == "DisBC" && grid) node_condition(child, where);
-    if (load && !grid) particle_condition(child, where, net);
+    if (!on_nodes(child) && !on_particles(child)) continue;
+    any = true;
+    must(grid == on_nodes(child), child.origin,
+         "<" + child.name + "> belongs into <" + (on_nodes(child) ? "GridBCs" : "ParticleBCs") + ">");
+    if (grid != on_nodes(child)) continue;
+    if (child.name == "DisBC") node_condition(child, where);
+    if (child.name == "TempBC") temperature_condition(child, where);
+    if (child.name == "HeatFluxBC") heat_flux(child, where);
+    if (child.name == "LoadBC" || child.name == "TractionBC") particle_condition(child, where, net);
   }
   must(any, s.origin, "<" + s.name + "> selects " + (grid ? "nodes" : "particles") + " but sets nothing");
 }
@@ -36,8 +45,7 @@ RegionPtr Builder::selected(const Statement& s) {
   if (s.name != "BCShape" && s.name != "LdShape") return placed(s, [&] { return plain_shape(s); });
   std::vector<RegionPtr> shapes;
   for (const auto& child : s.children)
-    if (child.name != "DisBC" && child.name != "LoadBC" && child.name != "TractionBC" && child.name != "net" &&
-        child.name != "perParticle")
+    if (!on_nodes(child) && !on_particles(child) && child.name != "net" && child.name != "perParticle")
       shapes.push_back(shape(child));
   if (shapes.empty()) {
     problems_.add(s.origin, "<" + s.name + "> has no shape");
@@ -122,6 +130,49 @@ void Builder::particle_condition(const Statement& s, const RegionPtr& where, boo
   must(traction || c.value.style != Style::silent, s.origin,
        "a force cannot be silent; use <TractionBC style=\"silent\">");
   model_.particle_conditions.push_back(std::move(c));
+}
+
+void Builder::temperature_condition(const Statement& s, const RegionPtr& where) {
+  TemperatureCondition c{where, prescribed(s, "value", Dimension::temperature), s.origin};
+  must(c.temperature.style != Style::silent, s.origin, "a temperature cannot be silent");
+  model_.temperature_conditions.push_back(std::move(c));
+}
+
+void Builder::heat_flux(const Statement& s, const RegionPtr& where) {
+  ParticleCondition c;
+  c.kind = ParticleCondition::Kind::heat_flux;
+  c.where = where;
+  c.origin = s.origin;
+  c.face = static_cast<int>(number(s, "face", Dimension::none));
+  must(model_.dimension() == 3 || c.face < 5, s.origin, "this face needs a three-dimensional model");
+  c.value = prescribed(s, "value", Dimension::heat_flux);
+  must(c.value.style != Style::silent, s.origin, "a heat flux cannot be silent");
+  model_.particle_conditions.push_back(std::move(c));
+}
+
+void Builder::heat() {
+  const auto* thermal = root_.child("Thermal");
+  HeatSpec& heat = model_.heat;
+  heat.conduction = thermal && thermal->child("Conduction");
+  heat.contact_heating = thermal && thermal->child("ContactHeating");
+  if (!heat.conduction) {
+    constexpr std::string_view missing = " needs <Conduction/> in <Thermal>";
+    if (heat.contact_heating)
+      problems_.add(thermal->child("ContactHeating")->origin, "<ContactHeating>" + std::string(missing));
+    for (const auto& c : model_.temperature_conditions) problems_.add(c.origin, "<TempBC>" + std::string(missing));
+    for (const auto& c : model_.particle_conditions)
+      must(c.kind != ParticleCondition::Kind::heat_flux, c.origin, "<HeatFluxBC>" + std::string(missing));
+    return;
+  }
+  must(!heat.contact_heating || model_.contact.active, thermal->origin,
+       "<ContactHeating> needs contact, <MultiMaterialMode> in <MPMHeader>");
+  for (const auto& m : model_.materials) {
+    if (!m.law || m.law->rigid()) continue;
+    must(m.heat_capacity > 0, m.origin, "<Conduction> needs the heat capacity of '" + m.name + "': <Cv>");
+    if (const auto* alpha = m.statement.child("alpha"))
+      must(to_number(alpha->text).value_or(0.0) == 0.0, alpha->origin,
+           "thermal expansion is not built; without <Conduction>, or with <alpha>0</alpha>, the model runs");
+  }
 }
 
 void Builder::gravity() {

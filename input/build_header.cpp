@@ -110,6 +110,11 @@ void Builder::mpm_header() {
          model_.dimension() == 2 ? "particles per cell must be 1, 4, 9, 16 or 25"
                                  : "particles per cell must be 1, 8, 27, 64 or 125");
   }
+  if (const auto* t = h.child("StressFreeTemp")) model_.heat.reference = text_number(*t, Dimension::temperature);
+  if (const auto* t = h.child("TransTimeFactor")) {
+    model_.time.transport_courant = text_number(*t, Dimension::none);
+    must(model_.time.transport_courant > 0, t->origin, "<TransTimeFactor> must be positive");
+  }
   if (const auto* l = h.child("LeaveLimit")) {
     const auto limit = static_cast<long>(text_number(*l, Dimension::none, 0));
     must(limit >= 0, l->text_origin,

@@ -10,8 +10,8 @@
 namespace tribo {
 namespace {
 
-// Properties that every material may have. The first group acts only with temperature or on the screen.
-const std::vector<std::string> without_effect{"alpha", "Cv", "Cp", "kCond", "color"};
+// Properties that every material may have. The first group acts with conduction only, or on the screen.
+const std::vector<std::string> without_law{"alpha", "Cv", "Cp", "kCond", "color"};
 const std::vector<std::string> common{"PDamping", "largeRotation", "ArtificialVisc", "Friction", "shareMatField"};
 const std::vector<std::string> rigid_properties{"SetDirection", "SettingFunction", "SettingFunction2",
                                                 "SettingFunction3"};
@@ -105,7 +105,7 @@ void Builder::materials() {
     const auto* law = type ? tribo::contact_laws().find(type->text) : nullptr;
     if (law) {
       spec.type = law->name;
-      auto elsewhere = without_effect;
+      auto elsewhere = without_law;
       elsewhere.insert(elsewhere.end(), {"rho", "Friction"});
       if (s->child("E"))
         problems_.add(type->origin, "'" + law->name + "' is a contact law, but this looks like a solid");
@@ -117,7 +117,7 @@ void Builder::materials() {
                                       did_you_mean(type->text, law_names(false)) + "; valid: " + join(law_names(true)));
     } else {
       spec.type = item->name;
-      auto elsewhere = without_effect;
+      auto elsewhere = without_law;
       elsewhere.insert(elsewhere.end(), common.begin(), common.end());
       const bool has_own_density =
           std::any_of(item->parameters.begin(), item->parameters.end(), [](const auto& p) { return p.name == "rho"; });
@@ -133,12 +133,22 @@ void Builder::materials() {
       for (const auto& child : s->children)
         if (child.name == "PDamping")
           spec.particle_damping = text_number(child, Dimension::rate);
+        else if (child.name == "Cv" || child.name == "Cp")
+          spec.heat_capacity = thermal_property(child, Dimension::heat_capacity);
+        else if (child.name == "kCond")
+          spec.conductivity = thermal_property(child, Dimension::conductivity);
         else if (child.name == "ArtificialVisc")
           problems_.add(child.origin, "<ArtificialVisc> is not supported by Tribo");
       if (spec.law && spec.law->rigid()) rigid_functions(*s, spec, item->number == 35);
     }
     model_.materials.push_back(std::move(spec));
   }
+}
+
+double Builder::thermal_property(const Statement& s, Dimension dimension) {
+  const double value = text_number(s, dimension);
+  must(value >= 0, s.origin, "<" + s.name + "> must not be negative");
+  return value;
 }
 
 // Rigid materials of type 35, and of type 11 with direction 8, are touched by contact; their functions set x, y and z.

@@ -15,6 +15,7 @@ Model Builder::build() {
   contact();
   bodies();
   conditions();
+  heat();
   gravity();
   tasks();
   problems_.raise();

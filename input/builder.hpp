@@ -39,6 +39,7 @@ class Builder {
   void liquid_of(const MaterialSpec& law);
   std::shared_ptr<const ContactLaw> named_law(const Statement& s);
   std::shared_ptr<const ContactLaw> law_by_number(const Statement& s);
+  double thermal_property(const Statement& s, Dimension dimension);
   void rigid_functions(const Statement& statement, MaterialSpec& spec, bool contact);
   /// Index of the material an element names by mat or matname; problems and 0 if there is none.
   int material(const Statement& s, std::string_view by_number = "mat", std::string_view by_name = "matname");
@@ -62,6 +63,9 @@ class Builder {
   void node_condition(const Statement& s, const RegionPtr& where);
   void particle_condition(const Statement& s, const RegionPtr& where, bool net);
   Prescribed prescribed(const Statement& s, std::string_view value, Dimension dimension);
+  void temperature_condition(const Statement& s, const RegionPtr& where);
+  void heat_flux(const Statement& s, const RegionPtr& where);
+  void heat();
   void gravity();
 
   // values

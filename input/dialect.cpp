@@ -124,7 +124,7 @@ std::vector<ElementSpec> make() {
   add({"TimeStep", "MPMHeader", "largest time step", T::number, {units()}, true});
   add({"MaxTime", "MPMHeader", "end of the run", T::number, {units()}, true});
   add({"TimeFactor", "MPMHeader", "Courant factor, cells per step of the fastest wave", T::number, {}, true});
-  add({"TransTimeFactor", "MPMHeader", "the same for transport; no effect without it", T::number, {}, true});
+  add({"TransTimeFactor", "MPMHeader", "the same for conduction, of the largest stable step", T::number, {}, true});
   add({"Timing",
        "MPMHeader",
        "step, end and Courant factor in one",
@@ -228,7 +228,7 @@ std::vector<ElementSpec> make() {
        {},
        true});
   add({"CPDIrcrit", "MPMHeader", "largest reach of a CPDI corner, in cells (at most 1)", T::number, {}, true});
-  add({"StressFreeTemp", "MPMHeader", "accepted; no effect without temperature", T::number, {}, true});
+  add({"StressFreeTemp", "MPMHeader", "temperature of bodies that give none", T::number, {}, true});
 
   // Mesh
   add({"Mesh", "JANFEAInput", "the grid", T::none, {text("output", "accepted")}, true, true});
@@ -430,6 +430,9 @@ std::vector<ElementSpec> make() {
                    number("angle2", "second angle [degrees]"), units()} +
            condition_attributes()});
 
+  add({"TempBC", "BCShape BCLine BCArc LdRect BCBox", "prescribed temperature", T::none,
+       std::vector{number("value", "temperature")} + condition_attributes()});
+
   // Conditions on particles
   add({"ParticleBCs", "JANFEAInput", "loads on particles", T::none, {}, true});
   add({"net", "LdShape BCLine BCArc LdRect BCBox", "following loads are totals, divided among the particles found"});
@@ -444,6 +447,18 @@ std::vector<ElementSpec> make() {
                                  "1 2 3 4 5 6", true},
                    number("stress", "traction")} +
            condition_attributes()});
+
+  add({"HeatFluxBC", "LdShape BCLine BCArc LdRect BCBox", "heat flux into the particles through a face", T::none,
+       std::vector{AttributeSpec{"dir", T::choice, "1: the flux is given", "1"},
+                   AttributeSpec{"face", T::choice, "2D: 1 bottom 2 right 3 top 4 left; 3D also 5, 6: low and high z",
+                                 "1 2 3 4 5 6", true},
+                   number("value", "power per area")} +
+           condition_attributes()});
+
+  // Heat
+  add({"Thermal", "JANFEAInput", "temperature", T::none, {}, true});
+  add({"Conduction", "Thermal", "temperatures follow from conduction", T::none, {}, true});
+  add({"ContactHeating", "Thermal", "the work of sliding contact becomes heat", T::none, {}, true});
 
   // Gravity
   add({"Gravity", "JANFEAInput", "body forces per mass", T::none, {}, true});
@@ -481,12 +496,12 @@ const std::vector<RefusedName>& refused_names() {
   static const std::vector<RefusedName> all{
       {"Cracks", "cracks are not built"},
       {"CrackList", "cracks are not built"},
-      {"Thermal", "heat conduction is not built"},
-      {"TempBC", "heat conduction is not built"},
+      {"EnergyCoupling", "heat from deformation is not built"},
+      {"CrackContactHeating", "cracks are not built"},
+      {"CrackTipHeating", "cracks are not built"},
       {"ConcBC", "diffusion is not built"},
       {"Diffusion", "diffusion is not built"},
       {"Poroelasticity", "pore pressure is not built"},
-      {"HeatFluxBC", "heat conduction is not built"},
       {"ConcFluxBC", "diffusion is not built"},
       {"Damage", "damage is not built"},
       {"DisplacementBCs", "conditions by node number depend on the numbering of another program; use BCShape"},

@@ -20,6 +20,8 @@ double Units::factor(Dimension dimension) const {
       return 1e6;  // J/(kg K)
     case Dimension::conductivity:
       return 1e6;  // W/(m K)
+    case Dimension::heat_flux:
+      return 1e3;  // W/m^2
     case Dimension::viscosity:
       return 1e-3;  // cP
     case Dimension::interface_stiffness:
@@ -62,6 +64,8 @@ std::string Units::name(Dimension dimension) const {
       return l + "^2/(" + t + "^2 K)";
     case Dimension::conductivity:
       return m + " " + l + "/(" + t + "^3 K)";
+    case Dimension::heat_flux:
+      return m + "/" + t + "^3";
     case Dimension::viscosity:
       return m + "/(" + l + " " + t + ")";
     case Dimension::interface_stiffness:
@@ -108,6 +112,8 @@ std::string_view dimension_name(Dimension dimension) {
       return "energy/(mass temperature)";
     case Dimension::conductivity:
       return "power/(length temperature)";
+    case Dimension::heat_flux:
+      return "power/area";
     case Dimension::viscosity:
       return "stress time";
     case Dimension::interface_stiffness:

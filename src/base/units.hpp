@@ -22,6 +22,7 @@ enum class Dimension {
   temperature,
   heat_capacity,
   conductivity,
+  heat_flux,  ///< power/area
   viscosity,
   interface_stiffness,  ///< stress/length
   energy_release,       ///< energy/area

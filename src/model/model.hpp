@@ -44,9 +44,10 @@ struct TimeControl {
   double end = 1.0;
   double max_step = 1.0;
   double courant = 0.5;
-  bool adaptive = false;          ///< follow wave speed and particle speed during the run
-  double velocity_courant = 0.5;  ///< adaptive: largest particle travel per step, in cells
-  double max_increase = 1.1;      ///< adaptive: growth of the step per adjustment
+  double transport_courant = 0.5;  ///< share of the largest stable step of conduction
+  bool adaptive = false;           ///< follow wave speed and particle speed during the run
+  double velocity_courant = 0.5;   ///< adaptive: largest particle travel per step, in cells
+  double max_increase = 1.1;       ///< adaptive: growth of the step per adjustment
 };
 
 /// How the normal between two bodies at a node is found.
@@ -80,6 +81,13 @@ struct ContactSpec {
   }
 };
 
+/// Conduction of heat; the laws of the materials do not feel the temperature.
+struct HeatSpec {
+  bool conduction = false;
+  bool contact_heating = false;  ///< the work of sliding faces becomes heat
+  double reference = 0.0;        ///< temperature at the start unless a body says otherwise
+};
+
 /// The regular grid as the user wrote it, without the padding layers the engine adds.
 struct GridSpec {
   std::array<double, 3> low{}, high{};
@@ -103,6 +111,8 @@ struct MaterialSpec {
   Statement statement{};  ///< as written, for provenance and late errors
   Origin origin{};
   std::shared_ptr<ContactLaw> contact{};  ///< instead of `law`
+  double heat_capacity = 0.0;             ///< [energy/(mass temperature)]
+  double conductivity = 0.0;              ///< [power/(length temperature)]
   int share_field_with = -1;              ///< material whose velocity field this one shares
 };
 
@@ -135,6 +145,7 @@ struct PointSpec {
   int material = 0;
   std::optional<double> mass;
   std::optional<Vec3> half_size;  ///< of its domain
+  std::optional<double> temperature;
   double angle = 0.0;
   Origin origin;
 };
@@ -162,13 +173,20 @@ struct NodeCondition {
   Origin origin;
 };
 
-/// Force or traction on particles in a region.
+/// Temperature of grid nodes in a region.
+struct TemperatureCondition {
+  RegionPtr where;
+  Prescribed temperature;
+  Origin origin;
+};
+
+/// Force on particles in a region, or traction or heat flux through their faces.
 struct ParticleCondition {
-  enum class Kind { force, traction } kind = Kind::force;
+  enum class Kind { force, traction, heat_flux } kind = Kind::force;
   RegionPtr where;
   int direction = 0;  ///< 0 x, 1 y, 2 z; traction also 10 normal, 11 shear
-  int face = 0;       ///< traction: dialect's face number (2D 1 bottom 2 right 3 top 4 left; 3D 1-4, 5 bottom, 6 top)
-  bool net = false;   ///< force is divided among the particles found
+  int face = 0;  ///< traction, flux: dialect's face number (2D 1 bottom 2 right 3 top 4 left; 3D 1-4, 5 bottom, 6 top)
+  bool net = false;  ///< force is divided among the particles found
   Prescribed value;
   Origin origin;
 };
@@ -230,9 +248,11 @@ struct Model {
   std::vector<PointSpec> points;
   std::vector<NodeCondition> node_conditions;
   std::vector<ParticleCondition> particle_conditions;
+  std::vector<TemperatureCondition> temperature_conditions;
   BodyForce body_force;
   Damping damping;
   ContactSpec contact;
+  HeatSpec heat;
   OutputSpec output;
   /// Particles that leave the grid: unset stops the run; otherwise this many may be pushed back before it stops.
   std::optional<long> leave_limit;

@@ -144,7 +144,7 @@ class Filler {
     seed.material = piece.material;
     seed.mass = law(piece.material, piece.origin).density();
     seed.angle = piece.angle;
-    seed.temperature = piece.temperature.value_or(0.0);
+    seed.temperature = piece.temperature.value_or(model_.heat.reference);
     seed.v = piece.velocity;
     seed.half_size = 0.5 * lattice.spacing;
     if (model_.dimension() == 2) seed.half_size[2] = 0.5 * thickness(piece.thickness);
@@ -231,6 +231,7 @@ class Filler {
     seed.x = point.position;
     seed.v = point.velocity;
     seed.angle = point.angle;
+    seed.temperature = point.temperature.value_or(model_.heat.reference);
     seed.material = point.material;
     for (int k = 0; k < 3; ++k) seed.half_size[k] = 0.5 * grid_.cell[k] / (k < model_.dimension() ? per_axis_ : 1);
     if (point.half_size) seed.half_size = *point.half_size;

@@ -32,6 +32,7 @@ CheckpointWriter save_state(const RunState& state, System<Dim>& system, Stepper<
     pairs.insert(pairs.end(), {static_cast<double>(fields.first), static_cast<double>(fields.second), entry.friction,
                                entry.impact, entry.interface, entry.stored});
   out.put("contact", std::span<const double>(pairs));
+  out.put("heat", std::array{stepper.heat().supplied, stepper.heat().from_contact, stepper.heat().waited});
   each_body(system, [&](Body<Dim>& body, const std::string& prefix) {
     out.put(prefix + "id", std::span<const std::int64_t>(body.particles.id));
     std::vector<std::int64_t> bins;
@@ -71,6 +72,9 @@ RunState load_state(const Checkpoint& checkpoint, System<Dim>& system, Stepper<D
     entry.friction = pairs[k + 2], entry.impact = pairs[k + 3], entry.interface = pairs[k + 4],
     entry.stored = pairs[k + 5];
   }
+  const auto heat = checkpoint.doubles("heat");
+  stepper.heat().supplied = heat.at(0), stepper.heat().from_contact = heat.at(1);
+  stepper.heat().waited = heat.at(2);
   each_body(system, [&](Body<Dim>& body, const std::string& prefix) {
     const auto ids = checkpoint.integers(prefix + "id");
     if (ids.size() != body.particles.size()) mismatch();

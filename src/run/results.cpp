@@ -23,10 +23,13 @@ std::string numbered(const std::string& stem, std::int64_t number, const std::st
   return stem + digits + extension;
 }
 
-std::vector<std::string> energy_columns() {
-  return {"time",       "kinetic",       "elastic",       "plastic",   "potential", "contact",
-          "interface",  "external_work", "boundary_work", "damping",   "residual",  "momentum_x",
-          "momentum_y", "momentum_z",    "impulse_x",     "impulse_y", "impulse_z"};
+std::vector<std::string> energy_columns(bool heat) {
+  std::vector<std::string> columns{"time",      "kinetic",    "elastic",       "plastic",       "potential",
+                                   "contact",   "interface",  "external_work", "boundary_work", "damping",
+                                   "residual",  "momentum_x", "momentum_y",    "momentum_z",    "impulse_x",
+                                   "impulse_y", "impulse_z"};
+  if (heat) columns.insert(columns.end(), {"heat", "heat_supplied", "contact_heat"});
+  return columns;
 }
 
 // One value per particle of all bodies, put together for a file.
@@ -44,8 +47,8 @@ class Gatherer {
 
 const std::vector<std::string>& standard_fields() {
   static const std::vector<std::string> fields{
-      "id",        "material",     "velocity",      "displacement",     "stress",         "pressure",
-      "von_mises", "volume_ratio", "contact_state", "contact_traction", "contact_normal", "history"};
+      "id",           "material",      "velocity",         "displacement",   "stress",      "pressure", "von_mises",
+      "volume_ratio", "contact_state", "contact_traction", "contact_normal", "temperature", "history"};
   return fields;
 }
 
@@ -69,11 +72,11 @@ Results<Dim>::Results(const Model& model, System<Dim>& system, Stepper<Dim>& ste
   for (const auto& q : model.output.history) columns.push_back(q.column);
   if (!resume_time) {
     history_.emplace(folder_ / "history.csv", columns);
-    energy_.emplace(folder_ / "energy.csv", energy_columns());
+    energy_.emplace(folder_ / "energy.csv", energy_columns(model.heat.conduction));
     return;
   }
   history_.emplace(History::resume(folder_ / "history.csv", columns, *resume_time));
-  energy_.emplace(History::resume(folder_ / "energy.csv", energy_columns(), *resume_time));
+  energy_.emplace(History::resume(folder_ / "energy.csv", energy_columns(model.heat.conduction), *resume_time));
   particles_.resume(*resume_time);
   if (!model.output.grid_fields.empty()) grid_.resume(*resume_time);
 }
@@ -174,6 +177,11 @@ void Results<Dim>::write_particles(std::int64_t number) {
         for (std::size_t k = 0; k < 9; ++k) (*a[k])[at] = F(static_cast<int>(k) / 3, static_cast<int>(k) % 3);
       });
       fields.push_back(field);
+    } else if (name == "temperature") {
+      if (!model_.heat.conduction) continue;
+      scalar(name, [](Body<Dim>& body, std::size_t i) {
+        return body.temperature ? body.particles.column(*body.temperature)[i] : 0.0;
+      });
     } else if (name == "contact_state") {
       if (!model_.contact.active) continue;
       scalar(name, [](Body<Dim>& body, std::size_t i) { return body.particles.column(*body.contact_view)[i]; });
@@ -281,10 +289,22 @@ void Results<Dim>::write_history(double dt) {
   if (system_.step == 0) initial_energy = content;
   Vec3 impulse = Vec3::Zero();
   for (std::size_t f = 0; f < system_.fields.size(); ++f) impulse += stepper_.conditions(f).impulse();
-  energy_->add(std::array{system_.time, all.kinetic, all.stored, all.dissipated, l.potential, l.contact, l.interface,
-                          l.external_work, l.boundary_work, l.damping,
-                          content - initial_energy - l.external_work - l.boundary_work, all.momentum[0],
-                          all.momentum[1], all.momentum[2], impulse[0], impulse[1], impulse[2]});
+  std::vector<double> energies{system_.time,
+                               all.kinetic,
+                               all.stored,
+                               all.dissipated,
+                               l.potential,
+                               l.contact,
+                               l.interface,
+                               l.external_work,
+                               l.boundary_work,
+                               l.damping,
+                               content - initial_energy - l.external_work - l.boundary_work};
+  energies.insert(energies.end(), all.momentum.begin(), all.momentum.end());
+  energies.insert(energies.end(), impulse.begin(), impulse.end());
+  if (model_.heat.conduction)
+    energies.insert(energies.end(), {all.heat, stepper_.heat().supplied, stepper_.heat().from_contact});
+  energy_->add(energies);
 }
 
 template <int Dim>
@@ -319,6 +339,10 @@ double Results<Dim>::quantity(const HistoryQuantity& q, const Measures& all, con
   if (name == "impact work") return contact_of(q).impact;
   if (name == "interface energy") return contact_of(q).stored;
   if (name == "contact area") return contact_of(q).area;
+  if (name == "temperature") return m->temperature;
+  if (name == "heat energy") return m->heat;
+  if (name == "heat supplied") return stepper_.heat().supplied;
+  if (name == "contact heat") return stepper_.heat().from_contact;
   if (const int d = axis("p"); d >= 0) return m->momentum[d];
   if (name.size() == 3 && name[0] == 's') return m->stress(name[1] - 'x', name[2] - 'x');
   if (name == "pressure") return -m->stress.trace() / 3.0;

@@ -137,7 +137,7 @@ class Simulation {
     }
     if (!(fastest > 0)) throw SimulationError("no material has a wave speed; the time step cannot be chosen");
     double wave_step = model_.time.courant * system_.lattice.smallest_spacing() / fastest;
-    if (const double viscous = viscous_step(); viscous < wave_step) wave_step = viscous;
+    wave_step = std::min({wave_step, viscous_step(), conduction_step()});
     wave_speed_ = fastest;
     limited_by_user_ = model_.time.max_step < wave_step;
     return std::min(wave_step, model_.time.max_step);
@@ -215,14 +215,25 @@ class Simulation {
     return least;
   }
 
+  // Explicit diffusion of heat, the same with k / (rho c).
+  double conduction_step() const {
+    double least = std::numeric_limits<double>::infinity();
+    const double h = system_.lattice.smallest_spacing();
+    for (const auto& body : system_.bodies)
+      if (body.temperature && body.conductivity > 0)
+        least = std::min(least, model_.time.transport_courant * h * h * body.law->density() * body.heat_capacity /
+                                    (2 * Dim * body.conductivity));
+    return least;
+  }
+
   // Adaptive steps follow the wave speeds and the fastest particle; the last step ends at the end.
   double next_step() {
     static constexpr int every = 10;
     if (model_.time.adaptive && system_.step % every == 0) {
       const Measures all = measure(system_);
       const double h = system_.lattice.smallest_spacing();
-      double wanted =
-          std::min({model_.time.max_step, model_.time.courant * h / all.largest_wave_speed, viscous_step()});
+      double wanted = std::min(
+          {model_.time.max_step, model_.time.courant * h / all.largest_wave_speed, viscous_step(), conduction_step()});
       if (all.largest_speed > 0) wanted = std::min(wanted, model_.time.velocity_courant * h / all.largest_speed);
       dt_ = std::min(wanted, model_.time.max_increase * dt_);
     }

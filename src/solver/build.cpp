@@ -33,6 +33,13 @@ void add_optional_columns(Body<Dim>& body, const Model& model) {
   if (!model.particle_conditions.empty() || model.body_force.acts_on_particles())
     body.load = particles.add_vector("load", Dimension::force);
   body.origin = particles.add_vector("origin", Dimension::length);
+  if (model.heat.conduction && !body.law->rigid()) {
+    const MaterialSpec& spec = model.materials[static_cast<std::size_t>(body.material)];
+    body.temperature = particles.add("temperature", Dimension::temperature);
+    particles.add_vector("temperature_gradient", Dimension::none);
+    particles.add("temperature_detail", Dimension::temperature);
+    body.heat_capacity = spec.heat_capacity, body.conductivity = spec.conductivity;
+  }
   const ContactSpec& contact = model.contact;
   if (!contact.active) return;
   body.volume_of_displacement = contact.separation == Separation::displacements;
@@ -64,6 +71,7 @@ void fill(Body<Dim>& body, const std::vector<const Seed*>& seeds, std::int64_t f
     }
     particles.mass()[i] = seed.mass;
     particles.volume()[i] = seed.volume * seed.F.determinant();
+    if (body.temperature) particles.column(*body.temperature)[i] = seed.temperature;
     if (F[0]) store_full<Dim>(seed.F, F, at);
     store_symmetric<Dim>(seed.stress, stress, at);
     particles.id[i] = first_id + at;

@@ -1,41 +1,12 @@
 #include "solver/conditions.hpp"
 
 #include "base/simd.hpp"
+#include "grid/select.hpp"
 
 #include <algorithm>
-
 #include <map>
 
 namespace tribo {
-namespace {
-
-template <int Dim>
-void each_node(const Lattice<Dim>& lattice, const Region& region, auto&& f) {
-  const Bounds bounds = region.bounds();
-  Index<3> from{0, 0, 0}, to{0, 0, 0};
-  for (std::size_t d = 0; d < Dim; ++d) {
-    const auto axis = static_cast<Eigen::Index>(d);
-    const double last = lattice.blocks[d] * block_edge<Dim> - 1.0;
-    const auto cell = [&](double x) {
-      return std::clamp((x - lattice.origin[axis]) / lattice.spacing[axis], -1.0, last + 1);
-    };
-    from[d] = std::max(0, static_cast<int>(std::floor(cell(bounds.low[axis]))));
-    to[d] = static_cast<int>(std::min(last, std::ceil(cell(bounds.high[axis]))));
-  }
-  for (int k = from[2]; k <= to[2]; ++k)
-    for (int j = from[1]; j <= to[1]; ++j)
-      for (int i = from[0]; i <= to[0]; ++i) {
-        Index<Dim> node{};
-        node[0] = i, node[1] = j;
-        if constexpr (Dim == 3) node[2] = k;
-        Vec3 x = Vec3::Zero();
-        x.head<Dim>() = lattice.position(node);
-        if (region.contains(x)) f(node);
-      }
-}
-
-}  // namespace
-
 template <int Dim>
 Conditions<Dim>::Conditions(const Model& model, const Lattice<Dim>& lattice)
     : model_(model), lattice_(lattice), reactions_(model.node_conditions.size(), Vec3::Zero()) {
@@ -59,7 +30,7 @@ Conditions<Dim>::Conditions(const Model& model, const Lattice<Dim>& lattice)
   for (std::size_t c = 0; c < model.node_conditions.size(); ++c) {
     const auto& condition = model.node_conditions[c];
     bool any = false;
-    each_node<Dim>(lattice, *condition.where, [&](const Index<Dim>& node) {
+    each_node_in<Dim>(lattice, *condition.where, [&](const Index<Dim>& node) {
       any = true;
       std::int64_t flat = 0;
       for (std::size_t d = Dim; d-- > 0;) flat = flat * lattice.blocks[d] * block_edge<Dim> + node[d];
@@ -107,7 +78,7 @@ void Conditions<Dim>::fold(NodeLayer& nodes, Fold what) const {
   // Velocities that are already divided by the mass stay; only the forces scattered since are brought back.
   const auto part = [&](const Node& node) {
     const Wide all = Wide::load(node.data());
-    return what == Fold::everything ? all : Wide::join(Vec4{}, all.high());
+    return what != Fold::forces ? all : Wide::join(Vec4{}, all.high());
   };
   const auto add = [](Node& to, const Wide& w) { (Wide::load(to.data()) + w).store(to.data()); };
   for (std::size_t p = 0; p < planes_.size(); ++p) {
@@ -118,14 +89,16 @@ void Conditions<Dim>::fold(NodeLayer& nodes, Fold what) const {
       Node beyond{};
       part(ghost).store(beyond.data());
       if (g.symmetry) {
-        beyond.velocity[plane.axis] = -beyond.velocity[plane.axis];
-        beyond.acceleration[plane.axis] = -beyond.acceleration[plane.axis];
+        if (what != Fold::scalars) {
+          beyond.velocity[plane.axis] = -beyond.velocity[plane.axis];
+          beyond.acceleration[plane.axis] = -beyond.acceleration[plane.axis];
+        }
         add(inside, part(beyond));
       } else {
         add(nodes[static_cast<std::size_t>(g.plane)], (g.depth + 1.0) * part(beyond));
         add(inside, -static_cast<double>(g.depth) * part(beyond));
       }
-      if (what == Fold::everything)
+      if (what != Fold::forces)
         Wide::zero().store(ghost.data());
       else
         store4(ghost.data() + 4, Vec4{});
@@ -135,7 +108,7 @@ void Conditions<Dim>::fold(NodeLayer& nodes, Fold what) const {
     for (const auto at : mirror_nodes_[plane.axis]) {
       Node& node = nodes[static_cast<std::size_t>(at)];
       add(node, part(node));
-      node.velocity[plane.axis] = node.acceleration[plane.axis] = 0.0;
+      if (what != Fold::scalars) node.velocity[plane.axis] = node.acceleration[plane.axis] = 0.0;
     }
   }
 }
@@ -156,7 +129,7 @@ int Conditions<Dim>::mirrored(const Index<Dim>& node) const {
 }
 
 template <int Dim>
-void Conditions<Dim>::extend(NodeLayer& nodes) const {
+void Conditions<Dim>::extend(NodeLayer& nodes, Fold what) const {
   for (std::size_t p = planes_.size(); p-- > 0;) {
     const Plane& plane = planes_[p];
     for (const Ghost& g : ghosts_[p]) {
@@ -165,8 +138,10 @@ void Conditions<Dim>::extend(NodeLayer& nodes) const {
       const double mass = ghost.mass;
       if (g.symmetry) {
         Wide::load(inside.data()).store(ghost.data());
-        ghost.velocity[plane.axis] = -ghost.velocity[plane.axis];
-        ghost.acceleration[plane.axis] = -ghost.acceleration[plane.axis];
+        if (what != Fold::scalars) {
+          ghost.velocity[plane.axis] = -ghost.velocity[plane.axis];
+          ghost.acceleration[plane.axis] = -ghost.acceleration[plane.axis];
+        }
       } else {
         const Node& on = nodes[static_cast<std::size_t>(g.plane)];
         ((g.depth + 1.0) * Wide::load(on.data()) + -static_cast<double>(g.depth) * Wide::load(inside.data()))

@@ -9,7 +9,11 @@
 namespace tribo {
 
 /// What was scattered since the nodes were last folded.
-enum class Fold { everything, forces };
+enum class Fold {
+  everything,
+  forces,
+  scalars  ///< everything, and no component turns over in a mirror
+};
 
 /// Nodal conditions of the model, translated to the nodes that exist at present.
 template <int Dim>
@@ -33,7 +37,7 @@ class Conditions {
   /// Bits of the axes whose symmetry plane goes through this node.
   int mirrored(const Index<Dim>& node) const;
   /// The values beyond the planes that belong to the values inside. Inverse of fold in the sense of the transfers.
-  void extend(NodeLayer& nodes) const;
+  void extend(NodeLayer& nodes, Fold what = Fold::everything) const;
 
   /// Sets velocities before a strain update and remembers the change.
   void impose(NodeLayer& nodes, double time, double dt);

@@ -65,6 +65,18 @@ class Contact {
   /// By numbers of fields, smaller first.
   const std::map<std::pair<std::size_t, std::size_t>, PairLedger>& ledger() const { return ledger_; }
   std::map<std::pair<std::size_t, std::size_t>, PairLedger>& ledger() { return ledger_; }
+  /// Calls f(pair, side a, side b, share of sums over nodes) for the pairs whose faces touch: a force acted in the last
+  /// step, or the gap is next to nothing.
+  template <class F>
+  void each_touching(F&& f) const {
+    static constexpr double nothing = 0.01;  // cells
+    for (const MeetingNode& node : nodes_)
+      for (std::size_t p = node.first_pair; p < node.end_pair; ++p) {
+        const ContactPair& pair = pairs_[p];
+        if (pair.shown != Touch::open || (!pair.apart && pair.meeting.gap < nothing * h_))
+          f(pair, members_[pair.a], members_[pair.b], node.share);
+      }
+  }
   /// Sums over pairs.
   PairLedger total() const;
   /// Work done on the deformable bodies by the motion of rigid ones so far [energy].

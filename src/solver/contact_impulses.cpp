@@ -175,7 +175,7 @@ void Contact<Dim>::book(double dt) {
   for (const auto& node : nodes_)
     for (std::size_t p = node.first_pair; p < node.end_pair; ++p) {
       ContactPair& pair = pairs_[p];
-      pair.booked = pair.impulse, pair.shown = pair.answer.touch;
+      pair.booked = pair.impulse, pair.shown = pair.answer.touch, pair.friction = 0.0;
       if (pair.answer.touch == Touch::open) continue;
       const ContactMember &a = members_[pair.a], &b = members_[pair.b];
       auto& entry = ledger_[{a.field, b.field}];
@@ -192,7 +192,7 @@ void Contact<Dim>::book(double dt) {
       if (pair.law->interface())
         entry.interface += all;
       else
-        entry.impact += normal, entry.friction += all - normal;
+        entry.impact += normal, entry.friction += all - normal, pair.friction = (all - normal) / node.share;
       const auto velocity = [&](const ContactMember& m) {
         return Vec3(Eigen::Map<const Vec3>(system_.fields[m.field].nodes[static_cast<std::size_t>(m.at)].velocity));
       };

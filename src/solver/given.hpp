@@ -29,6 +29,14 @@ struct Given {
       prepare_volume(body, first, count, axisymmetric);
       return;
     }
+    if (what == Scatter::heat) {
+      prepare_heat(body, first, count);
+      return;
+    }
+    if (what == Scatter::heat_detail) {
+      prepare_detail(body, first, count);
+      return;
+    }
     const double* m = body.particles.mass() + first;
     const auto v = what == Scatter::filtered ? body.particles.vector(*body.filtered) : body.particles.v();
     const bool momentum = what != Scatter::force;
@@ -60,6 +68,33 @@ struct Given {
         pull[d][i][1 + d] = v;
       }
       if (axisymmetric) whole[i][5] = v / x[0][p];
+    }
+  }
+
+  // Conduction, -k grad T, takes the place of the stress.
+  void prepare_heat(Body<Dim>& body, std::uint32_t first, int count) {
+    const double* m = body.particles.mass() + first;
+    const double* volume = body.particles.volume() + first;
+    const double* temperature = body.particles.column(*body.temperature) + first;
+    const auto gradient = body.particles.vector(*body.temperature + 1);
+    for (int i = 0; i < count; ++i) {
+      const double capacity = m[i] * body.heat_capacity;
+      for (double& w : whole[i]) w = 0.0;
+      whole[i][0] = capacity, whole[i][1] = capacity * temperature[i];
+      for (std::size_t d = 0; d < Dim; ++d) {
+        for (double& w : pull[d][i]) w = 0.0;
+        pull[d][i][1] = -volume[i] * body.conductivity * gradient[d][first + static_cast<std::uint32_t>(i)];
+      }
+    }
+  }
+
+  void prepare_detail(Body<Dim>& body, std::uint32_t first, int count) {
+    const double* m = body.particles.mass() + first;
+    const double* detail = body.particles.column(*body.temperature + 1 + Dim) + first;
+    for (int i = 0; i < count; ++i) {
+      const double capacity = m[i] * body.heat_capacity;
+      for (double& w : whole[i]) w = 0.0;
+      whole[i][0] = capacity, whole[i][1] = capacity * body.detail_share * detail[i];
     }
   }
 

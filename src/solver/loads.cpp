@@ -1,6 +1,7 @@
 /// Forces on particles and velocities prescribed by rigid particles.
 
 #include "base/parallel.hpp"
+#include "solver/loaded.hpp"
 #include "solver/step.hpp"
 
 #include <cmath>

@@ -14,6 +14,7 @@ void add(Measures& to, const Measures& from) {
   to.momentum += from.momentum, to.angular_momentum += from.angular_momentum;
   to.centre += from.centre, to.displacement += from.displacement;
   to.kinetic += from.kinetic, to.stored += from.stored, to.dissipated += from.dissipated;
+  to.heat += from.heat, to.temperature += from.temperature;
   to.stress += from.stress, to.deformation += from.deformation;
   to.largest_speed = std::max(to.largest_speed, from.largest_speed);
   to.largest_wave_speed = std::max(to.largest_wave_speed, from.largest_wave_speed);
@@ -23,6 +24,7 @@ void add(Measures& to, const Measures& from) {
 // Sums become means.
 void average(Measures& m) {
   if (m.mass > 0) m.centre /= m.mass, m.displacement /= m.mass;
+  if (m.temperature > 0) m.temperature = m.heat / m.temperature;  // until here the sum of the heat capacities
   if (m.volume > 0) m.stress /= m.volume, m.deformation /= m.volume;
 }
 
@@ -59,6 +61,10 @@ Measures measure_range(Body<Dim>& body, std::uint32_t first, int count) {
     m.angular_momentum += mass * position.cross(velocity);
     if (body.affine) m.angular_momentum += mass * affine_spin(body, i);
     m.centre += mass * position, m.displacement += mass * shift;
+    if (body.temperature) {
+      const double capacity = mass * body.heat_capacity;
+      m.heat += capacity * particles.column(*body.temperature)[i], m.temperature += capacity;
+    }
     m.kinetic += 0.5 * mass * velocity.squaredNorm();
     m.stress += volume * load_symmetric<Dim>(stress, static_cast<int>(i));
     if (F[0]) m.deformation += volume * load_full<Dim>(F, static_cast<int>(i));

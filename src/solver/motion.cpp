@@ -44,6 +44,28 @@ void move(Body<Dim>& body, const Lattice<Dim>& lattice, std::uint32_t first, int
   if (!(poison == 0.0)) result.valid = false;
 }
 
+template <int Dim>
+void warm(Body<Dim>& body, std::uint32_t first, int count, double dt, const Gathered<Dim>& got, GatherResult& result) {
+  double* temperature = body.particles.column(*body.temperature) + first;
+  double* detail = body.particles.column(*body.temperature + 1 + Dim) + first;
+  double poison = 0.0;
+  for (int i = 0; i < count; ++i) {
+    temperature[i] += dt * got.acceleration[0][i];
+    detail[i] = temperature[i] - got.velocity[0][i];
+    poison += 0.0 * temperature[i];
+  }
+  for (std::size_t d = 0; d < Dim; ++d)
+    std::copy_n(got.L[d], count, body.particles.column(*body.temperature + 1 + d) + first);
+  if (!(poison == 0.0)) result.valid = false;
+}
+
+template <int Dim>
+void drop_detail(Body<Dim>& body, std::uint32_t first, int count, const Gathered<Dim>& got) {
+  double* temperature = body.particles.column(*body.temperature) + first;
+  const double* detail = body.particles.column(*body.temperature + 1 + Dim) + first;
+  for (int i = 0; i < count; ++i) temperature[i] -= body.detail_share * detail[i] - got.velocity[0][i];
+}
+
 // F <- f F and V <- det(f) V over a time step. With `second` = 0, f = 1 + L dt is the motion x += dt v(x) itself; with
 // 1 it is the inverse of 1 - L dt, to second order: the motion that led to where L is known; 1/2 gives exp(L dt). The
 // law sees the constant rate that leads to f, log(f)/dt, to second order: rotations do not strain it.
@@ -126,6 +148,14 @@ void update_particles(Body<Dim>& body, const Lattice<Dim>& lattice, std::uint32_
   if (what.filtered) {
     const auto to = body.particles.vector(*body.filtered);
     for (int d = 0; d < Dim; ++d) std::copy_n(got.velocity[d], count, to[static_cast<std::size_t>(d)] + first);
+    return;
+  }
+  if (what.heat) {
+    warm(body, first, count, what.dt, got, result);
+    return;
+  }
+  if (what.heat_detail) {
+    drop_detail(body, first, count, got);
     return;
   }
   if (what.strain_dt > 0) {

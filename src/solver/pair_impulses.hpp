@@ -27,6 +27,7 @@ struct ContactPair {
   Answer answer;
   Vec3 booked = Vec3::Zero();  ///< impulse and state of the last update, for output
   Touch shown = Touch::open;
+  double friction = 0.0;      ///< work of sliding in the last update                           [energy]
   bool apart = false;         ///< they have no faces here
   double face = 0.0;          ///< where it is, along the normal from the node                 [length]
   Vec3 after = Vec3::Zero();  ///< relative velocity that contact leaves; only of FaceImpulses

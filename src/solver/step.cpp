@@ -2,6 +2,7 @@
 
 #include "base/parallel.hpp"
 #include "base/simd.hpp"
+#include "solver/loaded.hpp"
 
 #include <cmath>
 #include <cstring>
@@ -62,6 +63,7 @@ void Stepper<Dim>::advance(double dt) {
   }
 
   contact_.book(dt);
+  heat_.conduct(dt, contact_, conditions_);
 
   // 5. Nodes to particles: velocity, position; stress last unless it waits for better velocities
   if (again) remember_positions();
@@ -91,7 +93,8 @@ Stepper<Dim>::Stepper(const Model& model, System<Dim>& system)
     : model_(model),
       system_(system),
       transfers_(make_transfers<Dim>(model.scheme)),
-      contact_(model, system, *transfers_) {
+      contact_(model, system, *transfers_),
+      heat_(model, system, *transfers_) {
   for (std::size_t f = 0; f < system.fields.size(); ++f) conditions_.emplace_back(model, system.lattice);
   load_share_ = find_loaded(model, system);
 }
@@ -145,6 +148,7 @@ void Stepper<Dim>::allocate() {
     conditions_[f].locate(field.map);
   }
   contact_.locate();
+  heat_.locate();
   for (auto& body : system_.bodies) body.refresh();
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "solver/contact.hpp"
+#include "solver/heat.hpp"
 #include "solver/transfer.hpp"
 
 namespace tribo {
@@ -12,12 +13,6 @@ struct Ledger {
   double damping_work = 0.0;   ///< taken out by damping, >= 0                 [energy]
   double rigid_work = 0.0;     ///< by rigid particles                         [energy]
 };
-
-/// Marks the particles every load and traction acts on (column `load_set`); returns per condition the factor of its
-/// value, 1 or one over the number of particles found for net loads. Throws InputError for a condition without
-/// particles.
-template <int Dim>
-std::vector<double> find_loaded(const Model& model, System<Dim>& system);
 
 template <int Dim>
 class Stepper {
@@ -35,6 +30,8 @@ class Stepper {
   const Transfers<Dim>& transfers() const { return *transfers_; }
   Contact<Dim>& contact() { return contact_; }
   const Contact<Dim>& contact() const { return contact_; }
+  HeatConduction<Dim>& heat() { return heat_; }
+  const HeatConduction<Dim>& heat() const { return heat_; }
   /// Rebuilds blocks and nodes for the present bins; needed after a restart.
   void allocate();
   /// Coefficient of grid and particle damping with feedback, kept for restart.
@@ -67,7 +64,6 @@ class Stepper {
   Vec3 load_on(Body<Dim>& body, std::size_t i, double dt) const;
   void apply_loads(double dt);
   void account_loads(double dt);
-  template <class K>
   void apply_traction(const ParticleCondition& condition, Body<Dim>& body, std::size_t particle);
   void apply_tractions();
   void account_tractions(double dt);
@@ -87,6 +83,7 @@ class Stepper {
   std::unique_ptr<Transfers<Dim>> transfers_;
   std::vector<Conditions<Dim>> conditions_;
   Contact<Dim> contact_;
+  HeatConduction<Dim> heat_;
   Ledger ledger_;
   bool filtering_ = false;  ///< XPIC or FMPM acts in this step
   Vec3 rigid_reaction_ = Vec3::Zero();

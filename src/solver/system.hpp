@@ -24,6 +24,7 @@ struct Field {
   NodeLayer filter;              ///< XPIC, FMPM: increment and sum of the filter; empty without
   NodeLayer increment;           ///< XPIC, FMPM: what is scattered during filtering; empty without
   NodeLayer volumes;             ///< contact: volume, its first moment and its gradient; empty without
+  NodeLayer heat;                ///< conduction, see heat.hpp; empty without
   bool rigid_contact = false;    ///< the field of a rigid body that others touch: its velocity is prescribed
 };
 
@@ -53,6 +54,10 @@ struct Body {
   std::optional<std::size_t> load_set;        ///< bit k set: particle condition k acts on the particle
   std::optional<std::size_t> contact_memory;  ///< laws that remember: columns slip, bond
   std::optional<std::size_t> contact_view;    ///< for output: columns state, traction, normal
+  std::optional<std::size_t> temperature;     ///< conduction: columns temperature, its gradient, and its detail
+  double heat_capacity = 0.0;                 ///< [energy/(mass temperature)]
+  double conductivity = 0.0;                  ///< [power/(length temperature)]
+  double detail_share = 0.0;                  ///< of the detail of the temperature that goes in this step
   bool volume_of_displacement = false;        ///< contact looks at displacements, not positions
   double particle_damping = 0.0;
 

@@ -13,18 +13,22 @@ enum class Scatter {
   force,               ///< sum w f_ext - V sigma grad w
   momentum_and_force,  ///< both in one sweep
   filtered,            ///< sum w m, sum w m v*, v* the filtered velocity columns
+  heat,                ///< sum w m c in place of the mass, of m c T and of the flow V k grad T into the node, in x
+  heat_detail,         ///< sum w m c in place of the mass, of m c times the share of the detail that is to go
   volume  ///< sum w V in place of the mass, sum w V x (or displacements), sum V grad w in place of the force
 };
 
 /// What a gather does to the particles.
 struct Gather {
-  bool move = false;        ///< velocity and position
-  double dt = 0.0;          ///< of the motion                                            [time]
-  double flip = 1.0;        ///< share of v + dt S a; the rest is S v
-  double damping = 0.0;     ///< particle damping, subtracts damping dt S v               [1/time]
-  double strain_dt = 0.0;   ///< > 0: deformation, stress and history over this time      [time]
-  bool filtered = false;    ///< only: filtered velocity columns = S v
-  bool from_start = false;  ///< weights at the positions of the start of the step
+  bool move = false;         ///< velocity and position
+  double dt = 0.0;           ///< of the motion                                            [time]
+  double flip = 1.0;         ///< share of v + dt S a; the rest is S v
+  double damping = 0.0;      ///< particle damping, subtracts damping dt S v               [1/time]
+  double strain_dt = 0.0;    ///< > 0: deformation, stress and history over this time      [time]
+  bool heat = false;         ///< only: temperature += dt S dT/dt, its gradient, and detail = temperature - S T
+  bool heat_detail = false;  ///< only: temperature -= share of detail - S of that
+  bool filtered = false;     ///< only: filtered velocity columns = S v
+  bool from_start = false;   ///< weights at the positions of the start of the step
   bool plane_stress = false, axisymmetric = false;
   bool exponential = false;  ///< F <- exp(L dt) F to second order, not the motion of the particles
 };

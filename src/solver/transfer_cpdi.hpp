@@ -30,7 +30,7 @@ class CpdiTransfers final : public Transfers<Dim> {
 
   void scatter(Body<Dim>& body, const BlockMap<Dim>& map, NodeLayer& nodes, Scatter what, bool from_start,
                bool axisymmetric, const std::vector<char>* only) const override {
-    const bool force = what != Scatter::momentum && what != Scatter::filtered;
+    const bool force = what != Scatter::momentum && what != Scatter::filtered && what != Scatter::heat_detail;
     for (const auto& colour : body.bins.colours())
       parallel_for(static_cast<std::ptrdiff_t>(colour.size()), [&](std::ptrdiff_t k) {
         const Bin& bin = body.bins.list()[colour[static_cast<std::size_t>(k)]];
@@ -146,7 +146,7 @@ class CpdiTransfers final : public Transfers<Dim> {
     const auto& lattice = map.lattice();
     const auto block = lattice.block_at(bin.block);
     const auto x = from_start ? body.particles.vector(*body.start) : body.particles.x();
-    const bool affine = body.affine && what != Scatter::force && what != Scatter::filtered;
+    const bool affine = body.affine && (what == Scatter::momentum || what == Scatter::momentum_and_force);
     NodePatch patch;
     patch.clear();
     Given<Dim> given;

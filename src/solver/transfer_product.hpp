@@ -29,7 +29,7 @@ class ProductTransfers final : public Transfers<Dim> {
   void scatter(Body<Dim>& body, const BlockMap<Dim>& map, NodeLayer& nodes, Scatter what, bool from_start,
                bool axisymmetric, const std::vector<char>* only) const override {
     const bool affine = body.affine && (what == Scatter::momentum || what == Scatter::momentum_and_force);
-    const bool force = what != Scatter::momentum && what != Scatter::filtered;
+    const bool force = what != Scatter::momentum && what != Scatter::filtered && what != Scatter::heat_detail;
     for (const auto& colour : body.bins.colours())
       parallel_for(static_cast<std::ptrdiff_t>(colour.size()), [&](std::ptrdiff_t k) {
         const Bin& bin = body.bins.list()[colour[static_cast<std::size_t>(k)]];
@@ -52,7 +52,7 @@ class ProductTransfers final : public Transfers<Dim> {
     parallel_for(static_cast<std::ptrdiff_t>(bins.size()), [&](std::ptrdiff_t k) {
       auto& result = collector.mine();
       const Bin& bin = bins[static_cast<std::size_t>(k)];
-      if (what.filtered)
+      if (what.filtered || what.heat_detail)
         gather_bin<false, false>(body, map, nodes, bin, what, result);
       else if (body.affine && what.move)
         gather_bin<true, true>(body, map, nodes, bin, what, result);

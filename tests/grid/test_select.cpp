@@ -4,27 +4,39 @@
 
 using namespace tribo;
 
+namespace {
+
+// Nodes in a shape, counted from the lowest of the user's grid.
+template <int Dim>
+std::vector<std::array<int, 3>> found(const Lattice<Dim>& lattice, const Region& region) {
+  std::vector<std::array<int, 3>> out;
+  each_node_in<Dim>(lattice, region, [&](const Index<Dim>& node) {
+    constexpr int pad = Lattice<Dim>::padding;
+    out.push_back({node[0] - pad, node[1] - pad, Dim == 3 ? node[Dim - 1] - pad : 0});
+  });
+  return out;
+}
+
+using Nodes = std::vector<std::array<int, 3>>;
+
+}  // namespace
+
 TEST_CASE("nodes on the border of a shape are selected whatever the rounding of their places", "[grid]") {
-  NodeLattice nodes;
-  nodes.low = Vec3(-0.7, 0.1, 0);
-  nodes.spacing = Vec3(0.1, 0.1, 0.1);
-  nodes.count = {15, 4, 1};
-  // x = 0.2 ... 0.5 are nodes 9 ... 12, y = 0.3 is row 2
-  CHECK(nodes_in(nodes, *rectangle(0.2, 0.5, 0.3, 0.3)) == std::vector<std::size_t>{39, 40, 41, 42});
-  CHECK(nodes_in(nodes, *line(Vec3(0.2, 0.3, 0), Vec3(0.5, 0.3, 0), 0.01)) == std::vector<std::size_t>{39, 40, 41, 42});
+  const Lattice<2> lattice(Vec<2>(-0.7, 0.1), Vec<2>(0.7, 0.4), {14, 3});
+  const Nodes row{{9, 2, 0}, {10, 2, 0}, {11, 2, 0}, {12, 2, 0}};
+  CHECK(found(lattice, *rectangle(0.2, 0.5, 0.3, 0.3)) == row);
+  CHECK(found(lattice, *line(Vec3(0.2, 0.3, 0), Vec3(0.5, 0.3, 0), 0.01)) == row);
 }
 
-TEST_CASE("nodes are numbered with x fastest", "[grid]") {
-  NodeLattice nodes;
-  nodes.count = {4, 3, 5};
-  CHECK(nodes_in(nodes, *box(Vec3(1, 1, 2), Vec3(2, 2, 3))) ==
-        std::vector<std::size_t>{29, 30, 33, 34, 41, 42, 45, 46});
+TEST_CASE("nodes in a box come with x fastest", "[grid]") {
+  const Lattice<3> lattice(Vec<3>(0, 0, 0), Vec<3>(3, 2, 4), {3, 2, 4});
+  CHECK(found(lattice, *box(Vec3(1, 1, 2), Vec3(2, 2, 3))) ==
+        Nodes{{1, 1, 2}, {2, 1, 2}, {1, 2, 2}, {2, 2, 2}, {1, 1, 3}, {2, 1, 3}, {1, 2, 3}, {2, 2, 3}});
 }
 
-TEST_CASE("a plane shape selects through all layers, and a shape elsewhere selects nothing", "[grid]") {
-  NodeLattice nodes;
-  nodes.count = {3, 3, 2};
-  CHECK(nodes_in(nodes, *rectangle(1, 1, 1, 1)) == std::vector<std::size_t>{4, 13});
-  CHECK(nodes_in(nodes, *rectangle(5, 6, 0, 2)).empty());
-  CHECK(nodes_in(nodes, *rectangle(-6, -5, 0, 2)).empty());
+TEST_CASE("a shape beyond the lattice selects nothing", "[grid]") {
+  const Lattice<2> lattice(Vec<2>(0, 0), Vec<2>(2, 2), {2, 2});
+  CHECK(found(lattice, *rectangle(1, 1, 1, 1)) == Nodes{{1, 1, 0}});
+  CHECK(found(lattice, *rectangle(500, 600, 0, 2)).empty());
+  CHECK(found(lattice, *rectangle(-600, -500, 0, 2)).empty());
 }
