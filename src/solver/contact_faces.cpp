@@ -109,7 +109,7 @@ void Contact<Dim>::face(const MeetingNode& node, ContactPair& pair, Faces& kept,
   // Faces that end elsewhere than their partners meet on the smaller; open interfaces belong to both.
   const double sa = slope(a), sb = slope(b);
   pair.meeting.area = pair.law->interface() ? 0.5 * (sa + sb) : std::min(sa, sb);
-  if (model_.contact.at_faces) {
+  if (model_.contact.at_faces || model_.heat.contact_heating) {
     const double of_a = face_position<Dim>(s.a, *n, band * h_), of_b = -face_position<Dim>(s.b, -*n, band * h_);
     pair.face = a.inverse_mass == 0.0 ? of_a : b.inverse_mass == 0.0 ? of_b : 0.5 * (of_a + of_b);
   }

@@ -20,7 +20,7 @@ template <int Dim>
 struct Given {
   alignas(64) double whole[batch_lanes][8];        ///< times w: (m, m v | 0, f)
   alignas(64) double pull[Dim][batch_lanes][4];    ///< times dw/dx_d: -V sigma e_d
-  alignas(64) double affine[Dim][batch_lanes][4];  ///< times w (x_I - x)_d: m C e_d
+  alignas(64) double affine[Dim][batch_lanes][4];  ///< times w (x_I - x)_d: m C e_d; of heat m c dT/dx_d
 
   /// Fills `whole`, and `pull` if forces are scattered.
   template <bool Force>
@@ -71,7 +71,8 @@ struct Given {
     }
   }
 
-  // Conduction, -k grad T, takes the place of the stress.
+  // Conduction, -k grad T, takes the place of the stress. The gradient also carries a particle's temperature to the
+  // nodes, so that a linear field comes out right at surfaces and contact, too.
   void prepare_heat(Body<Dim>& body, std::uint32_t first, int count) {
     const double* m = body.particles.mass() + first;
     const double* volume = body.particles.volume() + first;
@@ -82,8 +83,11 @@ struct Given {
       for (double& w : whole[i]) w = 0.0;
       whole[i][0] = capacity, whole[i][1] = capacity * temperature[i];
       for (std::size_t d = 0; d < Dim; ++d) {
+        const double slope = gradient[d][first + static_cast<std::uint32_t>(i)];
+        for (double& w : affine[d][i]) w = 0.0;
+        affine[d][i][1] = capacity * slope;
         for (double& w : pull[d][i]) w = 0.0;
-        pull[d][i][1] = -volume[i] * body.conductivity * gradient[d][first + static_cast<std::uint32_t>(i)];
+        pull[d][i][1] = -volume[i] * body.conductivity * slope;
       }
     }
   }

@@ -44,12 +44,11 @@ void HeatConduction<Dim>::conduct(double dt, const Contact<Dim>& contact,
                                   const std::vector<Conditions<Dim>>& conditions) {
   if (!active_) return;
   if (system_.step == 0) {  // no step before this one gave the particles a gradient
-    collect(0.0, conditions);
+    collect(0.0, contact, conditions);
     join(contact);
     give(0.0, conditions);
   }
-  collect(dt, conditions);
-  rub(dt, contact);
+  collect(dt, contact, conditions);
   join(contact);
   hold(dt, conditions);
   give(dt, conditions);
@@ -67,12 +66,14 @@ void HeatConduction<Dim>::scatter(Scatter what) {
 
 // Temperatures of the nodes and, from the gradients of the particles and fluxes through their faces, their rates.
 template <int Dim>
-void HeatConduction<Dim>::collect(double dt, const std::vector<Conditions<Dim>>& conditions) {
+void HeatConduction<Dim>::collect(double dt, const Contact<Dim>& contact,
+                                  const std::vector<Conditions<Dim>>& conditions) {
   scatter(Scatter::heat);
   each_loaded(model_, system_, ParticleCondition::Kind::heat_flux,
               [&](const ParticleCondition& condition, Body<Dim>& body, std::size_t particle) {
                 flow_in(dt, condition, body, particle, conditions[body.field]);
               });
+  if (model_.heat.contact_heating && dt > 0) rub(dt, contact, conditions);
   for (std::size_t f = 0; f < system_.fields.size(); ++f) {
     auto& nodes = system_.fields[f].heat;
     conditions[f].fold(nodes, Fold::scalars);
@@ -101,18 +102,23 @@ void HeatConduction<Dim>::flow_in(double dt, const ParticleCondition& condition,
   supplied += dt * whole;
 }
 
-// The work of sliding faces becomes heat of both; rigid bodies take none.
+// The work of sliding becomes heat where it is done, on the face; each side takes its share by capacity, which is no
+// matter as they have one temperature there. Rigid bodies take none.
 template <int Dim>
-void HeatConduction<Dim>::rub(double dt, const Contact<Dim>& contact) {
-  if (!model_.heat.contact_heating) return;
+void HeatConduction<Dim>::rub(double dt, const Contact<Dim>& contact, const std::vector<Conditions<Dim>>& conditions) {
   contact.each_touching([&](const ContactPair& pair, const ContactMember& a, const ContactMember& b, double share) {
-    Node &at_a = on(a), &at_b = on(b);
-    const double both = capacity(at_a) + capacity(at_b);
-    if (!(both > 0)) return;
-    // In proportion to the capacities, so that both warm alike: faces that touch have one temperature
-    const double warming = pair.friction / (dt * both);
-    for (Node* node : {&at_a, &at_b})
-      if (capacity(*node) > 0) rate(*node) += warming;
+    const double both = capacity(on(a)) + capacity(on(b));
+    if (pair.friction == 0.0 || !(both > 0)) return;
+    for (const ContactMember* side : {&a, &b}) {
+      const double part = capacity(on(*side)) / both;
+      if (!(part > 0)) continue;
+      auto& field = system_.fields[side->field];
+      const Vec<Dim> face = system_.lattice.position(field.map.node_at(side->at)) +
+                            pair.face * pair.meeting.normal.template head<Dim>();
+      const PointShares<Dim> to(model_.scheme.kernel, field, conditions[side->field], face);
+      for (std::size_t k = 0; k < static_cast<std::size_t>(to.count); ++k)
+        power(field.heat[static_cast<std::size_t>(to.node[k])]) += to.share[k] * share * part * pair.friction / dt;
+    }
     from_contact += share * pair.friction;
   });
 }

@@ -1,10 +1,11 @@
 /// Conduction of heat between the particles of each velocity field, and across the contact of two.
 ///
-///   C_I dT_I/dt = - sum_p V_p q_p . grad w_Ip + sources,   q = -k grad T,   C_I = sum_p w_Ip m_p c
+///   C_I T_I = sum_p w_Ip m_p c (T_p + (x_I - x_p) . grad T_p),      C_I = sum_p w_Ip m_p c
+///   C_I dT_I/dt = sum_p V_p q_p . grad w_Ip + sources,              q = -k grad T
 ///   T_p += dt sum_I w_Ip dT_I/dt
 ///
 /// Explicit, with the gradient that the nodes gave the particles at the end of the step before: the counterpart of
-/// the momentum balance with stress last. What differs within a cell is not seen by the nodes; it dies out at the rate
+/// the momentum balance with stress last. The heat m c T of the particles is kept to round-off. What differs within a cell is not seen by the nodes; it dies out at the rate
 /// of conduction in a cell, k / (rho c h^2), by T_p -= (1 - S S+) share (1 - S S+) T_p, which keeps the heat and leaves
 /// smooth fields alone to second order. Nairn & Guilkey, Int. J. Numer. Meth. Engng 102 (2015) 1347-1372.
 #pragma once
@@ -37,10 +38,10 @@ class HeatConduction {
     std::size_t condition;
   };
   Node& on(const ContactMember& m) { return system_.fields[m.field].heat[static_cast<std::size_t>(m.at)]; }
-  void collect(double dt, const std::vector<Conditions<Dim>>& conditions);
+  void collect(double dt, const Contact<Dim>& contact, const std::vector<Conditions<Dim>>& conditions);
   void flow_in(double dt, const ParticleCondition& condition, Body<Dim>& body, std::size_t particle,
                const Conditions<Dim>& conditions);
-  void rub(double dt, const Contact<Dim>& contact);
+  void rub(double dt, const Contact<Dim>& contact, const std::vector<Conditions<Dim>>& conditions);
   void join(const Contact<Dim>& contact);
   void hold(double dt, const std::vector<Conditions<Dim>>& conditions);
   void give(double dt, const std::vector<Conditions<Dim>>& conditions);

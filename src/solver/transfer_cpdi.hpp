@@ -165,6 +165,10 @@ class CpdiTransfers final : public Transfers<Dim> {
             for (int d = 0; d < Dim; ++d) sum = sum + s.g[d][n] * Upper::from(load4(given.pull[d][i]));
           sum.store(node);
           if (affine) Eigen::Map<Vec<Dim>>(node + 1) += s.w[n] * (C * distance(s, lattice, n));
+          if (what == Scatter::heat) {
+            const Vec<Dim> r = distance(s, lattice, n);
+            for (int d = 0; d < Dim; ++d) node[1] += s.w[n] * r[d] * given.affine[d][i][1];
+          }
         }
       }
     }

@@ -1,0 +1,144 @@
+/// Conduction: heat is kept, flows from hot to cold, and knows planes, held nodes and fluxes.
+
+#include "cloud.hpp"
+
+using namespace tribo;
+using namespace tribo::test;
+
+namespace {
+
+// rho c = 2000, k = 500: the diffusivity is a quarter of a cell squared per unit of time.
+template <int Dim>
+Model heat_model(Kernel kernel) {
+  Model model = grid_model<Dim>(kernel, Transfer::flip);
+  model.heat.conduction = true;
+  model.materials[0].heat_capacity = 2;
+  model.materials[0].conductivity = 500;
+  return model;
+}
+
+double& temperature(Body<2>& body, std::size_t i) { return body.particles.column(*body.temperature)[i]; }
+double& temperature(Body<3>& body, std::size_t i) { return body.particles.column(*body.temperature)[i]; }
+
+template <int Dim>
+void set_temperature(Body<Dim>& body, const std::function<double(const Vec<Dim>&)>& f) {
+  for (std::size_t i = 0; i < body.particles.size(); ++i) temperature(body, i) = f(body.particles.position(i));
+}
+
+template <int Dim>
+double heat_of(System<Dim>& system) {
+  return measure(system).heat;
+}
+
+constexpr double step = 1e-3;  // of the stable mechanical one, 1/37
+
+}  // namespace
+
+TEMPLATE_TEST_CASE_SIG("conduction keeps the heat, whatever the temperatures", "[heat]", ((int Dim), Dim), 2, 3) {
+  const Kernel kernel = GENERATE(from_range(all_kernels));
+  INFO(name(kernel));
+  Model model = heat_model<Dim>(kernel);
+  model.materials[0].conductivity = 5e4;  // details settle several times
+  auto system = build_system<Dim>(model, lattice_seeds<Dim>(model, 8, 12, 2, kernel == Kernel::cpdi ? 0.0 : 0.2));
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> any(0, 100);
+  set_temperature<Dim>(system.bodies[0], [&](const Vec<Dim>&) { return any(random); });
+  const double before = heat_of(system);
+  Stepper<Dim> stepper(model, system);
+  for (int k = 0; k < 30; ++k) stepper.advance(step);
+  CHECK(heat_of(system) == Approx(before).epsilon(1e-13));
+}
+
+TEMPLATE_TEST_CASE_SIG("a linear temperature stays as it is away from the surface", "[heat]", ((int Dim), Dim), 2, 3) {
+  const Kernel kernel = GENERATE(from_range(all_kernels));
+  INFO(name(kernel));
+  const Model model = heat_model<Dim>(kernel);
+  auto system = build_system<Dim>(model, lattice_seeds<Dim>(model, 3, 21));
+  Body<Dim>& body = system.bodies[0];
+  const auto linear = [](const Vec<Dim>& x) { return 5 + x[0] - 2 * x[1] + 0.5 * x[Dim - 1]; };
+  set_temperature<Dim>(body, linear);
+  Stepper<Dim> stepper(model, system);
+  stepper.advance(step);  // the surface is heard eight cells deep
+  double worst = 0.0;
+  for (std::size_t i = 0; i < body.particles.size(); ++i) {
+    const Vec<Dim> x = body.particles.position(i);
+    if ((x.array() > 11.5).all() && (x.array() < 12.5).all())
+      worst = std::max(worst, std::abs(temperature(body, i) - linear(x)));
+  }
+  CHECK(worst < 1e-11);
+}
+
+TEST_CASE("heat flows from hot to cold, with the conductivity", "[heat]") {
+  const Kernel kernel = GENERATE(from_range(all_kernels));
+  INFO(name(kernel));
+  const Model model = heat_model<2>(kernel);
+  auto system = build_system<2>(model, lattice_seeds<2>(model, 4, 20));
+  Body<2>& body = system.bodies[0];
+  // Half a wave of 16 cells between insulated faces decays as exp(-alpha k^2 t). Differences over cells change k^2 by
+  // (kh)^2/12 = 0.3 %; the surface of splines without a wall is about a tenth of a cell off at both ends.
+  const bool spline = kernel == Kernel::quadratic_spline || kernel == Kernel::cubic_spline;
+  const double wave = std::acos(-1.0) / 16;
+  const auto shape = [&](const Vec<2>& x) { return std::cos(wave * (x[0] - 4)); };
+  set_temperature<2>(body, shape);
+  Stepper<2> stepper(model, system);
+  const int steps = 2000;
+  for (int k = 0; k < steps; ++k) stepper.advance(step);
+  double with = 0.0, all = 0.0;
+  for (std::size_t i = 0; i < body.particles.size(); ++i) {
+    const double s = shape(body.particles.position(i));
+    with += s * temperature(body, i), all += s * s;
+  }
+  const double rate = -std::log(with / all) / (steps * step);
+  CHECK(rate == Approx(0.25 * wave * wave).epsilon(spline ? 0.02 : 0.004));
+}
+
+TEST_CASE("a symmetry plane stands for the other half, for heat as for motion", "[heat]") {
+  const Kernel kernel = GENERATE(from_range(all_kernels));
+  INFO(name(kernel));
+  Model whole = heat_model<2>(kernel), half = whole;
+  half.grid.symmetry[0][0] = 12.0;
+  auto all = build_system<2>(whole, lattice_seeds<2>(whole, 8, 16));
+  auto seeds = lattice_seeds<2>(half, 8, 16);
+  std::erase_if(seeds, [](const Seed& s) { return s.x[0] < 12; });
+  auto some = build_system<2>(half, seeds);
+  const auto hill = [](const Vec<2>& x) { return 100 - (x[0] - 12) * (x[0] - 12) + x[1]; };
+  set_temperature<2>(all.bodies[0], hill), set_temperature<2>(some.bodies[0], hill);
+  Stepper<2> a(whole, all), b(half, some);
+  for (int k = 0; k < 300; ++k) a.advance(step), b.advance(step);
+  std::map<std::pair<double, double>, double> right;
+  const auto place = [](const Vec<2>& x) { return std::pair(std::round(1e6 * x[0]), std::round(1e6 * x[1])); };
+  Body<2>&ba = all.bodies[0], &bb = some.bodies[0];
+  for (std::size_t i = 0; i < ba.particles.size(); ++i) right[place(ba.particles.position(i))] = temperature(ba, i);
+  for (std::size_t i = 0; i < bb.particles.size(); ++i)
+    CHECK(temperature(bb, i) == Approx(right.at(place(bb.particles.position(i)))).epsilon(1e-11));
+}
+
+TEST_CASE("what held nodes and fluxes supply is the heat gained", "[heat]") {
+  const Kernel kernel = GENERATE(from_range(all_kernels));
+  INFO(name(kernel));
+  Model model = heat_model<2>(kernel);
+  SECTION("held nodes") {
+    TemperatureCondition c;
+    c.where = rectangle(7, 9, 0, 24);
+    c.temperature.value = 10;
+    model.temperature_conditions.push_back(c);
+    auto system = build_system<2>(model, lattice_seeds<2>(model, 8, 16));
+    Stepper<2> stepper(model, system);
+    for (int k = 0; k < 50; ++k) stepper.advance(step);
+    CHECK(heat_of(system) > 0);
+    CHECK(stepper.heat().supplied == Approx(heat_of(system)).epsilon(1e-12));
+  }
+  SECTION("a flux") {
+    ParticleCondition c;
+    c.kind = ParticleCondition::Kind::heat_flux;
+    c.where = rectangle(8, 16, 15.5, 16);
+    c.face = 3;
+    c.value.value = 7;
+    model.particle_conditions.push_back(c);
+    auto system = build_system<2>(model, lattice_seeds<2>(model, 8, 16));
+    Stepper<2> stepper(model, system);
+    for (int k = 0; k < 50; ++k) stepper.advance(step);
+    CHECK(heat_of(system) == Approx(50 * step * 7 * 8).epsilon(1e-12));
+    CHECK(stepper.heat().supplied == Approx(heat_of(system)).epsilon(1e-12));
+  }
+}
