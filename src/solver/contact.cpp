@@ -89,7 +89,7 @@ void Contact<Dim>::find(std::vector<Conditions<Dim>>& conditions) {
     const MeetingNode& node = nodes_[static_cast<std::size_t>(k)];
     Scratch& scratch = scratch_[static_cast<std::size_t>(thread_index()) % scratch_.size()];
     scratch.near.clear();
-    cloud_.each_near(node.index, [&](const CloudPoint<Dim>& p) { scratch.near.push_back(p); });
+    cloud_.each_near(node.index, [&](const CloudPoint<Dim>& p) { scratch.near.push_back(&p); });
     for (std::size_t p = node.first_pair; p < node.end_pair; ++p) face(node, pairs_[p], found_[p], scratch);
   });
   keep_faces();

@@ -114,7 +114,8 @@ class Contact {
   };
   struct Scratch {
     Side<Dim> a, b;
-    std::vector<CloudPoint<Dim>> near;
+    std::vector<const CloudPoint<Dim>*> near;
+    std::vector<double> reach;
   };
 
   const ContactLaw* law_of(std::size_t a, std::size_t b) const { return laws_[a * field_count_ + b]; }
@@ -127,7 +128,12 @@ class Contact {
   double kept_gap(const MeetingNode& node, const ContactPair& pair, const Faces& faces) const;
   void face(const MeetingNode& node, ContactPair& pair, Faces& kept, Scratch& scratch);
   Vec<Dim> gradient_normal(const ContactMember& a, const ContactMember& b) const;
-  std::optional<Vec<Dim>> chosen_normal(Scratch& s, const ContactMember& a, const ContactMember& b) const;
+  std::optional<Vec<Dim>> chosen_normal(const MeetingNode& node, Scratch& s, const ContactMember& a,
+                                        const ContactMember& b) const;
+  std::optional<Vec<Dim>> margin_of_front(const MeetingNode& node, Scratch& s, const ContactMember& a,
+                                          const ContactMember& b, const Vec<Dim>& guess) const;
+  Vec<Dim> between_centres(const Scratch& s, const ContactMember& a, const ContactMember& b) const;
+  void fill_sides(const MeetingNode& node, Scratch& s, const ContactMember& a, const ContactMember& b) const;
   double separation(const MeetingNode& node, const ContactPair& pair, Scratch& scratch, const Vec<Dim>& n) const;
   Vec3 opening(const MeetingNode& node, const ContactPair& pair, const Scratch& scratch, const Vec<Dim>& n) const;
   void recall(const MeetingNode& node, ContactPair& pair, const Scratch& scratch) const;

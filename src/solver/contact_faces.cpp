@@ -10,6 +10,10 @@ namespace {
 
 // Gaps are measured from the particles at most this far sideways [cells].
 constexpr double band = 0.75;
+// Particles this far behind the foremost may become it before the faces are found again [cells].
+constexpr double kept_depth = 0.05;
+// Particles this far behind the foremost are tried first; in most places the others lie behind them [cells].
+constexpr double front_depth = 0.4;
 
 }  // namespace
 
@@ -38,7 +42,76 @@ Vec<Dim> Contact<Dim>::gradient_normal(const ContactMember& a, const ContactMemb
 }
 
 template <int Dim>
-std::optional<Vec<Dim>> Contact<Dim>::chosen_normal(Scratch& s, const ContactMember& a, const ContactMember& b) const {
+void Contact<Dim>::fill_sides(const MeetingNode& node, Scratch& s, const ContactMember& a,
+                              const ContactMember& b) const {
+  const Vec<Dim> centre = system_.lattice.position(node.index);
+  s.a.clear(), s.b.clear();
+  for (std::size_t k = 0; k < s.near.size(); ++k) {
+    const CloudPoint<Dim>& p = *s.near[k];
+    if (p.field == a.field) s.a.add(p.x - centre, p.axes, k);
+    if (p.field == b.field) s.b.add(p.x - centre, p.axes, k);
+  }
+}
+
+// From the centre of a's particles near the node to that of b's: close to the normal of flat faces.
+template <int Dim>
+Vec<Dim> Contact<Dim>::between_centres(const Scratch& s, const ContactMember& a, const ContactMember& b) const {
+  Vec<Dim> sum_a = Vec<Dim>::Zero(), sum_b = Vec<Dim>::Zero();
+  double count_a = 0.0, count_b = 0.0;
+  for (const auto* p : s.near) {
+    if (p->field == a.field) sum_a += p->x, count_a += 1.0;
+    if (p->field == b.field) sum_b += p->x, count_b += 1.0;
+  }
+  return count_a > 0 && count_b > 0 ? Vec<Dim>(sum_b / count_b - sum_a / count_a) : Vec<Dim>(Vec<Dim>::Zero());
+}
+
+// The normal of largest margin found from the foremost particles alone, which leaves the sides with them; nothing
+// unless it is sure that all particles would give the same, and the same gap.
+template <int Dim>
+std::optional<Vec<Dim>> Contact<Dim>::margin_of_front(const MeetingNode& node, Scratch& s, const ContactMember& a,
+                                                      const ContactMember& b, const Vec<Dim>& guess) const {
+  const Vec<Dim> centre = system_.lattice.position(node.index);
+  const auto reach_of = [&](const CloudPoint<Dim>& p, const Vec<Dim>& n) {
+    double reach = (p.x - centre).dot(n);
+    for (int k = 0; k < Dim; ++k) reach += std::abs(p.axes.col(k).dot(n));
+    return reach;
+  };
+  s.reach.resize(s.near.size());
+  double most_a = -std::numeric_limits<double>::infinity(), most_b = most_a;
+  for (std::size_t k = 0; k < s.near.size(); ++k) {
+    const CloudPoint<Dim>& p = *s.near[k];
+    if (p.field == a.field) most_a = std::max(most_a, s.reach[k] = reach_of(p, guess));
+    if (p.field == b.field) most_b = std::max(most_b, s.reach[k] = reach_of(p, -guess));
+  }
+  s.a.clear(), s.b.clear();
+  for (std::size_t k = 0; k < s.near.size(); ++k) {
+    const CloudPoint<Dim>& p = *s.near[k];
+    if (p.field == a.field && s.reach[k] >= most_a - front_depth * h_) s.a.add(p.x - centre, p.axes, k);
+    if (p.field == b.field && s.reach[k] >= most_b - front_depth * h_) s.b.add(p.x - centre, p.axes, k);
+  }
+  if (s.a.count == 0 || s.b.count == 0) return std::nullopt;
+  const auto n = margin_normal<Dim>(s.a, s.b, guess, h_);
+  if (!n) return std::nullopt;
+  // Whoever was left out must lie behind all that counts: the support of the margin, and the faces of gaps.
+  const auto behind = [&](Side<Dim>& side, const Vec<Dim>& out) {
+    if (side.band_limit(out, band * h_) > band * band * h_ * h_) return -std::numeric_limits<double>::infinity();
+    side.measure(out, 0.0);
+    const double support = *std::max_element(side.reach.begin(), side.reach.end());
+    return std::min(support, face_position<Dim>(side, out, band * h_) - kept_depth * h_);
+  };
+  const double limit_a = behind(s.a, *n), limit_b = behind(s.b, -*n);
+  for (std::size_t k = 0; k < s.near.size(); ++k) {
+    const CloudPoint<Dim>& p = *s.near[k];
+    if (p.field == a.field && s.reach[k] < most_a - front_depth * h_ && reach_of(p, *n) > limit_a) return std::nullopt;
+    if (p.field == b.field && s.reach[k] < most_b - front_depth * h_ && reach_of(p, -*n) > limit_b) return std::nullopt;
+  }
+  if (!wide_faces<Dim>(s.a, s.b, *n, h_)) return std::nullopt;
+  return n;
+}
+
+template <int Dim>
+std::optional<Vec<Dim>> Contact<Dim>::chosen_normal(const MeetingNode& node, Scratch& s, const ContactMember& a,
+                                                    const ContactMember& b) const {
   const auto unit = [](const Vec<Dim>& v) -> std::optional<Vec<Dim>> {
     const double norm = v.norm();
     if (!(norm > 0)) return std::nullopt;
@@ -50,6 +123,16 @@ std::optional<Vec<Dim>> Contact<Dim>::chosen_normal(Scratch& s, const ContactMem
   const bool by_gradient = method == NormalMethod::steepest || method == NormalMethod::largest ||
                            method == NormalMethod::average || method == NormalMethod::own;
   if (by_gradient && (a.inverse_mass == 0.0 || b.inverse_mass == 0.0)) method = NormalMethod::margin;
+  if (method == NormalMethod::margin) {
+    const Vec<Dim> guess = unit(between_centres(s, a, b)).value_or(Vec<Dim>::Unit(0));
+    if (auto n = margin_of_front(node, s, a, b, guess)) return n;
+    fill_sides(node, s, a, b);
+    if (s.a.count == 0 || s.b.count == 0) return std::nullopt;
+    if (auto n = margin_normal<Dim>(s.a, s.b, guess, h_)) return facing_normal<Dim>(s.a, s.b, *n, h_);
+    if (auto n = regression_normal<Dim>(s.a, s.b, false, h_)) return n;
+    return unit(gradient);
+  }
+  fill_sides(node, s, a, b);
   switch (method) {
     case NormalMethod::specified: {
       // from the deformable into the rigid, else from the lower to the higher field
@@ -67,11 +150,7 @@ std::optional<Vec<Dim>> Contact<Dim>::chosen_normal(Scratch& s, const ContactMem
       if (auto n = regression_normal<Dim>(s.a, s.b, method == NormalMethod::logistic, h_)) return n;
       return unit(gradient);
     case NormalMethod::margin:
-      if (s.a.count == 0 || s.b.count == 0) return std::nullopt;
-      if (auto n = margin_normal<Dim>(s.a, s.b, unit(gradient).value_or(Vec<Dim>::Unit(0)), h_))
-        return facing_normal<Dim>(s.a, s.b, *n, h_);
-      if (auto n = regression_normal<Dim>(s.a, s.b, false, h_)) return n;
-      return unit(gradient);
+      break;
   }
   return std::nullopt;
 }
@@ -83,13 +162,7 @@ void Contact<Dim>::face(const MeetingNode& node, ContactPair& pair, Faces& kept,
   kept.apart = false;
   if (!pair.law->looks_at_faces()) return;
   const ContactMember &a = members_[pair.a], &b = members_[pair.b];
-  const Vec<Dim> centre = system_.lattice.position(node.index);
-  s.a.clear(), s.b.clear();
-  for (const auto& p : s.near) {
-    if (p.field == a.field) s.a.add(p.x - centre, p.axes);
-    if (p.field == b.field) s.b.add(p.x - centre, p.axes);
-  }
-  auto n = chosen_normal(s, a, b);
+  auto n = chosen_normal(node, s, a, b);
   pair.apart = kept.apart = !n;
   if (pair.apart) return;
   for (int d = 0; d < Dim; ++d)
@@ -118,16 +191,11 @@ void Contact<Dim>::face(const MeetingNode& node, ContactPair& pair, Faces& kept,
     // Whatever may become the outermost particle before the faces are found again
     for (std::size_t side = 0; side < 2; ++side) {
       Side<Dim>& of = side == 0 ? s.a : s.b;
-      const std::uint32_t field = static_cast<std::uint32_t>(side == 0 ? a.field : b.field);
-      each_at_face(of, side == 0 ? *n : Vec<Dim>(-*n), band * h_, 0.05 * h_, [&](std::size_t which) {
+      each_at_face(of, side == 0 ? *n : Vec<Dim>(-*n), band * h_, kept_depth * h_, [&](std::size_t i) {
         const std::size_t k = kept.count[side]++;
         if (k >= Faces::most) return;
-        std::size_t seen = 0;
-        for (const auto& p : s.near)
-          if (p.field == field && seen++ == which) {
-            kept.corners[side][k] = {p.body, p.particle};
-            break;
-          }
+        const CloudPoint<Dim>& p = *s.near[of.which[i]];
+        kept.corners[side][k] = {p.body, p.particle};
       });
     }
   }
@@ -178,7 +246,8 @@ Vec3 Contact<Dim>::opening(const MeetingNode& node, const ContactPair& pair, con
   const auto displacement = [&](std::size_t field) {
     Vec<Dim> sum = Vec<Dim>::Zero();
     double total = 0.0;
-    for (const auto& p : s.near) {
+    for (const auto* near : s.near) {
+      const auto& p = *near;
       if (p.field != field) continue;
       auto& body = *bodies_[p.body];
       const double w = weight(p.x - centre);
@@ -205,7 +274,8 @@ template <int Dim>
 void Contact<Dim>::recall(const MeetingNode& node, ContactPair& pair, const Scratch& s) const {
   const Vec<Dim> centre = system_.lattice.position(node.index);
   double total = 0.0, slip = 0.0, whole = 0.0, broken = 0.0;
-  for (const auto& p : s.near) {
+  for (const auto* near : s.near) {
+    const auto& p = *near;
     if (p.field != members_[pair.a].field && p.field != members_[pair.b].field) continue;
     auto& body = *bodies_[p.body];
     if (!body.contact_memory) continue;

@@ -85,15 +85,19 @@ std::optional<Vec<Dim>> margin_normal(Side<Dim>& a, Side<Dim>& b, const Vec<Dim>
 
 namespace {
 
+// What a corner is: the points within this depth of the foremost are within this width of each other [length].
+constexpr double corner_depth = 0.1, corner_width = 0.5;
+
 template <int Dim>
 double farthest_reach(Side<Dim>& side, const Vec<Dim>& n) {
   side.measure(n, 1.0);
   return *std::max_element(side.reach.begin(), side.reach.end());
 }
 
-// Calls f(x) for the corners of the domains within `depth` of the face along n.
-template <int Dim, class F>
-void each_corner(Side<Dim>& side, const Vec<Dim>& n, double depth, F&& f) {
+// The corners of the domains within `depth` of the face along n.
+template <int Dim>
+void collect_corners(Side<Dim>& side, const Vec<Dim>& n, double depth, std::vector<Vec<Dim>>& out) {
+  out.clear();
   const double face = farthest_reach<Dim>(side, n);
   for (std::size_t i = 0; i < side.reach.size(); ++i) {
     if (side.reach[i] < face - depth) continue;
@@ -103,25 +107,34 @@ void each_corner(Side<Dim>& side, const Vec<Dim>& n, double depth, F&& f) {
         x[d] = side.x[d][i];
         for (int k = 0; k < Dim; ++k) x[d] += (corner >> k & 1) != 0 ? side.axes[k][d][i] : -side.axes[k][d][i];
       }
-      if (x.dot(n) >= face - depth) f(x);
+      if (x.dot(n) >= face - depth) out.push_back(x);
     }
   }
 }
 
-// From where to where they reach along t.
+struct Extent {
+  double low = std::numeric_limits<double>::infinity(), high = -std::numeric_limits<double>::infinity();
+  double length() const { return high - low; }
+};
+
+// From where to where points reach along t; it is enough to know that the length is at least `enough`.
 template <int Dim>
-std::pair<double, double> extent(Side<Dim>& side, const Vec<Dim>& n, double depth, const Vec<Dim>& t) {
-  double low = std::numeric_limits<double>::infinity(), high = -low;
-  each_corner<Dim>(side, n, depth,
-                   [&](const Vec<Dim>& x) { low = std::min(low, x.dot(t)), high = std::max(high, x.dot(t)); });
-  return {low, high};
+Extent extent(const std::vector<Vec<Dim>>& points, const Vec<Dim>& t,
+              double enough = std::numeric_limits<double>::infinity()) {
+  Extent e;
+  for (const auto& x : points) {
+    const double at = x.dot(t);
+    e.low = std::min(e.low, at), e.high = std::max(e.high, at);
+    if (e.length() >= enough) break;
+  }
+  return e;
 }
 
 // The distance of the nearest one from the node.
 template <int Dim>
-double nearest_corner(Side<Dim>& side, const Vec<Dim>& n, double depth) {
+double nearest(const std::vector<Vec<Dim>>& points) {
   double square = std::numeric_limits<double>::infinity();
-  each_corner<Dim>(side, n, depth, [&](const Vec<Dim>& x) { square = std::min(square, x.squaredNorm()); });
+  for (const auto& x : points) square = std::min(square, x.squaredNorm());
   return std::sqrt(square);
 }
 
@@ -154,27 +167,53 @@ void each_across(const Vec<Dim>& n, const std::array<Mat<Dim>, 2>& sides, F&& f)
 }  // namespace
 
 template <int Dim>
+bool wide_faces(Side<Dim>& a, Side<Dim>& b, const Vec<Dim>& n, double length) {
+  const std::array<Mat<Dim>, 2> sides{side_normals<Dim>(a, n), side_normals<Dim>(b, -n)};
+  // The centres of the particles at the face must be as far apart along every direction as a wide face is.
+  const auto is_wide = [&](Side<Dim>& side, const Vec<Dim>& out, const Vec<Dim>& t) {
+    const double face = farthest_reach<Dim>(side, out);
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (std::size_t i = 0; i < side.reach.size(); ++i) {
+      if (side.reach[i] < face - corner_depth * length) continue;
+      double at = 0.0;
+      for (int d = 0; d < Dim; ++d) at += side.x[d][i] * t[d];
+      low = std::min(low, at), high = std::max(high, at);
+      if (high - low >= corner_width * length) return true;
+    }
+    return false;
+  };
+  bool wide = true;
+  each_across<Dim>(n, sides, [&](const Vec<Dim>& t) { wide = wide && (is_wide(a, n, t) || is_wide(b, -n, t)); });
+  return wide;
+}
+
+template <int Dim>
 std::optional<Vec<Dim>> facing_normal(Side<Dim>& a, Side<Dim>& b, const Vec<Dim>& n, double length) {
-  const double depth = 0.1 * length;
+  const double depth = corner_depth * length, narrow = corner_width * length;
+  std::vector<Vec<Dim>>&at_a = a.corners, &at_b = b.corners;
+  const auto collect = [&](const Vec<Dim>& m) {
+    collect_corners<Dim>(a, m, depth, at_a);
+    collect_corners<Dim>(b, -m, depth, at_b);
+  };
+  collect(n);
   // Far from the node the clouds end where they were cut off; that is no corner.
-  if (std::max(nearest_corner<Dim>(a, n, depth), nearest_corner<Dim>(b, -n, depth)) > 1.6 * length) return n;
+  if (std::max(nearest<Dim>(at_a), nearest<Dim>(at_b)) > 1.6 * length) return n;
   const std::array<Mat<Dim>, 2> sides{side_normals<Dim>(a, n), side_normals<Dim>(b, -n)};
   bool corners = false;
   each_across<Dim>(n, sides, [&](const Vec<Dim>& t) {
-    const auto [low_a, high_a] = extent<Dim>(a, n, depth, t);
-    const auto [low_b, high_b] = extent<Dim>(b, -n, depth, t);
-    corners = corners || std::max(high_a - low_a, high_b - low_b) < 0.5 * length;
+    const auto is_narrow = [&](const auto& points) { return extent<Dim>(points, t, narrow).length() < narrow; };
+    corners = corners || (is_narrow(at_a) && is_narrow(at_b));
   });
   if (!corners) return n;
   std::optional<Vec<Dim>> best;
   double largest = -std::numeric_limits<double>::infinity();
   const auto try_normal = [&](const Vec<Dim>& m) {
     const double gap = -farthest_reach<Dim>(a, m) - farthest_reach<Dim>(b, -m);
+    collect(m);
     double opposite = std::numeric_limits<double>::infinity();
     each_across<Dim>(m, sides, [&](const Vec<Dim>& t) {
-      const auto [low_a, high_a] = extent<Dim>(a, m, depth, t);
-      const auto [low_b, high_b] = extent<Dim>(b, -m, depth, t);
-      opposite = std::min({opposite, high_a - low_b, high_b - low_a});
+      const Extent of_a = extent<Dim>(at_a, t), of_b = extent<Dim>(at_b, t);
+      opposite = std::min({opposite, of_a.high - of_b.low, of_b.high - of_a.low});
     });
     if (gap > largest && opposite >= 0.05 * length) best = m, largest = gap;
   };
@@ -241,11 +280,13 @@ double face_position(Side<Dim>& side, const Vec<Dim>& n, double band) {
 
 template std::optional<Vec<2>> shortest_vector<2>(Side<2>&, Side<2>&, double, const Vec<2>&);
 template std::optional<Vec<2>> margin_normal<2>(Side<2>&, Side<2>&, const Vec<2>&, double);
+template bool wide_faces<2>(Side<2>&, Side<2>&, const Vec<2>&, double);
 template std::optional<Vec<2>> facing_normal<2>(Side<2>&, Side<2>&, const Vec<2>&, double);
 template std::optional<Vec<2>> regression_normal<2>(const Side<2>&, const Side<2>&, bool, double);
 template double face_position<2>(Side<2>&, const Vec<2>&, double);
 template std::optional<Vec<3>> shortest_vector<3>(Side<3>&, Side<3>&, double, const Vec<3>&);
 template std::optional<Vec<3>> margin_normal<3>(Side<3>&, Side<3>&, const Vec<3>&, double);
+template bool wide_faces<3>(Side<3>&, Side<3>&, const Vec<3>&, double);
 template std::optional<Vec<3>> facing_normal<3>(Side<3>&, Side<3>&, const Vec<3>&, double);
 template std::optional<Vec<3>> regression_normal<3>(const Side<3>&, const Side<3>&, bool, double);
 template double face_position<3>(Side<3>&, const Vec<3>&, double);

@@ -15,18 +15,22 @@ namespace tribo {
 template <int Dim>
 struct Side {
   std::vector<double> x[Dim], axes[Dim][Dim];  ///< axes[k][d]: component d of half axis k
+  std::vector<std::size_t> which;              ///< number of the particle where it was taken from
   std::vector<double> reach;                   ///< scratch
+  std::vector<Vec<Dim>> corners;               ///< scratch
   int count = 0;
 
   void clear() {
     count = 0;
+    which.clear();
     for (int d = 0; d < Dim; ++d) {
       x[d].clear();
       for (int k = 0; k < Dim; ++k) axes[k][d].clear();
     }
   }
-  void add(const Vec<Dim>& centre, const Mat<Dim>& half) {
+  void add(const Vec<Dim>& centre, const Mat<Dim>& half, std::size_t number = 0) {
     ++count;
+    which.push_back(number);
     for (int d = 0; d < Dim; ++d) {
       x[d].push_back(centre[d]);
       for (int k = 0; k < Dim; ++k) axes[k][d].push_back(half(d, k));
@@ -95,6 +99,10 @@ std::optional<Vec<Dim>> margin_normal(Side<Dim>& a, Side<Dim>& b, const Vec<Dim>
 /// slides past another one has none: touching in a point, they do not stop each other.
 template <int Dim>
 std::optional<Vec<Dim>> facing_normal(Side<Dim>& a, Side<Dim>& b, const Vec<Dim>& n, double length);
+
+/// Whether the faces along n are wide: then facing_normal gives n. Quick, and true only if it is sure.
+template <int Dim>
+bool wide_faces(Side<Dim>& a, Side<Dim>& b, const Vec<Dim>& n, double length);
 
 /// Logistic (or only linear) regression of the classes a = -1, b = 1. Nairn, Hammerquist & Smith, "New material point
 /// method contact algorithms for improved accuracy, large-deformation problems, and proper null-space filtering",

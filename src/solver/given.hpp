@@ -9,10 +9,8 @@ namespace tribo {
 
 /// Brings eight particles closer that a later batch needs: a bin reads more columns than the hardware prefetcher
 /// follows. Called now and then while the present batch is summed, so that the loads never queue up.
-template <int Dim>
-void fetch_ahead(const Body<Dim>& body, std::uint32_t later) {
-  if (later >= body.particles.size()) return;
-  for (const auto& column : body.particles.columns()) __builtin_prefetch(column.data.data() + later);
+inline void fetch_ahead(const std::vector<const double*>& columns, std::uint32_t later) {
+  for (const double* column : columns) __builtin_prefetch(column + later);
 }
 
 /// Per particle: the vectors that multiply the weight and its slopes.

@@ -113,8 +113,8 @@ void HeatConduction<Dim>::rub(double dt, const Contact<Dim>& contact, const std:
       const double part = capacity(on(*side)) / both;
       if (!(part > 0)) continue;
       auto& field = system_.fields[side->field];
-      const Vec<Dim> face = system_.lattice.position(field.map.node_at(side->at)) +
-                            pair.face * pair.meeting.normal.template head<Dim>();
+      const Vec<Dim> face =
+          system_.lattice.position(field.map.node_at(side->at)) + pair.face * pair.meeting.normal.template head<Dim>();
       const PointShares<Dim> to(model_.scheme.kernel, field, conditions[side->field], face);
       for (std::size_t k = 0; k < static_cast<std::size_t>(to.count); ++k)
         power(field.heat[static_cast<std::size_t>(to.node[k])]) += to.share[k] * share * part * pair.friction / dt;

@@ -5,9 +5,10 @@
 ///   T_p += dt sum_I w_Ip dT_I/dt
 ///
 /// Explicit, with the gradient that the nodes gave the particles at the end of the step before: the counterpart of
-/// the momentum balance with stress last. The heat m c T of the particles is kept to round-off. What differs within a cell is not seen by the nodes; it dies out at the rate
-/// of conduction in a cell, k / (rho c h^2), by T_p -= (1 - S S+) share (1 - S S+) T_p, which keeps the heat and leaves
-/// smooth fields alone to second order. Nairn & Guilkey, Int. J. Numer. Meth. Engng 102 (2015) 1347-1372.
+/// the momentum balance with stress last. The heat m c T of the particles is kept to round-off. What differs within a
+/// cell is not seen by the nodes; it dies out at the rate of conduction in a cell, k / (rho c h^2), by T_p -= (1 - S
+/// S+) share (1 - S S+) T_p, which keeps the heat and leaves smooth fields alone to second order. Nairn & Guilkey, Int.
+/// J. Numer. Meth. Engng 102 (2015) 1347-1372.
 #pragma once
 
 #include "solver/contact.hpp"

@@ -61,9 +61,25 @@ struct Body {
   bool volume_of_displacement = false;        ///< contact looks at displacements, not positions
   double particle_damping = 0.0;
 
+  std::vector<const double*> read_by_scatter, read_by_gather;  ///< columns to bring closer; refreshed after every sort
+
+  /// Points to the columns where they are now.
   void refresh() {
     history_columns.clear();
     for (std::size_t k = 0; k < law->history().size(); ++k) history_columns.push_back(particles.column(history + k));
+    read_by_scatter.clear(), read_by_gather.clear();
+    const auto read = [](std::vector<const double*>& by, const auto& columns) {
+      for (const double* column : columns)
+        if (column) by.push_back(column);
+    };
+    for (auto* by : {&read_by_scatter, &read_by_gather}) {
+      read(*by, particles.x()), read(*by, particles.v()), read(*by, particles.stress());
+      by->push_back(particles.volume());
+      for (std::size_t k = 0; affine && k < Dim * Dim; ++k) by->push_back(particles.column(*affine + k));
+    }
+    read_by_scatter.push_back(particles.mass());
+    read(read_by_gather, particles.F());
+    read(read_by_gather, history_columns);
   }
 };
 

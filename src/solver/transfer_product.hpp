@@ -28,8 +28,8 @@ class ProductTransfers final : public Transfers<Dim> {
 
   void scatter(Body<Dim>& body, const BlockMap<Dim>& map, NodeLayer& nodes, Scatter what, bool from_start,
                bool axisymmetric, const std::vector<char>* only) const override {
-    const bool affine = what == Scatter::heat ||
-                        (body.affine && (what == Scatter::momentum || what == Scatter::momentum_and_force));
+    const bool affine =
+        what == Scatter::heat || (body.affine && (what == Scatter::momentum || what == Scatter::momentum_and_force));
     const bool force = what != Scatter::momentum && what != Scatter::filtered && what != Scatter::heat_detail;
     for (const auto& colour : body.bins.colours())
       parallel_for(static_cast<std::ptrdiff_t>(colour.size()), [&](std::ptrdiff_t k) {
@@ -88,7 +88,7 @@ class ProductTransfers final : public Transfers<Dim> {
       given.template prepare<Force>(body, first, count, what, axisymmetric);
       if (Affine && what != Scatter::heat) prepare_affine(body, map.lattice(), stencils, first, count, given);
       for (int i = 0; i < count; ++i) {
-        if (i % 8 == 0) fetch_ahead(body, first + static_cast<std::uint32_t>(batch + i));
+        if (i % 8 == 0) fetch_ahead(body.read_by_scatter, first + static_cast<std::uint32_t>(batch + i));
         add<Force, Affine>(stencils, given, map.lattice(), i, patch.data);
       }
     }
@@ -188,7 +188,7 @@ class ProductTransfers final : public Transfers<Dim> {
       const int count = static_cast<int>(std::min<std::uint32_t>(batch, bin.end - first));
       stencils.compute(map.lattice(), block, x, first, count, half, body.uniform_half_size);
       for (int i = 0; i < count; i += 4) {
-        if (i % 8 == 0) fetch_ahead(body, first + static_cast<std::uint32_t>(batch + i));
+        if (i % 8 == 0) fetch_ahead(body.read_by_gather, first + static_cast<std::uint32_t>(batch + i));
         for (int k = 0; k < 4; ++k)
           if (i + k < count) sum<Gradient, Affine>(stencils, map.lattice(), i + k, patch.data, got);
         got.template transpose<Gradient, Affine>(i);
