@@ -1,0 +1,103 @@
+/// What contact costs: whole steps of two bodies that meet across the whole grid, against one body of the same
+/// particles. Two halves of a square of 160 x 160 or a cube of 32^3 cells, pressed together and sliding.
+///
+///   bench_contact <2|3> <kernel> <transfer> <threads> [nodes|faces]
+
+#include "base/parallel.hpp"
+#include "solver/build.hpp"
+#include "solver/step.hpp"
+
+#include "contact/contact_law.hpp"
+
+#include <cmath>
+#include <cstdio>
+#include <ctime>
+#include <string>
+
+using namespace tribo;
+
+namespace {
+
+double cpu_seconds() {
+  timespec t{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
+template <class Law>
+std::shared_ptr<Law> make(const Catalogue<Law>& all, std::string_view name,
+                          const std::vector<std::pair<std::string, std::string>>& parameters) {
+  Statement statement;
+  for (const auto& [key, value] : parameters) {
+    Statement child;
+    child.name = key, child.text = value;
+    statement.children.push_back(child);
+  }
+  Problems problems;
+  auto law = all.find(name)->make(statement, {}, Units{}, problems);
+  problems.raise();
+  return std::shared_ptr<Law>(std::move(law));
+}
+
+// CPU time of a particle's step [ns].
+template <int Dim>
+double cost(Kernel kernel, Transfer transfer, bool contact, bool faces) {
+  const int cells = Dim == 2 ? 160 : 32;
+  Model model;
+  model.analysis = Dim == 2 ? Analysis::plane_strain : Analysis::solid;
+  model.scheme.order = UpdateOrder::usl;
+  model.scheme.extrapolate_again = false;
+  model.scheme.kernel = kernel;
+  model.scheme.transfer = transfer;
+  for (std::size_t d = 0; d < Dim; ++d) {
+    model.grid.low[d] = -6, model.grid.high[d] = cells + 6;
+    model.grid.cells[d] = cells + 12;
+  }
+  for (const char* name : {"lower", "upper"}) {
+    MaterialSpec spec;
+    spec.name = name;
+    spec.law = make<Material>(materials(), "NeoHookean", {{"rho", "1"}, {"G", "0.4"}, {"Lame", "0.6"}});
+    model.materials.push_back(spec);
+  }
+  model.contact.active = contact;
+  model.contact.at_faces = faces;
+  model.contact.default_law = make<ContactLaw>(contact_laws(), "CoulombFriction", {{"coeff", "0.3"}});
+
+  std::vector<Seed> seeds;
+  const int per_axis = 2 * cells;
+  for (int k = 0; k < (Dim == 3 ? per_axis : 1); ++k)
+    for (int j = 0; j < per_axis; ++j)
+      for (int i = 0; i < per_axis; ++i) {
+        Seed s;
+        const int index[3] = {i, j, k};
+        for (int d = 0; d < Dim; ++d) s.x[d] = 0.5 * (index[d] + 0.5);
+        s.half_size.template head<Dim>().setConstant(0.25);
+        s.volume = std::pow(0.5, Dim), s.mass = s.volume;
+        const bool upper = s.x[1] > cells / 2;
+        s.material = upper && contact ? 1 : 0;
+        s.v = Vec3(upper ? 0.005 : -0.005, upper ? -0.005 : 0.005, 0);
+        seeds.push_back(s);
+      }
+  auto system = build_system<Dim>(model, seeds);
+  Stepper<Dim> stepper(model, system);
+  const int warm = 5, steps = 100;
+  for (int k = 0; k < warm; ++k) stepper.advance(0.25);
+  const double start = cpu_seconds();
+  for (int k = 0; k < steps; ++k) stepper.advance(0.25);
+  return 1e9 * (cpu_seconds() - start) / (static_cast<double>(seeds.size()) * steps);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::string dim = argc > 1 ? argv[1] : "2", kernel = argc > 2 ? argv[2] : "quadratic",
+                    transfer = argc > 3 ? argv[3] : "flip", where = argc > 5 ? argv[5] : "nodes";
+  set_threads(argc > 4 ? std::stoi(argv[4]) : 1);
+  const Kernel k = kernel == "gimp" ? Kernel::gimp : Kernel::quadratic_spline;
+  const Transfer t = transfer == "apic" ? Transfer::apic : transfer == "fmpm" ? Transfer::fmpm : Transfer::flip;
+  const auto run = dim == "2" ? cost<2> : cost<3>;
+  const double one = run(k, t, false, false), two = run(k, t, true, where == "faces");
+  std::printf("%sD %s %s: one body %.1f ns cpu per particle-step, two in contact %.1f, ratio %.3f\n", dim.c_str(),
+              kernel.c_str(), transfer.c_str(), one, two, two / one);
+  return 0;
+}
