@@ -33,7 +33,7 @@ class Case:
         self.name, self.tribo, self.quick = name, tribo, quick
         self.folder = root / "verification" / name
         self.scratch = pathlib.Path(tempfile.mkdtemp(prefix=f"tribo-{name}-"))
-        self.results, self.figures = [], []
+        self.results, self.figures, self.tables = [], [], []
 
     def run(self, label, file="case.xml", entities=None, replace=None):
         """Runs a command file with entities (and texts) replaced; returns the folder of its results."""
@@ -65,6 +65,10 @@ class Case:
         self.results.append(dict(what=what, measured=measured, reference=reference, error=error, tolerance=tolerance, kind=kind, passed=passed))
         print(f"{'ok  ' if passed else 'FAIL'} {self.name}: {what}: {measured:.10g}"
               + ("" if kind == "at most" else f" (reference {reference:.10g}, error {error:.2g})") + f", tolerance {tolerance:g}", flush=True)
+
+    def table(self, title, columns, rows):
+        """Adds a table of texts to the report: what is shown but not demanded."""
+        self.tables.append(dict(title=title, columns=columns, rows=rows))
 
     def figure(self, name, draw):
         """Saves a figure to the docs; draw(axes). Not in quick runs."""
@@ -115,6 +119,9 @@ def write_report(store):
             reference = "" if r["kind"] == "at most" else f"{r['reference']:.10g}"
             lines.append(f"| {r['what']} | {r['measured']:.8g} | {reference} | {r['error']:.2g} | {r['tolerance']:g} | {'pass' if r['passed'] else '**fail**'} |")
         lines.append("")
+        for table in entry.get("tables", []):
+            lines += [table["title"] + ":", "", "| " + " | ".join(table["columns"]) + " |", "|" + "-|" * len(table["columns"])]
+            lines += ["| " + " | ".join(row) + " |" for row in table["rows"]] + [""]
         lines += [f"![{f}](figures/{f}.png)\n" for f in entry["figures"]]
     (root / "docs/verification.md").write_text("\n".join(lines))
 
@@ -139,7 +146,7 @@ def main():
         failed += sum(not r["passed"] for r in case.results)
         total += len(case.results)
         title = (folder / name / "README.md").read_text().splitlines()[0].lstrip("# ")
-        store[name] = dict(title=title, date=datetime.date.today().isoformat(), results=case.results, figures=case.figures)
+        store[name] = dict(title=title, date=datetime.date.today().isoformat(), results=case.results, figures=case.figures, tables=case.tables)
     if not quick:
         record.write_text(json.dumps(store, indent=1) + "\n")
         write_report(store)
