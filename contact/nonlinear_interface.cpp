@@ -1,10 +1,12 @@
-/// Imperfect interface with nonlinear traction laws: linear, or of Morse's shape with a peak after which it softens.
+/// Imperfect interface with nonlinear traction laws: linear, or with a peak after which it softens.
 ///
-///   Morse   T(d) = 2 D_e a e^(-a d) (1 - e^(-a d)),  D_e = 8 peak^2/D, a = D/(4 peak)
+///   Morse      T(d) = 2 D_e a e^(-a d) (1 - e^(-a d)),  D_e = 8 peak^2/D, a = D/(4 peak)
+///   bilinear   T(d) = D d up to peak, then straight down to zero at the opening `break`
 ///
-/// has the slope D at zero and the largest traction `peak` at d = ln 2/a. The traction is that of the opening at the
-/// start of the step (leapfrog, second order), or an implicit one where the spring is stiff for the step, see
-/// interface.hpp. The tangential law acts along the tangential opening.
+/// Morse's has the slope D at zero and its largest traction at d = ln 2/a. All are elastic: what softened comes back
+/// when the interface closes. The traction is that of the opening at the start of the step (leapfrog, second order), or
+/// an implicit one where the spring is stiff for the step, see interface.hpp. The tangential law acts along the
+/// tangential opening.
 
 #include "contact/contact_law.hpp"
 #include "contact/interface.hpp"
@@ -18,7 +20,14 @@ struct NonlinearInterface final : ContactLaw {
   static constexpr int number = 65;
 
   double open = -1, closed = -1, tangential = -1;
-  double normal_shape = 0, tangential_shape = 0, normal_peak = 0, tangential_peak = 0;
+  /// One direction beyond its stiffness at the start.
+  struct Shape {
+    double kind = 0, peak = 0, last = 0;  ///< kind: 0 linear, 1 Morse, 2 bilinear
+  };
+  double normal_kind = 0, tangential_kind = 0, normal_peak = 0, tangential_peak = 0, normal_break = 0,
+         tangential_break = 0;
+  Shape normal_shape() const { return {normal_kind, normal_peak, normal_break}; }
+  Shape tangential_shape() const { return {tangential_kind, tangential_peak, tangential_break}; }
 
   static auto parameters() {
     using L = NonlinearInterface;
@@ -28,24 +37,36 @@ struct NonlinearInterface final : ContactLaw {
         P{"Dnt", &L::open, D, any_value, "normal stiffness at the start of opening", -1.0, false, "Dn"},
         P{"Dnc", &L::closed, D, any_value, "normal stiffness while closed (default: Dnt)", {}, true},
         P{"Dt", &L::tangential, D, any_value, "tangential stiffness at the start", -1.0},
-        P{"normal_shape", &L::normal_shape, Dimension::none, within(0, 1), "0 linear, 1 Morse", 0.0},
-        P{"tangential_shape", &L::tangential_shape, Dimension::none, within(0, 1), "0 linear, 1 Morse", 0.0},
-        P{"Npeak", &L::normal_peak, Dimension::stress, positive, "largest normal traction (Morse)", {}, true},
-        P{"Tpeak", &L::tangential_peak, Dimension::stress, positive, "largest tangential traction (Morse)", {}, true}};
+        P{"normal_shape", &L::normal_kind, Dimension::none, within(0, 2), "0 linear, 1 Morse, 2 bilinear", 0.0},
+        P{"tangential_shape", &L::tangential_kind, Dimension::none, within(0, 2), "0 linear, 1 Morse, 2 bilinear", 0.0},
+        P{"Npeak", &L::normal_peak, Dimension::stress, positive, "largest normal traction", {}, true},
+        P{"Tpeak", &L::tangential_peak, Dimension::stress, positive, "largest tangential traction", {}, true},
+        P{"Nbreak", &L::normal_break, Dimension::length, positive, "opening without traction (bilinear)", {}, true},
+        P{"Tbreak", &L::tangential_break, Dimension::length, positive, "slip without traction (bilinear)", {}, true}};
   }
   void prepare(const Statement& s, Problems& problems) {
     if (!s.child("Dnc")) closed = open;
-    const auto check = [&](double shape, double peak, const char* which, double D, const char* stiffness) {
-      if (shape != 0 && shape != 1)
-        problems.add(s.origin, std::string("<") + which + "_shape> must be 0 (linear) or 1 (Morse)");
-      const std::string peak_name = which[0] == 'n' ? "<Npeak>" : "<Tpeak>";
-      if (shape == 1 && !(peak > 0)) problems.add(s.origin, "Morse's shape needs " + peak_name);
-      if (shape == 1 && !(D > 0))
-        problems.add(s.origin, std::string("Morse's shape needs a positive <") + stiffness + ">");
-      if (shape == 0 && peak > 0) problems.add(s.origin, peak_name + " has a meaning for Morse's shape only");
+    check(normal_shape(), open, 'N', s, problems);
+    check(tangential_shape(), tangential, 'T', s, problems);
+  }
+  static void check(const Shape& shape, double D, char which, const Statement& s, Problems& problems) {
+    const std::string N(1, which), direction = which == 'N' ? "normal_shape" : "tangential_shape";
+    const auto must = [&](bool condition, const std::string& message) {
+      if (!condition) problems.add(s.origin, message);
     };
-    check(normal_shape, normal_peak, "normal", open, "Dnt");
-    check(tangential_shape, tangential_peak, "tangential", tangential, "Dt");
+    must(shape.kind == 0 || shape.kind == 1 || shape.kind == 2,
+         "<" + direction + "> must be 0 (linear), 1 (Morse) or 2 (bilinear)");
+    const std::string name = shape.kind == 1 ? "Morse's shape" : "the bilinear shape";
+    if (shape.kind == 0) {
+      must(!(shape.peak > 0), "<" + N + "peak> has a meaning for Morse's and the bilinear shape only");
+    } else {
+      must(shape.peak > 0, name + " needs <" + N + "peak>");
+      must(D > 0, name + " needs a positive <" + std::string(which == 'N' ? "Dnt" : "Dt") + ">");
+    }
+    if (shape.kind == 2)
+      must(shape.last > shape.peak / D, name + " needs <" + N + "break> beyond the opening at the peak");
+    else
+      must(!(shape.last > 0), "<" + N + "break> has a meaning for the bilinear shape only");
   }
 
   /// Traction, its slope, and the energy per area up to an opening.
@@ -57,13 +78,20 @@ struct NonlinearInterface final : ContactLaw {
     const double well = 8 * peak * peak / D, a = D / (4 * peak), e = std::exp(-a * d);
     return {2 * well * a * e * (1 - e), 2 * well * a * a * e * (2 * e - 1), well * (1 - e) * (1 - e)};
   }
-  Pull normal_law(double d) const {
-    if (d < 0) return linear(closed, d);
-    return normal_shape == 1 ? morse(open, normal_peak, d) : linear(open, d);
+  static Pull bilinear(double D, double peak, double last, double d) {
+    const double first = peak / D, down = -peak / (last - first);
+    if (d <= first) return linear(D, d);
+    if (d >= last) return {0, 0, 0.5 * peak * last};
+    const double T = peak + down * (d - first);
+    return {T, down, 0.5 * peak * first + 0.5 * (peak + T) * (d - first)};
   }
-  Pull tangential_law(double d) const {
-    return tangential_shape == 1 ? morse(tangential, tangential_peak, d) : linear(tangential, d);
+  static Pull pull(double D, const Shape& shape, double d) {
+    return shape.kind == 1   ? morse(D, shape.peak, d)
+           : shape.kind == 2 ? bilinear(D, shape.peak, shape.last, d)
+                             : linear(D, d);
   }
+  Pull normal_law(double d) const { return d < 0 ? linear(closed, d) : pull(open, normal_shape(), d); }
+  Pull tangential_law(double d) const { return pull(tangential, tangential_shape(), d); }
 
   // Impulse of one direction: J = A dt T(d0 + beta dt v1), v1 = v_free - J/m; explicit (beta = 0) unless the spring is
   // stiff for the step, else by Newton's method in a bracket.

@@ -11,7 +11,7 @@ namespace tribo {
 namespace {
 
 template <int Dim>
-void add_optional_columns(Body<Dim>& body, const Model& model) {
+void add_optional_columns(Body<Dim>& body, const Model& model, bool starts_deformed) {
   auto& particles = body.particles;
   const Scheme& scheme = model.scheme;
   if (scheme.transfer == Transfer::apic) {
@@ -43,9 +43,16 @@ void add_optional_columns(Body<Dim>& body, const Model& model) {
   const ContactSpec& contact = model.contact;
   if (!contact.active) return;
   body.volume_of_displacement = contact.separation == Separation::displacements;
-  bool remembers = contact.default_law && contact.default_law->remembers();
-  for (const auto& [pair, law] : contact.pair_laws) remembers = remembers || law->remembers();
-  if (remembers) {
+  const auto any_law = [&](auto&& is) {
+    return (contact.default_law && is(*contact.default_law)) ||
+           std::any_of(contact.pair_laws.begin(), contact.pair_laws.end(),
+                       [&](const auto& p) { return is(*p.second); });
+  };
+  if (starts_deformed && any_law([](const ContactLaw& law) { return law.interface(); })) {
+    body.first_inverse = particles.columns().size();
+    for (int k = 0; k < Dim * Dim; ++k) particles.add("first_inverse_" + std::to_string(k), Dimension::none);
+  }
+  if (any_law([](const ContactLaw& law) { return law.remembers(); })) {
     body.contact_memory = particles.add("contact_slip", Dimension::length);
     particles.add("contact_bond", Dimension::none);
   }
@@ -73,6 +80,11 @@ void fill(Body<Dim>& body, const std::vector<const Seed*>& seeds, std::int64_t f
     particles.volume()[i] = seed.volume * seed.F.determinant();
     if (body.temperature) particles.column(*body.temperature)[i] = seed.temperature;
     if (F[0]) store_full<Dim>(seed.F, F, at);
+    if (body.first_inverse) {
+      const Mat3 inverse = seed.F.inverse();
+      for (std::size_t k = 0; k < Dim * Dim; ++k)
+        particles.column(*body.first_inverse + k)[i] = inverse(static_cast<int>(k) / Dim, static_cast<int>(k) % Dim);
+    }
     store_symmetric<Dim>(seed.stress, stress, at);
     particles.id[i] = first_id + at;
   }
@@ -98,7 +110,9 @@ Body<Dim> make_body(const Model& model, int material, const std::vector<const Se
   body.history = body.particles.columns().size();
   for (const auto& variable : spec.law->history())
     body.particles.add(variable.name, variable.dimension, variable.initial);
-  add_optional_columns(body, model);
+  const bool starts_deformed =
+      std::any_of(seeds.begin(), seeds.end(), [](const Seed* s) { return s->F != Mat3(Mat3::Identity()); });
+  add_optional_columns(body, model, starts_deformed);
   fill(body, seeds, first_id);
   body.refresh();
   return body;

@@ -257,8 +257,15 @@ Vec3 Contact<Dim>::opening(const MeetingNode& node, const ContactPair& pair, con
       for (std::size_t d = 0; d < Dim; ++d) u[static_cast<Eigen::Index>(d)] -= origin[d][p.particle];
       if (body.particles.has_deformation()) {
         const Mat3 F = load_full<Dim>(body.particles.F(), static_cast<int>(p.particle));
-        const Mat<Dim> inverse = F.template topLeftCorner<Dim, Dim>().inverse();
-        u += (Mat<Dim>::Identity() - inverse) * (at - p.x);
+        Mat<Dim> since_start = F.template topLeftCorner<Dim, Dim>();
+        if (body.first_inverse) {
+          Mat<Dim> first;
+          for (std::size_t k = 0; k < Dim * Dim; ++k)
+            first(static_cast<int>(k) / Dim, static_cast<int>(k) % Dim) =
+                body.particles.column(*body.first_inverse + k)[p.particle];
+          since_start *= first;
+        }
+        u += (Mat<Dim>::Identity() - since_start.inverse()) * (at - p.x);
       }
       sum += w * u, total += w;
     }

@@ -51,6 +51,7 @@ struct Body {
   std::optional<std::size_t> domain;          ///< CPDI: F at the start of the step, Dim x Dim columns row by row
   std::optional<std::size_t> load;            ///< external force on particles, Dim columns
   std::optional<std::size_t> origin;          ///< position at the start of the run, Dim columns, for displacements
+  std::optional<std::size_t> first_inverse;   ///< F^-1 at the start where that was no identity, Dim x Dim columns
   std::optional<std::size_t> load_set;        ///< bit k set: particle condition k acts on the particle
   std::optional<std::size_t> contact_memory;  ///< laws that remember: columns slip, bond
   std::optional<std::size_t> contact_view;    ///< for output: columns state, traction, normal

@@ -147,3 +147,29 @@ TEST_CASE("Morse's law has its slope, its peak, and softens", "[contact]") {
   m.opening = Vec3(100, 0, 0);
   CHECK(law->answer(m).stored == Approx(8 * 100.0 / 400).epsilon(1e-9));  // the well's depth: what it costs to part
 }
+
+TEST_CASE("the bilinear shape rises, falls straight, and ends", "[contact]") {
+  const auto law = make_law("65", {{"Dnt", "400"},
+                                   {"Dt", "100"},
+                                   {"normal_shape", "2"},
+                                   {"Npeak", "10"},
+                                   {"Nbreak", "0.1"},
+                                   {"tangential_shape", "2"},
+                                   {"Tpeak", "4"},
+                                   {"Tbreak", "0.2"}});
+  Meeting m;
+  m.mass = 1e9, m.dt = 1e-6, m.area = 1;  // too heavy to move
+  const auto traction = [&](double normal, double slip) {
+    m.opening = Vec3(normal, slip, 0);
+    return Vec3(law->answer(m).impulse / m.dt);
+  };
+  CHECK(traction(0.02, 0)[0] == Approx(8).epsilon(1e-9));    // 400 * 0.02
+  CHECK(traction(0.025, 0)[0] == Approx(10).epsilon(1e-9));  // the peak
+  CHECK(traction(0.0625, 0)[0] == Approx(5).epsilon(1e-9));  // half way down
+  CHECK(traction(0.11, 0)[0] == 0.0);
+  CHECK(traction(-0.01, 0)[0] == Approx(-4).epsilon(1e-9));  // closed it stays linear
+  CHECK(traction(0, 0.03)[1] == Approx(3).epsilon(1e-9));
+  CHECK(traction(0, -0.12)[1] == Approx(-2).epsilon(1e-9));  // against the slip, half way down
+  m.opening = Vec3(0.5, 0, 0);
+  CHECK(law->answer(m).stored == Approx(0.5 * 10 * 0.1).epsilon(1e-9));  // the triangle
+}
