@@ -56,15 +56,15 @@ struct NonlinearInterface final : ContactLaw {
     };
     must(shape.kind == 0 || shape.kind == 1 || shape.kind == 2,
          "<" + direction + "> must be 0 (linear), 1 (Morse) or 2 (bilinear)");
-    const std::string name = shape.kind == 1 ? "Morse's shape" : "the bilinear shape";
+    const std::string shape_name = shape.kind == 1 ? "Morse's shape" : "the bilinear shape";
     if (shape.kind == 0) {
       must(!(shape.peak > 0), "<" + N + "peak> has a meaning for Morse's and the bilinear shape only");
     } else {
-      must(shape.peak > 0, name + " needs <" + N + "peak>");
-      must(D > 0, name + " needs a positive <" + std::string(which == 'N' ? "Dnt" : "Dt") + ">");
+      must(shape.peak > 0, shape_name + " needs <" + N + "peak>");
+      must(D > 0, shape_name + " needs a positive <" + std::string(which == 'N' ? "Dnt" : "Dt") + ">");
     }
     if (shape.kind == 2)
-      must(shape.last > shape.peak / D, name + " needs <" + N + "break> beyond the opening at the peak");
+      must(shape.last > shape.peak / D, shape_name + " needs <" + N + "break> beyond the opening at the peak");
     else
       must(!(shape.last > 0), "<" + N + "break> has a meaning for the bilinear shape only");
   }
