@@ -82,6 +82,11 @@ code=0
 grep -q "particle .* of '" err.txt || fail "the message names no particle"
 grep -q '"status": "failed"' five/provenance.json || fail "provenance does not say failed"
 
+# So does a tool whose motion is no number
+sed 's|<SettingFunction>[^<]*</SettingFunction>|<SettingFunction>log(-1-t)</SettingFunction>|' "$source/input/examples/stacked_blocks.xml" >nowhere.xml
+expect 4 "$tribo" run --quiet --output six nowhere.xml
+grep -q "SettingFunction" err.txt || { cat err.txt; fail "the message does not name the function"; }
+
 # A full disk is an error that leaves nothing half-written
 if [ -w /dev/full ]; then
   expect 5 "$tribo" run --quiet --overwrite --output /dev/full/x "$deck"
