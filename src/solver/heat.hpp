@@ -2,13 +2,15 @@
 ///
 ///   C_I T_I = sum_p w_Ip m_p c (T_p + (x_I - x_p) . grad T_p),      C_I = sum_p w_Ip m_p c
 ///   C_I dT_I/dt = sum_p V_p q_p . grad w_Ip + sources,              q = -k grad T
-///   T_p += dt sum_I w_Ip dT_I/dt
+///   T_p <- T_p + dt sum_I w_Ip dT_I/dt
 ///
 /// Explicit, with the gradient that the nodes gave the particles at the end of the step before: the counterpart of
-/// the momentum balance with stress last. The heat m c T of the particles is kept to round-off. What differs within a
-/// cell is not seen by the nodes; it dies out at the rate of conduction in a cell, k / (rho c h^2), by T_p -= (1 - S
-/// S+) share (1 - S S+) T_p, which keeps the heat and leaves smooth fields alone to second order. Nairn & Guilkey, Int.
-/// J. Numer. Meth. Engng 102 (2015) 1347-1372.
+/// the momentum balance with stress last. Nairn & Guilkey, Int. J. Numer. Meth. Engng 102 (2015) 1347-1372. What differs
+/// within a cell is not seen by the nodes; it dies out at the rate of conduction in a cell, s = t k / (rho c h^2):
+///
+///   T_p <- T_p - (1 - S S+) s (1 - S S+) T_p
+///
+/// Both keep the heat m c T of the particles to round-off.
 #pragma once
 
 #include "solver/contact.hpp"
