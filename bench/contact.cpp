@@ -4,6 +4,7 @@
 ///   bench_contact <2|3> <kernel> <transfer> <threads> [nodes|faces]
 
 #include "base/parallel.hpp"
+#include "cpu_time.hpp"
 #include "solver/build.hpp"
 #include "solver/step.hpp"
 
@@ -11,18 +12,11 @@
 
 #include <cmath>
 #include <cstdio>
-#include <ctime>
 #include <string>
 
 using namespace tribo;
 
 namespace {
-
-double cpu_seconds() {
-  timespec t{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
 
 template <class Law>
 std::shared_ptr<Law> make(const Catalogue<Law>& all, std::string_view name,

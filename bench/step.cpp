@@ -5,24 +5,18 @@
 
 #include "solver/step.hpp"
 #include "base/parallel.hpp"
+#include "cpu_time.hpp"
 
 #include <sys/resource.h>
 
 #include <chrono>
 #include <cstdio>
-#include <ctime>
 #include <random>
 #include <string>
 
 using namespace tribo;
 
 namespace {
-
-double cpu_seconds() {
-  timespec t{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
 
 template <int Dim>
 int run(Kernel kernel, Transfer transfer, UpdateOrder order, int cells, int steps) {

@@ -5,8 +5,9 @@
 ///   T_p <- T_p + dt sum_I w_Ip dT_I/dt
 ///
 /// Explicit, with the gradient that the nodes gave the particles at the end of the step before: the counterpart of
-/// the momentum balance with stress last. Nairn & Guilkey, Int. J. Numer. Meth. Engng 102 (2015) 1347-1372. What differs
-/// within a cell is not seen by the nodes; it dies out at the rate of conduction in a cell, s = t k / (rho c h^2):
+/// the momentum balance with stress last. Nairn & Guilkey, Int. J. Numer. Meth. Engng 102 (2015) 1347-1372. What
+/// differs within a cell is not seen by the nodes; it dies out at the rate of conduction in a cell, s = t k / (rho c
+/// h^2):
 ///
 ///   T_p <- T_p - (1 - S S+) s (1 - S S+) T_p
 ///
