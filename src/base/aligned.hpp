@@ -18,7 +18,7 @@ struct CacheAligned {
   T* allocate(std::size_t n) {
     const std::size_t bytes = n * sizeof(T);
     if (bytes < page / 2) return static_cast<T*>(::operator new (bytes, std::align_val_t{64}));
-    const std::size_t whole = (bytes + page - 1) / page * page;
+    const std::size_t whole = bytes < page ? page : bytes;
     void* p = ::operator new (whole, std::align_val_t{page});
     madvise(p, whole, MADV_HUGEPAGE);  // a hint: fewer address translations to miss
     return static_cast<T*>(p);

@@ -39,4 +39,27 @@ void parallel_for(std::ptrdiff_t n, F&& f, std::ptrdiff_t serial = 2) {
   if (first) std::rethrow_exception(first);
 }
 
+/// The same for items of unequal weight: `before(i)`, ascending, is the weight of the items before the i-th, before(n)
+/// that of all. Every thread gets a run of neighbours with about the same weight as the others', so that none waits.
+template <class Before, class F>
+void parallel_for_weighted(std::ptrdiff_t n, Before&& before, F&& f) {
+  const std::ptrdiff_t parts = threads();
+  const auto from = [&](std::ptrdiff_t part) {
+    const double weight = static_cast<double>(before(n)) * static_cast<double>(part) / static_cast<double>(parts);
+    std::ptrdiff_t low = 0, high = n;  // the first item whose middle lies at or beyond that weight
+    while (low < high) {
+      const std::ptrdiff_t i = (low + high) / 2;
+      if (0.5 * (static_cast<double>(before(i)) + static_cast<double>(before(i + 1))) < weight)
+        low = i + 1;
+      else
+        high = i;
+    }
+    return low;
+  };
+  parallel_for(parts, [&](std::ptrdiff_t part) {
+    const std::ptrdiff_t end = part + 1 == parts ? n : from(part + 1);
+    for (std::ptrdiff_t i = part == 0 ? 0 : from(part); i < end; ++i) f(i);
+  });
+}
+
 }  // namespace tribo

@@ -84,6 +84,10 @@ void Bins<Dim>::paint(const Lattice<Dim>& lattice) {
       colour = colour * static_cast<std::size_t>(colours_per_axis_) + static_cast<std::size_t>(b % colours_per_axis_);
     colours_[colour].push_back(static_cast<std::uint32_t>(k));
   }
+  before_.assign(count, {0});
+  for (std::size_t colour = 0; colour < count; ++colour)
+    for (const std::uint32_t k : colours_[colour])
+      before_[colour].push_back(before_[colour].back() + bins_[k].end - bins_[k].begin);
 }
 
 template class Bins<2>;

@@ -34,6 +34,10 @@ class Bins {
   const std::vector<Bin>& list() const { return bins_; }
   /// Bins of one colour, as positions in list().
   const std::vector<std::vector<std::uint32_t>>& colours() const { return colours_; }
+  /// Particles in the first k bins of a colour.
+  std::uint32_t before(std::size_t colour, std::size_t k) const { return before_[colour][k]; }
+  /// Particles in the first k bins of all.
+  std::uint32_t before(std::size_t k) const { return k == 0 ? 0 : bins_[k - 1].end; }
 
  private:
   void paint(const Lattice<Dim>& lattice);
@@ -41,7 +45,7 @@ class Bins {
   double shift_;
   int colours_per_axis_;
   std::vector<Bin> bins_;
-  std::vector<std::vector<std::uint32_t>> colours_;
+  std::vector<std::vector<std::uint32_t>> colours_, before_;
 };
 
 }  // namespace tribo

@@ -31,8 +31,10 @@ class ProductTransfers final : public Transfers<Dim> {
     const bool affine =
         what == Scatter::heat || (body.affine && (what == Scatter::momentum || what == Scatter::momentum_and_force));
     const bool force = what != Scatter::momentum && what != Scatter::filtered && what != Scatter::heat_detail;
-    for (const auto& colour : body.bins.colours())
-      parallel_for(static_cast<std::ptrdiff_t>(colour.size()), [&](std::ptrdiff_t k) {
+    for (std::size_t c = 0; c < body.bins.colours().size(); ++c) {
+      const auto& colour = body.bins.colours()[c];
+      const auto before = [&](std::ptrdiff_t k) { return body.bins.before(c, static_cast<std::size_t>(k)); };
+      parallel_for_weighted(static_cast<std::ptrdiff_t>(colour.size()), before, [&](std::ptrdiff_t k) {
         const Bin& bin = body.bins.list()[colour[static_cast<std::size_t>(k)]];
         if (only && !(*only)[static_cast<std::size_t>(bin.block)]) return;
         if (force && affine)
@@ -44,13 +46,15 @@ class ProductTransfers final : public Transfers<Dim> {
         else
           scatter_bin<false, false>(body, map, nodes, bin, what, from_start, axisymmetric);
       });
+    }
   }
 
   GatherResult gather(Body<Dim>& body, const BlockMap<Dim>& map, const NodeLayer& nodes,
                       const Gather& what) const override {
     GatherCollector collector;
     const auto& bins = body.bins.list();
-    parallel_for(static_cast<std::ptrdiff_t>(bins.size()), [&](std::ptrdiff_t k) {
+    const auto before = [&](std::ptrdiff_t k) { return body.bins.before(static_cast<std::size_t>(k)); };
+    parallel_for_weighted(static_cast<std::ptrdiff_t>(bins.size()), before, [&](std::ptrdiff_t k) {
       auto& result = collector.mine();
       const Bin& bin = bins[static_cast<std::size_t>(k)];
       if (what.filtered || what.heat_detail)

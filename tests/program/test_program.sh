@@ -49,7 +49,7 @@ same_bits() {  # same_bits DECK SECONDS_BETWEEN_STOPS
     stops=$((stops + 1))
   done
   [ $code -eq 0 ] || fail "$1: resume ended with $code"
-  [ $stops -gt 1 ] || fail "$1: the run was never stopped"
+  [ $stops -ge 1 ] || fail "$1: the run was never stopped"
   for other in two three; do
     for file in history.csv energy.csv checkpoint.bin run.pvd $(cd one && ls particles/*); do
       cmp "one/$file" "$other/$file" || fail "$1: $other/$file differs"
@@ -62,7 +62,7 @@ expect 5 "$tribo" run --quiet --output one "$deck"
 expect 0 "$tribo" run --quiet --overwrite --threads 1 --output one "$deck"
 sed 's|cell "0.0025"|cell "0.00125"|; s|<MaxTime>6e-4|<MaxTime>2e-5|; s|<ArchiveTime>2e-4|<ArchiveTime>1e-5|' \
   "$source/verification/rubbing/case.xml" >rubbing.xml
-same_bits rubbing.xml 0.3
+same_bits rubbing.xml 0.1
 
 # A signal finishes the step and leaves a checkpoint
 "$tribo" run --quiet --output four "$source/input/examples/simple_shear.xml" >/dev/null 2>&1 &
