@@ -3,6 +3,9 @@
 
 #include <omp.h>
 
+#include <algorithm>
+#include <array>
+#include <atomic>
 #include <cstddef>
 #include <exception>
 #include <mutex>
@@ -40,10 +43,13 @@ void parallel_for(std::ptrdiff_t n, F&& f, std::ptrdiff_t serial = 2) {
 }
 
 /// The same for items of unequal weight: `before(i)`, ascending, is the weight of the items before the i-th, before(n)
-/// that of all. Every thread gets a run of neighbours with about the same weight as the others', so that none waits.
+/// that of all. Every thread begins with a run of neighbours with about the same weight as the others'; one that is
+/// done helps the others, so that none waits for a core that is slower for a while.
 template <class Before, class F>
 void parallel_for_weighted(std::ptrdiff_t n, Before&& before, F&& f) {
-  const std::ptrdiff_t parts = threads();
+  static constexpr std::ptrdiff_t most_parts = 256;
+  const std::ptrdiff_t parts = std::min<std::ptrdiff_t>(threads(), most_parts);
+  if (parts < 2) return parallel_for(n, f);
   const auto from = [&](std::ptrdiff_t part) {
     const double weight = static_cast<double>(before(n)) * static_cast<double>(part) / static_cast<double>(parts);
     std::ptrdiff_t low = 0, high = n;  // the first item whose middle lies at or beyond that weight
@@ -56,9 +62,20 @@ void parallel_for_weighted(std::ptrdiff_t n, Before&& before, F&& f) {
     }
     return low;
   };
-  parallel_for(parts, [&](std::ptrdiff_t part) {
-    const std::ptrdiff_t end = part + 1 == parts ? n : from(part + 1);
-    for (std::ptrdiff_t i = part == 0 ? 0 : from(part); i < end; ++i) f(i);
+  struct alignas(64) Part {
+    std::atomic<std::ptrdiff_t> next;
+    std::ptrdiff_t end;
+  };
+  std::array<Part, most_parts> part;
+  for (std::ptrdiff_t k = 0; k < parts; ++k) {
+    part[static_cast<std::size_t>(k)].next = k == 0 ? 0 : from(k);
+    part[static_cast<std::size_t>(k)].end = k + 1 == parts ? n : from(k + 1);
+  }
+  parallel_for(parts, [&](std::ptrdiff_t mine) {
+    for (std::ptrdiff_t k = 0; k < parts; ++k) {
+      Part& p = part[static_cast<std::size_t>((mine + k) % parts)];
+      for (std::ptrdiff_t i = p.next++; i < p.end; i = p.next++) f(i);
+    }
   });
 }
 
