@@ -8,9 +8,10 @@
 namespace tribo {
 namespace {
 
-// Faces are found anew when a particle may have moved this far [cells], or after so many steps.
-constexpr double most_travel = 0.01;
-constexpr int most_kept_steps = 50;
+// How far from a node particles matter for its faces [cells].
+double reach_of(Kernel kernel) {
+  return kernel == Kernel::cubic_spline ? 3.0 : kernel == Kernel::quadratic_spline ? 2.5 : 2.0;
+}
 
 }  // namespace
 template <int Dim>
@@ -19,16 +20,14 @@ Contact<Dim>::Contact(const Model& model, System<Dim>& system, const Transfers<D
       system_(system),
       transfers_(transfers),
       field_count_(system.fields.size()),
-      cloud_(system.lattice),
-      face_impulses_(system) {
+      cloud_(system.lattice, reach_of(model.scheme.kernel) * system.lattice.spacing.maxCoeff()),
+      face_impulses_(system),
+      h_(system.lattice.spacing.maxCoeff()) {
   const std::size_t n = field_count_;
   active_ = model.contact.active && n > 1;
   if (!active_) return;
   const Transfer transfer = model.scheme.transfer;
   keeps_start_ = transfer == Transfer::flip || transfer == Transfer::blend || transfer == Transfer::xpic;
-  h_ = system.lattice.spacing.maxCoeff();
-  const Kernel kernel = model.scheme.kernel;
-  reach_ = h_ * (kernel == Kernel::cubic_spline ? 3.0 : kernel == Kernel::quadratic_spline ? 2.5 : 2.0);
 
   laws_.assign(n * n, nullptr);
   for (auto* list : {&system.bodies, &system.rigids})
@@ -41,8 +40,10 @@ Contact<Dim>::Contact(const Model& model, System<Dim>& system, const Transfers<D
           laws_[a.field * n + b.field] = law;
           remembers_ = remembers_ || law->remembers();
           interfaces_ = interfaces_ || law->interface();
+          needs_areas_ = needs_areas_ || law->uses_area();
         }
     }
+  needs_areas_ = needs_areas_ || model.heat.contact_heating || model.contact.normals != NormalMethod::margin;
   // Laws that look at displacements or memories want all particles near, in every step.
   keeps_faces_ = !interfaces_ && !remembers_ && model.contact.separation == Separation::edges;
   scratch_.resize(256);
@@ -69,111 +70,6 @@ void Contact<Dim>::locate() {
   forget();
   record_.assign(shared_.size() * block_nodes<Dim>, -1);
   nodes_.clear();
-}
-
-template <int Dim>
-void Contact<Dim>::find(std::vector<Conditions<Dim>>& conditions) {
-  if (!active_) return;
-  list_nodes(conditions);
-  if (keeps_faces_ && kept_steps_ > 0 && !worn() && recall_faces()) {
-    ++kept_steps_;
-    gather_faces();
-    return;
-  }
-  cloud_.begin(reach_);
-  for (const auto& node : nodes_) cloud_.want(node.index);
-  cloud_.collect(bodies_);
-  scatter_volumes(conditions);
-  found_.resize(pairs_.size());
-  parallel_for(static_cast<std::ptrdiff_t>(nodes_.size()), [&](std::ptrdiff_t k) {
-    const MeetingNode& node = nodes_[static_cast<std::size_t>(k)];
-    Scratch& scratch = scratch_[static_cast<std::size_t>(thread_index()) % scratch_.size()];
-    scratch.near.clear();
-    cloud_.each_near(node.index, [&](const CloudPoint<Dim>& p) { scratch.near.push_back(&p); });
-    for (std::size_t p = node.first_pair; p < node.end_pair; ++p) face(node, pairs_[p], found_[p], scratch);
-  });
-  keep_faces();
-  gather_faces();
-}
-
-// Hands the pairs whose impulses act on faces, and those that share a node with them, to their solver.
-template <int Dim>
-void Contact<Dim>::gather_faces() {
-  if (!model_.contact.at_faces) return;
-  face_impulses_.clear();
-  const auto has_face = [](const ContactPair& pair) { return !pair.apart && pair.law->looks_at_faces(); };
-  for (MeetingNode& node : nodes_) {
-    const auto pairs = pairs_of(node);
-    node.by_faces = std::any_of(pairs.begin(), pairs.end(), has_face);
-    if (!node.by_faces) continue;
-    for (ContactPair& pair : pairs) face_impulses_.add(pair, members_, node.index, has_face(pair));
-  }
-}
-
-template <int Dim>
-bool Contact<Dim>::worn() const {
-  return moved_ > most_travel || kept_steps_ >= most_kept_steps;
-}
-
-// Gives every pair the faces found before; false if some pair is new.
-template <int Dim>
-bool Contact<Dim>::recall_faces() {
-  std::size_t f = 0;
-  face_of_.resize(pairs_.size());
-  for (const MeetingNode& node : nodes_)
-    for (std::size_t p = node.first_pair; p < node.end_pair; ++p) {
-      const auto before = [&](const Faces& face) {
-        return std::tuple(face.node, face.a, face.b) <
-               std::tuple(node.number, members_[pairs_[p].a].field, members_[pairs_[p].b].field);
-      };
-      while (f < faces_.size() && before(faces_[f])) ++f;
-      if (f == faces_.size() || faces_[f].node != node.number || faces_[f].a != members_[pairs_[p].a].field ||
-          faces_[f].b != members_[pairs_[p].b].field)
-        return false;
-      face_of_[p] = f;
-    }
-  parallel_for(static_cast<std::ptrdiff_t>(nodes_.size()), [&](std::ptrdiff_t k) {
-    const MeetingNode& node = nodes_[static_cast<std::size_t>(k)];
-    for (std::size_t p = node.first_pair; p < node.end_pair; ++p) {
-      const Faces& face = faces_[face_of_[p]];
-      ContactPair& pair = pairs_[p];
-      pair.apart = face.apart;
-      if (face.apart || !pair.law->looks_at_faces()) continue;
-      pair.meeting.normal = face.normal, pair.meeting.area = face.area;
-      pair.face = face.face;
-      pair.meeting.gap = kept_gap(node, pair, face);
-    }
-  });
-  return true;
-}
-
-template <int Dim>
-void Contact<Dim>::keep_faces() {
-  moved_ = 0.0, kept_steps_ = 0;
-  if (!keeps_faces_) return;
-  for (const Faces& face : found_)
-    if (face.count[0] > Faces::most || face.count[1] > Faces::most) return;
-  std::swap(faces_, found_);
-  kept_steps_ = 1;
-}
-
-template <int Dim>
-double Contact<Dim>::kept_gap(const MeetingNode& node, const ContactPair&, const Faces& face) const {
-  const Vec<Dim> centre = system_.lattice.position(node.index), n = face.normal.template head<Dim>();
-  double gap = 0.0;
-  for (std::size_t side = 0; side < 2; ++side) {
-    const Vec<Dim> out = side == 0 ? n : Vec<Dim>(-n);
-    double most = -std::numeric_limits<double>::infinity();
-    for (std::size_t k = 0; k < face.count[side]; ++k) {
-      const auto& corner = face.corners[side][k];
-      const auto p = cloud_.point(*bodies_[corner.body], corner.body, corner.particle);
-      double reach = (p.x - centre).dot(out);
-      for (int axis = 0; axis < Dim; ++axis) reach += std::abs(p.axes.col(axis).dot(out));
-      most = std::max(most, reach);
-    }
-    gap -= most;
-  }
-  return gap;
 }
 
 // Nodes that carry two or more fields, not all rigid.

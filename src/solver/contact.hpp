@@ -44,7 +44,8 @@ class Contact {
   /// Finds the blocks that fields share; after every change of their maps.
   void locate();
   /// Finds the nodes where fields meet, normals, gaps and areas, from particles at the start of the step. Normals and
-  /// areas are kept for as long as no particle moves more than a small part of a cell; gaps are always new.
+  /// areas are kept for as long as no particle moves more than a small part of a cell, those of flat faces longer; gaps
+  /// are always new.
   void find(std::vector<Conditions<Dim>>& conditions);
   /// Tells how far some particle may have moved in this step [cells].
   void moved(double cells) { moved_ += cells; }
@@ -92,6 +93,7 @@ class Contact {
     double share;           // of sums over nodes
     int mirrored;           // bits: axes of symmetry planes through the node
     bool by_faces = false;  // solved by face_impulses_
+    bool stale = true;      // its faces must be found
     std::int64_t number;    // among the nodes of shared blocks
   };
   struct SharedBlock {
@@ -101,22 +103,31 @@ class Contact {
   // The faces of a pair as found some steps ago: its normal, and the particles that make the faces.
   struct Faces {
     static constexpr std::size_t most = 24;
-    struct Corner {
-      std::uint32_t body, particle;
-    };
     std::int64_t node = -1;  // number among the nodes of shared blocks
     std::size_t a = 0, b = 0;
     Vec3 normal = Vec3::Zero();
     double area = 0.0, face = 0.0;
+    double found = 0.0;  // the travel when they were found [cells]
     bool apart = false;
+    bool flat = false;               // however the node lies to them, as long as they do not turn
+    std::array<double, 2> relief{};  // from the foremost to the hindmost of the particles
     std::array<std::size_t, 2> count{};
-    std::array<std::array<Corner, most>, 2> corners{};
+    std::array<std::array<std::uint32_t, most>, 2> corners{};  // in the cloud, later among the kept particles
   };
+  using Groups = std::vector<const CloudGroup<Dim>*>;
+  // What is near a node, for a pair: both sides' particles by groups, and those of them that matter.
   struct Scratch {
-    Side<Dim> a, b;
-    std::vector<const CloudPoint<Dim>*> near;
+    std::array<Groups, 2> groups;
+    std::array<Side<Dim>, 2> sides;
+    Vec<Dim> towards;  // from the first to the second
+    bool smooth;       // the foremost particles alone gave the normal
     std::vector<double> reach;
+    std::vector<std::pair<std::size_t, double>> front;  // particles in the cloud, and their reach
   };
+  // Gaps are measured from the particles at most this far sideways [cells].
+  static constexpr double band = 0.75;
+  // Particles this far behind the foremost may become it before the faces are found again [cells].
+  static constexpr double kept_depth = 0.05;
 
   const ContactLaw* law_of(std::size_t a, std::size_t b) const { return laws_[a * field_count_ + b]; }
   void list_nodes(std::vector<Conditions<Dim>>& conditions);
@@ -124,18 +135,28 @@ class Contact {
   void gather_faces();
   bool worn() const;
   bool recall_faces();
-  void keep_faces();
-  double kept_gap(const MeetingNode& node, const ContactPair& pair, const Faces& faces) const;
+  bool recall(const MeetingNode& node, ContactPair& pair, const Faces& face) const;
+  void find_faces(std::vector<Conditions<Dim>>& conditions, bool all);
+  void keep(Faces& kept, Scratch& s, const Vec<Dim>& n) const;
+  void number_kept();
+  void collect();
   void face(const MeetingNode& node, ContactPair& pair, Faces& kept, Scratch& scratch);
   Vec<Dim> gradient_normal(const ContactMember& a, const ContactMember& b) const;
   std::optional<Vec<Dim>> chosen_normal(const MeetingNode& node, Scratch& s, const ContactMember& a,
                                         const ContactMember& b) const;
-  std::optional<Vec<Dim>> margin_of_front(const MeetingNode& node, Scratch& s, const ContactMember& a,
-                                          const ContactMember& b, const Vec<Dim>& guess) const;
-  Vec<Dim> between_centres(const Scratch& s, const ContactMember& a, const ContactMember& b) const;
-  void fill_sides(const MeetingNode& node, Scratch& s, const ContactMember& a, const ContactMember& b) const;
+  double take_front(const Vec<Dim>& centre, Scratch& s, std::size_t side, const Vec<Dim>& out) const;
+  std::optional<Vec<Dim>> margin_of_front(const Vec<Dim>& centre, Scratch& s, const Vec<Dim>& guess) const;
+  void look_around(const MeetingNode& node, Scratch& s, const ContactMember& a, const ContactMember& b) const;
+  void fill_sides(const Vec<Dim>& centre, Scratch& s) const;
+  template <class F>
+  void each_point_of(const Groups& groups, const Vec<Dim>& centre, F&& f) const {
+    for (const auto* group : groups)
+      cloud_.each_point(*group, centre, [&](std::uint32_t k) { f(cloud_.point(k), cloud_.label(k)); });
+  }
+  double area(const MeetingNode& node, const ContactPair& pair, Scratch& s, const Vec<Dim>& n) const;
+  bool is_thin(const MeetingNode& node, Scratch& s, std::size_t side, const Vec<Dim>& out) const;
   double separation(const MeetingNode& node, const ContactPair& pair, Scratch& scratch, const Vec<Dim>& n) const;
-  Vec3 opening(const MeetingNode& node, const ContactPair& pair, const Scratch& scratch, const Vec<Dim>& n) const;
+  Vec3 opening(const MeetingNode& node, Scratch& scratch, const Vec<Dim>& n) const;
   void recall(const MeetingNode& node, ContactPair& pair, const Scratch& scratch) const;
   void remember();
   std::span<ContactPair> pairs_of(const MeetingNode& node) {
@@ -143,12 +164,13 @@ class Contact {
   }
   double weight(const Vec<Dim>& distance) const;
   template <class F>
-  void each_pair_near(const CloudPoint<Dim>& p, F&& f) const;
+  void each_pair_near(const CloudPoint<Dim>& p, std::size_t field, F&& f) const;
 
   const Model& model_;
   System<Dim>& system_;
   const Transfers<Dim>& transfers_;
   bool active_ = false, keeps_start_ = false, remembers_ = false, interfaces_ = false;
+  bool needs_areas_ = false;  ///< or gradients, whenever faces are found
   std::size_t field_count_ = 0;
   std::vector<const ContactLaw*> laws_;
   std::vector<Body<Dim>*> bodies_;
@@ -159,8 +181,14 @@ class Contact {
   std::vector<MeetingNode> nodes_;
   std::vector<ContactMember> members_;
   std::vector<ContactPair> pairs_;
-  std::vector<Faces> faces_, found_;
+  std::vector<Faces> faces_;          ///< of the pairs at the time when all faces were found
   std::vector<std::size_t> face_of_;  ///< per pair: which of faces_
+  struct Kept {
+    CloudLabel label;
+    CloudPoint<Dim> point;  // now
+  };
+  std::vector<Kept> kept_;                  ///< the particles that make the faces
+  std::vector<std::uint32_t> kept_number_;  ///< scratch: per point of the cloud, among the kept
   bool keeps_faces_ = false;
   int kept_steps_ = 0;          ///< steps since the faces were found; 0: none are kept
   double moved_ = 0.0;          ///< since then [cells]
@@ -168,7 +196,7 @@ class Contact {
   std::vector<int> shared_at_;  ///< per lattice block: number of the shared block, or -1
   std::vector<Scratch> scratch_;
   std::map<std::pair<std::size_t, std::size_t>, PairLedger> ledger_;
-  double h_ = 0.0, reach_ = 0.0;
+  double h_ = 0.0;
 };
 
 }  // namespace tribo

@@ -1,15 +1,37 @@
 #include "solver/contact_cloud.hpp"
 
+#include "base/parallel.hpp"
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace tribo {
 
 template <int Dim>
-void Cloud<Dim>::begin(double reach) {
-  reach_ = reach;
-  for (std::size_t d = 0; d < Dim; ++d)
-    cells_[d] = static_cast<int>(std::ceil(reach / lattice_.spacing[static_cast<Eigen::Index>(d)] - 1e-9));
+Cloud<Dim>::Cloud(const Lattice<Dim>& lattice, double reach)
+    : lattice_(lattice), reach_(reach), slot_(static_cast<std::size_t>(lattice.block_count()), -1) {
+  Index<Dim> cells;
+  int count = 1;
+  for (std::size_t d = 0; d < Dim; ++d) {
+    cells[d] = static_cast<int>(std::ceil(reach / lattice.spacing[static_cast<Eigen::Index>(d)] - 1e-9));
+    count *= 2 * cells[d];
+  }
+  for (int k = 0; k < count; ++k) {
+    Index<Dim> offset;
+    Vec<Dim> nearest;
+    int rest = k;
+    for (std::size_t d = 0; d < Dim; ++d) {
+      offset[d] = rest % (2 * cells[d]) - cells[d];
+      rest /= 2 * cells[d];
+      nearest[static_cast<Eigen::Index>(d)] = offset[d] < 0 ? offset[d] + 1 : offset[d];
+    }
+    if (nearest.cwiseProduct(lattice.spacing).norm() <= reach) offsets_.push_back(offset);
+  }
+}
+
+template <int Dim>
+void Cloud<Dim>::begin() {
   for (const auto block : blocks_) slot_[static_cast<std::size_t>(block)] = -1;
   blocks_.clear();
   mask_.clear();
@@ -47,10 +69,9 @@ bool Cloud<Dim>::wanted(const Vec<Dim>& x, std::size_t& at) const {
 }
 
 template <int Dim>
-CloudPoint<Dim> Cloud<Dim>::point(Body<Dim>& body, std::uint32_t b, std::uint32_t i) const {
+CloudPoint<Dim> Cloud<Dim>::particle(Body<Dim>& body, std::uint32_t i) {
   CloudPoint<Dim> p;
   p.x = body.particles.position(i);
-  p.field = static_cast<std::uint32_t>(body.field), p.body = b, p.particle = i;
   Vec<Dim> half = body.uniform_half_size;
   if (body.half_size)
     for (std::size_t d = 0; d < Dim; ++d)
@@ -67,7 +88,7 @@ template <int Dim>
 void Cloud<Dim>::collect(const std::vector<Body<Dim>*>& bodies) {
   unsorted_.clear();
   cell_of_.clear();
-  start_.assign(blocks_.size() * block_nodes<Dim> + 1, 0);
+  first_.assign(blocks_.size() * block_nodes<Dim> + 1, 0);
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     Body<Dim>& body = *bodies[b];
     const auto x = body.particles.x();
@@ -89,18 +110,69 @@ void Cloud<Dim>::collect(const std::vector<Body<Dim>*>& bodies) {
         for (std::size_t d = 0; d < Dim; ++d) at[static_cast<Eigen::Index>(d)] = x[d][i];
         std::size_t cell = 0;
         if (!wanted(at, cell)) continue;
-        unsorted_.push_back(point(body, static_cast<std::uint32_t>(b), i));
+        unsorted_.push_back({static_cast<std::uint32_t>(body.field), static_cast<std::uint32_t>(b), i});
         cell_of_.push_back(static_cast<std::uint32_t>(cell));
-        ++start_[cell + 1];
+        ++first_[cell + 1];
       }
     }
   }
-  for (std::size_t c = 1; c < start_.size(); ++c) start_[c] += start_[c - 1];
-  points_.resize(unsorted_.size());
-  for (std::size_t k = unsorted_.size(); k-- > 0;) points_[--start_[cell_of_[k] + 1]] = unsorted_[k];
-  // start_[c + 1] now is the first of cell c; bring it back to start_[c]
-  for (std::size_t c = 0; c + 1 < start_.size(); ++c) start_[c] = start_[c + 1];
-  start_.back() = static_cast<std::uint32_t>(points_.size());
+  for (std::size_t c = 1; c < first_.size(); ++c) first_[c] += first_[c - 1];
+  labels_.resize(unsorted_.size());
+  for (std::size_t k = unsorted_.size(); k-- > 0;) labels_[--first_[cell_of_[k] + 1]] = unsorted_[k];
+  // first_[c + 1] now is the first of cell c; bring it back to first_[c]
+  for (std::size_t c = 0; c + 1 < first_.size(); ++c) first_[c] = first_[c + 1];
+  first_.back() = static_cast<std::uint32_t>(labels_.size());
+  for (auto& column : column_) column.resize(labels_.size());
+  parallel_for(static_cast<std::ptrdiff_t>(labels_.size()), [&](std::ptrdiff_t k) {
+    const auto at = static_cast<std::size_t>(k);
+    const CloudPoint<Dim> p = particle(*bodies[labels_[at].body], labels_[at].particle);
+    for (std::size_t c = 0; c < Dim; ++c) column_[c][at] = p.x.data()[c];
+    for (std::size_t c = Dim; c < columns; ++c) column_[c][at] = p.axes.data()[c - Dim];
+  });
+  group();
+}
+
+// Makes groups of the points of each cell, which come by bodies.
+template <int Dim>
+void Cloud<Dim>::group() {
+  groups_.clear();
+  start_.resize(first_.size());
+  for (std::size_t cell = 0; cell + 1 < first_.size(); ++cell) {
+    start_[cell] = static_cast<std::uint32_t>(groups_.size());
+    for (std::uint32_t p = first_[cell]; p < first_[cell + 1]; ++p) {
+      const CloudPoint<Dim> point = this->point(p);
+      const Vec<Dim> half = point.axes.cwiseAbs().rowwise().sum();
+      if (p == first_[cell] || groups_.back().field != labels_[p].field)
+        groups_.push_back({labels_[p].field, p, p, point.x - half, point.x + half, Vec<Dim>::Zero()});
+      CloudGroup<Dim>& group = groups_.back();
+      group.end = p + 1;
+      group.low = group.low.cwiseMin(point.x - half), group.high = group.high.cwiseMax(point.x + half);
+      group.sum += point.x;
+    }
+  }
+  start_.back() = static_cast<std::uint32_t>(groups_.size());
+}
+
+template <int Dim>
+void Cloud<Dim>::measure(const CloudGroup<Dim>& group, const Vec<Dim>& centre, const Vec<Dim>& n,
+                         double* __restrict out) const {
+  std::array<const double*, columns> from;
+  for (std::size_t c = 0; c < columns; ++c) from[c] = column_[c].data() + group.begin;
+  const double limit = reach_ * reach_;
+  const std::uint32_t count = group.end - group.begin;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    double reach = 0.0, square = 0.0;
+    for (std::size_t d = 0; d < Dim; ++d) {
+      const double x = from[d][i] - centre[static_cast<Eigen::Index>(d)];
+      reach += x * n[static_cast<Eigen::Index>(d)], square += x * x;
+    }
+    for (std::size_t k = 1; k <= Dim; ++k) {
+      double along = 0.0;
+      for (std::size_t d = 0; d < Dim; ++d) along += from[Dim * k + d][i] * n[static_cast<Eigen::Index>(d)];
+      reach += std::fabs(along);
+    }
+    out[i] = square <= limit ? reach : -std::numeric_limits<double>::infinity();
+  }
 }
 
 template class Cloud<2>;

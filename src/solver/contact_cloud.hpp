@@ -8,87 +8,117 @@
 
 namespace tribo {
 
+/// Whose particle a point is.
+struct CloudLabel {
+  std::uint32_t field, body, particle;
+};
+
 /// A particle as a parallelepiped: centre and half axes, deformed with F.
 template <int Dim>
 struct CloudPoint {
   Vec<Dim> x;
   Mat<Dim> axes;  ///< columns: half axes of the domain
-  std::uint32_t field, body, particle;
+
+  /// How far the domain reaches from `origin` along n.
+  double reach(const Vec<Dim>& origin, const Vec<Dim>& n) const {
+    double r = (x - origin).dot(n);
+    for (int k = 0; k < Dim; ++k) r += std::abs(axes.col(k).dot(n));
+    return r;
+  }
 };
 
-/// Particles in the cells within reach of given nodes, sorted by cell; rebuilt every step.
+/// The particles of a field in a cell, and the box around their domains.
+template <int Dim>
+struct CloudGroup {
+  std::uint32_t field, begin, end;  ///< points begin to end - 1
+  Vec<Dim> low, high, sum;          ///< box; sum of the centres
+
+  /// No domain of the group reaches farther from `origin` along n.
+  double bound(const Vec<Dim>& origin, const Vec<Dim>& n) const {
+    return (n.array() > 0).select(high - origin, low - origin).dot(n);
+  }
+};
+
+/// Particles in the cells within reach of given nodes, sorted by cell and grouped by field.
 template <int Dim>
 class Cloud {
  public:
-  explicit Cloud(const Lattice<Dim>& lattice)
-      : lattice_(lattice), slot_(static_cast<std::size_t>(lattice.block_count()), -1) {}
+  /// `reach`: radius of the balls about nodes [length].
+  Cloud(const Lattice<Dim>& lattice, double reach);
 
-  /// Forgets all nodes; `reach`: radius of the balls about nodes [length].
-  void begin(double reach);
+  /// Forgets all nodes.
+  void begin();
   /// Wants the particles within reach of a node.
   void want(const Index<Dim>& node);
   /// Collects them. Bodies are numbered as they come: deformable, then rigid ones with a field of their own.
   void collect(const std::vector<Body<Dim>*>& bodies);
 
-  const std::vector<CloudPoint<Dim>>& points() const { return points_; }
-  std::size_t size() const { return points_.size(); }
+  double reach() const { return reach_; }
+  std::size_t size() const { return labels_.size(); }
+  const CloudLabel& label(std::size_t k) const { return labels_[k]; }
+  CloudPoint<Dim> point(std::size_t k) const {
+    CloudPoint<Dim> p;
+    for (std::size_t c = 0; c < Dim; ++c) p.x.data()[c] = column_[c][k];
+    for (std::size_t c = Dim; c < columns; ++c) p.axes.data()[c - Dim] = column_[c][k];
+    return p;
+  }
 
-  /// Calls f(point) for the particles within reach of a node.
+  /// Calls f(group) for the groups that may have particles within reach of a node.
   template <class F>
-  void each_near(const Index<Dim>& node, F&& f) const {
-    const Vec<Dim> centre = lattice_.position(node);
-    const double limit = reach_ * reach_;
+  void each_group(const Index<Dim>& node, F&& f) const {
     each_cell(node, [&](std::int64_t block, int cell) {
       const int s = slot_[static_cast<std::size_t>(block)];
       if (s < 0) return;
       const std::size_t at = static_cast<std::size_t>(s) * block_nodes<Dim> + static_cast<std::size_t>(cell);
-      for (std::uint32_t p = start_[at]; p < start_[at + 1]; ++p)
-        if ((points_[p].x - centre).squaredNorm() <= limit) f(points_[p]);
+      for (std::uint32_t g = start_[at]; g < start_[at + 1]; ++g) f(groups_[g]);
     });
   }
+  /// Calls f(number of the point) for the particles of a group within reach of a node at `centre`.
+  template <class F>
+  void each_point(const CloudGroup<Dim>& group, const Vec<Dim>& centre, F&& f) const {
+    for (std::uint32_t p = group.begin; p < group.end; ++p)
+      if ((point(p).x - centre).squaredNorm() <= reach_ * reach_) f(p);
+  }
+  /// How far the domains of a group's particles reach from a node at `centre` along n, one value each; -infinity for
+  /// those beyond the reach of the cloud.
+  void measure(const CloudGroup<Dim>& group, const Vec<Dim>& centre, const Vec<Dim>& n, double* __restrict out) const;
 
   /// Particle i of a body as it is now.
-  CloudPoint<Dim> point(Body<Dim>& body, std::uint32_t b, std::uint32_t i) const;
+  static CloudPoint<Dim> particle(Body<Dim>& body, std::uint32_t i);
 
  private:
-  // Calls f(block, cell in the block) for the cells that a ball about a node may cut.
+  // Calls f(block, cell in the block) for the cells that a ball about a node cuts.
   template <class F>
   void each_cell(const Index<Dim>& node, F&& f) const {
-    Index<Dim> low, high, cell;
-    for (std::size_t d = 0; d < Dim; ++d) {
-      low[d] = std::max(0, node[d] - cells_[d]);
-      high[d] = std::min(lattice_.blocks[d] * block_edge<Dim>, node[d] + cells_[d]);
-    }
-    const auto visit = [&] {
+    for (const Index<Dim>& offset : offsets_) {
       Index<Dim> block;
       int local = 0;
+      bool inside = true;
       for (std::size_t d = Dim; d-- > 0;) {
-        block[d] = cell[d] / block_edge<Dim>;
-        local = local * block_edge<Dim> + cell[d] % block_edge<Dim>;
+        const int cell = node[d] + offset[d];
+        inside = inside && cell >= 0 && cell < lattice_.blocks[d] * block_edge<Dim>;
+        block[d] = cell / block_edge<Dim>;
+        local = local * block_edge<Dim> + cell % block_edge<Dim>;
       }
-      f(lattice_.block_index(block), local);
-    };
-    if constexpr (Dim == 3) {
-      for (cell[2] = low[2]; cell[2] < high[2]; ++cell[2])
-        for (cell[1] = low[1]; cell[1] < high[1]; ++cell[1])
-          for (cell[0] = low[0]; cell[0] < high[0]; ++cell[0]) visit();
-    } else {
-      for (cell[1] = low[1]; cell[1] < high[1]; ++cell[1])
-        for (cell[0] = low[0]; cell[0] < high[0]; ++cell[0]) visit();
+      if (inside) f(lattice_.block_index(block), local);
     }
   }
 
   bool wanted(const Vec<Dim>& x, std::size_t& at) const;
+  void group();
 
   Lattice<Dim> lattice_;
-  double reach_ = 0.0;
-  Index<Dim> cells_{};
+  double reach_;
+  std::vector<Index<Dim>> offsets_;   ///< cells that a ball about a node cuts, from the cell above the node
   std::vector<int> slot_;             ///< per lattice block: position among the blocks with wanted cells, or -1
   std::vector<std::int64_t> blocks_;  ///< those blocks
   std::vector<std::uint64_t> mask_;   ///< their wanted cells
-  std::vector<std::uint32_t> start_;  ///< per cell of those blocks: first point
-  std::vector<CloudPoint<Dim>> points_, unsorted_;
-  std::vector<std::uint32_t> cell_of_;
+  std::vector<std::uint32_t> start_;  ///< per cell of those blocks: first group
+  std::vector<CloudGroup<Dim>> groups_;
+  static constexpr std::size_t columns = Dim + Dim * Dim;
+  std::array<std::vector<double>, columns> column_;  ///< centres and half axes of the points
+  std::vector<CloudLabel> labels_, unsorted_;
+  std::vector<std::uint32_t> cell_of_, first_;  ///< per unsorted point: its cell; per cell: first point
 };
 
 }  // namespace tribo

@@ -10,7 +10,7 @@ namespace tribo {
 
 template <int Dim>
 template <class F>
-void Contact<Dim>::each_pair_near(const CloudPoint<Dim>& p, F&& f) const {
+void Contact<Dim>::each_pair_near(const CloudPoint<Dim>& p, std::size_t field, F&& f) const {
   Index<Dim> low, n;
   for (std::size_t d = 0; d < Dim; ++d) {
     const auto axis = static_cast<Eigen::Index>(d);
@@ -42,33 +42,34 @@ void Contact<Dim>::each_pair_near(const CloudPoint<Dim>& p, F&& f) const {
       // Nodes on both sides of a face share its tractions: only the distance along it counts.
       const Vec<Dim> normal = pair.meeting.normal.template head<Dim>();
       const double w = weight(distance - distance.dot(normal) * normal);
-      if (members_[pair.a].field == p.field) f(pair, w, 1.0);
-      if (members_[pair.b].field == p.field) f(pair, w, -1.0);
+      if (members_[pair.a].field == field) f(pair, w, 1.0);
+      if (members_[pair.b].field == field) f(pair, w, -1.0);
     }
   }
 }
 
 template <int Dim>
 void Contact<Dim>::remember() {
-  const auto& points = cloud_.points();
-  parallel_for(static_cast<std::ptrdiff_t>(points.size()), [&](std::ptrdiff_t k) {
-    const CloudPoint<Dim>& p = points[static_cast<std::size_t>(k)];
-    auto& body = *bodies_[p.body];
+  parallel_for(static_cast<std::ptrdiff_t>(cloud_.size()), [&](std::ptrdiff_t k) {
+    const CloudLabel& label = cloud_.label(static_cast<std::size_t>(k));
+    auto& body = *bodies_[label.body];
     if (!body.contact_memory) return;
     double touching = 0.0, sliding = 0.0, way = 0.0, whole = 0.0, broken = 0.0;
-    each_pair_near(p, [&](const ContactPair& pair, double w, double) {
-      if (!pair.law->remembers()) return;
-      if (pair.answer.touch != Touch::open) touching += w;
-      if (pair.answer.touch == Touch::slip) {
-        const Vec3 v = pair.meeting.velocity - pair.impulse / pair.meeting.mass;
-        sliding += w, way += w * pair.meeting.dt * (v - v.dot(pair.meeting.normal) * pair.meeting.normal).norm();
-      }
-      if (pair.answer.bond == Bond::whole) whole += w;
-      if (pair.answer.bond == Bond::broken) broken += w;
-    });
-    double& slip = body.particles.column(*body.contact_memory)[p.particle];
+    each_pair_near(
+        cloud_.point(static_cast<std::size_t>(k)), label.field, [&](const ContactPair& pair, double w, double) {
+          if (!pair.law->remembers()) return;
+          if (pair.answer.touch != Touch::open) touching += w;
+          if (pair.answer.touch == Touch::slip) {
+            const Vec3 v = pair.meeting.velocity - pair.impulse / pair.meeting.mass;
+            sliding += w, way += w * pair.meeting.dt * (v - v.dot(pair.meeting.normal) * pair.meeting.normal).norm();
+          }
+          if (pair.answer.bond == Bond::whole) whole += w;
+          if (pair.answer.bond == Bond::broken) broken += w;
+        });
+    double& slip = body.particles.column(*body.contact_memory)[label.particle];
     slip = sliding > 0.5 * touching ? slip + way / sliding : 0.0;
-    if (whole + broken > 0) body.particles.column(*body.contact_memory + 1)[p.particle] = broken > whole ? -1.0 : 1.0;
+    if (whole + broken > 0)
+      body.particles.column(*body.contact_memory + 1)[label.particle] = broken > whole ? -1.0 : 1.0;
   });
 }
 
@@ -78,12 +79,15 @@ void Contact<Dim>::show() {
     if (body->contact_view)
       for (std::size_t k = 0; k < 1 + 2 * Dim; ++k)
         std::fill_n(body->particles.column(*body->contact_view + k), body->particles.size(), 0.0);
-  for (const auto& p : cloud_.points()) {
-    auto& body = *bodies_[p.body];
+  for (MeetingNode& node : nodes_) node.stale = true;
+  collect();
+  for (std::size_t k = 0; k < cloud_.size(); ++k) {
+    const CloudLabel& label = cloud_.label(k);
+    auto& body = *bodies_[label.body];
     if (!body.contact_view) continue;
     double slip = 0.0, stick = 0.0, total = 0.0;
     Vec<Dim> traction = Vec<Dim>::Zero(), normal = Vec<Dim>::Zero();
-    each_pair_near(p, [&](const ContactPair& pair, double w, double side) {
+    each_pair_near(cloud_.point(k), label.field, [&](const ContactPair& pair, double w, double side) {
       if (pair.shown == Touch::open || pair.meeting.gap > 0.1 * h_) return;
       (pair.shown == Touch::slip ? slip : stick) += w;
       normal += side * w * pair.meeting.normal.template head<Dim>();
@@ -92,12 +96,12 @@ void Contact<Dim>::show() {
       traction += side * w / pair.meeting.dt * pair.booked.template head<Dim>();
     });
     if (slip + stick == 0.0) continue;
-    body.particles.column(*body.contact_view)[p.particle] = slip > stick ? 2.0 : 1.0;
+    body.particles.column(*body.contact_view)[label.particle] = slip > stick ? 2.0 : 1.0;
     if (total > 0) traction /= total;
     if (normal.norm() > 0) normal.normalize();
     for (std::size_t d = 0; d < Dim; ++d) {
-      body.particles.column(*body.contact_view + 1 + d)[p.particle] = traction[static_cast<Eigen::Index>(d)];
-      body.particles.column(*body.contact_view + 1 + Dim + d)[p.particle] = normal[static_cast<Eigen::Index>(d)];
+      body.particles.column(*body.contact_view + 1 + d)[label.particle] = traction[static_cast<Eigen::Index>(d)];
+      body.particles.column(*body.contact_view + 1 + Dim + d)[label.particle] = normal[static_cast<Eigen::Index>(d)];
     }
   }
 }

@@ -6,69 +6,115 @@
 
 namespace tribo {
 
+namespace {
+
+// Corners of a polytope around the point of their hull that is nearest to the origin.
+template <int Dim>
+class Simplex {
+ public:
+  void add(const Vec<Dim>& corner) {
+    corners_[count_] = corner;
+    weights_[count_++] = 0.0;
+  }
+  bool has(const Vec<Dim>& corner) const {
+    return std::find(corners_.begin(), corners_.begin() + count_, corner) != corners_.begin() + count_;
+  }
+  bool full() const { return count_ == Dim + 1; }
+  /// The largest square of a corner's distance.
+  double scale() const {
+    double scale = 0.0;
+    for (std::size_t k = 0; k < count_; ++k) scale = std::max(scale, corners_[k].squaredNorm());
+    return scale;
+  }
+  /// Moves to the nearest point, and drops the corners that do not bear it.
+  Vec<Dim> nearest() {
+    Weights next;
+    while (count_ > 1 && affine(next) && !advance(next)) {
+    }
+    Vec<Dim> x = Vec<Dim>::Zero();
+    double sum = 0.0;
+    for (std::size_t k = 0; k < count_; ++k) sum += weights_[k], x += weights_[k] * corners_[k];
+    return count_ > 1 ? Vec<Dim>(x / sum) : corners_[0];
+  }
+  /// Equal weights for the corners of a beginning.
+  void spread() { std::fill_n(weights_.begin(), count_, 1.0 / static_cast<double>(count_)); }
+
+ private:
+  using Weights = std::array<double, Dim + 1>;
+
+  // Weights of the nearest point of the corners' affine hull; false if they span none.
+  bool affine(Weights& to) const {
+    using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, Dim, Dim>;
+    const auto rows = static_cast<Eigen::Index>(count_ - 1);
+    Eigen::Matrix<double, Dim, Eigen::Dynamic, 0, Dim, Dim> edges(Dim, rows);
+    for (std::size_t k = 1; k < count_; ++k) edges.col(static_cast<Eigen::Index>(k - 1)) = corners_[k] - corners_[0];
+    const Square gram = edges.transpose() * edges;
+    const auto solution = Square(gram).ldlt().solve(-edges.transpose() * corners_[0]).eval();
+    if (!solution.allFinite()) return false;
+    to[0] = 1.0 - solution.sum();
+    for (std::size_t k = 1; k < count_; ++k) to[k] = solution[static_cast<Eigen::Index>(k - 1)];
+    return true;
+  }
+
+  // Goes towards new weights as far as all stay positive; true if that is all the way.
+  bool advance(const Weights& to) {
+    constexpr double nothing = 1e-14;
+    double t = 1.0;
+    for (std::size_t k = 0; k < count_; ++k)
+      if (to[k] <= nothing && weights_[k] > to[k]) t = std::min(t, weights_[k] / (weights_[k] - to[k]));
+    const bool inside = std::all_of(to.begin(), to.begin() + count_, [&](double w) { return w > nothing; });
+    std::size_t kept = 0;
+    for (std::size_t k = 0; k < count_; ++k) {
+      const double value = inside ? to[k] : weights_[k] + t * (to[k] - weights_[k]);
+      if (!inside && value <= nothing) continue;
+      corners_[kept] = corners_[k];
+      weights_[kept++] = value;
+    }
+    count_ = std::max<std::size_t>(kept, 1);
+    return inside;
+  }
+
+  std::array<Vec<Dim>, Dim + 1> corners_;
+  Weights weights_{};
+  std::size_t count_ = 0;
+};
+
+// Unit vectors across n that lie around it.
+template <int Dim>
+std::array<Vec<Dim>, Dim> around(const Vec<Dim>& n) {
+  if constexpr (Dim == 2) {
+    const Vec<2> t(-n[1], n[0]);
+    return {t, -t};
+  } else {
+    const Vec<3> t = n.unitOrthogonal(), s = n.cross(t);
+    const double half = std::sqrt(0.75);
+    return {t, -0.5 * t + half * s, -0.5 * t - half * s};
+  }
+}
+
+}  // namespace
+
 template <int Dim>
 std::optional<Vec<Dim>> shortest_vector(Side<Dim>& a, Side<Dim>& b, double share, const Vec<Dim>& guess) {
-  // Corners of the simplex around the nearest point of the difference b - a, and its weights
-  std::array<Vec<Dim>, Dim + 2> corner;
-  std::array<double, Dim + 2> weight{};
-  int count = 1;
   const auto support = [&](const Vec<Dim>& along) {
     return Vec<Dim>(b.farthest(-along, share) - a.farthest(along, share));
   };
-  corner[0] = support(guess);
-  weight[0] = 1.0;
-  Vec<Dim> x = corner[0];
+  // Between flat faces, corners that are wide apart already bear the nearest point.
+  constexpr double tilt = 0.05;
+  Simplex<Dim> simplex;
+  for (const Vec<Dim>& t : around<Dim>(guess))
+    if (const Vec<Dim> corner = support(guess + tilt * t); !simplex.has(corner)) simplex.add(corner);
+  simplex.spread();
+  Vec<Dim> x = simplex.nearest();
   for (int step = 0; step < 100; ++step) {
     const double size = x.squaredNorm();
     const Vec<Dim> w = support(x);
-    double scale = w.squaredNorm();
-    for (int k = 0; k < count; ++k) scale = std::max(scale, corner[static_cast<std::size_t>(k)].squaredNorm());
+    const double scale = std::max(w.squaredNorm(), simplex.scale());
     if (size <= 1e-20 * scale) return std::nullopt;
     if (size - x.dot(w) <= 1e-13 * size + 1e-15 * std::sqrt(size * scale)) return x;
-    corner[static_cast<std::size_t>(count)] = w;
-    weight[static_cast<std::size_t>(count)] = 0.0;
-    ++count;
-    while (true) {
-      // Nearest point of the affine hull: Gram matrix with the condition that the weights sum to one
-      constexpr int most = Dim + 3;  // unused rows stay rows of the identity
-      Mat<most> gram = Mat<most>::Identity();
-      Vec<most> right = Vec<most>::Zero();
-      right[count] = scale;
-      gram(count, count) = 0.0;
-      for (int r = 0; r < count; ++r) {
-        for (int c = 0; c < count; ++c)
-          gram(r, c) = corner[static_cast<std::size_t>(r)].dot(corner[static_cast<std::size_t>(c)]);
-        gram(r, count) = gram(count, r) = scale;
-      }
-      const Vec<most> solution = gram.partialPivLu().solve(right);
-      bool inside = solution.allFinite();
-      if (!inside) return x;
-      double t = 1.0;
-      for (int k = 0; k < count; ++k) {
-        const double from = weight[static_cast<std::size_t>(k)], to = solution[k];
-        if (to <= 1e-14) {
-          inside = false;
-          if (from > to) t = std::min(t, from / (from - to));
-        }
-      }
-      int kept = 0;
-      for (int k = 0; k < count; ++k) {
-        const auto from = static_cast<std::size_t>(k);
-        const double value = inside ? solution[k] : weight[from] + t * (solution[k] - weight[from]);
-        if (!inside && value <= 1e-14) continue;
-        corner[static_cast<std::size_t>(kept)] = corner[from];
-        weight[static_cast<std::size_t>(kept)] = value;
-        ++kept;
-      }
-      count = std::max(kept, 1);
-      if (inside || count == 1) break;
-    }
-    x.setZero();
-    double sum = 0.0;
-    for (int k = 0; k < count; ++k) sum += weight[static_cast<std::size_t>(k)];
-    for (int k = 0; k < count; ++k)
-      x += weight[static_cast<std::size_t>(k)] / sum * corner[static_cast<std::size_t>(k)];
-    if (count == Dim + 1) return std::nullopt;  // the origin is inside
+    simplex.add(w);
+    x = simplex.nearest();
+    if (simplex.full()) return std::nullopt;  // the origin is inside
     if (!(x.squaredNorm() < size)) return x;
   }
   return x;
@@ -188,6 +234,29 @@ bool wide_faces(Side<Dim>& a, Side<Dim>& b, const Vec<Dim>& n, double length) {
 }
 
 template <int Dim>
+bool flat_face(Side<Dim>& side, const Vec<Dim>& out, double wide, double even) {
+  const double face = farthest_reach<Dim>(side, out);
+  const auto directions = around<Dim>(out);
+  std::array<double, Dim> extent{};
+  for (std::size_t i = 0; i < side.reach.size(); ++i) {
+    const double depth = face - side.reach[i];
+    double along = 0.0;
+    for (int d = 0; d < Dim; ++d) along += side.x[d][i] * out[d];
+    const double thickness = 2 * (side.reach[i] - along);
+    if (depth > even) {
+      if (depth < 0.9 * thickness) return false;  // it is not of the layer behind
+      continue;
+    }
+    for (std::size_t k = 0; k < Dim; ++k) {
+      double at = 0.0;
+      for (int d = 0; d < Dim; ++d) at += side.x[d][i] * directions[k][d];
+      extent[k] = std::max(extent[k], at);
+    }
+  }
+  return std::all_of(extent.begin(), extent.end(), [&](double e) { return e >= wide; });
+}
+
+template <int Dim>
 std::optional<Vec<Dim>> facing_normal(Side<Dim>& a, Side<Dim>& b, const Vec<Dim>& n, double length) {
   const double depth = corner_depth * length, narrow = corner_width * length;
   std::vector<Vec<Dim>>&at_a = a.corners, &at_b = b.corners;
@@ -280,12 +349,14 @@ double face_position(Side<Dim>& side, const Vec<Dim>& n, double band) {
 
 template std::optional<Vec<2>> shortest_vector<2>(Side<2>&, Side<2>&, double, const Vec<2>&);
 template std::optional<Vec<2>> margin_normal<2>(Side<2>&, Side<2>&, const Vec<2>&, double);
+template bool flat_face<2>(Side<2>&, const Vec<2>&, double, double);
 template bool wide_faces<2>(Side<2>&, Side<2>&, const Vec<2>&, double);
 template std::optional<Vec<2>> facing_normal<2>(Side<2>&, Side<2>&, const Vec<2>&, double);
 template std::optional<Vec<2>> regression_normal<2>(const Side<2>&, const Side<2>&, bool, double);
 template double face_position<2>(Side<2>&, const Vec<2>&, double);
 template std::optional<Vec<3>> shortest_vector<3>(Side<3>&, Side<3>&, double, const Vec<3>&);
 template std::optional<Vec<3>> margin_normal<3>(Side<3>&, Side<3>&, const Vec<3>&, double);
+template bool flat_face<3>(Side<3>&, const Vec<3>&, double, double);
 template bool wide_faces<3>(Side<3>&, Side<3>&, const Vec<3>&, double);
 template std::optional<Vec<3>> facing_normal<3>(Side<3>&, Side<3>&, const Vec<3>&, double);
 template std::optional<Vec<3>> regression_normal<3>(const Side<3>&, const Side<3>&, bool, double);

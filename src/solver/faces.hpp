@@ -104,6 +104,11 @@ std::optional<Vec<Dim>> facing_normal(Side<Dim>& a, Side<Dim>& b, const Vec<Dim>
 template <int Dim>
 bool wide_faces(Side<Dim>& a, Side<Dim>& b, const Vec<Dim>& n, double length);
 
+/// Whether a side's foremost particles along `out` make a plane face, even to `even`, that goes on for `wide` [length]
+/// around the node.
+template <int Dim>
+bool flat_face(Side<Dim>& side, const Vec<Dim>& out, double wide, double even);
+
 /// Logistic (or only linear) regression of the classes a = -1, b = 1. Nairn, Hammerquist & Smith, "New material point
 /// method contact algorithms for improved accuracy, large-deformation problems, and proper null-space filtering",
 /// CMAME 362 (2020) 112859.

@@ -1,0 +1,195 @@
+/// Finds where fields meet, and keeps normals and areas for as long as they serve.
+
+#include "base/parallel.hpp"
+#include "solver/contact.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace tribo {
+namespace {
+
+// Faces are found anew when a particle may have moved this far [cells], or after so many steps; flat faces that go on
+// beyond the node look the same from everywhere.
+constexpr double most_travel = 0.01, most_flat_travel = 0.05;
+constexpr int most_kept_steps = 50;
+// Or when they turn: their relief changes by this much [cells].
+constexpr double most_change = 0.003;
+// Particles of flat faces reach equally far, but for this [cells]: within the reach of a node that is a curvature whose
+// normals turn by 3e-4 along most_flat_travel.
+constexpr double even = 0.02;
+
+}  // namespace
+
+template <int Dim>
+void Contact<Dim>::find(std::vector<Conditions<Dim>>& conditions) {
+  if (!active_) return;
+  list_nodes(conditions);
+  const bool kept = keeps_faces_ && kept_steps_ > 0 && !worn() && recall_faces();
+  const auto stale = std::count_if(nodes_.begin(), nodes_.end(), [](const MeetingNode& node) { return node.stale; });
+  if (!kept || 2 * static_cast<std::size_t>(stale) > nodes_.size())
+    find_faces(conditions, true);
+  else if (stale > 0)
+    find_faces(conditions, false);
+  kept_steps_ = keeps_faces_ ? kept_steps_ + 1 : 0;
+  gather_faces();
+}
+
+// Finds the faces at all nodes or at the stale ones.
+template <int Dim>
+void Contact<Dim>::find_faces(std::vector<Conditions<Dim>>& conditions, bool all) {
+  if (all) {
+    moved_ = 0.0, kept_steps_ = 0;
+    for (MeetingNode& node : nodes_) node.stale = true;
+    faces_.resize(pairs_.size());
+    face_of_.resize(pairs_.size());
+    std::iota(face_of_.begin(), face_of_.end(), std::size_t{0});
+    kept_.clear();
+  }
+  collect();
+  if (all || needs_areas_) scatter_volumes(conditions);
+  parallel_for(static_cast<std::ptrdiff_t>(nodes_.size()), [&](std::ptrdiff_t k) {
+    const MeetingNode& node = nodes_[static_cast<std::size_t>(k)];
+    if (!node.stale) return;
+    Scratch& scratch = scratch_[static_cast<std::size_t>(thread_index()) % scratch_.size()];
+    for (std::size_t p = node.first_pair; p < node.end_pair; ++p) {
+      faces_[face_of_[p]].found = moved_;
+      face(node, pairs_[p], faces_[face_of_[p]], scratch);
+    }
+  });
+  if (keeps_faces_) number_kept();
+}
+
+// The particles near the stale nodes, as they are now.
+template <int Dim>
+void Contact<Dim>::collect() {
+  cloud_.begin();
+  for (const auto& node : nodes_)
+    if (node.stale) cloud_.want(node.index);
+  cloud_.collect(bodies_);
+}
+
+template <int Dim>
+bool Contact<Dim>::worn() const {
+  return moved_ > most_flat_travel || kept_steps_ >= most_kept_steps;
+}
+
+// Gives every pair the faces found before, and tells which nodes need new ones; false if some pair is new.
+template <int Dim>
+bool Contact<Dim>::recall_faces() {
+  const auto place = [](std::int64_t number, std::size_t a, std::size_t b) { return std::tuple(number, a, b); };
+  std::size_t f = 0;
+  face_of_.resize(pairs_.size());
+  for (const MeetingNode& node : nodes_)
+    for (std::size_t p = node.first_pair; p < node.end_pair; ++p) {
+      const auto wanted = place(node.number, members_[pairs_[p].a].field, members_[pairs_[p].b].field);
+      const auto at = [&] { return place(faces_[f].node, faces_[f].a, faces_[f].b); };
+      while (f < faces_.size() && at() < wanted) ++f;
+      if (f == faces_.size() || at() != wanted) return false;
+      face_of_[p] = f;
+    }
+  parallel_for(static_cast<std::ptrdiff_t>(kept_.size()), [&](std::ptrdiff_t k) {
+    Kept& kept = kept_[static_cast<std::size_t>(k)];
+    kept.point = Cloud<Dim>::particle(*bodies_[kept.label.body], kept.label.particle);
+  });
+  parallel_for(static_cast<std::ptrdiff_t>(nodes_.size()), [&](std::ptrdiff_t k) {
+    MeetingNode& node = nodes_[static_cast<std::size_t>(k)];
+    node.stale = false;
+    for (std::size_t p = node.first_pair; p < node.end_pair; ++p)
+      node.stale = !recall(node, pairs_[p], faces_[face_of_[p]]) || node.stale;
+  });
+  return true;
+}
+
+// Gives a pair the faces found before, with the gap of now; false if they no longer serve.
+template <int Dim>
+bool Contact<Dim>::recall(const MeetingNode& node, ContactPair& pair, const Faces& face) const {
+  pair.apart = face.apart;
+  if (!pair.law->looks_at_faces()) return true;
+  // All faces that are not flat become old at the same time: it takes one search for all.
+  const auto age = [](double travel) { return std::floor(travel / most_travel); };
+  if (!face.flat && age(moved_) > age(face.found)) return false;
+  if (face.apart) return true;
+  if (face.count[0] > Faces::most || face.count[1] > Faces::most) return false;
+  pair.meeting.normal = face.normal, pair.meeting.area = face.area;
+  pair.face = face.face;
+  const Vec<Dim> centre = system_.lattice.position(node.index), n = face.normal.template head<Dim>();
+  pair.meeting.gap = 0.0;
+  for (std::size_t side = 0; side < 2; ++side) {
+    const Vec<Dim> out = side == 0 ? n : Vec<Dim>(-n);
+    double most = -std::numeric_limits<double>::infinity(), least = -most;
+    for (std::size_t k = 0; k < face.count[side]; ++k) {
+      const double reach = kept_[face.corners[side][k]].point.reach(centre, out);
+      most = std::max(most, reach), least = std::min(least, reach);
+    }
+    pair.meeting.gap -= most;
+    if (face.flat && std::abs(most - least - face.relief[side]) > most_change * h_) return false;
+  }
+  return true;
+}
+
+// Keeps whatever may become the outermost particle before the faces are found again.
+template <int Dim>
+void Contact<Dim>::keep(Faces& kept, Scratch& s, const Vec<Dim>& n) const {
+  kept.flat = s.smooth && flat_face<Dim>(s.sides[0], n, cloud_.reach() - 1.25 * h_, even * h_) &&
+              flat_face<Dim>(s.sides[1], -n, cloud_.reach() - 1.25 * h_, even * h_);
+  for (std::size_t side = 0; side < 2; ++side) {
+    Side<Dim>& of = s.sides[side];
+    double most = -std::numeric_limits<double>::infinity(), least = -most;
+    each_at_face(of, side == 0 ? n : Vec<Dim>(-n), band * h_, kept_depth * h_, [&](std::size_t i) {
+      most = std::max(most, of.reach[i]), least = std::min(least, of.reach[i]);
+      const std::size_t k = kept.count[side]++;
+      if (k < Faces::most) kept.corners[side][k] = static_cast<std::uint32_t>(of.which[i]);
+    });
+    kept.relief[side] = most - least;
+  }
+}
+
+// Lists the particles that make the faces just found; nodes share them.
+template <int Dim>
+void Contact<Dim>::number_kept() {
+  constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+  kept_number_.assign(cloud_.size(), none);
+  for (const MeetingNode& node : nodes_) {
+    if (!node.stale) continue;
+    for (std::size_t p = node.first_pair; p < node.end_pair; ++p) {
+      Faces& face = faces_[face_of_[p]];
+      for (std::size_t side = 0; side < 2; ++side)
+        for (std::size_t k = 0; k < std::min(face.count[side], Faces::most); ++k) {
+          std::uint32_t& corner = face.corners[side][k];
+          std::uint32_t& number = kept_number_[corner];
+          if (number == none) {
+            number = static_cast<std::uint32_t>(kept_.size());
+            kept_.push_back({cloud_.label(corner), cloud_.point(corner)});
+          }
+          corner = number;
+        }
+    }
+  }
+}
+
+// Hands the pairs whose impulses act on faces, and those that share a node with them, to their solver.
+template <int Dim>
+void Contact<Dim>::gather_faces() {
+  if (!model_.contact.at_faces) return;
+  face_impulses_.clear();
+  const auto has_face = [](const ContactPair& pair) { return !pair.apart && pair.law->looks_at_faces(); };
+  for (MeetingNode& node : nodes_) {
+    const auto pairs = pairs_of(node);
+    node.by_faces = std::any_of(pairs.begin(), pairs.end(), has_face);
+    if (!node.by_faces) continue;
+    for (ContactPair& pair : pairs) face_impulses_.add(pair, members_, node.index, has_face(pair));
+  }
+}
+
+template void Contact<2>::find(std::vector<Conditions<2>>&);
+template bool Contact<2>::worn() const;
+template void Contact<2>::collect();
+template void Contact<2>::keep(Faces&, Scratch&, const Vec<2>&) const;
+template void Contact<3>::find(std::vector<Conditions<3>>&);
+template bool Contact<3>::worn() const;
+template void Contact<3>::collect();
+template void Contact<3>::keep(Faces&, Scratch&, const Vec<3>&) const;
+
+}  // namespace tribo

@@ -1,0 +1,186 @@
+/// Which way two fields face each other at a node.
+
+#include "solver/contact.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tribo {
+namespace {
+
+// Particles this far behind the foremost are tried first; in most places the others lie behind them [cells].
+constexpr double front_depth = 0.4;
+
+}  // namespace
+
+template <int Dim>
+Vec<Dim> Contact<Dim>::gradient_normal(const ContactMember& a, const ContactMember& b) const {
+  const auto outward = [&](const ContactMember& m) {
+    const Node& node = system_.fields[m.field].volumes[static_cast<std::size_t>(m.at)];
+    return Vec<Dim>(Eigen::Map<const Vec<Dim>>(node.acceleration));
+  };
+  const auto volume = [&](const ContactMember& m) {
+    return system_.fields[m.field].volumes[static_cast<std::size_t>(m.at)].mass;
+  };
+  const Vec<Dim> ga = outward(a), gb = outward(b);
+  const double bias = model_.contact.rigid_bias;
+  const double wa = a.inverse_mass == 0.0 ? bias : 1.0, wb = b.inverse_mass == 0.0 ? bias : 1.0;
+  switch (model_.contact.normals) {
+    case NormalMethod::steepest:
+      return wa * ga.norm() >= wb * gb.norm() ? ga : Vec<Dim>(-gb);
+    case NormalMethod::largest:
+      return wa * volume(a) >= wb * volume(b) ? ga : Vec<Dim>(-gb);
+    case NormalMethod::own:
+      return a.inverse_mass > 0 ? ga : Vec<Dim>(-gb);
+    default:
+      return wa * ga - wb * gb;
+  }
+}
+
+// The particles on both sides of a pair: their groups near the node, and an estimate of the direction from a to b, from
+// centre to centre.
+template <int Dim>
+void Contact<Dim>::look_around(const MeetingNode& node, Scratch& s, const ContactMember& a,
+                               const ContactMember& b) const {
+  std::array<Vec<Dim>, 2> sum{Vec<Dim>::Zero(), Vec<Dim>::Zero()};
+  std::array<double, 2> count{};
+  for (auto& groups : s.groups) groups.clear();
+  cloud_.each_group(node.index, [&](const CloudGroup<Dim>& group) {
+    if (group.field != a.field && group.field != b.field) return;
+    const std::size_t side = group.field == a.field ? 0 : 1;
+    s.groups[side].push_back(&group);
+    sum[side] += group.sum, count[side] += group.end - group.begin;
+  });
+  s.towards.setZero();
+  if (count[0] > 0 && count[1] > 0) s.towards = sum[1] / count[1] - sum[0] / count[0];
+}
+
+// All particles near the node.
+template <int Dim>
+void Contact<Dim>::fill_sides(const Vec<Dim>& centre, Scratch& s) const {
+  for (std::size_t side = 0; side < 2; ++side) {
+    s.sides[side].clear();
+    for (const auto* group : s.groups[side])
+      cloud_.each_point(*group, centre, [&](std::uint32_t k) {
+        const CloudPoint<Dim> p = cloud_.point(k);
+        s.sides[side].add(p.x - centre, p.axes, k);
+      });
+  }
+}
+
+// Fills a side with its particles that reach to the foremost along `out`, or nearly; returns from where on.
+template <int Dim>
+double Contact<Dim>::take_front(const Vec<Dim>& centre, Scratch& s, std::size_t side, const Vec<Dim>& out) const {
+  const double depth = front_depth * h_;
+  double most = -std::numeric_limits<double>::infinity();
+  s.front.clear();
+  for (const auto* group : s.groups[side]) {
+    if (group->bound(centre, out) < most - depth) continue;
+    s.reach.resize(group->end - group->begin);
+    cloud_.measure(*group, centre, out, s.reach.data());
+    for (std::size_t i = 0; i < s.reach.size(); ++i)
+      if (s.reach[i] >= most - depth && s.reach[i] > -std::numeric_limits<double>::infinity()) {
+        s.front.emplace_back(group->begin + i, s.reach[i]);
+        most = std::max(most, s.reach[i]);
+      }
+  }
+  s.sides[side].clear();
+  for (const auto& [k, reach] : s.front) {
+    if (reach < most - depth) continue;
+    const CloudPoint<Dim> p = cloud_.point(k);
+    s.sides[side].add(p.x - centre, p.axes, k);
+  }
+  return most - depth;
+}
+
+// The normal of largest margin found from the foremost particles alone, which leaves the sides with them; nothing
+// unless it is sure that all particles would give the same, and the same gap.
+template <int Dim>
+std::optional<Vec<Dim>> Contact<Dim>::margin_of_front(const Vec<Dim>& centre, Scratch& s, const Vec<Dim>& guess) const {
+  std::array<double, 2> front;
+  for (std::size_t side = 0; side < 2; ++side) {
+    front[side] = take_front(centre, s, side, side == 0 ? guess : Vec<Dim>(-guess));
+    if (s.sides[side].count == 0) return std::nullopt;
+  }
+  const auto n = margin_normal<Dim>(s.sides[0], s.sides[1], guess, h_);
+  if (!n) return std::nullopt;
+  // Whoever was left out must lie behind all that counts: the support of the margin, and the faces of gaps.
+  for (std::size_t side = 0; side < 2; ++side) {
+    Side<Dim>& of = s.sides[side];
+    const Vec<Dim> out = side == 0 ? *n : Vec<Dim>(-*n), first = side == 0 ? guess : Vec<Dim>(-guess);
+    if (of.band_limit(out, band * h_) > band * band * h_ * h_) return std::nullopt;
+    of.measure(out, 0.0);
+    const double support = *std::max_element(of.reach.begin(), of.reach.end());
+    const double limit = std::min(support, face_position<Dim>(of, out, band * h_) - kept_depth * h_);
+    for (const auto* group : s.groups[side]) {
+      if (group->bound(centre, out) <= limit) continue;
+      const std::size_t count = group->end - group->begin;
+      s.reach.resize(2 * count);
+      double *now = s.reach.data(), *before = now + count;
+      cloud_.measure(*group, centre, out, now);
+      cloud_.measure(*group, centre, first, before);
+      for (std::size_t i = 0; i < count; ++i)
+        if (now[i] > limit && before[i] < front[side]) return std::nullopt;
+    }
+  }
+  if (!wide_faces<Dim>(s.sides[0], s.sides[1], *n, h_)) return std::nullopt;
+  return n;
+}
+
+template <int Dim>
+std::optional<Vec<Dim>> Contact<Dim>::chosen_normal(const MeetingNode& node, Scratch& s, const ContactMember& a,
+                                                    const ContactMember& b) const {
+  const Vec<Dim> centre = system_.lattice.position(node.index);
+  auto& [side_a, side_b] = s.sides;
+  s.smooth = false;
+  const auto unit = [](const Vec<Dim>& v) -> std::optional<Vec<Dim>> {
+    const double norm = v.norm();
+    if (!(norm > 0)) return std::nullopt;
+    return Vec<Dim>(v / norm);
+  };
+  const Vec<Dim> gradient = gradient_normal(a, b);
+  // The faces of a rigid body are known: its geometry replaces the gradients.
+  NormalMethod method = model_.contact.normals;
+  const bool by_gradient = method == NormalMethod::steepest || method == NormalMethod::largest ||
+                           method == NormalMethod::average || method == NormalMethod::own;
+  if (by_gradient && (a.inverse_mass == 0.0 || b.inverse_mass == 0.0)) method = NormalMethod::margin;
+  if (method == NormalMethod::margin) {
+    const Vec<Dim> guess = unit(s.towards).value_or(Vec<Dim>::Unit(0));
+    if (auto n = margin_of_front(centre, s, guess)) return s.smooth = true, n;
+    fill_sides(centre, s);
+    if (side_a.count == 0 || side_b.count == 0) return std::nullopt;
+    if (auto n = margin_normal<Dim>(side_a, side_b, guess, h_)) return facing_normal<Dim>(side_a, side_b, *n, h_);
+    if (auto n = regression_normal<Dim>(side_a, side_b, false, h_)) return n;
+    return unit(gradient);
+  }
+  fill_sides(centre, s);
+  switch (method) {
+    case NormalMethod::specified: {
+      // from the deformable into the rigid, else from the lower to the higher field
+      const double sign = a.inverse_mass == 0.0 ? -1.0 : 1.0;
+      return unit(sign * model_.contact.direction.template head<Dim>());
+    }
+    case NormalMethod::steepest:
+    case NormalMethod::largest:
+    case NormalMethod::average:
+    case NormalMethod::own:
+      return unit(gradient);
+    case NormalMethod::linear:
+    case NormalMethod::logistic:
+      if (side_a.count == 0 || side_b.count == 0) return unit(gradient);
+      if (auto n = regression_normal<Dim>(side_a, side_b, method == NormalMethod::logistic, h_)) return n;
+      return unit(gradient);
+    case NormalMethod::margin:
+      break;
+  }
+  return std::nullopt;
+}
+
+template void Contact<2>::look_around(const MeetingNode&, Scratch&, const ContactMember&, const ContactMember&) const;
+template void Contact<3>::look_around(const MeetingNode&, Scratch&, const ContactMember&, const ContactMember&) const;
+template std::optional<Vec<2>> Contact<2>::chosen_normal(const MeetingNode&, Scratch&, const ContactMember&,
+                                                         const ContactMember&) const;
+template std::optional<Vec<3>> Contact<3>::chosen_normal(const MeetingNode&, Scratch&, const ContactMember&,
+                                                         const ContactMember&) const;
+
+}  // namespace tribo
