@@ -102,6 +102,13 @@ def energy(folder):
     return table(f"{folder}/energy.csv")
 
 
+def momentum_defect(folder):
+    """Largest difference between the momentum gained and the impulses from outside."""
+    rows = energy(folder)
+    momentum, impulse = (np.stack([rows[f"{name}_{axis}"] for axis in "xyz"], axis=1) for name in ("momentum", "impulse"))
+    return np.abs(momentum - momentum[0] - impulse).max()
+
+
 def last_particles(folder):
     return vtp.read(vtp.collection(folder)[-1][1])
 

@@ -21,13 +21,15 @@ CheckpointWriter save_state(const RunState& state, System<Dim>& system, Stepper<
   out.put("clock", std::array{system.time, system.drift, system.sorted ? 1.0 : 0.0, state.initial_energy, state.dt,
                               stepper.next_filter});
   const Ledger& l = stepper.ledger();
-  out.put("ledger", std::array{l.external_work, l.damping_work, l.rigid_work, stepper.grid_damping,
-                               stepper.particle_damping, stepper.grid_feedback, stepper.particle_feedback});
+  out.put("ledger",
+          std::array{l.external_work, l.damping_work, l.rigid_work, stepper.grid_damping, stepper.particle_damping,
+                     stepper.grid_feedback, stepper.particle_feedback, l.impulse[0], l.impulse[1], l.impulse[2]});
   for (std::size_t f = 0; f < system.fields.size(); ++f) {
     const auto& c = stepper.conditions(f);
     out.put("conditions" + std::to_string(f), std::array{c.work(), c.impulse()[0], c.impulse()[1], c.impulse()[2]});
   }
-  std::vector<double> pairs{stepper.contact().rigid_work};
+  const Vec3& rigid = stepper.contact().rigid_impulse;
+  std::vector<double> pairs{stepper.contact().rigid_work, rigid[0], rigid[1], rigid[2]};
   for (const auto& [fields, entry] : stepper.contact().ledger())
     pairs.insert(pairs.end(), {static_cast<double>(fields.first), static_cast<double>(fields.second), entry.friction,
                                entry.impact, entry.interface, entry.stored});
@@ -56,7 +58,7 @@ RunState load_state(const Checkpoint& checkpoint, System<Dim>& system, Stepper<D
   system.step = counters.at(3), stepper.pushed_back = static_cast<long>(counters.at(4));
   system.time = clock.at(0), system.drift = clock.at(1), system.sorted = clock.at(2) != 0.0;
   state.initial_energy = clock.at(3), state.dt = clock.at(4), stepper.next_filter = clock.at(5);
-  stepper.ledger() = {ledger.at(0), ledger.at(1), ledger.at(2)};
+  stepper.ledger() = {ledger.at(0), ledger.at(1), ledger.at(2), {ledger.at(7), ledger.at(8), ledger.at(9)}};
   stepper.grid_damping = ledger.at(3), stepper.particle_damping = ledger.at(4);
   stepper.grid_feedback = ledger.at(5), stepper.particle_feedback = ledger.at(6);
   for (std::size_t f = 0; f < system.fields.size(); ++f) {
@@ -66,7 +68,8 @@ RunState load_state(const Checkpoint& checkpoint, System<Dim>& system, Stepper<D
   }
   const auto pairs = checkpoint.doubles("contact");
   stepper.contact().rigid_work = pairs.at(0);
-  for (std::size_t k = 1; k + 5 < pairs.size(); k += 6) {
+  stepper.contact().rigid_impulse = {pairs.at(1), pairs.at(2), pairs.at(3)};
+  for (std::size_t k = 4; k + 5 < pairs.size(); k += 6) {
     auto& entry =
         stepper.contact().ledger()[{static_cast<std::size_t>(pairs[k]), static_cast<std::size_t>(pairs[k + 1])}];
     entry.friction = pairs[k + 2], entry.impact = pairs[k + 3], entry.interface = pairs[k + 4],

@@ -287,7 +287,7 @@ void Results<Dim>::write_history(double dt) {
 
   const double content = all.kinetic + all.stored + all.dissipated + l.potential + l.damping + l.contact + l.interface;
   if (system_.step == 0) initial_energy = content;
-  Vec3 impulse = Vec3::Zero();
+  Vec3 impulse = stepper_.ledger().impulse + stepper_.contact().rigid_impulse;
   for (std::size_t f = 0; f < system_.fields.size(); ++f) impulse += stepper_.conditions(f).impulse();
   std::vector<double> energies{system_.time,
                                all.kinetic,

@@ -77,6 +77,7 @@ void fill(Body<Dim>& body, const std::vector<const Seed*>& seeds, std::int64_t f
       if (body.half_size) particles.column(*body.half_size + d)[i] = seed.half_size[axis];
     }
     particles.mass()[i] = seed.mass;
+    body.total_mass += seed.mass;
     particles.volume()[i] = seed.volume * seed.F.determinant();
     if (body.temperature) particles.column(*body.temperature)[i] = seed.temperature;
     if (F[0]) store_full<Dim>(seed.F, F, at);

@@ -82,6 +82,8 @@ class Contact {
   PairLedger total() const;
   /// Work done on the deformable bodies by the motion of rigid ones so far [energy].
   double rigid_work = 0.0;
+  /// Momentum they gave to the deformable bodies so far.
+  Vec3 rigid_impulse = Vec3::Zero();
   /// Fills the particle columns that show contact: state (0 open, 1 stick, 2 slip), traction, normal.
   void show();
   std::size_t node_count() const { return nodes_.size(); }

@@ -200,8 +200,12 @@ void Contact<Dim>::book(double dt) {
       const auto velocity = [&](const ContactMember& m) {
         return Vec3(Eigen::Map<const Vec3>(system_.fields[m.field].nodes[static_cast<std::size_t>(m.at)].velocity));
       };
-      if (a.inverse_mass == 0.0) rigid_work -= node.share * pair.impulse.dot(velocity(a));
-      if (b.inverse_mass == 0.0) rigid_work += node.share * pair.impulse.dot(velocity(b));
+      for (const auto& [side, sign] : {std::pair{&a, -1.0}, std::pair{&b, 1.0}}) {
+        if (side->inverse_mass > 0.0) continue;
+        const Vec3 impulse = sign * node.share * pair.impulse;
+        rigid_work += impulse.dot(velocity(*side));
+        rigid_impulse += impulse;
+      }
     }
   if (remembers_) remember();
 }

@@ -92,15 +92,17 @@ void Stepper<Dim>::account_loads(double dt) {
     if (!body.load) continue;
     const auto load = body.particles.vector(*body.load), v = body.particles.v();
     const auto n = static_cast<std::ptrdiff_t>(body.particles.size());
-    sums_.assign(static_cast<std::size_t>((n + piece - 1) / piece), 0.0);
-    parallel_for(static_cast<std::ptrdiff_t>(sums_.size()), [&](std::ptrdiff_t k) {
-      double power = 0.0;
+    exchanges_.assign(static_cast<std::size_t>((n + piece - 1) / piece), Exchange::Zero());
+    parallel_for(static_cast<std::ptrdiff_t>(exchanges_.size()), [&](std::ptrdiff_t k) {
+      Exchange sum = Exchange::Zero();
       for (auto i = static_cast<std::size_t>(k * piece); i < static_cast<std::size_t>(std::min(n, (k + 1) * piece));
            ++i)
-        for (std::size_t d = 0; d < Dim; ++d) power += load[d][i] * v[d][i];
-      sums_[static_cast<std::size_t>(k)] = power;
+        for (std::size_t d = 0; d < Dim; ++d)
+          sum[0] += load[d][i] * v[d][i], sum[static_cast<Eigen::Index>(1 + d)] += load[d][i];
+      exchanges_[static_cast<std::size_t>(k)] = sum;
     });
-    for (const double power : sums_) ledger_.external_work += dt * power;
+    for (const Exchange& sum : exchanges_)
+      ledger_.external_work += dt * sum[0], ledger_.impulse += dt * sum.template tail<3>();
   }
 }
 
@@ -152,11 +154,12 @@ template <int Dim>
 void Stepper<Dim>::impose_rigid(double dt, bool update, bool after_impose) {
   rigid_reaction_.setZero();
   for (std::size_t r = 0; r < system_.rigids.size(); ++r)
-    for (auto& field : system_.fields) impose_rigid(field, r, dt, update, after_impose);
+    for (std::size_t f = 0; f < system_.fields.size(); ++f) impose_rigid(f, r, dt, update, after_impose);
 }
 
 template <int Dim>
-void Stepper<Dim>::impose_rigid(Field<Dim>& field, std::size_t r, double dt, bool update, bool after_impose) {
+void Stepper<Dim>::impose_rigid(std::size_t f, std::size_t r, double dt, bool update, bool after_impose) {
+  Field<Dim>& field = system_.fields[f];
   if (system_.rigids[r].field != Body<Dim>::no_field) return;
   const int directions = model_.materials[static_cast<std::size_t>(system_.rigids[r].material)].rigid_directions;
   for (std::size_t n = 0; n < field.nodes.size(); ++n) {
@@ -174,8 +177,9 @@ void Stepper<Dim>::impose_rigid(Field<Dim>& field, std::size_t r, double dt, boo
       }
       const double correction = (change + (after_impose ? rigid.acceleration[d] : 0.0)) / dt;
       node.acceleration[d] += correction;
-      const double force = node.mass * correction;
+      const double force = conditions_[f].share(static_cast<std::int64_t>(n)) * node.mass * correction;
       rigid_reaction_[d] += force;
+      ledger_.impulse[d] += dt * force;
       ledger_.rigid_work += dt * force * (wanted - 0.5 * dt * node.acceleration[d]);
     }
   }
@@ -193,8 +197,8 @@ template void Stepper<2>::follow_rigid(double);
 template void Stepper<2>::move_rigid(double);
 template void Stepper<3>::move_rigid(double);
 template void Stepper<3>::follow_rigid(double);
-template void Stepper<2>::impose_rigid(Field<2>&, std::size_t, double, bool, bool);
-template void Stepper<3>::impose_rigid(Field<3>&, std::size_t, double, bool, bool);
+template void Stepper<2>::impose_rigid(std::size_t, std::size_t, double, bool, bool);
+template void Stepper<3>::impose_rigid(std::size_t, std::size_t, double, bool, bool);
 template void Stepper<2>::impose_rigid(double, bool, bool);
 template void Stepper<3>::impose_rigid(double, bool, bool);
 

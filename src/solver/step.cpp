@@ -232,8 +232,9 @@ void Stepper<Dim>::accelerate(double dt, Known known) {
     });
     if (!free) continue;
     apply_body_force(f, dt);
-    if (damping != 0.0) ledger_.damping_work += damping_work(f, dt);
+    if (damping != 0.0) account_damping(f, dt);
   }
+  for (const auto& body : system_.bodies) ledger_.impulse += dt * body.total_mass * model_.body_force.gravity;
 }
 
 // Accelerations that the user gave as functions of position and time.
@@ -242,52 +243,72 @@ void Stepper<Dim>::apply_body_force(std::size_t f, double dt) {
   const BodyForce& force = model_.body_force;
   if (!force.function[0] && !force.function[1] && !force.function[2]) return;
   const auto& field = system_.fields[f];
-  ledger_.external_work += sum_over_nodes(f, [&](std::int64_t n, Node& node) {
+  const Exchange sum = sum_over_nodes(f, [&](std::int64_t n, Node& node) {
     Vec3 x = Vec3::Zero();
     x.head<Dim>() = system_.lattice.position(field.map.node_at(n));
     auto at = Variables::at(x, system_.time / force.function_time);
     at.dt = dt / force.function_time;
-    double power = 0.0;
+    Exchange power = Exchange::Zero();
     for (int d = 0; d < Dim; ++d) {
       const auto& function = force.function[static_cast<std::size_t>(d)];
       if (!function) continue;
       const double a = (*function)(at);
       node.acceleration[d] += a;
       node.velocity[d] += dt * a;
-      power += node.mass * a * (node.velocity[d] - 0.5 * dt * node.acceleration[d]);
+      power[0] += node.mass * a * (node.velocity[d] - 0.5 * dt * node.acceleration[d]);
+      power[1 + d] += node.mass * a;
     }
-    return dt * power;
+    return Exchange(dt * power);
   });
+  ledger_.external_work += sum[0];
+  ledger_.impulse += sum.tail<3>();
 }
 
 template <int Dim>
-double Stepper<Dim>::damping_work(std::size_t f, double dt) {
-  return sum_over_nodes(f, [&](std::int64_t, const Node& node) {
-    double square = 0.0;
+void Stepper<Dim>::account_damping(std::size_t f, double dt) {
+  const Exchange sum = sum_over_nodes(f, [&](std::int64_t, const Node& node) {
+    Exchange taken = Exchange::Zero();
     for (int d = 0; d < Dim; ++d) {
       const double old = node.velocity[d] - dt * node.acceleration[d];
-      square += old * (node.velocity[d] + old) * 0.5;
+      taken[0] += old * (node.velocity[d] + old) * 0.5;
+      taken[1 + d] += old;
     }
-    return dt * grid_damping * node.mass * square;
+    return Exchange(dt * grid_damping * node.mass * taken);
   });
+  ledger_.damping_work += sum[0];
+  ledger_.impulse -= sum.tail<3>();
+}
+
+// The body's share of what damping takes from the field; exact if all bodies of a field are damped alike.
+template <int Dim>
+void Stepper<Dim>::account_particle_damping(const Body<Dim>& body, double rate, double dt) {
+  double field_mass = 0.0;
+  for (const auto& other : system_.bodies)
+    if (other.field == body.field) field_mass += other.total_mass;
+  const Exchange sum = sum_over_nodes(body.field, [&](std::int64_t, const Node& node) {
+    Exchange momentum = Exchange::Zero();
+    for (int d = 0; d < Dim; ++d) momentum[1 + d] = node.mass * node.velocity[d];
+    return momentum;
+  });
+  ledger_.impulse -= rate * dt * body.total_mass / field_mass * sum.tail<3>();
 }
 
 // Sum of f over the nodes with mass, in the order of the blocks for any number of threads.
 template <int Dim>
 template <class F>
-double Stepper<Dim>::sum_over_nodes(std::size_t f, F&& term) {
+typename Stepper<Dim>::Exchange Stepper<Dim>::sum_over_nodes(std::size_t f, F&& term) {
   auto& field = system_.fields[f];
-  sums_.assign(field.map.active().size(), 0.0);
-  parallel_for(static_cast<std::ptrdiff_t>(sums_.size()), [&](std::ptrdiff_t block) {
-    double sum = 0.0;
+  exchanges_.assign(field.map.active().size(), Exchange::Zero());
+  parallel_for(static_cast<std::ptrdiff_t>(exchanges_.size()), [&](std::ptrdiff_t block) {
+    Exchange sum = Exchange::Zero();
     for (std::int64_t n = block * block_nodes<Dim>; n < (block + 1) * block_nodes<Dim>; ++n) {
       Node& node = field.nodes[static_cast<std::size_t>(n)];
       if (node.mass > 0) sum += conditions_[f].share(n) * term(n, node);
     }
-    sums_[static_cast<std::size_t>(block)] = sum;
+    exchanges_[static_cast<std::size_t>(block)] = sum;
   });
-  double total = 0.0;
-  for (const double part : sums_) total += part;
+  Exchange total = Exchange::Zero();
+  for (const Exchange& part : exchanges_) total += part;
   return total;
 }
 
@@ -331,6 +352,7 @@ void Stepper<Dim>::move(double dt, double strain_dt) {
   for (auto& body : system_.bodies) {
     auto& field = system_.fields[body.field];
     what.damping = body.particle_damping + particle_damping;
+    if (what.damping != 0.0) account_particle_damping(body, what.damping, dt);
     const auto result = transfers_->gather(body, field.map, field.nodes, what);
     travel = std::max(travel, result.travel);
     if (!result.valid) stop_at_bad_particle();

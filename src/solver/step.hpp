@@ -9,9 +9,10 @@ namespace tribo {
 
 /// Energy and momentum that entered or left during the run, besides the nodal conditions.
 struct Ledger {
-  double external_work = 0.0;  ///< by body forces, loads and tractions        [energy]
-  double damping_work = 0.0;   ///< taken out by damping, >= 0                 [energy]
-  double rigid_work = 0.0;     ///< by rigid particles                         [energy]
+  double external_work = 0.0;   ///< by body forces, loads and tractions        [energy]
+  double damping_work = 0.0;    ///< taken out by damping, >= 0                 [energy]
+  double rigid_work = 0.0;      ///< by rigid particles                         [energy]
+  Vec3 impulse = Vec3::Zero();  ///< of all of these                            [momentum]
 };
 
 template <int Dim>
@@ -46,9 +47,12 @@ class Stepper {
   void sort();
   void push_back(Body<Dim>& body);
   void apply_body_force(std::size_t field, double dt);
-  double damping_work(std::size_t field, double dt);
+  void account_damping(std::size_t field, double dt);
+  void account_particle_damping(const Body<Dim>& body, double rate, double dt);
+  /// Work, and impulse.
+  using Exchange = Eigen::Vector4d;
   template <class F>
-  double sum_over_nodes(std::size_t field, F&& term);
+  Exchange sum_over_nodes(std::size_t field, F&& term);
   void clear();
   void scatter(Scatter what, bool from_start = false);
   void divide_by_mass();
@@ -72,7 +76,7 @@ class Stepper {
   void extend();
   void impose(double time, double dt);
   void impose_update(double dt, bool after_impose);
-  void impose_rigid(Field<Dim>& field, std::size_t rigid, double dt, bool update, bool after_impose);
+  void impose_rigid(std::size_t field, std::size_t rigid, double dt, bool update, bool after_impose);
   void impose_rigid(double dt, bool update, bool after_impose);
   Gather gather_options() const;
   [[noreturn]] void stop_at_bad_particle() const;
@@ -93,9 +97,10 @@ class Stepper {
     std::int64_t node;
     Vec<Dim> force;
   };
-  std::vector<Push> pushes_;        ///< of the tractions in this step
-  std::vector<double> sums_;        ///< per block of nodes
-  std::vector<double> load_share_;  ///< per particle condition: 1, or 1 / particles found for net loads
+  std::vector<Push> pushes_;         ///< of the tractions in this step
+  std::vector<double> sums_;         ///< per piece of a loop
+  std::vector<Exchange> exchanges_;  ///< per block of nodes
+  std::vector<double> load_share_;   ///< per particle condition: 1, or 1 / particles found for net loads
 };
 
 }  // namespace tribo

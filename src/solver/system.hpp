@@ -61,6 +61,7 @@ struct Body {
   double detail_share = 0.0;                  ///< of the detail of the temperature that goes in this step
   bool volume_of_displacement = false;        ///< contact looks at displacements, not positions
   double particle_damping = 0.0;
+  double total_mass = 0.0;
 
   std::vector<const double*> read_by_scatter, read_by_gather;  ///< columns to bring closer; refreshed after every sort
 

@@ -49,6 +49,7 @@ void Stepper<Dim>::account_tractions(double dt) {
     const Node& node = system_.fields[push.field].nodes[static_cast<std::size_t>(push.node)];
     for (int d = 0; d < Dim; ++d)
       ledger_.external_work += dt * push.force[d] * (node.velocity[d] - 0.5 * dt * node.acceleration[d]);
+    ledger_.impulse.template head<Dim>() += dt * push.force;
   }
 }
 

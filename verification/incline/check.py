@@ -8,6 +8,9 @@ g = 9.81
 c30 = math.cos(math.radians(30))
 
 
+defects = []  # of the momentum, of all runs
+
+
 def friction(text, kind="CoulombFriction"):
     return dict(law=f"<Material Type='{kind}' Name='law'>{text}</Material>")
 
@@ -18,7 +21,9 @@ def slide(case, name, angle=30.0, turned=0.0, **entities):
     entities |= dict(c=repr(c), s=repr(s), pull=repr(g * math.sin(math.radians(angle))), press=repr(g * math.cos(math.radians(angle))))
     if turned:
         entities["grid"] = "<Grid xmin='-1.5' xmax='3.5' ymin='-1.5' ymax='3.5'><Horiz cellsize='0.05'/><Vert cellsize='0.05'/></Grid>"
-    got = verify.history(case.run(name, entities=entities))
+    out = case.run(name, entities=entities)
+    defects.append(verify.momentum_defect(out) / (200 * g * verify.history(out)["time"][-1]))
+    got = verify.history(out)
     along = lambda q: c * got[f"{q}x:block"] + s * got[f"{q}y:block"]
     against = lambda q: -s * got[f"{q}x:block"] + c * got[f"{q}y:block"]
     return got["time"], along("vel"), along("disp"), against("contact") / (200 * g), got
@@ -56,6 +61,7 @@ def run(case):
         t, v, x, _, _ = slide(case, f"mu06_{turned}", turned=turned, **friction("<coeff>0.6</coeff>"))
         case.check(f"mu = 0.6, turned by {turned}: speed after 1 s (holds)", abs(v[-1]), 0, 1e-6, "at most")
     if case.quick:
+        case.check("momentum gained less impulses, over weight times duration", max(defects), 0, 1e-12, "absolute")
         return
     speeds = []
     for k, (dx, dy) in enumerate(np.random.default_rng(3).uniform(0, 0.05, (10, 2))):
@@ -115,6 +121,8 @@ def run(case):
     for name, entities in schemes:
         t, v, x, _, _ = slide(case, name.replace(" ", "_").replace("(", "").replace(")", ""), turned=17, **friction("<coeff>0.3</coeff>"), **entities)
         case.check(f"{name}, mu = 0.3, turned by 17: acceleration", acceleration(t, v, 0.6), coulomb(0.3), 2e-3)
+
+    case.check(f"momentum gained less impulses, over weight times duration, all {len(defects)} runs", max(defects), 0, 1e-12, "absolute")
 
     def draw(axes):
         for turned, mu, t, v in rows:

@@ -20,3 +20,27 @@ def run(case):
             case.check(f"{where}: drift over the cell", max(abs(last[f"dispx:{b}"]) for b in ("left", "right", "top")) / cell, 0, 1e-3, "at most")
             case.check(f"{where}: force on the upper block over p A", last["contacty:top"] / (2 * p), 1, 1e-3)
             case.check(f"{where}: force across the seam over that of the stress", -last["contactx:left"] / (ratio * p * float(level)), 1, 0.01)
+    for impulses in ("nodes", "faces"):
+        for turned in (17,) if case.quick else (0, 17):
+            star(case, impulses, turned)
+
+
+def star(case, impulses, turned):
+    """Three rhombi in a Y: uniform pressure, no drift."""
+    size, cell, strain = 1.2, 0.05, 1e-3
+    bodies = ""
+    for k, name in enumerate("abc"):
+        (ux, uy), (vx, vy) = (size * np.array([np.cos(t), np.sin(t)]) for t in np.radians([turned + 90 + 120 * k, turned + 210 + 120 * k]))
+        bodies += (f"<Body matname='{name}'><Deform dX='{ux - 1}*x+({vx})*y' dY='{uy}*x+({vy - 1})*y' F11='{ux}' F12='{vx}' F21='{uy}' F22='{vy}'/>"
+                   "<Rect xmin='0' xmax='1' ymin='0' ymax='1'/></Body>")
+    out = case.run(f"y_{impulses}_{turned}", file="y.xml", entities=dict(impulses=impulses, bodies=bodies))
+    first, last = (verify.vtp.read(verify.vtp.collection(out)[k][1]) for k in (0, -1))
+    old, new = first["points"][np.argsort(first["id"])], last["points"][np.argsort(last["id"])]
+    material, stress = last["material"][np.argsort(last["id"])], last["stress"][np.argsort(last["id"])]
+    inside = (abs(old[:, :2]) < 0.6).all(axis=1)
+    wrong = (new - (1 - strain) * old)[:, :2]
+    drift = max(np.linalg.norm(wrong[inside & (material == m)].mean(axis=0)) for m in (1, 2, 3))
+    pressure = 1e7 * strain / (1.3 * 0.4)
+    where = f"{impulses}, Y turned by {turned} degrees"
+    case.check(f"{where}: drift of a block over the cell", drift / cell, 0, 1e-3, "at most")
+    case.check(f"{where}: mean pressure", -stress[inside, :2].mean(), pressure, 0.02)
