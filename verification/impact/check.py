@@ -15,6 +15,11 @@ def identical(case, label, **entities):
     return max(np.abs(one[q] - two[q]).max() / one["kinetic"][0] for q in ("kinetic", "elastic"))
 
 
+def triangle(t):
+    """Momentum of either half of a bar whose halves start towards each other, over its first; time in L/c of a half."""
+    return abs((t % 4) - 2) - 1
+
+
 def run(case):
     curves = {}
     for name, entities in schemes.items() if not case.quick else [("FMPM(4), USL-", {})]:
@@ -53,6 +58,14 @@ def run(case):
         got = verify.history(case.run("part", entities=dict(gap="0", va="-1e-3", vb="1e-3", end="2")))
         case.check("bars parted from touching: tensile impulse over m V", max(0.0, (got["px:a"] - got["px:a"][0]).max()) / (V * A), 0, 1e-6, "at most")
 
+        # Touching bars run into each other: frictionless ones part after 2 L/c, joined ones swing on
+        swings = {}
+        for label, entities in (("frictionless", {}), ("IgnoreContact", dict(contact="<MultiMaterialMode><Friction lawname='no'/></MultiMaterialMode>", law="<Material Type='IgnoreContact' Name='no'/>"))):
+            got = verify.history(case.run("swing" + label, entities=entities | dict(gap="0", end="8")))
+            swings[label] = (got["time"], got["px:a"] / (V * A))
+        t, momentum = swings["IgnoreContact"]
+        case.check("IgnoreContact: momentum of a bar that swings with the other (RMS)", np.sqrt(((momentum - triangle(t)) ** 2).mean()), 0, 0.025, "absolute")
+
     kernels = ("quadratic", "uGIMP", "lCPDI", "cubic") if not case.quick else ("quadratic",)
     transfers = dict(FLIP="type='FLIP'", APIC="type='APIC'", FMPM3="type='FMPM' order='3'", XPIC3="type='XPIC' order='3'", PIC="type='PIC'", blend="type='blend' fraction='0.9'")
     orders = (("USF", True), ("USL", True), ("USL", False), ("USAVG", True), ("USAVG", False)) if not case.quick else (("USL", True),)
@@ -60,6 +73,9 @@ def run(case):
         worst = max(identical(case, "identity", kernel=kernel, method=method, skip="<SkipPostExtrapolation/>" if skip else "", transfer=f"<Transfer {transfer}/>")
                     for method, skip in orders for transfer in transfers.values())
         case.check(f"{kernel}: two fields joined perfectly against one field, all transfers and orders", worst, 0, 1e-11, "at most")
+
+    if case.quick:
+        return
 
     def draw(axes):
         for name, (t, force) in curves.items():
@@ -71,3 +87,15 @@ def run(case):
         axes.legend(fontsize=8)
 
     case.figure("impact", draw)
+
+    def draw_swings(axes):
+        for label, (t, momentum) in swings.items():
+            axes.plot(t, momentum, label=label, linewidth=1)
+        t = np.linspace(0, 8, 801)
+        axes.plot(t, triangle(t), "k--", linewidth=0.8, label="exact")
+        axes.plot(t, np.where(t < 2, 1 - t, -1), "k--", linewidth=0.8)
+        axes.set_xlabel("time after touching [L/c]")
+        axes.set_ylabel("momentum of the left bar / (m V)")
+        axes.legend(fontsize=8)
+
+    case.figure("impact_laws", draw_swings)
