@@ -140,6 +140,8 @@ class Contact {
   bool recall(const MeetingNode& node, ContactPair& pair, const Faces& face) const;
   void find_faces(std::vector<Conditions<Dim>>& conditions, bool all);
   void keep(Faces& kept, Scratch& s, const Vec<Dim>& n) const;
+  template <class F>
+  void each_new_corner(F&& f);
   void number_kept();
   void collect();
   void face(const MeetingNode& node, ContactPair& pair, Faces& kept, Scratch& scratch);

@@ -146,27 +146,32 @@ void Contact<Dim>::keep(Faces& kept, Scratch& s, const Vec<Dim>& n) const {
   }
 }
 
-// Lists the particles that make the faces just found; nodes share them.
+// Calls f(corner) for the particles that make the faces just found.
 template <int Dim>
-void Contact<Dim>::number_kept() {
-  constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
-  kept_number_.assign(cloud_.size(), none);
+template <class F>
+void Contact<Dim>::each_new_corner(F&& f) {
   for (const MeetingNode& node : nodes_) {
     if (!node.stale) continue;
     for (std::size_t p = node.first_pair; p < node.end_pair; ++p) {
       Faces& face = faces_[face_of_[p]];
       for (std::size_t side = 0; side < 2; ++side)
-        for (std::size_t k = 0; k < std::min(face.count[side], Faces::most); ++k) {
-          std::uint32_t& corner = face.corners[side][k];
-          std::uint32_t& number = kept_number_[corner];
-          if (number == none) {
-            number = static_cast<std::uint32_t>(kept_.size());
-            kept_.push_back({cloud_.label(corner), cloud_.point(corner)});
-          }
-          corner = number;
-        }
+        for (std::size_t k = 0; k < std::min(face.count[side], Faces::most); ++k) f(face.corners[side][k]);
     }
   }
+}
+
+// Lists these particles in the order of the cloud, which is nearly that in memory; nodes share them.
+template <int Dim>
+void Contact<Dim>::number_kept() {
+  constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+  kept_number_.assign(cloud_.size(), none);
+  each_new_corner([&](std::uint32_t corner) { kept_number_[corner] = 0; });
+  for (std::size_t k = 0; k < cloud_.size(); ++k) {
+    if (kept_number_[k] == none) continue;
+    kept_number_[k] = static_cast<std::uint32_t>(kept_.size());
+    kept_.push_back({cloud_.label(k), cloud_.point(k)});
+  }
+  each_new_corner([&](std::uint32_t& corner) { corner = kept_number_[corner]; });
 }
 
 // Hands the pairs whose impulses act on faces, and those that share a node with them, to their solver.
