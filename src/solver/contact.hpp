@@ -132,41 +132,50 @@ class Contact {
   static constexpr double kept_depth = 0.1;
 
   const ContactLaw* law_of(std::size_t a, std::size_t b) const { return laws_[a * field_count_ + b]; }
+  // contact.cpp
   void list_nodes(std::vector<Conditions<Dim>>& conditions);
   void scatter_volumes(std::vector<Conditions<Dim>>& conditions);
-  void gather_faces();
+  std::span<ContactPair> pairs_of(const MeetingNode& node) {
+    return {pairs_.data() + node.first_pair, node.end_pair - node.first_pair};
+  }
+
+  // contact_kept.cpp
   bool worn() const;
-  bool recall_faces();
-  bool recall(const MeetingNode& node, ContactPair& pair, const Faces& face) const;
+  bool reuse_faces();
+  bool reuse(const MeetingNode& node, ContactPair& pair, const Faces& face) const;
   void find_faces(std::vector<Conditions<Dim>>& conditions, bool all);
+  void collect();
   void keep(Faces& kept, Scratch& s, const Vec<Dim>& n) const;
   template <class F>
   void each_new_corner(F&& f);
   void number_kept();
-  void collect();
+  void gather_faces();
+
+  // contact_faces.cpp
   void face(const MeetingNode& node, ContactPair& pair, Faces& kept, Scratch& scratch);
-  Vec<Dim> gradient_normal(const ContactMember& a, const ContactMember& b) const;
-  std::optional<Vec<Dim>> chosen_normal(const MeetingNode& node, Scratch& s, const ContactMember& a,
-                                        const ContactMember& b) const;
-  double take_front(const Vec<Dim>& centre, Scratch& s, std::size_t side, const Vec<Dim>& out) const;
-  std::optional<Vec<Dim>> margin_of_front(const Vec<Dim>& centre, Scratch& s, const Vec<Dim>& guess) const;
-  void look_around(const MeetingNode& node, Scratch& s, const ContactMember& a, const ContactMember& b) const;
-  void fill_sides(const Vec<Dim>& centre, Scratch& s) const;
-  template <class F>
-  void each_point_of(const Groups& groups, const Vec<Dim>& centre, F&& f) const {
-    for (const auto* group : groups)
-      cloud_.each_point(*group, centre, [&](std::uint32_t k) { f(cloud_.point(k), cloud_.label(k)); });
-  }
   double area(const MeetingNode& node, const ContactPair& pair, Scratch& s, const Vec<Dim>& n) const;
   bool is_thin(const MeetingNode& node, Scratch& s, std::size_t side, const Vec<Dim>& out) const;
   double separation(const MeetingNode& node, const ContactPair& pair, Scratch& scratch, const Vec<Dim>& n) const;
   Vec3 opening(const MeetingNode& node, Scratch& scratch, const Vec<Dim>& n) const;
   void recall(const MeetingNode& node, ContactPair& pair, const Scratch& scratch) const;
-  void remember();
-  std::span<ContactPair> pairs_of(const MeetingNode& node) {
-    return {pairs_.data() + node.first_pair, node.end_pair - node.first_pair};
-  }
   double weight(const Vec<Dim>& distance) const;
+  template <class F>
+  void each_point_of(const Groups& groups, const Vec<Dim>& centre, F&& f) const {
+    for (const auto* group : groups)
+      cloud_.each_point(*group, centre, [&](std::uint32_t k) { f(cloud_.point(k), cloud_.label(k)); });
+  }
+
+  // contact_normals.cpp
+  Vec<Dim> gradient_normal(const ContactMember& a, const ContactMember& b) const;
+  void look_around(const MeetingNode& node, Scratch& s, const ContactMember& a, const ContactMember& b) const;
+  void fill_sides(const Vec<Dim>& centre, Scratch& s) const;
+  double take_front(const Vec<Dim>& centre, Scratch& s, std::size_t side, const Vec<Dim>& out) const;
+  std::optional<Vec<Dim>> margin_of_front(const Vec<Dim>& centre, Scratch& s, const Vec<Dim>& guess) const;
+  std::optional<Vec<Dim>> chosen_normal(const MeetingNode& node, Scratch& s, const ContactMember& a,
+                                        const ContactMember& b) const;
+
+  // contact_impulses.cpp
+  void remember();
   template <class F>
   void each_pair_near(const CloudPoint<Dim>& p, std::size_t field, F&& f) const;
 

@@ -26,7 +26,7 @@ template <int Dim>
 void Contact<Dim>::find(std::vector<Conditions<Dim>>& conditions) {
   if (!active_) return;
   list_nodes(conditions);
-  const bool kept = keeps_faces_ && kept_steps_ > 0 && !worn() && recall_faces();
+  const bool kept = keeps_faces_ && kept_steps_ > 0 && !worn() && reuse_faces();
   const auto stale = std::count_if(nodes_.begin(), nodes_.end(), [](const MeetingNode& node) { return node.stale; });
   if (!kept || 2 * static_cast<std::size_t>(stale) > nodes_.size())
     find_faces(conditions, true);
@@ -77,7 +77,7 @@ bool Contact<Dim>::worn() const {
 
 // Gives every pair the faces found before, and tells which nodes need new ones; false if some pair is new.
 template <int Dim>
-bool Contact<Dim>::recall_faces() {
+bool Contact<Dim>::reuse_faces() {
   const auto place = [](std::int64_t number, std::size_t a, std::size_t b) { return std::tuple(number, a, b); };
   std::size_t f = 0;
   face_of_.resize(pairs_.size());
@@ -97,14 +97,14 @@ bool Contact<Dim>::recall_faces() {
     MeetingNode& node = nodes_[static_cast<std::size_t>(k)];
     node.stale = false;
     for (std::size_t p = node.first_pair; p < node.end_pair; ++p)
-      node.stale = !recall(node, pairs_[p], faces_[face_of_[p]]) || node.stale;
+      node.stale = !reuse(node, pairs_[p], faces_[face_of_[p]]) || node.stale;
   });
   return true;
 }
 
 // Gives a pair the faces found before, with the gap of now; false if they no longer serve.
 template <int Dim>
-bool Contact<Dim>::recall(const MeetingNode& node, ContactPair& pair, const Faces& face) const {
+bool Contact<Dim>::reuse(const MeetingNode& node, ContactPair& pair, const Faces& face) const {
   pair.apart = face.apart;
   if (!pair.law->looks_at_faces()) return true;
   // All faces that are not flat become old at the same time: it takes one search for all.

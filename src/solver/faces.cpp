@@ -6,120 +6,6 @@
 
 namespace tribo {
 
-namespace {
-
-// Corners of a polytope around the point of their hull that is nearest to the origin.
-template <int Dim>
-class Simplex {
- public:
-  void add(const Vec<Dim>& corner) {
-    corners_[count_] = corner;
-    weights_[count_++] = 0.0;
-  }
-  bool has(const Vec<Dim>& corner) const {
-    return std::find(corners_.begin(), corners_.begin() + count_, corner) != corners_.begin() + count_;
-  }
-  bool full() const { return count_ == Dim + 1; }
-  /// The largest square of a corner's distance.
-  double scale() const {
-    double scale = 0.0;
-    for (std::size_t k = 0; k < count_; ++k) scale = std::max(scale, corners_[k].squaredNorm());
-    return scale;
-  }
-  /// Moves to the nearest point, and drops the corners that do not bear it.
-  Vec<Dim> nearest() {
-    Weights next;
-    while (count_ > 1 && affine(next) && !advance(next)) {
-    }
-    Vec<Dim> x = Vec<Dim>::Zero();
-    double sum = 0.0;
-    for (std::size_t k = 0; k < count_; ++k) sum += weights_[k], x += weights_[k] * corners_[k];
-    return count_ > 1 ? Vec<Dim>(x / sum) : corners_[0];
-  }
-  /// Equal weights for the corners of a beginning.
-  void spread() { std::fill_n(weights_.begin(), count_, 1.0 / static_cast<double>(count_)); }
-
- private:
-  using Weights = std::array<double, Dim + 1>;
-
-  // Weights of the nearest point of the corners' affine hull; false if they span none.
-  bool affine(Weights& to) const {
-    using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, Dim, Dim>;
-    const auto rows = static_cast<Eigen::Index>(count_ - 1);
-    Eigen::Matrix<double, Dim, Eigen::Dynamic, 0, Dim, Dim> edges(Dim, rows);
-    for (std::size_t k = 1; k < count_; ++k) edges.col(static_cast<Eigen::Index>(k - 1)) = corners_[k] - corners_[0];
-    const Square gram = edges.transpose() * edges;
-    const auto solution = Square(gram).ldlt().solve(-edges.transpose() * corners_[0]).eval();
-    if (!solution.allFinite()) return false;
-    to[0] = 1.0 - solution.sum();
-    for (std::size_t k = 1; k < count_; ++k) to[k] = solution[static_cast<Eigen::Index>(k - 1)];
-    return true;
-  }
-
-  // Goes towards new weights as far as all stay positive; true if that is all the way.
-  bool advance(const Weights& to) {
-    constexpr double nothing = 1e-14;
-    double t = 1.0;
-    for (std::size_t k = 0; k < count_; ++k)
-      if (to[k] <= nothing && weights_[k] > to[k]) t = std::min(t, weights_[k] / (weights_[k] - to[k]));
-    const bool inside = std::all_of(to.begin(), to.begin() + count_, [&](double w) { return w > nothing; });
-    std::size_t kept = 0;
-    for (std::size_t k = 0; k < count_; ++k) {
-      const double value = inside ? to[k] : weights_[k] + t * (to[k] - weights_[k]);
-      if (!inside && value <= nothing) continue;
-      corners_[kept] = corners_[k];
-      weights_[kept++] = value;
-    }
-    count_ = std::max<std::size_t>(kept, 1);
-    return inside;
-  }
-
-  std::array<Vec<Dim>, Dim + 1> corners_;
-  Weights weights_{};
-  std::size_t count_ = 0;
-};
-
-// Unit vectors across n that lie around it.
-template <int Dim>
-std::array<Vec<Dim>, Dim> around(const Vec<Dim>& n) {
-  if constexpr (Dim == 2) {
-    const Vec<2> t(-n[1], n[0]);
-    return {t, -t};
-  } else {
-    const Vec<3> t = n.unitOrthogonal(), s = n.cross(t);
-    const double half = std::sqrt(0.75);
-    return {t, -0.5 * t + half * s, -0.5 * t - half * s};
-  }
-}
-
-}  // namespace
-
-template <int Dim>
-std::optional<Vec<Dim>> shortest_vector(Side<Dim>& a, Side<Dim>& b, double share, const Vec<Dim>& guess) {
-  const auto support = [&](const Vec<Dim>& along) {
-    return Vec<Dim>(b.farthest(-along, share) - a.farthest(along, share));
-  };
-  // Between flat faces, corners that are wide apart already bear the nearest point.
-  constexpr double tilt = 0.05;
-  Simplex<Dim> simplex;
-  for (const Vec<Dim>& t : around<Dim>(guess))
-    if (const Vec<Dim> corner = support(guess + tilt * t); !simplex.has(corner)) simplex.add(corner);
-  simplex.spread();
-  Vec<Dim> x = simplex.nearest();
-  for (int step = 0; step < 100; ++step) {
-    const double size = x.squaredNorm();
-    const Vec<Dim> w = support(x);
-    const double scale = std::max(w.squaredNorm(), simplex.scale());
-    if (size <= 1e-20 * scale) return std::nullopt;
-    if (size - x.dot(w) <= 1e-13 * size + 1e-15 * std::sqrt(size * scale)) return x;
-    simplex.add(w);
-    x = simplex.nearest();
-    if (simplex.full()) return std::nullopt;  // the origin is inside
-    if (!(x.squaredNorm() < size)) return x;
-  }
-  return x;
-}
-
 template <int Dim>
 std::optional<Vec<Dim>> margin_normal(Side<Dim>& a, Side<Dim>& b, const Vec<Dim>& guess, double length) {
   // Domains of half size leave a margin of half a particle to faces that touch or overlap a little; if that is not
@@ -236,7 +122,7 @@ bool wide_faces(Side<Dim>& a, Side<Dim>& b, const Vec<Dim>& n, double length) {
 template <int Dim>
 bool flat_face(Side<Dim>& side, const Vec<Dim>& out, double wide, double even) {
   const double face = farthest_reach<Dim>(side, out);
-  const auto directions = around<Dim>(out);
+  const auto directions = directions_around<Dim>(out);
   std::array<double, Dim> extent{};
   for (std::size_t i = 0; i < side.reach.size(); ++i) {
     const double depth = face - side.reach[i];
@@ -347,14 +233,12 @@ double face_position(Side<Dim>& side, const Vec<Dim>& n, double band) {
   return most;
 }
 
-template std::optional<Vec<2>> shortest_vector<2>(Side<2>&, Side<2>&, double, const Vec<2>&);
 template std::optional<Vec<2>> margin_normal<2>(Side<2>&, Side<2>&, const Vec<2>&, double);
 template bool flat_face<2>(Side<2>&, const Vec<2>&, double, double);
 template bool wide_faces<2>(Side<2>&, Side<2>&, const Vec<2>&, double);
 template std::optional<Vec<2>> facing_normal<2>(Side<2>&, Side<2>&, const Vec<2>&, double);
 template std::optional<Vec<2>> regression_normal<2>(const Side<2>&, const Side<2>&, bool, double);
 template double face_position<2>(Side<2>&, const Vec<2>&, double);
-template std::optional<Vec<3>> shortest_vector<3>(Side<3>&, Side<3>&, double, const Vec<3>&);
 template std::optional<Vec<3>> margin_normal<3>(Side<3>&, Side<3>&, const Vec<3>&, double);
 template bool flat_face<3>(Side<3>&, const Vec<3>&, double, double);
 template bool wide_faces<3>(Side<3>&, Side<3>&, const Vec<3>&, double);

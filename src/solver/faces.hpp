@@ -3,7 +3,9 @@
 
 #include "base/types.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -82,6 +84,19 @@ struct Side {
     return corner;
   }
 };
+
+/// Unit vectors across a unit vector that lie evenly around it.
+template <int Dim>
+std::array<Vec<Dim>, Dim> directions_around(const Vec<Dim>& n) {
+  if constexpr (Dim == 2) {
+    const Vec<2> t(-n[1], n[0]);
+    return {t, -t};
+  } else {
+    const Vec<3> t = n.unitOrthogonal(), s = n.cross(t);
+    const double high = std::sqrt(0.75);
+    return {t, -0.5 * t + high * s, -0.5 * t - high * s};
+  }
+}
 
 /// Shortest vector from the convex hull of a's domains to that of b's, domains scaled by `share`; nothing if they
 /// overlap. Wolfe, "Finding the nearest point in a polytope", Math. Programming 11 (1976) 128-149. `guess`: direction

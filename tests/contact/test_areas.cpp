@@ -1,7 +1,9 @@
 /// The area of a face at a node: sum_p V_p grad w_Ip is the integral of the weight over the surface.
 
+#include "contact/contact_cases.hpp"
 #include "grid/kernels.hpp"
 #include "solver/cloud.hpp"
+#include "solver/step.hpp"
 
 using namespace tribo;
 using namespace tribo::test;
@@ -62,4 +64,28 @@ TEST_CASE("nodal areas are integrals of the weight over the face, whatever its t
   const double order = 4.0 / (per * per);
   CHECK(sum == Approx(length).epsilon(5e-3 * order));
   CHECK(worst < 0.06 * order);  // cells
+}
+
+TEST_CASE("a plate thinner than the kernel's reach has the area of its partner's face", "[contact]") {
+  const int rows = GENERATE(1, 2, 3, 8);  // of particles, two per cell
+  INFO(rows << " rows");
+  Model model = grid_model<2>(Kernel::quadratic_spline, Transfer::apic, UpdateOrder::usl, false, 40);
+  model.materials.push_back(model.materials.front());
+  model.contact.active = true;
+  model.contact.default_law = make_law("63", {{"coeff", "0.3"}, {"Sa", "1"}});
+  std::vector<Seed> seeds;
+  for (int i = 0; i < 40; ++i)
+    for (int j = -16; j < rows; ++j) {
+      Seed s;
+      s.x = Vec3(10 + 0.5 * (i + 0.5), 20.3 + 0.5 * (j + 0.5), 0);
+      s.half_size.head<2>().setConstant(0.25);
+      s.volume = 0.25, s.mass = 250;
+      s.material = j < 0 ? 0 : 1;
+      s.v = Vec3(0, j < 0 ? 1e-3 : -1e-3, 0);
+      seeds.push_back(s);
+    }
+  auto system = build_system<2>(model, seeds);
+  Stepper<2> stepper(model, system);
+  stepper.advance(1e-4);
+  CHECK(stepper.contact().total().area == Approx(20).epsilon(0.02));
 }

@@ -125,3 +125,16 @@ TEST_CASE("a box above the edge of a box rests on it, and beside it falls past",
   CHECK((*n - turn.col(2)).norm() < 1e-6);
   CHECK_FALSE(facing_normal<3>(floor, beside, *margin_normal<3>(floor, beside, turn.col(0), 1.0), 1.0));
 }
+
+TEST_CASE("a face is flat if it is plane and goes on around the node", "[contact]") {
+  for (const double angle : {0.0, 0.3, 2.1}) {
+    const Vec<2> up(-std::sin(angle), std::cos(angle));
+    auto face = block(angle, {-3, -3}, {3, 0}), end = block(angle, {-3, -3}, {0.5, 0});
+    CHECK(flat_face<2>(face, up, 1.25, 0.02));
+    CHECK_FALSE(flat_face<2>(face, (up + 0.05 * Vec<2>(up[1], -up[0])).normalized(), 1.25, 0.02));
+    CHECK_FALSE(flat_face<2>(end, up, 1.25, 0.02));
+  }
+  Side<2> arc;  // of a disc with a radius of 20
+  for (double t = -2.25; t < 2.5; t += 0.5) arc.add(Vec<2>(t, -0.25 - t * t / 40), 0.25 * Mat<2>::Identity());
+  CHECK_FALSE(flat_face<2>(arc, Vec<2>(0, 1), 1.25, 0.02));
+}
