@@ -108,6 +108,7 @@ std::optional<Vec<Dim>> Contact<Dim>::margin_of_front(const Vec<Dim>& centre, Sc
   for (std::size_t side = 0; side < 2; ++side) {
     Side<Dim>& of = s.sides[side];
     const Vec<Dim> out = side == 0 ? *n : Vec<Dim>(-*n), first = side == 0 ? guess : Vec<Dim>(-guess);
+    if (of.band_limit(out, band * h_) > band * band * h_ * h_) return std::nullopt;  // the node lies beside the face
     of.measure(out, 0.0);
     const double support = *std::max_element(of.reach.begin(), of.reach.end());
     const double limit = std::min(support, face_position<Dim>(of, out, band * h_) - kept_depth * h_);

@@ -55,7 +55,12 @@ class Simplex {
     Eigen::Matrix<double, Dim, Edges> edges;
     for (int k = 0; k < Edges; ++k) edges.col(k) = corners_[static_cast<std::size_t>(k + 1)] - corners_[0];
     const Mat<Edges> gram = edges.transpose() * edges;
-    const Vec<Edges> right = edges.transpose() * corners_[0], solution = gram.inverse() * -right;
+    const Vec<Edges> right = edges.transpose() * corners_[0];
+    Vec<Edges> solution;
+    if constexpr (Edges == 1)
+      solution[0] = -right[0] / gram(0, 0);
+    else
+      solution = gram.ldlt().solve(-right);  // also if corners are all but in line
     if (!solution.allFinite()) return false;
     to[0] = 1.0 - solution.sum();
     for (int k = 0; k < Edges; ++k) to[static_cast<std::size_t>(k + 1)] = solution[k];

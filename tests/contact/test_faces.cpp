@@ -138,3 +138,20 @@ TEST_CASE("a face is flat if it is plane and goes on around the node", "[contact
   for (double t = -2.25; t < 2.5; t += 0.5) arc.add(Vec<2>(t, -0.25 - t * t / 40), 0.25 * Mat<2>::Identity());
   CHECK_FALSE(flat_face<2>(arc, Vec<2>(0, 1), 1.25, 0.02));
 }
+
+TEST_CASE("rounding of the particles' places does not turn the margin normal", "[contact]") {
+  std::mt19937 random(7);
+  const auto disturbed = [&](Side<2> side, double noise) {
+    std::uniform_real_distribution<double> unit(-noise, noise);
+    for (auto& x : side.x)
+      for (double& value : x) value += unit(random);
+    return side;
+  };
+  for (const double noise : {1e-16, 1e-14, 1e-12, 1e-10, 1e-8, 1e-6})
+    for (int n = 0; n < 50; ++n) {
+      auto a = disturbed(block(0.3, {-3, -3}, {3, 0}), noise), b = disturbed(block(0.3, {-1.3, 0}, {3, 3}), noise);
+      const auto normal = margin_normal<2>(a, b, Vec<2>(0.1, 1).normalized(), 1.0);
+      REQUIRE(normal);
+      CHECK((*normal - Vec<2>(-std::sin(0.3), std::cos(0.3))).norm() < 1e-7 + 10 * noise);
+    }
+}
