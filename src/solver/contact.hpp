@@ -129,7 +129,7 @@ class Contact {
   // Gaps are measured from the particles at most this far sideways [cells].
   static constexpr double band = 0.75;
   // Particles this far behind the foremost may become it before the faces are found again [cells].
-  static constexpr double kept_depth = 0.1;
+  static constexpr double kept_depth = 0.05;
 
   const ContactLaw* law_of(std::size_t a, std::size_t b) const { return laws_[a * field_count_ + b]; }
   // contact.cpp

@@ -12,12 +12,12 @@ namespace {
 
 // Faces are found anew when a particle may have moved this far [cells], or after so many steps; flat faces that go on
 // beyond the node look the same from everywhere.
-constexpr double most_travel = 0.02, most_flat_travel = 0.1;
+constexpr double most_travel = 0.01, most_flat_travel = 0.05;
 constexpr int most_kept_steps = 50;
 // Or when they turn: their relief changes by this much [cells].
 constexpr double most_change = 0.003;
 // Particles of flat faces reach equally far, but for this [cells]: within the reach of a node that is a curvature whose
-// normals turn by 6e-4 along most_flat_travel.
+// normals turn by 3e-4 along most_flat_travel.
 constexpr double even = 0.02;
 
 }  // namespace
