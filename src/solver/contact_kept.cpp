@@ -115,7 +115,7 @@ bool Contact<Dim>::reuse(const MeetingNode& node, ContactPair& pair, const Faces
   pair.meeting.normal = face.normal, pair.meeting.area = face.area;
   pair.face = face.face;
   const Vec<Dim> centre = system_.lattice.position(node.index), n = face.normal.template head<Dim>();
-  pair.meeting.gap = 0.0;
+  pair.meeting.gap = face.hollow;
   for (std::size_t side = 0; side < 2; ++side) {
     const Vec<Dim> out = side == 0 ? n : Vec<Dim>(-n);
     double most = -std::numeric_limits<double>::infinity(), least = -most;

@@ -233,17 +233,54 @@ double face_position(Side<Dim>& side, const Vec<Dim>& n, double band) {
   return most;
 }
 
+template <int Dim>
+double hollow(Side<Dim>& side, const Vec<Dim>& n, double band, double most) {
+  const double face = face_position<Dim>(side, n, band), limit = side.band_limit(n, band);
+  const auto directions = directions_around<Dim>(n);
+  std::array<double, Dim> flank;
+  flank.fill(-std::numeric_limits<double>::infinity());
+  std::size_t middle = side.reach.size();
+  double nearest = limit;
+  for (std::size_t i = 0; i < side.reach.size(); ++i) {
+    const double square = side.sideways2(n, i);
+    if (square > limit || side.reach[i] < face - most) continue;
+    if (square <= nearest) nearest = square, middle = i;
+    for (std::size_t k = 0; k < Dim; ++k) {
+      double at = 0.0;
+      for (int d = 0; d < Dim; ++d) at += side.x[d][i] * directions[k][d];
+      if (at > 0) flank[k] = std::max(flank[k], side.reach[i]);
+    }
+  }
+  if (middle == side.reach.size()) return 0.0;
+  // Where the line through the node along n leaves the middle particle: in the side of its domain that faces n.
+  Vec<Dim> x;
+  Mat<Dim> axes;
+  for (int d = 0; d < Dim; ++d) {
+    x[d] = side.x[d][middle];
+    for (int k = 0; k < Dim; ++k) axes(d, k) = side.axes[k][d][middle];
+  }
+  const Mat<Dim> normals = axes.inverse().transpose().colwise().normalized();
+  Eigen::Index front;
+  (normals.transpose() * n).cwiseAbs().maxCoeff(&front);
+  const Vec<Dim> m = normals.col(front).dot(n) > 0 ? Vec<Dim>(normals.col(front)) : Vec<Dim>(-normals.col(front));
+  const double here = (x.dot(m) + std::abs(axes.col(front).dot(m))) / m.dot(n);
+  const double depth = *std::min_element(flank.begin(), flank.end()) - here;
+  return depth > 0 && depth < most ? depth : 0.0;
+}
+
 template std::optional<Vec<2>> margin_normal<2>(Side<2>&, Side<2>&, const Vec<2>&, double);
 template bool flat_face<2>(Side<2>&, const Vec<2>&, double, double);
 template bool wide_faces<2>(Side<2>&, Side<2>&, const Vec<2>&, double);
 template std::optional<Vec<2>> facing_normal<2>(Side<2>&, Side<2>&, const Vec<2>&, double);
 template std::optional<Vec<2>> regression_normal<2>(const Side<2>&, const Side<2>&, bool, double);
 template double face_position<2>(Side<2>&, const Vec<2>&, double);
+template double hollow<2>(Side<2>&, const Vec<2>&, double, double);
 template std::optional<Vec<3>> margin_normal<3>(Side<3>&, Side<3>&, const Vec<3>&, double);
 template bool flat_face<3>(Side<3>&, const Vec<3>&, double, double);
 template bool wide_faces<3>(Side<3>&, Side<3>&, const Vec<3>&, double);
 template std::optional<Vec<3>> facing_normal<3>(Side<3>&, Side<3>&, const Vec<3>&, double);
 template std::optional<Vec<3>> regression_normal<3>(const Side<3>&, const Side<3>&, bool, double);
 template double face_position<3>(Side<3>&, const Vec<3>&, double);
+template double hollow<3>(Side<3>&, const Vec<3>&, double, double);
 
 }  // namespace tribo

@@ -135,6 +135,11 @@ std::optional<Vec<Dim>> regression_normal(const Side<Dim>& a, const Side<Dim>& b
 template <int Dim>
 double face_position(Side<Dim>& side, const Vec<Dim>& n, double band);
 
+/// How far a smooth hollow face lies behind that position at the node itself: the band's ends stand out there. 0 for
+/// any other face, and for hollows deeper than `most`, which are notches, or stairs of particles.
+template <int Dim>
+double hollow(Side<Dim>& side, const Vec<Dim>& n, double band, double most);
+
 /// Calls f(i) for the particles that reach within `depth` of that face.
 template <int Dim, class F>
 void each_at_face(Side<Dim>& side, const Vec<Dim>& n, double band, double depth, F&& f) {

@@ -155,3 +155,44 @@ TEST_CASE("rounding of the particles' places does not turn the margin normal", "
       CHECK((*normal - Vec<2>(-std::sin(0.3), std::cos(0.3))).norm() < 1e-7 + 10 * noise);
     }
 }
+
+TEST_CASE("round faces that lie in each other have the gap between their curves", "[contact]") {
+  // Particles of size h/2 along arcs about (0, -radius): one body inside the circle, the other one outside.
+  const auto arc = [](double radius, double from, double to) {
+    Side<2> side;
+    for (double r = from + 0.25; r < to; r += 0.5)
+      for (double along = -2.25 + 0.1; along < 2.5; along += 0.5) {
+        const double angle = along / radius;
+        const Mat<2> turn = Eigen::Rotation2Dd(-angle).toRotationMatrix();
+        side.add((radius + r) * Vec<2>(std::sin(angle), std::cos(angle)) - Vec<2>(0, radius),
+                 turn * (0.25 * Mat<2>::Identity()));
+      }
+    return side;
+  };
+  const Vec<2> up(0, 1);
+  for (const double radius : {10.0, 20.0, 40.0}) {
+    auto inner = arc(radius, -2, 0), outer = arc(radius, 0.3, 2);
+    CHECK(hollow<2>(inner, up, 0.75, 0.06) == 0.0);
+    const double kept = hollow<2>(outer, -up, 0.75, 0.06);
+    const double gap = -face_position<2>(outer, -up, 0.75) - face_position<2>(inner, up, 0.75) + kept;
+    // within the sagitta of a particle's edge, twice
+    CHECK(gap == Approx(0.3).margin(2 * 0.25 * 0.25 / 2 / radius));
+    CHECK(kept > 0.5 * 0.5 * 0.5 / 2 / radius);
+  }
+}
+
+TEST_CASE("flat faces, ends and notches are not hollow", "[contact]") {
+  const Vec<2> up(0, 1);
+  for (const double end : {0.0, 0.4, 3.0}) {
+    auto flat = block(0, {-3, -3}, {end, 0});
+    CHECK(hollow<2>(flat, up, 0.75, 0.06) == Approx(0).margin(1e-12));
+  }
+  auto notch = block(0, {-3, -3}, {-0.25, 0});
+  for (double x = 0.5; x < 3; x += 0.5)
+    for (double y = -2.75; y < 0; y += 0.5) notch.add({x, y}, 0.25 * Mat<2>::Identity());
+  notch.add({0, -0.4}, 0.25 * Mat<2>::Identity());
+  CHECK(hollow<2>(notch, up, 0.75, 0.06) == 0.0);
+  const auto slab = box(Mat<3>::Identity(), {-3, -3, -3}, {3, 3, 0});
+  auto side = slab;
+  CHECK(hollow<3>(side, Vec<3>::UnitZ(), 0.75, 0.06) == Approx(0).margin(1e-12));
+}
