@@ -132,8 +132,8 @@ bool Contact<Dim>::reuse(const MeetingNode& node, ContactPair& pair, const Faces
 // Keeps whatever may become the outermost particle before the faces are found again.
 template <int Dim>
 void Contact<Dim>::keep(Faces& kept, Scratch& s, const Vec<Dim>& n) const {
-  kept.flat = s.smooth && flat_face<Dim>(s.sides[0], n, cloud_.reach() - 1.25 * h_, even * h_) &&
-              flat_face<Dim>(s.sides[1], -n, cloud_.reach() - 1.25 * h_, even * h_);
+  kept.flat = s.smooth && flat_face<Dim>(s.sides[0], n, 0.0, even * h_) &&
+              flat_face<Dim>(s.sides[1], -n, 0.0, even * h_);
   for (std::size_t side = 0; side < 2; ++side) {
     Side<Dim>& of = s.sides[side];
     double most = -std::numeric_limits<double>::infinity(), least = -most;
