@@ -10,9 +10,9 @@
 namespace tribo {
 namespace {
 
-// Faces are found anew when a particle may have moved this far [cells], or after so many steps; flat faces that go on
-// beyond the node look the same from everywhere.
-constexpr double most_travel = 0.01, most_flat_travel = 0.05;
+// Faces are found anew when a particle may have moved this far [cells], or after so many steps; flat faces look the
+// same from everywhere.
+constexpr double most_travel = 0.01, most_flat_travel = 0.1;
 constexpr int most_kept_steps = 50;
 // Or when they turn: their relief changes by this much [cells].
 constexpr double most_change = 0.003;
@@ -132,12 +132,13 @@ bool Contact<Dim>::reuse(const MeetingNode& node, ContactPair& pair, const Faces
 // Keeps whatever may become the outermost particle before the faces are found again.
 template <int Dim>
 void Contact<Dim>::keep(Faces& kept, Scratch& s, const Vec<Dim>& n) const {
-  kept.flat = s.smooth && flat_face<Dim>(s.sides[0], n, 0.0, even * h_) &&
-              flat_face<Dim>(s.sides[1], -n, 0.0, even * h_);
+  kept.flat = s.smooth && flat_face<Dim>(s.sides[0], n, even * h_) && flat_face<Dim>(s.sides[1], -n, even * h_);
+  const double travel = kept.flat ? most_flat_travel : most_travel;
   for (std::size_t side = 0; side < 2; ++side) {
     Side<Dim>& of = s.sides[side];
     double most = -std::numeric_limits<double>::infinity(), least = -most;
-    each_at_face(of, side == 0 ? n : Vec<Dim>(-n), band * h_, kept_depth * h_, [&](std::size_t i) {
+    const Vec<Dim> out = side == 0 ? n : Vec<Dim>(-n);
+    each_at_face(of, out, band * h_, travel * h_, kept_depth * h_, [&](std::size_t i) {
       most = std::max(most, of.reach[i]), least = std::min(least, of.reach[i]);
       const std::size_t k = kept.count[side]++;
       if (k < Faces::most) kept.corners[side][k] = static_cast<std::uint32_t>(of.which[i]);

@@ -120,26 +120,16 @@ bool wide_faces(Side<Dim>& a, Side<Dim>& b, const Vec<Dim>& n, double length) {
 }
 
 template <int Dim>
-bool flat_face(Side<Dim>& side, const Vec<Dim>& out, double wide, double even) {
+bool flat_face(Side<Dim>& side, const Vec<Dim>& out, double even) {
   const double face = farthest_reach<Dim>(side, out);
-  const auto directions = directions_around<Dim>(out);
-  std::array<double, Dim> extent{};
   for (std::size_t i = 0; i < side.reach.size(); ++i) {
     const double depth = face - side.reach[i];
     double along = 0.0;
     for (int d = 0; d < Dim; ++d) along += side.x[d][i] * out[d];
     const double thickness = 2 * (side.reach[i] - along);
-    if (depth > even) {
-      if (depth < 0.9 * thickness) return false;  // it is not of the layer behind
-      continue;
-    }
-    for (std::size_t k = 0; k < Dim; ++k) {
-      double at = 0.0;
-      for (int d = 0; d < Dim; ++d) at += side.x[d][i] * directions[k][d];
-      extent[k] = std::max(extent[k], at);
-    }
+    if (depth > even && depth < 0.9 * thickness) return false;  // it is not of the layer behind
   }
-  return std::all_of(extent.begin(), extent.end(), [&](double e) { return e >= wide; });
+  return true;
 }
 
 template <int Dim>
@@ -264,19 +254,19 @@ double hollow(Side<Dim>& side, const Vec<Dim>& n, double band, double most) {
   (normals.transpose() * n).cwiseAbs().maxCoeff(&front);
   const Vec<Dim> m = normals.col(front).dot(n) > 0 ? Vec<Dim>(normals.col(front)) : Vec<Dim>(-normals.col(front));
   const double here = (x.dot(m) + std::abs(axes.col(front).dot(m))) / m.dot(n);
-  const double depth = *std::min_element(flank.begin(), flank.end()) - here;
-  return depth > 0 && depth < most ? depth : 0.0;
+  const bool between_flanks = *std::min_element(flank.begin(), flank.end()) > here;
+  return between_flanks && face - here < most ? face - here : 0.0;
 }
 
 template std::optional<Vec<2>> margin_normal<2>(Side<2>&, Side<2>&, const Vec<2>&, double);
-template bool flat_face<2>(Side<2>&, const Vec<2>&, double, double);
+template bool flat_face<2>(Side<2>&, const Vec<2>&, double);
 template bool wide_faces<2>(Side<2>&, Side<2>&, const Vec<2>&, double);
 template std::optional<Vec<2>> facing_normal<2>(Side<2>&, Side<2>&, const Vec<2>&, double);
 template std::optional<Vec<2>> regression_normal<2>(const Side<2>&, const Side<2>&, bool, double);
 template double face_position<2>(Side<2>&, const Vec<2>&, double);
 template double hollow<2>(Side<2>&, const Vec<2>&, double, double);
 template std::optional<Vec<3>> margin_normal<3>(Side<3>&, Side<3>&, const Vec<3>&, double);
-template bool flat_face<3>(Side<3>&, const Vec<3>&, double, double);
+template bool flat_face<3>(Side<3>&, const Vec<3>&, double);
 template bool wide_faces<3>(Side<3>&, Side<3>&, const Vec<3>&, double);
 template std::optional<Vec<3>> facing_normal<3>(Side<3>&, Side<3>&, const Vec<3>&, double);
 template std::optional<Vec<3>> regression_normal<3>(const Side<3>&, const Side<3>&, bool, double);

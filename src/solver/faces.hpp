@@ -119,10 +119,9 @@ std::optional<Vec<Dim>> facing_normal(Side<Dim>& a, Side<Dim>& b, const Vec<Dim>
 template <int Dim>
 bool wide_faces(Side<Dim>& a, Side<Dim>& b, const Vec<Dim>& n, double length);
 
-/// Whether a side's foremost particles along `out` make a plane face, even to `even`, that goes on for `wide` [length]
-/// around the node.
+/// Whether a side's foremost particles along `out` make a plane face, even to `even`, wherever it ends.
 template <int Dim>
-bool flat_face(Side<Dim>& side, const Vec<Dim>& out, double wide, double even);
+bool flat_face(Side<Dim>& side, const Vec<Dim>& out, double even);
 
 /// Logistic (or only linear) regression of the classes a = -1, b = 1. Nairn, Hammerquist & Smith, "New material point
 /// method contact algorithms for improved accuracy, large-deformation problems, and proper null-space filtering",
@@ -140,11 +139,11 @@ double face_position(Side<Dim>& side, const Vec<Dim>& n, double band);
 template <int Dim>
 double hollow(Side<Dim>& side, const Vec<Dim>& n, double band, double most);
 
-/// Calls f(i) for the particles that reach within `depth` of that face.
+/// Calls f(i) for the particles that reach within `depth` of that face, also `beside` the band.
 template <int Dim, class F>
-void each_at_face(Side<Dim>& side, const Vec<Dim>& n, double band, double depth, F&& f) {
+void each_at_face(Side<Dim>& side, const Vec<Dim>& n, double band, double beside, double depth, F&& f) {
   const double face = face_position<Dim>(side, n, band);  // leaves `reach`
-  const double limit = side.band_limit(n, band + depth);
+  const double limit = side.band_limit(n, band + beside);
   for (std::size_t i = 0; i < side.reach.size(); ++i)
     if (side.reach[i] >= face - depth && side.sideways2(n, i) <= limit) f(i);
 }

@@ -20,7 +20,7 @@ def faces(p):
     upper, lower = rows
     u = p["displacement"][order][:, 0]
     slip = u[upper] - np.interp(at[upper, 0], at[lower, 0], u[lower])
-    return at[upper, 0], slip, p["contact_state"][order][upper], np.abs(p["contact_traction"][order][upper])
+    return at[upper, 0], slip, p["contact_state"][order][upper], np.abs(p["contact_traction"][order][upper, :2])
 
 
 def exact_slip(x, c):
@@ -57,7 +57,7 @@ def run(case):
             case.check("largest pressure that particles show", traction[:, 1].max(), 2 * P / (np.pi * a), 0.03)
             continue
         share = Q / (mu * P)
-        if share < 0.1 or not traction[:, 0].any():
+        if share < 0.1:
             continue
         second = (traction * x[:, None] ** 2).sum(0) / traction.sum(0)  # moments of q and p; exact: q over p = 1 + (c/a)^2
         by_traction = np.sqrt(max(0.0, second[0] / second[1] - 1))
