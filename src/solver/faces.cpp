@@ -223,39 +223,57 @@ double face_position(Side<Dim>& side, const Vec<Dim>& n, double band) {
   return most;
 }
 
+namespace {
+
+// The side of a particle's domain that faces along n.
 template <int Dim>
-double hollow(Side<Dim>& side, const Vec<Dim>& n, double band, double most) {
+struct Facet {
+  Vec<Dim> sideways, middle, normal;  // of the particle, across n; of the facet
+  // Where a line along n meets its plane.
+  double height(const Vec<Dim>& n, const Vec<Dim>& line) const { return (middle - line).dot(normal) / normal.dot(n); }
+};
+
+// Those of the particles within the band and within `depth` of the face.
+template <int Dim>
+std::vector<Facet<Dim>> facets(Side<Dim>& side, const Vec<Dim>& n, double band, double depth) {
   const double face = face_position<Dim>(side, n, band), limit = side.band_limit(n, band);
-  const auto directions = directions_around<Dim>(n);
-  std::array<double, Dim> flank;
-  flank.fill(-std::numeric_limits<double>::infinity());
-  std::size_t middle = side.reach.size();
-  double nearest = limit;
+  std::vector<Facet<Dim>> all;
   for (std::size_t i = 0; i < side.reach.size(); ++i) {
-    const double square = side.sideways2(n, i);
-    if (square > limit || side.reach[i] < face - most) continue;
-    if (square <= nearest) nearest = square, middle = i;
-    for (std::size_t k = 0; k < Dim; ++k) {
-      double at = 0.0;
-      for (int d = 0; d < Dim; ++d) at += side.x[d][i] * directions[k][d];
-      if (at > 0) flank[k] = std::max(flank[k], side.reach[i]);
+    if (side.reach[i] < face - depth || side.sideways2(n, i) > limit) continue;
+    Vec<Dim> x;
+    Mat<Dim> axes;
+    for (int d = 0; d < Dim; ++d) {
+      x[d] = side.x[d][i];
+      for (int k = 0; k < Dim; ++k) axes(d, k) = side.axes[k][d][i];
     }
+    const Mat<Dim> normals = axes.inverse().transpose().colwise().normalized();
+    Eigen::Index front;
+    (normals.transpose() * n).cwiseAbs().maxCoeff(&front);
+    const double sign = normals.col(front).dot(n) < 0 ? -1.0 : 1.0;
+    all.push_back({x - x.dot(n) * n, x + sign * axes.col(front), sign * normals.col(front)});
   }
-  if (middle == side.reach.size()) return 0.0;
-  // Where the line through the node along n leaves the middle particle: in the side of its domain that faces n.
-  Vec<Dim> x;
-  Mat<Dim> axes;
-  for (int d = 0; d < Dim; ++d) {
-    x[d] = side.x[d][middle];
-    for (int k = 0; k < Dim; ++k) axes(d, k) = side.axes[k][d][middle];
-  }
-  const Mat<Dim> normals = axes.inverse().transpose().colwise().normalized();
-  Eigen::Index front;
-  (normals.transpose() * n).cwiseAbs().maxCoeff(&front);
-  const Vec<Dim> m = normals.col(front).dot(n) > 0 ? Vec<Dim>(normals.col(front)) : Vec<Dim>(-normals.col(front));
-  const double here = (x.dot(m) + std::abs(axes.col(front).dot(m))) / m.dot(n);
-  const bool between_flanks = *std::min_element(flank.begin(), flank.end()) > here;
-  return between_flanks && face - here < most ? face - here : 0.0;
+  return all;
+}
+
+}  // namespace
+
+template <int Dim>
+double play_between(Side<Dim>& a, Side<Dim>& b, const Vec<Dim>& n, double band, double most) {
+  const auto of_a = facets<Dim>(a, n, band, most), of_b = facets<Dim>(b, -n, band, most);
+  const auto opposite = [](const Facet<Dim>& facet, const auto& others) -> const Facet<Dim>& {
+    const auto distance = [&](const Facet<Dim>& f) { return (f.sideways - facet.sideways).squaredNorm(); };
+    return *std::min_element(others.begin(), others.end(),
+                             [&](const auto& f, const auto& g) { return distance(f) < distance(g); });
+  };
+  double gap = std::numeric_limits<double>::infinity();
+  const auto look = [&](const Facet<Dim>& f, const Facet<Dim>& g) {
+    const Vec<Dim> between = 0.5 * (f.sideways + g.sideways);
+    gap = std::min(gap, g.height(n, between) - f.height(n, between));
+  };
+  for (const auto& facet : of_a) look(facet, opposite(facet, of_b));
+  for (const auto& facet : of_b) look(opposite(facet, of_a), facet);
+  const double play = gap + face_position<Dim>(a, n, band) + face_position<Dim>(b, -n, band);
+  return play > 0 && play < most ? play : 0.0;
 }
 
 template std::optional<Vec<2>> margin_normal<2>(Side<2>&, Side<2>&, const Vec<2>&, double);
@@ -264,13 +282,13 @@ template bool wide_faces<2>(Side<2>&, Side<2>&, const Vec<2>&, double);
 template std::optional<Vec<2>> facing_normal<2>(Side<2>&, Side<2>&, const Vec<2>&, double);
 template std::optional<Vec<2>> regression_normal<2>(const Side<2>&, const Side<2>&, bool, double);
 template double face_position<2>(Side<2>&, const Vec<2>&, double);
-template double hollow<2>(Side<2>&, const Vec<2>&, double, double);
+template double play_between<2>(Side<2>&, Side<2>&, const Vec<2>&, double, double);
 template std::optional<Vec<3>> margin_normal<3>(Side<3>&, Side<3>&, const Vec<3>&, double);
 template bool flat_face<3>(Side<3>&, const Vec<3>&, double);
 template bool wide_faces<3>(Side<3>&, Side<3>&, const Vec<3>&, double);
 template std::optional<Vec<3>> facing_normal<3>(Side<3>&, Side<3>&, const Vec<3>&, double);
 template std::optional<Vec<3>> regression_normal<3>(const Side<3>&, const Side<3>&, bool, double);
 template double face_position<3>(Side<3>&, const Vec<3>&, double);
-template double hollow<3>(Side<3>&, const Vec<3>&, double, double);
+template double play_between<3>(Side<3>&, Side<3>&, const Vec<3>&, double, double);
 
 }  // namespace tribo

@@ -134,10 +134,11 @@ std::optional<Vec<Dim>> regression_normal(const Side<Dim>& a, const Side<Dim>& b
 template <int Dim>
 double face_position(Side<Dim>& side, const Vec<Dim>& n, double band);
 
-/// How far a smooth hollow face lies behind that position at the node itself: the band's ends stand out there. 0 for
-/// any other face, and for hollows deeper than `most`, which are notches, or stairs of particles.
+/// How much wider the gap between two faces is, where they lie opposite each other, than that between their positions:
+/// a hollow face stands out at the band's ends, but there a round one that lies in it stands back. 0 if the faces are
+/// not smooth: if that is more than `most`.
 template <int Dim>
-double hollow(Side<Dim>& side, const Vec<Dim>& n, double band, double most);
+double play_between(Side<Dim>& a, Side<Dim>& b, const Vec<Dim>& n, double band, double most);
 
 /// Calls f(i) for the particles that reach within `depth` of that face, also `beside` the band.
 template <int Dim, class F>
