@@ -255,6 +255,21 @@ std::vector<Facet<Dim>> facets(Side<Dim>& side, const Vec<Dim>& n, double band, 
   return all;
 }
 
+// How the height along n of the facets' planes bends across n: the regression of their slopes on their places.
+template <int Dim>
+double bend(const std::vector<Facet<Dim>>& facets, const Vec<Dim>& n) {
+  Vec<Dim> place = Vec<Dim>::Zero(), slope = Vec<Dim>::Zero();
+  const auto slope_of = [&](const Facet<Dim>& f) { return Vec<Dim>(n - f.normal / f.normal.dot(n)); };
+  for (const auto& f : facets) place += f.sideways, slope += slope_of(f);
+  place /= static_cast<double>(facets.size()), slope /= static_cast<double>(facets.size());
+  double with = 0.0, square = 0.0;
+  for (const auto& f : facets) {
+    with += (f.sideways - place).dot(slope_of(f) - slope);
+    square += (f.sideways - place).squaredNorm();
+  }
+  return square > 0 ? with / square : 0.0;
+}
+
 }  // namespace
 
 template <int Dim>
@@ -273,7 +288,11 @@ double play_between(Side<Dim>& a, Side<Dim>& b, const Vec<Dim>& n, double band, 
   for (const auto& facet : of_a) look(facet, opposite(facet, of_b));
   for (const auto& facet : of_b) look(opposite(facet, of_a), facet);
   const double play = gap + face_position<Dim>(a, n, band) + face_position<Dim>(b, -n, band);
-  return play > 0 && play < most ? play : 0.0;
+  if (!(play > 0 && play < most)) return 0.0;
+  // Only if they bend the same way: what a plane seems to have is but the ends of particles beyond the band.
+  const double bend_a = bend<Dim>(of_a, n), bend_b = bend<Dim>(of_b, n);
+  const double alike = bend_a * bend_b > 0 ? std::min(bend_a / bend_b, bend_b / bend_a) : 0.0;
+  return std::min(1.0, 4 * alike) * play;
 }
 
 template std::optional<Vec<2>> margin_normal<2>(Side<2>&, Side<2>&, const Vec<2>&, double);
