@@ -4,6 +4,7 @@
 
 #include <cstdlib>
 
+#include <sys/auxv.h>
 #include <unistd.h>
 
 namespace {
@@ -15,6 +16,7 @@ constexpr const char* spins = "3000";
 // is left alone.
 __attribute__((constructor(101))) void wait_briefly(int, char** arguments, char**) {
   if (std::getenv("GOMP_SPINCOUNT") != nullptr || std::getenv("OMP_WAIT_POLICY") != nullptr) return;
+  if (getauxval(AT_BASE) == 0) return;  // started by the loader's own name: that is what would start anew
   if (setenv("GOMP_SPINCOUNT", spins, 1) == 0) execv("/proc/self/exe", arguments);  // returns only if it cannot
 }
 
