@@ -272,7 +272,8 @@ std::vector<ElementSpec> make() {
   add({"Body", "MaterialPoints", "shapes filled with a material", T::none, body_attributes() + std::vector{units()}});
   add({"Hole", "MaterialPoints", "shapes left empty", T::none});
   for (const auto name : {"vel0X", "vel0Y", "vel0Z"})
-    add({name, "Body", "initial velocity of the following shapes, a function of position", T::function});
+    add({name, "Body", "initial velocity of the following shapes, a function of position (before Deform moves it)",
+         T::function});
   for (const auto name : {"RotateX", "RotateY", "RotateZ"})
     add({name, "Body", "material axes of the following shapes [degrees]", T::function});
   add({"Unrotate", "Body", "material axes along the grid again"});

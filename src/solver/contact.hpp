@@ -109,9 +109,11 @@ class Contact {
     std::size_t a = 0, b = 0;
     Vec3 normal = Vec3::Zero();
     double area = 0.0, face = 0.0;
+    double play = 0.0;   // added to the gap
     double found = 0.0;  // the travel when they were found [cells]
     bool apart = false;
     bool flat = false;               // however the node lies to them, as long as they do not turn
+    double serves = 0.0;             // for so much travel [cells]
     std::array<double, 2> relief{};  // from the foremost to the hindmost of the particles
     std::array<std::size_t, 2> count{};
     std::array<std::array<std::uint32_t, most>, 2> corners{};  // in the cloud, later among the kept particles
@@ -128,6 +130,8 @@ class Contact {
   };
   // Gaps are measured from the particles at most this far sideways [cells].
   static constexpr double band = 0.75;
+  // Smooth faces are round or hollow by at most this within the band: radii of five cells or more [cells].
+  static constexpr double smooth = 0.06;
   // Particles this far behind the foremost may become it before the faces are found again [cells].
   static constexpr double kept_depth = 0.05;
 

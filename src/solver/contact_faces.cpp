@@ -25,8 +25,10 @@ void Contact<Dim>::face(const MeetingNode& node, ContactPair& pair, Faces& kept,
   *n /= norm;
   pair.meeting.normal.setZero();
   pair.meeting.normal.template head<Dim>() = *n;
-  pair.meeting.gap = separation(node, pair, s, *n);
-
+  kept.play = 0.0;
+  if (model_.contact.separation == Separation::edges && s.sides[0].count > 0 && s.sides[1].count > 0)
+    kept.play = play_between<Dim>(s.sides[0], s.sides[1], *n, band * h_, smooth * h_);
+  pair.meeting.gap = separation(node, pair, s, *n) + kept.play;
   pair.meeting.area = area(node, pair, s, *n);
   if (model_.contact.at_faces || model_.heat.contact_heating) {
     const double of_a = face_position<Dim>(s.sides[0], *n, band * h_),

@@ -88,11 +88,12 @@ void Contact<Dim>::show() {
     double slip = 0.0, stick = 0.0, total = 0.0;
     Vec<Dim> traction = Vec<Dim>::Zero(), normal = Vec<Dim>::Zero();
     each_pair_near(cloud_.point(k), label.field, [&](const ContactPair& pair, double w, double side) {
-      if (pair.shown == Touch::open || pair.meeting.gap > 0.1 * h_) return;
+      if (pair.meeting.gap > 0.1 * h_) return;
+      // Nodes on both sides of a face may leave its whole pressure to those on one side.
+      total += w * pair.meeting.area;
+      if (pair.shown == Touch::open) return;
       (pair.shown == Touch::slip ? slip : stick) += w;
       normal += side * w * pair.meeting.normal.template head<Dim>();
-      if (!(pair.meeting.area > 0)) return;
-      total += w * pair.meeting.area;
       traction += side * w / pair.meeting.dt * pair.booked.template head<Dim>();
     });
     if (slip + stick == 0.0) continue;

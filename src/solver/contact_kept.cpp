@@ -10,8 +10,8 @@
 namespace tribo {
 namespace {
 
-// Faces are found anew when a particle may have moved this far [cells], or after so many steps; flat faces that go on
-// beyond the node look the same from everywhere.
+// Faces are found anew when a particle may have moved this far [cells], or after so many steps; flat ones look the
+// same from everywhere.
 constexpr double most_travel = 0.01, most_flat_travel = 0.05;
 constexpr int most_kept_steps = 50;
 // Or when they turn: their relief changes by this much [cells].
@@ -54,8 +54,9 @@ void Contact<Dim>::find_faces(std::vector<Conditions<Dim>>& conditions, bool all
     if (!node.stale) return;
     Scratch& scratch = scratch_[static_cast<std::size_t>(thread_index()) % scratch_.size()];
     for (std::size_t p = node.first_pair; p < node.end_pair; ++p) {
-      faces_[face_of_[p]].found = moved_;
-      face(node, pairs_[p], faces_[face_of_[p]], scratch);
+      Faces& found = faces_[face_of_[p]];
+      found.found = moved_, found.serves = most_travel;
+      face(node, pairs_[p], found, scratch);
     }
   });
   if (keeps_faces_) number_kept();
@@ -107,15 +108,15 @@ template <int Dim>
 bool Contact<Dim>::reuse(const MeetingNode& node, ContactPair& pair, const Faces& face) const {
   pair.apart = face.apart;
   if (!pair.law->looks_at_faces()) return true;
-  // All faces that are not flat become old at the same time: it takes one search for all.
-  const auto age = [](double travel) { return std::floor(travel / most_travel); };
-  if (!face.flat && age(moved_) > age(face.found)) return false;
+  // All faces of a kind become old at the same time: it takes one search for all.
+  const auto age = [&](double travel) { return std::floor(travel / face.serves); };
+  if (age(moved_) > age(face.found)) return false;
   if (face.apart) return true;
   if (face.count[0] > Faces::most || face.count[1] > Faces::most) return false;
   pair.meeting.normal = face.normal, pair.meeting.area = face.area;
   pair.face = face.face;
   const Vec<Dim> centre = system_.lattice.position(node.index), n = face.normal.template head<Dim>();
-  pair.meeting.gap = 0.0;
+  pair.meeting.gap = face.play;
   for (std::size_t side = 0; side < 2; ++side) {
     const Vec<Dim> out = side == 0 ? n : Vec<Dim>(-n);
     double most = -std::numeric_limits<double>::infinity(), least = -most;
@@ -132,12 +133,13 @@ bool Contact<Dim>::reuse(const MeetingNode& node, ContactPair& pair, const Faces
 // Keeps whatever may become the outermost particle before the faces are found again.
 template <int Dim>
 void Contact<Dim>::keep(Faces& kept, Scratch& s, const Vec<Dim>& n) const {
-  kept.flat = s.smooth && flat_face<Dim>(s.sides[0], n, cloud_.reach() - 1.25 * h_, even * h_) &&
-              flat_face<Dim>(s.sides[1], -n, cloud_.reach() - 1.25 * h_, even * h_);
+  kept.flat = s.smooth && flat_face<Dim>(s.sides[0], n, even * h_) && flat_face<Dim>(s.sides[1], -n, even * h_);
+  if (kept.flat) kept.serves = most_flat_travel;
   for (std::size_t side = 0; side < 2; ++side) {
     Side<Dim>& of = s.sides[side];
     double most = -std::numeric_limits<double>::infinity(), least = -most;
-    each_at_face(of, side == 0 ? n : Vec<Dim>(-n), band * h_, kept_depth * h_, [&](std::size_t i) {
+    const Vec<Dim> out = side == 0 ? n : Vec<Dim>(-n);
+    each_at_face(of, out, band * h_, kept.serves * h_, kept_depth * h_, [&](std::size_t i) {
       most = std::max(most, of.reach[i]), least = std::min(least, of.reach[i]);
       const std::size_t k = kept.count[side]++;
       if (k < Faces::most) kept.corners[side][k] = static_cast<std::uint32_t>(of.which[i]);

@@ -120,26 +120,16 @@ bool wide_faces(Side<Dim>& a, Side<Dim>& b, const Vec<Dim>& n, double length) {
 }
 
 template <int Dim>
-bool flat_face(Side<Dim>& side, const Vec<Dim>& out, double wide, double even) {
+bool flat_face(Side<Dim>& side, const Vec<Dim>& out, double even) {
   const double face = farthest_reach<Dim>(side, out);
-  const auto directions = directions_around<Dim>(out);
-  std::array<double, Dim> extent{};
   for (std::size_t i = 0; i < side.reach.size(); ++i) {
     const double depth = face - side.reach[i];
     double along = 0.0;
     for (int d = 0; d < Dim; ++d) along += side.x[d][i] * out[d];
     const double thickness = 2 * (side.reach[i] - along);
-    if (depth > even) {
-      if (depth < 0.9 * thickness) return false;  // it is not of the layer behind
-      continue;
-    }
-    for (std::size_t k = 0; k < Dim; ++k) {
-      double at = 0.0;
-      for (int d = 0; d < Dim; ++d) at += side.x[d][i] * directions[k][d];
-      extent[k] = std::max(extent[k], at);
-    }
+    if (depth > even && depth < 0.9 * thickness) return false;  // it is not of the layer behind
   }
-  return std::all_of(extent.begin(), extent.end(), [&](double e) { return e >= wide; });
+  return true;
 }
 
 template <int Dim>
@@ -233,17 +223,91 @@ double face_position(Side<Dim>& side, const Vec<Dim>& n, double band) {
   return most;
 }
 
+namespace {
+
+// The side of a particle's domain that faces along n.
+template <int Dim>
+struct Facet {
+  Vec<Dim> sideways, middle, normal;  // of the particle, across n; of the facet
+  // Where a line along n meets its plane.
+  double height(const Vec<Dim>& n, const Vec<Dim>& line) const { return (middle - line).dot(normal) / normal.dot(n); }
+};
+
+// Those of the particles within the band and within `depth` of the face.
+template <int Dim>
+std::vector<Facet<Dim>> facets(Side<Dim>& side, const Vec<Dim>& n, double band, double depth) {
+  const double face = face_position<Dim>(side, n, band), limit = side.band_limit(n, band);
+  std::vector<Facet<Dim>> all;
+  for (std::size_t i = 0; i < side.reach.size(); ++i) {
+    if (side.reach[i] < face - depth || side.sideways2(n, i) > limit) continue;
+    Vec<Dim> x;
+    Mat<Dim> axes;
+    for (int d = 0; d < Dim; ++d) {
+      x[d] = side.x[d][i];
+      for (int k = 0; k < Dim; ++k) axes(d, k) = side.axes[k][d][i];
+    }
+    const Mat<Dim> normals = axes.inverse().transpose().colwise().normalized();
+    Eigen::Index front;
+    (normals.transpose() * n).cwiseAbs().maxCoeff(&front);
+    const double sign = normals.col(front).dot(n) < 0 ? -1.0 : 1.0;
+    all.push_back({x - x.dot(n) * n, x + sign * axes.col(front), sign * normals.col(front)});
+  }
+  return all;
+}
+
+// How the height along n of the facets' planes bends across n: the regression of their slopes on their places.
+template <int Dim>
+double bend(const std::vector<Facet<Dim>>& facets, const Vec<Dim>& n) {
+  Vec<Dim> place = Vec<Dim>::Zero(), slope = Vec<Dim>::Zero();
+  const auto slope_of = [&](const Facet<Dim>& f) { return Vec<Dim>(n - f.normal / f.normal.dot(n)); };
+  for (const auto& f : facets) place += f.sideways, slope += slope_of(f);
+  place /= static_cast<double>(facets.size()), slope /= static_cast<double>(facets.size());
+  double with = 0.0, square = 0.0;
+  for (const auto& f : facets) {
+    with += (f.sideways - place).dot(slope_of(f) - slope);
+    square += (f.sideways - place).squaredNorm();
+  }
+  return square > 0 ? with / square : 0.0;
+}
+
+}  // namespace
+
+template <int Dim>
+double play_between(Side<Dim>& a, Side<Dim>& b, const Vec<Dim>& n, double band, double most) {
+  const auto of_a = facets<Dim>(a, n, band, most), of_b = facets<Dim>(b, -n, band, most);
+  const auto opposite = [](const Facet<Dim>& facet, const auto& others) -> const Facet<Dim>& {
+    const auto distance = [&](const Facet<Dim>& f) { return (f.sideways - facet.sideways).squaredNorm(); };
+    return *std::min_element(others.begin(), others.end(),
+                             [&](const auto& f, const auto& g) { return distance(f) < distance(g); });
+  };
+  double gap = std::numeric_limits<double>::infinity();
+  const auto look = [&](const Facet<Dim>& f, const Facet<Dim>& g) {
+    const Vec<Dim> between = 0.5 * (f.sideways + g.sideways);
+    gap = std::min(gap, g.height(n, between) - f.height(n, between));
+  };
+  for (const auto& facet : of_a) look(facet, opposite(facet, of_b));
+  for (const auto& facet : of_b) look(opposite(facet, of_a), facet);
+  const double play = gap + face_position<Dim>(a, n, band) + face_position<Dim>(b, -n, band);
+  if (!(play > 0 && play < most)) return 0.0;
+  // Only if they bend the same way: what a plane seems to have is but the ends of particles beyond the band.
+  const double bend_a = bend<Dim>(of_a, n), bend_b = bend<Dim>(of_b, n);
+  const double alike = bend_a * bend_b > 0 ? std::min(bend_a / bend_b, bend_b / bend_a) : 0.0;
+  return std::min(1.0, 4 * alike) * play;
+}
+
 template std::optional<Vec<2>> margin_normal<2>(Side<2>&, Side<2>&, const Vec<2>&, double);
-template bool flat_face<2>(Side<2>&, const Vec<2>&, double, double);
+template bool flat_face<2>(Side<2>&, const Vec<2>&, double);
 template bool wide_faces<2>(Side<2>&, Side<2>&, const Vec<2>&, double);
 template std::optional<Vec<2>> facing_normal<2>(Side<2>&, Side<2>&, const Vec<2>&, double);
 template std::optional<Vec<2>> regression_normal<2>(const Side<2>&, const Side<2>&, bool, double);
 template double face_position<2>(Side<2>&, const Vec<2>&, double);
+template double play_between<2>(Side<2>&, Side<2>&, const Vec<2>&, double, double);
 template std::optional<Vec<3>> margin_normal<3>(Side<3>&, Side<3>&, const Vec<3>&, double);
-template bool flat_face<3>(Side<3>&, const Vec<3>&, double, double);
+template bool flat_face<3>(Side<3>&, const Vec<3>&, double);
 template bool wide_faces<3>(Side<3>&, Side<3>&, const Vec<3>&, double);
 template std::optional<Vec<3>> facing_normal<3>(Side<3>&, Side<3>&, const Vec<3>&, double);
 template std::optional<Vec<3>> regression_normal<3>(const Side<3>&, const Side<3>&, bool, double);
 template double face_position<3>(Side<3>&, const Vec<3>&, double);
+template double play_between<3>(Side<3>&, Side<3>&, const Vec<3>&, double, double);
 
 }  // namespace tribo

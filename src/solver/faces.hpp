@@ -119,10 +119,9 @@ std::optional<Vec<Dim>> facing_normal(Side<Dim>& a, Side<Dim>& b, const Vec<Dim>
 template <int Dim>
 bool wide_faces(Side<Dim>& a, Side<Dim>& b, const Vec<Dim>& n, double length);
 
-/// Whether a side's foremost particles along `out` make a plane face, even to `even`, that goes on for `wide` [length]
-/// around the node.
+/// Whether a side's foremost particles along `out` make a plane face, even to `even`, wherever it ends.
 template <int Dim>
-bool flat_face(Side<Dim>& side, const Vec<Dim>& out, double wide, double even);
+bool flat_face(Side<Dim>& side, const Vec<Dim>& out, double even);
 
 /// Logistic (or only linear) regression of the classes a = -1, b = 1. Nairn, Hammerquist & Smith, "New material point
 /// method contact algorithms for improved accuracy, large-deformation problems, and proper null-space filtering",
@@ -135,11 +134,17 @@ std::optional<Vec<Dim>> regression_normal(const Side<Dim>& a, const Side<Dim>& b
 template <int Dim>
 double face_position(Side<Dim>& side, const Vec<Dim>& n, double band);
 
-/// Calls f(i) for the particles that reach within `depth` of that face.
+/// How much wider the gap between two faces is, where they lie opposite each other, than that between their positions:
+/// a hollow face stands out at the band's ends, but there a round one that lies in it stands back. 0 if the faces are
+/// not smooth: if that is more than `most`.
+template <int Dim>
+double play_between(Side<Dim>& a, Side<Dim>& b, const Vec<Dim>& n, double band, double most);
+
+/// Calls f(i) for the particles that reach within `depth` of that face, also `beside` the band.
 template <int Dim, class F>
-void each_at_face(Side<Dim>& side, const Vec<Dim>& n, double band, double depth, F&& f) {
+void each_at_face(Side<Dim>& side, const Vec<Dim>& n, double band, double beside, double depth, F&& f) {
   const double face = face_position<Dim>(side, n, band);  // leaves `reach`
-  const double limit = side.band_limit(n, band + depth);
+  const double limit = side.band_limit(n, band + beside);
   for (std::size_t i = 0; i < side.reach.size(); ++i)
     if (side.reach[i] >= face - depth && side.sideways2(n, i) <= limit) f(i);
 }

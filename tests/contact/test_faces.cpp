@@ -126,17 +126,17 @@ TEST_CASE("a box above the edge of a box rests on it, and beside it falls past",
   CHECK_FALSE(facing_normal<3>(floor, beside, *margin_normal<3>(floor, beside, turn.col(0), 1.0), 1.0));
 }
 
-TEST_CASE("a face is flat if it is plane and goes on around the node", "[contact]") {
+TEST_CASE("a face is flat if it is plane, wherever it ends", "[contact]") {
   for (const double angle : {0.0, 0.3, 2.1}) {
     const Vec<2> up(-std::sin(angle), std::cos(angle));
     auto face = block(angle, {-3, -3}, {3, 0}), end = block(angle, {-3, -3}, {0.5, 0});
-    CHECK(flat_face<2>(face, up, 1.25, 0.02));
-    CHECK_FALSE(flat_face<2>(face, (up + 0.05 * Vec<2>(up[1], -up[0])).normalized(), 1.25, 0.02));
-    CHECK_FALSE(flat_face<2>(end, up, 1.25, 0.02));
+    CHECK(flat_face<2>(face, up, 0.02));
+    CHECK_FALSE(flat_face<2>(face, (up + 0.05 * Vec<2>(up[1], -up[0])).normalized(), 0.02));
+    CHECK(flat_face<2>(end, up, 0.02));
   }
   Side<2> arc;  // of a disc with a radius of 20
   for (double t = -2.25; t < 2.5; t += 0.5) arc.add(Vec<2>(t, -0.25 - t * t / 40), 0.25 * Mat<2>::Identity());
-  CHECK_FALSE(flat_face<2>(arc, Vec<2>(0, 1), 1.25, 0.02));
+  CHECK_FALSE(flat_face<2>(arc, Vec<2>(0, 1), 0.02));
 }
 
 TEST_CASE("rounding of the particles' places does not turn the margin normal", "[contact]") {
@@ -154,4 +154,51 @@ TEST_CASE("rounding of the particles' places does not turn the margin normal", "
       REQUIRE(normal);
       CHECK((*normal - Vec<2>(-std::sin(0.3), std::cos(0.3))).norm() < 1e-7 + 10 * noise);
     }
+}
+
+TEST_CASE("round faces that lie in each other have the gap between their curves", "[contact]") {
+  // Particles of size h/2 along arcs about (0, -radius): one body inside the circle, the other one outside.
+  const auto arc = [](double radius, double from, double to) {
+    Side<2> side;
+    for (double r = from + 0.25; r < to; r += 0.5)
+      for (double along = -2.25 + 0.1; along < 2.5; along += 0.5) {
+        const double angle = along / radius;
+        const Mat<2> turn = Eigen::Rotation2Dd(-angle).toRotationMatrix();
+        side.add((radius + r) * Vec<2>(std::sin(angle), std::cos(angle)) - Vec<2>(0, radius),
+                 turn * (0.25 * Mat<2>::Identity()));
+      }
+    return side;
+  };
+  const Vec<2> up(0, 1);
+  for (const double radius : {10.0, 20.0, 40.0}) {
+    auto inner = arc(radius, -2, 0), outer = arc(radius, 0.3, 2);
+    const double sagitta = 0.25 * 0.25 / 2 / radius;  // of a particle's edge
+    const double play = play_between<2>(inner, outer, up, 0.75, 0.06);
+    const double gap = -face_position<2>(outer, -up, 0.75) - face_position<2>(inner, up, 0.75) + play;
+    CHECK(gap == Approx(0.3).margin(2 * sagitta));
+    CHECK(play > 8 * sagitta);
+    // A hollow face on a flat one touches where it stands out, a round one in its middle.
+    auto below = block(0, {-3, -3}, {3, 0}), above = block(0, {-3, 0.3}, {3, 3});
+    CHECK(play_between<2>(below, outer, up, 0.75, 0.06) < 1e-12);
+    CHECK(play_between<2>(inner, above, up, 0.75, 0.06) < 1e-12);
+  }
+}
+
+TEST_CASE("flat faces and stairs have no play", "[contact]") {
+  const Vec<2> up(0, 1);
+  for (const double end : {0.0, 0.4, 3.0}) {
+    auto below = block(0, {-3, -3}, {end, 0}), above = block(0, {-2.9, 0.1}, {3, 3});
+    CHECK(play_between<2>(below, above, up, 0.75, 0.06) == Approx(0).margin(1e-12));
+  }
+  // Stairs that fit into each other, seen along their slope
+  Side<2> lower, upper;
+  for (double x = -2.75; x < 3; x += 0.5)
+    for (double y = 0.25; y < 2; y += 0.5) {
+      lower.add({x, x - y}, 0.25 * Mat<2>::Identity());
+      upper.add({x, x + y}, 0.25 * Mat<2>::Identity());
+    }
+  CHECK(play_between<2>(lower, upper, Vec<2>(-1, 1).normalized(), 0.75, 0.06) == 0.0);
+  auto floor = box(Mat<3>::Identity(), {-3, -3, -3}, {3, 3, 0}),
+       lid = box(Mat<3>::Identity(), {-2.9, -3, 0}, {3, 3, 3});
+  CHECK(play_between<3>(floor, lid, Vec<3>::UnitZ(), 0.75, 0.06) == Approx(0).margin(1e-12));
 }

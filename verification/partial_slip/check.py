@@ -1,0 +1,99 @@
+import numpy as np
+
+import verify
+
+ways = ("slip", "tractions", "states")
+mu, radius, cell, depth, lift, bend = 0.3, 1.0, 0.01, 0.6, 0.003, 0.25
+
+
+def faces(p, back):
+    """The upper face's particles from left to right: x at the start, how far they have slipped, state and traction.
+    `back` turns vectors from the grid's axes to those of the bodies."""
+    order = np.argsort(p["id"])
+    u = p["displacement"][order][:, :2] @ back
+    at = p["points"][order][:, :2] @ back - u
+    y = at[:, 1] - lift
+    height = (y - bend * at[:, 0] ** 2) / (1 - bend * at[:, 0] ** 2 / depth)
+    below = (y + bend * at[:, 0] ** 2) / (1 - bend * at[:, 0] ** 2 / depth)
+    rows = []
+    for chosen in ((p["material"][order] == 1) & (height < 0.3 * cell), (p["material"][order] == 2) & (below > -0.3 * cell)):
+        row = np.where(chosen)[0]
+        rows.append(row[np.argsort(at[row, 0])])
+    upper, lower = rows
+    slip = u[upper, 0] - np.interp(at[upper, 0], at[lower, 0], u[lower, 0])
+    return at[upper, 0], slip, p["contact_state"][order][upper], np.abs(p["contact_traction"][order][upper, :2] @ back)
+
+
+def exact_slip(x, c):
+    """Slip of the faces outside of the stick zone: its slope is mu sqrt(x^2 - c^2)/R."""
+    x = np.maximum(np.abs(x), c)
+    root = np.sqrt(x * x - c * c)
+    return mu / radius * 0.5 * (x * root - c * c * np.log((x + root) / c))
+
+
+def stick_zone(x, slip, a):
+    """Half width c for which the exact slip is nearest to that of the faces, which may have any centre."""
+    inside = np.abs(x) < 0.95 * a
+    best = (np.inf, 0.0)
+    for centre in np.arange(-1, 1.01, 0.1) * cell:
+        for c in np.arange(0.02, 1, 0.005) * a:
+            off = slip[inside] - exact_slip(x[inside] - centre, c)
+            best = min(best, (((off - off.mean()) ** 2).sum(), c))
+    return best[1]
+
+
+def pull(case, angle):
+    """Checks of a run turned by `angle`; the shares Q/(mu P) and c/a as found in the three ways."""
+    c, s = np.cos(np.radians(angle)), np.sin(np.radians(angle))
+    back = np.array([[c, -s], [s, c]])
+    label = f"turned by {angle} degrees, " if angle else ""
+    entities = dict(c=repr(c), s=repr(s)) | (dict(side="1.05") if angle else {}) | (dict(end="20") if case.quick else {})
+    out = case.run(f"slip{angle}", entities=entities)
+    h = verify.history(out)
+    found, first = [], None
+    for t, path in verify.vtp.collection(out):
+        if t < 14.9:
+            continue
+        x, slip, state, traction = faces(verify.vtp.read(path), back)
+        Q, P = np.abs(np.array([np.interp(t, h["time"], h[f"contact{axis}:upper"]) for axis in "xy"]) @ back)
+        a = np.sqrt(8 * P * radius * 0.91 / np.pi)
+        if first is None:
+            first = slip
+            case.check(f"{label}half width of the contact, cells, falls short of 10 by", 10 - a / cell, 0, 0, "at most")
+            if angle == 0:
+                case.check("largest pressure that particles show", traction[:, 1].max(), 2 * P / (np.pi * a), 0.03)
+            continue
+        share = Q / (mu * P)
+        if share < 0.1:
+            continue
+        second = (traction * x[:, None] ** 2).sum(0) / traction.sum(0)  # moments of q and p; exact: q over p = 1 + (c/a)^2
+        by_traction = np.sqrt(max(0.0, second[0] / second[1] - 1))
+        spacing = np.diff(x).min()
+        found.append((share, stick_zone(x, slip - first, a) / a, by_traction, spacing * (state == 1).sum() / 2 / a))
+    found = np.array(found)
+    rising = found[: np.argmax(found[:, 0] > 0.95) if (found[:, 0] > 0.95).any() else len(found)]
+    for share in (0.25,) if case.quick else (0.25, 0.5, 0.75):
+        for k, way in enumerate(ways if angle == 0 else ways[:2]):
+            case.check(f"{label}Q/(mu P) = {share}: c/a by {way}", np.interp(share, rising[:, 0], rising[:, 1 + k]), np.sqrt(1 - share), 0.1)
+    if not case.quick:
+        case.check(f"{label}largest Q/(mu P)", found[:, 0].max(), 0, 1 + 1e-6, "at most")
+        case.check(f"{label}Q/(mu P) when all slips", found[-1, 0], 1, 0.03)
+    return found
+
+
+def run(case):
+    found = pull(case, 0)
+    if case.quick:
+        return
+    pull(case, 17)
+
+    def draw(axes):
+        s = np.linspace(0, 1, 400)
+        axes.plot(s, np.sqrt(1 - s), "k-", linewidth=0.8, label="Cattaneo, Mindlin")
+        for k, (way, mark) in enumerate(zip(ways, "o+x")):
+            axes.plot(found[:, 0], found[:, 1 + k], mark, markersize=4, label=f"by {way}")
+        axes.set_xlabel("Q / (mu P)")
+        axes.set_ylabel("c / a")
+        axes.legend()
+
+    case.figure("partial_slip", draw)
