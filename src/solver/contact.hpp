@@ -124,7 +124,7 @@ class Contact {
     std::array<Groups, 2> groups;
     std::array<Side<Dim>, 2> sides;
     Vec<Dim> towards;  // from the first to the second
-    bool smooth;       // the foremost particles alone gave the normal
+    bool wide;         // the normal is that of wide faces, not of corners
     std::vector<double> reach;
     std::vector<std::pair<std::size_t, double>> front;  // particles in the cloud, and their reach
   };
@@ -174,7 +174,7 @@ class Contact {
   void look_around(const MeetingNode& node, Scratch& s, const ContactMember& a, const ContactMember& b) const;
   void fill_sides(const Vec<Dim>& centre, Scratch& s) const;
   double take_front(const Vec<Dim>& centre, Scratch& s, std::size_t side, const Vec<Dim>& out) const;
-  std::optional<Vec<Dim>> margin_of_front(const Vec<Dim>& centre, Scratch& s, const Vec<Dim>& guess) const;
+  std::optional<Vec<Dim>> margin_of_front(const Vec<Dim>& centre, Scratch& s, const Vec<Dim>& guess, bool& whole) const;
   std::optional<Vec<Dim>> chosen_normal(const MeetingNode& node, Scratch& s, const ContactMember& a,
                                         const ContactMember& b) const;
 

@@ -26,7 +26,7 @@ void Contact<Dim>::face(const MeetingNode& node, ContactPair& pair, Faces& kept,
   pair.meeting.normal.setZero();
   pair.meeting.normal.template head<Dim>() = *n;
   kept.play = 0.0;
-  if (model_.contact.separation == Separation::edges && s.sides[0].count > 0 && s.sides[1].count > 0)
+  if (model_.contact.separation == Separation::edges && !s.sides[0].empty() && !s.sides[1].empty())
     kept.play = play_between<Dim>(s.sides[0], s.sides[1], *n, band * h_, smooth * h_);
   pair.meeting.gap = separation(node, pair, s, *n) + kept.play;
   pair.meeting.area = area(node, pair, s, *n);
@@ -77,7 +77,7 @@ template <int Dim>
 double Contact<Dim>::separation(const MeetingNode& node, const ContactPair& pair, Scratch& s, const Vec<Dim>& n) const {
   const ContactSpec& c = model_.contact;
   if (c.separation == Separation::edges) {
-    if (s.sides[0].count == 0 || s.sides[1].count == 0) return std::numeric_limits<double>::infinity();
+    if (s.sides[0].empty() || s.sides[1].empty()) return std::numeric_limits<double>::infinity();
     return -face_position<Dim>(s.sides[1], -n, band * h_) - face_position<Dim>(s.sides[0], n, band * h_);
   }
   // Mean position (or displacement) of the particles at the node, along the normal

@@ -133,7 +133,7 @@ bool Contact<Dim>::reuse(const MeetingNode& node, ContactPair& pair, const Faces
 // Keeps whatever may become the outermost particle before the faces are found again.
 template <int Dim>
 void Contact<Dim>::keep(Faces& kept, Scratch& s, const Vec<Dim>& n) const {
-  kept.flat = s.smooth && flat_face<Dim>(s.sides[0], n, even * h_) && flat_face<Dim>(s.sides[1], -n, even * h_);
+  kept.flat = s.wide && flat_face<Dim>(s.sides[0], n, even * h_) && flat_face<Dim>(s.sides[1], -n, even * h_);
   if (kept.flat) kept.serves = most_flat_travel;
   for (std::size_t side = 0; side < 2; ++side) {
     Side<Dim>& of = s.sides[side];

@@ -93,14 +93,16 @@ double Contact<Dim>::take_front(const Vec<Dim>& centre, Scratch& s, std::size_t 
   return most - depth;
 }
 
-// The normal of largest margin found from the foremost particles alone, which leaves the sides with them; nothing
-// unless it is sure that all particles would give the same, and the same gap.
+// Fills the sides with their foremost particles along `guess`, and returns the normal of largest margin between them;
+// nothing if there is none. `whole` tells whether all particles would surely give the same, and the same gap.
 template <int Dim>
-std::optional<Vec<Dim>> Contact<Dim>::margin_of_front(const Vec<Dim>& centre, Scratch& s, const Vec<Dim>& guess) const {
+std::optional<Vec<Dim>> Contact<Dim>::margin_of_front(const Vec<Dim>& centre, Scratch& s, const Vec<Dim>& guess,
+                                                      bool& whole) const {
+  whole = false;
   std::array<double, 2> front;
   for (std::size_t side = 0; side < 2; ++side) {
     front[side] = take_front(centre, s, side, side == 0 ? guess : Vec<Dim>(-guess));
-    if (s.sides[side].count == 0) return std::nullopt;
+    if (s.sides[side].empty()) return std::nullopt;
   }
   const auto n = margin_normal<Dim>(s.sides[0], s.sides[1], guess, h_);
   if (!n) return std::nullopt;
@@ -108,9 +110,8 @@ std::optional<Vec<Dim>> Contact<Dim>::margin_of_front(const Vec<Dim>& centre, Sc
   for (std::size_t side = 0; side < 2; ++side) {
     Side<Dim>& of = s.sides[side];
     const Vec<Dim> out = side == 0 ? *n : Vec<Dim>(-*n), first = side == 0 ? guess : Vec<Dim>(-guess);
-    if (of.band_limit(out, band * h_) > band * band * h_ * h_) return std::nullopt;  // the node lies beside the face
-    of.measure(out, 0.0);
-    const double support = *std::max_element(of.reach.begin(), of.reach.end());
+    if (of.band_limit(out, band * h_) > band * band * h_ * h_) return n;  // the node lies beside the face
+    const double support = of.farthest_reach(out, 0.0);
     const double limit = std::min(support, face_position<Dim>(of, out, band * h_) - kept_depth * h_);
     for (const auto* group : s.groups[side]) {
       if (group->bound(centre, out) <= limit) continue;
@@ -120,10 +121,10 @@ std::optional<Vec<Dim>> Contact<Dim>::margin_of_front(const Vec<Dim>& centre, Sc
       cloud_.measure(*group, centre, out, now);
       cloud_.measure(*group, centre, first, before);
       for (std::size_t i = 0; i < count; ++i)
-        if (now[i] > limit && before[i] < front[side]) return std::nullopt;
+        if (now[i] > limit && before[i] < front[side]) return n;
     }
   }
-  if (!wide_faces<Dim>(s.sides[0], s.sides[1], *n, h_)) return std::nullopt;
+  whole = true;
   return n;
 }
 
@@ -132,7 +133,7 @@ std::optional<Vec<Dim>> Contact<Dim>::chosen_normal(const MeetingNode& node, Scr
                                                     const ContactMember& b) const {
   const Vec<Dim> centre = system_.lattice.position(node.index);
   auto& [side_a, side_b] = s.sides;
-  s.smooth = false;
+  s.wide = false;
   const auto unit = [](const Vec<Dim>& v) -> std::optional<Vec<Dim>> {
     const double norm = v.norm();
     if (!(norm > 0)) return std::nullopt;
@@ -146,10 +147,16 @@ std::optional<Vec<Dim>> Contact<Dim>::chosen_normal(const MeetingNode& node, Scr
   if (by_gradient && (a.inverse_mass == 0.0 || b.inverse_mass == 0.0)) method = NormalMethod::margin;
   if (method == NormalMethod::margin) {
     const Vec<Dim> guess = unit(s.towards).value_or(Vec<Dim>::Unit(0));
-    if (auto n = margin_of_front(centre, s, guess)) return s.smooth = true, n;
+    bool whole = false;
+    auto front = margin_of_front(centre, s, guess, whole);
+    if (front && !whole) front = margin_of_front(centre, s, *front, whole);  // where faces overhang the guess is poor
+    if (front && whole && wide_faces<Dim>(side_a, side_b, *front, h_)) return s.wide = true, front;
     fill_sides(centre, s);
-    if (side_a.count == 0 || side_b.count == 0) return std::nullopt;
-    if (auto n = margin_normal<Dim>(side_a, side_b, guess, h_)) return facing_normal<Dim>(side_a, side_b, *n, h_);
+    if (side_a.empty() || side_b.empty()) return std::nullopt;
+    if (auto n = margin_normal<Dim>(side_a, side_b, guess, h_)) {
+      s.wide = wide_faces<Dim>(side_a, side_b, *n, h_);
+      return s.wide ? n : facing_normal<Dim>(side_a, side_b, *n, h_);
+    }
     if (auto n = regression_normal<Dim>(side_a, side_b, false, h_)) return n;
     return unit(gradient);
   }
@@ -167,7 +174,7 @@ std::optional<Vec<Dim>> Contact<Dim>::chosen_normal(const MeetingNode& node, Scr
       return unit(gradient);
     case NormalMethod::linear:
     case NormalMethod::logistic:
-      if (side_a.count == 0 || side_b.count == 0) return unit(gradient);
+      if (side_a.empty() || side_b.empty()) return unit(gradient);
       if (auto n = regression_normal<Dim>(side_a, side_b, method == NormalMethod::logistic, h_)) return n;
       return unit(gradient);
     case NormalMethod::margin:

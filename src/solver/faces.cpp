@@ -20,18 +20,12 @@ namespace {
 // What a corner is: the points within this depth of the foremost are within this width of each other [length].
 constexpr double corner_depth = 0.1, corner_width = 0.5;
 
-template <int Dim>
-double farthest_reach(Side<Dim>& side, const Vec<Dim>& n) {
-  side.measure(n, 1.0);
-  return *std::max_element(side.reach.begin(), side.reach.end());
-}
-
 // The corners of the domains within `depth` of the face along n.
 template <int Dim>
 void collect_corners(Side<Dim>& side, const Vec<Dim>& n, double depth, std::vector<Vec<Dim>>& out) {
   out.clear();
-  const double face = farthest_reach<Dim>(side, n);
-  for (std::size_t i = 0; i < side.reach.size(); ++i) {
+  const double face = side.farthest_reach(n, 1.0);
+  for (std::size_t i = 0; i < side.size(); ++i) {
     if (side.reach[i] < face - depth) continue;
     for (int corner = 0; corner < 1 << Dim; ++corner) {
       Vec<Dim> x;
@@ -73,13 +67,7 @@ double nearest(const std::vector<Vec<Dim>>& points) {
 // Normals of the sides of the particle that reaches farthest along n.
 template <int Dim>
 Mat<Dim> side_normals(Side<Dim>& side, const Vec<Dim>& n) {
-  farthest_reach<Dim>(side, n);
-  const auto corner =
-      static_cast<std::size_t>(std::max_element(side.reach.begin(), side.reach.end()) - side.reach.begin());
-  Mat<Dim> axes;
-  for (int k = 0; k < Dim; ++k)
-    for (int d = 0; d < Dim; ++d) axes(d, k) = side.axes[k][d][corner];
-  return axes.inverse().transpose().colwise().normalized();
+  return side.half_axes(side.foremost(n, 1.0)).inverse().transpose().colwise().normalized();
 }
 
 // The directions across n in which faces may part: in three dimensions those of the particles' sides.
@@ -103,9 +91,9 @@ bool wide_faces(Side<Dim>& a, Side<Dim>& b, const Vec<Dim>& n, double length) {
   const std::array<Mat<Dim>, 2> sides{side_normals<Dim>(a, n), side_normals<Dim>(b, -n)};
   // The centres of the particles at the face must be as far apart along every direction as a wide face is.
   const auto is_wide = [&](Side<Dim>& side, const Vec<Dim>& out, const Vec<Dim>& t) {
-    const double face = farthest_reach<Dim>(side, out);
+    const double face = side.farthest_reach(out, 1.0);
     double low = std::numeric_limits<double>::infinity(), high = -low;
-    for (std::size_t i = 0; i < side.reach.size(); ++i) {
+    for (std::size_t i = 0; i < side.size(); ++i) {
       if (side.reach[i] < face - corner_depth * length) continue;
       double at = 0.0;
       for (int d = 0; d < Dim; ++d) at += side.x[d][i] * t[d];
@@ -121,8 +109,8 @@ bool wide_faces(Side<Dim>& a, Side<Dim>& b, const Vec<Dim>& n, double length) {
 
 template <int Dim>
 bool flat_face(Side<Dim>& side, const Vec<Dim>& out, double even) {
-  const double face = farthest_reach<Dim>(side, out);
-  for (std::size_t i = 0; i < side.reach.size(); ++i) {
+  const double face = side.farthest_reach(out, 1.0);
+  for (std::size_t i = 0; i < side.size(); ++i) {
     const double depth = face - side.reach[i];
     double along = 0.0;
     for (int d = 0; d < Dim; ++d) along += side.x[d][i] * out[d];
@@ -153,7 +141,7 @@ std::optional<Vec<Dim>> facing_normal(Side<Dim>& a, Side<Dim>& b, const Vec<Dim>
   std::optional<Vec<Dim>> best;
   double largest = -std::numeric_limits<double>::infinity();
   const auto try_normal = [&](const Vec<Dim>& m) {
-    const double gap = -farthest_reach<Dim>(a, m) - farthest_reach<Dim>(b, -m);
+    const double gap = -a.farthest_reach(m, 1.0) - b.farthest_reach(-m, 1.0);
     collect(m);
     double opposite = std::numeric_limits<double>::infinity();
     each_across<Dim>(m, sides, [&](const Vec<Dim>& t) {
@@ -177,9 +165,9 @@ std::optional<Vec<Dim>> regression_normal(const Side<Dim>& a, const Side<Dim>& b
   using Square = Eigen::Matrix<double, Dim + 1, Dim + 1>;
   const auto each = [&](auto&& f) {
     for (const auto* side : {&a, &b})
-      for (int i = 0; i < side->count; ++i) {
+      for (std::size_t i = 0; i < side->size(); ++i) {
         Row X;
-        for (int d = 0; d < Dim; ++d) X[d] = side->x[d][static_cast<std::size_t>(i)] / length;
+        X.template head<Dim>() = side->centre(i) / length;
         X[Dim] = 1.0;
         f(X, side == &a ? -1.0 : 1.0);
       }
@@ -218,41 +206,29 @@ double face_position(Side<Dim>& side, const Vec<Dim>& n, double band) {
   side.measure(n, 1.0);
   const double limit = side.band_limit(n, band);
   double most = -std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < side.reach.size(); ++i)
-    if (side.reach[i] > most && side.sideways2(n, i) <= limit) most = side.reach[i];
+  for (std::size_t i = 0; i < side.size(); ++i)
+    if (side.reach[i] > most && side.sideways[i] <= limit) most = side.reach[i];
   return most;
 }
 
 namespace {
 
-// The side of a particle's domain that faces along n.
+// The facets of the particles within the band and within `depth` of the face.
 template <int Dim>
-struct Facet {
-  Vec<Dim> sideways, middle, normal;  // of the particle, across n; of the facet
-  // Where a line along n meets its plane.
-  double height(const Vec<Dim>& n, const Vec<Dim>& line) const { return (middle - line).dot(normal) / normal.dot(n); }
-};
-
-// Those of the particles within the band and within `depth` of the face.
-template <int Dim>
-std::vector<Facet<Dim>> facets(Side<Dim>& side, const Vec<Dim>& n, double band, double depth) {
+const std::vector<Facet<Dim>>& collect_facets(Side<Dim>& side, const Vec<Dim>& n, double band, double depth) {
   const double face = face_position<Dim>(side, n, band), limit = side.band_limit(n, band);
-  std::vector<Facet<Dim>> all;
-  for (std::size_t i = 0; i < side.reach.size(); ++i) {
-    if (side.reach[i] < face - depth || side.sideways2(n, i) > limit) continue;
-    Vec<Dim> x;
-    Mat<Dim> axes;
-    for (int d = 0; d < Dim; ++d) {
-      x[d] = side.x[d][i];
-      for (int k = 0; k < Dim; ++k) axes(d, k) = side.axes[k][d][i];
-    }
+  side.facets.clear();
+  for (std::size_t i = 0; i < side.size(); ++i) {
+    if (side.reach[i] < face - depth || side.sideways[i] > limit) continue;
+    const Vec<Dim> x = side.centre(i);
+    const Mat<Dim> axes = side.half_axes(i);
     const Mat<Dim> normals = axes.inverse().transpose().colwise().normalized();
     Eigen::Index front;
     (normals.transpose() * n).cwiseAbs().maxCoeff(&front);
     const double sign = normals.col(front).dot(n) < 0 ? -1.0 : 1.0;
-    all.push_back({x - x.dot(n) * n, x + sign * axes.col(front), sign * normals.col(front)});
+    side.facets.push_back({x - x.dot(n) * n, x + sign * axes.col(front), sign * normals.col(front)});
   }
-  return all;
+  return side.facets;
 }
 
 // How the height along n of the facets' planes bends across n: the regression of their slopes on their places.
@@ -274,7 +250,7 @@ double bend(const std::vector<Facet<Dim>>& facets, const Vec<Dim>& n) {
 
 template <int Dim>
 double play_between(Side<Dim>& a, Side<Dim>& b, const Vec<Dim>& n, double band, double most) {
-  const auto of_a = facets<Dim>(a, n, band, most), of_b = facets<Dim>(b, -n, band, most);
+  const auto &of_a = collect_facets<Dim>(a, n, band, most), &of_b = collect_facets<Dim>(b, -n, band, most);
   const auto opposite = [](const Facet<Dim>& facet, const auto& others) -> const Facet<Dim>& {
     const auto distance = [&](const Facet<Dim>& f) { return (f.sideways - facet.sideways).squaredNorm(); };
     return *std::min_element(others.begin(), others.end(),

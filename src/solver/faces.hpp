@@ -1,89 +1,14 @@
 /// Where two clouds of particles face each other: normal and gap at a node.
 #pragma once
 
-#include "base/types.hpp"
+#include "solver/side.hpp"
 
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <optional>
-#include <vector>
 
 namespace tribo {
-
-/// Particles of one body near a node: centres relative to the node and half axes, one array per component.
-template <int Dim>
-struct Side {
-  std::vector<double> x[Dim], axes[Dim][Dim];  ///< axes[k][d]: component d of half axis k
-  std::vector<std::size_t> which;              ///< number of the particle where it was taken from
-  std::vector<double> reach;                   ///< scratch
-  std::vector<Vec<Dim>> corners;               ///< scratch
-  int count = 0;
-
-  void clear() {
-    count = 0;
-    which.clear();
-    for (int d = 0; d < Dim; ++d) {
-      x[d].clear();
-      for (int k = 0; k < Dim; ++k) axes[k][d].clear();
-    }
-  }
-  void add(const Vec<Dim>& centre, const Mat<Dim>& half, std::size_t number = 0) {
-    ++count;
-    which.push_back(number);
-    for (int d = 0; d < Dim; ++d) {
-      x[d].push_back(centre[d]);
-      for (int k = 0; k < Dim; ++k) axes[k][d].push_back(half(d, k));
-    }
-  }
-
-  /// reach[i] = x_i . n + share * sum_k |r_k . n|: how far each particle's domain, scaled by `share`, reaches along n.
-  void measure(const Vec<Dim>& n, double share) {
-    reach.resize(static_cast<std::size_t>(count));
-    double* __restrict out = reach.data();
-    for (int i = 0; i < count; ++i) {
-      double s = 0.0, e = 0.0;
-      for (int d = 0; d < Dim; ++d) s += x[d][static_cast<std::size_t>(i)] * n[d];
-      for (int k = 0; k < Dim; ++k) {
-        double r = 0.0;
-        for (int d = 0; d < Dim; ++d) r += axes[k][d][static_cast<std::size_t>(i)] * n[d];
-        e += std::fabs(r);
-      }
-      out[i] = s + share * e;
-    }
-  }
-
-  /// Square of a particle's distance from the line through the node along n.
-  double sideways2(const Vec<Dim>& n, std::size_t i) const {
-    double along = 0.0, square = 0.0;
-    for (int d = 0; d < Dim; ++d) along += x[d][i] * n[d], square += x[d][i] * x[d][i];
-    return square - along * along;
-  }
-  /// Square of the band's half width, widened to the nearest particle.
-  double band_limit(const Vec<Dim>& n, double band) const {
-    double nearest = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) nearest = std::min(nearest, sideways2(n, i));
-    return std::max(band * band, nearest * (1 + 1e-6));
-  }
-
-  /// The corner of a domain, scaled by `share`, that reaches farthest along n.
-  Vec<Dim> farthest(const Vec<Dim>& n, double share) {
-    measure(n, share);
-    std::size_t best = 0;
-    for (std::size_t i = 1; i < reach.size(); ++i)
-      if (reach[i] > reach[best]) best = i;
-    Vec<Dim> corner;
-    for (int d = 0; d < Dim; ++d) corner[d] = x[d][best];
-    for (int k = 0; k < Dim; ++k) {
-      Vec<Dim> r;
-      for (int d = 0; d < Dim; ++d) r[d] = axes[k][d][best];
-      corner += (r.dot(n) < 0 ? -share : share) * r;
-    }
-    return corner;
-  }
-};
 
 /// Unit vectors across a unit vector that lie evenly around it.
 template <int Dim>
@@ -143,10 +68,10 @@ double play_between(Side<Dim>& a, Side<Dim>& b, const Vec<Dim>& n, double band, 
 /// Calls f(i) for the particles that reach within `depth` of that face, also `beside` the band.
 template <int Dim, class F>
 void each_at_face(Side<Dim>& side, const Vec<Dim>& n, double band, double beside, double depth, F&& f) {
-  const double face = face_position<Dim>(side, n, band);  // leaves `reach`
+  const double face = face_position<Dim>(side, n, band);  // leaves `reach` and `sideways`
   const double limit = side.band_limit(n, band + beside);
-  for (std::size_t i = 0; i < side.reach.size(); ++i)
-    if (side.reach[i] >= face - depth && side.sideways2(n, i) <= limit) f(i);
+  for (std::size_t i = 0; i < side.size(); ++i)
+    if (side.reach[i] >= face - depth && side.sideways[i] <= limit) f(i);
 }
 
 }  // namespace tribo
