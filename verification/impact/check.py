@@ -41,6 +41,17 @@ def run(case):
             got = verify.history(case.run(f"shift{k}", entities=dict(shift=repr(shift))))
             impulse.append(1 - got["px:a"][-1] / got["px:a"][0])
         case.check("FMPM(4): spread of the impulse over 5 shifts of the grid", np.ptp(impulse) / np.mean(impulse), 0, 0.02, "at most")
+        for angle in (17, 45):
+            c, s = np.cos(np.radians(angle)), np.sin(np.radians(angle))
+            for name, transfer in (("FMPM(4)", {}), ("APIC", schemes["APIC, USL-"])):
+                got = verify.history(case.run(f"turned{angle}{name[:4]}", entities=transfer | dict(c=repr(c), s=repr(s), low="-1.3", high="1.3", left="-1.3", right="1.3")))
+                t, force = got["time"] - 50, -(c * got["contactx:a"] + s * got["contacty:a"]) / (V * A)
+                along = c * got["px:a"] + s * got["py:a"]
+                best = name.startswith("FMPM")
+                label = f"{name}, turned by {angle} degrees"
+                case.check(f"{label}: plateau of the contact force", force[(t > 0.5) & (t < 1.5)].mean(), 1, 0.01)
+                case.check(f"{label}: speed of the rebound", -along[-1] / along[0], 1, 0.025 if best else 0.06)
+                case.check(f"{label}: momentum", np.abs(got["px:a"] + got["px:b"]).max() / along[0], 0, 1e-12, "at most")
         got = verify.history(case.run("frame", entities=dict(va="1e-3+0.02", vb="-1e-3+0.02", right="2.8")))
         case.check("FMPM(4): impulse in a frame at 20 times the speed", (got["px:a"][0] - got["px:a"][-1]) / (V * A), np.mean(impulse), 0.02)
         got = verify.history(case.run("long", entities=dict(length="2", right="2.6", end="54.5")))

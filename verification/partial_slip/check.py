@@ -81,11 +81,44 @@ def pull(case, angle):
     return found
 
 
+def ball(case):
+    """The same between two spheres, half of which is modelled."""
+    cell, depth, lift = 0.01, 0.3, 0.001
+    out = case.run("ball", file="ball.xml")
+    h = verify.history(out)
+    found = []
+    for t, path in verify.vtp.collection(out):
+        if t < 7.4:
+            continue
+        p = verify.vtp.read(path)
+        Q, P = (2 * abs(np.interp(t, h["time"], h[f"contact{axis}:upper"])) for axis in "xy")
+        a = (0.75 * P * radius * 2 * 0.91) ** (1 / 3)
+        at = p["points"] - p["displacement"]
+        square = at[:, 0] ** 2 + at[:, 2] ** 2
+        height = (at[:, 1] - lift - bend * square) / (1 - bend * square / depth)
+        row = (p["material"] == 1) & (height < 0.3 * cell) & (np.abs(at[:, 0]) < 0.16) & (at[:, 2] < 0.16)
+        state, traction, square = p["contact_state"][row], np.abs(p["contact_traction"][row, :2]), square[row]
+        if not found:
+            case.check("spheres, radius of the contact, cells, falls short of 10 by", 10 - a / cell, 0, 0, "at most")
+            case.check("spheres, largest pressure that particles show", traction[:, 1].max(), 1.5 * P / (np.pi * a**2), 0.03)
+        second = (traction * square[:, None]).sum(0) / traction.sum(0)  # exact: their ratio is (1 - k^5)/(1 - k^3), k = c/a
+        k = np.linspace(0, 0.9999, 5000)
+        by_traction = np.interp(second[0] / second[1], (1 - k**5) / (1 - k**3), k)
+        found.append((Q / (mu * P), by_traction, np.sqrt(2 * (state == 1).sum() / np.pi) * cell / 2 / a))
+    found = np.array(found)
+    rising = found[: np.argmax(found[:, 0] > 0.95) if (found[:, 0] > 0.95).any() else len(found)]
+    for share in (0.25, 0.5, 0.75):
+        for k, way in enumerate(ways[1:]):
+            case.check(f"spheres, Q/(mu P) = {share}: c/a by {way}", np.interp(share, rising[:, 0], rising[:, 1 + k]), np.cbrt(1 - share), 0.1)
+    case.check("spheres, largest Q/(mu P)", found[:, 0].max(), 0, 1 + 1e-6, "at most")
+
+
 def run(case):
     found = pull(case, 0)
     if case.quick:
         return
     pull(case, 17)
+    ball(case)
 
     def draw(axes):
         s = np.linspace(0, 1, 400)
