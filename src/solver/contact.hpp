@@ -173,7 +173,7 @@ class Contact {
   Vec<Dim> gradient_normal(const ContactMember& a, const ContactMember& b) const;
   void look_around(const MeetingNode& node, Scratch& s, const ContactMember& a, const ContactMember& b) const;
   void fill_sides(const Vec<Dim>& centre, Scratch& s) const;
-  double take_front(const Vec<Dim>& centre, Scratch& s, std::size_t side, const Vec<Dim>& out) const;
+  void take_front(const Vec<Dim>& centre, Scratch& s, std::size_t side, const Vec<Dim>& out) const;
   std::optional<Vec<Dim>> margin_of_front(const Vec<Dim>& centre, Scratch& s, const Vec<Dim>& guess, bool& whole) const;
   std::optional<Vec<Dim>> chosen_normal(const MeetingNode& node, Scratch& s, const ContactMember& a,
                                         const ContactMember& b) const;

@@ -68,9 +68,9 @@ void Contact<Dim>::fill_sides(const Vec<Dim>& centre, Scratch& s) const {
   }
 }
 
-// Fills a side with its particles that reach to the foremost along `out`, or nearly; returns from where on.
+// Fills a side with its particles that reach to the foremost along `out`, or nearly.
 template <int Dim>
-double Contact<Dim>::take_front(const Vec<Dim>& centre, Scratch& s, std::size_t side, const Vec<Dim>& out) const {
+void Contact<Dim>::take_front(const Vec<Dim>& centre, Scratch& s, std::size_t side, const Vec<Dim>& out) const {
   const double depth = front_depth * h_;
   double most = -std::numeric_limits<double>::infinity();
   s.front.clear();
@@ -90,7 +90,6 @@ double Contact<Dim>::take_front(const Vec<Dim>& centre, Scratch& s, std::size_t 
     const CloudPoint<Dim> p = cloud_.point(k);
     s.sides[side].add(p.x - centre, p.axes, k);
   }
-  return most - depth;
 }
 
 // Fills the sides with their foremost particles along `guess`, and returns the normal of largest margin between them;
@@ -99,30 +98,29 @@ template <int Dim>
 std::optional<Vec<Dim>> Contact<Dim>::margin_of_front(const Vec<Dim>& centre, Scratch& s, const Vec<Dim>& guess,
                                                       bool& whole) const {
   whole = false;
-  std::array<double, 2> front;
   for (std::size_t side = 0; side < 2; ++side) {
-    front[side] = take_front(centre, s, side, side == 0 ? guess : Vec<Dim>(-guess));
+    take_front(centre, s, side, side == 0 ? guess : Vec<Dim>(-guess));
     if (s.sides[side].empty()) return std::nullopt;
   }
   const auto n = margin_normal<Dim>(s.sides[0], s.sides[1], guess, h_);
   if (!n) return std::nullopt;
-  // Whoever was left out must lie behind all that counts: the support of the margin, and the faces of gaps.
+  // Whoever was left out must lie behind all that counts: the support of the margin, and the faces of gaps. Then as
+  // many lie before that among all as among the foremost.
   for (std::size_t side = 0; side < 2; ++side) {
     Side<Dim>& of = s.sides[side];
-    const Vec<Dim> out = side == 0 ? *n : Vec<Dim>(-*n), first = side == 0 ? guess : Vec<Dim>(-guess);
+    const Vec<Dim> out = side == 0 ? *n : Vec<Dim>(-*n);
     if (of.band_limit(out, band * h_) > band * band * h_ * h_) return n;  // the node lies beside the face
     const double support = of.farthest_reach(out, 0.0);
     const double limit = std::min(support, face_position<Dim>(of, out, band * h_) - kept_depth * h_);
+    const auto before = [limit](double reach) { return reach > limit; };
+    auto more = -std::count_if(of.reach.data(), of.reach.data() + of.size(), before);
     for (const auto* group : s.groups[side]) {
       if (group->bound(centre, out) <= limit) continue;
-      const std::size_t count = group->end - group->begin;
-      s.reach.resize(2 * count);
-      double *now = s.reach.data(), *before = now + count;
-      cloud_.measure(*group, centre, out, now);
-      cloud_.measure(*group, centre, first, before);
-      for (std::size_t i = 0; i < count; ++i)
-        if (now[i] > limit && before[i] < front[side]) return n;
+      s.reach.resize(group->end - group->begin);
+      cloud_.measure(*group, centre, out, s.reach.data());
+      more += std::count_if(s.reach.begin(), s.reach.end(), before);
     }
+    if (more != 0) return n;
   }
   whole = true;
   return n;

@@ -27,12 +27,11 @@ void collect_corners(Side<Dim>& side, const Vec<Dim>& n, double depth, std::vect
   const double face = side.farthest_reach(n, 1.0);
   for (std::size_t i = 0; i < side.size(); ++i) {
     if (side.reach[i] < face - depth) continue;
+    const Vec<Dim> centre = side.centre(i);
+    const Mat<Dim> half = side.half_axes(i);
     for (int corner = 0; corner < 1 << Dim; ++corner) {
-      Vec<Dim> x;
-      for (int d = 0; d < Dim; ++d) {
-        x[d] = side.x[d][i];
-        for (int k = 0; k < Dim; ++k) x[d] += (corner >> k & 1) != 0 ? side.axes[k][d][i] : -side.axes[k][d][i];
-      }
+      Vec<Dim> x = centre;
+      for (int k = 0; k < Dim; ++k) x += ((corner >> k & 1) != 0 ? 1.0 : -1.0) * half.col(k);
       if (x.dot(n) >= face - depth) out.push_back(x);
     }
   }
@@ -95,8 +94,7 @@ bool wide_faces(Side<Dim>& a, Side<Dim>& b, const Vec<Dim>& n, double length) {
     double low = std::numeric_limits<double>::infinity(), high = -low;
     for (std::size_t i = 0; i < side.size(); ++i) {
       if (side.reach[i] < face - corner_depth * length) continue;
-      double at = 0.0;
-      for (int d = 0; d < Dim; ++d) at += side.x[d][i] * t[d];
+      const double at = side.centre(i).dot(t);
       low = std::min(low, at), high = std::max(high, at);
       if (high - low >= corner_width * length) return true;
     }
@@ -112,9 +110,7 @@ bool flat_face(Side<Dim>& side, const Vec<Dim>& out, double even) {
   const double face = side.farthest_reach(out, 1.0);
   for (std::size_t i = 0; i < side.size(); ++i) {
     const double depth = face - side.reach[i];
-    double along = 0.0;
-    for (int d = 0; d < Dim; ++d) along += side.x[d][i] * out[d];
-    const double thickness = 2 * (side.reach[i] - along);
+    const double thickness = 2 * (side.reach[i] - side.centre(i).dot(out));
     if (depth > even && depth < 0.9 * thickness) return false;  // it is not of the layer behind
   }
   return true;

@@ -141,11 +141,14 @@ TEST_CASE("a face is flat if it is plane, wherever it ends", "[contact]") {
 
 TEST_CASE("rounding of the particles' places does not turn the margin normal", "[contact]") {
   std::mt19937 random(7);
-  const auto disturbed = [&](Side<2> side, double noise) {
+  const auto disturbed = [&](const Side<2>& side, double noise) {
     std::uniform_real_distribution<double> unit(-noise, noise);
-    for (auto& x : side.x)
-      for (double& value : x) value += unit(random);
-    return side;
+    Side<2> out;
+    for (std::size_t i = 0; i < side.size(); ++i) {
+      const Vec<2> moved = side.centre(i) + Vec<2>(unit(random), unit(random));
+      out.add(moved, side.half_axes(i));
+    }
+    return out;
   };
   for (const double noise : {1e-16, 1e-14, 1e-12, 1e-10, 1e-8, 1e-6})
     for (int n = 0; n < 50; ++n) {
