@@ -191,6 +191,7 @@ class Contact {
   std::size_t field_count_ = 0;
   std::vector<const ContactLaw*> laws_;
   std::vector<Body<Dim>*> bodies_;
+  std::vector<Domains<Dim>> domains_;  ///< scratch: of the bodies
   Cloud<Dim> cloud_;
   FaceImpulses<Dim> face_impulses_;
   std::vector<SharedBlock> shared_;

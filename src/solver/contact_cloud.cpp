@@ -9,6 +9,19 @@
 namespace tribo {
 
 template <int Dim>
+Domains<Dim>::Domains(Body<Dim>& body) : uniform_(body.uniform_half_size) {
+  for (std::size_t d = 0; d < Dim; ++d) {
+    x_[d] = body.particles.x()[d];
+    if (body.half_size) half_[d] = body.particles.column(*body.half_size + d);
+  }
+  if (!body.particles.has_deformation()) return;
+  for (std::size_t k = 0; k < Layout<Dim>::full; ++k) {
+    const auto [row, column] = Layout<Dim>::full_at[k];
+    if (row < Dim && column < Dim) F_[static_cast<std::size_t>(row * Dim + column)] = body.particles.F()[k];
+  }
+}
+
+template <int Dim>
 Cloud<Dim>::Cloud(const Lattice<Dim>& lattice, double reach)
     : lattice_(lattice), reach_(reach), slot_(static_cast<std::size_t>(lattice.block_count()), -1) {
   Index<Dim> cells;
@@ -69,22 +82,6 @@ bool Cloud<Dim>::wanted(const Vec<Dim>& x, std::size_t& at) const {
 }
 
 template <int Dim>
-CloudPoint<Dim> Cloud<Dim>::particle(Body<Dim>& body, std::uint32_t i) {
-  CloudPoint<Dim> p;
-  p.x = body.particles.position(i);
-  Vec<Dim> half = body.uniform_half_size;
-  if (body.half_size)
-    for (std::size_t d = 0; d < Dim; ++d)
-      half[static_cast<Eigen::Index>(d)] = body.particles.column(*body.half_size + d)[i];
-  p.axes = half.asDiagonal();
-  if (body.particles.has_deformation()) {
-    const Mat3 F = load_full<Dim>(body.particles.F(), static_cast<int>(i));
-    p.axes = F.template topLeftCorner<Dim, Dim>() * p.axes;
-  }
-  return p;
-}
-
-template <int Dim>
 void Cloud<Dim>::collect(const std::vector<Body<Dim>*>& bodies) {
   unsorted_.clear();
   cell_of_.clear();
@@ -123,9 +120,11 @@ void Cloud<Dim>::collect(const std::vector<Body<Dim>*>& bodies) {
   for (std::size_t c = 0; c + 1 < first_.size(); ++c) first_[c] = first_[c + 1];
   first_.back() = static_cast<std::uint32_t>(labels_.size());
   for (auto& column : column_) column.resize(labels_.size());
+  domains_.clear();
+  for (auto* body : bodies) domains_.emplace_back(*body);
   parallel_for(static_cast<std::ptrdiff_t>(labels_.size()), [&](std::ptrdiff_t k) {
     const auto at = static_cast<std::size_t>(k);
-    const CloudPoint<Dim> p = particle(*bodies[labels_[at].body], labels_[at].particle);
+    const CloudPoint<Dim> p = domains_[labels_[at].body](labels_[at].particle);
     for (std::size_t c = 0; c < Dim; ++c) column_[c][at] = p.x.data()[c];
     for (std::size_t c = Dim; c < columns; ++c) column_[c][at] = p.axes.data()[c - Dim];
   });
@@ -175,6 +174,8 @@ void Cloud<Dim>::measure(const CloudGroup<Dim>& group, const Vec<Dim>& centre, c
   }
 }
 
+template class Domains<2>;
+template class Domains<3>;
 template class Cloud<2>;
 template class Cloud<3>;
 

@@ -27,6 +27,29 @@ struct CloudPoint {
   }
 };
 
+/// Reads the domains of a body's particles as they are now; to be made anew for every step.
+template <int Dim>
+class Domains {
+ public:
+  explicit Domains(Body<Dim>& body);
+  CloudPoint<Dim> operator()(std::uint32_t i) const {
+    CloudPoint<Dim> p;
+    for (std::size_t d = 0; d < Dim; ++d) {
+      const auto axis = static_cast<Eigen::Index>(d);
+      p.x[axis] = x_[d][i];
+      const double half = half_[d] ? half_[d][i] : uniform_[axis];
+      for (std::size_t row = 0; row < Dim; ++row)
+        p.axes(static_cast<Eigen::Index>(row), axis) = (F_[0] ? F_[row * Dim + d][i] : row == d ? 1.0 : 0.0) * half;
+    }
+    return p;
+  }
+
+ private:
+  std::array<const double*, Dim> x_{}, half_{};  // half_: null if all are alike
+  std::array<const double*, Dim * Dim> F_{};     // row by row; null if not kept
+  Vec<Dim> uniform_;
+};
+
 /// The particles of a field in a cell, and the box around their domains.
 template <int Dim>
 struct CloudGroup {
@@ -83,9 +106,6 @@ class Cloud {
   /// those beyond the reach of the cloud.
   void measure(const CloudGroup<Dim>& group, const Vec<Dim>& centre, const Vec<Dim>& n, double* __restrict out) const;
 
-  /// Particle i of a body as it is now.
-  static CloudPoint<Dim> particle(Body<Dim>& body, std::uint32_t i);
-
  private:
   // Calls f(block, cell in the block) for the cells that a ball about a node cuts.
   template <class F>
@@ -118,6 +138,7 @@ class Cloud {
   static constexpr std::size_t columns = Dim + Dim * Dim;
   std::array<std::vector<double>, columns> column_;  ///< centres and half axes of the points
   std::vector<CloudLabel> labels_, unsorted_;
+  std::vector<Domains<Dim>> domains_;           ///< scratch
   std::vector<std::uint32_t> cell_of_, first_;  ///< per unsorted point: its cell; per cell: first point
 };
 

@@ -90,9 +90,11 @@ bool Contact<Dim>::reuse_faces() {
       if (f == faces_.size() || at() != wanted) return false;
       face_of_[p] = f;
     }
+  domains_.clear();
+  for (auto* body : bodies_) domains_.emplace_back(*body);
   parallel_for(static_cast<std::ptrdiff_t>(kept_.size()), [&](std::ptrdiff_t k) {
     Kept& kept = kept_[static_cast<std::size_t>(k)];
-    kept.point = Cloud<Dim>::particle(*bodies_[kept.label.body], kept.label.particle);
+    kept.point = domains_[kept.label.body](kept.label.particle);
   });
   parallel_for(static_cast<std::ptrdiff_t>(nodes_.size()), [&](std::ptrdiff_t k) {
     MeetingNode& node = nodes_[static_cast<std::size_t>(k)];
