@@ -1,6 +1,7 @@
 /// The program: arguments in, exit code out. The only place that catches.
 
 #include "base/error.hpp"
+#include "base/parallel.hpp"
 #include "input/dialect.hpp"
 #include "input/read.hpp"
 #include "output/provenance.hpp"
@@ -11,7 +12,6 @@
 #include <cstdio>
 #include <fstream>
 #include <iostream>
-#include <thread>
 
 namespace {
 
@@ -31,7 +31,7 @@ std::string joined(int argc, char** argv) {
 
 struct Arguments {
   std::filesystem::path file, output, folder;
-  int threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  int threads = tribo::threads();
   bool quiet = false, overwrite = false;
   double max_wall = 0.0;
   std::string keyword;
@@ -113,7 +113,7 @@ int main(int argc, char** argv) {  // NOLINT(bugprone-exception-escape): what es
   auto* list_command = app.add_subcommand("list", "print all keywords and materials, or one of them");
   list_command->add_option("NAME", a.keyword, "an element or a material");
   for (auto* command : {run_command, resume_command, check_command})
-    command->add_option("--threads", a.threads, "threads (default: all)")->check(CLI::PositiveNumber);
+    command->add_option("--threads", a.threads, "threads (default: OMP_NUM_THREADS, else all)")->check(CLI::PositiveNumber);
   for (auto* command : {run_command, resume_command}) {
     command->add_flag("--quiet", a.quiet, "no progress");
     command->add_option("--max-wall", a.max_wall, "stop with a checkpoint after this many seconds")
