@@ -121,13 +121,22 @@ bool Contact<Dim>::reuse(const MeetingNode& node, ContactPair& pair, const Faces
   pair.meeting.gap = face.play;
   for (std::size_t side = 0; side < 2; ++side) {
     const Vec<Dim> out = side == 0 ? n : Vec<Dim>(-n);
-    double most = -std::numeric_limits<double>::infinity(), least = -most;
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    std::array<double, Faces::most> reach{}, sideways{};
+    double most = -infinity, least = infinity, nearest = infinity;
     for (std::size_t k = 0; k < face.count[side]; ++k) {
-      const double reach = kept_[face.corners[side][k]].point.reach(centre, out);
-      most = std::max(most, reach), least = std::min(least, reach);
+      const CloudPoint<Dim>& point = kept_[face.corners[side][k]].point;
+      const Vec<Dim> x = point.x - centre;
+      reach[k] = point.reach(centre, out);
+      sideways[k] = x.squaredNorm() - x.dot(n) * x.dot(n);
+      most = std::max(most, reach[k]), least = std::min(least, reach[k]), nearest = std::min(nearest, sideways[k]);
     }
-    pair.meeting.gap -= most;
     if (face.flat && std::abs(most - least - face.relief[side]) > most_change * h_) return false;
+    const double limit = Side<Dim>::widened(band * h_, nearest);
+    double position = -infinity;
+    for (std::size_t k = 0; k < face.count[side]; ++k)
+      if (sideways[k] <= limit) position = std::max(position, reach[k]);
+    pair.meeting.gap -= position;
   }
   return true;
 }
