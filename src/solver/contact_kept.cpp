@@ -122,20 +122,19 @@ bool Contact<Dim>::reuse(const MeetingNode& node, ContactPair& pair, const Faces
   for (std::size_t side = 0; side < 2; ++side) {
     const Vec<Dim> out = side == 0 ? n : Vec<Dim>(-n);
     constexpr double infinity = std::numeric_limits<double>::infinity();
-    std::array<double, Faces::most> reach{}, sideways{};
-    double most = -infinity, least = infinity, nearest = infinity;
+    double most = -infinity, least = infinity, position = -infinity, nearest = infinity, of_nearest = -infinity;
     for (std::size_t k = 0; k < face.count[side]; ++k) {
       const CloudPoint<Dim>& point = kept_[face.corners[side][k]].point;
+      const double reach = point.reach(centre, out);
+      most = std::max(most, reach), least = std::min(least, reach);
+      if (reach <= position) continue;
       const Vec<Dim> x = point.x - centre;
-      reach[k] = point.reach(centre, out);
-      sideways[k] = x.squaredNorm() - x.dot(n) * x.dot(n);
-      most = std::max(most, reach[k]), least = std::min(least, reach[k]), nearest = std::min(nearest, sideways[k]);
+      const double sideways = x.squaredNorm() - x.dot(n) * x.dot(n);
+      if (sideways <= band * band * h_ * h_) position = reach;
+      if (sideways < nearest) nearest = sideways, of_nearest = reach;
     }
     if (face.flat && std::abs(most - least - face.relief[side]) > most_change * h_) return false;
-    const double limit = Side<Dim>::widened(band * h_, nearest);
-    double position = -infinity;
-    for (std::size_t k = 0; k < face.count[side]; ++k)
-      if (sideways[k] <= limit) position = std::max(position, reach[k]);
+    if (position == -infinity) position = of_nearest;  // the node lies beside the face
     pair.meeting.gap -= position;
   }
   return true;

@@ -105,10 +105,8 @@ class Side {
         nearest_ = std::min(nearest_, sideways[i]);
       }
     }
-    return widened(band, nearest_);
+    return std::max(band * band, nearest_ * (1 + 1e-6));
   }
-  /// The same for the square of the nearest particle's distance.
-  static double widened(double band, double nearest) { return std::max(band * band, nearest * (1 + 1e-6)); }
 
  private:
   static constexpr int columns = Dim + Dim * Dim;
