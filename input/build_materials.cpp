@@ -166,7 +166,8 @@ void Builder::rigid_functions(const Statement& s, MaterialSpec& spec, bool conta
     if (child.name.rfind("SettingFunction", 0) == 0) functions.push_back(&child);
   }
   if (spec.touches()) {
-    const bool active = root_.child("MPMHeader")->child("MultiMaterialMode") != nullptr;
+    const Statement* solver = root_.child("MPMHeader");
+    const bool active = solver && solver->child("MultiMaterialMode");
     must(active, s.origin, "a rigid body that is touched by contact needs <MultiMaterialMode> in <MPMHeader>");
     must(functions.size() <= static_cast<std::size_t>(model_.dimension()), s.origin,
          "there are more <SettingFunction>s than directions");

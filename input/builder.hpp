@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/schema.hpp"
+#include "input/read.hpp"
 #include "model/model.hpp"
 
 #include <filesystem>
@@ -17,6 +18,8 @@ class Builder {
   Builder(const Statement& root, std::filesystem::path folder) : root_(root), folder_(std::move(folder)) {}
   /// Throws InputError.
   Model build();
+  /// The law and path of <Drive>; reads nothing else but units and materials. Throws InputError.
+  Drive build_drive();
 
  private:
   // header.cpp
@@ -67,6 +70,12 @@ class Builder {
   void heat_flux(const Statement& s, const RegionPtr& where);
   void heat();
   void gravity();
+
+  // build_drive.cpp
+  MaterialDrive material_drive(const Statement& s, const MaterialSpec& spec);
+  ContactDrive contact_drive(const Statement& s, const MaterialSpec& spec);
+  std::vector<PathRow> path(const Statement& s, const std::vector<PathColumn>& columns);
+  std::vector<PathRow> test_path(const Statement& s, Mat3& initial);
 
   // values
   bool has(const Statement& s, std::string_view attribute) const { return s.attribute(attribute) != nullptr; }

@@ -357,6 +357,39 @@ std::vector<ElementSpec> make() {
         number("angle", "")}});
 
   // Material
+  // Drive
+  add({"Drive",
+       "JANFEAInput",
+       "drives one law at a point along a path, for 'tribo drive'; 'tribo run' leaves it alone",
+       T::none,
+       {text("material", "name of the material to drive"),
+        text("contact", "or of the contact law"),
+        {"test", T::choice, "a standard test in place of <Path>",
+         "simple_shear uniaxial_stress oedometer triaxial_compression triaxial_extension isotropic"},
+        number("strain", "where the test ends: of the shear, the axis or, isotropic, the volume"),
+        number("rate", "of that strain (default 1)"),
+        {"steps", T::integer, "of the test (default 100)"},
+        number("pressure", "that confines a triaxial test"),
+        number("mass", "reduced mass per area of the faces of a contact law (default 1)"),
+        number("gap", "between the faces at the start (default 0)"),
+        number("cell", "size of the cells that a contact law is told (default 1)")},
+       true});
+  add({"InitialStress",
+       "Drive",
+       "stress before the path",
+       T::none,
+       {number("xx", "normal stress"), number("yy", "normal stress"), number("zz", "normal stress"),
+        number("xy", "shear stress"), number("yz", "shear stress"), number("xz", "shear stress")},
+       true});
+  add({"Path",
+       "Drive",
+       "rows of numbers with commas between; the first line names the columns: dt, steps, and for a material Lxx .. "
+       "Lzz "
+       "(velocity gradient) and sxx .. sxz (prescribed stress), for a contact law vn, vt1, vt2 and N, St1, St2",
+       T::text,
+       {text("file", "the rows are in this file")},
+       true});
+
   add({"Material",
        "JANFEAInput",
        "a material; its properties are elements, see the list of materials",

@@ -56,8 +56,9 @@ const std::vector<RefusedName>& refused_names();
 const ElementSpec* find_element(std::string_view name, std::string_view parent);
 
 /// Checks a tree against the table: names, places, repetitions, what is missing, and the form of every value.
-/// The children of <Material> that are properties are left to the law.
-void check_statements(const Statement& root, Problems& problems);
+/// The children of <Material> that are properties are left to the law. `only_drive`: a file to drive a law with needs
+/// no model.
+void check_statements(const Statement& root, Problems& problems, bool only_drive = false);
 
 /// XML schema of the dialect as Tribo reads it.
 std::string schema();

@@ -4,6 +4,7 @@
 #include "base/parallel.hpp"
 #include "input/dialect.hpp"
 #include "input/read.hpp"
+#include "output/atomic_file.hpp"
 #include "output/provenance.hpp"
 #include "run/simulation.hpp"
 
@@ -71,6 +72,17 @@ int check(const Arguments& a) {
   return 0;
 }
 
+int drive(const Arguments& a) {
+  const std::filesystem::path table = a.output.empty() ? a.file.stem().string() + ".csv" : a.output.string();
+  if (!a.overwrite && std::filesystem::exists(table))
+    throw tribo::FileError("'" + table.string() +
+                           "' is there already; --overwrite replaces it, --output names another");
+  const auto out = std::visit([](const auto& what) { return tribo::drive(what); }, tribo::read_drive(a.file));
+  tribo::write_atomically(table, out.text());
+  if (!a.quiet) std::printf("%zu rows in %s\n", out.rows.size(), table.c_str());
+  return 0;
+}
+
 int guarded(const std::function<int()>& action) {
   try {
     return action();
@@ -109,11 +121,17 @@ int main(int argc, char** argv) {  // NOLINT(bugprone-exception-escape): what es
   resume_command->add_option("DIR", a.folder, "folder of the run")->required();
   auto* check_command = app.add_subcommand("check", "read and build, print the pre-flight sheet, run nothing");
   check_command->add_option("FILE", a.file, "command file (XML)")->required();
+  auto* drive_command = app.add_subcommand("drive", "drive one law along the path of <Drive>, print a table");
+  drive_command->add_option("FILE", a.file, "command file (XML)")->required();
+  drive_command->add_option("--output", a.output, "the table (default: NAME.csv here)");
+  drive_command->add_flag("--overwrite", a.overwrite, "replace an earlier table");
+  drive_command->add_flag("--quiet", a.quiet, "say nothing");
   auto* schema_command = app.add_subcommand("schema", "print the XML schema of command files");
   auto* list_command = app.add_subcommand("list", "print all keywords and materials, or one of them");
   list_command->add_option("NAME", a.keyword, "an element or a material");
   for (auto* command : {run_command, resume_command, check_command})
-    command->add_option("--threads", a.threads, "threads (default: OMP_NUM_THREADS, else all)")->check(CLI::PositiveNumber);
+    command->add_option("--threads", a.threads, "threads (default: OMP_NUM_THREADS, else all)")
+        ->check(CLI::PositiveNumber);
   for (auto* command : {run_command, resume_command}) {
     command->add_flag("--quiet", a.quiet, "no progress");
     command->add_option("--max-wall", a.max_wall, "stop with a checkpoint after this many seconds")
@@ -130,6 +148,7 @@ int main(int argc, char** argv) {  // NOLINT(bugprone-exception-escape): what es
     if (*run_command) return run(a, command);
     if (*resume_command) return resume(a, command);
     if (*check_command) return check(a);
+    if (*drive_command) return drive(a);
     if (*schema_command) return std::printf("%s", tribo::schema().c_str()) < 0 ? file_error : 0;
     if (*list_command) {
       const auto text = tribo::list_keywords(a.keyword);

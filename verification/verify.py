@@ -35,8 +35,8 @@ class Case:
         self.scratch = pathlib.Path(tempfile.mkdtemp(prefix=f"tribo-{name}-"))
         self.results, self.figures, self.tables = [], [], []
 
-    def run(self, label, file="case.xml", entities=None, replace=None):
-        """Runs a command file with entities (and texts) replaced; returns the folder of its results."""
+    def deck(self, label, file, entities, replace):
+        """A command file with entities (and texts) replaced."""
         text = (self.folder / file).read_text()
         for entity, value in (entities or {}).items():
             text, count = re.subn(rf'<!ENTITY {entity} "[^"]*">', f'<!ENTITY {entity} "{value}">', text)
@@ -48,11 +48,21 @@ class Case:
             text = text.replace(old, new)
         deck = self.scratch / f"{label}.xml"
         deck.write_text(text)
-        out = self.scratch / f"{label}.out"
-        done = subprocess.run([self.tribo, "run", "--quiet", "--overwrite", "--output", out, deck], capture_output=True, text=True)
+        return deck
+
+    def call(self, command, deck, out):
+        done = subprocess.run([self.tribo, command, "--quiet", "--overwrite", "--output", out, deck], capture_output=True, text=True)
         if done.returncode != 0:
             raise SystemExit(f"{deck}: exit code {done.returncode}\n{done.stderr}")
         return out
+
+    def run(self, label, file="case.xml", entities=None, replace=None):
+        """Runs a command file with entities (and texts) replaced; returns the folder of its results."""
+        return self.call("run", self.deck(label, file, entities, replace), self.scratch / f"{label}.out")
+
+    def drive(self, label, drive, law, file="case.xml"):
+        """Drives a law: the texts of <Drive> and of its <Material>; returns the columns of the table by name."""
+        return table(self.call("drive", self.deck(label, file, dict(drive=drive, law=law), None), self.scratch / f"{label}.csv"))
 
     def check(self, what, measured, reference, tolerance, kind="relative"):
         """kind: relative or absolute error against the reference, or `at most` the tolerance."""

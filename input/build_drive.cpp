@@ -1,0 +1,187 @@
+/// A law driven at a point: which one, and along which path.
+
+#include "contact/contact_law.hpp"
+#include "input/builder.hpp"
+#include "input/dialect.hpp"
+#include "input/read.hpp"
+#include "input/xml.hpp"
+#include "materials/material.hpp"
+
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <sstream>
+
+namespace tribo {
+namespace {
+
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+
+std::string content_of(const std::filesystem::path& file, const Origin& origin) {
+  std::ifstream in(file);
+  std::ostringstream text;
+  text << in.rdbuf();
+  if (!in) throw InputError(origin, "cannot read the path '" + file.string() + "'");
+  return text.str();
+}
+
+/// The rate or stress of one column in a standard test: `rate` along the test, `pressure` around the sample.
+struct TestColumn {
+  std::string_view name;
+  double rate = 0.0, pressure = 0.0;
+};
+struct StandardTest {
+  std::string_view name;
+  std::vector<TestColumn> columns;
+  bool confined = false;
+};
+
+const StandardTest& standard_test(const std::string& name) {
+  static const std::vector<StandardTest> all{
+      {"simple_shear", {{"Lxy", 1}}},
+      {"uniaxial_stress", {{"Lxx", 1}, {"syy"}, {"szz"}}},
+      {"oedometer", {{"Lxx", -1}}},
+      {"triaxial_compression", {{"Lxx", -1}, {"syy", 0, -1}, {"szz", 0, -1}}, true},
+      {"triaxial_extension", {{"Lxx", 1}, {"syy", 0, -1}, {"szz", 0, -1}}, true},
+      {"isotropic", {{"Lxx", -1.0 / 3}, {"Lyy", -1.0 / 3}, {"Lzz", -1.0 / 3}}}};
+  for (const auto& test : all)
+    if (test.name == name) return test;
+  return all.front();  // the table of keywords has refused other words
+}
+
+}  // namespace
+
+// The path of a standard test; `initial` becomes the confining pressure.
+std::vector<PathRow> Builder::test_path(const Statement& s, Mat3& initial) {
+  const StandardTest& test = standard_test(word(s, "test"));
+  const double strain = number(s, "strain", Dimension::none), rate = number(s, "rate", Dimension::rate, 1.0);
+  const double steps = number(s, "steps", Dimension::none, 100.0), pressure = number(s, "pressure", Dimension::stress);
+  must(std::abs(strain) > 0, s.origin, "a standard test needs 'strain', to which it goes");
+  must(rate > 0, s.origin, "'rate' must be positive; a negative 'strain' turns the test round");
+  must(steps >= 1, s.origin, "'steps' is a whole number from 1 on");
+  must(test.confined || !has(s, "pressure"), s.origin, "only triaxial tests have a confining 'pressure'");
+  const auto columns = material_columns();
+  PathRow row;
+  row.origin = s.origin;
+  row.steps = static_cast<int>(std::max(1.0, steps));
+  row.dt = std::abs(strain) / (rate * row.steps);
+  row.value.assign(columns.size(), nothing);
+  for (const auto& c : test.columns)
+    for (std::size_t k = 0; k < columns.size(); ++k)
+      if (columns[k].name == c.name) row.value[k] = std::copysign(rate, strain) * c.rate + pressure * c.pressure;
+  if (test.confined) initial = -pressure * Mat3::Identity();
+  return {row};
+}
+
+std::vector<PathRow> Builder::path(const Statement& s, const std::vector<PathColumn>& columns) {
+  const Statement* path = s.child("Path");
+  if (!path) {
+    problems_.add(s.origin, "<Drive> needs <Path>" + std::string(has(s, "contact") ? "" : " or the attribute 'test'"));
+    return {};
+  }
+  const Attribute* file = path->attribute("file");
+  must(!file || path->text.empty(), path->origin, "<Path> has a file and rows of its own; give one of them");
+  const double time = model_.units.factor(Dimension::time);
+  try {
+    if (!file) return read_path(path->text, path->text_origin, columns, time, problems_);
+    const auto place = folder_ / file->text;
+    return read_path(content_of(place, file->origin), {std::make_shared<const std::string>(place.string()), 1, 1},
+                     columns, time, problems_);
+  } catch (const InputError& error) {
+    problems_.add(error);
+    return {};
+  }
+}
+
+MaterialDrive Builder::material_drive(const Statement& s, const MaterialSpec& spec) {
+  MaterialDrive out;
+  out.law = spec.law;
+  for (const auto name : {"mass", "gap", "cell"})
+    must(!has(s, name), s.origin, "'" + std::string(name) + "' belongs to contact laws");
+  must(!spec.law || !spec.law->rigid(), s.attribute("material")->origin,
+       "'" + spec.name + "' is rigid and has no stress");
+  const auto& units = model_.units;
+  if (has(s, "test")) {
+    must(!s.child("Path"), s.origin, "<Drive> has a 'test' and a <Path>; give one of them");
+    out.path = test_path(s, out.initial_stress);
+  } else {
+    for (const auto name : {"strain", "rate", "steps", "pressure"})
+      must(!has(s, name), s.origin, "'" + std::string(name) + "' belongs to a standard test; name it by 'test'");
+    out.path = path(s, material_columns(units.factor(Dimension::rate), units.factor(Dimension::stress)));
+  }
+  if (const Statement* initial = s.child("InitialStress")) {
+    constexpr std::array<const char*, 6> names{"xx", "yy", "zz", "xy", "yz", "xz"};
+    for (std::size_t k = 0; k < names.size(); ++k) {
+      const auto [r, c] = Layout<3>::symmetric_at[k];
+      if (has(*initial, names[k]))
+        out.initial_stress(r, c) = out.initial_stress(c, r) = number(*initial, names[k], Dimension::stress);
+    }
+    out.initial_stress_origin = initial->origin;
+  } else if (out.initial_stress.norm() > 0) {
+    out.initial_stress_origin = s.origin;
+  }
+  return out;
+}
+
+ContactDrive Builder::contact_drive(const Statement& s, const MaterialSpec& spec) {
+  ContactDrive out;
+  out.law = spec.contact;
+  for (const auto name : {"test", "strain", "rate", "steps", "pressure"})
+    must(!has(s, name), s.origin, "'" + std::string(name) + "' belongs to materials; contact laws need <Path>");
+  must(!s.child("InitialStress"), s.origin, "<InitialStress> belongs to materials");
+  out.mass = number(s, "mass", Dimension::none, 1.0);
+  out.gap = number(s, "gap", Dimension::length);
+  out.cell = number(s, "cell", Dimension::length, 1.0);
+  must(out.mass > 0 && out.cell > 0, s.origin, "'mass' and 'cell' must be positive");
+  const auto& units = model_.units;
+  out.path = path(s, contact_columns(units.factor(Dimension::velocity), units.factor(Dimension::stress)));
+  if (spec.contact && spec.contact->liquid() != 0) liquid_of(spec);
+  return out;
+}
+
+Drive Builder::build_drive() {
+  if (root_.child("Header")) header();
+  number_materials();
+  materials();
+  const Statement* s = root_.child("Drive");
+  if (!s) {
+    problems_.add(root_.origin,
+                  "this file has no <Drive>; 'tribo drive' needs one that says which law to drive along "
+                  "which path. To run the model, use 'tribo run'");
+    problems_.raise();
+    return {};
+  }
+  const Attribute *bulk = s->attribute("material"), *law = s->attribute("contact");
+  must((bulk == nullptr) != (law == nullptr), s->origin,
+       "<Drive> needs one of the attributes 'material' and 'contact', the name of a law");
+  Drive out;
+  if (const Attribute* a = bulk ? bulk : law) {
+    std::vector<std::string> names;
+    const MaterialSpec* found = nullptr;
+    for (const auto& spec : model_.materials) {
+      const bool fits = bulk ? !tribo::contact_laws().find(spec.type) : tribo::materials().find(spec.type) == nullptr;
+      if (fits) names.push_back(spec.name);
+      if (fits && spec.name == a->text) found = &spec;
+    }
+    const std::string kind = bulk ? "material" : "contact law";
+    if (!found)
+      problems_.add(a->origin, "there is no " + kind + " named '" + a->text + "'" + did_you_mean(a->text, names) +
+                                   "; valid: " + join(names));
+    else if (bulk)
+      out = material_drive(*s, *found);
+    else
+      out = contact_drive(*s, *found);
+  }
+  problems_.raise();
+  return out;
+}
+
+Drive read_drive(const std::filesystem::path& file) {
+  const Statement root = read_xml_file(file);
+  Problems problems;
+  check_statements(root, problems, true);
+  problems.raise();
+  return Builder(root, file.parent_path()).build_drive();
+}
+
+}  // namespace tribo

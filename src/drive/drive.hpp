@@ -1,0 +1,52 @@
+/// One law at one point, driven along a path: what an engineer does in a laboratory, before any model.
+#pragma once
+
+#include "contact/contact_law.hpp"
+#include "drive/path.hpp"
+#include "materials/material.hpp"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace tribo {
+
+/// A bulk law along a path of velocity gradients and stresses.
+struct MaterialDrive {
+  std::shared_ptr<const Material> law;
+  Mat3 initial_stress = Mat3::Zero();  ///< [stress]
+  Origin initial_stress_origin;        ///< where it was given; unknown if it was not
+  std::vector<PathRow> path;           ///< of the columns below
+};
+/// Lxx .. Lzz row by row [1/time], then prescribed stresses sxx syy szz sxy syz sxz [stress].
+std::vector<PathColumn> material_columns(double rate_factor = 1.0, double stress_factor = 1.0);
+
+/// A contact law between two faces of unit area. Normal and the two tangents are axes of their own; velocities are
+/// those of face b relative to face a at the end of a step, vn > 0 opens; N > 0 presses, and St is the traction on a,
+/// along vt where faces rub.
+struct ContactDrive {
+  std::shared_ptr<const ContactLaw> law;
+  double mass = 1.0;          ///< reduced mass per area of what moves            [mass/length^2]
+  double gap = 0.0;           ///< at the start                                   [length]
+  double cell = 1.0;          ///< size of the cells that the law is told         [length]
+  std::vector<PathRow> path;  ///< of the columns below
+};
+/// vn vt1 vt2 [velocity], N St1 St2 [stress].
+std::vector<PathColumn> contact_columns(double velocity_factor = 1.0, double stress_factor = 1.0);
+
+/// What came out: one row per step, the first before any step.
+struct Table {
+  std::vector<std::string> names;
+  std::vector<std::vector<double>> rows;
+  /// Comma-separated, numbers in the shortest form that reads back to the same bits.
+  std::string text() const;
+};
+
+/// Runs a path. Where a row prescribes a stress, the rate of that component is found so that the stress at the end of
+/// every step lies on the straight line from the row's start to the prescribed value, to 1e-10 of the stresses there.
+/// Rates that a row gives no number for are 0; those of a prescribed shear stress are equal, unless the row gives one.
+/// Throws InputError for rows that contradict themselves, SimulationError if no rate leads to a prescribed stress.
+Table drive(const MaterialDrive& what);
+Table drive(const ContactDrive& what);
+
+}  // namespace tribo

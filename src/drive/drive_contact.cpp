@@ -1,0 +1,132 @@
+/// A contact law along a path.
+///
+/// The faces have the reduced mass m per area. Something drives them in every step so that they would have the relative
+/// velocity v without the law; the law answers with the impulse J, and they end with v - J/m. The path prescribes
+/// either the end's velocity or the law's traction, component by component; v is what is sought.
+
+#include "base/error.hpp"
+#include "drive/drive.hpp"
+#include "drive/solve.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tribo {
+namespace {
+
+/// Two faces: axis 0 is the normal.
+struct Pair {
+  Meeting meeting;               // its velocity is that of the step's end
+  Vec3 traction = Vec3::Zero();  // N, St1, St2 [stress]
+  Touch touch = Touch::open;
+  double stored = 0.0, dissipated = 0.0;  // [energy/area]
+};
+
+Pair advanced(const ContactLaw& law, const Pair& from, const Vec3& without, double dt) {
+  Pair to = from;
+  Meeting& m = to.meeting;
+  m.dt = dt, m.start = from.meeting.velocity, m.velocity = without;
+  const Answer answer = law.answer(m);
+  m.velocity = without - answer.impulse / m.mass;
+  m.gap += dt * m.velocity[0];
+  m.opening += dt * m.velocity;
+  m.bond = answer.bond;
+  // as the particles beside a face remember it
+  m.slip = answer.touch == Touch::slip ? m.slip + dt * std::hypot(m.velocity[1], m.velocity[2]) : 0.0;
+  to.traction = Vec3(0.0 - answer.impulse[0], answer.impulse[1], answer.impulse[2]) / dt;
+  to.touch = answer.touch;
+  to.dissipated += answer.impulse.dot(m.velocity) - (answer.stored - from.stored);
+  to.stored = answer.stored;
+  return to;
+}
+
+/// Per component the prescribed velocity or traction of a row.
+struct Control {
+  Vec3 target = Vec3::Zero();
+  std::array<bool, 3> by_traction{};
+
+  Control(const PathRow& row, Problems& problems) {
+    const auto columns = contact_columns();
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double velocity = row.value[k], traction = row.value[3 + k];
+      if (!std::isnan(velocity) && !std::isnan(traction))
+        problems.add(row.origin, "this row prescribes " + std::string(columns[k].name) + " and " +
+                                     std::string(columns[3 + k].name) + "; leave one of them empty");
+      by_traction[k] = !std::isnan(traction);
+      if (by_traction[k] || !std::isnan(velocity))
+        target[static_cast<Eigen::Index>(k)] = by_traction[k] ? traction : velocity;
+    }
+  }
+};
+
+void follow(const ContactDrive& what, const PathRow& row, const Control& control, Pair& pair, Table& out,
+            double& time) {
+  for (int step = 1; step <= row.steps; ++step) {
+    Pair next;
+    const auto miss = [&](const Eigen::VectorXd& without) {
+      next = advanced(*what.law, pair, without, row.dt);
+      Eigen::VectorXd miss_of(3);
+      for (Eigen::Index k = 0; k < 3; ++k) {
+        const bool traction = control.by_traction[static_cast<std::size_t>(k)];
+        // both as velocities
+        miss_of[k] = traction ? (next.traction[k] - control.target[k]) * row.dt / what.mass
+                              : next.meeting.velocity[k] - control.target[k];
+      }
+      return miss_of;
+    };
+    double scale = std::max(pair.meeting.velocity.norm(), 1e-300);
+    for (Eigen::Index k = 0; k < 3; ++k)
+      scale = std::max(scale, std::abs(control.target[k]) *
+                                  (control.by_traction[static_cast<std::size_t>(k)] ? row.dt / what.mass : 1.0));
+    // Friction holds faces until they are driven hard enough: drive twice as hard until they slide as prescribed.
+    bool found = false;
+    for (int attempt = 0; attempt < 100 && !found; ++attempt) {
+      Eigen::VectorXd without(3);
+      for (Eigen::Index k = 0; k < 3; ++k)
+        without[k] = control.by_traction[static_cast<std::size_t>(k)]
+                         ? (k == 0 ? -1 : 1) * control.target[k] * row.dt / what.mass
+                         : control.target[k] * std::pow(2.0, attempt);
+      found = solve(
+          miss, [&] { return 1e-10 * scale; }, without, 1e-7 * scale);
+      if (!(control.target.cwiseAbs().maxCoeff() > 0)) break;
+    }
+    if (!found)
+      throw SimulationError(place(row) + "no motion leads to the prescribed traction or velocity in step " +
+                            std::to_string(step) +
+                            " of this row: the faces may not be able to carry the traction; "
+                            "prescribe a velocity instead, or a larger N");
+    pair = next;
+    time += row.dt;
+    const Meeting& m = pair.meeting;
+    out.rows.push_back({time, pair.traction[0], pair.traction[1], pair.traction[2], m.velocity[0], m.velocity[1],
+                        m.velocity[2], m.gap, m.opening[0], m.opening[1], m.opening[2], m.slip,
+                        static_cast<double>(pair.touch), static_cast<double>(m.bond), pair.stored, pair.dissipated});
+  }
+}
+
+}  // namespace
+
+std::vector<PathColumn> contact_columns(double velocity_factor, double stress_factor) {
+  return {{"vn", velocity_factor}, {"vt1", velocity_factor}, {"vt2", velocity_factor},
+          {"N", stress_factor},    {"St1", stress_factor},   {"St2", stress_factor}};
+}
+
+Table drive(const ContactDrive& what) {
+  Problems problems;
+  std::vector<Control> controls;
+  for (const auto& row : what.path) controls.emplace_back(row, problems);
+  problems.raise();
+  Pair pair;
+  pair.meeting.mass = what.mass, pair.meeting.area = 1.0, pair.meeting.gap = what.gap, pair.meeting.cell = what.cell;
+  // as in a run: faces that touch at the start are bonded if their law bonds
+  pair.meeting.bond = what.gap == 0 && what.law->remembers() ? Bond::whole : Bond::none;
+  Table out;
+  out.names = {"time", "N",   "St1", "St2",  "vn",    "vt1",  "vt2",    "gap",
+               "dn",   "dt1", "dt2", "slip", "touch", "bond", "stored", "dissipated"};
+  out.rows.push_back({0, 0, 0, 0, 0, 0, 0, what.gap, 0, 0, 0, 0, 0, static_cast<double>(pair.meeting.bond), 0, 0});
+  double time = 0.0;
+  for (std::size_t k = 0; k < what.path.size(); ++k) follow(what, what.path[k], controls[k], pair, out, time);
+  return out;
+}
+
+}  // namespace tribo

@@ -1,0 +1,133 @@
+import numpy as np
+
+MC = "<Material Type='MohrCoulomb' Name='m'><rho>2000</rho>{}</Material>"
+shear_rate = 1e-5
+
+
+def soil(**more):
+    given = dict(K=2e8, G=2e8, cohesion=1e6, friction=30, dilation=0) | more
+    return MC.format("".join(f"<{k}>{v!r}</{k}>" for k, v in given.items()))
+
+
+def elastic(case):
+    """Hooke's law; E = 1000, nu = 0.3."""
+    law = "<Material Type='LinearElastic' Name='m'><rho>1</rho><E>1000</E><nu>0.3</nu></Material>"
+    got = case.drive("hooke", "<Drive material='m' test='oedometer' strain='-0.01' steps='1'/>", law)
+    case.check("elastic, uniaxial strain: sxx", got["sxx"][-1], 13.461538461538462, 1e-12)
+    case.check("elastic, uniaxial strain: syy", got["syy"][-1], 5.769230769230769, 1e-12)
+    got = case.drive("bar", "<Drive material='m' test='uniaxial_stress' strain='0.01' steps='1'/>", law)
+    case.check("elastic, uniaxial stress: sxx", got["sxx"][-1], 10.0, 1e-10)
+    case.check("elastic, uniaxial stress: eyy", got["eyy"][-1], -0.003, 1e-10)
+    got = case.drive("plane", "<Drive material='m'><Path>dt,Lxx,syy\n1,0.01,0</Path></Drive>", law)
+    case.check("elastic, plane strain, free sides: sxx", got["sxx"][-1], 1000 / (1 - 0.09) * 0.01, 1e-10)
+    case.check("elastic, plane strain, free sides: eyy", got["eyy"][-1], -0.3 / 0.7 * 0.01, 1e-10)
+    got = case.drive("spin", "<Drive material='m' test='simple_shear' strain='2' steps='1000'/>", law)
+    case.check("elastic, simple shear by 2 in 1000 steps, Jaumann rate: sxy/G", got["sxy"][-1] / (1000 / 2.6), np.sin(2), 1e-6)
+    case.check("elastic, simple shear by 2: sxx/G", got["sxx"][-1] / (1000 / 2.6), 1 - np.cos(2), 1e-6)
+    return got
+
+
+def rubber(case):
+    law = f"<Material Type='NeoHookean' Name='m'><rho>1</rho><G>{1000 / 2.6!r}</G><Lame>{300 / 1.3 / 0.4!r}</Lame><UJOption>2</UJOption></Material>"
+    for stretch, across, s in ((0.5, 1.21076739, -638.048474), (0.8, 1.06733837, -210.676811), (1.5, 0.880174592, 488.287861), (2.0, 0.798077544, 1015.41288)):
+        got = case.drive(f"neo{stretch}", f"<Drive material='m' test='uniaxial_stress' strain='{np.log(stretch)!r}' steps='20'/>", law)
+        case.check(f"neo-Hookean, uniaxial stress, stretch {stretch:g}: stretch across", np.exp(got["eyy"][-1]), across, 1e-8)
+        case.check(f"neo-Hookean, uniaxial stress, stretch {stretch:g}: sxx", got["sxx"][-1], s, 1e-8)
+    for stretch, across, s in ((0.8, 1.09487606, -245.353368), (1.2, 0.921495438, 205.507006)):
+        got = case.drive(f"neoplane{stretch}", f"<Drive material='m'><Path>dt,steps,Lxx,syy\n0.1,10,{np.log(stretch)!r},0</Path></Drive>", law)
+        case.check(f"neo-Hookean, plane strain, stretch {stretch:g}: stretch across", np.exp(got["eyy"][-1]), across, 1e-8)
+        case.check(f"neo-Hookean, plane strain, stretch {stretch:g}: sxx", got["sxx"][-1], s, 1e-8)
+    # incompressible: driven without change of volume, only differences of stresses count; C1 = 0.3, C2 = 0.1
+    law = "<Material Type='Mooney' Name='m'><rho>1</rho><K>1e3</K><G1>0.6</G1><G2>0.2</G2></Material>"
+    paths = {"uniaxial, stretch 2": ("Lxx,Lyy,Lzz\n0.1,10,{0},{1},{1}", np.log(2), -0.5 * np.log(2), 2.45),
+             "uniaxial, stretch 0.5": ("Lxx,Lyy,Lzz\n0.1,10,{0},{1},{1}", np.log(0.5), -0.5 * np.log(0.5), -1.75),
+             "biaxial, stretch 2": ("Lxx,Lyy,Lzz\n0.1,10,{0},{1},{0}", np.log(2), -2 * np.log(2), 5.5125)}
+    for name, (rows, a, b, difference) in paths.items():
+        got = case.drive("mooney" + name[:3] + name[-1], "<Drive material='m'><Path>dt,steps," + rows.format(repr(a), repr(b)) + "</Path></Drive>", law)
+        case.check(f"Mooney-Rivlin, {name}: sxx - syy", got["sxx"][-1] - got["syy"][-1], difference, 1e-10)
+    got = case.drive("mooneyshear", "<Drive material='m' test='simple_shear' strain='1' steps='10'/>", law)
+    case.check("Mooney-Rivlin, simple shear by 1: sxy", got["sxy"][-1], 0.8, 1e-10)
+    case.check("Mooney-Rivlin, simple shear by 1: sxx - syy", got["sxx"][-1] - got["syy"][-1], 0.8, 1e-10)
+    case.check("Mooney-Rivlin, simple shear by 1: syy - szz", got["syy"][-1] - got["szz"][-1], -0.2, 1e-10)
+    law = "<Material Type='TaitLiquid' Name='m'><rho>1000</rho><K>2.2e9</K><viscosity>0.003</viscosity></Material>"
+    for J, p in ((0.99, 23277614.4), (0.95, 147395861.0), (1.005, -10698049.0)):
+        got = case.drive(f"tait{J}", f"<Drive material='m'><Path>dt,Lxx\n1,{np.log(J)!r}\n1e9,0</Path></Drive>", law)
+        case.check(f"Tait liquid, J = {J:g}: pressure", -got["sxx"][-1], p, 1e-8)
+    got = case.drive("newton", "<Drive material='m'><Path>dt,Lxy\n1e-9,7\n1e-9,0</Path></Drive>", law)
+    case.check("Newtonian shear: sxy", got["sxy"][1], 0.021, 1e-12)
+
+
+def mohr_coulomb(case):
+    # triaxial: both edges
+    law = soil(K=1e7 / 1.2, G=1e7 / 2.6, cohesion=5e3, friction=35, dilation=5)
+    N, N_psi = ((1 + np.sin(np.radians(a))) / (1 - np.sin(np.radians(a))) for a in (35, 5))
+    got = case.drive("compression", "<Drive material='m' test='triaxial_compression' strain='0.06' steps='300' pressure='1e5'/>", law)
+    curve = got
+    case.check("Mohr-Coulomb, triaxial compression: strength", -got["sxx"][-1] - 1e5, 288227.054484, 1e-9)
+    plastic = np.diff(got["eyy"] + got["ezz"])[-1] / -np.diff(got["exx"])[-1] - 1
+    case.check("Mohr-Coulomb, triaxial compression: dilation over axial strain", plastic, N_psi - 1, 1e-8)
+    got = case.drive("extension", "<Drive material='m' test='triaxial_extension' strain='0.03' steps='300' pressure='1e5'/>", law)
+    case.check("Mohr-Coulomb, triaxial extension: strength", 1e5 + got["sxx"][-1], 78106.665094, 1e-9)
+    volume = np.diff(got["exx"] + got["eyy"] + got["ezz"])[-1] / np.diff(got["exx"])[-1]
+    case.check("Mohr-Coulomb, triaxial extension: dilation over axial strain", volume, 1 - 1 / N_psi, 1e-8)
+    # oedometer, logarithmic strain of u = 0.02
+    for dilation, axial, lateral in ((0, 6427279.592298, 2847172.399107), (10, 7086413.936686, 3311261.107301)):
+        law = soil(cohesion=1e6, friction=10, dilation=dilation, tension=5.67e6)
+        for steps in (1, 2000):
+            got = case.drive(f"oedometer{dilation}{steps}", f"<Drive material='m' test='oedometer' strain='{-np.log1p(-0.02)!r}' steps='{steps}'/>", law)
+            case.check(f"Mohr-Coulomb, oedometer, dilation {dilation}, {steps} step{'s' * (steps > 1)}: axial stress", -got["sxx"][-1], axial, 1e-9)
+            case.check(f"Mohr-Coulomb, oedometer, dilation {dilation}, {steps} step{'s' * (steps > 1)}: lateral stress", -got["syy"][-1], lateral, 1e-9)
+    # isochoric shear without rotation
+    pure = "<Drive material='m'><Path>dt,steps,Lxy,Lyx\n{0!r},{1},0.5,0.5</Path></Drive>"
+    for gamma, shear, szz in ((0.01, 983680.132407, -58827.364311), (0.03, 1398697.290694, -266335.943455), (0.1, 2833259.617533, -1101208.809964), (0.15, 3797047.357352, -2064996.549783)):
+        got = case.drive(f"dilating{gamma}", pure.format(gamma / 100, 100), soil(dilation=10))
+        case.check(f"Mohr-Coulomb, isochoric shear by {gamma:g}, dilation 10: sxy", got["sxy"][-1], shear, 1e-9)
+        case.check(f"Mohr-Coulomb, isochoric shear by {gamma:g}, dilation 10: szz", got["szz"][-1], szz, 1e-9)
+    # backward Euler in the benchmark's steps of 1 s
+    slow = f"<Drive material='m'><Path>dt,steps,Lxy,Lyx\n1,3000,{shear_rate / 2!r},{shear_rate / 2!r}</Path></Drive>"
+    Ry, rate = 1e6 * np.cos(np.pi / 6), 2e8 * shear_rate
+    yielded = int(Ry / rate)
+    curves = {}
+    for eta in (0.1, 100.0, 500.0, 1000.0, 2000.0, 1e6):
+        got = case.drive(f"viscous{eta:g}", slow, soil(relaxation_time=eta))
+        n, steady = np.arange(3001), Ry + rate * eta
+        exact = np.where(n <= yielded, rate * n, steady + (yielded * rate - steady) * (1 + 1 / eta) ** -np.maximum(n - yielded, 0.0))
+        case.check(f"Mohr-Coulomb, shear with eta = {eta:g} s: largest error of 3000 steps over the stress", np.abs(got["sxy"] - exact).max() / exact.max(), 0, 1e-9, "at most")
+        curves[eta] = got
+    # softening of the cohesion; without viscosity each step settles on the line
+    got = case.drive("softening", slow, soil(cohesion_residual=5e5, softening_end=0.01))
+    for t, shear in ((1000, 728367.104848), (2000, 485578.069899), (3000, 433012.701892)):
+        case.check(f"Mohr-Coulomb, softening, {t} s: sxy", got["sxy"][t], shear, 1e-9)
+    return curve, curves
+
+
+def contact(case):
+    law = "<Material Type='CoulombFriction' Name='m'><coeff>0.3</coeff></Material>"
+    got = case.drive("friction", "<Drive contact='m'><Path>dt,steps,N,vt1,vt2\n0.1,5,100,0.3,-0.4\n0.1,1,50,-2,0</Path></Drive>", law)
+    case.check("friction: traction along the sliding", got["St1"][5], 18, 1e-9)
+    case.check("friction: traction across", got["St2"][5], -24, 1e-9)
+    case.check("friction, turned round: traction", got["St1"][6], -15, 1e-9)
+    case.check("friction: heat", got["dissipated"][5], 30 * 0.5 * 0.5, 1e-9)
+    law = "<Material Type='AdhesiveFriction' Name='m'><coeff>0.3</coeff><kmu>0.05</kmu><Sa>20</Sa></Material>"
+    got = case.drive("adhesive", "<Drive contact='m'><Path>dt,N,vt1\n0.1,100,2</Path></Drive>", law)
+    case.check("cohesion and speed-dependent friction: traction", got["St1"][-1], 20 + (0.3 + 0.05 * 2) * 100, 1e-9)
+    law = ("<Material Type='LiquidContact' Name='m'><coeff>50</coeff><LiquidPhase>2</LiquidPhase></Material>"
+           "<Material Type='TaitLiquid' Name='oil'><rho>900</rho><K>1e9</K><viscosity>0.1</viscosity></Material>")
+    got = case.drive("liquid", "<Drive contact='m'><Path>dt,N,vt1\n0.1,1,0.7</Path></Drive>", law)
+    case.check("liquid on a wall: traction k eta v", got["St1"][-1], 50 * 0.1 * 0.7, 1e-9)
+
+
+def run(case):
+    elastic(case)
+    rubber(case)
+    triaxial, viscous = mohr_coulomb(case)
+    contact(case)
+
+    def draw(axes):
+        axes.plot(-100 * triaxial["exx"], (triaxial["syy"] - triaxial["sxx"]) / 1e3, label="deviator [kPa]")
+        axes.plot(-100 * triaxial["exx"], 1e4 * (triaxial["exx"] + triaxial["eyy"] + triaxial["ezz"]), label="volume strain [0.01 %]")
+        axes.set(xlabel="axial strain [%]", title="Triaxial compression at 100 kPa: friction 35, dilation 5 degrees, cohesion 5 kPa")
+        axes.title.set_fontsize(9)
+        axes.legend()
+
+    case.figure("driver_triaxial", draw)
