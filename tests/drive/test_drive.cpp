@@ -43,8 +43,7 @@ double last(const Table& table, const std::string& name) { return at(table, tabl
 const std::string soil =
     "<Material Type='MohrCoulomb' Name='soil'><rho>2000</rho><E>1e7</E><nu>0.3</nu><cohesion>5e3</cohesion>"
     "<friction>35</friction><dilation>5</dilation></Material>";
-const std::string steel =
-    "<Material Type='LinearElastic' Name='steel'><rho>1</rho><E>200</E><nu>0.25</nu></Material>";
+const std::string steel = "<Material Type='LinearElastic' Name='steel'><rho>1</rho><E>200</E><nu>0.25</nu></Material>";
 const std::string rubber = "<Material Type='NeoHookean' Name='rubber'><rho>1</rho><E>3</E><nu>0.3</nu></Material>";
 const std::string rubbing = "<Material Type='CoulombFriction' Name='rub'><coeff>0.3</coeff></Material>";
 
