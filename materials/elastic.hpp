@@ -56,4 +56,12 @@ inline Mat3 spin_rotation(const Mat3& L, double dt) {
 template <int Dim>
 void elastic_step(const MaterialPoints<Dim>& points, const Elasticity& elastic);
 
+/// The same for one point, without plane stress.
+inline Mat3 elastic_trial(const Elasticity& elastic, const Motion& motion, const Mat3& old) {
+  const Mat3 half = spin_rotation(motion.L, 0.5 * motion.dt);
+  const Mat3 D = 0.5 * motion.dt * (motion.L + motion.L.transpose());
+  return half * (half * old * half.transpose() + elastic.lambda * D.trace() * Mat3::Identity() + 2 * elastic.mu * D) *
+         half.transpose();
+}
+
 }  // namespace tribo

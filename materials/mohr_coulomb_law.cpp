@@ -192,11 +192,7 @@ Triple MohrCoulombLaw::flow(const Triple& trial, double dt, double J, MohrCoulom
 }
 
 Mat3 MohrCoulombLaw::stress(const Motion& motion, const Mat3& old, MohrCoulombState& state) const {
-  const Mat3 half = spin_rotation(motion.L, 0.5 * motion.dt);
-  const Mat3 D = 0.5 * motion.dt * (motion.L + motion.L.transpose());
-  const Mat3 trial =
-      half * (half * old * half.transpose() + elastic.lambda * D.trace() * Mat3::Identity() + 2 * elastic.mu * D) *
-      half.transpose();
+  const Mat3 trial = elastic_trial(elastic, motion, old);
   const Principal p = principal(trial);
   if (!Pyramid(elastic, softens_ ? strength(state.plastic_shear, state.tension_strain) : pyramid_->strength())
            .yields(p.value[0], p.value[2]))

@@ -101,6 +101,34 @@ def mohr_coulomb(case):
     return curve, curves
 
 
+def others(case):
+    law = "<Material Type='VonMises' Name='m'><rho>1</rho><E>200e3</E><nu>0.3</nu><yield>250</yield><Khard>1000</Khard></Material>"
+    for steps in (1, 100):
+        got = case.drive(f"mises{steps}", f"<Drive material='m' test='uniaxial_stress' strain='0.01' steps='{steps}'/>", law)
+        case.check(f"von Mises, uniaxial stress, {steps} step{'s' * (steps > 1)}: sxx", got["sxx"][-1], 260 / 1.005, 1e-9)
+        got = case.drive(f"misesshear{steps}", f"<Drive material='m'><Path>dt,steps,Lxy,Lyx\n{1 / steps!r},{steps},0.01,0.01</Path></Drive>", law)
+        case.check(f"von Mises, shear by 0.02, {steps} step{'s' * (steps > 1)}: sxy", got["sxy"][-1], 150.352706, 1e-8)
+        case.check(f"von Mises, shear by 0.02, {steps} step{'s' * (steps > 1)}: plastic strain", got["plastic_strain"][-1], 0.0104185251, 1e-8)
+        got = case.drive(f"misesconfined{steps}", f"<Drive material='m' test='oedometer' strain='-0.01' steps='{steps}'/>", law)
+        case.check(f"von Mises, uniaxial strain, {steps} step{'s' * (steps > 1)}: sxx", got["sxx"][-1], 1837.03950, 1e-8)
+        case.check(f"von Mises, uniaxial strain, {steps} step{'s' * (steps > 1)}: syy", got["syy"][-1], 1581.48025, 1e-8)
+    cone = "<Material Type='DruckerPrager' Name='m'><rho>2000</rho><K>2e8</K><G>2e8</G><cohesion>1e6</cohesion><friction>30</friction><match>{}</match></Material>"
+    for match, strength in ((1, 1.2), (2, 6 / 7), (3, 3 / np.sqrt(13)), (4, np.sqrt(0.75))):
+        got = case.drive(f"cone{match}", "<Drive material='m'><Path>dt,steps,Lxy,Lyx\n0.001,10,1,1</Path></Drive>", cone.format(match))
+        case.check(f"Drucker-Prager, match {match}: shear strength over the cohesion", got["sxy"][-1] / 1e6, strength, 1e-9)
+    got = case.drive("conetriaxial", "<Drive material='m' test='triaxial_compression' strain='0.1' pressure='1e6'/>", cone.format(1))
+    case.check("Drucker-Prager, match 1, triaxial compression: strength", -got["sxx"][-1], 3e6 + 2e6 * np.sqrt(3), 1e-9)
+    law = "<Material Type='Viscoelastic' Name='m'><rho>1</rho><K>5</K><G0>0.1</G0><Gk>0.3</Gk><tauk>1</tauk></Material>"
+    for t, modulus in ((0, 0.4), (0.5, 0.281959198), (1, 0.210363832), (5, 0.102021384)):
+        got = case.drive(f"relax{t}", f"<Drive material='m'><Path>dt,steps,Lxy,Lyx\n1e-12,1,5e9,5e9\n{max(t, 1e-12)},1,0,0</Path></Drive>", law)
+        case.check(f"standard linear solid, relaxation after {t:g} tau", got["sxy"][-1] / 0.01, modulus, 1e-8)
+    for steps in (1, 10):
+        got = case.drive(f"rate{steps}", f"<Drive material='m'><Path>dt,steps,Lxy,Lyx\n{2 / steps!r},{steps},5e-4,5e-4</Path></Drive>", law)
+        case.check(f"standard linear solid, constant rate, {steps} step{'s' * (steps > 1)}: sxy", got["sxy"][-1], 1e-3 * (0.2 + 0.3 * (1 - np.exp(-2))), 1e-12)
+    got = case.drive("gas", f"<Drive material='m'><Path>dt,steps,Lxx\n0.1,10,{np.log(0.5)!r}</Path></Drive>", "<Material Type='IdealGas' Name='m'><rho>1.2</rho><P0>1e5</P0><absolute>1</absolute></Material>")
+    case.check("ideal gas at half its volume: pressure over P0", -got["sxx"][-1] / 1e5, 2**1.4, 1e-12)
+
+
 def contact(case):
     law = "<Material Type='CoulombFriction' Name='m'><coeff>0.3</coeff></Material>"
     got = case.drive("friction", "<Drive contact='m'><Path>dt,steps,N,vt1,vt2\n0.1,5,100,0.3,-0.4\n0.1,1,50,-2,0</Path></Drive>", law)
@@ -121,6 +149,7 @@ def run(case):
     elastic(case)
     rubber(case)
     triaxial, viscous = mohr_coulomb(case)
+    others(case)
     contact(case)
 
     def draw(axes):

@@ -1,0 +1,118 @@
+/// Plasticity after Drucker and Prager: a cone around the hydrostatic axis in place of Mohr and Coulomb's pyramid.
+///
+///   q + A p <= B,   flow along q + A_psi p;   the apex p = B/A takes what the cone cannot
+///
+/// A and B follow from cohesion and friction angle by one of four matches with the pyramid:
+///   1 compression   A = 6 sin phi/(3 - sin phi)                      its outer edges
+///   2 extension     A = 6 sin phi/(3 + sin phi)                      its inner edges
+///   3 inscribed     A = 3 sin phi/sqrt(3 + sin^2 phi)                the largest cone within
+///   4 plane strain  same strength and dilation in plane plastic flow
+///                   A = sqrt(3) sin phi/(f + sin phi A_psi/sqrt(27)), f = sqrt(1 - A_psi^2/9)
+/// with B = A c cot phi, and A_psi the same of the dilation angle (4: as 3). Drucker & Prager, Quart. Appl. Math. 10
+/// (1952) 157-165; de Souza Neto, Peric & Owen, Computational Methods for Plasticity (2008), 6.4.4 and 8.3.
+
+#include "materials/elastic_constants.hpp"
+#include "materials/pressure_shear.hpp"
+
+namespace tribo {
+namespace {
+
+struct DruckerPrager {
+  static constexpr std::string_view name = "DruckerPrager";
+  static constexpr std::string_view summary =
+      "Frictional plastic solid after Drucker and Prager, matched to Mohr-Coulomb.";
+  static constexpr int number = 0;
+
+  double density = 0;
+  double young_modulus = absent, poisson_ratio = absent, bulk_modulus = absent, shear_modulus = absent;
+  double cohesion = 0, friction = 0, dilation = 0, match = 1;
+  double A = 0, B = 0, A_psi = 0;
+  Elasticity elastic;
+
+  static auto parameters() {
+    using L = DruckerPrager;
+    using P = Parameter<L>;
+    constexpr auto stress = Dimension::stress, none = Dimension::none, angle = Dimension::angle;
+    return std::array{
+        P{"rho", &L::density, Dimension::density, positive, "mass density before deformation"},
+        P{"E", &L::young_modulus, stress, positive, "Young's modulus, with nu", {}, true},
+        P{"nu", &L::poisson_ratio, none, between(-1.0, 0.5), "Poisson's ratio, with E", {}, true},
+        P{"K", &L::bulk_modulus, stress, positive, "bulk modulus, with G", {}, true},
+        P{"G", &L::shear_modulus, stress, positive, "shear modulus, with K", {}, true},
+        P{"cohesion", &L::cohesion, stress, not_negative, "cohesion of the matched pyramid"},
+        P{"friction", &L::friction, angle, {0.0, 90.0, false, true}, "its friction angle"},
+        P{"dilation", &L::dilation, angle, {0.0, 90.0, false, true}, "dilation angle", 0.0},
+        P{"match", &L::match, none, within(1, 4), "1: compression, 2: extension, 3: inscribed, 4: plane strain", 1.0},
+    };
+  }
+
+  // Slope of the cone that stands for an angle.
+  double slope(double sine) const {
+    switch (static_cast<int>(match)) {
+      case 1:
+        return 6 * sine / (3 - sine);
+      case 2:
+        return 6 * sine / (3 + sine);
+      default:
+        return 3 * sine / std::sqrt(3 + sine * sine);
+    }
+  }
+
+  void prepare(const Statement& statement, Problems& problems) {
+    elastic =
+        elastic_constants(statement, {young_modulus, poisson_ratio, bulk_modulus, shear_modulus}, false, problems);
+    const auto origin = [&](std::string_view word) {
+      const Statement* child = statement.child(word);
+      return child ? child->origin : statement.origin;
+    };
+    if (dilation > friction)
+      problems.add(origin("dilation"), "<dilation> must not exceed <friction>: the flow would create energy");
+    if (cohesion == 0 && friction == 0)
+      problems.add(origin("cohesion"), "<cohesion> and <friction> are both 0: the material would have no strength");
+    if (match != std::floor(match)) problems.add(origin("match"), "<match> is 1, 2, 3 or 4");
+    const double sine = std::sin(friction), cosine = std::cos(friction);
+    A_psi = slope(std::sin(dilation));
+    // Plane plastic flow has a stress out of plane that follows the dilation; then q = sqrt(3) R/flat.
+    const double flat = std::sqrt(1 - A_psi * A_psi / 9), root = std::sqrt(3.0);
+    A = match == 4 ? root * sine / (flat + root * sine * A_psi / 9) : slope(sine);
+    const double per_cohesion = match == 1   ? 6 * cosine / (3 - sine)
+                                : match == 2 ? 6 * cosine / (3 + sine)
+                                : match == 3 ? 3 * cosine / std::sqrt(3 + sine * sine)
+                                             : root * cosine / (flat + root * sine * A_psi / 9);
+    B = cohesion * per_cohesion;
+  }
+
+  double wave_modulus() const { return elastic.wave_modulus(); }
+
+  struct State {
+    double plastic_shear = 0, plastic_volume = 0, dissipation = 0;
+  };
+  static auto history() {
+    return std::make_tuple(StateVariable<State>{"plastic_shear", Dimension::none, &State::plastic_shear},
+                           StateVariable<State>{"plastic_volume", Dimension::none, &State::plastic_volume},
+                           StateVariable<State>{"dissipation", Dimension::stress, &State::dissipation});
+  }
+
+  Mat3 stress(const Motion& motion, const Mat3& old, State& state) const {
+    const double G = elastic.mu, K = elastic.bulk();
+    return plastic_step(elastic, motion, old, [&](const PressureShear& trial) {
+      const double excess = trial.q + A * trial.p - B;
+      if (!(excess > 0)) return trial;
+      const double flow = excess / (3 * G + K * A * A_psi);
+      PressureShear to{trial.p - K * A_psi * flow, trial.q - 3 * G * flow};
+      if (to.q < 0) to = {B / A, 0.0};  // the apex; without friction q > 0
+      const double shear = (trial.q - to.q) / (3 * G), volume = (trial.p - to.p) / K;
+      state.plastic_shear += 0.5 * std::sqrt(3.0) * shear;
+      state.plastic_volume += volume;
+      state.dissipation += motion.F.determinant() * (to.q * shear + to.p * volume);
+      return to;
+    });
+  }
+  double energy_density(const Mat3&, const Mat3& stress, const State&) const { return elastic.energy(stress); }
+};
+
+}  // namespace
+
+Catalogue<Material>::Item drucker_prager() { return material_law<DruckerPrager>(); }
+
+}  // namespace tribo

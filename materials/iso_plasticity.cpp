@@ -1,0 +1,196 @@
+/// Isotropic plasticity after von Mises with the hardening laws of the dialect.
+///
+///   q <= sigma_y(e, e'),   e the accumulated plastic strain, e' its rate
+///
+///   Linear        sigma_y = yield + Khard e            (or Ep, the slope in tension: Khard = E Ep/(E - Ep))
+///   Nonlinear     sigma_y = yield (1 + Khard e)^nhard
+///   Nonlinear2    sigma_y = yield (1 + Khard e^nhard)
+///   JohnsonCook   sigma_y = (Ajc + Bjc e^njc) max(1/2, 1 + Cjc ln(e'/ep0jc))
+///
+/// Radial return, backward Euler: q_trial - 3 G de = sigma_y(e + de, de/dt), one scalar equation. Simo & Hughes,
+/// Computational Inelasticity (1998), box 3.2; Johnson & Cook, Eng. Fract. Mech. 21 (1985) 31-48. The lower bound of
+/// the rate factor is the dialect's: quasi-static flow has no logarithm.
+
+#include "materials/elastic_constants.hpp"
+#include "materials/pressure_shear.hpp"
+
+#include <algorithm>
+
+namespace tribo {
+namespace {
+
+enum class Hardening { linear, nonlinear, johnson_cook, nonlinear2 };
+
+struct IsoPlasticity {
+  static constexpr std::string_view name = "IsoPlasticity";
+  static constexpr std::string_view summary =
+      "Elastic-plastic solid after von Mises with linear, power-law or Johnson-Cook hardening.";
+  static constexpr int number = 9;
+
+  double density = 0;
+  double young_modulus = absent, poisson_ratio = absent, bulk_modulus = absent, shear_modulus = absent;
+  double yield = absent, slope = absent, coefficient = absent, power = absent;
+  double A = absent, B = absent, n = absent, C = absent, reference_rate = absent;
+  Hardening hardening = Hardening::linear;
+  Elasticity elastic;
+
+  static auto parameters() {
+    using L = IsoPlasticity;
+    using P = Parameter<L>;
+    constexpr auto stress = Dimension::stress, none = Dimension::none;
+    return std::array{
+        P{"rho", &L::density, Dimension::density, positive, "mass density before deformation"},
+        P{"E", &L::young_modulus, stress, positive, "Young's modulus, with nu", {}, true},
+        P{"nu", &L::poisson_ratio, none, between(-1.0, 0.5), "Poisson's ratio, with E", {}, true},
+        P{"K", &L::bulk_modulus, stress, positive, "bulk modulus, with G", {}, true},
+        P{"G", &L::shear_modulus, stress, positive, "shear modulus, with K", {}, true},
+        P{"yield", &L::yield, stress, positive, "yield stress before hardening", {}, true},
+        P{"Ep", &L::slope, stress, not_negative, "Linear: slope of stress over strain in tension", {}, true},
+        P{"Khard",
+          &L::coefficient,
+          none,
+          any_value,
+          "Linear: slope of the yield stress over plastic strain [stress]; Nonlinear: the coefficient",
+          {},
+          true},
+        P{"nhard", &L::power, none, positive, "Nonlinear: the exponent (default 1)", {}, true},
+        P{"Ajc", &L::A, stress, positive, "JohnsonCook: yield stress", {}, true},
+        P{"Bjc", &L::B, stress, not_negative, "JohnsonCook: hardening (default 0)", {}, true},
+        P{"njc", &L::n, none, positive, "JohnsonCook: its exponent (default 1)", {}, true},
+        P{"Cjc", &L::C, none, not_negative, "JohnsonCook: growth with the logarithm of the rate (default 0)", {}, true},
+        P{"ep0jc",
+          &L::reference_rate,
+          Dimension::rate,
+          positive,
+          "JohnsonCook: rate of the given values (default 1)",
+          {},
+          true},
+    };
+  }
+  /// A word, read in prepare; and what is refused there.
+  static std::vector<std::string> repeated() { return {"Hardening", "Tmjc", "mjc"}; }
+
+  void prepare(const Statement& statement, const Units& units, Problems& problems) {
+    elastic =
+        elastic_constants(statement, {young_modulus, poisson_ratio, bulk_modulus, shear_modulus}, false, problems);
+    for (const char* word : {"Tmjc", "mjc"})
+      if (const Statement* s = statement.child(word))
+        problems.add(s->origin, "<" + std::string(word) +
+                                    ">: softening with temperature is not built; leave it out and give values of the "
+                                    "temperature you need");
+    if (const Statement* s = statement.child("Hardening")) hardening = choice(*s, problems);
+    check_properties(statement, problems);
+    const auto set = [](double& value, double fallback) { value = given(value) ? value : fallback; };
+    if (hardening == Hardening::linear) {
+      if (given(coefficient)) coefficient *= units.factor(Dimension::stress);
+      if (given(slope)) coefficient = elastic_slope(statement, problems);
+    }
+    set(coefficient, 0), set(power, 1), set(B, 0), set(n, 1), set(C, 0), set(reference_rate, 1);
+    if (hardening != Hardening::linear && coefficient < 0)
+      problems.add(statement.child("Khard")->origin, "<Khard> must not be negative: softening needs a length");
+    if (hardening == Hardening::linear && 3 * elastic.mu + coefficient <= 0)
+      problems.add(statement.origin, "the material softens faster than it unloads: Khard must exceed -3 G");
+  }
+
+  double elastic_slope(const Statement& statement, Problems& problems) const {
+    const double G = elastic.mu, K = elastic.bulk(), E = 9 * K * G / (3 * K + G);
+    if (!(slope < E)) problems.add(statement.child("Ep")->origin, "<Ep> must be below Young's modulus");
+    if (given(coefficient)) problems.add(statement.child("Khard")->origin, "give one of <Ep> and <Khard>");
+    return E * slope / (E - slope);
+  }
+
+  static Hardening choice(const Statement& s, Problems& problems) {
+    const std::array<std::pair<const char*, const char*>, 4> all{
+        {{"Linear", "1"}, {"Nonlinear", "2"}, {"JohnsonCook", "3"}, {"Nonlinear2", "6"}}};
+    for (std::size_t k = 0; k < all.size(); ++k)
+      if (s.text == all[k].first || s.text == all[k].second) return static_cast<Hardening>(k);
+    const std::vector<std::string> names{"Linear", "Nonlinear", "JohnsonCook", "Nonlinear2"};
+    problems.add(s.text_origin, "there is no hardening law '" + s.text + "'" + did_you_mean(s.text, names) +
+                                    "; valid: Linear (1), Nonlinear (2), JohnsonCook (3), Nonlinear2 (6)");
+    return Hardening::linear;
+  }
+
+  // Every law has its own properties; those of another one would do nothing.
+  void check_properties(const Statement& statement, Problems& problems) const {
+    const bool cook = hardening == Hardening::johnson_cook, linear = hardening == Hardening::linear;
+    const auto only = [&](bool fits, const char* word, const char* law) {
+      if (const Statement* s = statement.child(word); s && !fits)
+        problems.add(s->origin, "<" + std::string(word) + "> belongs to <Hardening>" + law + "</Hardening>");
+    };
+    for (const char* word : {"Ajc", "Bjc", "njc", "Cjc", "ep0jc"}) only(cook, word, "JohnsonCook");
+    for (const char* word : {"yield", "Khard"}) only(!cook, word, "Linear, Nonlinear or Nonlinear2");
+    only(linear, "Ep", "Linear");
+    only(!cook && !linear, "nhard", "Nonlinear or Nonlinear2");
+    if (!given(cook ? A : yield))
+      problems.add(statement.origin,
+                   cook ? "<Ajc> is missing, the yield stress" : "<yield> is missing, the yield stress");
+  }
+
+  double wave_modulus() const { return elastic.wave_modulus(); }
+
+  struct State {
+    double plastic_strain = 0, dissipation = 0;
+  };
+  static auto history() {
+    return std::make_tuple(StateVariable<State>{"plastic_strain", Dimension::none, &State::plastic_strain},
+                           StateVariable<State>{"dissipation", Dimension::stress, &State::dissipation});
+  }
+
+  double yield_stress(double e, double rate) const {
+    switch (hardening) {
+      case Hardening::nonlinear:
+        return yield * std::pow(1 + coefficient * e, power);
+      case Hardening::nonlinear2:
+        return yield * (1 + coefficient * std::pow(e, power));
+      case Hardening::johnson_cook: {
+        const double growth = C > 0 && rate > 0 ? 1 + C * std::log(rate / reference_rate) : C > 0 ? 0.5 : 1.0;
+        return (A + B * std::pow(e, n)) * std::max(0.5, growth);
+      }
+      case Hardening::linear:
+        break;
+    }
+    return std::max(0.0, yield + coefficient * e);
+  }
+
+  // The strain that flows: excess(x) = q - 3 G x - sigma_y(e + x, x/dt) falls from above 0 to below 0 between 0 and
+  // q/(3 G). Bracketed secants (Illinois); linear hardening takes one.
+  double flow(double q, double e, double dt) const {
+    const auto excess = [&](double x) { return q - 3 * elastic.mu * x - yield_stress(e + x, x / dt); };
+    double low = 0, high = q / (3 * elastic.mu), f_low = excess(low), f_high = excess(high);
+    if (!(f_low > 0)) return 0.0;
+    const double enough = 1e-14 * q;
+    for (int k = 0, side = 0; k < 200; ++k) {
+      const double x = k % 8 == 7 ? 0.5 * (low + high) : (low * f_high - high * f_low) / (f_high - f_low);
+      const double f = excess(x);
+      if (std::abs(f) <= enough || !(x > low && x < high)) return x;
+      if (f > 0) {
+        low = x, f_low = f;
+        if (side == 1) f_high *= 0.5;
+        side = 1;
+      } else {
+        high = x, f_high = f;
+        if (side == -1) f_low *= 0.5;
+        side = -1;
+      }
+    }
+    return 0.5 * (low + high);
+  }
+
+  Mat3 stress(const Motion& motion, const Mat3& old, State& state) const {
+    return plastic_step(elastic, motion, old, [&](const PressureShear& trial) {
+      const double x = flow(trial.q, state.plastic_strain, motion.dt);
+      if (x == 0) return trial;
+      const double q = trial.q - 3 * elastic.mu * x;
+      state.plastic_strain += x;
+      state.dissipation += motion.F.determinant() * q * x;
+      return PressureShear{trial.p, q};
+    });
+  }
+  double energy_density(const Mat3&, const Mat3& stress, const State&) const { return elastic.energy(stress); }
+};
+
+}  // namespace
+
+Catalogue<Material>::Item iso_plasticity() { return material_law<IsoPlasticity>({"VonMises"}); }
+
+}  // namespace tribo
