@@ -68,6 +68,17 @@ const bool registered = [] {
   both("Mohr-Coulomb viscous", "MohrCoulomb", soil({{"cohesion", "1e4"}, {"relaxation_time", "1e-4"}}));
   both("Mohr-Coulomb softening", "MohrCoulomb",
        soil({{"cohesion", "1e4"}, {"cohesion_residual", "1e3"}, {"softening_end", "1e3"}}));
+  both("Drucker-Prager flowing", "DruckerPrager", soil({{"cohesion", "1e4"}}));
+  both("von Mises flowing", "VonMises",
+       {{"rho", "1"}, {"E", "1e8"}, {"nu", "0.3"}, {"yield", "1e4"}, {"Khard", "1e5"}});
+  both("von Mises, Johnson-Cook", "VonMises",
+       {{"rho", "1"}, {"E", "1e8"}, {"nu", "0.3"}, {"Hardening", "JohnsonCook"}, {"Ajc", "1e4"}, {"Bjc", "1e5"},
+        {"njc", "0.3"}, {"Cjc", "0.02"}});
+  both("Cam-Clay flowing", "CamClay",
+       {{"rho", "1"}, {"lambda", "0.2"}, {"kappa", "0.04"}, {"e0", "1"}, {"M", "0.9"}, {"pc0", "1e4"}, {"nu", "0.3"}});
+  both("viscoelastic, 2 elements", "Viscoelastic",
+       {{"rho", "1"}, {"K", "1e8"}, {"G0", "1e7"}, {"Gk", "1e7"}, {"tauk", "1e-3"}, {"Gk", "1e7"}, {"tauk", "1e-2"}});
+  both("ideal gas", "IdealGas", {{"rho", "1"}, {"P0", "1e5"}});
   both("neo-Hookean", "NeoHookean", elastic);
   both("Mooney-Rivlin", "MooneyRivlin", elastic);
   return true;

@@ -118,6 +118,18 @@ def others(case):
         case.check(f"Drucker-Prager, match {match}: shear strength over the cohesion", got["sxy"][-1] / 1e6, strength, 1e-9)
     got = case.drive("conetriaxial", "<Drive material='m' test='triaxial_compression' strain='0.1' pressure='1e6'/>", cone.format(1))
     case.check("Drucker-Prager, match 1, triaxial compression: strength", -got["sxx"][-1], 3e6 + 2e6 * np.sqrt(3), 1e-9)
+    clay = "<Material Type='CamClay' Name='m'><rho>1</rho><lambda>0.2</lambda><kappa>0.04</kappa><e0>1</e0><M>0.9</M><pc0>200</pc0><G>5000</G></Material>"
+    begin = "<Drive material='m'><InitialStress xx='-{0}' yy='-{0}' zz='-{0}'/><Path>dt,steps,Lxx,Lyy,Lzz\n{1}</Path></Drive>"
+    squeeze, swell = (0.02 * np.log(2) + 0.1 * np.log(1.5)) / 3, 0.02 * np.log(3) / 3
+    got = case.drive("virgin", begin.format(100, f"1,1,{-squeeze!r},{-squeeze!r},{-squeeze!r}\n1,1,{swell!r},{swell!r},{swell!r}"), clay)
+    case.check("Cam-Clay, isotropic compression in one step: pressure", -got["sxx"][1], 300, 1e-9)
+    case.check("Cam-Clay, swelling: pressure", -got["sxx"][2], 100, 1e-9)
+    case.check("Cam-Clay, swelling: consolidation pressure", got["consolidation"][2], 300, 1e-9)
+    for p0 in (200, 40):
+        got = case.drive(f"undrained{p0}", begin.format(p0, "1e-4,20000,-1,0.5,0.5"), clay)
+        p, q = -(got["sxx"] + got["syy"] + got["szz"])[-1] / 3, (got["syy"] - got["sxx"])[-1]
+        case.check(f"Cam-Clay, sheared at constant volume from {p0}, 20000 steps: pressure at the critical state", p, p0 * (200 / p0 / 2) ** 0.8, 2e-4)
+        case.check(f"Cam-Clay, sheared at constant volume from {p0}: q/p at the critical state", q / p, 0.9, 1e-6)
     law = "<Material Type='Viscoelastic' Name='m'><rho>1</rho><K>5</K><G0>0.1</G0><Gk>0.3</Gk><tauk>1</tauk></Material>"
     for t, modulus in ((0, 0.4), (0.5, 0.281959198), (1, 0.210363832), (5, 0.102021384)):
         got = case.drive(f"relax{t}", f"<Drive material='m'><Path>dt,steps,Lxy,Lyx\n1e-12,1,5e9,5e9\n{max(t, 1e-12)},1,0,0</Path></Drive>", law)
