@@ -72,8 +72,14 @@ const bool registered = [] {
   both("von Mises flowing", "VonMises",
        {{"rho", "1"}, {"E", "1e8"}, {"nu", "0.3"}, {"yield", "1e4"}, {"Khard", "1e5"}});
   both("von Mises, Johnson-Cook", "VonMises",
-       {{"rho", "1"}, {"E", "1e8"}, {"nu", "0.3"}, {"Hardening", "JohnsonCook"}, {"Ajc", "1e4"}, {"Bjc", "1e5"},
-        {"njc", "0.3"}, {"Cjc", "0.02"}});
+       {{"rho", "1"},
+        {"E", "1e8"},
+        {"nu", "0.3"},
+        {"Hardening", "JohnsonCook"},
+        {"Ajc", "1e4"},
+        {"Bjc", "1e5"},
+        {"njc", "0.3"},
+        {"Cjc", "0.02"}});
   both("Cam-Clay flowing", "CamClay",
        {{"rho", "1"}, {"lambda", "0.2"}, {"kappa", "0.04"}, {"e0", "1"}, {"M", "0.9"}, {"pc0", "1e4"}, {"nu", "0.3"}});
   both("viscoelastic, 2 elements", "Viscoelastic",
