@@ -15,7 +15,7 @@ namespace tribo {
 struct MaterialDrive {
   std::shared_ptr<const Material> law;
   Mat3 initial_stress = Mat3::Zero();  ///< [stress]
-  Origin initial_stress_origin;        ///< where it was given; unknown if it was not
+  Origin initial_stress_origin;        ///< where it was given
   std::vector<PathRow> path;           ///< of the columns below
 };
 /// Lxx .. Lzz row by row [1/time], then prescribed stresses sxx syy szz sxy syz sxz [stress].
