@@ -104,14 +104,14 @@ class Contact {
   };
   // The faces of a pair as found some steps ago: its normal, and the particles that make the faces.
   struct Faces {
-    static constexpr std::size_t most = 24;
+    static constexpr std::size_t most = 32;
     std::int64_t node = -1;  // number among the nodes of shared blocks
     std::size_t a = 0, b = 0;
     Vec3 normal = Vec3::Zero();
     double area = 0.0, face = 0.0;
     double play = 0.0;   // added to the gap
     double found = 0.0;  // the travel when they were found [cells]
-    bool apart = false;
+    bool apart = false, just_found = false;
     bool flat = false;               // however the node lies to them, as long as they do not turn
     double serves = 0.0;             // for so much travel [cells]
     std::array<double, 2> relief{};  // from the foremost to the hindmost of the particles
@@ -125,8 +125,14 @@ class Contact {
     std::array<Side<Dim>, 2> sides;
     Vec<Dim> towards;  // from the first to the second
     bool wide;         // the normal is that of wide faces, not of corners
-    std::vector<double> reach;
-    std::vector<std::pair<std::size_t, double>> front;  // particles in the cloud, and their reach
+    std::vector<double> reach, bounds;
+    std::array<double, 2> most;        // how far the foremost particles reach
+    std::vector<std::size_t> numbers;  // of particles in the cloud
+  };
+  // The normal between the foremost particles; whether all particles would surely give the same, and the same gap.
+  struct Front {
+    std::optional<Vec<Dim>> normal;
+    bool same_normal = false, same_gap = false;
   };
   // Gaps are measured from the particles at most this far sideways [cells].
   static constexpr double band = 0.75;
@@ -134,6 +140,8 @@ class Contact {
   static constexpr double smooth = 0.06;
   // Particles this far behind the foremost may become it before the faces are found again [cells].
   static constexpr double kept_depth = 0.05;
+  // Particles this far beyond the band may come into it before that [cells].
+  static constexpr double most_beside = 0.2;
 
   const ContactLaw* law_of(std::size_t a, std::size_t b) const { return laws_[a * field_count_ + b]; }
   // contact.cpp
@@ -150,8 +158,6 @@ class Contact {
   void find_faces(std::vector<Conditions<Dim>>& conditions, bool all);
   void collect();
   void keep(Faces& kept, Scratch& s, const Vec<Dim>& n) const;
-  template <class F>
-  void each_new_corner(F&& f);
   void number_kept();
   void gather_faces();
 
@@ -173,8 +179,12 @@ class Contact {
   Vec<Dim> gradient_normal(const ContactMember& a, const ContactMember& b) const;
   void look_around(const MeetingNode& node, Scratch& s, const ContactMember& a, const ContactMember& b) const;
   void fill_sides(const Vec<Dim>& centre, Scratch& s) const;
+  void add_beside(const Vec<Dim>& centre, Scratch& s, const Vec<Dim>& n) const;
+  static std::size_t keep_ahead(Scratch& s, std::size_t begin, std::size_t end, double limit);
   void take_front(const Vec<Dim>& centre, Scratch& s, std::size_t side, const Vec<Dim>& out) const;
-  std::optional<Vec<Dim>> margin_of_front(const Vec<Dim>& centre, Scratch& s, const Vec<Dim>& guess, bool& whole) const;
+  bool has_all(const Vec<Dim>& centre, Scratch& s, std::size_t side, const Vec<Dim>& guess, const Vec<Dim>& out,
+               double limit) const;
+  Front margin_of_front(const Vec<Dim>& centre, Scratch& s, const Vec<Dim>& guess) const;
   std::optional<Vec<Dim>> chosen_normal(const MeetingNode& node, Scratch& s, const ContactMember& a,
                                         const ContactMember& b) const;
 
@@ -207,6 +217,7 @@ class Contact {
   };
   std::vector<Kept> kept_;                  ///< the particles that make the faces
   std::vector<std::uint32_t> kept_number_;  ///< scratch: per point of the cloud, among the kept
+  std::size_t needed_ = 0;                  ///< how many there were when last all were needed
   bool keeps_faces_ = false;
   int kept_steps_ = 0;          ///< steps since the faces were found; 0: none are kept
   double moved_ = 0.0;          ///< since then [cells]

@@ -23,7 +23,10 @@ Domains<Dim>::Domains(Body<Dim>& body) : uniform_(body.uniform_half_size) {
 
 template <int Dim>
 Cloud<Dim>::Cloud(const Lattice<Dim>& lattice, double reach)
-    : lattice_(lattice), reach_(reach), slot_(static_cast<std::size_t>(lattice.block_count()), -1) {
+    : lattice_(lattice),
+      reach_(reach),
+      per_length_(lattice.spacing.cwiseInverse()),
+      slot_(static_cast<std::size_t>(lattice.block_count()), -1) {
   Index<Dim> cells;
   int count = 1;
   for (std::size_t d = 0; d < Dim; ++d) {
@@ -41,6 +44,17 @@ Cloud<Dim>::Cloud(const Lattice<Dim>& lattice, double reach)
     }
     if (nearest.cwiseProduct(lattice.spacing).norm() <= reach) offsets_.push_back(offset);
   }
+  for (std::size_t k = 0; k < near_cells_.size(); ++k)
+    for (int cell = 0; cell < block_nodes<Dim>; ++cell) {
+      bool near = true;
+      std::size_t block = k;
+      int rest = cell;
+      for (int d = 0; d < Dim; ++d, block /= 3, rest /= block_edge<Dim>) {
+        const int at = (static_cast<int>(block % 3) - 1) * block_edge<Dim> + rest % block_edge<Dim>;
+        near = near && at >= -1 && at < block_edge<Dim> + 2;
+      }
+      if (near) near_cells_[k] |= std::uint64_t{1} << cell;
+    }
 }
 
 template <int Dim>
@@ -70,15 +84,36 @@ bool Cloud<Dim>::wanted(const Vec<Dim>& x, std::size_t& at) const {
   int local = 0;
   for (std::size_t d = Dim; d-- > 0;) {
     const auto axis = static_cast<Eigen::Index>(d);
-    const int cell = static_cast<int>((x[axis] - lattice_.origin[axis]) / lattice_.spacing[axis]);
-    if (cell < 0 || cell >= lattice_.blocks[d] * block_edge<Dim>) return false;
-    block[d] = cell / block_edge<Dim>;
-    local = local * block_edge<Dim> + cell % block_edge<Dim>;
+    constexpr unsigned edge = block_edge<Dim>;
+    // below the lattice it is huge
+    const auto cell = static_cast<unsigned>(static_cast<int>((x[axis] - lattice_.origin[axis]) * per_length_[axis]));
+    if (cell >= static_cast<unsigned>(lattice_.blocks[d]) * edge) return false;
+    block[d] = static_cast<int>(cell / edge);
+    local = local * static_cast<int>(edge) + static_cast<int>(cell % edge);
   }
   const int s = slot_[static_cast<std::size_t>(lattice_.block_index(block))];
   if (s < 0 || !(mask_[static_cast<std::size_t>(s)] >> local & 1)) return false;
   at = static_cast<std::size_t>(s) * block_nodes<Dim> + static_cast<std::size_t>(local);
   return true;
+}
+
+// Whether there are wanted cells where particles of a block's bin may be: in the block, one cell below or two above.
+template <int Dim>
+bool Cloud<Dim>::any_wanted_near(std::int64_t bin_block) const {
+  const auto home = lattice_.block_at(bin_block);
+  Index<Dim> n = home;
+  for (std::size_t k = 0; k < near_cells_.size(); ++k) {
+    std::size_t rest = k;
+    bool inside = true;
+    for (std::size_t d = 0; d < Dim; ++d, rest /= 3) {
+      n[d] = home[d] + static_cast<int>(rest % 3) - 1;
+      inside = inside && n[d] >= 0 && n[d] < lattice_.blocks[d];
+    }
+    if (!inside) continue;
+    const int s = slot_[static_cast<std::size_t>(lattice_.block_index(n))];
+    if (s >= 0 && (mask_[static_cast<std::size_t>(s)] & near_cells_[k]) != 0) return true;
+  }
+  return false;
 }
 
 template <int Dim>
@@ -90,18 +125,7 @@ void Cloud<Dim>::collect(const std::vector<Body<Dim>*>& bodies) {
     Body<Dim>& body = *bodies[b];
     const auto x = body.particles.x();
     for (const Bin& bin : body.bins.list()) {
-      // Particles of a bin lie in its block, one cell below or up to two above.
-      const auto home = lattice_.block_at(bin.block);
-      bool any = false;
-      Index<Dim> n = home;
-      for (int k = 0; k < (Dim == 2 ? 9 : 27) && !any; ++k) {
-        n[0] = home[0] + k % 3 - 1, n[1] = home[1] + k / 3 % 3 - 1;
-        if constexpr (Dim == 3) n[2] = home[2] + k / 9 - 1;
-        bool inside = true;
-        for (std::size_t d = 0; d < Dim; ++d) inside = inside && n[d] >= 0 && n[d] < lattice_.blocks[d];
-        any = inside && slot_[static_cast<std::size_t>(lattice_.block_index(n))] >= 0;
-      }
-      if (!any) continue;
+      if (!any_wanted_near(bin.block)) continue;
       for (std::uint32_t i = bin.begin; i < bin.end; ++i) {
         Vec<Dim> at;
         for (std::size_t d = 0; d < Dim; ++d) at[static_cast<Eigen::Index>(d)] = x[d][i];
@@ -136,6 +160,7 @@ template <int Dim>
 void Cloud<Dim>::group() {
   groups_.clear();
   start_.resize(first_.size());
+  largest_ = 0.0;
   for (std::size_t cell = 0; cell + 1 < first_.size(); ++cell) {
     start_[cell] = static_cast<std::uint32_t>(groups_.size());
     for (std::uint32_t p = first_[cell]; p < first_[cell + 1]; ++p) {
@@ -147,6 +172,7 @@ void Cloud<Dim>::group() {
       group.end = p + 1;
       group.low = group.low.cwiseMin(point.x - half), group.high = group.high.cwiseMax(point.x + half);
       group.sum += point.x;
+      largest_ = std::max(largest_, half.norm());
     }
   }
   start_.back() = static_cast<std::uint32_t>(groups_.size());

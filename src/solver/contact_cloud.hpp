@@ -77,13 +77,27 @@ class Cloud {
   void collect(const std::vector<Body<Dim>*>& bodies);
 
   double reach() const { return reach_; }
+  /// No domain reaches farther from its centre [length].
+  double largest() const { return largest_; }
   std::size_t size() const { return labels_.size(); }
   const CloudLabel& label(std::size_t k) const { return labels_[k]; }
+  Vec<Dim> centre(std::size_t k) const {
+    Vec<Dim> x;
+    for (std::size_t d = 0; d < Dim; ++d) x[static_cast<Eigen::Index>(d)] = column_[d][k];
+    return x;
+  }
   CloudPoint<Dim> point(std::size_t k) const {
     CloudPoint<Dim> p;
     for (std::size_t c = 0; c < Dim; ++c) p.x.data()[c] = column_[c][k];
     for (std::size_t c = Dim; c < columns; ++c) p.axes.data()[c - Dim] = column_[c][k];
     return p;
+  }
+
+  /// Coordinates of the points' centres, then their half axes one after the other.
+  std::array<const double*, Dim + Dim * Dim> data() const {
+    std::array<const double*, columns> from;
+    for (std::size_t c = 0; c < columns; ++c) from[c] = column_[c].data();
+    return from;
   }
 
   /// Calls f(group) for the groups that may have particles within reach of a node.
@@ -100,7 +114,7 @@ class Cloud {
   template <class F>
   void each_point(const CloudGroup<Dim>& group, const Vec<Dim>& centre, F&& f) const {
     for (std::uint32_t p = group.begin; p < group.end; ++p)
-      if ((point(p).x - centre).squaredNorm() <= reach_ * reach_) f(p);
+      if ((this->centre(p) - centre).squaredNorm() <= reach_ * reach_) f(p);
   }
   /// How far the domains of a group's particles reach from a node at `centre` along n, one value each; -infinity for
   /// those beyond the reach of the cloud.
@@ -115,20 +129,24 @@ class Cloud {
       int local = 0;
       bool inside = true;
       for (std::size_t d = Dim; d-- > 0;) {
-        const int cell = node[d] + offset[d];
-        inside = inside && cell >= 0 && cell < lattice_.blocks[d] * block_edge<Dim>;
-        block[d] = cell / block_edge<Dim>;
-        local = local * block_edge<Dim> + cell % block_edge<Dim>;
+        constexpr unsigned edge = block_edge<Dim>;
+        const auto cell = static_cast<unsigned>(node[d] + offset[d]);  // below the lattice it is huge
+        inside = inside && cell < static_cast<unsigned>(lattice_.blocks[d]) * edge;
+        block[d] = static_cast<int>(cell / edge);
+        local = local * static_cast<int>(edge) + static_cast<int>(cell % edge);
       }
       if (inside) f(lattice_.block_index(block), local);
     }
   }
 
   bool wanted(const Vec<Dim>& x, std::size_t& at) const;
+  bool any_wanted_near(std::int64_t bin_block) const;
   void group();
 
   Lattice<Dim> lattice_;
-  double reach_;
+  double reach_, largest_ = 0.0;
+  Vec<Dim> per_length_;                                        ///< cells per length
+  std::array<std::uint64_t, Dim == 2 ? 9 : 27> near_cells_{};  ///< of a block and its neighbours: see any_wanted_near
   std::vector<Index<Dim>> offsets_;   ///< cells that a ball about a node cuts, from the cell above the node
   std::vector<int> slot_;             ///< per lattice block: position among the blocks with wanted cells, or -1
   std::vector<std::int64_t> blocks_;  ///< those blocks

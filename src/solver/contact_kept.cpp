@@ -11,11 +11,12 @@ namespace tribo {
 namespace {
 
 // Faces are found anew when a particle may have moved this far [cells], or after so many steps; flat ones look the
-// same from everywhere.
+// same from everywhere, and where they go on all around the node no edge comes near it.
 constexpr double most_travel = 0.01, most_flat_travel = 0.05;
-constexpr int most_kept_steps = 50;
+constexpr double inside = 1.25;  // that far around [cells]
+constexpr int most_kept_steps = 200;
 // Or when they turn: their relief changes by this much [cells].
-constexpr double most_change = 0.003;
+constexpr double most_change = 0.01;
 // Particles of flat faces reach equally far, but for this [cells]: within the reach of a node that is a curvature whose
 // normals turn by 3e-4 along most_flat_travel.
 constexpr double even = 0.02;
@@ -55,7 +56,7 @@ void Contact<Dim>::find_faces(std::vector<Conditions<Dim>>& conditions, bool all
     Scratch& scratch = scratch_[static_cast<std::size_t>(thread_index()) % scratch_.size()];
     for (std::size_t p = node.first_pair; p < node.end_pair; ++p) {
       Faces& found = faces_[face_of_[p]];
-      found.found = moved_, found.serves = most_travel;
+      found.found = moved_, found.serves = most_travel, found.just_found = true;
       face(node, pairs_[p], found, scratch);
     }
   });
@@ -73,7 +74,7 @@ void Contact<Dim>::collect() {
 
 template <int Dim>
 bool Contact<Dim>::worn() const {
-  return moved_ > most_flat_travel || kept_steps_ >= most_kept_steps;
+  return moved_ > most_beside || kept_steps_ >= most_kept_steps;
 }
 
 // Gives every pair the faces found before, and tells which nodes need new ones; false if some pair is new.
@@ -144,7 +145,11 @@ bool Contact<Dim>::reuse(const MeetingNode& node, ContactPair& pair, const Faces
 template <int Dim>
 void Contact<Dim>::keep(Faces& kept, Scratch& s, const Vec<Dim>& n) const {
   kept.flat = s.wide && flat_face<Dim>(s.sides[0], n, even * h_) && flat_face<Dim>(s.sides[1], -n, even * h_);
-  if (kept.flat) kept.serves = most_flat_travel;
+  if (kept.flat) {
+    const bool all_around =
+        goes_on<Dim>(s.sides[0], n, inside * h_, even * h_) && goes_on<Dim>(s.sides[1], -n, inside * h_, even * h_);
+    kept.serves = all_around ? most_beside : most_flat_travel;
+  }
   for (std::size_t side = 0; side < 2; ++side) {
     Side<Dim>& of = s.sides[side];
     double most = -std::numeric_limits<double>::infinity(), least = -most;
@@ -158,32 +163,36 @@ void Contact<Dim>::keep(Faces& kept, Scratch& s, const Vec<Dim>& n) const {
   }
 }
 
-// Calls f(corner) for the particles that make the faces just found.
-template <int Dim>
-template <class F>
-void Contact<Dim>::each_new_corner(F&& f) {
-  for (const MeetingNode& node : nodes_) {
-    if (!node.stale) continue;
-    for (std::size_t p = node.first_pair; p < node.end_pair; ++p) {
-      Faces& face = faces_[face_of_[p]];
-      for (std::size_t side = 0; side < 2; ++side)
-        for (std::size_t k = 0; k < std::min(face.count[side], Faces::most); ++k) f(face.corners[side][k]);
-    }
-  }
-}
-
-// Lists these particles in the order of the cloud, which is nearly that in memory; nodes share them.
+// Lists the particles that make the faces just found in the order of the cloud, which is nearly that in memory; faces
+// share them. Drops those that no face needs any more once they are many.
 template <int Dim>
 void Contact<Dim>::number_kept() {
   constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
-  kept_number_.assign(cloud_.size(), none);
-  each_new_corner([&](std::uint32_t corner) { kept_number_[corner] = 0; });
-  for (std::size_t k = 0; k < cloud_.size(); ++k) {
-    if (kept_number_[k] == none) continue;
-    kept_number_[k] = static_cast<std::uint32_t>(kept_.size());
-    kept_.push_back({cloud_.label(k), cloud_.point(k)});
+  const auto each_corner = [this](bool new_ones, auto&& f) {
+    for (Faces& face : faces_)
+      for (std::size_t side = 0; side < 2 && face.just_found == new_ones; ++side)
+        for (std::size_t k = 0; k < std::min(face.count[side], Faces::most); ++k) f(face.corners[side][k]);
+  };
+  const auto renumber = [&](bool new_ones, std::size_t count, auto&& move) {
+    kept_number_.assign(count, none);
+    each_corner(new_ones, [&](std::uint32_t corner) { kept_number_[corner] = 0; });
+    for (std::size_t k = 0; k < count; ++k)
+      if (kept_number_[k] != none) kept_number_[k] = static_cast<std::uint32_t>(move(k));
+    each_corner(new_ones, [&](std::uint32_t& corner) { corner = kept_number_[corner]; });
+  };
+  const bool many = 4 * kept_.size() > 5 * needed_;
+  if (many) {
+    std::size_t used = 0;
+    renumber(false, kept_.size(), [&](std::size_t k) { return kept_[used] = kept_[k], used++; });
+    kept_.resize(used);
   }
-  each_new_corner([&](std::uint32_t& corner) { corner = kept_number_[corner]; });
+  const bool first = kept_.empty();
+  renumber(true, cloud_.size(), [&](std::size_t k) {
+    kept_.push_back({cloud_.label(k), cloud_.point(k)});
+    return kept_.size() - 1;
+  });
+  if (many || first) needed_ = kept_.size();
+  for (Faces& face : faces_) face.just_found = false;
 }
 
 // Hands the pairs whose impulses act on faces, and those that share a node with them, to their solver.

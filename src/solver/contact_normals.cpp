@@ -59,71 +59,118 @@ void Contact<Dim>::look_around(const MeetingNode& node, Scratch& s, const Contac
 template <int Dim>
 void Contact<Dim>::fill_sides(const Vec<Dim>& centre, Scratch& s) const {
   for (std::size_t side = 0; side < 2; ++side) {
-    s.sides[side].clear();
+    s.numbers.clear();
+    for (const auto* group : s.groups[side])
+      cloud_.each_point(*group, centre, [&](std::uint32_t k) { s.numbers.push_back(k); });
+    s.sides[side].take(s.numbers, cloud_.data(), centre);
+  }
+}
+
+// Adds to sides of foremost particles whoever else may measure gaps at a node beside them, or is kept for that.
+template <int Dim>
+void Contact<Dim>::add_beside(const Vec<Dim>& centre, Scratch& s, const Vec<Dim>& n) const {
+  for (std::size_t side = 0; side < 2; ++side) {
+    Side<Dim>& of = s.sides[side];
+    const double limit = of.band_limit(n, (band + most_beside) * h_);
+    s.numbers = of.which;
+    const auto end = static_cast<std::ptrdiff_t>(s.numbers.size());
     for (const auto* group : s.groups[side])
       cloud_.each_point(*group, centre, [&](std::uint32_t k) {
-        const CloudPoint<Dim> p = cloud_.point(k);
-        s.sides[side].add(p.x - centre, p.axes, k);
+        const Vec<Dim> x = cloud_.centre(k) - centre;
+        if (x.squaredNorm() - x.dot(n) * x.dot(n) > limit) return;
+        if (std::find(s.numbers.begin(), s.numbers.begin() + end, k) == s.numbers.begin() + end) s.numbers.push_back(k);
       });
+    of.take(s.numbers, cloud_.data(), centre);
   }
+}
+
+// Of the particles begin to end - 1 keeps those that reach beyond `limit`, one after the other; returns where they end.
+template <int Dim>
+std::size_t Contact<Dim>::keep_ahead(Scratch& s, std::size_t begin, std::size_t end, double limit) {
+  std::size_t kept = begin;
+  for (std::size_t i = begin; i < end; ++i) {
+    const double reach = s.reach[i];
+    s.reach[kept] = reach, s.numbers[kept] = s.numbers[i];
+    kept += reach >= limit && reach > -std::numeric_limits<double>::infinity() ? 1 : 0;
+  }
+  return kept;
 }
 
 // Fills a side with its particles that reach to the foremost along `out`, or nearly.
 template <int Dim>
 void Contact<Dim>::take_front(const Vec<Dim>& centre, Scratch& s, std::size_t side, const Vec<Dim>& out) const {
   const double depth = front_depth * h_;
+  Groups& groups = s.groups[side];
+  double highest = -std::numeric_limits<double>::infinity();
+  s.bounds.clear(), s.numbers.clear();
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    s.bounds.push_back(groups[g]->bound(centre, out));
+    if (s.bounds[g] <= highest) continue;
+    highest = s.bounds[g];
+    std::swap(groups[0], groups[g]), std::swap(s.bounds[0], s.bounds[g]);  // it is likely to spare others
+  }
   double most = -std::numeric_limits<double>::infinity();
-  s.front.clear();
-  for (const auto* group : s.groups[side]) {
-    if (group->bound(centre, out) < most - depth) continue;
-    s.reach.resize(group->end - group->begin);
-    cloud_.measure(*group, centre, out, s.reach.data());
-    for (std::size_t i = 0; i < s.reach.size(); ++i)
-      if (s.reach[i] >= most - depth && s.reach[i] > -std::numeric_limits<double>::infinity()) {
-        s.front.emplace_back(group->begin + i, s.reach[i]);
-        most = std::max(most, s.reach[i]);
-      }
+  std::size_t count = 0;
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    if (s.bounds[g] < most - depth) continue;
+    const CloudGroup<Dim>& group = *groups[g];
+    const std::size_t end = count + group.end - group.begin;
+    s.numbers.resize(std::max(s.numbers.size(), end)), s.reach.resize(s.numbers.size());
+    double* reach = s.reach.data() + count;
+    cloud_.measure(group, centre, out, reach);
+    for (std::size_t i = 0; i < end - count; ++i)
+      s.numbers[count + i] = group.begin + i, most = std::max(most, reach[i]);
+    count = keep_ahead(s, count, end, most - depth);
   }
-  s.sides[side].clear();
-  for (const auto& [k, reach] : s.front) {
-    if (reach < most - depth) continue;
-    const CloudPoint<Dim> p = cloud_.point(k);
-    s.sides[side].add(p.x - centre, p.axes, k);
-  }
+  s.numbers.resize(keep_ahead(s, 0, count, most - depth));
+  s.most[side] = most;
+  s.sides[side].take(s.numbers, cloud_.data(), centre);
 }
 
-// Fills the sides with their foremost particles along `guess`, and returns the normal of largest margin between them;
-// nothing if there is none. `whole` tells whether all particles would surely give the same, and the same gap.
+// Whether a side holds all particles that reach beyond `limit` along `out`, though it was filled along `guess`.
 template <int Dim>
-std::optional<Vec<Dim>> Contact<Dim>::margin_of_front(const Vec<Dim>& centre, Scratch& s, const Vec<Dim>& guess,
-                                                      bool& whole) const {
-  whole = false;
+bool Contact<Dim>::has_all(const Vec<Dim>& centre, Scratch& s, std::size_t side, const Vec<Dim>& guess,
+                           const Vec<Dim>& out, double limit) const {
+  const double turned = (out - guess).norm() * (cloud_.reach() + cloud_.largest());
+  if (limit >= s.most[side] - front_depth * h_ + turned) return true;
+  Side<Dim>& of = s.sides[side];
+  const auto before = [limit](double reach) { return reach > limit; };
+  of.measure(out, 1.0);
+  auto more = -std::count_if(of.reach.data(), of.reach.data() + of.size(), before);
+  for (const auto* group : s.groups[side]) {
+    if (group->bound(centre, out) <= limit) continue;
+    s.reach.resize(group->end - group->begin);
+    cloud_.measure(*group, centre, out, s.reach.data());
+    more += std::count_if(s.reach.begin(), s.reach.end(), before);
+  }
+  return more == 0;
+}
+
+// Fills the sides with their foremost particles along `guess`, and finds the normal of largest margin between them.
+template <int Dim>
+auto Contact<Dim>::margin_of_front(const Vec<Dim>& centre, Scratch& s, const Vec<Dim>& guess) const -> Front {
+  Front front;
   for (std::size_t side = 0; side < 2; ++side) {
     take_front(centre, s, side, side == 0 ? guess : Vec<Dim>(-guess));
-    if (s.sides[side].empty()) return std::nullopt;
+    if (s.sides[side].empty()) return front;
   }
-  const auto n = margin_normal<Dim>(s.sides[0], s.sides[1], guess, h_);
-  if (!n) return std::nullopt;
-  // Whoever was left out must lie behind all that counts: the support of the margin, and the faces of gaps. Then as
-  // many lie before that among all as among the foremost.
+  front.normal = margin_normal<Dim>(s.sides[0], s.sides[1], guess, h_);
+  if (!front.normal) return front;
+  // Whoever was left out must lie behind all that counts: the support of the margin, and the faces of gaps.
+  front.same_normal = front.same_gap = true;
   for (std::size_t side = 0; side < 2; ++side) {
     Side<Dim>& of = s.sides[side];
-    const Vec<Dim> out = side == 0 ? *n : Vec<Dim>(-*n);
-    if (of.band_limit(out, band * h_) > band * band * h_ * h_) return n;  // the node lies beside the face
-    const double support = of.farthest_reach(out, 0.0);
-    const double limit = std::min(support, face_position<Dim>(of, out, band * h_) - kept_depth * h_);
-    const auto before = [limit](double reach) { return reach > limit; };
-    auto more = -std::count_if(of.reach.data(), of.reach.data() + of.size(), before);
-    for (const auto* group : s.groups[side]) {
-      if (group->bound(centre, out) <= limit) continue;
-      s.reach.resize(group->end - group->begin);
-      cloud_.measure(*group, centre, out, s.reach.data());
-      more += std::count_if(s.reach.begin(), s.reach.end(), before);
-    }
-    if (more != 0) return n;
+    const double sign = side == 0 ? 1.0 : -1.0;
+    const Vec<Dim> out = sign * *front.normal;
+    double limit = of.farthest_reach(out, 0.0);
+    if (of.band_limit(out, band * h_) > band * band * h_ * h_)
+      front.same_gap = false;  // the node lies beside the face
+    else
+      limit = std::min(limit, face_position<Dim>(of, out, band * h_) - kept_depth * h_);
+    front.same_normal = front.same_normal && has_all(centre, s, side, sign * guess, out, limit);
   }
-  whole = true;
-  return n;
+  front.same_gap = front.same_gap && front.same_normal;
+  return front;
 }
 
 template <int Dim>
@@ -145,13 +192,16 @@ std::optional<Vec<Dim>> Contact<Dim>::chosen_normal(const MeetingNode& node, Scr
   if (by_gradient && (a.inverse_mass == 0.0 || b.inverse_mass == 0.0)) method = NormalMethod::margin;
   if (method == NormalMethod::margin) {
     const Vec<Dim> guess = unit(s.towards).value_or(Vec<Dim>::Unit(0));
-    bool whole = false;
-    auto front = margin_of_front(centre, s, guess, whole);
-    if (front && !whole) front = margin_of_front(centre, s, *front, whole);  // where faces overhang the guess is poor
-    if (front && whole && wide_faces<Dim>(side_a, side_b, *front, h_)) return s.wide = true, front;
-    fill_sides(centre, s);
+    Front front = margin_of_front(centre, s, guess);
+    // where faces overhang the guess is poor
+    if (front.normal && !front.same_normal) front = margin_of_front(centre, s, *front.normal);
+    if (front.same_gap && wide_faces<Dim>(side_a, side_b, *front.normal, h_)) return s.wide = true, front.normal;
+    if (front.same_normal)
+      add_beside(centre, s, *front.normal);
+    else
+      fill_sides(centre, s);
     if (side_a.empty() || side_b.empty()) return std::nullopt;
-    if (auto n = margin_normal<Dim>(side_a, side_b, guess, h_)) {
+    if (const auto n = front.same_normal ? front.normal : margin_normal<Dim>(side_a, side_b, guess, h_)) {
       s.wide = wide_faces<Dim>(side_a, side_b, *n, h_);
       return s.wide ? n : facing_normal<Dim>(side_a, side_b, *n, h_);
     }

@@ -117,6 +117,22 @@ bool flat_face(Side<Dim>& side, const Vec<Dim>& out, double even) {
 }
 
 template <int Dim>
+bool goes_on(Side<Dim>& side, const Vec<Dim>& out, double radius, double even) {
+  std::array<Vec<Dim>, 2 * Dim> places;
+  std::array<bool, 2 * Dim> has_near{};
+  std::size_t k = 0;
+  for (const Vec<Dim>& t : directions_around<Dim>(out)) places[k++] = radius * t, places[k++] = -radius * t;
+  const double face = side.farthest_reach(out, 1.0);
+  for (std::size_t i = 0; i < side.size(); ++i) {
+    if (side.reach[i] < face - even) continue;
+    const Vec<Dim> x = side.centre(i), sideways = x - x.dot(out) * out;
+    for (k = 0; k < places.size(); ++k)
+      has_near[k] = has_near[k] || (sideways - places[k]).squaredNorm() < 0.25 * radius * radius;
+  }
+  return std::all_of(has_near.begin(), has_near.end(), [](bool near) { return near; });
+}
+
+template <int Dim>
 std::optional<Vec<Dim>> facing_normal(Side<Dim>& a, Side<Dim>& b, const Vec<Dim>& n, double length) {
   const double depth = corner_depth * length, narrow = corner_width * length;
   std::vector<Vec<Dim>>&at_a = a.corners, &at_b = b.corners;
@@ -269,6 +285,7 @@ double play_between(Side<Dim>& a, Side<Dim>& b, const Vec<Dim>& n, double band, 
 
 template std::optional<Vec<2>> margin_normal<2>(Side<2>&, Side<2>&, const Vec<2>&, double);
 template bool flat_face<2>(Side<2>&, const Vec<2>&, double);
+template bool goes_on<2>(Side<2>&, const Vec<2>&, double, double);
 template bool wide_faces<2>(Side<2>&, Side<2>&, const Vec<2>&, double);
 template std::optional<Vec<2>> facing_normal<2>(Side<2>&, Side<2>&, const Vec<2>&, double);
 template std::optional<Vec<2>> regression_normal<2>(const Side<2>&, const Side<2>&, bool, double);
@@ -276,6 +293,7 @@ template double face_position<2>(Side<2>&, const Vec<2>&, double);
 template double play_between<2>(Side<2>&, Side<2>&, const Vec<2>&, double, double);
 template std::optional<Vec<3>> margin_normal<3>(Side<3>&, Side<3>&, const Vec<3>&, double);
 template bool flat_face<3>(Side<3>&, const Vec<3>&, double);
+template bool goes_on<3>(Side<3>&, const Vec<3>&, double, double);
 template bool wide_faces<3>(Side<3>&, Side<3>&, const Vec<3>&, double);
 template std::optional<Vec<3>> facing_normal<3>(Side<3>&, Side<3>&, const Vec<3>&, double);
 template std::optional<Vec<3>> regression_normal<3>(const Side<3>&, const Side<3>&, bool, double);

@@ -48,6 +48,10 @@ bool wide_faces(Side<Dim>& a, Side<Dim>& b, const Vec<Dim>& n, double length);
 template <int Dim>
 bool flat_face(Side<Dim>& side, const Vec<Dim>& out, double even);
 
+/// Whether such a face goes on all around the node, `radius` away from the line through it along `out`.
+template <int Dim>
+bool goes_on(Side<Dim>& side, const Vec<Dim>& out, double radius, double even);
+
 /// Logistic (or only linear) regression of the classes a = -1, b = 1. Nairn, Hammerquist & Smith, "New material point
 /// method contact algorithms for improved accuracy, large-deformation problems, and proper null-space filtering",
 /// CMAME 362 (2020) 112859.

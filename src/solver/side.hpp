@@ -46,6 +46,21 @@ class Side {
     forget();
   }
 
+  /// Coordinates of centres, then half axes one after the other, of many particles.
+  using Columns = std::array<const double*, Dim + Dim * Dim>;
+  /// Takes the particles `numbers` out of columns, with their centres relative to `origin`, in place of what it had.
+  void take(const std::vector<std::size_t>& numbers, const Columns& from, const Vec<Dim>& origin) {
+    which.clear();
+    while (capacity_ < numbers.size()) grow();
+    which = numbers;
+    for (int c = 0; c < columns; ++c) {
+      const double* source = from[static_cast<std::size_t>(c)];
+      const double zero = c < Dim ? origin[c] : 0.0;
+      gather(source, numbers.data(), size(), zero, column(c));
+    }
+    forget();
+  }
+
   /// Domain of a particle: centre, and half axes as columns.
   Vec<Dim> centre(std::size_t i) const {
     Vec<Dim> v;
@@ -124,6 +139,10 @@ class Side {
     for (int c = 0; c < columns; ++c)
       std::copy_n(column(c), size(), wider.data() + static_cast<std::size_t>(c) * capacity);
     columns_ = std::move(wider), capacity_ = capacity;
+  }
+  static void gather(const double* from, const std::size_t* numbers, std::size_t count, double zero,
+                     double* __restrict to) {
+    for (std::size_t i = 0; i < count; ++i) to[i] = from[numbers[i]] - zero;
   }
   // On its own, so that compilers see that nothing overlaps.
   static void fill_reach(const double* from, std::size_t stride, const Vec<Dim>& n, double share, std::size_t count,
