@@ -108,7 +108,7 @@ class Contact {
     std::int64_t node = -1;  // number among the nodes of shared blocks
     std::size_t a = 0, b = 0;
     Vec3 normal = Vec3::Zero();
-    double area = 0.0, face = 0.0;
+    double area = 0.0;
     double play = 0.0;   // added to the gap
     double found = 0.0;  // the travel when they were found [cells]
     bool apart = false, just_found = false;
@@ -163,6 +163,7 @@ class Contact {
 
   // contact_faces.cpp
   void face(const MeetingNode& node, ContactPair& pair, Faces& kept, Scratch& scratch);
+  double face_between(const ContactPair& pair, double of_a, double of_b) const;
   double area(const MeetingNode& node, const ContactPair& pair, Scratch& s, const Vec<Dim>& n) const;
   bool is_thin(const MeetingNode& node, Scratch& s, std::size_t side, const Vec<Dim>& out) const;
   double separation(const MeetingNode& node, const ContactPair& pair, Scratch& scratch, const Vec<Dim>& n) const;

@@ -33,12 +33,19 @@ void Contact<Dim>::face(const MeetingNode& node, ContactPair& pair, Faces& kept,
   if (model_.contact.at_faces || model_.heat.contact_heating) {
     const double of_a = face_position<Dim>(s.sides[0], *n, band * h_),
                  of_b = -face_position<Dim>(s.sides[1], -*n, band * h_);
-    pair.face = a.inverse_mass == 0.0 ? of_a : b.inverse_mass == 0.0 ? of_b : 0.5 * (of_a + of_b);
+    pair.face = face_between(pair, of_a, of_b);
   }
-  kept.normal = pair.meeting.normal, kept.area = pair.meeting.area, kept.face = pair.face;
+  kept.normal = pair.meeting.normal, kept.area = pair.meeting.area;
   if (keeps_faces_) keep(kept, s, *n);
   if (pair.law->interface()) pair.meeting.opening = opening(node, s, *n);
   if (pair.law->remembers()) recall(node, pair, s);
+}
+
+// Where the common face lies along the normal: rigid ones do not yield.
+template <int Dim>
+double Contact<Dim>::face_between(const ContactPair& pair, double of_a, double of_b) const {
+  if (members_[pair.a].inverse_mass == 0.0) return of_a;
+  return members_[pair.b].inverse_mass == 0.0 ? of_b : 0.5 * (of_a + of_b);
 }
 
 // From the volume gradients: of both sides for interfaces, which belong to both while they are open; else of the
@@ -167,6 +174,8 @@ void Contact<Dim>::recall(const MeetingNode& node, ContactPair& pair, const Scra
 
 template void Contact<2>::face(const MeetingNode&, ContactPair&, Faces&, Scratch&);
 template void Contact<3>::face(const MeetingNode&, ContactPair&, Faces&, Scratch&);
+template double Contact<2>::face_between(const ContactPair&, double, double) const;
+template double Contact<3>::face_between(const ContactPair&, double, double) const;
 template double Contact<2>::weight(const Vec<2>&) const;
 template double Contact<3>::weight(const Vec<3>&) const;
 

@@ -117,9 +117,8 @@ bool Contact<Dim>::reuse(const MeetingNode& node, ContactPair& pair, const Faces
   if (face.apart) return true;
   if (face.count[0] > Faces::most || face.count[1] > Faces::most) return false;
   pair.meeting.normal = face.normal, pair.meeting.area = face.area;
-  pair.face = face.face;
   const Vec<Dim> centre = system_.lattice.position(node.index), n = face.normal.template head<Dim>();
-  pair.meeting.gap = face.play;
+  std::array<double, 2> positions;
   for (std::size_t side = 0; side < 2; ++side) {
     const Vec<Dim> out = side == 0 ? n : Vec<Dim>(-n);
     constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -136,8 +135,10 @@ bool Contact<Dim>::reuse(const MeetingNode& node, ContactPair& pair, const Faces
     }
     if (face.flat && std::abs(most - least - face.relief[side]) > most_change * h_) return false;
     if (position == -infinity) position = of_nearest;  // the node lies beside the face
-    pair.meeting.gap -= position;
+    positions[side] = position;
   }
+  pair.meeting.gap = face.play - positions[0] - positions[1];
+  pair.face = face_between(pair, positions[0], -positions[1]);
   return true;
 }
 
