@@ -18,7 +18,7 @@ constexpr int most_kept_steps = 200;
 // Or when they turn: their relief changes by this much [cells].
 constexpr double most_change = 0.01;
 // Particles of flat faces reach equally far, but for this [cells]: within the reach of a node that is a curvature whose
-// normals turn by 3e-4 along most_flat_travel.
+// normals turn by 1e-3 along most_beside, less than most_change shows.
 constexpr double even = 0.02;
 
 }  // namespace
