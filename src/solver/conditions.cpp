@@ -114,6 +114,15 @@ void Conditions<Dim>::fold(NodeLayer& nodes, Fold what) const {
 }
 
 template <int Dim>
+void Conditions<Dim>::stay_on_planes(NodeLayer& nodes) const {
+  for (int axis = 0; axis < Dim; ++axis)
+    for (const auto at : mirror_nodes_[axis]) {
+      Node& node = nodes[static_cast<std::size_t>(at)];
+      node.velocity[axis] = node.acceleration[axis] = 0.0;
+    }
+}
+
+template <int Dim>
 bool Conditions<Dim>::folds(const Index<Dim>& node) const {
   return std::any_of(planes_.begin(), planes_.end(), [&](const Plane& plane) {
     return (plane.node - node[static_cast<std::size_t>(plane.axis)]) * plane.inward > 0;

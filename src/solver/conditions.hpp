@@ -30,6 +30,8 @@ class Conditions {
   /// boundary-modified shape functions, in which the node k beyond the wall stands for (k+1) v0 - k v1.
   /// Steffen, Kirby & Berzins (2008); exact for linear fields.
   void fold(NodeLayer& nodes, Fold what = Fold::everything) const;
+  /// Takes what forces on nodes, as gravity, put across the symmetry planes out of velocities and accelerations there.
+  void stay_on_planes(NodeLayer& nodes) const;
   /// Whether fold() brings this node's values inside.
   bool folds(const Index<Dim>& node) const;
   /// What a node counts in sums over nodes: nodes on symmetry planes carry their mirror images, too.

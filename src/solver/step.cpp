@@ -233,6 +233,7 @@ void Stepper<Dim>::accelerate(double dt, Known known) {
     if (!free) continue;
     apply_body_force(f, dt);
     if (damping != 0.0) account_damping(f, dt);
+    conditions_[f].stay_on_planes(nodes);
   }
   for (const auto& body : system_.bodies) ledger_.impulse += dt * body.total_mass * model_.body_force.gravity;
 }
