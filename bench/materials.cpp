@@ -85,6 +85,17 @@ const bool registered = [] {
   both("viscoelastic, 2 elements", "Viscoelastic",
        {{"rho", "1"}, {"K", "1e8"}, {"G0", "1e7"}, {"Gk", "1e7"}, {"tauk", "1e-3"}, {"Gk", "1e7"}, {"tauk", "1e-2"}});
   both("ideal gas", "IdealGas", {{"rho", "1"}, {"P0", "1e5"}});
+  both("orthotropic", "Orthotropic",
+       {{"rho", "1"},
+        {"Ex", "1e8"},
+        {"Ey", "1e7"},
+        {"Ez", "1e7"},
+        {"Gxy", "6e6"},
+        {"Gyz", "4e6"},
+        {"Gxz", "6e6"},
+        {"nuxy", "0.3"},
+        {"nuyz", "0.4"},
+        {"nuxz", "0.3"}});
   both("neo-Hookean", "NeoHookean", elastic);
   both("Mooney-Rivlin", "MooneyRivlin", elastic);
   return true;

@@ -109,6 +109,7 @@ MaterialDrive Builder::material_drive(const Statement& s, const MaterialSpec& sp
       must(!has(s, name), s.origin, "'" + std::string(name) + "' belongs to a standard test; name it by 'test'");
     out.path = path(s, material_columns(units.factor(Dimension::rate), units.factor(Dimension::stress)));
   }
+  out.angle = number(s, "angle", Dimension::angle);
   if (const Statement* initial = s.child("InitialStress")) {
     constexpr std::array<const char*, 6> names{"xx", "yy", "zz", "xy", "yz", "xz"};
     for (std::size_t k = 0; k < names.size(); ++k) {
@@ -126,7 +127,7 @@ MaterialDrive Builder::material_drive(const Statement& s, const MaterialSpec& sp
 ContactDrive Builder::contact_drive(const Statement& s, const MaterialSpec& spec) {
   ContactDrive out;
   out.law = spec.contact;
-  for (const auto name : {"test", "strain", "rate", "steps", "pressure"})
+  for (const auto name : {"test", "strain", "rate", "steps", "pressure", "angle"})
     must(!has(s, name), s.origin, "'" + std::string(name) + "' belongs to materials; contact laws need <Path>");
   must(!s.child("InitialStress"), s.origin, "<InitialStress> belongs to materials");
   out.mass = number(s, "mass", Dimension::none, 1.0);

@@ -287,10 +287,11 @@ std::vector<ElementSpec> make() {
   add({"Undeform", "Body", "no initial deformation of the following shapes"});
   add({"InitialStress",
        "Body",
-       "Cauchy stress of the following shapes at the start, functions of position",
+       "Cauchy stress of the following shapes at the start, functions of position; with K0, added to the weight of "
+       "what lies above",
        T::none,
-       {function("xx", ""), function("yy", ""), function("zz", ""), function("xy", ""), function("yz", ""),
-        function("xz", "")}});
+       {number("K0", "horizontal over vertical stress at rest"), function("xx", ""), function("yy", ""),
+        function("zz", ""), function("xy", ""), function("yz", ""), function("xz", "")}});
   add({"PointList", "MaterialPoints", "single particles"});
   add({"mp",
        "PointList",
@@ -370,6 +371,7 @@ std::vector<ElementSpec> make() {
         number("rate", "of that strain (default 1)"),
         {"steps", T::integer, "of the test (default 100)"},
         number("pressure", "that confines a triaxial test"),
+        number("angle", "of the material axes about z [degrees]"),
         number("mass", "reduced mass per area of the faces of a contact law (default 1)"),
         number("gap", "between the faces at the start (default 0)"),
         number("cell", "size of the cells that a contact law is told (default 1)")},

@@ -26,6 +26,9 @@ struct HistoryVariable {
   double initial = 0.0;
 };
 
+/// A history variable of this name begins with the angle of the body's material axes about z [rad].
+inline constexpr std::string_view material_angle = "material_angle";
+
 /// A batch of consecutive points as views into particle columns: one array per component, see Layout.
 /// Cauchy stress, tension positive.
 template <int Dim>
@@ -75,6 +78,10 @@ class Material {
   /// True for rigid materials: prescribed motion, no stress.
   virtual bool rigid() const { return false; }
 };
+
+/// Whether a stress that a point has at the start is still there after a step without motion; that of laws that compute
+/// it from the deformation is not.
+bool keeps_stress(const Material& law);
 
 /// The motion of one material point over one step.
 struct Motion {

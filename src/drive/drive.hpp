@@ -16,6 +16,7 @@ struct MaterialDrive {
   std::shared_ptr<const Material> law;
   Mat3 initial_stress = Mat3::Zero();  ///< [stress]
   Origin initial_stress_origin;        ///< where it was given
+  double angle = 0.0;                  ///< of the material axes about z [rad]
   std::vector<PathRow> path;           ///< of the columns below
 };
 /// Lxx .. Lzz row by row [1/time], then prescribed stresses sxx syy szz sxy syz sxz [stress].

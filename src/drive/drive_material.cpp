@@ -149,7 +149,7 @@ Table drive(const MaterialDrive& what) {
   for (const auto& row : what.path) controls.emplace_back(row, problems);
   Point point;
   point.stress = what.initial_stress;
-  for (const auto& h : what.law->history()) point.history.push_back(h.initial);
+  for (const auto& h : what.law->history()) point.history.push_back(h.name == material_angle ? what.angle : h.initial);
   if (what.initial_stress.norm() > 0) {
     // Laws that keep stress show it again after a step without motion.
     const Point still = advanced(*what.law, point, Mat3::Zero(), what.path.empty() ? 1.0 : 1e-12 * what.path[0].dt);

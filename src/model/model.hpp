@@ -135,6 +135,7 @@ struct Piece {
   std::optional<InitialDeformation> deformation;
   std::array<std::optional<Expression>, 6> stress;  ///< initial Cauchy stress xx yy zz xy yz xz, functions of position
   double stress_factor = 1.0;                       ///< consistent units of the stress functions
+  std::optional<double> K0;                         ///< adds the stress at rest under gravity: horizontal over vertical
   double angle = 0.0;                               ///< material axes, rotation about z
   Origin origin;
 };

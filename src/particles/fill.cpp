@@ -1,4 +1,5 @@
 #include "materials/material.hpp"
+#include "particles/geostatic.hpp"
 #include "particles/seed.hpp"
 #include "particles/sites.hpp"
 
@@ -87,6 +88,10 @@ class Filler {
     const Piece& piece = model_.pieces[p];
     const bool hole = piece.material < 0;
     if (piece.deformation && hole) throw InputError(piece.origin, "a hole cannot be deformed");
+    if (!hole && (piece.K0 || given(piece.stress)) && !keeps_stress(law(piece.material, piece.origin)))
+      throw InputError(piece.origin, "'" + model_.materials[static_cast<std::size_t>(piece.material)].name +
+                                         "' keeps no initial stress: its stress follows from the deformation. Start it "
+                                         "with <Deform> instead");
     const int own = lattice_of_[p];
     long count = 0;
     const Bounds reach = grid_.clip(piece.region->bounds());
@@ -180,12 +185,13 @@ class Filler {
     receive_(seed);
   }
 
+  template <class Functions>
+  static bool given(const Functions& functions) {
+    for (const auto& f : functions)
+      if (f) return true;
+    return false;
+  }
   static bool varies(const Piece& piece) {
-    const auto given = [](const auto& functions) {
-      for (const auto& f : functions)
-        if (f) return true;
-      return false;
-    };
     return piece.deformation || given(piece.velocity_function) || given(piece.stress);
   }
 
@@ -260,6 +266,7 @@ void place_points(const Model& model, const std::function<void(const Seed&)>& re
 std::vector<Seed> place_points(const Model& model) {
   std::vector<Seed> seeds;
   place_points(model, [&](const Seed& seed) { seeds.push_back(seed); });
+  add_geostatic_stress(model, seeds);
   return seeds;
 }
 

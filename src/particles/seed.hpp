@@ -37,7 +37,8 @@ struct Seed {
 /// per cell is not a square (2D) or cube (3D).
 std::vector<Seed> place_points(const Model& model);
 
-/// The same without keeping the seeds: `receive` is called for each of them in order.
+/// The same without keeping the seeds: `receive` is called for each of them in order, before anything adds the weight
+/// of what lies above (geostatic.hpp).
 void place_points(const Model& model, const std::function<void(const Seed&)>& receive);
 
 /// What a piece was given, against its shape; for the pre-flight sheet.

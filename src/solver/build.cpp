@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 
 namespace tribo {
 namespace {
@@ -67,6 +68,9 @@ void fill(Body<Dim>& body, const std::vector<const Seed*>& seeds, std::int64_t f
   const auto x = particles.x(), v = particles.v(), origin = particles.vector(*body.origin);
   const auto F = particles.F();
   const auto stress = particles.stress();
+  std::optional<std::size_t> angle;
+  for (std::size_t k = 0; k < body.law->history().size(); ++k)
+    if (body.law->history()[k].name == material_angle) angle = body.history + k;
   for (std::size_t i = 0; i < seeds.size(); ++i) {
     const Seed& seed = *seeds[i];
     const auto at = static_cast<int>(i);
@@ -80,6 +84,7 @@ void fill(Body<Dim>& body, const std::vector<const Seed*>& seeds, std::int64_t f
     body.total_mass += seed.mass;
     particles.volume()[i] = seed.volume * seed.F.determinant();
     if (body.temperature) particles.column(*body.temperature)[i] = seed.temperature;
+    if (angle) particles.column(*angle)[i] = seed.angle;
     if (F[0]) store_full<Dim>(seed.F, F, at);
     if (body.first_inverse) {
       const Mat3 inverse = seed.F.inverse();

@@ -57,6 +57,39 @@ def rubber(case):
     case.check("Newtonian shear: sxy", got["sxy"][1], 0.021, 1e-12)
 
 
+def fibrous(case):
+    """Saint Venant-Kirchhoff: S = E1 E along an axis, sides free."""
+    moduli = dict(Ex=12.0, Ey=0.9, Ez=0.5, Gxy=0.8, Gyz=0.1, Gxz=0.7, nuxy=0.4, nuyz=0.5, nuxz=0.45)
+    law = "<Material Type='Orthotropic' Name='m'><rho>1</rho>" + "".join(f"<{k}>{v!r}</{k}>" for k, v in moduli.items()) + "</Material>"
+    for angle, E, contractions in ((0, 12.0, (0.4, 0.45)), (90, 0.9, (0.4 * 0.9 / 12, 0.5))):
+        stretch = 1.1
+        green = (stretch**2 - 1) / 2
+        across = [np.sqrt(1 - 2 * nu * green) for nu in contractions]
+        got = case.drive(f"fibres{angle}", f"<Drive material='m' test='uniaxial_stress' strain='{np.log(stretch)!r}' steps='5' angle='{angle}'/>", law)
+        case.check(f"orthotropic, axes at {angle} degrees, stretch 1.1: sxx", got["sxx"][-1], E * green * stretch / (across[0] * across[1]), 1e-9)
+        case.check(f"orthotropic, axes at {angle} degrees, stretch 1.1: stretch across", np.exp(got["eyy"][-1]), across[0], 1e-9)
+    law = "<Material Type='Transverse1' Name='m'><rho>1</rho><EA>10</EA><ET>1</ET><GA>0.6</GA><nuA>0.3</nuA><nuT>0.4</nuT></Material>"
+    got = case.drive("isotropic_plane", "<Drive material='m' test='simple_shear' strain='0.3' steps='3'/>", law)
+    # S = G E xy, with the normal stress that E_yy = g^2/2 brings
+    normal = np.linalg.inv(np.array([[1, -0.4, -0.03], [-0.4, 1, -0.03], [-0.03, -0.03, 0.1]])) @ np.array([0, 0.045, 0])
+    case.check("transversely isotropic, sheared by 0.3 across its axis: sxy", got["sxy"][-1], 0.3 / 2.8 + 0.3 * normal[1], 1e-12)
+
+
+def turning(case):
+    """Stretched, then turned by a full circle about z in 1000 steps: stress and material must come round together."""
+    pair = "<rho>1</rho><E>1000</E><nu>0.3</nu>"
+    laws = dict(LinearElastic=pair, NeoHookean=pair, Mooney="<rho>1</rho><K>833</K><G1>300</G1><G2>84</G2>", Orthotropic="<rho>1</rho>" + "".join(f"<{k}>{v}</{k}>" for k, v in dict(Ex=1200, Ey=90, Ez=50, Gxy=80, Gyz=10, Gxz=70, nuxy=0.4, nuyz=0.5, nuxz=0.45).items()),
+                IsoPlasticity=pair + "<yield>1e6</yield>", MohrCoulomb=pair + "<cohesion>1e6</cohesion><friction>30</friction>", Viscoelastic="<rho>1</rho><K>833</K><G0>384</G0><Gk>1e-9</Gk><tauk>1</tauk>")
+    for name, properties in laws.items():
+        law = f"<Material Type='{name}' Name='m'>{properties}</Material>"
+        rate = repr(2 * np.pi / 1000)
+        got = case.drive("turn" + name, f"<Drive material='m'><Path>dt,steps,Lxx,Lyy,Lxy,Lyx\n0.5,1,1,-0.3,0,0\n1,1000,0,0,-{rate},{rate}</Path></Drive>", law)
+        start, quarter = ({c: got[c][k] for c in ("sxx", "syy", "szz", "sxy")} for k in (1, 251))
+        size = max(abs(v) for v in start.values())
+        case.check(f"{name}, turned by a quarter of a circle: sxx against syy before", abs(quarter["sxx"] - start["syy"]) / size, 0, 1e-12, "at most")
+        case.check(f"{name}, turned by a full circle in 1000 steps: stress", max(abs(got[c][-1] - start[c]) for c in start) / size, 0, 1e-12, "at most")
+
+
 def mohr_coulomb(case):
     # triaxial: both edges
     law = soil(K=1e7 / 1.2, G=1e7 / 2.6, cohesion=5e3, friction=35, dilation=5)
@@ -160,6 +193,8 @@ def contact(case):
 def run(case):
     elastic(case)
     rubber(case)
+    fibrous(case)
+    turning(case)
     triaxial, viscous = mohr_coulomb(case)
     others(case)
     contact(case)

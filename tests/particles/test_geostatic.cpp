@@ -1,0 +1,109 @@
+#include "materials/material.hpp"
+#include "particles/seed.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace tribo;
+
+namespace {
+
+std::shared_ptr<const Material> law(const char* type, std::vector<std::pair<std::string, std::string>> properties) {
+  Statement s;
+  for (const auto& [name, text] : properties) {
+    Statement child;
+    child.name = name, child.text = text;
+    s.children.push_back(child);
+  }
+  Problems problems;
+  auto made = materials().find(type)->make(s, {}, Units{}, problems);
+  problems.raise();
+  return made;
+}
+
+std::shared_ptr<const Material> soil(const char* density) {
+  return law("LinearElastic", {{"rho", density}, {"E", "1e6"}, {"nu", "0.3"}});
+}
+
+// 4 x 4 cells, three layers of which the uppermost ends half way.
+Model ground() {
+  Model model;
+  model.grid.low = {0, 0, 0}, model.grid.high = {4, 4, 0}, model.grid.cells = {4, 4, 1};
+  model.materials.push_back({"light", "", soil("2"), {}, {}, 0, {}, {}});
+  model.materials.push_back({"heavy", "", soil("10"), {}, {}, 0, {}, {}});
+  model.body_force.gravity = {0, -10, 0};
+  const auto add = [&](RegionPtr region, int material) {
+    Piece piece;
+    piece.region = std::move(region), piece.material = material, piece.K0 = 0.5;
+    model.pieces.push_back(piece);
+  };
+  add(rectangle(0, 4, 0, 2), 1);
+  add(rectangle(0, 4, 2, 3), 0);
+  add(rectangle(2, 4, 3, 4), 0);
+  return model;
+}
+
+Mat3 stress_at(const std::vector<Seed>& seeds, double x, double y) {
+  for (const auto& s : seeds)
+    if ((s.x.head<2>() - Vec<2>(x, y)).norm() < 1e-9) return s.stress;
+  throw std::runtime_error("no seed there");
+}
+
+}  // namespace
+
+TEST_CASE("ground at rest carries the weight of what lies above, up to its real surface", "[geostatic]") {
+  const auto seeds = place_points(ground());
+  // 1 of light soil over 1.75 of heavy one; under the higher half 2 of light soil
+  for (const auto& [x, y, weight] : {std::tuple{0.25, 0.25, 20 + 175.0},
+                                     {1.75, 1.75, 20 + 25.0},
+                                     {0.75, 2.75, 5.0},
+                                     {2.25, 0.25, 40 + 175.0},
+                                     {3.75, 3.75, 5.0},
+                                     {3.25, 2.25, 35.0}}) {
+    CHECK(stress_at(seeds, x, y)(1, 1) == Approx(-weight).epsilon(1e-13));
+    CHECK(stress_at(seeds, x, y)(0, 0) == Approx(-0.5 * weight).epsilon(1e-13));
+    CHECK(stress_at(seeds, x, y)(2, 2) == Approx(-0.5 * weight).epsilon(1e-13));
+    CHECK(stress_at(seeds, x, y)(0, 1) == 0.0);
+  }
+}
+
+TEST_CASE("gravity may pull to any side, and a body without K0 weighs but has no stress", "[geostatic]") {
+  auto model = ground();
+  model.body_force.gravity = {10, 0, 0};
+  model.pieces[1].K0.reset();
+  const auto seeds = place_points(model);
+  CHECK(stress_at(seeds, 3.75, 0.25)(0, 0) == Approx(-375.0));  // what is "above" lies at lower x
+  CHECK(stress_at(seeds, 3.75, 0.25)(1, 1) == Approx(-187.5));
+  CHECK(stress_at(seeds, 2.25, 3.25)(0, 0) == Approx(-5.0));
+  CHECK(stress_at(seeds, 2.25, 2.25).norm() == 0.0);
+}
+
+TEST_CASE("points of other sizes and squeezed bodies weigh what their domains weigh", "[geostatic]") {
+  auto model = ground();
+  model.pieces[1].points_per_axis = {3, 3, 1};
+  InitialDeformation squeeze;
+  squeeze.F[1][1] = Expression("0.5", {});
+  model.pieces[2].deformation = squeeze;
+  const auto seeds = place_points(model);
+  CHECK(stress_at(seeds, 0.25, 0.25)(1, 1) == Approx(-195.0));
+  // the upper layer keeps its mass: its points stand as they did, half as high and twice as dense
+  CHECK(stress_at(seeds, 3.25, 0.25)(1, 1) == Approx(-215.0));
+}
+
+TEST_CASE("a stress at rest needs gravity along an axis, and a law that keeps stress", "[geostatic]") {
+  auto model = ground();
+  model.body_force.gravity = {0, 0, 0};
+  CHECK_THROWS_WITH(place_points(model), Catch::Contains("needs gravity along an axis"));
+  model.body_force.gravity = {1, -10, 0};
+  CHECK_THROWS_WITH(place_points(model), Catch::Contains("needs gravity along an axis"));
+  model = ground();
+  model.materials[0].law = law("NeoHookean", {{"rho", "1"}, {"E", "1e6"}, {"nu", "0.3"}});
+  CHECK_THROWS_WITH(place_points(model), Catch::Contains("'light' keeps no initial stress"));
+}
+
+TEST_CASE("which laws keep a stress", "[materials]") {
+  CHECK(keeps_stress(*soil("1")));
+  CHECK(keeps_stress(
+      *law("MohrCoulomb", {{"rho", "1"}, {"E", "1"}, {"nu", "0.3"}, {"cohesion", "1"}, {"friction", "30"}})));
+  CHECK_FALSE(keeps_stress(*law("NeoHookean", {{"rho", "1"}, {"E", "1"}, {"nu", "0.3"}})));
+  CHECK_FALSE(keeps_stress(*law("TaitLiquid", {{"rho", "1"}, {"K", "1"}, {"viscosity", "1"}})));
+}
