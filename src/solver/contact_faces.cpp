@@ -111,8 +111,9 @@ double Contact<Dim>::weight(const Vec<Dim>& distance) const {
   return w;
 }
 
-// Jump of the displacement at the interface: each side's mean, carried to the interface by its own deformation, so
-// that strain between the particles and the interface does not count.
+// Jump of the displacement at the interface: each side's mean, carried to the interface along its normal by its own
+// deformation, so that strain between the particles and the interface does not count. Carried along the interface, too,
+// what alternates from node to node there would grow out of round-off under stiff springs.
 template <int Dim>
 Vec3 Contact<Dim>::opening(const MeetingNode& node, Scratch& s, const Vec<Dim>& n) const {
   const Vec<Dim> centre = system_.lattice.position(node.index);
@@ -139,7 +140,7 @@ Vec3 Contact<Dim>::opening(const MeetingNode& node, Scratch& s, const Vec<Dim>& 
                 body.particles.column(*body.first_inverse + k)[label.particle];
           since_start *= first;
         }
-        u += (Mat<Dim>::Identity() - since_start.inverse()) * (at - p.x);
+        u += (Mat<Dim>::Identity() - since_start.inverse()) * (at - p.x).dot(n) * n;
       }
       sum += w * u, total += w;
     });
