@@ -1,27 +1,15 @@
-#include "materials/material.hpp"
+#include "material_point.hpp"
 #include "particles/seed.hpp"
 
 #include <catch2/catch.hpp>
 
 using namespace tribo;
+using test::make_material;
 
 namespace {
 
-std::shared_ptr<const Material> law(const char* type, std::vector<std::pair<std::string, std::string>> properties) {
-  Statement s;
-  for (const auto& [name, text] : properties) {
-    Statement child;
-    child.name = name, child.text = text;
-    s.children.push_back(child);
-  }
-  Problems problems;
-  auto made = materials().find(type)->make(s, {}, Units{}, problems);
-  problems.raise();
-  return made;
-}
-
 std::shared_ptr<const Material> soil(const char* density) {
-  return law("LinearElastic", {{"rho", density}, {"E", "1e6"}, {"nu", "0.3"}});
+  return make_material("LinearElastic", {{"rho", density}, {"E", "1e6"}, {"nu", "0.3"}});
 }
 
 // 4 x 4 cells, three layers of which the uppermost ends half way.
@@ -96,14 +84,14 @@ TEST_CASE("a stress at rest needs gravity along an axis, and a law that keeps st
   model.body_force.gravity = {1, -10, 0};
   CHECK_THROWS_WITH(place_points(model), Catch::Contains("needs gravity along an axis"));
   model = ground();
-  model.materials[0].law = law("NeoHookean", {{"rho", "1"}, {"E", "1e6"}, {"nu", "0.3"}});
+  model.materials[0].law = make_material("NeoHookean", {{"rho", "1"}, {"E", "1e6"}, {"nu", "0.3"}});
   CHECK_THROWS_WITH(place_points(model), Catch::Contains("'light' keeps no initial stress"));
 }
 
 TEST_CASE("which laws keep a stress", "[materials]") {
   CHECK(keeps_stress(*soil("1")));
   CHECK(keeps_stress(
-      *law("MohrCoulomb", {{"rho", "1"}, {"E", "1"}, {"nu", "0.3"}, {"cohesion", "1"}, {"friction", "30"}})));
-  CHECK_FALSE(keeps_stress(*law("NeoHookean", {{"rho", "1"}, {"E", "1"}, {"nu", "0.3"}})));
-  CHECK_FALSE(keeps_stress(*law("TaitLiquid", {{"rho", "1"}, {"K", "1"}, {"viscosity", "1"}})));
+      *make_material("MohrCoulomb", {{"rho", "1"}, {"E", "1"}, {"nu", "0.3"}, {"cohesion", "1"}, {"friction", "30"}})));
+  CHECK_FALSE(keeps_stress(*make_material("NeoHookean", {{"rho", "1"}, {"E", "1"}, {"nu", "0.3"}})));
+  CHECK_FALSE(keeps_stress(*make_material("TaitLiquid", {{"rho", "1"}, {"K", "1"}, {"viscosity", "1"}})));
 }
