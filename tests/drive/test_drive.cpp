@@ -1,11 +1,10 @@
 #include "drive/drive.hpp"
 #include "input/read.hpp"
+#include "tests/scratch.hpp"
 
 #include <catch2/catch.hpp>
 
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <map>
 
 using namespace tribo;
@@ -14,11 +13,7 @@ namespace {
 
 std::string deck(const std::string& content) { return "<JANFEAInput version='3'>" + content + "</JANFEAInput>"; }
 
-Drive read(const std::string& content) {
-  const auto file = std::filesystem::temp_directory_path() / "tribo_test_drive.xml";
-  std::ofstream(file) << deck(content);
-  return read_drive(file);
-}
+Drive read(const std::string& content) { return read_drive(ScratchFile("drive.xml", deck(content)).path); }
 
 Table run(const std::string& content) {
   return std::visit([](const auto& what) { return drive(what); }, read(content));

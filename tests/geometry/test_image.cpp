@@ -1,6 +1,7 @@
 #include "base/error.hpp"
 #include "geometry/region.hpp"
 #include "tests/geometry/counting.hpp"
+#include "tests/scratch.hpp"
 
 #include <cstdint>
 #include <filesystem>
@@ -10,15 +11,6 @@
 using namespace tribo;
 
 namespace {
-
-struct Scratch {
-  std::string path;
-  explicit Scratch(const std::string& name, const std::string& content)
-      : path((std::filesystem::temp_directory_path() / ("tribo_test_" + name)).string()) {
-    std::ofstream(path, std::ios::binary) << content;
-  }
-  ~Scratch() { std::filesystem::remove(path); }
-};
 
 std::string little(std::uint32_t value, int bytes) {
   std::string out;
@@ -98,15 +90,15 @@ void check_pixels(const Image& image) {
 TEST_CASE("the pixels of BMP and PNG pictures are read from the top left", "[geometry][image]") {
   for (const int bits : {8, 24, 32})
     for (const bool top_down : {false, true}) {
-      const Scratch file("grey.bmp", bmp(bits, top_down));
+      const ScratchFile file("grey.bmp", bmp(bits, top_down));
       check_pixels(Image(file.path));
     }
-  const Scratch file("grey.png", grey_png());
+  const ScratchFile file("grey.png", grey_png());
   check_pixels(Image(file.path));
 }
 
 TEST_CASE("colours become grey by luma", "[geometry][image]") {
-  const Scratch file("colours.png", png(3, 1, 2, bytes({0, 255, 0, 0, 0, 255, 0, 0, 0, 255})));
+  const ScratchFile file("colours.png", png(3, 1, 2, bytes({0, 255, 0, 0, 0, 255, 0, 0, 0, 255})));
   const Image image(file.path);
   CHECK(image.grey(0, 0) == 76);
   CHECK(image.grey(1, 0) == 150);
@@ -114,7 +106,7 @@ TEST_CASE("colours become grey by luma", "[geometry][image]") {
 }
 
 TEST_CASE("a picture selects the pixels in a range of grey, row 0 at ymax", "[geometry][image]") {
-  const Scratch file("map.png", grey_png());
+  const ScratchFile file("map.png", grey_png());
   const auto image = std::make_shared<const Image>(file.path);
   const auto dark = image_region(image, 0, 3, 0, 2, 10, 30);  // the upper row
   CHECK(dark->contains(Vec3(0.5, 1.5, 0)));
@@ -133,16 +125,16 @@ TEST_CASE("a picture selects the pixels in a range of grey, row 0 at ymax", "[ge
 TEST_CASE("a broken picture is a file error, never a crash", "[geometry][image]") {
   CHECK_THROWS_AS(Image("/nowhere/at/all.png"), FileError);
   CHECK_THROWS_AS(Image("/tmp"), FileError);
-  const Scratch text("text.png", "hello");
+  const ScratchFile text("text.png", "hello");
   CHECK_THROWS_WITH(Image(text.path), Catch::Contains("neither a PNG nor a BMP"));
   auto one_bit = bmp(8, false);
   one_bit[28] = 1;
-  const Scratch kind("kind.bmp", one_bit);
+  const ScratchFile kind("kind.bmp", one_bit);
   CHECK_THROWS_WITH(Image(kind.path), Catch::Contains("valid: uncompressed with 8 (palette), 24 or 32 bits"));
 
   for (const auto& content : {bmp(8, false), bmp(24, false), bmp(32, true), grey_png()})
     for (std::size_t length = 0; length + 16 < content.size(); ++length) {
-      const Scratch file("cut", content.substr(0, length));
+      const ScratchFile file("cut", content.substr(0, length));
       CHECK_THROWS_AS(Image(file.path), FileError);
     }
   std::mt19937 random(9);
@@ -150,7 +142,7 @@ TEST_CASE("a broken picture is a file error, never a crash", "[geometry][image]"
     auto content = n % 3 == 0 ? bmp(8, false) : (n % 3 == 1 ? bmp(24, true) : grey_png());
     for (int k = 0; k < 2; ++k)
       content[random() % std::min<std::size_t>(content.size(), 60)] = static_cast<char>(random());
-    const Scratch file("flipped", content);
+    const ScratchFile file("flipped", content);
     try {
       const Image image(file.path);
     } catch (const FileError&) {

@@ -1,6 +1,7 @@
 #include "base/error.hpp"
 #include "geometry/region.hpp"
 #include "tests/geometry/counting.hpp"
+#include "tests/scratch.hpp"
 
 #include <bit>
 #include <cstdint>
@@ -48,15 +49,6 @@ Triangles sphere(int bands) {
     }
   return out;
 }
-
-struct Scratch {
-  std::string path;
-  explicit Scratch(const std::string& name, const std::string& content)
-      : path((std::filesystem::temp_directory_path() / ("tribo_test_" + name)).string()) {
-    std::ofstream(path, std::ios::binary) << content;
-  }
-  ~Scratch() { std::filesystem::remove(path); }
-};
 
 std::string ascii(const Triangles& triangles) {
   std::ostringstream out;
@@ -174,7 +166,7 @@ TEST_CASE("an open surface is refused with the coordinates of the gap", "[geomet
 
 TEST_CASE("STL files are read in both forms", "[geometry][surface]") {
   for (const auto& content : {ascii(cube()), binary(cube())}) {
-    const Scratch file("cube.stl", content);
+    const ScratchFile file("cube.stl", content);
     const auto body = stl(file.path, 2.0, Vec3(10, 0, 0));
     CHECK(*body->measure() == Approx(8).epsilon(1e-12));
     CHECK(in(body, 11.9, 1.9, 1.9));
@@ -187,7 +179,7 @@ TEST_CASE("corners that differ in the last bits of single precision are one", "[
   auto triangles = sphere(8);
   for (std::size_t k = 0; k < triangles.size(); ++k)
     for (auto& x : triangles[k]) x *= 1.0 + 1e-7 * static_cast<double>(k % 3);
-  const Scratch file("noisy.stl", binary(triangles));
+  const ScratchFile file("noisy.stl", binary(triangles));
   CHECK_NOTHROW(stl(file.path));
 }
 
@@ -196,21 +188,21 @@ TEST_CASE("a broken STL file is a file error, never a crash", "[geometry][surfac
   CHECK_THROWS_AS(stl("/tmp"), FileError);
   auto open = cube();
   open.erase(open.begin());
-  const Scratch gap("gap.stl", ascii(open));
+  const ScratchFile gap("gap.stl", ascii(open));
   CHECK_THROWS_WITH(stl(gap.path), Catch::Contains("gap.stl: the surface is not closed"));
-  const Scratch wrong("wrong.stl", "solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 zero\n");
+  const ScratchFile wrong("wrong.stl", "solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 zero\n");
   CHECK_THROWS_WITH(stl(wrong.path), Catch::Contains("wrong.stl: line 4: a number is expected, not 'zero'"));
 
   for (const auto& content : {ascii(cube()), binary(cube())})
     for (std::size_t length = 0; length + 20 < content.size(); length += 7) {
-      const Scratch file("cut.stl", content.substr(0, length));
+      const ScratchFile file("cut.stl", content.substr(0, length));
       CHECK_THROWS_AS(read_stl(file.path), FileError);
     }
   std::mt19937 random(5);
   for (int n = 0; n < 300; ++n) {
     auto content = n % 2 ? ascii(cube()) : binary(cube());
     for (int k = 0; k < 3; ++k) content[random() % content.size()] = static_cast<char>(random());
-    const Scratch file("flipped.stl", content);
+    const ScratchFile file("flipped.stl", content);
     try {
       (void)stl(file.path);
     } catch (const std::runtime_error&) {

@@ -3,8 +3,7 @@
 #include "output/checkpoint.hpp"
 #include "output/history.hpp"
 #include "output/vtk.hpp"
-
-#include <unistd.h>
+#include "tests/scratch.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -16,18 +15,6 @@
 using namespace tribo;
 
 namespace {
-
-/// A folder that goes away with the test.
-struct Scratch {
-  std::filesystem::path path = std::filesystem::temp_directory_path() / ("tribo-test-" + std::to_string(getpid()));
-  Scratch() { std::filesystem::create_directories(path); }
-  ~Scratch() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path, ignored);
-  }
-  Scratch(const Scratch&) = delete;
-  Scratch& operator=(const Scratch&) = delete;
-};
 
 std::string content(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
@@ -44,7 +31,7 @@ std::size_t files_in(const std::filesystem::path& folder) {
 }  // namespace
 
 TEST_CASE("a file is replaced whole or not at all", "[output]") {
-  const Scratch scratch;
+  const ScratchFolder scratch;
   const auto file = scratch.path / "a.txt";
   write_atomically(file, "one");
   CHECK(content(file) == "one");
@@ -64,7 +51,7 @@ TEST_CASE("a file is replaced whole or not at all", "[output]") {
 }
 
 TEST_CASE("a history keeps its rows over a resume, without doubles and without torn lines", "[output]") {
-  const Scratch scratch;
+  const ScratchFolder scratch;
   const auto file = scratch.path / "h.csv";
   const std::vector<std::string> columns{"time", "velx:a, \"b\""};
   {
@@ -83,7 +70,7 @@ TEST_CASE("a history keeps its rows over a resume, without doubles and without t
 }
 
 TEST_CASE("a checkpoint returns the same bits, and notices every damage", "[output]") {
-  const Scratch scratch;
+  const ScratchFolder scratch;
   const auto file = scratch.path / "c.bin";
   const std::vector<double> values{1.5, -0.0, std::nan(""), HUGE_VAL, 5e-324};
   const std::vector<std::int64_t> numbers{1, -2, INT64_MAX};
@@ -116,7 +103,7 @@ TEST_CASE("a checkpoint returns the same bits, and notices every damage", "[outp
 }
 
 TEST_CASE("a collection lists its files with exact times and continues without doubles", "[output]") {
-  const Scratch scratch;
+  const ScratchFolder scratch;
   const auto file = scratch.path / "run.pvd";
   Collection whole(file);
   for (int k = 0; k < 4; ++k) whole.add(0.1 * k, "p" + std::to_string(k));
@@ -131,7 +118,7 @@ TEST_CASE("a collection lists its files with exact times and continues without d
 }
 
 TEST_CASE("a particle file is written whole, compressed and with its time", "[output]") {
-  const Scratch scratch;
+  const ScratchFolder scratch;
   const auto file = scratch.path / "p.vtp";
   const std::vector<double> x{0, 1, 2}, y{3, 4, 5}, s{7, 8, 9};
   const std::vector<std::int64_t> id{2, 0, 1};
