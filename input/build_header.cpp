@@ -80,6 +80,15 @@ void Builder::mpm_header() {
     must(terms == 1 || terms == 2, d->origin, "the number of terms must be 1 or 2; more are below (L dt)^3/6 per step");
     scheme.exponential_deformation = terms == 2;
   }
+  if (const auto* f = h.child("BBar")) {
+    must(model_.analysis != Analysis::plane_stress, f->origin,
+         "<BBar> is of no use in plane stress: the thickness follows, and nothing locks");
+    must(
+        scheme.kernel == Kernel::linear || scheme.kernel == Kernel::cpdi, f->origin,
+        "<BBar> belongs to shape functions that are linear within a cell: <GIMP type='lCPDI'/> or 'Classic'. Quadratic "
+        "splines, 'B2SPLINE', hardly lock without it");
+    scheme.b_bar = true;
+  }
   if (const auto* c = h.child("CPDIrcrit")) {
     scheme.cpdi_limit = text_number(*c, Dimension::none, 1);
     must(scheme.cpdi_limit > 0 && scheme.cpdi_limit <= 1, c->origin, "<CPDIrcrit> must be in (0, 1] cells");
@@ -124,6 +133,7 @@ void Builder::mpm_header() {
   archive(h);
   history(h);
   damping(h);
+  strength_reduction(h);
 }
 
 void Builder::archive(const Statement& h) {
@@ -230,6 +240,18 @@ void Builder::history(const Statement& h) {
     }
     model_.output.history.push_back(q);
   }
+}
+
+void Builder::strength_reduction(const Statement& h) {
+  const auto* s = h.child("StrengthReduction");
+  if (!s) return;
+  StrengthReduction& search = model_.strength_reduction;
+  search.low = number(*s, "low", Dimension::none, search.low);
+  search.high = number(*s, "high", Dimension::none, search.high);
+  search.tolerance = number(*s, "tolerance", Dimension::none, search.tolerance);
+  search.growth = number(*s, "growth", Dimension::none, search.growth);
+  must(search.low > 0 && search.high > search.low, s->origin, "'low' must be positive and below 'high'");
+  must(search.tolerance > 0 && search.growth > 0, s->origin, "'tolerance' and 'growth' must be positive");
 }
 
 void Builder::damping(const Statement& h) {

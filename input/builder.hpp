@@ -28,6 +28,7 @@ class Builder {
   void archive(const Statement& header);
   void history(const Statement& header);
   void damping(const Statement& header);
+  void strength_reduction(const Statement& header);
   void mesh();
   void axis(const Statement& grid, int axis, std::string_view element, std::string_view count);
   void tasks();

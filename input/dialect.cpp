@@ -227,6 +227,23 @@ std::vector<ElementSpec> make() {
        T::integer,
        {},
        true});
+  add({"StrengthReduction",
+       "MPMHeader",
+       "where 'tribo safety' looks for the factor of safety; 'tribo run' leaves it alone",
+       T::none,
+       {number("low", "first factor, which should hold (default 1)"),
+        number("high", "first factor that should slip (default 2)"),
+        number("tolerance", "width of the bracket at the end (default 0.01)"),
+        number("growth",
+               "the model slips if its largest displacement grows by this share in the last quarter of the run "
+               "(default 0.05)")},
+       true});
+  add({"BBar",
+       "MPMHeader",
+       "volume changes and pressures are means around each particle: no locking",
+       T::none,
+       {},
+       true});
   add({"CPDIrcrit", "MPMHeader", "largest reach of a CPDI corner, in cells (at most 1)", T::number, {}, true});
   add({"StressFreeTemp", "MPMHeader", "temperature of bodies that give none", T::number, {}, true});
 

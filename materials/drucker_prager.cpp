@@ -70,6 +70,16 @@ struct DruckerPrager {
     if (cohesion == 0 && friction == 0)
       problems.add(origin("cohesion"), "<cohesion> and <friction> are both 0: the material would have no strength");
     if (match != std::floor(match)) problems.add(origin("match"), "<match> is 1, 2, 3 or 4");
+    fit();
+  }
+
+  void weaken(double factor) {
+    cohesion /= factor, friction = std::atan(std::tan(friction) / factor), dilation = std::min(dilation, friction);
+    fit();
+  }
+
+  // The cone for the angles.
+  void fit() {
     const double sine = std::sin(friction), cosine = std::cos(friction);
     A_psi = slope(std::sin(dilation));
     // Plane plastic flow has a stress out of plane that follows the dilation; then q = sqrt(3) R/flat.

@@ -92,6 +92,11 @@ struct IsoPlasticity {
       problems.add(statement.origin, "the material softens faster than it unloads: Khard must exceed -3 G");
   }
 
+  void weaken(double factor) {
+    for (double* stress : {&yield, &A, &B}) *stress /= factor;
+    if (hardening == Hardening::linear) coefficient /= factor;
+  }
+
   double elastic_slope(const Statement& statement, Problems& problems) const {
     const double G = elastic.mu, K = elastic.bulk(), E = 9 * K * G / (3 * K + G);
     if (!(slope < E)) problems.add(statement.child("Ep")->origin, "<Ep> must be below Young's modulus");

@@ -77,6 +77,9 @@ class Material {
   virtual double largest_viscosity() const { return 0.0; }
   /// True for rigid materials: prescribed motion, no stress.
   virtual bool rigid() const { return false; }
+  /// The same law with its strength divided by `factor`: cohesion, tangent of the friction angle, tensile strength,
+  /// yield stress. Dilation stays unless friction falls below it. Null for laws without strength.
+  virtual std::shared_ptr<const Material> weakened([[maybe_unused]] double factor) const { return nullptr; }
 };
 
 /// Whether a stress that a point has at the start is still there after a step without motion; that of laws that compute
@@ -101,6 +104,7 @@ struct NoState {};
 ///   doubles static auto history();                            // std::tuple of StateVariable, only with a State Mat3
 ///   stress(const Motion&, const Mat3& old_stress, State&) const; double energy_density(const Mat3& F, const Mat3&
 ///   stress, const State&) const;   // stored, per current volume
+///   void weaken(double factor);    // optional: see Material::weakened
 /// Plane stress is solved here for every such law, see plane_stress.hpp.
 template <class State>
 struct StateVariable {
@@ -135,6 +139,14 @@ class PointwiseMaterial : public Material {
   double stored_energy(const MaterialPoints<3>& points) const override { return stored<3>(points); }
   int dissipation_index() const override { return dissipation_; }
   const std::vector<HistoryVariable>& history() const override { return history_; }
+  std::shared_ptr<const Material> weakened([[maybe_unused]] double factor) const override {
+    if constexpr (requires(Law law) { law.weaken(factor); }) {
+      Law law = law_;
+      law.weaken(factor);
+      return std::make_shared<PointwiseMaterial>(std::move(law));
+    }
+    return nullptr;
+  }
   const Law& law() const { return law_; }
 
  private:

@@ -205,6 +205,11 @@ class MohrCoulomb final : public Material {
   double stored_energy(const MaterialPoints<2>& points) const override { return stored<2>(points); }
   double stored_energy(const MaterialPoints<3>& points) const override { return stored<3>(points); }
   int dissipation_index() const override { return 3; }
+  std::shared_ptr<const Material> weakened(double factor) const override {
+    MohrCoulombLaw law = law_;
+    law.weaken(factor);
+    return std::make_shared<MohrCoulomb>(std::move(law));
+  }
   const std::vector<HistoryVariable>& history() const override {
     static const std::vector<HistoryVariable> variables{
         {"plastic_shear"}, {"plastic_volume"}, {"tension_strain"}, {"dissipation", Dimension::stress}};

@@ -82,6 +82,14 @@ void MohrCoulombLaw::prepare(const Statement& statement, Problems& problems) {
   pyramid_.emplace(elastic, limit(cohesion, friction, dilation, tension));
 }
 
+void MohrCoulombLaw::weaken(double factor) {
+  for (double* stress : {&cohesion, &cohesion_residual, &tension, &tension_residual})
+    if (given(*stress)) *stress /= factor;
+  for (double* angle : {&friction, &friction_residual}) *angle = std::atan(std::tan(*angle) / factor);
+  dilation = std::min(dilation, friction), dilation_residual = std::min(dilation_residual, friction_residual);
+  pyramid_.emplace(elastic, limit(cohesion, friction, dilation, tension));
+}
+
 void MohrCoulombLaw::check_softening(const Statement& statement, Problems& problems) {
   const auto origin = [&](std::string_view word) {
     const Statement* child = statement.child(word);

@@ -28,6 +28,8 @@ struct MohrCoulombLaw {
 
   static std::array<Parameter<MohrCoulombLaw>, 17> parameters();
   void prepare(const Statement& statement, Problems& problems);
+  /// See Material::weakened.
+  void weaken(double factor);
 
   /// Resistance after the plastic shear kappa and the tension strain kappa_t.
   Strength strength(double kappa, double kappa_t) const;

@@ -5,7 +5,9 @@
 #include "input/dialect.hpp"
 #include "input/read.hpp"
 #include "output/atomic_file.hpp"
+#include "output/number.hpp"
 #include "output/provenance.hpp"
+#include "run/safety.hpp"
 #include "run/simulation.hpp"
 
 #include <CLI/CLI.hpp>
@@ -83,6 +85,35 @@ int drive(const Arguments& a) {
   return 0;
 }
 
+int safety(const Arguments& a, const std::string& command) {
+  const tribo::Model model = tribo::read_model(a.file);
+  print_warnings(model);
+  tribo::RunOptions options;
+  options.folder = a.output.empty() ? default_folder(a.file) : a.output;
+  options.threads = a.threads, options.quiet = true, options.overwrite = a.overwrite, options.command_line = command;
+  static_cast<void>(tribo::weakened(model, 1.0));  // refuses a model before anything is replaced
+  tribo::prepare_folder(options);
+  const auto found = tribo::find_safety(model, a.threads, [&](const tribo::SafetyTrial& t) {
+    if (!a.quiet)
+      std::printf("strengths over %-8.5g %s\n", t.factor,
+                  t.holds             ? "hold"
+                  : t.failure.empty() ? "slips"
+                                      : ("slips: " + t.failure).c_str());
+    std::fflush(stdout);
+  });
+  std::string table = "factor,displacement_late,displacement_end,holds\n";
+  for (const auto& t : found.trials)
+    table += tribo::number_text(t.factor) + "," + tribo::number_text(t.late) + "," + tribo::number_text(t.at_end) +
+             "," + (t.holds ? "1" : "0") + "\n";
+  options.overwrite = true;
+  tribo::run(tribo::weakened(model, found.slips), options);
+  tribo::write_atomically(options.folder / "safety.csv", table);
+  if (!a.quiet)
+    std::printf("factor of safety %.5g: holds with strengths over %.5g, slips over %.5g (%s)\n",
+                0.5 * (found.holds + found.slips), found.holds, found.slips, (options.folder / "run.pvd").c_str());
+  return 0;
+}
+
 int guarded(const std::function<int()>& action) {
   try {
     return action();
@@ -126,10 +157,15 @@ int main(int argc, char** argv) {  // NOLINT(bugprone-exception-escape): what es
   drive_command->add_option("--output", a.output, "the table (default: NAME.csv here)");
   drive_command->add_flag("--overwrite", a.overwrite, "replace an earlier table");
   drive_command->add_flag("--quiet", a.quiet, "say nothing");
+  auto* safety_command = app.add_subcommand("safety", "find the factor of safety by reduction of all strengths");
+  safety_command->add_option("FILE", a.file, "command file (XML)")->required();
+  safety_command->add_option("--output", a.output, "folder for the results (default: NAME.out here)");
+  safety_command->add_flag("--overwrite", a.overwrite, "replace earlier results");
+  safety_command->add_flag("--quiet", a.quiet, "say nothing");
   auto* schema_command = app.add_subcommand("schema", "print the XML schema of command files");
   auto* list_command = app.add_subcommand("list", "print all keywords and materials, or one of them");
   list_command->add_option("NAME", a.keyword, "an element or a material");
-  for (auto* command : {run_command, resume_command, check_command})
+  for (auto* command : {run_command, resume_command, check_command, safety_command})
     command->add_option("--threads", a.threads, "threads (default: OMP_NUM_THREADS, else all)")
         ->check(CLI::PositiveNumber);
   for (auto* command : {run_command, resume_command}) {
@@ -149,6 +185,7 @@ int main(int argc, char** argv) {  // NOLINT(bugprone-exception-escape): what es
     if (*resume_command) return resume(a, command);
     if (*check_command) return check(a);
     if (*drive_command) return drive(a);
+    if (*safety_command) return safety(a, command);
     if (*schema_command) return std::printf("%s", tribo::schema().c_str()) < 0 ? file_error : 0;
     if (*list_command) {
       const auto text = tribo::list_keywords(a.keyword);

@@ -72,4 +72,19 @@ struct GimpKernel {
   }
 };
 
+/// One for the cell's lowest node, on the stencil of another kernel: sums over cells instead of nodes.
+template <class Kernel>
+struct CellKernel {
+  static constexpr int width = Kernel::width;
+  static constexpr double shift = Kernel::shift;
+  static constexpr bool sized = false;
+  template <class T>
+  static void at(T r, T, T* w, T* g) {
+    for (int n = 0; n < width; ++n) {
+      w[n] = r >= n && r < n + 1 ? T{} + 1 : T{};
+      g[n] = T{};
+    }
+  }
+};
+
 }  // namespace tribo

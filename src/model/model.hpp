@@ -37,6 +37,7 @@ struct Scheme {
   int filter_every = 1;                  ///< XPIC/FMPM on every n-th step, FLIP between (PeriodicXPIC)
   double filter_period = 0.0;            ///< XPIC/FMPM after this much time; 0: use filter_every
   bool exponential_deformation = false;  ///< F <- exp(L dt) F instead of the motion of the particles, 1 + L dt
+  bool b_bar = false;                    ///< volume changes and pressures are means of the neighbourhood
   double cpdi_limit = 1.0;  ///< largest reach of a CPDI corner from the centre, in cells; domains beyond are scaled
 };
 
@@ -200,6 +201,13 @@ struct Damping {
   double max_alpha = 0.0;  ///< 0: unlimited
 };
 
+/// Search for the factor by which all strengths may be divided before the model slips.
+struct StrengthReduction {
+  double low = 1.0, high = 2.0;  ///< where the search begins
+  double tolerance = 0.01;       ///< width of the bracket at the end
+  double growth = 0.05;          ///< it slips if the largest displacement grows by this share in the run's last quarter
+};
+
 struct BodyForce {
   Vec3 gravity = Vec3::Zero();
   std::array<std::optional<Expression>, 3> function;      ///< acceleration f(x, y, z, t) of the nodes
@@ -251,6 +259,7 @@ struct Model {
   std::vector<ParticleCondition> particle_conditions;
   std::vector<TemperatureCondition> temperature_conditions;
   BodyForce body_force;
+  StrengthReduction strength_reduction;
   Damping damping;
   ContactSpec contact;
   HeatSpec heat;

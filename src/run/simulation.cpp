@@ -11,6 +11,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <limits>
@@ -126,6 +127,28 @@ class Simulation {
     provenance.write("finished", "", system_.time, static_cast<long>(system_.step));
     progress.finish(system_.time, system_.step);
     return Outcome::finished;
+  }
+
+  Settlement settle() {
+    set_threads(sensible_threads(options_.threads, particle_count()));
+    Settlement out;
+    dt_ = stable_step();
+    const auto until = [&](double time) {
+      while (system_.time < time * (1 - 1e-12)) {
+        const double step = next_step();
+        update_damping(step);
+        stepper_.advance(step);
+      }
+    };
+    try {
+      until(0.75 * model_.time.end);
+      out.late = largest_displacement();
+      until(model_.time.end);
+      out.at_end = largest_displacement();
+    } catch (const SimulationError& error) {
+      out.failure = error.what();
+    }
+    return out;
   }
 
   /// Size of the first steps, and which material sets it.
@@ -260,6 +283,19 @@ class Simulation {
 
   double kinetic_energy() { return measure(system_).kinetic; }
 
+  double largest_displacement() {
+    double most = 0.0;
+    for (auto& body : system_.bodies) {
+      const auto x = body.particles.x(), origin = body.particles.vector(*body.origin);
+      for (std::size_t i = 0; i < body.particles.size(); ++i) {
+        double square = 0.0;
+        for (std::size_t d = 0; d < Dim; ++d) square += (x[d][i] - origin[d][i]) * (x[d][i] - origin[d][i]);
+        most = std::max(most, square);
+      }
+    }
+    return std::sqrt(most);
+  }
+
   // The last state is always on disk, also if the end is no output time.
   void finish(Results<Dim>& results) {
     if (last_written(archive_)) return;
@@ -282,6 +318,8 @@ class Simulation {
   std::string controlling_;
   bool limited_by_user_ = false;
 };
+
+}  // namespace
 
 void prepare_folder(const RunOptions& options) {
   const auto& folder = options.folder;
@@ -306,8 +344,6 @@ void prepare_folder(const RunOptions& options) {
   }
 }
 
-}  // namespace
-
 void request_stop() { stop_requested = true; }
 
 Outcome run(const Model& model, const RunOptions& options) {
@@ -320,6 +356,12 @@ Outcome run(const Model& model, const RunOptions& options) {
   Simulation<3> simulation(model, options);
   prepare_folder(options);
   return simulation.run();
+}
+
+Settlement settle(const Model& model, int thread_count) {
+  RunOptions options;
+  options.threads = thread_count;
+  return model.dimension() == 2 ? Simulation<2>(model, options).settle() : Simulation<3>(model, options).settle();
 }
 
 std::string preflight(const Model& model, int thread_count) {

@@ -23,10 +23,22 @@ enum class Outcome {
   stopped  ///< at a limit or by a signal; a checkpoint was written
 };
 
+/// Makes room for results. Throws FileError if they would replace others that may not be replaced.
+void prepare_folder(const RunOptions& options);
+
 /// Runs the model and writes its results into the folder: run.pvd, particles/, history.csv, energy.csv,
 /// provenance.json, checkpoint.bin. SIGINT and SIGTERM finish the step, write a checkpoint and stop. Throws InputError,
 /// SimulationError (after saving the last checkpoint), FileError.
 Outcome run(const Model& model, const RunOptions& options);
+
+/// How far the particle that moved farthest is from its start.
+struct Settlement {
+  double late = 0.0;    ///< after three quarters of the run [length]
+  double at_end = 0.0;  ///< [length]
+  std::string failure;  ///< why the run ended early, if it did
+};
+/// Runs the model and writes nothing.
+Settlement settle(const Model& model, int threads);
 
 /// The pre-flight sheet: particles, volumes, time step and what controls it, memory, estimated time. Runs a few steps
 /// for the estimate but writes nothing.

@@ -41,6 +41,7 @@ void add_optional_columns(Body<Dim>& body, const Model& model, bool starts_defor
     particles.add("temperature_detail", Dimension::temperature);
     body.heat_capacity = spec.heat_capacity, body.conductivity = spec.conductivity;
   }
+  if (scheme.b_bar && !body.law->rigid()) body.volumetric = particles.add("volumetric", Dimension::none);
   const ContactSpec& contact = model.contact;
   if (!contact.active) return;
   body.volume_of_displacement = contact.separation == Separation::displacements;

@@ -35,6 +35,10 @@ struct Given {
       prepare_detail(body, first, count);
       return;
     }
+    if (what == Scatter::volumetric) {
+      prepare_volumetric(body, first, count);
+      return;
+    }
     const double* m = body.particles.mass() + first;
     const auto v = what == Scatter::filtered ? body.particles.vector(*body.filtered) : body.particles.v();
     const bool momentum = what != Scatter::force;
@@ -100,21 +104,32 @@ struct Given {
     }
   }
 
+  void prepare_volumetric(Body<Dim>& body, std::uint32_t first, int count) {
+    const double* volume = body.particles.volume() + first;
+    const double* part = body.particles.column(*body.volumetric) + first;
+    for (int i = 0; i < count; ++i) {
+      for (double& w : whole[i]) w = 0.0;
+      whole[i][0] = volume[i], whole[i][1] = volume[i] * part[i];
+    }
+  }
+
   void prepare_force(Body<Dim>& body, std::uint32_t first, int count, bool axisymmetric) {
     const auto s = body.particles.stress();
     const double* volume = body.particles.volume() + first;
+    const double* mean = body.volumetric ? body.particles.column(*body.volumetric) + first : nullptr;
     for (int i = 0; i < count; i += 4) {
       const Vec4 k = -load4(volume + i);
+      const Vec4 more = mean ? k * load4(mean + i) : Vec4{};
       const auto stress = [&](std::size_t c) { return k * load4(s[c] + first + i); };
       const Vec4 xy = stress(3);
       if constexpr (Dim == 2) {
-        spread(pull[0], i, stress(0), xy, Vec4{});
-        spread(pull[1], i, xy, stress(1), Vec4{});
+        spread(pull[0], i, stress(0) + more, xy, Vec4{});
+        spread(pull[1], i, xy, stress(1) + more, Vec4{});
       } else {
         const Vec4 yz = stress(4), xz = stress(5);
-        spread(pull[0], i, stress(0), xy, xz);
-        spread(pull[1], i, xy, stress(1), yz);
-        spread(pull[2], i, xz, yz, stress(2));
+        spread(pull[0], i, stress(0) + more, xy, xz);
+        spread(pull[1], i, xy, stress(1) + more, yz);
+        spread(pull[2], i, xz, yz, stress(2) + more);
       }
     }
     if (body.load) {
@@ -124,7 +139,8 @@ struct Given {
     }
     if (axisymmetric) {  // hoop stress pulls inwards
       const double* r = body.particles.x()[0] + first;
-      for (int i = 0; i < count; ++i) whole[i][5] -= volume[i] * s[2][first + static_cast<std::uint32_t>(i)] / r[i];
+      for (int i = 0; i < count; ++i)
+        whole[i][5] -= volume[i] * (s[2][first + static_cast<std::uint32_t>(i)] + (mean ? mean[i] : 0.0)) / r[i];
     }
   }
 

@@ -66,6 +66,44 @@ void drop_detail(Body<Dim>& body, std::uint32_t first, int count, const Gathered
   for (int i = 0; i < count; ++i) temperature[i] -= body.detail_share * detail[i] - got.velocity[0][i];
 }
 
+template <int Dim>
+void out_of_plane(Body<Dim>& body, std::uint32_t first, int count, const Gather& what, Gathered<Dim>& got) {
+  if constexpr (Dim == 2) {
+    if (what.axisymmetric) {
+      const double* r = (what.from_start ? body.particles.vector(*body.start) : body.particles.x())[0] + first;
+      for (int i = 0; i < count; ++i) got.L[4][i] = got.velocity[0][i] / r[i];
+    } else {
+      std::fill_n(got.L[4], count, 0.0);
+    }
+  }
+}
+
+// The rates of extension along the axes in which the volume may change.
+template <int Dim>
+struct Diagonal {
+  std::array<double*, 3> rate;
+  int count;
+
+  Diagonal(Gathered<Dim>& got, bool axisymmetric) : rate{got.L[0], got.L[Dim + 1], nullptr}, count(2) {
+    if (Dim == 3 || axisymmetric) rate[2] = got.L[Layout<Dim>::full - 1], count = 3;
+  }
+  double sum(int i) const {
+    double s = 0.0;
+    for (int d = 0; d < count; ++d) s += rate[static_cast<std::size_t>(d)][i];
+    return s;
+  }
+};
+
+template <int Dim>
+void take_mean_rate(Body<Dim>& body, std::uint32_t first, int count, const Gather& what, Gathered<Dim>& got) {
+  const Diagonal<Dim> rate(got, what.axisymmetric);
+  const double* mean = body.particles.column(*body.volumetric) + first;
+  for (int i = 0; i < count; ++i) {
+    const double change = (mean[i] - rate.sum(i)) / rate.count;
+    for (int d = 0; d < rate.count; ++d) rate.rate[static_cast<std::size_t>(d)][i] += change;
+  }
+}
+
 // F <- f F and V <- det(f) V over a time step. With `second` = 0, f = 1 + L dt is the motion x += dt v(x) itself; with
 // 1 it is the inverse of 1 - L dt, to second order: the motion that led to where L is known; 1/2 gives exp(L dt). The
 // law sees the constant rate that leads to f, log(f)/dt, to second order: rotations do not strain it.
@@ -158,15 +196,19 @@ void update_particles(Body<Dim>& body, const Lattice<Dim>& lattice, std::uint32_
     drop_detail(body, first, count, got);
     return;
   }
+  if (what.volumetric) {
+    std::copy_n(got.velocity[0], count, body.particles.column(*body.volumetric) + first);
+    return;
+  }
+  if (what.strain_dt > 0 || what.volume_rate) out_of_plane(body, first, count, what, got);
+  if (what.volume_rate) {
+    const Diagonal<Dim> rate(got, what.axisymmetric);
+    double* to = body.particles.column(*body.volumetric) + first;
+    for (int i = 0; i < count; ++i) to[i] = rate.sum(i);
+    return;
+  }
   if (what.strain_dt > 0) {
-    if constexpr (Dim == 2) {
-      if (what.axisymmetric) {
-        const double* r = (what.from_start ? body.particles.vector(*body.start) : body.particles.x())[0] + first;
-        for (int i = 0; i < count; ++i) got.L[4][i] = got.velocity[0][i] / r[i];
-      } else {
-        std::fill_n(got.L[4], count, 0.0);
-      }
-    }
+    if (what.b_bar) take_mean_rate(body, first, count, what, got);
     // The nodes of a step's end moved the particles; those of its start are reached by the motion of the step before.
     const double second = what.exponential ? 0.5 : what.move || what.from_start ? 0.0 : 1.0;
     deform(body.particles, first, count, what.strain_dt, second, got);

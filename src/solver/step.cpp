@@ -1,11 +1,10 @@
 #include "solver/step.hpp"
 
 #include "base/parallel.hpp"
-#include "base/simd.hpp"
 #include "solver/loaded.hpp"
+#include "solver/loops.hpp"
 
 #include <cmath>
-#include <cstring>
 
 namespace tribo {
 
@@ -94,7 +93,8 @@ Stepper<Dim>::Stepper(const Model& model, System<Dim>& system)
       system_(system),
       transfers_(make_transfers<Dim>(model.scheme)),
       contact_(model, system, *transfers_),
-      heat_(model, system, *transfers_) {
+      heat_(model, system, *transfers_),
+      b_bar_(model.scheme, system, *transfers_) {
   for (std::size_t f = 0; f < system.fields.size(); ++f) conditions_.emplace_back(model, system.lattice);
   load_share_ = find_loaded(model, system);
 }
@@ -149,29 +149,9 @@ void Stepper<Dim>::allocate() {
   }
   contact_.locate();
   heat_.locate();
+  b_bar_.locate();
   for (auto& body : system_.bodies) body.refresh();
 }
-
-namespace {
-
-void zero(NodeLayer& nodes) {
-  static constexpr std::ptrdiff_t piece = 1024;
-  const auto n = static_cast<std::ptrdiff_t>(nodes.size());
-  parallel_for((n + piece - 1) / piece, [&](std::ptrdiff_t k) {
-    std::memset(static_cast<void*>(nodes.data() + k * piece), 0,
-                sizeof(Node) * static_cast<std::size_t>(std::min(piece, n - k * piece)));
-  });
-}
-
-void each_node(NodeLayer& nodes, auto&& f) {
-  static constexpr std::ptrdiff_t piece = 1024;
-  const auto n = static_cast<std::ptrdiff_t>(nodes.size());
-  parallel_for((n + piece - 1) / piece, [&](std::ptrdiff_t k) {
-    for (std::ptrdiff_t i = k * piece; i < std::min(n, (k + 1) * piece); ++i) f(nodes[static_cast<std::size_t>(i)]);
-  });
-}
-
-}  // namespace
 
 template <int Dim>
 void Stepper<Dim>::clear() {
@@ -180,6 +160,7 @@ void Stepper<Dim>::clear() {
 
 template <int Dim>
 void Stepper<Dim>::scatter(Scatter what, bool from_start) {
+  if (what != Scatter::momentum) b_bar_.average_stress();
   for (auto& body : system_.bodies) {
     auto& field = system_.fields[body.field];
     transfers_->scatter(body, field.map, field.nodes, what, from_start, system_.analysis == Analysis::axisymmetric);
@@ -350,6 +331,7 @@ void Stepper<Dim>::move(double dt, double strain_dt) {
   }
   double travel = 0.0;
   extend();
+  b_bar_.average_rates(what, &Field<Dim>::nodes);
   for (auto& body : system_.bodies) {
     auto& field = system_.fields[body.field];
     what.damping = body.particle_damping + particle_damping;
@@ -369,10 +351,11 @@ void Stepper<Dim>::strain(double dt, bool from_start) {
   Gather what = gather_options();
   what.strain_dt = dt;
   what.from_start = from_start;
+  const auto layer = filtering_ ? &Field<Dim>::filter : &Field<Dim>::nodes;
+  b_bar_.average_rates(what, layer);
   for (auto& body : system_.bodies) {
     auto& field = system_.fields[body.field];
-    const auto& nodes = filtering_ ? field.filter : field.nodes;
-    if (!transfers_->gather(body, field.map, nodes, what).valid) stop_at_bad_particle();
+    if (!transfers_->gather(body, field.map, field.*layer, what).valid) stop_at_bad_particle();
   }
 }
 

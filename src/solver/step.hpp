@@ -1,6 +1,7 @@
 /// One explicit step. The algorithm is in step.cpp, on one screen.
 #pragma once
 
+#include "solver/b_bar.hpp"
 #include "solver/contact.hpp"
 #include "solver/heat.hpp"
 #include "solver/transfer.hpp"
@@ -88,6 +89,7 @@ class Stepper {
   std::vector<Conditions<Dim>> conditions_;
   Contact<Dim> contact_;
   HeatConduction<Dim> heat_;
+  BBar<Dim> b_bar_;
   Ledger ledger_;
   bool filtering_ = false;  ///< XPIC or FMPM acts in this step
   Vec3 rigid_reaction_ = Vec3::Zero();

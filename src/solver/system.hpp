@@ -25,6 +25,7 @@ struct Field {
   NodeLayer increment;           ///< XPIC, FMPM: what is scattered during filtering; empty without
   NodeLayer volumes;             ///< contact: volume, its first moment and its gradient; empty without
   NodeLayer heat;                ///< conduction, see heat.hpp; empty without
+  NodeLayer cells;               ///< B-bar: volume and mean of the volumetric part in a cell; empty without
   bool rigid_contact = false;    ///< the field of a rigid body that others touch: its velocity is prescribed
 };
 
@@ -56,6 +57,7 @@ struct Body {
   std::optional<std::size_t> contact_memory;  ///< laws that remember: columns slip, bond
   std::optional<std::size_t> contact_view;    ///< for output: columns state, traction, normal
   std::optional<std::size_t> temperature;     ///< conduction: columns temperature, its gradient, and its detail
+  std::optional<std::size_t> volumetric;      ///< B-bar: rate of volume change or stress while it is averaged
   double heat_capacity = 0.0;                 ///< [energy/(mass temperature)]
   double conductivity = 0.0;                  ///< [power/(length temperature)]
   double detail_share = 0.0;                  ///< of the detail of the temperature that goes in this step

@@ -15,8 +15,15 @@ enum class Scatter {
   filtered,            ///< sum w m, sum w m v*, v* the filtered velocity columns
   heat,                ///< sum w m c in place of the mass, of m c T and of the flow V k grad T into the node, in x
   heat_detail,         ///< sum w m c in place of the mass, of m c times the share of the detail that is to go
+  volumetric,          ///< sum w V in place of the mass, of V times the volumetric column, in x
   volume  ///< sum w V in place of the mass, sum w V x (or displacements), sum V grad w in place of the force
 };
+
+/// Whether the slopes of the weights count, too.
+inline bool pulls(Scatter what) {
+  return what == Scatter::force || what == Scatter::momentum_and_force || what == Scatter::heat ||
+         what == Scatter::volume;
+}
 
 /// What a gather does to the particles.
 struct Gather {
@@ -27,8 +34,11 @@ struct Gather {
   double strain_dt = 0.0;    ///< > 0: deformation, stress and history over this time      [time]
   bool heat = false;         ///< only: temperature += dt S dT/dt, its gradient, and detail = temperature - S T
   bool heat_detail = false;  ///< only: temperature -= share of detail - S of that
+  bool volume_rate = false;  ///< only: volumetric column = div v
+  bool volumetric = false;   ///< only: volumetric column = S of x
   bool filtered = false;     ///< only: filtered velocity columns = S v
   bool from_start = false;   ///< weights at the positions of the start of the step
+  bool b_bar = false;        ///< the strain changes volume at the rate in the volumetric column, not at div v
   bool plane_stress = false, axisymmetric = false;
   bool exponential = false;  ///< F <- exp(L dt) F to second order, not the motion of the particles
 };
@@ -56,5 +66,9 @@ class Transfers {
 /// The transfers of a scheme's kernel.
 template <int Dim>
 std::unique_ptr<Transfers<Dim>> make_transfers(const Scheme& scheme);
+
+/// Sums over the particles of each cell, kept at its lowest node, for the same bins of particles.
+template <int Dim>
+std::unique_ptr<Transfers<Dim>> make_cell_transfers(const Scheme& scheme);
 
 }  // namespace tribo

@@ -30,7 +30,7 @@ class CpdiTransfers final : public Transfers<Dim> {
 
   void scatter(Body<Dim>& body, const BlockMap<Dim>& map, NodeLayer& nodes, Scatter what, bool from_start,
                bool axisymmetric, const std::vector<char>* only) const override {
-    const bool force = what != Scatter::momentum && what != Scatter::filtered && what != Scatter::heat_detail;
+    const bool force = pulls(what);
     for (const auto& colour : body.bins.colours())
       parallel_for(static_cast<std::ptrdiff_t>(colour.size()), [&](std::ptrdiff_t k) {
         const Bin& bin = body.bins.list()[colour[static_cast<std::size_t>(k)]];

@@ -30,7 +30,7 @@ class ProductTransfers final : public Transfers<Dim> {
                bool axisymmetric, const std::vector<char>* only) const override {
     const bool affine =
         what == Scatter::heat || (body.affine && (what == Scatter::momentum || what == Scatter::momentum_and_force));
-    const bool force = what != Scatter::momentum && what != Scatter::filtered && what != Scatter::heat_detail;
+    const bool force = pulls(what);
     for (std::size_t c = 0; c < body.bins.colours().size(); ++c) {
       const auto& colour = body.bins.colours()[c];
       const auto before = [&](std::ptrdiff_t k) { return body.bins.before(c, static_cast<std::size_t>(k)); };
@@ -57,7 +57,7 @@ class ProductTransfers final : public Transfers<Dim> {
     parallel_for_weighted(static_cast<std::ptrdiff_t>(bins.size()), before, [&](std::ptrdiff_t k) {
       auto& result = collector.mine();
       const Bin& bin = bins[static_cast<std::size_t>(k)];
-      if (what.filtered || what.heat_detail)
+      if (what.filtered || what.heat_detail || what.volumetric)
         gather_bin<false, false>(body, map, nodes, bin, what, result);
       else if (body.affine && what.move)
         gather_bin<true, true>(body, map, nodes, bin, what, result);

@@ -87,6 +87,10 @@ sed 's|<SettingFunction>[^<]*</SettingFunction>|<SettingFunction>log(-1-t)</Sett
 expect 4 "$tribo" run --quiet --output six nowhere.xml
 grep -q "SettingFunction" err.txt || { cat err.txt; fail "the message does not name the function"; }
 
+# Only strengths can be reduced
+expect 3 "$tribo" safety --quiet --output seven "$source/input/examples/stacked_blocks.xml"
+grep -q "no material has a strength" err.txt || { cat err.txt; fail "the message does not say what is missing"; }
+
 # A full disk is an error that leaves nothing half-written
 if [ -w /dev/full ]; then
   expect 5 "$tribo" run --quiet --overwrite --output /dev/full/x "$deck"

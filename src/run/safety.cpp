@@ -1,0 +1,59 @@
+#include "run/safety.hpp"
+
+#include "materials/material.hpp"
+#include "run/simulation.hpp"
+
+namespace tribo {
+
+Model weakened(const Model& model, double factor) {
+  Model weak = model;
+  bool any = false;
+  for (auto& material : weak.materials) {
+    if (!material.law) continue;
+    if (auto law = material.law->weakened(factor)) material.law = std::move(law), any = true;
+  }
+  if (!any)
+    throw InputError(model.materials.front().origin,
+                     "no material has a strength that could be reduced; MohrCoulomb, DruckerPrager and IsoPlasticity "
+                     "have");
+  return weak;
+}
+
+Safety find_safety(const Model& model, int threads, const std::function<void(const SafetyTrial&)>& report) {
+  static constexpr double least = 0.1, most = 100.0, widen = 1.5;
+  const StrengthReduction& search = model.strength_reduction;
+  Safety safety;
+  const auto holds = [&](double factor) {
+    const Settlement s = settle(weakened(model, factor), threads);
+    const bool still = s.failure.empty() && s.at_end <= (1 + search.growth) * s.late;
+    safety.trials.push_back({factor, s.late, s.at_end, still, s.failure});
+    report(safety.trials.back());
+    return still;
+  };
+
+  safety.holds = search.low, safety.slips = search.high;
+  bool low_known = false, high_known = false;
+  while (!low_known) {
+    if ((low_known = holds(safety.holds))) break;
+    safety.slips = safety.holds, high_known = true;
+    if (safety.holds <= least)
+      throw SimulationError("the model slips even with strengths divided by " + std::to_string(safety.holds) +
+                            ": is everything held that should be, and does it come to rest within the run?");
+    safety.holds = std::max(least, safety.holds / widen);
+  }
+  while (!high_known) {
+    if ((high_known = !holds(safety.slips))) break;
+    safety.holds = safety.slips;
+    if (safety.slips >= most)
+      throw SimulationError("the model holds even with strengths divided by " + std::to_string(safety.slips) +
+                            ": does anything load it?");
+    safety.slips = std::min(most, safety.slips * widen);
+  }
+  while (safety.slips - safety.holds > search.tolerance) {
+    const double middle = 0.5 * (safety.holds + safety.slips);
+    (holds(middle) ? safety.holds : safety.slips) = middle;
+  }
+  return safety;
+}
+
+}  // namespace tribo
