@@ -208,7 +208,7 @@ class MohrCoulomb final : public Material {
   std::shared_ptr<const Material> weakened(double factor) const override {
     MohrCoulombLaw law = law_;
     law.weaken(factor);
-    return std::make_shared<MohrCoulomb>(std::move(law));
+    return std::make_shared<MohrCoulomb>(law);
   }
   const std::vector<HistoryVariable>& history() const override {
     static const std::vector<HistoryVariable> variables{
