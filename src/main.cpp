@@ -91,8 +91,10 @@ int safety(const Arguments& a, const std::string& command) {
   tribo::RunOptions options;
   options.folder = a.output.empty() ? default_folder(a.file) : a.output;
   options.threads = a.threads, options.quiet = true, options.overwrite = a.overwrite, options.command_line = command;
-  static_cast<void>(tribo::weakened(model, 1.0));  // refuses a model before anything is replaced
-  tribo::prepare_folder(options);
+  tribo::refuse_used_folder(options);
+  std::error_code refused;  // now, not after the search
+  std::filesystem::create_directories(options.folder, refused);
+  if (refused) throw tribo::FileError("cannot create '" + options.folder.string() + "': " + refused.message());
   const auto found = tribo::find_safety(model, a.threads, [&](const tribo::SafetyTrial& t) {
     if (!a.quiet)
       std::printf("strengths over %-8.5g %s\n", t.factor,
@@ -105,13 +107,17 @@ int safety(const Arguments& a, const std::string& command) {
   for (const auto& t : found.trials)
     table += tribo::number_text(t.factor) + "," + tribo::number_text(t.late) + "," + tribo::number_text(t.at_end) +
              "," + (t.holds ? "1" : "0") + "\n";
-  options.overwrite = true;
-  tribo::run(tribo::weakened(model, found.slips), options);
+  auto outcome = tribo::Outcome::finished;
+  try {
+    outcome = tribo::run(tribo::weakened(model, found.slips), options);
+  } catch (const tribo::SimulationError& error) {  // a body that slips may well leave the grid
+    std::fprintf(stderr, "warning: the run that slips ended early: %s\n", error.what());
+  }
   tribo::write_atomically(options.folder / "safety.csv", table);
   if (!a.quiet)
     std::printf("factor of safety %.5g: holds with strengths over %.5g, slips over %.5g (%s)\n",
                 0.5 * (found.holds + found.slips), found.holds, found.slips, (options.folder / "run.pvd").c_str());
-  return 0;
+  return outcome == tribo::Outcome::finished ? 0 : stopped;
 }
 
 int guarded(const std::function<int()>& action) {

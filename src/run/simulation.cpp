@@ -319,20 +319,14 @@ class Simulation {
   bool limited_by_user_ = false;
 };
 
-}  // namespace
-
 void prepare_folder(const RunOptions& options) {
   const auto& folder = options.folder;
-  const bool used = std::filesystem::exists(folder / "run.pvd") || std::filesystem::exists(folder / "provenance.json");
   if (options.resume) {
     if (!std::filesystem::exists(folder / "checkpoint.bin"))
       throw FileError("'" + folder.string() + "' has no checkpoint.bin to resume from");
     return;
   }
-  if (used && !options.overwrite)
-    throw FileError("'" + folder.string() +
-                    "' already holds a run; pass --overwrite to replace it, --output DIR for another folder, or use "
-                    "'tribo resume'");
+  refuse_used_folder(options);
   std::error_code error;
   std::filesystem::remove_all(folder / "particles", error);
   std::filesystem::remove_all(folder / "grid", error);
@@ -342,6 +336,17 @@ void prepare_folder(const RunOptions& options) {
     std::filesystem::create_directories(folder / part, error);
     if (error) throw FileError("cannot create '" + (folder / part).string() + "': " + error.message());
   }
+}
+
+}  // namespace
+
+void refuse_used_folder(const RunOptions& options) {
+  const auto& folder = options.folder;
+  const bool used = std::filesystem::exists(folder / "run.pvd") || std::filesystem::exists(folder / "provenance.json");
+  if (used && !options.overwrite)
+    throw FileError("'" + folder.string() +
+                    "' already holds a run; pass --overwrite to replace it, --output DIR for another folder, or use "
+                    "'tribo resume'");
 }
 
 void request_stop() { stop_requested = true; }

@@ -23,8 +23,8 @@ enum class Outcome {
   stopped  ///< at a limit or by a signal; a checkpoint was written
 };
 
-/// Makes room for results. Throws FileError if they would replace others that may not be replaced.
-void prepare_folder(const RunOptions& options);
+/// Throws FileError if the folder holds results that may not be replaced.
+void refuse_used_folder(const RunOptions& options);
 
 /// Runs the model and writes its results into the folder: run.pvd, particles/, history.csv, energy.csv,
 /// provenance.json, checkpoint.bin. SIGINT and SIGTERM finish the step, write a checkpoint and stop. Throws InputError,
