@@ -80,6 +80,14 @@ const bool registered = [] {
         {"Bjc", "1e5"},
         {"njc", "0.3"},
         {"Cjc", "0.02"}});
+  both("cracking", "IsoSoftening",
+       {{"rho", "1"},
+        {"E", "1e8"},
+        {"nu", "0.3"},
+        {"sigmac", "1e6"},
+        {"I-Gc", "1e6"},
+        {"SofteningI", "Exponential"},
+        {"tauc", "1e4"}});
   both("Cam-Clay flowing", "CamClay",
        {{"rho", "1"}, {"lambda", "0.2"}, {"kappa", "0.04"}, {"e0", "1"}, {"M", "0.9"}, {"pc0", "1e4"}, {"nu", "0.3"}});
   both("viscoelastic, 2 elements", "Viscoelastic",

@@ -164,6 +164,7 @@ void Builder::modify(const Statement& s, Piece& piece) {
     constexpr std::array names{"xx", "yy", "zz", "xy", "yz", "xz"};
     for (std::size_t k = 0; k < 6; ++k) piece.stress[k] = function(s, names[k]);
     piece.stress_factor = model_.units.factor(Dimension::stress);
+    if (has(s, "file")) piece.stress_points = stress_points(s);
     if (has(s, "K0")) {
       piece.K0 = number(s, "K0", Dimension::none);
       must(*piece.K0 >= 0, s.attribute("K0")->origin, "K0, horizontal over vertical stress, must not be negative");

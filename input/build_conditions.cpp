@@ -155,6 +155,8 @@ void Builder::heat() {
   HeatSpec& heat = model_.heat;
   heat.conduction = thermal && thermal->child("Conduction");
   heat.contact_heating = thermal && thermal->child("ContactHeating");
+  heat.work_heating = work_heating();
+  check_capacities(thermal);
   if (!heat.conduction) {
     constexpr std::string_view missing = " needs <Conduction/> in <Thermal>";
     if (heat.contact_heating)
@@ -166,13 +168,26 @@ void Builder::heat() {
   }
   must(!heat.contact_heating || model_.contact.active, thermal->origin,
        "<ContactHeating> needs contact, <MultiMaterialMode> in <MPMHeader>");
+}
+
+// Whether particles have temperatures, and whether the materials are ready for them.
+void Builder::check_capacities(const Statement* thermal) {
+  HeatSpec& heat = model_.heat;
+  const bool changes = heat.conduction || heat.work_heating;
+  heat.kept = changes;
   for (const auto& m : model_.materials) {
     if (!m.law || m.law->rigid()) continue;
-    must(m.heat_capacity > 0, m.origin, "<Conduction> needs the heat capacity of '" + m.name + "': <Cv>");
+    heat.kept |= m.law->feels_temperature();
+    if (!changes) continue;
+    const std::string why = heat.conduction ? "<Conduction>" : "<EnergyCoupling>";
+    must(m.heat_capacity > 0, m.origin, why + " needs the heat capacity of '" + m.name + "': <Cv>");
     if (const auto* alpha = m.statement.child("alpha"))
       must(to_number(alpha->text).value_or(0.0) == 0.0, alpha->origin,
-           "thermal expansion is not built; without <Conduction>, or with <alpha>0</alpha>, the model runs");
+           "thermal expansion is not built; without " + why + ", or with <alpha>0</alpha>, the model runs");
   }
+  const auto dissipates = [](const MaterialSpec& m) { return m.law && m.law->dissipation_index() >= 0; };
+  must(!heat.work_heating || std::any_of(model_.materials.begin(), model_.materials.end(), dissipates), thermal->origin,
+       "<EnergyCoupling> makes heat of what materials dissipate, and none of these dissipates anything");
 }
 
 void Builder::gravity() {

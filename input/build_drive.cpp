@@ -8,22 +8,12 @@
 #include "materials/material.hpp"
 
 #include <cmath>
-#include <fstream>
 #include <limits>
-#include <sstream>
 
 namespace tribo {
 namespace {
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
-
-std::string content_of(const std::filesystem::path& file, const Origin& origin) {
-  std::ifstream in(file);
-  std::ostringstream text;
-  text << in.rdbuf();
-  if (!in) throw InputError(origin, "cannot read the path '" + file.string() + "'");
-  return text.str();
-}
 
 /// The rate or stress of one column in a standard test: `rate` along the test, `pressure` around the sample.
 struct TestColumn {
@@ -82,21 +72,17 @@ std::vector<PathRow> Builder::path(const Statement& s, const std::vector<PathCol
   const Attribute* file = path->attribute("file");
   must(!file || path->text.empty(), path->origin, "<Path> has a file and rows of its own; give one of them");
   const double time = model_.units.factor(Dimension::time);
-  try {
-    if (!file) return read_path(path->text, path->text_origin, columns, time, problems_);
-    const auto place = folder_ / file->text;
-    return read_path(content_of(place, file->origin), {std::make_shared<const std::string>(place.string()), 1, 1},
-                     columns, time, problems_);
-  } catch (const InputError& error) {
-    problems_.add(error);
-    return {};
-  }
+  if (!file) return read_path(path->text, path->text_origin, columns, time, problems_);
+  const auto place = folder_ / file->text;
+  const auto text = content_of(place, file->origin);
+  if (!text) return {};
+  return read_path(*text, {std::make_shared<const std::string>(place.string()), 1, 1}, columns, time, problems_);
 }
 
 MaterialDrive Builder::material_drive(const Statement& s, const MaterialSpec& spec) {
   MaterialDrive out;
   out.law = spec.law;
-  for (const auto name : {"mass", "gap", "cell"})
+  for (const auto name : {"mass", "gap"})
     must(!has(s, name), s.origin, "'" + std::string(name) + "' belongs to contact laws");
   must(!spec.law || !spec.law->rigid(), s.attribute("material")->origin,
        "'" + spec.name + "' is rigid and has no stress");
@@ -110,6 +96,18 @@ MaterialDrive Builder::material_drive(const Statement& s, const MaterialSpec& sp
     out.path = path(s, material_columns(units.factor(Dimension::rate), units.factor(Dimension::stress)));
   }
   out.angle = number(s, "angle", Dimension::angle);
+  out.cell = number(s, "cell", Dimension::length, 1.0);
+  check_cell(spec, out.cell, s.origin);
+  out.reference_temperature = model_.heat.reference;
+  out.temperature = number(s, "temp", Dimension::temperature, model_.heat.reference);
+  if (work_heating()) {
+    must(spec.heat_capacity > 0, spec.origin, "<EnergyCoupling> needs the heat capacity of '" + spec.name + "': <Cv>");
+    must(!spec.law || spec.law->dissipation_index() >= 0, s.origin,
+         "<EnergyCoupling> makes heat of what the material dissipates, and '" + spec.name + "' dissipates nothing");
+    if (spec.law) out.warmed_by_work = spec.taylor_quinney / (spec.law->density() * spec.heat_capacity);
+  }
+  must(!has(s, "temp") || (spec.law && spec.law->feels_temperature()) || work_heating(), s.origin,
+       "'" + spec.name + "' does not feel its temperature; leave 'temp' out");
   if (const Statement* initial = s.child("InitialStress")) {
     constexpr std::array<const char*, 6> names{"xx", "yy", "zz", "xy", "yz", "xz"};
     for (std::size_t k = 0; k < names.size(); ++k) {
@@ -127,7 +125,7 @@ MaterialDrive Builder::material_drive(const Statement& s, const MaterialSpec& sp
 ContactDrive Builder::contact_drive(const Statement& s, const MaterialSpec& spec) {
   ContactDrive out;
   out.law = spec.contact;
-  for (const auto name : {"test", "strain", "rate", "steps", "pressure", "angle"})
+  for (const auto name : {"test", "strain", "rate", "steps", "pressure", "angle", "temp"})
     must(!has(s, name), s.origin, "'" + std::string(name) + "' belongs to materials; contact laws need <Path>");
   must(!s.child("InitialStress"), s.origin, "<InitialStress> belongs to materials");
   out.mass = number(s, "mass", Dimension::none, 1.0);
@@ -142,6 +140,7 @@ ContactDrive Builder::contact_drive(const Statement& s, const MaterialSpec& spec
 
 Drive Builder::build_drive() {
   if (root_.child("Header")) header();
+  if (const auto* h = root_.child("MPMHeader")) reference_temperature(*h);
   number_materials();
   materials();
   const Statement* s = root_.child("Drive");

@@ -41,6 +41,10 @@ void Builder::header() {
     model_.random_seed = static_cast<unsigned>(std::abs(text_number(*seed, Dimension::none)));
 }
 
+void Builder::reference_temperature(const Statement& header) {
+  if (const auto* t = header.child("StressFreeTemp")) model_.heat.reference = text_number(*t, Dimension::temperature);
+}
+
 void Builder::mpm_header() {
   const Statement& h = *root_.child("MPMHeader");
   Scheme& scheme = model_.scheme;
@@ -119,7 +123,7 @@ void Builder::mpm_header() {
          model_.dimension() == 2 ? "particles per cell must be 1, 4, 9, 16 or 25"
                                  : "particles per cell must be 1, 8, 27, 64 or 125");
   }
-  if (const auto* t = h.child("StressFreeTemp")) model_.heat.reference = text_number(*t, Dimension::temperature);
+  reference_temperature(h);
   if (const auto* t = h.child("TransTimeFactor")) {
     model_.time.transport_courant = text_number(*t, Dimension::none);
     must(model_.time.transport_courant > 0, t->origin, "<TransTimeFactor> must be positive");

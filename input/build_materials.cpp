@@ -5,13 +5,16 @@
 #include "materials/material.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <iomanip>
 #include <set>
+#include <sstream>
 
 namespace tribo {
 namespace {
 
 // Properties that every material may have. The first group acts with conduction only, or on the screen.
-const std::vector<std::string> without_law{"alpha", "Cv", "Cp", "kCond", "color"};
+const std::vector<std::string> without_law{"alpha", "Cv", "Cp", "kCond", "TaylorQuinney", "color"};
 const std::vector<std::string> common{"PDamping", "largeRotation", "ArtificialVisc", "Friction", "shareMatField"};
 const std::vector<std::string> rigid_properties{"SetDirection", "SettingFunction", "SettingFunction2",
                                                 "SettingFunction3"};
@@ -137,12 +140,55 @@ void Builder::materials() {
           spec.heat_capacity = thermal_property(child, Dimension::heat_capacity);
         else if (child.name == "kCond")
           spec.conductivity = thermal_property(child, Dimension::conductivity);
+        else if (child.name == "TaylorQuinney")
+          spec.taylor_quinney = taylor_quinney(child);
         else if (child.name == "ArtificialVisc")
           problems_.add(child.origin, "<ArtificialVisc> is not supported by Tribo");
       if (spec.law && spec.law->rigid()) rigid_functions(*s, spec, item->number == 35);
     }
     model_.materials.push_back(std::move(spec));
   }
+}
+
+// Laws that localise need cells small enough.
+void Builder::check_cell(const MaterialSpec& spec, double size, const Origin& origin) {
+  must(size > 0, origin, "'cell' must be positive");
+  const double most = spec.law ? spec.law->largest_cell() : size + 1;
+  std::ostringstream message;
+  message << std::setprecision(4) << "bands of cells " << size << " wide are too large for '" << spec.name << "' ("
+          << spec.origin.text() << "): its cracks would release more energy than they take. They must be below " << most
+          << " " << model_.units.name(Dimension::length)
+          << "; use smaller cells, a larger fracture energy or a lower strength";
+  must(size < most, origin, message.str());
+}
+
+void Builder::check_cells() {
+  const bool splines = model_.scheme.kernel == Kernel::quadratic_spline || model_.scheme.kernel == Kernel::cubic_spline;
+  double size = 0;
+  for (std::size_t d = 0; d < static_cast<std::size_t>(model_.dimension()); ++d)
+    size = std::max(size, (model_.grid.high[d] - model_.grid.low[d]) / model_.grid.cells[d]);
+  // A crack across the cells' diagonal lies in the widest band.
+  const double widest = size * std::sqrt(model_.dimension());
+  for (const auto& spec : model_.materials) {
+    if (!(size > 0) || !spec.law || !std::isfinite(spec.law->largest_cell())) continue;
+    check_cell(spec, widest, model_.grid.origin);
+    must(!splines, spec.origin,
+         "'" + spec.name +
+             "' cracks within one cell, and splines spread a crack over two: it would take 1.6 times its "
+             "fracture energy. Use <GIMP type='uGIMP'/>, 'lCPDI' or 'Classic'");
+  }
+}
+
+double Builder::taylor_quinney(const Statement& s) {
+  const double share = text_number(s, Dimension::none);
+  must(share >= 0 && share <= 1, s.origin, "<TaylorQuinney> is a share, from 0 to 1");
+  must(work_heating(), s.origin, "<TaylorQuinney> needs <EnergyCoupling/> in <Thermal>, which makes heat of work");
+  return share;
+}
+
+bool Builder::work_heating() const {
+  const auto* thermal = root_.child("Thermal");
+  return thermal && thermal->child("EnergyCoupling");
 }
 
 double Builder::thermal_property(const Statement& s, Dimension dimension) {

@@ -4,6 +4,9 @@
 #include "input/read.hpp"
 #include "input/xml.hpp"
 
+#include <fstream>
+#include <sstream>
+
 namespace tribo {
 
 Model Builder::build() {
@@ -12,6 +15,7 @@ Model Builder::build() {
   mesh();
   mpm_header();
   materials();
+  check_cells();
   contact();
   bodies();
   conditions();
@@ -30,6 +34,15 @@ double Builder::number(const Statement& s, std::string_view attribute, Dimension
 
 double Builder::text_number(const Statement& s, Dimension dimension, double fallback) {
   return to_number(s.text).value_or(fallback) * model_.units.factor(dimension) * unit_factor(s, dimension);
+}
+
+std::optional<std::string> Builder::content_of(const std::filesystem::path& file, const Origin& origin) {
+  std::ifstream in(file);
+  std::ostringstream text;
+  text << in.rdbuf();
+  if (in) return text.str();
+  problems_.add(origin, "cannot read the file '" + file.string() + "'");
+  return std::nullopt;
 }
 
 double Builder::coordinate(const Statement& s, std::string_view attribute, int axis, double fallback) {

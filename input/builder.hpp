@@ -44,6 +44,14 @@ class Builder {
   std::shared_ptr<const ContactLaw> named_law(const Statement& s);
   std::shared_ptr<const ContactLaw> law_by_number(const Statement& s);
   double thermal_property(const Statement& s, Dimension dimension);
+  void check_cell(const MaterialSpec& spec, double size, const Origin& origin);
+  void check_cells();
+  void reference_temperature(const Statement& header);
+  /// Of a file that is named at `origin`; a problem there if it cannot be read.
+  std::optional<std::string> content_of(const std::filesystem::path& file, const Origin& origin);
+  std::shared_ptr<const ScatteredField> stress_points(const Statement& s);
+  double taylor_quinney(const Statement& s);
+  bool work_heating() const;
   void rigid_functions(const Statement& statement, MaterialSpec& spec, bool contact);
   /// Index of the material an element names by mat or matname; problems and 0 if there is none.
   int material(const Statement& s, std::string_view by_number = "mat", std::string_view by_name = "matname");
@@ -70,6 +78,7 @@ class Builder {
   void temperature_condition(const Statement& s, const RegionPtr& where);
   void heat_flux(const Statement& s, const RegionPtr& where);
   void heat();
+  void check_capacities(const Statement* thermal);
   void gravity();
 
   // build_drive.cpp

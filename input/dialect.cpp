@@ -304,10 +304,12 @@ std::vector<ElementSpec> make() {
   add({"Undeform", "Body", "no initial deformation of the following shapes"});
   add({"InitialStress",
        "Body",
-       "Cauchy stress of the following shapes at the start, functions of position; with K0, added to the weight of "
-       "what lies above",
+       "Cauchy stress of the following shapes at the start: functions of position, values at points, with K0 the "
+       "weight "
+       "of what lies above, added up",
        T::none,
-       {number("K0", "horizontal over vertical stress at rest"), function("xx", ""), function("yy", ""),
+       {text("file", "table with columns x, y, z of points and xx, yy, zz, xy, yz, xz of the stress there"),
+        number("K0", "horizontal over vertical stress at rest"), function("xx", ""), function("yy", ""),
         function("zz", ""), function("xy", ""), function("yz", ""), function("xz", "")}});
   add({"PointList", "MaterialPoints", "single particles"});
   add({"mp",
@@ -389,6 +391,7 @@ std::vector<ElementSpec> make() {
         {"steps", T::integer, "of the test (default 100)"},
         number("pressure", "that confines a triaxial test"),
         number("angle", "of the material axes about z [degrees]"),
+        number("temp", "temperature at the start (default that of StressFreeTemp)"),
         number("mass", "reduced mass per area of the faces of a contact law (default 1)"),
         number("gap", "between the faces at the start (default 0)"),
         number("cell", "size of the cells that a contact law is told (default 1)")},
@@ -510,6 +513,7 @@ std::vector<ElementSpec> make() {
 
   // Heat
   add({"Thermal", "JANFEAInput", "temperature", T::none, {}, true});
+  add({"EnergyCoupling", "Thermal", "what materials dissipate becomes heat", T::none, {}, true});
   add({"Conduction", "Thermal", "temperatures follow from conduction", T::none, {}, true});
   add({"ContactHeating", "Thermal", "the work of sliding contact becomes heat", T::none, {}, true});
 
@@ -549,7 +553,6 @@ const std::vector<RefusedName>& refused_names() {
   static const std::vector<RefusedName> all{
       {"Cracks", "cracks are not built"},
       {"CrackList", "cracks are not built"},
-      {"EnergyCoupling", "heat from deformation is not built"},
       {"CrackContactHeating", "cracks are not built"},
       {"CrackTipHeating", "cracks are not built"},
       {"ConcBC", "diffusion is not built"},

@@ -5,11 +5,12 @@
 ///   Linear        sigma_y = yield + Khard e            (or Ep, the slope in tension: Khard = E Ep/(E - Ep))
 ///   Nonlinear     sigma_y = yield (1 + Khard e)^nhard
 ///   Nonlinear2    sigma_y = yield (1 + Khard e^nhard)
-///   JohnsonCook   sigma_y = (Ajc + Bjc e^njc) max(1/2, 1 + Cjc ln(e'/ep0jc))
+///   JohnsonCook   sigma_y = (Ajc + Bjc e^njc) max(1/2, 1 + Cjc ln(e'/ep0jc)) (1 - t^mjc),
+///                 t = (T - T_0)/(Tmjc - T_0) within 0 and 1, T_0 the reference temperature
 ///
 /// Radial return, backward Euler: q_trial - 3 G de = sigma_y(e + de, de/dt), one scalar equation. Simo & Hughes,
 /// Computational Inelasticity (1998), box 3.2; Johnson & Cook, Eng. Fract. Mech. 21 (1985) 31-48. The lower bound of
-/// the rate factor is the dialect's: quasi-static flow has no logarithm.
+/// the rate factor is the dialect's: quasi-static flow has no logarithm. The temperature is that of the step's start.
 
 #include "materials/elastic_constants.hpp"
 #include "materials/pressure_shear.hpp"
@@ -30,7 +31,7 @@ struct IsoPlasticity {
   double density = 0;
   double young_modulus = absent, poisson_ratio = absent, bulk_modulus = absent, shear_modulus = absent;
   double yield = absent, slope = absent, coefficient = absent, power = absent;
-  double A = absent, B = absent, n = absent, C = absent, reference_rate = absent;
+  double A = absent, B = absent, n = absent, C = absent, reference_rate = absent, melting = absent, m = absent;
   Hardening hardening = Hardening::linear;
   Elasticity elastic;
 
@@ -65,19 +66,22 @@ struct IsoPlasticity {
           "JohnsonCook: rate of the given values (default 1)",
           {},
           true},
+        P{"Tmjc",
+          &L::melting,
+          Dimension::temperature,
+          any_value,
+          "JohnsonCook: temperature at which the strength is gone (without: temperature does nothing)",
+          {},
+          true},
+        P{"mjc", &L::m, none, positive, "JohnsonCook: exponent of the loss with temperature (default 1)", {}, true},
     };
   }
-  /// A word, read in prepare; and what is refused there.
-  static std::vector<std::string> repeated() { return {"Hardening", "Tmjc", "mjc"}; }
+  /// A word, read in prepare.
+  static std::vector<std::string> repeated() { return {"Hardening"}; }
 
   void prepare(const Statement& statement, const Units& units, Problems& problems) {
     elastic =
         elastic_constants(statement, {young_modulus, poisson_ratio, bulk_modulus, shear_modulus}, false, problems);
-    for (const char* word : {"Tmjc", "mjc"})
-      if (const Statement* s = statement.child(word))
-        problems.add(s->origin, "<" + std::string(word) +
-                                    ">: softening with temperature is not built; leave it out and give values of the "
-                                    "temperature you need");
     if (const Statement* s = statement.child("Hardening")) hardening = choice(*s, problems);
     check_properties(statement, problems);
     const auto set = [](double& value, double fallback) { value = given(value) ? value : fallback; };
@@ -85,7 +89,7 @@ struct IsoPlasticity {
       if (given(coefficient)) coefficient *= units.factor(Dimension::stress);
       if (given(slope)) coefficient = elastic_slope(statement, problems);
     }
-    set(coefficient, 0), set(power, 1), set(B, 0), set(n, 1), set(C, 0), set(reference_rate, 1);
+    set(coefficient, 0), set(power, 1), set(B, 0), set(n, 1), set(C, 0), set(reference_rate, 1), set(m, 1);
     if (hardening != Hardening::linear && coefficient < 0)
       problems.add(statement.child("Khard")->origin, "<Khard> must not be negative: softening needs a length");
     if (hardening == Hardening::linear && 3 * elastic.mu + coefficient <= 0)
@@ -122,16 +126,19 @@ struct IsoPlasticity {
       if (const Statement* s = statement.child(word); s && !fits)
         problems.add(s->origin, "<" + std::string(word) + "> belongs to <Hardening>" + law + "</Hardening>");
     };
-    for (const char* word : {"Ajc", "Bjc", "njc", "Cjc", "ep0jc"}) only(cook, word, "JohnsonCook");
+    for (const char* word : {"Ajc", "Bjc", "njc", "Cjc", "ep0jc", "Tmjc", "mjc"}) only(cook, word, "JohnsonCook");
     for (const char* word : {"yield", "Khard"}) only(!cook, word, "Linear, Nonlinear or Nonlinear2");
     only(linear, "Ep", "Linear");
     only(!cook && !linear, "nhard", "Nonlinear or Nonlinear2");
+    if (const Statement* s = statement.child("mjc"); s && !given(melting))
+      problems.add(s->origin, "<mjc> needs <Tmjc>, the temperature at which the strength is gone");
     if (!given(cook ? A : yield))
       problems.add(statement.origin,
                    cook ? "<Ajc> is missing, the yield stress" : "<yield> is missing, the yield stress");
   }
 
   double wave_modulus() const { return elastic.wave_modulus(); }
+  bool feels_temperature() const { return given(melting); }
 
   struct State {
     double plastic_strain = 0, dissipation = 0;
@@ -139,6 +146,13 @@ struct IsoPlasticity {
   static auto history() {
     return std::make_tuple(StateVariable<State>{"plastic_strain", Dimension::none, &State::plastic_strain},
                            StateVariable<State>{"dissipation", Dimension::stress, &State::dissipation});
+  }
+
+  // What the temperature leaves of the strength.
+  double cold_share(const Motion& at) const {
+    if (!feels_temperature()) return 1.0;
+    const double warmth = (at.temperature - at.reference_temperature) / (melting - at.reference_temperature);
+    return 1.0 - std::pow(std::clamp(warmth, 0.0, 1.0), m);
   }
 
   double yield_stress(double e, double rate) const {
@@ -157,10 +171,10 @@ struct IsoPlasticity {
     return std::max(0.0, yield + coefficient * e);
   }
 
-  // The strain that flows: excess(x) = q - 3 G x - sigma_y(e + x, x/dt) falls from above 0 to below 0 between 0 and
-  // q/(3 G). Bracketed secants (Illinois); linear hardening takes one.
-  double flow(double q, double e, double dt) const {
-    const auto excess = [&](double x) { return q - 3 * elastic.mu * x - yield_stress(e + x, x / dt); };
+  // The strain that flows: excess(x) = q - 3 G x - share sigma_y(e + x, x/dt) falls from above 0 to below 0 between 0
+  // and q/(3 G). Bracketed secants (Illinois); linear hardening takes one.
+  double flow(double q, double e, double dt, double share) const {
+    const auto excess = [&](double x) { return q - 3 * elastic.mu * x - share * yield_stress(e + x, x / dt); };
     double low = 0, high = q / (3 * elastic.mu), f_low = excess(low), f_high = excess(high);
     if (!(f_low > 0)) return 0.0;
     const double enough = 1e-14 * q;
@@ -183,7 +197,7 @@ struct IsoPlasticity {
 
   Mat3 stress(const Motion& motion, const Mat3& old, State& state) const {
     return plastic_step(elastic, motion, old, [&](const PressureShear& trial) {
-      const double x = flow(trial.q, state.plastic_strain, motion.dt);
+      const double x = flow(trial.q, state.plastic_strain, motion.dt, cold_share(motion));
       if (x == 0) return trial;
       const double q = trial.q - 3 * elastic.mu * x;
       state.plastic_strain += x;

@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <span>
 #include <string>
@@ -42,6 +43,9 @@ struct MaterialPoints {
   const double* mass = nullptr;                          ///< [mass]
   double* volume = nullptr;                              ///< current, at t + dt                   [length^3]
   std::span<double* const> history;                      ///< one array per HistoryVariable
+  const double* temperature = nullptr;  ///< at t; null where nobody knows it: then it is the reference  [temperature]
+  double reference_temperature = 0.0;   ///< of the given properties                                    [temperature]
+  Vec3 cell = Vec3::Ones();             ///< edges of the grid's cells, for laws that localise          [length]
 };
 
 class Material {
@@ -70,6 +74,10 @@ class Material {
   virtual const std::vector<HistoryVariable>& history() const = 0;
   /// False if the law never looks at F; the engine then need not keep it.
   virtual bool needs_deformation() const { return true; }
+  /// True if the stress depends on the temperature.
+  virtual bool feels_temperature() const { return false; }
+  /// Cells of this size and larger the law cannot serve [length].
+  virtual double largest_cell() const { return std::numeric_limits<double>::infinity(); }
   /// True for liquids: they have a viscosity over shear rate [stress time](1/time).
   virtual bool liquid() const { return false; }
   virtual double viscosity(double) const { return 0.0; }
@@ -86,11 +94,14 @@ class Material {
 /// it from the deformation is not.
 bool keeps_stress(const Material& law);
 
-/// The motion of one material point over one step.
+/// The motion of one material point over one step, and what surrounds it.
 struct Motion {
-  Mat3 F;     ///< deformation gradient at t + dt [-]
-  Mat3 L;     ///< velocity gradient during the step [1/time]
-  double dt;  ///< step [time]
+  Mat3 F;                            ///< deformation gradient at t + dt [-]
+  Mat3 L;                            ///< velocity gradient during the step [1/time]
+  double dt;                         ///< step [time]
+  double temperature = 0.0;          ///< at t [temperature]
+  double reference_temperature = 0;  ///< of the given properties [temperature]
+  Vec3 cell = Vec3::Ones();          ///< edges of the grid's cells [length]
 };
 
 struct NoState {};
@@ -105,6 +116,7 @@ struct NoState {};
 ///   stress(const Motion&, const Mat3& old_stress, State&) const; double energy_density(const Mat3& F, const Mat3&
 ///   stress, const State&) const;   // stored, per current volume
 ///   void weaken(double factor);    // optional: see Material::weakened
+///   bool feels_temperature() const; double largest_cell() const;  // optional: see Material
 /// Plane stress is solved here for every such law, see plane_stress.hpp.
 template <class State>
 struct StateVariable {
@@ -147,6 +159,14 @@ class PointwiseMaterial : public Material {
     }
     return nullptr;
   }
+  bool feels_temperature() const override {
+    if constexpr (requires { law_.feels_temperature(); }) return law_.feels_temperature();
+    return false;
+  }
+  double largest_cell() const override {
+    if constexpr (requires { law_.largest_cell(); }) return law_.largest_cell();
+    return Material::largest_cell();
+  }
   const Law& law() const { return law_; }
 
  private:
@@ -182,7 +202,13 @@ class PointwiseMaterial : public Material {
   template <int Dim>
   void advance(const MaterialPoints<Dim>& points) const {
     for (int i = 0; i < points.count; ++i) {
-      Motion motion{load_full<Dim>(points.F, i), load_full<Dim>(points.L, i), points.dt};
+      const double reference = points.reference_temperature;
+      Motion motion{load_full<Dim>(points.F, i),
+                    load_full<Dim>(points.L, i),
+                    points.dt,
+                    points.temperature ? points.temperature[i] : reference,
+                    reference,
+                    points.cell};
       const Mat3 old = load_symmetric<Dim>(points.stress, i);
       State state = load(points, i);
       Mat3 stress;

@@ -61,8 +61,9 @@ class MaterialPoint {
   Mat3 stress = Mat3::Zero();
   std::vector<double> history;
   double volume = 1.0, mass = 1.0;  ///< of unit initial volume
-  Mat3 L = Mat3::Zero();            ///< of the last step, with the out-of-plane rate of plane stress
-  double work = 0.0;                ///< of the stress, per initial volume, by the trapezoidal rule
+  double temperature = 0.0, reference_temperature = 0.0;
+  Mat3 L = Mat3::Zero();  ///< of the last step, with the out-of-plane rate of plane stress
+  double work = 0.0;      ///< of the stress, per initial volume, by the trapezoidal rule
 
   /// Advances by the constant velocity gradient `gradient`, F by its exact exponential.
   void step(const Mat3& gradient, double dt) {
@@ -164,6 +165,7 @@ class MaterialPoint {
     for (double& h : history) columns.push_back(&h);
     points.count = 1, points.dt = dt, points.plane_stress = plane_stress_;
     points.mass = &mass, points.volume = &volume, points.history = columns;
+    points.temperature = &temperature, points.reference_temperature = reference_temperature;
     const double result = f(std::as_const(points));
     L = load_full<Dim>(points.L, 0);
     F = load_full<Dim>(points.F, 0);

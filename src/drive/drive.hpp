@@ -17,7 +17,12 @@ struct MaterialDrive {
   Mat3 initial_stress = Mat3::Zero();  ///< [stress]
   Origin initial_stress_origin;        ///< where it was given
   double angle = 0.0;                  ///< of the material axes about z [rad]
-  std::vector<PathRow> path;           ///< of the columns below
+  double cell = 1.0;                   ///< size of the cells that the law is told [length]
+  /// Temperature at the start and of the given properties; shown if the law feels it or work heats it [temperature]
+  double temperature = 0.0, reference_temperature = 0.0;
+  /// Of the dissipated work, Taylor-Quinney share over density and heat capacity; 0: none heats [temperature/stress]
+  double warmed_by_work = 0.0;
+  std::vector<PathRow> path;  ///< of the columns below
 };
 /// Lxx .. Lzz row by row [1/time], then prescribed stresses sxx syy szz sxy syz sxz [stress].
 std::vector<PathColumn> material_columns(double rate_factor = 1.0, double stress_factor = 1.0);

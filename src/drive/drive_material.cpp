@@ -23,10 +23,12 @@ struct Point {
   Mat3 F = Mat3::Identity(), stress = Mat3::Zero();
   Mat3 strain = Mat3::Zero();  // of D dt, summed
   std::vector<double> history;
+  double temperature = 0.0;
 };
 
 /// One step of the law as the solver would call it.
-Point advanced(const Material& law, const Point& from, const Mat3& L, double dt) {
+Point advanced(const MaterialDrive& what, const Point& from, const Mat3& L, double dt) {
+  const Material& law = *what.law;
   Point to = from;
   const Mat3 step = dt * L;
   to.F = Mat3(step.exp()) * from.F;
@@ -44,8 +46,14 @@ Point advanced(const Material& law, const Point& from, const Mat3& L, double dt)
     points.F[k] = &to.F(At::full_at[k][0], At::full_at[k][1]);
   }
   for (std::size_t k = 0; k < 6; ++k) points.stress[k] = &stress[k];
+  points.temperature = &from.temperature, points.reference_temperature = what.reference_temperature;
+  points.cell = Vec3::Constant(what.cell);
   store_symmetric<3>(from.stress, points.stress, 0);
   law.update(points);
+  if (what.warmed_by_work > 0) {
+    const auto work = static_cast<std::size_t>(law.dissipation_index());
+    to.temperature += what.warmed_by_work * (to.history[work] - from.history[work]);
+  }
   to.stress = load_symmetric<3>(points.stress, 0);
   return to;
 }
@@ -110,7 +118,7 @@ void follow(const MaterialDrive& what, const PathRow& row, const Control& contro
     }
     Point next;
     const auto miss = [&](const Eigen::VectorXd& at) {
-      next = advanced(*what.law, point, control.rates(at), row.dt);
+      next = advanced(what, point, control.rates(at), row.dt);
       Eigen::VectorXd out(unknowns);
       for (Eigen::Index u = 0; u < unknowns; ++u)
         out[u] = component(next.stress, control.unknowns[static_cast<std::size_t>(u)].component) - target[u];
@@ -148,11 +156,11 @@ Table drive(const MaterialDrive& what) {
   std::vector<Control> controls;
   for (const auto& row : what.path) controls.emplace_back(row, problems);
   Point point;
-  point.stress = what.initial_stress;
+  point.stress = what.initial_stress, point.temperature = what.temperature;
   for (const auto& h : what.law->history()) point.history.push_back(h.name == material_angle ? what.angle : h.initial);
   if (what.initial_stress.norm() > 0) {
     // Laws that keep stress show it again after a step without motion.
-    const Point still = advanced(*what.law, point, Mat3::Zero(), what.path.empty() ? 1.0 : 1e-12 * what.path[0].dt);
+    const Point still = advanced(what, point, Mat3::Zero(), what.path.empty() ? 1.0 : 1e-12 * what.path[0].dt);
     const double change = (still.stress - point.stress).cwiseAbs().maxCoeff();
     if (change > 1e-6 * point.stress.cwiseAbs().maxCoeff())
       problems.add(what.initial_stress_origin,
@@ -164,12 +172,15 @@ Table drive(const MaterialDrive& what) {
   out.names.emplace_back("time");
   for (const auto name : stress_names) out.names.emplace_back(name);
   for (const auto& h : what.law->history()) out.names.push_back(h.name);
+  const bool warm = what.warmed_by_work > 0 || what.law->feels_temperature();
+  if (warm) out.names.emplace_back("temperature");
   for (const auto name : {"exx", "eyy", "ezz", "exy", "eyz", "exz", "J"}) out.names.emplace_back(name);
   double time = 0.0;
   const auto record = [&] {
     std::vector<double> row{time};
     for (std::size_t k = 0; k < 6; ++k) row.push_back(component(point.stress, k));
     row.insert(row.end(), point.history.begin(), point.history.end());
+    if (warm) row.push_back(point.temperature);
     for (std::size_t k = 0; k < 6; ++k) row.push_back(component(point.strain, k));
     row.push_back(point.F.determinant());
     out.rows.push_back(std::move(row));

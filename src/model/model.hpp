@@ -8,6 +8,7 @@
 #include "base/statement.hpp"
 #include "base/units.hpp"
 #include "geometry/region.hpp"
+#include "geometry/scattered.hpp"
 
 #include <algorithm>
 #include <array>
@@ -82,9 +83,11 @@ struct ContactSpec {
   }
 };
 
-/// Conduction of heat; the laws of the materials do not feel the temperature.
+/// Temperatures: where they come from, and what changes them.
 struct HeatSpec {
+  bool kept = false;  ///< particles have temperatures: something below changes them, or a law feels them
   bool conduction = false;
+  bool work_heating = false;     ///< what laws dissipate becomes heat
   bool contact_heating = false;  ///< the work of sliding faces becomes heat
   double reference = 0.0;        ///< temperature at the start unless a body says otherwise
 };
@@ -114,6 +117,7 @@ struct MaterialSpec {
   std::shared_ptr<ContactLaw> contact{};  ///< instead of `law`
   double heat_capacity = 0.0;             ///< [energy/(mass temperature)]
   double conductivity = 0.0;              ///< [power/(length temperature)]
+  double taylor_quinney = 1.0;            ///< share of the dissipated work that becomes heat
   int share_field_with = -1;              ///< material whose velocity field this one shares
 };
 
@@ -135,9 +139,10 @@ struct Piece {
   std::optional<double> point_size;             ///< instead: edge length of a particle's domain
   std::optional<InitialDeformation> deformation;
   std::array<std::optional<Expression>, 6> stress;  ///< initial Cauchy stress xx yy zz xy yz xz, functions of position
-  double stress_factor = 1.0;                       ///< consistent units of the stress functions
-  std::optional<double> K0;                         ///< adds the stress at rest under gravity: horizontal over vertical
-  double angle = 0.0;                               ///< material axes, rotation about z
+  std::shared_ptr<const ScatteredField> stress_points;  ///< added: components in the same order, consistent units
+  double stress_factor = 1.0;                           ///< consistent units of the stress functions
+  std::optional<double> K0;  ///< adds the stress at rest under gravity: horizontal over vertical
+  double angle = 0.0;        ///< material axes, rotation about z
   Origin origin;
 };
 

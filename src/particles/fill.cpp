@@ -88,7 +88,8 @@ class Filler {
     const Piece& piece = model_.pieces[p];
     const bool hole = piece.material < 0;
     if (piece.deformation && hole) throw InputError(piece.origin, "a hole cannot be deformed");
-    if (!hole && (piece.K0 || given(piece.stress)) && !keeps_stress(law(piece.material, piece.origin)))
+    if (!hole && (piece.K0 || piece.stress_points || given(piece.stress)) &&
+        !keeps_stress(law(piece.material, piece.origin)))
       throw InputError(piece.origin, "'" + model_.materials[static_cast<std::size_t>(piece.material)].name +
                                          "' keeps no initial stress: its stress follows from the deformation. Start it "
                                          "with <Deform> instead");
@@ -178,6 +179,7 @@ class Filler {
         if (piece.stress[k]) entry *= piece.stress_factor;
         seed.stress(place[k][1], place[k][0]) = entry;
       }
+      if (piece.stress_points) add(piece.stress_points->at(x), seed.stress);
       if (piece.deformation) deform(piece, at, seed);
     }
     weigh(seed, x[0], piece.origin);
@@ -192,7 +194,13 @@ class Filler {
     return false;
   }
   static bool varies(const Piece& piece) {
-    return piece.deformation || given(piece.velocity_function) || given(piece.stress);
+    return piece.deformation || piece.stress_points || given(piece.velocity_function) || given(piece.stress);
+  }
+
+  static void add(const ScatteredField::Values& v, Mat3& stress) {
+    Mat3 more;
+    more << v[0], v[3], v[5], v[3], v[1], v[4], v[5], v[4], v[2];
+    stress += more;
   }
 
   void deform(const Piece& piece, const Variables& at, Seed& seed) const {

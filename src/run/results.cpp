@@ -28,7 +28,7 @@ std::vector<std::string> energy_columns(bool heat) {
                                    "contact",   "interface",  "external_work", "boundary_work", "damping",
                                    "residual",  "momentum_x", "momentum_y",    "momentum_z",    "impulse_x",
                                    "impulse_y", "impulse_z"};
-  if (heat) columns.insert(columns.end(), {"heat", "heat_supplied", "contact_heat"});
+  if (heat) columns.insert(columns.end(), {"heat", "heat_supplied", "contact_heat", "work_heat"});
   return columns;
 }
 
@@ -72,11 +72,11 @@ Results<Dim>::Results(const Model& model, System<Dim>& system, Stepper<Dim>& ste
   for (const auto& q : model.output.history) columns.push_back(q.column);
   if (!resume_time) {
     history_.emplace(folder_ / "history.csv", columns);
-    energy_.emplace(folder_ / "energy.csv", energy_columns(model.heat.conduction));
+    energy_.emplace(folder_ / "energy.csv", energy_columns(model.heat.kept));
     return;
   }
   history_.emplace(History::resume(folder_ / "history.csv", columns, *resume_time));
-  energy_.emplace(History::resume(folder_ / "energy.csv", energy_columns(model.heat.conduction), *resume_time));
+  energy_.emplace(History::resume(folder_ / "energy.csv", energy_columns(model.heat.kept), *resume_time));
   particles_.resume(*resume_time);
   if (!model.output.grid_fields.empty()) grid_.resume(*resume_time);
 }
@@ -178,7 +178,7 @@ void Results<Dim>::write_particles(std::int64_t number) {
       });
       fields.push_back(field);
     } else if (name == "temperature") {
-      if (!model_.heat.conduction) continue;
+      if (!model_.heat.kept) continue;
       scalar(name, [](Body<Dim>& body, std::size_t i) {
         return body.temperature ? body.particles.column(*body.temperature)[i] : 0.0;
       });
@@ -302,8 +302,8 @@ void Results<Dim>::write_history(double dt) {
                                content - initial_energy - l.external_work - l.boundary_work};
   energies.insert(energies.end(), all.momentum.begin(), all.momentum.end());
   energies.insert(energies.end(), impulse.begin(), impulse.end());
-  if (model_.heat.conduction)
-    energies.insert(energies.end(), {all.heat, stepper_.heat().supplied, stepper_.heat().from_contact});
+  if (model_.heat.kept)
+    energies.insert(energies.end(), {all.heat, stepper_.heat().supplied, stepper_.heat().from_contact, all.work_heat});
   energy_->add(energies);
 }
 
@@ -343,6 +343,7 @@ double Results<Dim>::quantity(const HistoryQuantity& q, const Measures& all, con
   if (name == "heat energy") return m->heat;
   if (name == "heat supplied") return stepper_.heat().supplied;
   if (name == "contact heat") return stepper_.heat().from_contact;
+  if (name == "work heat") return m->work_heat;
   if (const int d = axis("p"); d >= 0) return m->momentum[d];
   if (name.size() == 3 && name[0] == 's') return m->stress(name[1] - 'x', name[2] - 'x');
   if (name == "pressure") return -m->stress.trace() / 3.0;

@@ -12,6 +12,23 @@ namespace tribo {
 namespace {
 
 template <int Dim>
+void keep_temperature(const Model& model, Body<Dim>& body) {
+  const MaterialSpec& spec = model.materials[static_cast<std::size_t>(body.material)];
+  auto& particles = body.particles;
+  body.heat_capacity = spec.heat_capacity, body.conductivity = spec.conductivity;
+  body.reference_temperature = model.heat.reference;
+  body.temperature = particles.add("temperature", Dimension::temperature);
+  if (model.heat.conduction) {
+    particles.add_vector("temperature_gradient", Dimension::none);
+    particles.add("temperature_detail", Dimension::temperature);
+  }
+  if (model.heat.work_heating && body.law->dissipation_index() >= 0) {
+    body.heated = particles.add("heated", Dimension::stress);
+    body.taylor_quinney = spec.taylor_quinney;
+  }
+}
+
+template <int Dim>
 void add_optional_columns(Body<Dim>& body, const Model& model, bool starts_deformed) {
   auto& particles = body.particles;
   const Scheme& scheme = model.scheme;
@@ -34,13 +51,7 @@ void add_optional_columns(Body<Dim>& body, const Model& model, bool starts_defor
   if (!model.particle_conditions.empty() || model.body_force.acts_on_particles())
     body.load = particles.add_vector("load", Dimension::force);
   body.origin = particles.add_vector("origin", Dimension::length);
-  if (model.heat.conduction && !body.law->rigid()) {
-    const MaterialSpec& spec = model.materials[static_cast<std::size_t>(body.material)];
-    body.temperature = particles.add("temperature", Dimension::temperature);
-    particles.add_vector("temperature_gradient", Dimension::none);
-    particles.add("temperature_detail", Dimension::temperature);
-    body.heat_capacity = spec.heat_capacity, body.conductivity = spec.conductivity;
-  }
+  if (model.heat.kept && !body.law->rigid()) keep_temperature(model, body);
   if (scheme.b_bar && !body.law->rigid()) body.volumetric = particles.add("volumetric", Dimension::none);
   const ContactSpec& contact = model.contact;
   if (!contact.active) return;
@@ -170,6 +181,8 @@ System<Dim> build_system(const Model& model, const std::vector<Seed>& seeds) {
     if (mine.empty()) continue;
     auto body = make_body<Dim>(model, m, mine, next_id, *transfers);
     next_id += static_cast<std::int64_t>(mine.size());
+    body.cell.setConstant(system.lattice.spacing[0]);
+    body.cell.template head<Dim>() = system.lattice.spacing;
     for (int d = 0; d < Dim; ++d)
       if (model.scheme.kernel == Kernel::gimp &&
           body.uniform_half_size[d] > 0.5 * system.lattice.spacing[d] * (1 + 1e-12))

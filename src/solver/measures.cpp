@@ -14,7 +14,7 @@ void add(Measures& to, const Measures& from) {
   to.momentum += from.momentum, to.angular_momentum += from.angular_momentum;
   to.centre += from.centre, to.displacement += from.displacement;
   to.kinetic += from.kinetic, to.stored += from.stored, to.dissipated += from.dissipated;
-  to.heat += from.heat, to.temperature += from.temperature;
+  to.heat += from.heat, to.work_heat += from.work_heat, to.temperature += from.temperature;
   to.stress += from.stress, to.deformation += from.deformation;
   to.largest_speed = std::max(to.largest_speed, from.largest_speed);
   to.largest_wave_speed = std::max(to.largest_wave_speed, from.largest_wave_speed);
@@ -65,6 +65,7 @@ Measures measure_range(Body<Dim>& body, std::uint32_t first, int count) {
       const double capacity = mass * body.heat_capacity;
       m.heat += capacity * particles.column(*body.temperature)[i], m.temperature += capacity;
     }
+    if (body.heated) m.work_heat += body.taylor_quinney * particles.column(*body.heated)[i] * mass / density;
     m.kinetic += 0.5 * mass * velocity.squaredNorm();
     m.stress += volume * load_symmetric<Dim>(stress, static_cast<int>(i));
     if (F[0]) m.deformation += volume * load_full<Dim>(F, static_cast<int>(i));

@@ -16,6 +16,7 @@ struct Measures {
   double kinetic = 0.0;                  ///< [energy]
   double stored = 0.0;                   ///< elastic                                            [energy]
   double dissipated = 0.0;               ///< by the material                                    [energy]
+  double work_heat = 0.0;                ///< dissipated work that became heat                   [energy]
   double heat = 0.0;                     ///< m c T                                              [energy]
   double temperature = 0.0;              ///< mean, weighted by heat capacity
   Mat3 stress = Mat3::Zero();            ///< volume average                                     [stress]

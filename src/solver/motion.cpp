@@ -59,6 +59,19 @@ void warm(Body<Dim>& body, std::uint32_t first, int count, double dt, const Gath
   if (!(poison == 0.0)) result.valid = false;
 }
 
+// What the law has dissipated since the last step becomes heat where it was done.
+template <int Dim>
+void warm_by_work(Body<Dim>& body, std::uint32_t first, int count) {
+  const double* work = body.history_columns[static_cast<std::size_t>(body.law->dissipation_index())] + first;
+  double* heated = body.particles.column(*body.heated) + first;
+  double* temperature = body.particles.column(*body.temperature) + first;
+  const double per_work = body.taylor_quinney / (body.law->density() * body.heat_capacity);
+  for (int i = 0; i < count; ++i) {
+    temperature[i] += per_work * (work[i] - heated[i]);
+    heated[i] = work[i];
+  }
+}
+
 template <int Dim>
 void drop_detail(Body<Dim>& body, std::uint32_t first, int count, const Gathered<Dim>& got) {
   double* temperature = body.particles.column(*body.temperature) + first;
@@ -177,6 +190,9 @@ MaterialPoints<Dim> points_of(Body<Dim>& body, std::uint32_t first, int count, s
   points.volume = body.particles.volume() + first;
   for (std::size_t k = 0; k < body.history_columns.size(); ++k) history[k] = body.history_columns[k] + first;
   points.history = {history.data(), body.history_columns.size()};
+  if (body.temperature) points.temperature = body.particles.column(*body.temperature) + first;
+  points.reference_temperature = body.reference_temperature;
+  points.cell = body.cell;
   return points;
 }
 
@@ -226,6 +242,7 @@ void update_particles(Body<Dim>& body, const Lattice<Dim>& lattice, std::uint32_
     points.plane_stress = what.plane_stress;
     for (std::size_t k = 0; k < points.L.size(); ++k) points.L[k] = got.L[k];
     body.law->update(points);
+    if (body.heated) warm_by_work(body, first, count);
   }
   if (what.move) {
     move(body, lattice, first, count, what, got, result);

@@ -56,10 +56,14 @@ struct Body {
   std::optional<std::size_t> load_set;        ///< bit k set: particle condition k acts on the particle
   std::optional<std::size_t> contact_memory;  ///< laws that remember: columns slip, bond
   std::optional<std::size_t> contact_view;    ///< for output: columns state, traction, normal
-  std::optional<std::size_t> temperature;     ///< conduction: columns temperature, its gradient, and its detail
+  std::optional<std::size_t> temperature;     ///< with conduction followed by its gradient, and its detail
+  std::optional<std::size_t> heated;          ///< dissipated work per initial volume that is heat already
   std::optional<std::size_t> volumetric;      ///< B-bar: rate of volume change or stress while it is averaged
   double heat_capacity = 0.0;                 ///< [energy/(mass temperature)]
   double conductivity = 0.0;                  ///< [power/(length temperature)]
+  double taylor_quinney = 0.0;                ///< share of the dissipated work that becomes heat
+  double reference_temperature = 0.0;         ///< of the given properties [temperature]
+  Vec3 cell = Vec3::Ones();                   ///< edges of the grid's cells [length]
   double detail_share = 0.0;                  ///< of the detail of the temperature that goes in this step
   bool volume_of_displacement = false;        ///< contact looks at displacements, not positions
   double particle_damping = 0.0;

@@ -104,6 +104,23 @@ TEST_CASE("laws that follow the deformation are driven with its exponential", "[
       Catch::Contains("does not keep an initial stress"));
 }
 
+TEST_CASE("work heats and heat softens where it is dissipated", "[drive]") {
+  const std::string hot =
+      "<MPMHeader><StressFreeTemp>300</StressFreeTemp></MPMHeader><Thermal><EnergyCoupling/></Thermal>"
+      "<Material Type='IsoPlasticity' "
+      "Name='metal'><rho>8</rho><K>1e5</K><G>4e4</G><Cv>0.5</Cv><TaylorQuinney>0.9</TaylorQuinney>"
+      "<Hardening>JohnsonCook</Hardening><Ajc>100</Ajc><Tmjc>1300</Tmjc></Material>";
+  const Table out = run("<Drive material='metal' test='isotropic' strain='0.01'/>" + hot);
+  CHECK(last(out, "temperature") == 300);  // nothing flows
+  const Table shear = run("<Drive material='metal' test='simple_shear' strain='2' steps='20000'/>" + hot);
+  const double work = last(shear, "dissipation"),
+               left = std::exp(-0.9 * 100 * last(shear, "plastic_strain") / (4 * 1000));
+  CHECK(last(shear, "temperature") == Approx(300 + 0.9 * work / 4));
+  CHECK(last(shear, "temperature") == Approx(1300 - 1000 * left).epsilon(1e-5));
+  const Table warm = run("<Drive material='metal' test='simple_shear' strain='0.1' temp='800'/>" + hot);
+  CHECK(at(warm, 100, "sxy") == Approx(50 / std::sqrt(3.0)).epsilon(0.02));
+}
+
 TEST_CASE("a stress beyond the strength is refused with the row's place", "[drive]") {
   const std::string message =
       problem("<Drive material='soil'><Path>\ndt,steps,sxx,syy,szz\n1,5,-1e6,0,0</Path></Drive>" + soil);
@@ -164,7 +181,9 @@ TEST_CASE("what is wrong with a drive is told at its place", "[drive]") {
   tells("<Drive material='steel'><Path>dt,Lxx\n1,1,2</Path></Drive>" + steel, "3 cells");
   tells("<Drive material='steel'><Path>dt,Lxx\n1,x</Path></Drive>" + steel, "'x' is no number");
   tells("<Drive material='steel'><Path>dt,Lxx,sxx\n1,1,1</Path></Drive>" + steel, "sxx and Lxx");
-  tells("<Drive material='steel'><Path file='nowhere.csv'/></Drive>" + steel, "cannot read the path");
+  tells("<Drive material='steel'><Path file='nowhere.csv'/></Drive>" + steel, "cannot read the file");
+  tells("<Drive material='steel' test='oedometer' strain='1' temp='3'/>" + steel, "does not feel its temperature");
+  tells("<Drive material='steel' test='oedometer' strain='1'/><Thermal><EnergyCoupling/></Thermal>" + steel, "<Cv>");
   tells("<Drive contact='rub' test='oedometer'/>" + rubbing, "belongs to materials");
   tells("<Drive contact='rub'><Path>dt,N,vn\n1,1,1</Path></Drive>" + rubbing, "vn and N");
 }

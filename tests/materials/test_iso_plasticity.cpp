@@ -100,6 +100,30 @@ TEST_CASE("Johnson and Cook's law hardens with strain and rate", "[materials]") 
   }
 }
 
+TEST_CASE("heat takes the strength of Johnson and Cook's law, up to melting", "[materials]") {
+  const auto law = make_material("9", {{"rho", "1"},
+                                       {"E", "124e3"},
+                                       {"nu", "0.34"},
+                                       {"Hardening", "JohnsonCook"},
+                                       {"Ajc", "90"},
+                                       {"Tmjc", "1356"},
+                                       {"mjc", "1.09"}});
+  CHECK(law->feels_temperature());
+  const auto q_at = [&](double temperature) {
+    MaterialPoint<3> point(*law);
+    point.temperature = temperature, point.reference_temperature = 300;
+    point.step(diagonal(0.02, -0.01, -0.01), 1.0);
+    return pressure_shear(point.stress).q;
+  };
+  CHECK(q_at(300) == Approx(90).epsilon(1e-12));
+  CHECK(q_at(20) == Approx(90).epsilon(1e-12));  // no colder than the reference
+  CHECK(q_at(828) == Approx(90 * (1 - std::pow(0.5, 1.09))).epsilon(1e-12));
+  CHECK(q_at(1355.999) == Approx(90 * 1.09 * 0.001 / 1056).epsilon(1e-5));
+  CHECK(q_at(1356) == Approx(0).margin(1e-10));
+  CHECK(q_at(2000) == Approx(0).margin(1e-10));
+  CHECK_FALSE(make_material("9", steel)->feels_temperature());
+}
+
 TEST_CASE("random paths of von Mises plasticity stay within yield and dissipate", "[materials]") {
   const Properties base{{"rho", "1"}, {"E", "200e3"}, {"nu", "0.3"}, {"yield", "250"}};
   const auto law = make_material("9", with(base, {{"Hardening", "Nonlinear"}, {"Khard", "8"}, {"nhard", "0.4"}}));
@@ -123,5 +147,7 @@ TEST_CASE("what is wrong with an elastic-plastic solid is told", "[materials]") 
   CHECK_THAT(complaint(with(steel, {{"Ep", "3"}})), Contains("give one of <Ep> and <Khard>"));
   CHECK_THAT(complaint(with(base, {{"yield", "1"}, {"Ep", "3e5"}})), Contains("below Young's modulus"));
   CHECK_THAT(complaint(with(base, {{"Hardening", "JohnsonCook"}})), Contains("<Ajc> is missing"));
-  CHECK_THAT(complaint(with(steel, {{"Tmjc", "1300"}})), Contains("softening with temperature is not built"));
+  CHECK_THAT(complaint(with(steel, {{"Tmjc", "1300"}})), Contains("<Tmjc> belongs to <Hardening>JohnsonCook"));
+  CHECK_THAT(complaint(with(base, {{"Hardening", "JohnsonCook"}, {"Ajc", "3"}, {"mjc", "1"}})),
+             Contains("<mjc> needs <Tmjc>"));
 }

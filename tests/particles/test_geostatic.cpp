@@ -95,3 +95,18 @@ TEST_CASE("which laws keep a stress", "[materials]") {
   CHECK_FALSE(keeps_stress(*make_material("NeoHookean", {{"rho", "1"}, {"E", "1"}, {"nu", "0.3"}})));
   CHECK_FALSE(keeps_stress(*make_material("TaitLiquid", {{"rho", "1"}, {"K", "1"}, {"viscosity", "1"}})));
 }
+
+TEST_CASE("stress from a table of points adds to the weight of the ground", "[geostatic]") {
+  auto model = ground();
+  const auto table = std::make_shared<const ScatteredField>(
+      std::vector<Vec3>{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {4, 4, 0}},
+      std::vector<ScatteredField::Values>{{1, 0, 0, 7, 0, 0}, {5, 0, 0, 7, 0, 0}, {1, 0, 0, 15, 0, 0}, {5, 0, 0, 15, 0, 0}}, 2);
+  const double before = stress_at(place_points(model), 1.75, 1.75)(1, 1);
+  model.pieces[0].stress_points = table;
+  const Mat3 s = stress_at(place_points(model), 1.75, 1.75);
+  CHECK(s(1, 1) == Approx(before));
+  CHECK(s(0, 0) == Approx(0.5 * before + 1 + 1.75));
+  CHECK(s(0, 1) == Approx(7 + 2 * 1.75));
+  CHECK(s(1, 0) == s(0, 1));
+  CHECK(stress_at(place_points(model), 0.75, 2.75)(0, 1) == 0.0);
+}

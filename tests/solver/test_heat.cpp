@@ -11,7 +11,7 @@ namespace {
 template <int Dim>
 Model heat_model(Kernel kernel) {
   Model model = grid_model<Dim>(kernel, Transfer::flip);
-  model.heat.conduction = true;
+  model.heat.kept = model.heat.conduction = true;
   model.materials[0].heat_capacity = 2;
   model.materials[0].conductivity = 500;
   return model;

@@ -16,6 +16,13 @@ def run(case):
         case.check(f"{kernel}: largest movement over the settlement without initial stress", np.abs(p["displacement"][:, :2]).max() / settlement, 0, 0.01, "at most")
         case.check(f"{kernel}: vertical stress, largest error over that at the bottom", np.abs(p["stress"][:, 1] + weight).max() / weight.max(), 0, 0.01, "at most")
         case.check(f"{kernel}: horizontal stress, largest error over that at the bottom", np.abs(p["stress"][:, 0] + 0.8 * weight).max() / weight.max(), 0, 0.01, "at most")
+    # the same from a borehole: a table of one column of points
+    depth = np.arange(0, 10.01, 0.25)
+    vertical = -np.where(depth > 2, 18e3 * (10 - depth), 18e3 * 8 + 22e3 * (2 - depth))
+    hole = case.scratch / "borehole.csv"
+    hole.write_text("x, y, xx, yy, zz\n" + "".join(f"0, {y:g}, {0.8 * s:g}, {s:g}, {0.8 * s:g}\n" for y, s in zip(depth, vertical)))
+    p = verify.last_particles(case.run("borehole", entities=dict(stress=f"<InitialStress file='{hole}'/>")))
+    case.check("from a borehole: largest movement over the settlement without initial stress", np.abs(p["displacement"][:, :2]).max() / settlement, 0, 0.01, "at most")
     if case.quick:
         return
     p = verify.last_particles(case.run("settles", entities=dict(stress="", damping="<PDamping>20</PDamping>", end="6")))

@@ -1,0 +1,26 @@
+/// Tables of comma-separated cells, with the place of each.
+#pragma once
+
+#include "base/error.hpp"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tribo {
+
+struct CsvCell {
+  std::string text;  ///< without blanks around it
+  Origin origin;
+};
+
+/// One line that is not blank. Text behind # is left out.
+struct CsvRow {
+  std::vector<CsvCell> cells;
+  Origin origin;
+};
+
+/// The rows of a text that begins at `origin`.
+std::vector<CsvRow> read_csv(std::string_view text, const Origin& origin);
+
+}  // namespace tribo
