@@ -3,7 +3,7 @@
 /// Trial stress by elastic_step (Jaumann rate), return to the pyramid in principal space (mohr_coulomb_return.hpp),
 /// rate dependence after Duvaut & Lions (1972), backward Euler: sigma = (trial + b returned)/(1 + b), b = dt/eta.
 
-#include "materials/mohr_coulomb_law.hpp"
+#include "materials/mohr_coulomb_planes.hpp"
 #include "materials/plane_stress.hpp"
 
 namespace tribo {
@@ -33,7 +33,7 @@ struct Slice {
 };
 
 template <int Dim>
-double volume_ratio(const MaterialPoints<Dim>& points, int i) {
+[[gnu::always_inline]] inline double volume_ratio(const MaterialPoints<Dim>& points, int i) {
   const auto& F = points.F;
   if constexpr (Dim == 2)
     return (F[0][i] * F[3][i] - F[1][i] * F[2][i]) * F[4][i];
@@ -79,61 +79,58 @@ void yield_bound(const MaterialPoints<3>& points, const Strength& s, double* bou
   }
 }
 
-// What flow on the face F_13 does per unit of its multiplier; constant without softening.
-struct Face {
-  double spread, rise, fall;  // D r: middle stress falls by spread, S1 rises by rise, S3 falls by fall [stress]
-  double inverse;             // 1/a
-  double share;               // of the multiplier that flows in the step, for its viscosity
-  double shear, volume;       // plastic shear and volume
-  double high, low;           // r: plastic strain along S3 and, negative, along S1
+// The history of a flow, from what it took from the principal stresses S.
+struct Books {
+  double* __restrict shear;
+  double* __restrict volume;
+  double* __restrict tension;
+  double* __restrict dissipation;
+  double half_compliance, third_compliance;  // 1/(2 mu), 1/(3 K)
 
-  Face(const MohrCoulombLaw& law, double dt) {
-    const double lambda = law.elastic.lambda, mu = law.elastic.mu;
-    const double sf = law.pyramid().strength().sin_friction, sp = law.pyramid().strength().sin_dilation;
-    const double a = mu + (lambda + mu) * sf * sp;
-    spread = lambda * sp, rise = mu * (1 - sp) - spread, fall = mu * (1 + sp) + spread, inverse = 1 / a;
-    share = dt / (dt + law.relaxation_time) * a / (a + law.viscosity / dt);
-    high = 0.5 * (1 + sp), low = 0.5 * (1 - sp), volume = sp;
-    shear = std::sqrt(0.5 * (high * high + low * low - sp * sp / 3));
-  }
+  template <int Dim>
+  Books(const Slice<Dim>& slice, const Elasticity& e)
+      : shear(slice.columns[0]),
+        volume(slice.columns[1]),
+        tension(slice.columns[2]),
+        dissipation(slice.columns[3]),
+        half_compliance(0.5 / e.mu),
+        third_compliance(1 / (3 * e.bulk())) {}
 
-  // The multiplier that flows, or 0 if the face is not where this sorted trial stress returns to.
-  double multiplier(double S1, double S2, double S3, const Strength& s) const {
-    const double excess =
-        0.5 * (1 + s.sin_friction) * S3 - 0.5 * (1 - s.sin_friction) * S1 - s.cohesion * s.cos_friction;
-    const double m = excess * inverse, middle = S2 - spread * m, last = S3 - fall * m;
-    const bool here = (excess > 0) & (S1 + rise * m <= middle) & (middle <= last) & (last <= s.tension);
-    return here ? share * m : 0.0;
+  [[gnu::always_inline]] void add(int i, double S1, double S2, double S3, const Change& c, double J) const {
+    const double mean = (c.c1 + c.c2 + c.c3) / 3, d1 = c.c1 - mean, d2 = c.c2 - mean, d3 = c.c3 - mean;
+    const double share = mean * third_compliance;
+    shear[i] += half_compliance * std::sqrt(0.5 * (d1 * d1 + d2 * d2 + d3 * d3));
+    volume[i] += 3 * share;
+    tension[i] += c.opening;
+    dissipation[i] += J * ((S1 - c.c1) * (half_compliance * d1 + share) + (S2 - c.c2) * (half_compliance * d2 + share) +
+                           (S3 - c.c3) * (half_compliance * d3 + share));
   }
 };
 
-// Returns the points that belong on the face, and sets their `bound` to 0.
-void flow_on_face(const Slice<2>& slice, const Face face, const Strength strength, double* __restrict bound) {
+// Returns the points that are beyond yield and belong where `change` looks, and sets their `bound` to 0.
+template <class Return>
+void flow(const Slice<2>& slice, const Return change, const Books books, double* __restrict bound) {
   double* __restrict xx = slice.points.stress[0];
   double* __restrict yy = slice.points.stress[1];
   double* __restrict zz = slice.points.stress[2];
   double* __restrict xy = slice.points.stress[3];
-  double* __restrict shear = slice.columns[0];
-  double* __restrict volume = slice.columns[1];
-  double* __restrict dissipation = slice.columns[3];
 #pragma omp simd
   for (int i = 0; i < slice.points.count; ++i) {
     const double mean = 0.5 * (xx[i] + yy[i]), half = 0.5 * (xx[i] - yy[i]), t = xy[i], z = zz[i];
     const double radius = std::sqrt(half * half + t * t), low = mean - radius, high = mean + radius;
     const bool first = z <= low, last = !first & (z > high);  // place of zz among the principal values
     const double S1 = first ? z : low, S3 = last ? z : high, S2 = first ? low : last ? high : z;
-    const double m = face.multiplier(S1, S2, S3, strength);
-    const double c1 = -face.rise * m, c2 = face.spread * m, c3 = face.fall * m;
-    const double c_low = first ? c2 : c1, c_high = last ? c2 : c3;
+    Change c = change(S1, S2, S3);
+    const bool here = (bound[i] > 0) & ((c.c1 != 0) | (c.c2 != 0) | (c.c3 != 0));
+    c.c1 = here ? c.c1 : 0.0, c.c2 = here ? c.c2 : 0.0, c.c3 = here ? c.c3 : 0.0, c.opening = here ? c.opening : 0.0;
+    const double c_low = first ? c.c2 : c.c1, c_high = last ? c.c2 : c.c3;
     const double turn = radius > 0 ? 0.5 * (c_high - c_low) / radius : 0.0, centre = 0.5 * (c_high + c_low);
     xx[i] -= centre + turn * half;
     yy[i] -= centre - turn * half;
     xy[i] -= turn * t;
-    zz[i] -= first ? c1 : last ? c3 : c2;
-    shear[i] += face.shear * m;
-    volume[i] += face.volume * m;
-    dissipation[i] += volume_ratio<2>(slice.points, i) * m * (face.high * (S3 - c3) - face.low * (S1 - c1));
-    bound[i] = m > 0 ? 0.0 : bound[i];
+    zz[i] -= first ? c.c1 : last ? c.c3 : c.c2;
+    books.add(i, S1, S2, S3, c, volume_ratio<2>(slice.points, i));
+    bound[i] = here ? 0.0 : bound[i];
   }
 }
 
@@ -160,25 +157,25 @@ void decompose(const Slice<3>& slice, Spectrum& spectrum) {
   }
 }
 
-void flow_on_face(const Slice<3>& slice, const Face face, const Strength strength, double* __restrict bound) {
-  Spectrum spectrum;
-  decompose(slice, spectrum);
+template <class Return>
+void flow(const Slice<3>& slice, const Spectrum& spectrum, const Return change, const Books books,
+          double* __restrict bound) {
   double* __restrict xx = slice.points.stress[0];
   double* __restrict yy = slice.points.stress[1];
   double* __restrict zz = slice.points.stress[2];
   double* __restrict xy = slice.points.stress[3];
   double* __restrict yz = slice.points.stress[4];
   double* __restrict xz = slice.points.stress[5];
-  double* __restrict shear = slice.columns[0];
-  double* __restrict volume = slice.columns[1];
-  double* __restrict dissipation = slice.columns[3];
   const double* first = spectrum[0].data();
   const auto part = [first](int k, int i) { return first[k * chunk + i]; };
 #pragma omp simd
   for (int i = 0; i < slice.points.count; ++i) {
-    const double S1 = part(0, i), S3 = part(2, i), m = face.multiplier(S1, part(1, i), S3, strength);
+    const double S1 = part(0, i), S2 = part(1, i), S3 = part(2, i);
+    Change x = change(S1, S2, S3);
+    const bool here = (bound[i] > 0) & ((x.c1 != 0) | (x.c2 != 0) | (x.c3 != 0));
+    x.c1 = here ? x.c1 : 0.0, x.c2 = here ? x.c2 : 0.0, x.c3 = here ? x.c3 : 0.0, x.opening = here ? x.opening : 0.0;
     // change of S1 and S3 beyond that of S2, which all three share
-    const double all = face.spread * m, one = -face.rise * m - all, three = face.fall * m - all;
+    const double all = x.c2, one = x.c1 - all, three = x.c3 - all;
     const double a = part(3, i), b = part(4, i), c = part(5, i), d = part(9, i), e = part(10, i), f = part(11, i);
     xx[i] -= all + one * a * a + three * d * d;
     yy[i] -= all + one * b * b + three * e * e;
@@ -186,17 +183,18 @@ void flow_on_face(const Slice<3>& slice, const Face face, const Strength strengt
     xy[i] -= one * a * b + three * d * e;
     yz[i] -= one * b * c + three * e * f;
     xz[i] -= one * a * c + three * d * f;
-    shear[i] += face.shear * m;
-    volume[i] += face.volume * m;
-    dissipation[i] +=
-        volume_ratio<3>(slice.points, i) * m * (face.high * (S3 - three - all) - face.low * (S1 - one - all));
-    bound[i] = m > 0 ? 0.0 : bound[i];
+    books.add(i, S1, S2, S3, x, volume_ratio<3>(slice.points, i));
+    bound[i] = here ? 0.0 : bound[i];
   }
+}
+
+bool any_beyond(const std::array<double, chunk>& bound, int count) {
+  return *std::max_element(bound.begin(), bound.begin() + count) > 0;
 }
 
 class MohrCoulomb final : public Material {
  public:
-  explicit MohrCoulomb(MohrCoulombLaw law) : law_(law) {}
+  explicit MohrCoulomb(MohrCoulombLaw law) : law_(law), edges_(law_) {}
 
   void update(const MaterialPoints<2>& points) const override { advance<2>(points); }
   void update(const MaterialPoints<3>& points) const override { advance<3>(points); }
@@ -241,8 +239,21 @@ class MohrCoulomb final : public Material {
     }
     std::array<double, chunk> bound;
     yield_bound(slice.points, law_.pyramid().strength(), bound.data());
-    if (*std::max_element(bound.begin(), bound.begin() + slice.points.count) <= 0) return;
-    flow_on_face(slice, Face(law_, slice.points.dt), law_.pyramid().strength(), bound.data());
+    if (!any_beyond(bound, slice.points.count)) return;
+    const Books books(slice, law_.elastic);
+    const Face face(law_, slice.points.dt);
+    Edges edges = edges_;
+    edges.share = slice.points.dt / (slice.points.dt + law_.relaxation_time);
+    const bool with_edges = law_.viscosity == 0;  // overstress is shared by planes in no fixed way
+    if constexpr (Dim == 2) {
+      flow(slice, face, books, bound.data());
+      if (with_edges && any_beyond(bound, slice.points.count)) flow(slice, edges, books, bound.data());
+    } else {
+      Spectrum spectrum;
+      decompose(slice, spectrum);
+      flow(slice, spectrum, face, books, bound.data());
+      if (with_edges && any_beyond(bound, slice.points.count)) flow(slice, spectrum, edges, books, bound.data());
+    }
     for (int i = 0; i < slice.points.count; ++i)
       if (bound[static_cast<std::size_t>(i)] > 0) plastic_point(slice, i, law_.pyramid());
   }
@@ -319,6 +330,7 @@ class MohrCoulomb final : public Material {
   }
 
   MohrCoulombLaw law_;
+  Edges edges_;
 };
 
 }  // namespace

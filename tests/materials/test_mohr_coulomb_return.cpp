@@ -1,11 +1,14 @@
+#include "materials/mohr_coulomb_law.hpp"
 #include "materials/mohr_coulomb_return.hpp"
 
 #include "material_point.hpp"
 #include "materials/read_table.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <map>
 #include <numbers>
+#include <random>
 
 using namespace tribo;
 using namespace tribo::test;
@@ -139,4 +142,53 @@ TEST_CASE("Mohr-Coulomb strength in triaxial compression and extension, at the a
   REQUIRE((100 - cohesive) / N == Approx(21.7863280).epsilon(1e-8));
   REQUIRE(p.strength().tension == Approx(17.3205081).epsilon(1e-8));
   REQUIRE(p.shear_excess(-8.660254037844386, 8.660254037844386) == Approx(0).margin(1e-12));
+}
+
+TEST_CASE("batches return points where the search among all planes does", "[materials]") {
+  const Properties soils[] = {{{"cohesion", "3"}, {"friction", "30"}, {"dilation", "10"}},
+                              {{"cohesion", "3"}, {"friction", "30"}, {"dilation", "30"}, {"tension", "1"}},
+                              {{"cohesion", "0"}, {"friction", "35"}, {"dilation", "0"}},
+                              {{"cohesion", "3"}, {"friction", "0"}, {"tension", "4"}},
+                              {{"cohesion", "3"}, {"friction", "0"}},
+                              {{"cohesion", "3"}, {"friction", "30"}, {"dilation", "10"}, {"relaxation_time", "0.5"}},
+                              {{"cohesion", "3"}, {"friction", "30"}, {"dilation", "10"}, {"viscosity", "50"}}};
+  const auto index = GENERATE(range(0, 7));
+  auto properties = soils[index];
+  properties.insert(properties.end(), {{"rho", "1"}, {"K", "800"}, {"G", "300"}});
+  INFO("soil " << index);
+  const auto law = make_material("MohrCoulomb", properties);
+  MohrCoulombLaw reference;
+  {
+    Problems problems;
+    const auto statement = material_statement(properties);
+    for (const auto& p : MohrCoulombLaw::parameters())
+      if (const Statement* s = statement.child(std::string(p.name)))
+        reference.*p.member = std::stod(s->text) * (p.dimension == Dimension::angle ? M_PI / 180 : 1);
+    reference.prepare(statement, problems);
+    problems.raise();
+  }
+  std::mt19937 random(7);
+  std::normal_distribution<double> normal;
+  for (int k = 0; k < 3000; ++k) {
+    const double size = 0.02 * std::pow(10.0, -2 * std::uniform_real_distribution<double>()(random));
+    Mat3 strain = size * Vec3(normal(random), normal(random), normal(random)).asDiagonal();
+    MaterialPoint<3> point(*law);
+    point.step(strain, 1.0);
+    const Mat3 trial = 600 * strain.trace() * Mat3::Identity() + 600 * strain;
+    Triple sorted{trial(0, 0), trial(1, 1), trial(2, 2)};
+    std::array<int, 3> place{0, 1, 2};
+    std::sort(place.begin(), place.end(), [&](int a, int b) { return trial(a, a) < trial(b, b); });
+    std::sort(sorted.begin(), sorted.end());
+    Triple change{};
+    MohrCoulombState state;
+    if (reference.pyramid().yields(sorted[0], sorted[2]))
+      change = reference.flow(sorted, 1.0, point.F.determinant(), state);
+    const double margin = 1e-10 * (3 + trial.norm());
+    for (std::size_t d = 0; d < 3; ++d)
+      REQUIRE(point.stress(place[d], place[d]) == Approx(sorted[d] - change[d]).margin(margin));
+    REQUIRE(point.history_value("plastic_shear") == Approx(state.plastic_shear).epsilon(1e-9).margin(1e-14));
+    REQUIRE(point.history_value("plastic_volume") == Approx(state.plastic_volume).epsilon(1e-9).margin(1e-14));
+    REQUIRE(point.history_value("tension_strain") == Approx(state.tension_strain).epsilon(1e-9).margin(1e-14));
+    REQUIRE(point.history_value("dissipation") == Approx(state.dissipation).epsilon(1e-9).margin(1e-12));
+  }
 }
