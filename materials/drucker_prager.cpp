@@ -103,26 +103,28 @@ struct DruckerPrager {
                            StateVariable<State>{"dissipation", Dimension::stress, &State::dissipation});
   }
 
+  PressureShear returned(const PressureShear& trial, const ReturnStep& step, State& state) const {
+    const double G = elastic.mu, K = elastic.bulk(), excess = trial.q + A * trial.p - B;
+    if (!(excess > 0)) return trial;
+    const double flow = excess / (3 * G + K * A * A_psi);
+    PressureShear to{trial.p - K * A_psi * flow, trial.q - 3 * G * flow};
+    if (to.q < 0) to = {B / A, 0.0};  // the apex; without friction q > 0
+    const double shear = (trial.q - to.q) / (3 * G), volume = (trial.p - to.p) / K;
+    state.plastic_shear += 0.5 * std::sqrt(3.0) * shear;
+    state.plastic_volume += volume;
+    state.dissipation += step.J * (to.q * shear + to.p * volume);
+    return to;
+  }
   Mat3 stress(const Motion& motion, const Mat3& old, State& state) const {
-    const double G = elastic.mu, K = elastic.bulk();
-    return plastic_step(elastic, motion, old, [&](const PressureShear& trial) {
-      const double excess = trial.q + A * trial.p - B;
-      if (!(excess > 0)) return trial;
-      const double flow = excess / (3 * G + K * A * A_psi);
-      PressureShear to{trial.p - K * A_psi * flow, trial.q - 3 * G * flow};
-      if (to.q < 0) to = {B / A, 0.0};  // the apex; without friction q > 0
-      const double shear = (trial.q - to.q) / (3 * G), volume = (trial.p - to.p) / K;
-      state.plastic_shear += 0.5 * std::sqrt(3.0) * shear;
-      state.plastic_volume += volume;
-      state.dissipation += motion.F.determinant() * (to.q * shear + to.p * volume);
-      return to;
-    });
+    return plastic_step(*this, motion, old, state);
   }
   double energy_density(const Mat3&, const Mat3& stress, const State&) const { return elastic.energy(stress); }
 };
 
 }  // namespace
 
-Catalogue<Material>::Item drucker_prager() { return material_law<DruckerPrager>(); }
+Catalogue<Material>::Item drucker_prager() {
+  return material_law<DruckerPrager, PressureShearMaterial<DruckerPrager>>();
+}
 
 }  // namespace tribo

@@ -149,7 +149,7 @@ struct IsoPlasticity {
   }
 
   // What the temperature leaves of the strength.
-  double cold_share(const Motion& at) const {
+  double cold_share(const ReturnStep& at) const {
     if (!feels_temperature()) return 1.0;
     const double warmth = (at.temperature - at.reference_temperature) / (melting - at.reference_temperature);
     return 1.0 - std::pow(std::clamp(warmth, 0.0, 1.0), m);
@@ -195,21 +195,24 @@ struct IsoPlasticity {
     return 0.5 * (low + high);
   }
 
+  PressureShear returned(const PressureShear& trial, const ReturnStep& step, State& state) const {
+    const double x = flow(trial.q, state.plastic_strain, step.dt, cold_share(step));
+    if (x == 0) return trial;
+    const double q = trial.q - 3 * elastic.mu * x;
+    state.plastic_strain += x;
+    state.dissipation += step.J * q * x;
+    return {trial.p, q};
+  }
   Mat3 stress(const Motion& motion, const Mat3& old, State& state) const {
-    return plastic_step(elastic, motion, old, [&](const PressureShear& trial) {
-      const double x = flow(trial.q, state.plastic_strain, motion.dt, cold_share(motion));
-      if (x == 0) return trial;
-      const double q = trial.q - 3 * elastic.mu * x;
-      state.plastic_strain += x;
-      state.dissipation += motion.F.determinant() * q * x;
-      return PressureShear{trial.p, q};
-    });
+    return plastic_step(*this, motion, old, state);
   }
   double energy_density(const Mat3&, const Mat3& stress, const State&) const { return elastic.energy(stress); }
 };
 
 }  // namespace
 
-Catalogue<Material>::Item iso_plasticity() { return material_law<IsoPlasticity>({"VonMises"}); }
+Catalogue<Material>::Item iso_plasticity() {
+  return material_law<IsoPlasticity, PressureShearMaterial<IsoPlasticity>>({"VonMises"});
+}
 
 }  // namespace tribo

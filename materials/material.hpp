@@ -155,7 +155,7 @@ class PointwiseMaterial : public Material {
     if constexpr (requires(Law law) { law.weaken(factor); }) {
       Law law = law_;
       law.weaken(factor);
-      return std::make_shared<PointwiseMaterial>(std::move(law));
+      return again(std::move(law));
     }
     return nullptr;
   }
@@ -169,9 +169,14 @@ class PointwiseMaterial : public Material {
   }
   const Law& law() const { return law_; }
 
- private:
+ protected:
   using State = typename Law::State;
   static constexpr bool has_state = !std::is_same_v<State, NoState>;
+
+  /// The same kind of material with another law.
+  virtual std::shared_ptr<const Material> again(Law law) const {
+    return std::make_shared<PointwiseMaterial>(std::move(law));
+  }
 
   State initial() const {
     if constexpr (requires { law_.initial_state(); })
@@ -199,6 +204,7 @@ class PointwiseMaterial : public Material {
     }
   }
 
+ private:
   template <int Dim>
   void advance(const MaterialPoints<Dim>& points) const {
     for (int i = 0; i < points.count; ++i) {

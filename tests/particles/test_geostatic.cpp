@@ -100,7 +100,9 @@ TEST_CASE("stress from a table of points adds to the weight of the ground", "[ge
   auto model = ground();
   const auto table = std::make_shared<const ScatteredField>(
       std::vector<Vec3>{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {4, 4, 0}},
-      std::vector<ScatteredField::Values>{{1, 0, 0, 7, 0, 0}, {5, 0, 0, 7, 0, 0}, {1, 0, 0, 15, 0, 0}, {5, 0, 0, 15, 0, 0}}, 2);
+      std::vector<ScatteredField::Values>{
+          {1, 0, 0, 7, 0, 0}, {5, 0, 0, 7, 0, 0}, {1, 0, 0, 15, 0, 0}, {5, 0, 0, 15, 0, 0}},
+      2);
   const double before = stress_at(place_points(model), 1.75, 1.75)(1, 1);
   model.pieces[0].stress_points = table;
   const Mat3 s = stress_at(place_points(model), 1.75, 1.75);
