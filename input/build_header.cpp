@@ -310,6 +310,7 @@ void Builder::mesh() {
   if (model_.analysis == Analysis::axisymmetric) {
     must(g.low[0] >= 0 || g.symmetry[0][0].has_value(), grid.origin, "an axisymmetric grid must not reach below r = 0");
     if (g.low[0] <= 0) g.symmetry[0][0] = 0.0;
+    must(!g.periodic[0], grid.origin, "the radius of an axisymmetric grid cannot be periodic");
   }
 }
 
@@ -352,6 +353,9 @@ void Builder::axis(const Statement& grid, int axis, std::string_view element, st
   };
   plane("symmin", g.symmetry[k][0]), plane("symmax", g.symmetry[k][1]);
   plane("wallmin", g.wall[k][0]), plane("wallmax", g.wall[k][1]);
+  g.periodic[k] = number(*s, "periodic", Dimension::none, 0.0) != 0;
+  for (const auto* other : {"symmin", "symmax", "wallmin", "wallmax"})
+    must(!g.periodic[k] || !has(*s, other), s->origin, std::string("a periodic axis has no '") + other + "'");
 }
 
 void Builder::tasks() {

@@ -279,6 +279,7 @@ std::vector<ElementSpec> make() {
           number("symmax", "symmetry plane at this coordinate"),
           number("wallmin", "shape functions end at this wall (B-splines)"),
           number("wallmax", "shape functions end at this wall (B-splines)"),
+          {"periodic", T::integer, "1: the two edges of the grid are one; what leaves comes in on the other side"},
           {"rx", T::number, "accepted for equal cells: 1"},
           {"style", T::text, "accepted for equal cells"},
           units()},

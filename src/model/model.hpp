@@ -100,6 +100,7 @@ struct GridSpec {
   /// Plane faces, [axis][0 low, 1 high]; must lie on grid lines.
   std::array<std::array<std::optional<double>, 2>, 3> symmetry;  ///< mirror: no normal velocity, even tangential
   std::array<std::array<std::optional<double>, 2>, 3> wall;      ///< boundary-modified shape functions end here
+  std::array<bool, 3> periodic{};  ///< [axis] the grid's two edges are one: what leaves comes in on the other side
   Origin origin;
 };
 

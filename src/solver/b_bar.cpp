@@ -5,8 +5,9 @@
 namespace tribo {
 
 template <int Dim>
-BBar<Dim>::BBar(const Scheme& scheme, System<Dim>& system, const Transfers<Dim>& transfers)
-    : system_(system), transfers_(transfers) {
+BBar<Dim>::BBar(const Scheme& scheme, System<Dim>& system, const Transfers<Dim>& transfers,
+                const std::vector<Conditions<Dim>>& conditions)
+    : system_(system), transfers_(transfers), conditions_(conditions) {
   if (scheme.b_bar) cells_ = make_cell_transfers<Dim>(scheme);
 }
 
@@ -54,9 +55,11 @@ void BBar<Dim>::average(Body<Dim>& body, bool from_start) {
   auto& field = system_.fields[body.field];
   zero(field.cells);
   cells_->scatter(body, field.map, field.cells, Scatter::volumetric, from_start, false);
+  conditions_[body.field].fold(field.cells, Fold::cells);
   each_node(field.cells, [](Node& cell) {
     if (cell.mass > 0) cell.velocity[0] /= cell.mass;
   });
+  conditions_[body.field].extend(field.cells, Fold::cells);
   Gather mean;
   mean.volumetric = true;
   mean.from_start = from_start;

@@ -12,6 +12,7 @@
 /// (2018) 1-21 for particles.
 #pragma once
 
+#include "solver/conditions.hpp"
 #include "solver/transfer.hpp"
 
 namespace tribo {
@@ -19,7 +20,8 @@ namespace tribo {
 template <int Dim>
 class BBar {
  public:
-  BBar(const Scheme& scheme, System<Dim>& system, const Transfers<Dim>& transfers);
+  BBar(const Scheme& scheme, System<Dim>& system, const Transfers<Dim>& transfers,
+       const std::vector<Conditions<Dim>>& conditions);
 
   /// Makes room on the present nodes; after every change of the fields' maps.
   void locate();
@@ -33,7 +35,8 @@ class BBar {
 
   System<Dim>& system_;
   const Transfers<Dim>& transfers_;
-  std::unique_ptr<Transfers<Dim>> cells_;  ///< null: not asked for
+  const std::vector<Conditions<Dim>>& conditions_;  ///< per field
+  std::unique_ptr<Transfers<Dim>> cells_;           ///< null: not asked for
 };
 
 }  // namespace tribo

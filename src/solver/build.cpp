@@ -194,6 +194,11 @@ System<Dim> build_system(const Model& model, const std::vector<Seed>& seeds) {
   assign_fields(model, system);
   if (system.bodies.empty())
     throw InputError(Origin{}, "the model has no deformable particle; give a <Body> with a material");
+  const auto& periodic = model.grid.periodic;
+  if ((periodic[0] || periodic[1] || periodic[2]) && (model.contact.active || !system.rigids.empty()))
+    throw InputError(
+        model.grid.origin,
+        "a periodic grid takes neither contact nor rigid particles yet; hold bodies by conditions on nodes");
   return system;
 }
 

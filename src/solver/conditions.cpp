@@ -11,19 +11,21 @@ template <int Dim>
 Conditions<Dim>::Conditions(const Model& model, const Lattice<Dim>& lattice)
     : model_(model), lattice_(lattice), reactions_(model.node_conditions.size(), Vec3::Zero()) {
   Problems problems;
-  for (int axis = 0; axis < Dim; ++axis)
-    for (int side = 0; side < 2; ++side)
-      for (const bool symmetry : {true, false}) {
-        const auto& planes = symmetry ? model.grid.symmetry : model.grid.wall;
-        const auto& at = planes[static_cast<std::size_t>(axis)][static_cast<std::size_t>(side)];
+  for (int axis = 0; axis < Dim; ++axis) {
+    const auto k = static_cast<std::size_t>(axis);
+    for (std::size_t side = 0; side < 2; ++side)
+      for (const Edge kind : {Edge::symmetry, Edge::wall}) {
+        const auto& at = (kind == Edge::symmetry ? model.grid.symmetry : model.grid.wall)[k][side];
         if (!at) continue;
         const int node = lattice.line(axis, *at);
         if (node < 0)
           problems.add(model.grid.origin,
                        "the plane at " + std::to_string(*at) + " is not on a grid line; put it on one");
         else
-          planes_.push_back({axis, node, side == 0 ? 1 : -1, symmetry});
+          planes_.push_back({axis, node, side == 0 ? 1 : -1, kind});
       }
+    if (model.grid.periodic[k]) planes_.push_back({axis, Lattice<Dim>::padding, model.grid.cells[k], Edge::period});
+  }
 
   // Conditions on the same node in the same direction add.
   std::map<std::pair<std::int64_t, std::array<double, 3>>, std::size_t> known;
@@ -53,24 +55,42 @@ void Conditions<Dim>::locate(const BlockMap<Dim>& map) {
   }
   ghosts_.assign(planes_.size(), {});
   for (auto& list : mirror_nodes_) list.clear();
-  const bool symmetry = std::any_of(planes_.begin(), planes_.end(), [](const Plane& p) { return p.symmetry; });
+  const bool symmetry =
+      std::any_of(planes_.begin(), planes_.end(), [](const Plane& p) { return p.kind == Edge::symmetry; });
   share_.assign(symmetry ? static_cast<std::size_t>(map.node_count()) : 0, 1.0);
   for (std::size_t p = 0; p < planes_.size(); ++p) {
     const Plane& plane = planes_[p];
     const auto axis = static_cast<std::size_t>(plane.axis);
     for (std::int64_t at = 0; at < map.node_count(); ++at) {
-      auto node = map.node_at(at);
-      const int depth = (plane.node - node[axis]) * plane.inward;
-      if (depth == 0 && plane.symmetry) mirror_nodes_[axis].push_back(at), share_[static_cast<std::size_t>(at)] *= 0.5;
-      if (depth < 1 || depth > 2) continue;
-      Ghost ghost{at, -1, -1, depth, plane.axis, plane.symmetry};
-      node[axis] = plane.node;
-      ghost.plane = map.node(node);
-      node[axis] = plane.node + plane.inward * (plane.symmetry ? depth : 1);
-      ghost.inside = map.node(node);
-      if (ghost.plane >= 0 && ghost.inside >= 0) ghosts_[p].push_back(ghost);
+      const auto node = map.node_at(at);
+      if (plane.kind == Edge::symmetry && node[axis] == plane.node)
+        mirror_nodes_[axis].push_back(at), share_[static_cast<std::size_t>(at)] *= 0.5;
+      const auto ghost = ghost_of(plane, at, node, map);
+      if (ghost && ghost->plane >= 0 && ghost->inside >= 0) ghosts_[p].push_back(*ghost);
     }
   }
+}
+
+// Particles reach two nodes beyond a plane, and as they may cross a periodic edge between two sorts, three there.
+template <int Dim>
+auto Conditions<Dim>::ghost_of(const Plane& plane, std::int64_t at, Index<Dim> node, const BlockMap<Dim>& map) const
+    -> std::optional<Ghost> {
+  int& n = node[static_cast<std::size_t>(plane.axis)];
+  Ghost ghost{at, -1, -1, 0};
+  if (plane.kind == Edge::period) {
+    const int period = plane.inward, from_low = n - plane.node;
+    if (from_low < -3 || (from_low >= 0 && from_low < period) || from_low > period + 3) return std::nullopt;
+    n = plane.node + (from_low % period + period) % period;
+    ghost.plane = ghost.inside = map.node(node);
+    return ghost;
+  }
+  ghost.depth = (plane.node - n) * plane.inward;
+  if (ghost.depth < 1 || ghost.depth > 2) return std::nullopt;
+  n = plane.node;
+  ghost.plane = map.node(node);
+  n += plane.inward * (plane.kind == Edge::symmetry ? ghost.depth : 1);
+  ghost.inside = map.node(node);
+  return ghost;
 }
 
 template <int Dim>
@@ -83,13 +103,14 @@ void Conditions<Dim>::fold(NodeLayer& nodes, Fold what) const {
   const auto add = [](Node& to, const Wide& w) { (Wide::load(to.data()) + w).store(to.data()); };
   for (std::size_t p = 0; p < planes_.size(); ++p) {
     const Plane& plane = planes_[p];
+    if (what == Fold::cells && plane.kind != Edge::period) continue;
     for (const Ghost& g : ghosts_[p]) {
       Node& ghost = nodes[static_cast<std::size_t>(g.ghost)];
       Node& inside = nodes[static_cast<std::size_t>(g.inside)];
       Node beyond{};
       part(ghost).store(beyond.data());
-      if (g.symmetry) {
-        if (what != Fold::scalars) {
+      if (plane.kind != Edge::wall) {
+        if (plane.kind == Edge::symmetry && what != Fold::scalars) {
           beyond.velocity[plane.axis] = -beyond.velocity[plane.axis];
           beyond.acceleration[plane.axis] = -beyond.acceleration[plane.axis];
         }
@@ -125,7 +146,8 @@ void Conditions<Dim>::stay_on_planes(NodeLayer& nodes) const {
 template <int Dim>
 bool Conditions<Dim>::folds(const Index<Dim>& node) const {
   return std::any_of(planes_.begin(), planes_.end(), [&](const Plane& plane) {
-    return (plane.node - node[static_cast<std::size_t>(plane.axis)]) * plane.inward > 0;
+    const int beyond = plane.node - node[static_cast<std::size_t>(plane.axis)];
+    return plane.kind == Edge::period ? beyond > 0 || -beyond >= plane.inward : beyond * plane.inward > 0;
   });
 }
 
@@ -133,7 +155,8 @@ template <int Dim>
 int Conditions<Dim>::mirrored(const Index<Dim>& node) const {
   int axes = 0;
   for (const Plane& plane : planes_)
-    if (plane.symmetry && node[static_cast<std::size_t>(plane.axis)] == plane.node) axes |= 1 << plane.axis;
+    if (plane.kind == Edge::symmetry && node[static_cast<std::size_t>(plane.axis)] == plane.node)
+      axes |= 1 << plane.axis;
   return axes;
 }
 
@@ -141,13 +164,14 @@ template <int Dim>
 void Conditions<Dim>::extend(NodeLayer& nodes, Fold what) const {
   for (std::size_t p = planes_.size(); p-- > 0;) {
     const Plane& plane = planes_[p];
+    if (what == Fold::cells && plane.kind != Edge::period) continue;
     for (const Ghost& g : ghosts_[p]) {
       Node& ghost = nodes[static_cast<std::size_t>(g.ghost)];
       const Node& inside = nodes[static_cast<std::size_t>(g.inside)];
       const double mass = ghost.mass;
-      if (g.symmetry) {
+      if (plane.kind != Edge::wall) {
         Wide::load(inside.data()).store(ghost.data());
-        if (what != Fold::scalars) {
+        if (plane.kind == Edge::symmetry && what != Fold::scalars) {
           ghost.velocity[plane.axis] = -ghost.velocity[plane.axis];
           ghost.acceleration[plane.axis] = -ghost.acceleration[plane.axis];
         }

@@ -1,9 +1,10 @@
-/// Symmetry planes, walls and prescribed velocities on the nodes of one field.
+/// Symmetry planes, walls, periodic edges and prescribed velocities on the nodes of one field.
 #pragma once
 
 #include "grid/nodes.hpp"
 #include "model/model.hpp"
 
+#include <optional>
 #include <vector>
 
 namespace tribo {
@@ -12,7 +13,8 @@ namespace tribo {
 enum class Fold {
   everything,
   forces,
-  scalars  ///< everything, and no component turns over in a mirror
+  scalars,  ///< everything, and no component turns over in a mirror
+  cells     ///< everything, of cells named after their lowest node: only periodic edges have any beyond
 };
 
 /// Nodal conditions of the model, translated to the nodes that exist at present.
@@ -28,7 +30,8 @@ class Conditions {
 
   /// Brings what was scattered beyond a plane back inside. A symmetry plane adds the mirror image; a wall gives the
   /// boundary-modified shape functions, in which the node k beyond the wall stands for (k+1) v0 - k v1.
-  /// Steffen, Kirby & Berzins (2008); exact for linear fields.
+  /// Steffen, Kirby & Berzins (2008); exact for linear fields. On a periodic axis the nodes from the lowest to the last
+  /// but one stand for all that are a whole number of periods away.
   void fold(NodeLayer& nodes, Fold what = Fold::everything) const;
   /// Takes what forces on nodes, as gravity, put across the symmetry planes out of velocities and accelerations there.
   void stay_on_planes(NodeLayer& nodes) const;
@@ -59,15 +62,16 @@ class Conditions {
   void set_impulse(const Vec3& impulse) { impulse_ = impulse; }
 
  private:
+  enum class Edge { symmetry, wall, period };
   struct Plane {
-    int axis, node, inward;  ///< inward: +1 at the low end, -1 at the high end
-    bool symmetry;
+    int axis, node, inward;  ///< inward: +1 at the low end, -1 at the high end; of a period its number of cells
+    Edge kind;
   };
-  // A ghost node k beyond a plane with its plane node and the nodes k (symmetry) or 1 (wall) inside; -1 if absent.
+  // A ghost node k beyond a plane with its plane node and the node inside that it stands for in a mirror or a period,
+  // or the first behind a wall.
   struct Ghost {
     std::int64_t ghost, plane, inside;
-    int depth, axis;
-    bool symmetry;
+    int depth;
   };
   // A node with the conditions on it that share a direction.
   struct Chosen {
@@ -81,6 +85,7 @@ class Conditions {
     double pending = 0.0;
   };
 
+  std::optional<Ghost> ghost_of(const Plane& plane, std::int64_t at, Index<Dim> node, const BlockMap<Dim>& map) const;
   double prescribed(const Chosen& chosen, const Vec<Dim>& x, double time, double dt) const;
 
   const Model& model_;

@@ -3,6 +3,7 @@
 #include "base/parallel.hpp"
 #include "solver/loaded.hpp"
 #include "solver/loops.hpp"
+#include "solver/periodic.hpp"
 
 #include <cmath>
 
@@ -94,7 +95,7 @@ Stepper<Dim>::Stepper(const Model& model, System<Dim>& system)
       transfers_(make_transfers<Dim>(model.scheme)),
       contact_(model, system, *transfers_),
       heat_(model, system, *transfers_),
-      b_bar_(model.scheme, system, *transfers_) {
+      b_bar_(model.scheme, system, *transfers_, conditions_) {
   for (std::size_t f = 0; f < system.fields.size(); ++f) conditions_.emplace_back(model, system.lattice);
   load_share_ = find_loaded(model, system);
 }
@@ -102,11 +103,13 @@ Stepper<Dim>::Stepper(const Model& model, System<Dim>& system)
 template <int Dim>
 void Stepper<Dim>::sort() {
   for (auto* bodies : {&system_.bodies, &system_.rigids})
-    for (auto& body : *bodies)
+    for (auto& body : *bodies) {
+      bring_home(model_.grid, system_.lattice, body);
       if (body.bins.sort(system_.lattice, body.particles) >= 0) {
         push_back(body);
         if (body.bins.sort(system_.lattice, body.particles) >= 0) stop_at_bad_particle();
       }
+    }
   allocate();
   system_.drift = 0.0;
   system_.sorted = true;
@@ -139,6 +142,7 @@ void Stepper<Dim>::allocate() {
       for (const auto& body : *bodies)
         if (body.field == f || body.field == Body<Dim>::no_field)
           for (const Bin& bin : body.bins.list()) occupied.push_back(bin.block);
+    reach_across(model_.grid, system_.lattice, occupied);
     field.map.rebuild(occupied);
     const auto nodes = static_cast<std::size_t>(field.map.node_count());
     field.nodes.resize(nodes);
