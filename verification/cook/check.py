@@ -29,7 +29,27 @@ def roughness(start, pressure, h):
     return float(np.sqrt(np.mean(np.square(rest))))
 
 
+def confined(case):
+    """A column in a box: pressure is (1 + nu)/(1 - nu)/3 times the load, everywhere."""
+    expected = 1e-3 * (1 + 2 * 0.499 / 0.501) / 3
+    rows = []
+    for label, kernel, locking in (("linear CPDI with B-bar", "lCPDI", "<BBar/>"), ("linear CPDI", "lCPDI", ""), ("quadratic splines", "B2SPLINE", "")):
+        for skew in (0.2,) if case.quick else (0, 0.2):
+            p = verify.last_particles(case.run(f"confined_{kernel}_{bool(locking)}_{skew}", "confined.xml", entities=dict(kernel=kernel, locking=locking, skew=skew)))
+            pressure = -p["stress"][:, :3].sum(axis=1) / 3 / expected
+            rows.append([label, "in rows" if skew == 0 else "bulging rows", f"{pressure.mean():.5f}", f"{pressure.std():.2g}"])
+            if skew == 0:
+                case.check(f"confined column, Poisson's ratio 0.499, {label}: pressure, worst particle", np.abs(pressure - 1).max(), 0, 1e-4, "absolute")
+            elif locking:
+                case.check(f"confined column, {label}, rows that bulge by 0.2 cells: pressure", pressure.mean(), 1, 0.01)
+                case.check(f"confined column, {label}, rows that bulge by 0.2 cells: spread of the pressure", pressure.std(), 0, 0.01, "absolute")
+        if case.quick:
+            return
+    case.table("Pressure in a confined column over its exact value, and its spread", ["", "particles", "mean", "spread"], rows)
+
+
 def run(case):
+    confined(case)
     if case.quick:
         return
     rows = []

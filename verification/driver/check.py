@@ -134,6 +134,47 @@ def mohr_coulomb(case):
     return curve, curves
 
 
+def work(got, legs, axes=("xx", "yy")):
+    """Work per initial volume, by rows: trapezoidal sums over every step, every second, every fourth, extrapolated within each straight leg."""
+    stress = np.array([got["J"] * got["s" + a] for a in axes])
+    strain = np.array([got["e" + a] for a in axes])
+    steps = (stress.shape[1] - 1) // legs
+
+    def trapezoid(leg, stride):
+        part = slice(leg * steps, (leg + 1) * steps + 1, stride)
+        s, e = stress[:, part], strain[:, part]
+        return (0.5 * (s[:, 1:] + s[:, :-1]) * np.diff(e)).sum()
+
+    def romberg(leg):
+        sums = [trapezoid(leg, 2**k) for k in range(5)]
+        for order in range(1, 5):
+            sums = [(4**order * fine - coarse) / (4**order - 1) for fine, coarse in zip(sums, sums[1:])]
+        return sums[0]
+
+    return np.array([romberg(leg) for leg in range(legs)]), sum(trapezoid(leg, 1) for leg in range(legs))
+
+
+def cycles(case):
+    """Stretched along x, along y, and back: elastic solids give back all work; metals what they have not dissipated."""
+    rows = "dt,steps,Lxx,Lyy\n0.01,32,1,0\n0.01,32,0,-0.7\n0.01,32,-1,0\n0.01,32,0,0.7"
+    a, b = 0.32, -0.224
+    x2, y2, log_J = np.exp(2 * a), np.exp(2 * b), a + b
+    G, K = 384.0, 833.0
+    J = np.exp(log_J)
+    energies = {"NeoHookean": (f"<G>{G}</G><Lame>577</Lame><UJOption>2</UJOption>", G / 2 * (x2 + y2 - 2) - G * log_J + 577 / 2 * log_J**2),
+                "Mooney": (f"<K>{K}</K><G1>{G}</G1><G2>0</G2><UJOption>1</UJOption>", G / 2 * ((x2 + y2 + 1) * J ** (-2 / 3) - 3) + K / 2 * (J - 1) ** 2)}
+    for name, (properties, energy) in energies.items():
+        got = case.drive("cycle" + name, f"<Drive material='m'><Path>{rows}</Path></Drive>", f"<Material Type='{name}' Name='m'><rho>1</rho>{properties}</Material>")
+        legs, _ = work(got, 4)
+        case.check(f"{name}, half a cycle: work over the stored energy", legs[:2].sum() / energy, 1, 1e-10)
+        case.check(f"{name}, closed cycle: work over the stored energy", abs(legs.sum()) / energy, 0, 1e-10, "at most")
+    law = "<Material Type='VonMises' Name='m'><rho>1</rho><E>200e3</E><nu>0.3</nu><yield>250</yield><Khard>1000</Khard></Material>"
+    got = case.drive("metal", "<Drive material='m'><Path>dt,steps,Lxx,Lyy\n0.005,200,0.01,-0.01\n0.005,200,-0.01,0.01</Path></Drive>", law)
+    _, total = work(got, 2)
+    alpha, s = got["plastic_strain"][-1], got["sxx"][-1]
+    case.check("von Mises, closed cycle, 200 steps a leg: work over dissipation and stored energy", total / (250 * alpha + 500 * alpha**2 + s**2 * 1.3 / 200e3), 1, 1e-4)
+
+
 def others(case):
     law = "<Material Type='VonMises' Name='m'><rho>1</rho><E>200e3</E><nu>0.3</nu><yield>250</yield><Khard>1000</Khard></Material>"
     for steps in (1, 100):
@@ -195,6 +236,7 @@ def run(case):
     rubber(case)
     fibrous(case)
     turning(case)
+    cycles(case)
     triaxial, viscous = mohr_coulomb(case)
     others(case)
     contact(case)
