@@ -5,6 +5,7 @@ import numpy as np
 import verify
 
 PRANDTL = 2 + math.pi
+SAND = dict(kernel="B2SPLINE", locking="", order=6, phi=30, stiff=100, speed=0.0001)
 
 
 def bearing(case, label, h, **entities):
@@ -14,6 +15,21 @@ def bearing(case, label, h, **entities):
     force = -next(rows[name] for name in rows if name.startswith("reactiony"))
     last = rows["time"] > rows["time"].max() * 2 / 3
     return force[last].mean() / (1 + h / 2), out
+
+
+def surcharge(case, h, nq, nc, cohesion=0.003):
+    """Weightless sand under a surcharge of 1 beside the footing."""
+    first = 1 + h / 2
+    loads = f"<ParticleBCs><LdRect xmin='{first}' xmax='8' ymin='-{h / 2}' ymax='0'><TractionBC dir='2' face='3' style='1' stress='-1'/></LdRect></ParticleBCs>"
+    n, _ = bearing(case, "surcharge", h, **SAND, cohesion=cohesion, wide=8, deep=4, end=24, stress="<InitialStress xx='-1' yy='-1' zz='-1'/>", loads=loads)
+    case.check("sand under a surcharge, 16 cells per half width: Nq", n - cohesion * nc, nq, 0.05)
+
+
+def weight(case, h, nc, cohesion=0.003):
+    """Sand of weight 1."""
+    loads = f"<Gravity><BodyYForce>-{1 / SAND['stiff']}</BodyYForce></Gravity>"
+    n, _ = bearing(case, "weight", h, **SAND, cohesion=cohesion, wide=5, deep=2.5, end=12, stress="<InitialStress xx='y' yy='y' zz='y'/>", loads=loads)
+    case.check("sand with weight, 16 cells per half width: Ngamma", (n - cohesion * nc) / (1 + h / 2), 14.7543, 0.10)
 
 
 def slip(case, out, speed, end):
@@ -44,6 +60,8 @@ def run(case):
     n, out = bearing(case, "sand", 1 / 8, **sand)
     case.check("friction and dilation 30 degrees, quadratic splines, 8 cells per half width: Nc", n, (nq - 1) / math.tan(friction), 0.04)
     slip(case, out, sand["speed"], sand["end"])
+    surcharge(case, 1 / 16, nq, (nq - 1) / math.tan(friction))
+    weight(case, 1 / 16, (nq - 1) / math.tan(friction))
     rows = []
     for label, kernel, locking in (("linear", "Classic", ""), ("linear, B-bar", "Classic", "<BBar/>"), ("uGIMP", "uGIMP", ""), ("linear CPDI, B-bar", "lCPDI", "<BBar/>"),
                                    ("quadratic splines", "B2SPLINE", "")):
