@@ -186,8 +186,9 @@ void Builder::check_capacities(const Statement* thermal) {
            "thermal expansion is not built; without " + why + ", or with <alpha>0</alpha>, the model runs");
   }
   const auto dissipates = [](const MaterialSpec& m) { return m.law && m.law->dissipation_index() >= 0; };
-  must(!heat.work_heating || std::any_of(model_.materials.begin(), model_.materials.end(), dissipates), thermal->origin,
-       "<EnergyCoupling> makes heat of what materials dissipate, and none of these dissipates anything");
+  if (heat.work_heating)
+    must(std::any_of(model_.materials.begin(), model_.materials.end(), dissipates), thermal->origin,
+         "<EnergyCoupling> makes heat of what materials dissipate, and none of these dissipates anything");
 }
 
 void Builder::gravity() {
