@@ -1,4 +1,8 @@
+import pathlib
+
 import numpy as np
+
+POINTS = pathlib.Path(__file__).parents[2] / "tests/materials/data/mohr_coulomb_points.csv"
 
 MC = "<Material Type='MohrCoulomb' Name='m'><rho>2000</rho>{}</Material>"
 shear_rate = 1e-5
@@ -24,6 +28,9 @@ def elastic(case):
     got = case.drive("spin", "<Drive material='m' test='simple_shear' strain='2' steps='1000'/>", law)
     case.check("elastic, simple shear by 2 in 1000 steps, Jaumann rate: sxy/G", got["sxy"][-1] / (1000 / 2.6), np.sin(2), 1e-6)
     case.check("elastic, simple shear by 2: sxx/G", got["sxx"][-1] / (1000 / 2.6), 1 - np.cos(2), 1e-6)
+    for shear in (0.5, 1, 4):
+        turned = case.drive(f"spin{shear}", f"<Drive material='m' test='simple_shear' strain='{shear}' steps='1000'/>", law)
+        case.check(f"elastic, simple shear by {shear:g}: sxy/G", turned["sxy"][-1] / (1000 / 2.6), np.sin(shear), 1e-6)
     return got
 
 
@@ -33,6 +40,10 @@ def rubber(case):
         got = case.drive(f"neo{stretch}", f"<Drive material='m' test='uniaxial_stress' strain='{np.log(stretch)!r}' steps='20'/>", law)
         case.check(f"neo-Hookean, uniaxial stress, stretch {stretch:g}: stretch across", np.exp(got["eyy"][-1]), across, 1e-8)
         case.check(f"neo-Hookean, uniaxial stress, stretch {stretch:g}: sxx", got["sxx"][-1], s, 1e-8)
+    for shear in (0.5, 1, 2, 4):
+        got = case.drive(f"neoshear{shear}", f"<Drive material='m' test='simple_shear' strain='{shear}' steps='10'/>", law)
+        case.check(f"neo-Hookean, simple shear by {shear:g}: sxy/G", got["sxy"][-1] / (1000 / 2.6), shear, 1e-10)
+        case.check(f"neo-Hookean, simple shear by {shear:g}: sxx/G", got["sxx"][-1] / (1000 / 2.6), shear**2, 1e-10)
     for stretch, across, s in ((0.8, 1.09487606, -245.353368), (1.2, 0.921495438, 205.507006)):
         got = case.drive(f"neoplane{stretch}", f"<Drive material='m'><Path>dt,steps,Lxx,syy\n0.1,10,{np.log(stretch)!r},0</Path></Drive>", law)
         case.check(f"neo-Hookean, plane strain, stretch {stretch:g}: stretch across", np.exp(got["eyy"][-1]), across, 1e-8)
@@ -40,10 +51,11 @@ def rubber(case):
     # incompressible: driven without change of volume, only differences of stresses count; C1 = 0.3, C2 = 0.1
     law = "<Material Type='Mooney' Name='m'><rho>1</rho><K>1e3</K><G1>0.6</G1><G2>0.2</G2></Material>"
     paths = {"uniaxial, stretch 2": ("Lxx,Lyy,Lzz\n0.1,10,{0},{1},{1}", np.log(2), -0.5 * np.log(2), 2.45),
+             "uniaxial, stretch 1.5": ("Lxx,Lyy,Lzz\n0.1,10,{0},{1},{1}", np.log(1.5), -0.5 * np.log(1.5), 1.16111111111111),
              "uniaxial, stretch 0.5": ("Lxx,Lyy,Lzz\n0.1,10,{0},{1},{1}", np.log(0.5), -0.5 * np.log(0.5), -1.75),
              "biaxial, stretch 2": ("Lxx,Lyy,Lzz\n0.1,10,{0},{1},{0}", np.log(2), -2 * np.log(2), 5.5125)}
     for name, (rows, a, b, difference) in paths.items():
-        got = case.drive("mooney" + name[:3] + name[-1], "<Drive material='m'><Path>dt,steps," + rows.format(repr(a), repr(b)) + "</Path></Drive>", law)
+        got = case.drive("mooney" + name.replace(", ", "_").replace(" ", "_"), "<Drive material='m'><Path>dt,steps," + rows.format(repr(a), repr(b)) + "</Path></Drive>", law)
         case.check(f"Mooney-Rivlin, {name}: sxx - syy", got["sxx"][-1] - got["syy"][-1], difference, 1e-10)
     got = case.drive("mooneyshear", "<Drive material='m' test='simple_shear' strain='1' steps='10'/>", law)
     case.check("Mooney-Rivlin, simple shear by 1: sxy", got["sxy"][-1], 0.8, 1e-10)
@@ -55,6 +67,8 @@ def rubber(case):
         case.check(f"Tait liquid, J = {J:g}: pressure", -got["sxx"][-1], p, 1e-8)
     got = case.drive("newton", "<Drive material='m'><Path>dt,Lxy\n1e-9,7\n1e-9,0</Path></Drive>", law)
     case.check("Newtonian shear: sxy", got["sxy"][1], 0.021, 1e-12)
+    got = case.drive("newtonpull", "<Drive material='m'><Path>dt,Lxx,Lyy\n1e-9,7,-7\n1e-9,0,0</Path></Drive>", law)
+    case.check("Newtonian extension at constant volume: (sxx - syy)/2", 0.5 * (got["sxx"][1] - got["syy"][1]), 2 * 0.003 * 7, 1e-8)
 
 
 def fibrous(case):
@@ -131,7 +145,50 @@ def mohr_coulomb(case):
     got = case.drive("softening", slow, soil(cohesion_residual=5e5, softening_end=0.01))
     for t, shear in ((1000, 728367.104848), (2000, 485578.069899), (3000, 433012.701892)):
         case.check(f"Mohr-Coulomb, softening, {t} s: sxy", got["sxy"][t], shear, 1e-9)
+    returns(case)
+    corners(case)
     return curve, curves
+
+
+def returns(case):
+    """One step of strain whose elastic answer is a trial stress: where that returns to, in exact arithmetic; principal stresses and tensors."""
+    stiff = dict(K=2e8, G=2e8, cohesion=1e6, friction=30)
+    laws = {"A": stiff | dict(dilation=30), "B": stiff | dict(dilation=30, tension=5e5), "C": stiff | dict(dilation=10), "D": stiff | dict(dilation=0, tension=2e5),
+            "E": dict(K=1e7 / 1.2, G=1e7 / 2.6, cohesion=5e3, friction=35, dilation=5, tension=0), "F": stiff | dict(friction=0, dilation=0, tension=3e5)}
+    worst = dict(principal=0.0, tensor=0.0)
+    count = dict(principal=0, tensor=0)
+    order = ("xx", "yy", "zz", "xy", "yz", "xz")
+    for line in POINTS.read_text().splitlines():
+        cells = line.split(",")
+        if len(cells) < 8 or cells[1] not in laws:
+            continue
+        kind = "tensor" if len(cells) == 14 else "principal"
+        size = 6 if kind == "tensor" else 3
+        trial, expected = (np.array([float(v) for v in part]) for part in (cells[2:2 + size], cells[2 + size:2 + 2 * size]))
+        law, s = laws[cells[1]], np.r_[trial, np.zeros(6 - size)]
+        mean = s[:3].mean()
+        strain = np.r_[(s[:3] - mean) / (2 * law["G"]) + mean / (3 * law["K"]), s[3:] / (2 * law["G"])]
+        columns = "Lxx,Lyy,Lzz,Lxy,Lyx,Lyz,Lzy,Lxz,Lzx"
+        rates = ",".join(repr(v) for v in strain[[0, 1, 2, 3, 3, 4, 4, 5, 5]].tolist())
+        got = case.drive("return" + cells[0], f"<Drive material='m'><Path>dt,{columns}\n1,{rates}</Path></Drive>", soil(**law))
+        returned = np.array([got["s" + name][-1] for name in order[:size]])
+        worst[kind] = max(worst[kind], np.abs(returned - expected).max() / max(np.abs(trial).max(), laws[cells[1]]["cohesion"]))
+        count[kind] += 1
+    for kind, what in (("principal", "principal stresses"), ("tensor", "tensors")):
+        case.check(f"Mohr-Coulomb, return of {count[kind]} {what}: worst error over the trial", worst[kind], 0, 1e-10, "at most")
+
+
+def corners(case):
+    """c = 10, friction 30 degrees."""
+    law = soil(K=1e4, G=5e3, cohesion=10.0, friction=30, dilation=30)
+    got = case.drive("mc_compression", "<Drive material='m' test='triaxial_compression' strain='0.1' pressure='100'/>", law)
+    case.check("Mohr-Coulomb, c = 10, triaxial compression at 100: largest stress", -got["sxx"][-1], 300 + 20 * np.sqrt(3), 1e-9)
+    got = case.drive("mc_extension", "<Drive material='m' test='triaxial_extension' strain='0.1' pressure='100'/>", law)
+    case.check("Mohr-Coulomb, c = 10, triaxial extension at 100: least stress", -got["sxx"][-1], (100 - 20 * np.sqrt(3)) / 3, 1e-9)
+    got = case.drive("mc_apex", "<Drive material='m' test='isotropic' strain='-0.1'/>", law)
+    case.check("Mohr-Coulomb, c = 10, isotropic tension: stress", got["sxx"][-1], 10 * np.sqrt(3), 1e-9)
+    got = case.drive("mc_shear", "<Drive material='m'><Path>dt,steps,Lxy,Lyx\n0.001,10,1,1</Path></Drive>", law.replace("<dilation>30", "<dilation>0"))
+    case.check("Mohr-Coulomb, c = 10, pure shear: strength", got["sxy"][-1], 5 * np.sqrt(3), 1e-9)
 
 
 def work(got, legs, axes=("xx", "yy")):
@@ -186,6 +243,10 @@ def others(case):
         got = case.drive(f"misesconfined{steps}", f"<Drive material='m' test='oedometer' strain='-0.01' steps='{steps}'/>", law)
         case.check(f"von Mises, uniaxial strain, {steps} step{'s' * (steps > 1)}: sxx", got["sxx"][-1], 1837.03950, 1e-8)
         case.check(f"von Mises, uniaxial strain, {steps} step{'s' * (steps > 1)}: syy", got["syy"][-1], 1581.48025, 1e-8)
+    got = case.drive("mises_limit", "<Drive material='m'><Path>dt,Lxx\n1.625e-3,1\n1e-6,1</Path></Drive>", law)
+    case.check("von Mises, uniaxial strain: stress at the elastic limit", got["sxx"][1], 437.5, 1e-9)
+    case.check("von Mises, uniaxial strain: plastic strain at the elastic limit", got["plastic_strain"][1], 0, 1e-12, "at most")
+    case.check("von Mises, uniaxial strain: flows beyond it", 1.0 if got["plastic_strain"][2] > 0 else 0.0, 1, 0)
     cone = "<Material Type='DruckerPrager' Name='m'><rho>2000</rho><K>2e8</K><G>2e8</G><cohesion>1e6</cohesion><friction>30</friction><match>{}</match></Material>"
     for match, strength in ((1, 1.2), (2, 6 / 7), (3, 3 / np.sqrt(13)), (4, np.sqrt(0.75))):
         got = case.drive(f"cone{match}", "<Drive material='m'><Path>dt,steps,Lxy,Lyx\n0.001,10,1,1</Path></Drive>", cone.format(match))
@@ -208,6 +269,8 @@ def others(case):
     for t, modulus in ((0, 0.4), (0.5, 0.281959198), (1, 0.210363832), (5, 0.102021384)):
         got = case.drive(f"relax{t}", f"<Drive material='m'><Path>dt,steps,Lxy,Lyx\n1e-12,1,5e9,5e9\n{max(t, 1e-12)},1,0,0</Path></Drive>", law)
         case.check(f"standard linear solid, relaxation after {t:g} tau", got["sxy"][-1] / 0.01, modulus, 1e-8)
+    got = case.drive("creep", "<Drive material='m'><Path>dt,steps,Lxy,Lyx,Lzz,sxy\n1e-9,1,,0,0,0.001\n0.001,4000,,0,0,0.001</Path></Drive>", law)
+    case.check("standard linear solid, creep for 4 tau, 4000 steps: shear over that of the relaxed modulus", got["exy"][-1] / 0.005, 1 - 0.75 * np.exp(-1), 1e-4)
     for steps in (1, 10):
         got = case.drive(f"rate{steps}", f"<Drive material='m'><Path>dt,steps,Lxy,Lyx\n{2 / steps!r},{steps},5e-4,5e-4</Path></Drive>", law)
         case.check(f"standard linear solid, constant rate, {steps} step{'s' * (steps > 1)}: sxy", got["sxy"][-1], 1e-3 * (0.2 + 0.3 * (1 - np.exp(-2))), 1e-12)
