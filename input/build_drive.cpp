@@ -176,8 +176,8 @@ Drive Builder::build_drive() {
   return out;
 }
 
-Drive read_drive(const std::filesystem::path& file) {
-  const Statement root = read_xml_file(file);
+Drive read_drive(const std::filesystem::path& file, const Settings& settings) {
+  const Statement root = read_statements(file, settings);
   Problems problems;
   check_statements(root, problems, true);
   problems.raise();

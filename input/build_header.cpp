@@ -1,6 +1,7 @@
 /// Header, MPMHeader, Mesh and CustomTasks.
 
 #include "input/builder.hpp"
+#include "materials/material.hpp"
 #include "model/quantities.hpp"
 
 #include <algorithm>
@@ -16,9 +17,34 @@ std::vector<std::string> names_of(const std::vector<QuantityInfo>& list) {
   return out;
 }
 
-// The dialect's archive letters, in order; an empty name has no field in Tribo or is always written.
-constexpr std::array<std::string_view, 18> archive_order{"", "", "velocity", "stress",  "", "", "", "", "",
-                                                         "", "", "",         "history", "", "", "", "", ""};
+// The dialect's archive letters, in order; always written, or nothing any more: empty.
+constexpr std::array<std::string_view, 27> archive_order{"",
+                                                         "",
+                                                         "velocity",
+                                                         "stress",
+                                                         "strain",
+                                                         "history",
+                                                         "",
+                                                         "work_energy",
+                                                         "temperature",
+                                                         "plastic_energy",
+                                                         "",
+                                                         "shear components",
+                                                         "strain_energy",
+                                                         "history",
+                                                         "concentration",
+                                                         "heat_energy",
+                                                         "cell_crossings",
+                                                         "rotation",
+                                                         "damage normal",
+                                                         "spin momentum",
+                                                         "spin velocity",
+                                                         "history",
+                                                         "history",
+                                                         "history",
+                                                         "particle size",
+                                                         "",
+                                                         ""};
 
 }  // namespace
 
@@ -186,9 +212,15 @@ void Builder::archive(const Statement& h) {
   };
   if (const auto* order = h.child("MPMArchiveOrder"); order && !h.child("Output")) {
     for (const auto name : {"id", "material", "displacement", "volume_ratio"}) add_field(name, order->origin);
-    for (std::size_t k = 2; k < archive_order.size() && k < order->text.size(); ++k)
-      if (order->text[k] != 'N' && !archive_order[k].empty())
-        add_field(std::string(archive_order[k]), order->text_origin);
+    for (std::size_t k = 2; k < archive_order.size() && k < order->text.size(); ++k) {
+      const std::string field(archive_order[k]);
+      if (order->text[k] == 'N' || field.empty()) continue;
+      if (find_particle_field(field))
+        add_field(field, order->text_origin);
+      else
+        warn(order->text_origin, "letter " + std::to_string(k + 1) + " asks for the " + field +
+                                     ", which Tribo does not have; it is not written");
+    }
     for (const auto name : {"velocity", "stress", "pressure", "von_mises"}) add_field(name, order->origin);
   }
   for (const auto& s : h.children)
@@ -221,6 +253,7 @@ void Builder::history(const Statement& h) {
                                                      "; valid: " + join(names_of(global_quantities())));
       continue;
     }
+    q.name = info->name;
     const Attribute* of = s.attribute("material") ? s.attribute("material") : s.attribute("mat");
     const bool reaction = info->name.rfind("reaction", 0) == 0;
     if (of && !s.attribute("matname") && to_number(of->text).value_or(0) <= 0) {
@@ -243,6 +276,29 @@ void Builder::history(const Statement& h) {
         q.column += ":" + word(*material_statements_[static_cast<std::size_t>(q.other)], "Name");
     }
     model_.output.history.push_back(q);
+  }
+}
+
+// Whose forces they are is known when all materials and conditions are.
+void Builder::check_reactions() {
+  for (const auto& q : model_.output.history) {
+    if (q.name.rfind("reaction", 0) != 0) continue;
+    if (q.material >= 0) {
+      const auto& spec = model_.materials[static_cast<std::size_t>(q.material)];
+      must(spec.law && spec.law->rigid() && !spec.touches(), q.origin,
+           "'" + q.name + "' of a material is the force of a rigid one that sets velocities; '" + spec.name +
+               "' is none (of those that touch: 'contactx')");
+    } else if (q.condition_id < 0) {
+      bool known = std::any_of(model_.node_conditions.begin(), model_.node_conditions.end(),
+                               [&](const NodeCondition& c) { return c.id == q.condition_id; });
+      for (int axis = 0; axis < 3; ++axis)
+        for (int side = 0; side < 2; ++side)
+          known = known || (symmetry_plane_id(axis, side) == q.condition_id &&
+                            model_.grid.symmetry[static_cast<std::size_t>(axis)][static_cast<std::size_t>(side)]);
+      must(known, q.origin,
+           "no condition has the id " + std::to_string(q.condition_id) +
+               " (symmetry planes: -10 and -11 for x, -20 and -21 for y, -30 and -31 for z)");
+    }
   }
 }
 

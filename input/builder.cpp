@@ -2,8 +2,10 @@
 
 #include "input/dialect.hpp"
 #include "input/read.hpp"
+#include "input/script/script.hpp"
 #include "input/xml.hpp"
 
+#include <cstdio>
 #include <fstream>
 #include <sstream>
 
@@ -22,6 +24,7 @@ Model Builder::build() {
   heat();
   gravity();
   tasks();
+  check_reactions();
   problems_.raise();
   return std::move(model_);
 }
@@ -150,6 +153,10 @@ double Builder::tolerance(const Statement& s) {
   return *value * (cells ? h : 1.0);
 }
 
+void Builder::warn(const Origin& origin, const std::string& message) {
+  model_.warnings.push_back(origin.text() + ": warning: " + message);
+}
+
 void Builder::must(bool condition, const Origin& origin, const std::string& message) {
   if (!condition) problems_.add(origin, message);
 }
@@ -172,14 +179,48 @@ Model build_model(const Statement& root, const std::filesystem::path& folder) {
   return Builder(root, folder).build();
 }
 
-Model read_model(const std::filesystem::path& file) {
-  Model model = build_model(read_xml_file(file), file.parent_path());
-  model.file = file.string();
+namespace {
+
+Statement statements_of(const std::string& text, const std::shared_ptr<const std::string>& name, Settings settings,
+                        std::FILE* output) {
+  std::string written;
+  Statement root;
+  if (is_script(text)) {
+    Script script = read_script(text, name, settings);
+    root = std::move(script.root), written = std::move(script.output);
+  } else {
+    root = read_xml(text, name, settings);
+    written = run_commands(root, settings);
+  }
+  Problems problems;
+  for (const auto& [variable, value] : settings.values())
+    if (!settings.used(variable))
+      problems.add({name, 1, 1}, "the file has no variable or entity '" + variable + "' to set" +
+                                     did_you_mean(variable, {settings.seen().begin(), settings.seen().end()}));
+  problems.raise();
+  std::fputs(written.c_str(), output);
+  return root;
+}
+
+}  // namespace
+
+Statement read_statements(const std::filesystem::path& file, Settings settings, std::FILE* output) {
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream buffer;
+  if (!in || !(buffer << in.rdbuf())) throw FileError("cannot read '" + file.string() + "'");
+  const auto name = std::make_shared<const std::string>(file.string());
+  return statements_of(buffer.str(), name, std::move(settings), output);
+}
+
+Model read_model(const std::filesystem::path& file, const Settings& settings) {
+  Model model = build_model(read_statements(file, settings), file.parent_path());
+  model.file = file.string(), model.settings = settings.values();
   return model;
 }
 
 Model read_model_text(std::string_view text, const std::string& name) {
-  Model model = build_model(read_xml(text, std::make_shared<const std::string>(name)), {});
+  Model model =
+      build_model(statements_of(std::string(text), std::make_shared<const std::string>(name), {}, stdout), {});
   model.file = name;
   return model;
 }

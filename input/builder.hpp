@@ -27,6 +27,7 @@ class Builder {
   void mpm_header();
   void archive(const Statement& header);
   void history(const Statement& header);
+  void check_reactions();
   void damping(const Statement& header);
   void strength_reduction(const Statement& header);
   void mesh();
@@ -99,6 +100,7 @@ class Builder {
   /// Factor of the `units` attribute of an element; legacy files only.
   double unit_factor(const Statement& s, Dimension dimension);
   double tolerance(const Statement& s);
+  void warn(const Origin& origin, const std::string& message);
   void must(bool condition, const Origin& origin, const std::string& message);
   /// Calls `make` and adds the place to what it throws.
   RegionPtr placed(const Statement& s, const std::function<RegionPtr()>& make);

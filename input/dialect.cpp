@@ -67,6 +67,8 @@ std::vector<ElementSpec> make() {
 
   add({"JANFEAInput", "", "a command file", T::none, {{"version", T::text, "of the dialect: 3"}}});
 
+  add({"Commands", "JANFEAInput", "scripted commands, whose results are added to the sections", T::text});
+
   // Header
   add({"Header", "JANFEAInput", "what the file is about", T::none, {}, true, true});
   add({"Description", "Header", "free text", T::text, {}, true});

@@ -24,7 +24,8 @@ struct TagPlace {
 /// Reads the source once: finds places, collects entities, and produces the text that TinyXML-2 parses.
 class Scanner {
  public:
-  Scanner(std::string_view source, std::shared_ptr<const std::string> file) : source_(source), file_(std::move(file)) {}
+  Scanner(std::string_view source, std::shared_ptr<const std::string> file, Settings& settings)
+      : source_(source), file_(std::move(file)), settings_(settings) {}
 
   void run() {
     while (at_ < source_.size()) {
@@ -119,7 +120,8 @@ class Scanner {
     skip_blanks();
     if (at_ >= source_.size() || source_[at_] != '>') fail(begin, "<!ENTITY " + name + " is not closed");
     blank();
-    entities_.emplace(name, value);  // the first definition holds
+    const std::string* set = settings_.find(name);
+    entities_.emplace(name, set ? *set : value);  // the first definition holds
   }
 
   void start_tag() {
@@ -150,8 +152,16 @@ class Scanner {
       if (c == '>') {
         // The text begins at the first character that is no blank
         auto look = *this;
-        while (look.at_ < look.source_.size() && std::isspace(static_cast<unsigned char>(look.source_[look.at_])))
-          look.advance();
+        const auto skip_blanks = [&] {
+          while (look.at_ < look.source_.size() && std::isspace(static_cast<unsigned char>(look.source_[look.at_])))
+            look.advance();
+        };
+        skip_blanks();
+        constexpr std::string_view cdata = "<![CDATA[";
+        if (look.starts(cdata)) {
+          for (std::size_t k = 0; k < cdata.size(); ++k) look.advance();
+          skip_blanks();
+        }
         place.text = look.here();
         places.push_back(std::move(place));
         return;
@@ -202,6 +212,7 @@ class Scanner {
 
   std::string_view source_;
   std::shared_ptr<const std::string> file_;
+  Settings& settings_;
   std::size_t at_ = 0, added_ = 0;
   int line_ = 1, column_ = 1;
   std::map<std::string, std::string> entities_;
@@ -272,9 +283,9 @@ std::string plain(const tinyxml2::XMLDocument& document) {
 
 }  // namespace
 
-Statement read_xml(std::string_view text, const std::shared_ptr<const std::string>& file_name) {
+Statement read_xml(std::string_view text, const std::shared_ptr<const std::string>& file_name, Settings& settings) {
   if (text.substr(0, 3) == "\xEF\xBB\xBF") text.remove_prefix(3);
-  Scanner scanner(text, file_name);
+  Scanner scanner(text, file_name, settings);
   scanner.run();
   tinyxml2::XMLDocument document;
   document.Parse(scanner.expanded.c_str(), scanner.expanded.size());
@@ -292,13 +303,6 @@ Statement read_xml(std::string_view text, const std::shared_ptr<const std::strin
   const auto* root = document.RootElement();
   if (!root) throw InputError({file_name, 1, 1}, "the file holds no element");
   return Converter(scanner.places).convert(*root, 0);
-}
-
-Statement read_xml_file(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream buffer;
-  if (!in || !(buffer << in.rdbuf())) throw FileError("cannot read '" + file.string() + "'");
-  return read_xml(buffer.str(), std::make_shared<const std::string>(file.string()));
 }
 
 }  // namespace tribo

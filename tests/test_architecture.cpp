@@ -17,6 +17,7 @@ const std::map<std::string, std::set<std::string>> allowed{
     {"materials", {"base", "materials"}},
     {"contact", {"base", "contact"}},
     {"input", {"base", "geometry", "model", "materials", "contact", "drive", "input"}},
+    {"input/script", {"base", "input"}},
     {"src/drive", {"base", "materials", "contact", "output", "drive"}},
     {"src/grid", {"base", "geometry", "grid"}},
     {"src/particles", {"base", "geometry", "model", "materials", "grid", "particles"}},

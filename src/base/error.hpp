@@ -55,6 +55,12 @@ class SimulationError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// The command line asks for what cannot be (exit code 2).
+class UsageError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
 /// A file could not be read or written (exit code 5).
 class FileError : public std::runtime_error {
  public:

@@ -4,6 +4,16 @@
 
 namespace tribo {
 
+bool OutputSpec::wants_strain() const {
+  return std::any_of(history.begin(), history.end(), [](const HistoryQuantity& q) {
+    return q.name.size() == 3 && q.name[0] == 'e' && q.name[1] >= 'x' && q.name[2] >= 'x';
+  });
+}
+
+bool OutputSpec::wants_deformation() const {
+  return wants_strain() || has_field("strain") || has_field("rotation") || has_field("deformation_gradient");
+}
+
 double Prescribed::at(double t, const Vec3& x, double dt) const {
   switch (style) {
     case Style::constant:

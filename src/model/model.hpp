@@ -233,6 +233,9 @@ struct HistoryQuantity {
   Origin origin;
 };
 
+/// The id that stands for a symmetry plane in histories: -10 and -11 at the low and high end of x, -20 ..., -30 ...
+constexpr int symmetry_plane_id(int axis, int side) { return -10 * (axis + 1) - side; }
+
 struct OutputSpec {
   /// Output times: from `start` every `interval` until the next group's start.
   struct Group {
@@ -245,10 +248,19 @@ struct OutputSpec {
   std::vector<std::string> particle_fields;  ///< empty: the standard set
   std::vector<std::string> grid_fields;      ///< for the .vti files; empty: none are written
   double checkpoint_interval = 0.0;          ///< simulated time; 0: only when stopped
+
+  bool has_field(std::string_view name) const {
+    return std::find(particle_fields.begin(), particle_fields.end(), name) != particle_fields.end();
+  }
+  /// Whether a history is a mean strain.
+  bool wants_strain() const;
+  /// Whether a field or a history needs F.
+  bool wants_deformation() const;
 };
 
 struct Model {
-  std::string file;  ///< the command file
+  std::string file;                             ///< the command file
+  std::map<std::string, std::string> settings;  ///< variables of a script that were set from outside
   std::string title;
   Analysis analysis = Analysis::plane_strain;
   Units units;

@@ -43,6 +43,12 @@ const std::vector<QuantityInfo>& global_quantities() {
       {"sxz", "stress", "volume average of the stress, xz", true},
       {"syz", "stress", "volume average of the stress, yz", true},
       {"pressure", "stress", "minus a third of the trace of the average stress", true},
+      {"exx", "-", "volume average of the Biot strain V - 1, xx", true},
+      {"eyy", "-", "volume average of the Biot strain, yy", true},
+      {"ezz", "-", "volume average of the Biot strain, zz", true},
+      {"exy", "-", "volume average of the Biot strain, xy", true},
+      {"exz", "-", "volume average of the Biot strain, xz", true},
+      {"eyz", "-", "volume average of the Biot strain, yz", true},
       {"Kinetic Energy", "energy", "of the particles", true},
       {"Strain Energy", "energy", "stored elastically", true},
       {"Plastic Energy", "energy", "dissipated by the material", true},
@@ -53,9 +59,9 @@ const std::vector<QuantityInfo>& global_quantities() {
       {"mass", "mass", "of the particles", true},
       {"volume", "length^3", "present volume", true},
       {"particles", "-", "number of particles", true},
-      {"reactionx", "force", "of a condition with an id on the material, x", false},
-      {"reactiony", "force", "of a condition with an id on the material, y", false},
-      {"reactionz", "force", "of a condition with an id on the material, z", false},
+      {"reactionx", "force", "of a rigid material, or conditions or symmetry plane with an id, on the rest, x", true},
+      {"reactiony", "force", "the same, y", true},
+      {"reactionz", "force", "the same, z", true},
       {"contactx", "force", "contact force on a material, x; with='n': from that material only", true},
       {"contacty", "force", "contact force on a material, y", true},
       {"contactz", "force", "contact force on a material, z", true},
@@ -65,6 +71,7 @@ const std::vector<QuantityInfo>& global_quantities() {
       {"Contact Area", "length^2", "of the faces in contact", true},
       {"Temperature", "temperature", "mean, weighted by heat capacity", true},
       {"Heat Energy", "energy", "mass times heat capacity times temperature", true},
+      {"Internal Energy", "energy", "Strain Energy plus Heat Energy", true},
       {"Heat Supplied", "energy", "by prescribed temperatures and heat fluxes", false},
       {"Contact Heat", "energy", "that sliding contact gave", false},
       {"Work Heat", "energy", "of the work that the material dissipated", true},
@@ -76,7 +83,17 @@ const std::vector<QuantityInfo>& global_quantities() {
   return list;
 }
 
-const QuantityInfo* find_global_quantity(std::string_view name) { return find(global_quantities(), name); }
+const QuantityInfo* find_global_quantity(std::string_view name) {
+  if (same(name, "temp")) return find(global_quantities(), "Temperature");
+  // axisymmetric names: R is x, Z is y, T is z
+  std::string plain(name);
+  const bool tensor = plain.size() == 3 && (plain[0] == 's' || plain[0] == 'e');
+  for (std::size_t k = tensor ? 1 : plain.size() - 1; k < plain.size() && plain.size() > 1; ++k) {
+    constexpr std::string_view axisymmetric = "RZT";
+    if (const auto axis = axisymmetric.find(plain[k]); axis != std::string_view::npos) plain[k] = "xyz"[axis];
+  }
+  return find(global_quantities(), plain);
+}
 
 const std::vector<QuantityInfo>& particle_fields() {
   static const std::vector<QuantityInfo> list{
@@ -89,7 +106,14 @@ const std::vector<QuantityInfo>& particle_fields() {
       {"stress", "stress", "Cauchy stress, tension positive", false},
       {"pressure", "stress", "minus a third of the trace", false},
       {"von_mises", "stress", "sqrt(3 J2)", false},
-      {"deformation_gradient", "-", "F, if the material or kernel keeps it", false},
+      {"strain", "-", "Biot strain V - 1 with F = V R, in present axes", false},
+      {"rotation", "rad", "axis of R times its angle", false},
+      {"deformation_gradient", "-", "F", false},
+      {"strain_energy", "energy", "stored elastically", false},
+      {"plastic_energy", "energy", "dissipated by the material", false},
+      {"work_energy", "energy", "stored and dissipated", false},
+      {"heat_energy", "energy", "mass times heat capacity times temperature", false},
+      {"cell_crossings", "-", "how often the particle went to another cell of the grid", false},
       {"volume_ratio", "-", "J = V / V0", false},
       {"temperature", "temperature", "if anything changes or feels it", false},
       {"contact_state", "-", "0 open, 1 stick, 2 slip", false},
@@ -100,6 +124,20 @@ const std::vector<QuantityInfo>& particle_fields() {
   return list;
 }
 
-const QuantityInfo* find_particle_field(std::string_view name) { return find(particle_fields(), name); }
+const QuantityInfo* find_particle_field(std::string_view name) {
+  struct Alias {
+    std::string_view dialect, name;
+  };
+  static constexpr Alias aliases[] = {
+      {"strainenergy", "strain_energy"}, {"plasticenergy", "plastic_energy"},    {"workenergy", "work_energy"},
+      {"heatenergy", "heat_energy"},     {"elementcrossings", "cell_crossings"}, {"rotstrain", "rotation"},
+      {"plasticstrain", "history"}};
+  for (const Alias& a : aliases)
+    if (same(name, a.dialect)) return find(particle_fields(), a.name);
+  // the dialect numbers the variables of a material, Tribo writes all by name
+  const bool numbered = name.size() > 7 && same(name.substr(0, 7), "history") &&
+                        name.find_first_not_of("0123456789", 7) == std::string_view::npos;
+  return find(particle_fields(), numbered ? name.substr(0, 7) : name);
+}
 
 }  // namespace tribo

@@ -19,11 +19,12 @@ struct QuantityInfo {
 
 /// Global quantities, by the dialect's names and Tribo's own.
 const std::vector<QuantityInfo>& global_quantities();
-/// The entry of this name in any case, or null.
+/// The entry of this name in any case, or of what the dialect calls it (`temp`, `sRR`), or null.
 const QuantityInfo* find_global_quantity(std::string_view name);
 
 /// Fields of the particle files.
 const std::vector<QuantityInfo>& particle_fields();
+/// The entry of this name in any case, or of what the dialect calls it (`strainenergy`, `history3`), or null.
 const QuantityInfo* find_particle_field(std::string_view name);
 
 }  // namespace tribo

@@ -1,12 +1,10 @@
 #include "run/results.hpp"
 
-#include "model/quantities.hpp"
+#include "run/particle_fields.hpp"
 
 #include <cctype>
 #include <cmath>
 #include <cstdio>
-#include <deque>
-#include <map>
 
 namespace tribo {
 namespace {
@@ -30,31 +28,6 @@ std::vector<std::string> energy_columns(bool heat) {
                                    "impulse_y", "impulse_z"};
   if (heat) columns.insert(columns.end(), {"heat", "heat_supplied", "contact_heat", "work_heat"});
   return columns;
-}
-
-// One value per particle of all bodies, put together for a file.
-class Gatherer {
- public:
-  explicit Gatherer(std::size_t count) : count_(count) {}
-  std::vector<double>& array() { return arrays_.emplace_back(count_, 0.0); }
-  std::vector<std::int64_t>& integers() { return integers_.emplace_back(count_, 0); }
-
- private:
-  std::size_t count_;
-  std::deque<std::vector<double>> arrays_;
-  std::deque<std::vector<std::int64_t>> integers_;
-};
-
-const std::vector<std::string>& standard_fields() {
-  static const std::vector<std::string> fields{
-      "id",           "material",      "velocity",         "displacement",   "stress",      "pressure", "von_mises",
-      "volume_ratio", "contact_state", "contact_traction", "contact_normal", "temperature", "history"};
-  return fields;
-}
-
-double von_mises(const Mat3& s) {
-  const Mat3 deviator = s - s.trace() / 3.0 * Mat3::Identity();
-  return std::sqrt(1.5 * deviator.squaredNorm());
 }
 
 }  // namespace
@@ -87,132 +60,10 @@ void Results<Dim>::write_particles(std::int64_t number) {
   std::vector<Body<Dim>*> bodies;
   for (auto* list : {&system_.bodies, &system_.rigids})
     for (auto& body : *list) bodies.push_back(&body);
-  std::size_t count = 0;
-  for (const auto* body : bodies) count += body->particles.size();
-
-  Gatherer gatherer(count);
-  std::vector<OutputField> fields;
-  // f(body, local index) for every particle
-  const auto each = [&](auto&& f) {
-    std::size_t at = 0;
-    for (auto* body : bodies)
-      for (std::size_t i = 0; i < body->particles.size(); ++i) f(*body, i, at++);
-  };
-  const auto scalar = [&](const std::string& name, auto&& f) {
-    auto& a = gatherer.array();
-    each([&](Body<Dim>& body, std::size_t i, std::size_t at) { a[at] = f(body, i); });
-    fields.push_back({name, {a.data()}, nullptr});
-  };
-  const auto vector = [&](const std::string& name, auto&& f) {
-    OutputField field{name, {}, nullptr};
-    std::array<std::vector<double>*, 3> a{};
-    for (auto& c : a) c = &gatherer.array(), field.components.push_back(c->data());
-    each([&](Body<Dim>& body, std::size_t i, std::size_t at) {
-      const Vec<Dim> value = f(body, i);
-      for (std::size_t d = 0; d < Dim; ++d) (*a[d])[at] = value[static_cast<Eigen::Index>(d)];
-    });
-    fields.push_back(field);
-  };
-  const auto stress_of = [](Body<Dim>& body, std::size_t i) {
-    return load_symmetric<Dim>(body.particles.stress(), static_cast<int>(i));
-  };
-
-  std::array<std::vector<double>*, 3> position{};
-  for (auto& c : position) c = &gatherer.array();
-  each([&](Body<Dim>& body, std::size_t i, std::size_t at) {
-    const Vec<Dim> x = body.particles.position(i);
-    for (std::size_t d = 0; d < Dim; ++d) (*position[d])[at] = x[static_cast<Eigen::Index>(d)];
-  });
-
-  const auto& wanted = model_.output.particle_fields.empty() ? standard_fields() : model_.output.particle_fields;
-  for (const auto& name : wanted) {
-    if (name == "id") {
-      auto& a = gatherer.integers();
-      each([&](Body<Dim>& body, std::size_t i, std::size_t at) { a[at] = body.particles.id[i]; });
-      fields.push_back({name, {}, a.data()});
-    } else if (name == "material") {
-      auto& a = gatherer.integers();
-      each([&](Body<Dim>& body, std::size_t, std::size_t at) { a[at] = body.material + 1; });
-      fields.push_back({name, {}, a.data()});
-    } else if (name == "velocity") {
-      vector(name, [](Body<Dim>& body, std::size_t i) { return body.particles.velocity(i); });
-    } else if (name == "displacement") {
-      vector(name, [](Body<Dim>& body, std::size_t i) -> Vec<Dim> {
-        const auto origin = body.particles.vector(*body.origin);
-        Vec<Dim> u = body.particles.position(i);
-        for (std::size_t d = 0; d < Dim; ++d) u[static_cast<Eigen::Index>(d)] -= origin[d][i];
-        return u;
-      });
-    } else if (name == "mass") {
-      scalar(name, [](Body<Dim>& body, std::size_t i) { return body.particles.mass()[i]; });
-    } else if (name == "volume") {
-      scalar(name, [](Body<Dim>& body, std::size_t i) { return body.particles.volume()[i]; });
-    } else if (name == "volume_ratio") {
-      scalar(name, [](Body<Dim>& body, std::size_t i) {
-        return body.particles.volume()[i] * body.law->density() / body.particles.mass()[i];
-      });
-    } else if (name == "pressure") {
-      scalar(name, [&](Body<Dim>& body, std::size_t i) { return -stress_of(body, i).trace() / 3.0; });
-    } else if (name == "von_mises") {
-      scalar(name, [&](Body<Dim>& body, std::size_t i) { return von_mises(stress_of(body, i)); });
-    } else if (name == "stress") {
-      OutputField field{name, {}, nullptr};
-      std::array<std::vector<double>*, 6> a{};
-      for (auto& c : a) c = &gatherer.array(), field.components.push_back(c->data());
-      each([&](Body<Dim>& body, std::size_t i, std::size_t at) {
-        const Mat3 s = stress_of(body, i);
-        for (std::size_t k = 0; k < 6; ++k) {
-          const auto [r, c] = Layout<3>::symmetric_at[k];
-          (*a[k])[at] = s(r, c);
-        }
-      });
-      fields.push_back(field);
-    } else if (name == "deformation_gradient") {
-      OutputField field{name, {}, nullptr};
-      std::array<std::vector<double>*, 9> a{};
-      for (auto& c : a) c = &gatherer.array(), field.components.push_back(c->data());
-      each([&](Body<Dim>& body, std::size_t i, std::size_t at) {
-        const Mat3 F = body.particles.has_deformation() ? load_full<Dim>(body.particles.F(), static_cast<int>(i))
-                                                        : Mat3(Mat3::Identity());
-        for (std::size_t k = 0; k < 9; ++k) (*a[k])[at] = F(static_cast<int>(k) / 3, static_cast<int>(k) % 3);
-      });
-      fields.push_back(field);
-    } else if (name == "temperature") {
-      if (!model_.heat.kept) continue;
-      scalar(name, [](Body<Dim>& body, std::size_t i) {
-        return body.temperature ? body.particles.column(*body.temperature)[i] : 0.0;
-      });
-    } else if (name == "contact_state") {
-      if (!model_.contact.active) continue;
-      scalar(name, [](Body<Dim>& body, std::size_t i) { return body.particles.column(*body.contact_view)[i]; });
-    } else if (name == "contact_traction" || name == "contact_normal") {
-      if (!model_.contact.active) continue;
-      const std::size_t first = name == "contact_normal" ? 1 + Dim : 1;
-      vector(name, [first](Body<Dim>& body, std::size_t i) -> Vec<Dim> {
-        Vec<Dim> out;
-        for (std::size_t d = 0; d < Dim; ++d)
-          out[static_cast<Eigen::Index>(d)] = body.particles.column(*body.contact_view + first + d)[i];
-        return out;
-      });
-    } else if (name == "history") {
-      // Variables of the same name in several materials share a field.
-      std::map<std::string, std::vector<double>*> known;
-      std::size_t offset = 0;
-      for (auto* body : bodies) {
-        const auto& variables = body->law->history();
-        for (std::size_t k = 0; k < variables.size(); ++k) {
-          auto& a = known[variables[k].name];
-          if (!a) a = &gatherer.array(), fields.push_back({variables[k].name, {a->data()}, nullptr});
-          std::copy_n(body->history_columns[k], body->particles.size(),
-                      a->begin() + static_cast<std::ptrdiff_t>(offset));
-        }
-        offset += body->particles.size();
-      }
-    }
-  }
+  const auto& wanted = model_.output.particle_fields;
+  const ParticleFields<Dim> all(model_, bodies, wanted.empty() ? ParticleFields<Dim>::standard() : wanted);
   const std::string file = "particles/" + numbered("run", number, ".vtp");
-  tribo::write_particles(folder_ / file, count, {position[0]->data(), position[1]->data(), position[2]->data()}, fields,
-                         system_.time);
+  tribo::write_particles(folder_ / file, all.count(), all.positions(), all.fields(), system_.time);
   particles_.add(system_.time, file);
   if (!model_.output.grid_fields.empty()) write_grid(number);
 }
@@ -230,9 +81,8 @@ void Results<Dim>::write_grid(std::int64_t number) {
     nodes[d] = model_.grid.cells[d] + 1;
     count *= static_cast<std::size_t>(nodes[d]);
   }
-  Gatherer gatherer(count);
-  auto& mass = gatherer.array();
-  std::array<std::vector<double>*, 3> velocity{&gatherer.array(), &gatherer.array(), &gatherer.array()};
+  std::vector<double> mass(count, 0.0);
+  std::array<std::vector<double>, 3> velocity{mass, mass, mass};
   std::size_t at = 0;
   for (int k = 0; k < nodes[2]; ++k)
     for (int j = 0; j < nodes[1]; ++j)
@@ -245,13 +95,13 @@ void Results<Dim>::write_grid(std::int64_t number) {
         const Node& node = field.nodes[static_cast<std::size_t>(position)];
         mass[at] = node.mass;
         if (node.mass > 0)
-          for (std::size_t d = 0; d < Dim; ++d) (*velocity[d])[at] = node.velocity[d];
+          for (std::size_t d = 0; d < Dim; ++d) velocity[d][at] = node.velocity[d];
       }
   std::vector<OutputField> fields;
   for (const auto& name : model_.output.grid_fields) {
     if (name == "mass") fields.push_back({name, {mass.data()}, nullptr});
     if (name == "velocity")
-      fields.push_back({name, {velocity[0]->data(), velocity[1]->data(), velocity[2]->data()}, nullptr});
+      fields.push_back({name, {velocity[0].data(), velocity[1].data(), velocity[2].data()}, nullptr});
   }
   const std::string file = "grid/" + numbered("run", number, ".vti");
   tribo::write_grid(folder_ / file, origin, spacing, nodes, fields, system_.time);
@@ -276,9 +126,10 @@ Ledgers Results<Dim>::ledgers(const Measures& all) const {
 
 template <int Dim>
 void Results<Dim>::write_history(double dt) {
-  const Measures all = measure(system_);
+  const bool strain = model_.output.wants_strain();
+  const Measures all = measure(system_, strain);
   std::vector<Measures> bodies;
-  for (auto& body : system_.bodies) bodies.push_back(measure(body));
+  for (auto& body : system_.bodies) bodies.push_back(measure(body, strain));
   const Ledgers l = ledgers(all);
 
   std::vector<double> row{system_.time};
@@ -326,14 +177,7 @@ double Results<Dim>::quantity(const HistoryQuantity& q, const Measures& all, con
   if (const int d = axis("disp"); d >= 0) return m->displacement[d];
   if (const int d = axis("pos"); d >= 0) return m->centre[d];
   if (const int d = axis("lp"); d >= 0) return m->angular_momentum[d];
-  if (const int d = axis("reaction"); d >= 0) {
-    Vec3 sum = q.condition_id == 0 ? stepper_.rigid_reaction() : Vec3(Vec3::Zero());
-    for (std::size_t f = 0; f < system_.fields.size(); ++f)
-      for (std::size_t c = 0; c < model_.node_conditions.size(); ++c)
-        if (q.condition_id == 0 || model_.node_conditions[c].id == q.condition_id)
-          sum += stepper_.conditions(f).reactions()[c];
-    return sum[d];
-  }
+  if (const int d = axis("reaction"); d >= 0) return reaction(q)[d];
   if (const int d = axis("contact"); d >= 0) return contact_of(q).force[d];
   if (name == "friction work") return contact_of(q).friction;
   if (name == "impact work") return contact_of(q).impact;
@@ -345,11 +189,13 @@ double Results<Dim>::quantity(const HistoryQuantity& q, const Measures& all, con
   if (name == "contact heat") return stepper_.heat().from_contact;
   if (name == "work heat") return m->work_heat;
   if (const int d = axis("p"); d >= 0) return m->momentum[d];
+  if (name.size() == 3 && name[0] == 'e') return m->strain(name[1] - 'x', name[2] - 'x');
   if (name.size() == 3 && name[0] == 's') return m->stress(name[1] - 'x', name[2] - 'x');
   if (name == "pressure") return -m->stress.trace() / 3.0;
   if (name == "kinetic energy") return m->kinetic;
   if (name == "strain energy") return m->stored;
   if (name == "plastic energy") return m->dissipated;
+  if (name == "internal energy") return m->stored + m->heat;
   if (name == "potential energy") return ledgers.potential;
   if (name == "external work") return ledgers.external_work;
   if (name == "boundary work") return ledgers.boundary_work;
@@ -362,6 +208,25 @@ double Results<Dim>::quantity(const HistoryQuantity& q, const Measures& all, con
   if (name == "step number") return static_cast<double>(system_.step);
   if (name == "time step") return dt;
   throw std::logic_error("no such quantity: " + q.name);
+}
+
+// Force on the material: of a rigid body, of the conditions or the symmetry plane with an id, or of all but the planes.
+template <int Dim>
+Vec3 Results<Dim>::reaction(const HistoryQuantity& q) const {
+  Vec3 sum = Vec3::Zero();
+  const auto& rigid = stepper_.rigid_reactions();
+  for (std::size_t r = 0; r < rigid.size(); ++r)
+    if (q.material >= 0 ? system_.rigids[r].material == q.material : q.condition_id == 0) sum += rigid[r];
+  if (q.material >= 0) return sum;
+  for (std::size_t f = 0; f < system_.fields.size(); ++f) {
+    const auto& conditions = stepper_.conditions(f);
+    for (std::size_t c = 0; c < model_.node_conditions.size(); ++c)
+      if (q.condition_id == 0 || model_.node_conditions[c].id == q.condition_id) sum += conditions.reactions()[c];
+    for (int axis = 0; axis < Dim; ++axis)
+      for (int side = 0; side < 2; ++side)
+        if (q.condition_id == symmetry_plane_id(axis, side)) sum[axis] += conditions.plane_reaction(axis, side);
+  }
+  return sum;
 }
 
 // Sum over the pairs that a quantity asks for; force on its material, or on the first of each pair.

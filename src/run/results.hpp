@@ -36,6 +36,7 @@ class Results {
  private:
   double quantity(const HistoryQuantity& q, const Measures& all, const std::vector<Measures>& bodies,
                   const Ledgers& ledgers, double dt) const;
+  Vec3 reaction(const HistoryQuantity& q) const;
   PairLedger contact_of(const HistoryQuantity& q) const;
   Ledgers ledgers(const Measures& all) const;
   void write_grid(std::int64_t number);

@@ -76,8 +76,7 @@ class Simulation {
       archive_.set_count(state.archive), history_.set_count(state.history), checkpoints_.set_count(state.checkpoint);
     }
     // Where the model came from, for 'tribo resume'
-    if (!resume_time)
-      write_atomically(options_.folder / "model.path", std::filesystem::absolute(model_.file).string() + "\n");
+    if (!resume_time) write_atomically(options_.folder / "model.path", source_of_model());
     Results<Dim> results(model_, system_, stepper_, options_.folder, resume_time);
     results.initial_energy = state.initial_energy;
     Provenance provenance(options_.folder / "provenance.json", options_.command_line, model_.file, threads(), facts());
@@ -279,6 +278,16 @@ class Simulation {
     };
     follow(d.grid, d.grid_gain, stepper_.grid_damping, stepper_.grid_feedback);
     follow(d.particle, d.particle_gain, stepper_.particle_damping, stepper_.particle_feedback);
+  }
+
+  // The command file, and line by line what was set in it.
+  std::string source_of_model() const {
+    std::string out = std::filesystem::absolute(model_.file).string() + "\n";
+    for (const auto& [name, value] : model_.settings) {
+      out += name;
+      out += "=" + value + "\n";
+    }
+    return out;
   }
 
   double kinetic_energy() { return measure(system_).kinetic; }

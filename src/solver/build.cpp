@@ -52,6 +52,10 @@ void add_optional_columns(Body<Dim>& body, const Model& model, bool starts_defor
     body.load = particles.add_vector("load", Dimension::force);
   body.origin = particles.add_vector("origin", Dimension::length);
   if (model.heat.kept && !body.law->rigid()) keep_temperature(model, body);
+  if (model.output.has_field("cell_crossings") && !body.law->rigid()) {
+    body.crossings = particles.add("cell_crossings", Dimension::none);
+    particles.add("cell", Dimension::none, -1.0);
+  }
   if (scheme.b_bar && !body.law->rigid()) body.volumetric = particles.add("volumetric", Dimension::none);
   const ContactSpec& contact = model.contact;
   if (!contact.active) return;
@@ -112,8 +116,8 @@ template <int Dim>
 Body<Dim> make_body(const Model& model, int material, const std::vector<const Seed*>& seeds, std::int64_t first_id,
                     const Transfers<Dim>& transfers) {
   const MaterialSpec& spec = model.materials[static_cast<std::size_t>(material)];
-  const bool keep_deformation =
-      spec.law->needs_deformation() || model.scheme.kernel == Kernel::cpdi || model.contact.active;
+  const bool keep_deformation = spec.law->needs_deformation() || model.scheme.kernel == Kernel::cpdi ||
+                                model.contact.active || model.output.wants_deformation();
   Body<Dim> body(seeds.size(), keep_deformation, transfers.shift(), transfers.colours_per_axis());
   body.name = spec.name;
   body.law = spec.law;

@@ -27,6 +27,7 @@ Conditions<Dim>::Conditions(const Model& model, const Lattice<Dim>& lattice)
     if (model.grid.periodic[k]) planes_.push_back({axis, Lattice<Dim>::padding, model.grid.cells[k], Edge::period});
   }
 
+  plane_reactions_.assign(planes_.size(), 0.0);
   // Conditions on the same node in the same direction add.
   std::map<std::pair<std::int64_t, std::array<double, 3>>, std::size_t> known;
   for (std::size_t c = 0; c < model.node_conditions.size(); ++c) {
@@ -64,7 +65,7 @@ void Conditions<Dim>::locate(const BlockMap<Dim>& map) {
     for (std::int64_t at = 0; at < map.node_count(); ++at) {
       const auto node = map.node_at(at);
       if (plane.kind == Edge::symmetry && node[axis] == plane.node)
-        mirror_nodes_[axis].push_back(at), share_[static_cast<std::size_t>(at)] *= 0.5;
+        mirror_nodes_[axis].push_back({at, p}), share_[static_cast<std::size_t>(at)] *= 0.5;
       const auto ghost = ghost_of(plane, at, node, map);
       if (ghost && ghost->plane >= 0 && ghost->inside >= 0) ghosts_[p].push_back(*ghost);
     }
@@ -126,8 +127,8 @@ void Conditions<Dim>::fold(NodeLayer& nodes, Fold what) const {
     }
     // Nodes on planes are their own mirror images, after all ghosts of their axis have come home.
     if (p + 1 < planes_.size() && planes_[p + 1].axis == plane.axis) continue;
-    for (const auto at : mirror_nodes_[plane.axis]) {
-      Node& node = nodes[static_cast<std::size_t>(at)];
+    for (const OnPlane& on : mirror_nodes_[plane.axis]) {
+      Node& node = nodes[static_cast<std::size_t>(on.node)];
       add(node, part(node));
       if (what != Fold::scalars) node.velocity[plane.axis] = node.acceleration[plane.axis] = 0.0;
     }
@@ -135,10 +136,31 @@ void Conditions<Dim>::fold(NodeLayer& nodes, Fold what) const {
 }
 
 template <int Dim>
-void Conditions<Dim>::stay_on_planes(NodeLayer& nodes) const {
+void Conditions<Dim>::count_plane_forces(const NodeLayer& nodes) {
+  // Inside, a node gets the difference of its own force and the ghost's; a node on the plane keeps nothing.
+  for (std::size_t p = 0; p < planes_.size(); ++p)
+    if (planes_[p].kind == Edge::symmetry)
+      for (const Ghost& g : ghosts_[p])
+        plane_reactions_[p] -= 2 * nodes[static_cast<std::size_t>(g.ghost)].acceleration[planes_[p].axis];
   for (int axis = 0; axis < Dim; ++axis)
-    for (const auto at : mirror_nodes_[axis]) {
-      Node& node = nodes[static_cast<std::size_t>(at)];
+    for (const OnPlane& on : mirror_nodes_[axis])
+      plane_reactions_[on.plane] -= nodes[static_cast<std::size_t>(on.node)].acceleration[axis];
+}
+
+template <int Dim>
+double Conditions<Dim>::plane_reaction(int axis, int side) const {
+  for (std::size_t p = 0; p < planes_.size(); ++p)
+    if (planes_[p].kind == Edge::symmetry && planes_[p].axis == axis && planes_[p].inward == 1 - 2 * side)
+      return plane_reactions_[p];
+  return 0.0;
+}
+
+template <int Dim>
+void Conditions<Dim>::stay_on_planes(NodeLayer& nodes) {
+  for (int axis = 0; axis < Dim; ++axis)
+    for (const OnPlane& on : mirror_nodes_[axis]) {
+      Node& node = nodes[static_cast<std::size_t>(on.node)];
+      plane_reactions_[on.plane] -= share(on.node) * node.mass * node.acceleration[axis];
       node.velocity[axis] = node.acceleration[axis] = 0.0;
     }
 }

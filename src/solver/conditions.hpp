@@ -4,6 +4,7 @@
 #include "grid/nodes.hpp"
 #include "model/model.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -33,8 +34,11 @@ class Conditions {
   /// Steffen, Kirby & Berzins (2008); exact for linear fields. On a periodic axis the nodes from the lowest to the last
   /// but one stand for all that are a whole number of periods away.
   void fold(NodeLayer& nodes, Fold what = Fold::everything) const;
+  /// Adds what goes through the symmetry planes to their reactions; call with the forces that fold() is about to bring
+  /// inside.
+  void count_plane_forces(const NodeLayer& nodes);
   /// Takes what forces on nodes, as gravity, put across the symmetry planes out of velocities and accelerations there.
-  void stay_on_planes(NodeLayer& nodes) const;
+  void stay_on_planes(NodeLayer& nodes);
   /// Whether fold() brings this node's values inside.
   bool folds(const Index<Dim>& node) const;
   /// What a node counts in sums over nodes: nodes on symmetry planes carry their mirror images, too.
@@ -53,6 +57,9 @@ class Conditions {
   /// Removes the constrained components from filter increments.
   void release(NodeLayer& nodes) const;
 
+  /// Force of the symmetry plane at the low (0) or high (1) end of an axis on the material since begin_step() [force].
+  double plane_reaction(int axis, int side) const;
+  void begin_step() { std::fill(plane_reactions_.begin(), plane_reactions_.end(), 0.0); }
   /// Reaction force of the last step by condition [force], and work done on the material so far [energy].
   const std::vector<Vec3>& reactions() const { return reactions_; }
   double work() const { return work_; }
@@ -72,6 +79,10 @@ class Conditions {
   struct Ghost {
     std::int64_t ghost, plane, inside;
     int depth;
+  };
+  struct OnPlane {
+    std::int64_t node;
+    std::size_t plane;
   };
   // A node with the conditions on it that share a direction.
   struct Chosen {
@@ -93,9 +104,10 @@ class Conditions {
   std::vector<Plane> planes_;
   std::vector<Chosen> chosen_;
   std::vector<Located> located_;
-  std::vector<std::vector<Ghost>> ghosts_;     ///< per plane
-  std::vector<std::int64_t> mirror_nodes_[3];  ///< nodes on symmetry planes, by axis
-  std::vector<double> share_;                  ///< empty without symmetry planes
+  std::vector<std::vector<Ghost>> ghosts_;  ///< per plane
+  std::vector<OnPlane> mirror_nodes_[3];    ///< nodes on symmetry planes, by axis
+  std::vector<double> share_;               ///< empty without symmetry planes
+  std::vector<double> plane_reactions_;     ///< per plane
   std::vector<Vec3> reactions_;
   double work_ = 0.0;
   Vec3 impulse_ = Vec3::Zero();

@@ -152,7 +152,7 @@ void Stepper<Dim>::move_rigid(double dt) {
 
 template <int Dim>
 void Stepper<Dim>::impose_rigid(double dt, bool update, bool after_impose) {
-  rigid_reaction_.setZero();
+  rigid_reactions_.assign(system_.rigids.size(), Vec3::Zero());
   for (std::size_t r = 0; r < system_.rigids.size(); ++r)
     for (std::size_t f = 0; f < system_.fields.size(); ++f) impose_rigid(f, r, dt, update, after_impose);
 }
@@ -178,7 +178,7 @@ void Stepper<Dim>::impose_rigid(std::size_t f, std::size_t r, double dt, bool up
       const double correction = (change + (after_impose ? rigid.acceleration[d] : 0.0)) / dt;
       node.acceleration[d] += correction;
       const double force = conditions_[f].share(static_cast<std::int64_t>(n)) * node.mass * correction;
-      rigid_reaction_[d] += force;
+      rigid_reactions_[r][d] += force;
       ledger_.impulse[d] += dt * force;
       ledger_.rigid_work += dt * force * (wanted - 0.5 * dt * node.acceleration[d]);
     }

@@ -1,6 +1,7 @@
 #include "solver/measures.hpp"
 
 #include "base/parallel.hpp"
+#include "base/strain.hpp"
 #include "solver/motion.hpp"
 
 #include <algorithm>
@@ -15,7 +16,7 @@ void add(Measures& to, const Measures& from) {
   to.centre += from.centre, to.displacement += from.displacement;
   to.kinetic += from.kinetic, to.stored += from.stored, to.dissipated += from.dissipated;
   to.heat += from.heat, to.work_heat += from.work_heat, to.temperature += from.temperature;
-  to.stress += from.stress, to.deformation += from.deformation;
+  to.stress += from.stress, to.deformation += from.deformation, to.strain += from.strain;
   to.largest_speed = std::max(to.largest_speed, from.largest_speed);
   to.largest_wave_speed = std::max(to.largest_wave_speed, from.largest_wave_speed);
   to.least_volume_ratio = std::min(to.least_volume_ratio, from.least_volume_ratio);
@@ -25,7 +26,7 @@ void add(Measures& to, const Measures& from) {
 void average(Measures& m) {
   if (m.mass > 0) m.centre /= m.mass, m.displacement /= m.mass;
   if (m.temperature > 0) m.temperature = m.heat / m.temperature;  // until here the sum of the heat capacities
-  if (m.volume > 0) m.stress /= m.volume, m.deformation /= m.volume;
+  if (m.volume > 0) m.stress /= m.volume, m.deformation /= m.volume, m.strain /= m.volume;
 }
 
 // Mass times the angular velocity part of the affine velocity: L = sum_p m eps : C D (Jiang et al., JCP 338 (2017)
@@ -40,7 +41,7 @@ Vec3 affine_spin(const Body<Dim>& body, std::size_t i) {
 }
 
 template <int Dim>
-Measures measure_range(Body<Dim>& body, std::uint32_t first, int count) {
+Measures measure_range(Body<Dim>& body, std::uint32_t first, int count, bool strain) {
   Measures m;
   auto& particles = body.particles;
   const auto x = particles.x(), v = particles.v(), origin = particles.vector(*body.origin);
@@ -69,10 +70,10 @@ Measures measure_range(Body<Dim>& body, std::uint32_t first, int count) {
     m.kinetic += 0.5 * mass * velocity.squaredNorm();
     m.stress += volume * load_symmetric<Dim>(stress, static_cast<int>(i));
     if (F[0]) m.deformation += volume * load_full<Dim>(F, static_cast<int>(i));
+    if (F[0] && strain) m.strain += volume * biot_strain(load_full<Dim>(F, static_cast<int>(i)));
     m.largest_speed = std::max(m.largest_speed, velocity.cwiseAbs().maxCoeff());
     m.least_volume_ratio = std::min(m.least_volume_ratio, volume * density / mass);
-    if (const int k = body.law->dissipation_index(); k >= 0)
-      m.dissipated += body.history_columns[static_cast<std::size_t>(k)][i] * mass / density;
+    m.dissipated += dissipated_energy(body, i);
   }
   std::array<double*, 64> history{};
   const auto points = points_of(body, first, count, history);
@@ -82,14 +83,14 @@ Measures measure_range(Body<Dim>& body, std::uint32_t first, int count) {
 }
 
 template <int Dim>
-Measures sum(Body<Dim>& body) {
+Measures sum(Body<Dim>& body, bool strain) {
   static constexpr std::size_t piece = 4096;
   const std::size_t n = body.particles.size();
   std::vector<Measures> parts((n + piece - 1) / piece);
   parallel_for(static_cast<std::ptrdiff_t>(parts.size()), [&](std::ptrdiff_t k) {
     const std::size_t first = static_cast<std::size_t>(k) * piece;
     parts[static_cast<std::size_t>(k)] =
-        measure_range(body, static_cast<std::uint32_t>(first), static_cast<int>(std::min(piece, n - first)));
+        measure_range(body, static_cast<std::uint32_t>(first), static_cast<int>(std::min(piece, n - first)), strain);
   });
   Measures all;
   all.least_volume_ratio = 1e300;
@@ -100,24 +101,42 @@ Measures sum(Body<Dim>& body) {
 }  // namespace
 
 template <int Dim>
-Measures measure(Body<Dim>& body) {
-  Measures m = sum(body);
+double stored_energy(Body<Dim>& body, std::size_t particle) {
+  std::array<double*, 64> history{};
+  return body.law->stored_energy(points_of(body, static_cast<std::uint32_t>(particle), 1, history));
+}
+
+template <int Dim>
+double dissipated_energy(Body<Dim>& body, std::size_t particle) {
+  const int k = body.law->dissipation_index();
+  if (k < 0) return 0.0;
+  return body.history_columns[static_cast<std::size_t>(k)][particle] * body.particles.mass()[particle] /
+         body.law->density();
+}
+
+template <int Dim>
+Measures measure(Body<Dim>& body, bool strain) {
+  Measures m = sum(body, strain);
   average(m);
   return m;
 }
 
 template <int Dim>
-Measures measure(System<Dim>& system) {
+Measures measure(System<Dim>& system, bool strain) {
   Measures all;
   all.least_volume_ratio = 1e300;
-  for (auto& body : system.bodies) add(all, sum(body));
+  for (auto& body : system.bodies) add(all, sum(body, strain));
   average(all);
   return all;
 }
 
-template Measures measure<2>(Body<2>&);
-template Measures measure<3>(Body<3>&);
-template Measures measure<2>(System<2>&);
-template Measures measure<3>(System<3>&);
+template Measures measure<2>(Body<2>&, bool);
+template Measures measure<3>(Body<3>&, bool);
+template Measures measure<2>(System<2>&, bool);
+template Measures measure<3>(System<3>&, bool);
+template double stored_energy<2>(Body<2>&, std::size_t);
+template double stored_energy<3>(Body<3>&, std::size_t);
+template double dissipated_energy<2>(Body<2>&, std::size_t);
+template double dissipated_energy<3>(Body<3>&, std::size_t);
 
 }  // namespace tribo

@@ -21,15 +21,22 @@ struct Measures {
   double temperature = 0.0;              ///< mean, weighted by heat capacity
   Mat3 stress = Mat3::Zero();            ///< volume average                                     [stress]
   Mat3 deformation = Mat3::Zero();       ///< volume average of F, zero if not kept
+  Mat3 strain = Mat3::Zero();            ///< volume average of the Biot strain, if asked for and F is kept
   double largest_speed = 0.0;            ///< of a component                                     [velocity]
   double largest_wave_speed = 0.0;       ///< in the present state                               [velocity]
   double least_volume_ratio = 0.0;       ///< of V / V0
 };
 
 template <int Dim>
-Measures measure(Body<Dim>& body);
+Measures measure(Body<Dim>& body, bool strain = false);
 /// Sum over bodies; means weighted by mass or volume.
 template <int Dim>
-Measures measure(System<Dim>& system);
+Measures measure(System<Dim>& system, bool strain = false);
+
+/// Of one particle [energy].
+template <int Dim>
+double stored_energy(Body<Dim>& body, std::size_t particle);
+template <int Dim>
+double dissipated_energy(Body<Dim>& body, std::size_t particle);
 
 }  // namespace tribo

@@ -1,6 +1,7 @@
 #include "solver/step.hpp"
 
 #include "base/parallel.hpp"
+#include "solver/crossings.hpp"
 #include "solver/loaded.hpp"
 #include "solver/loops.hpp"
 #include "solver/periodic.hpp"
@@ -22,6 +23,7 @@ void Stepper<Dim>::advance(double dt) {
   remember_domains();
   clear();
   apply_loads(dt);
+  for (auto& conditions : conditions_) conditions.begin_step();
   follow_rigid(dt);
   if (order == UpdateOrder::usl) {
     scatter(Scatter::momentum_and_force);
@@ -181,6 +183,7 @@ template <int Dim>
 void Stepper<Dim>::divide_by_mass() {
   for (std::size_t f = 0; f < system_.fields.size(); ++f) {
     auto& nodes = system_.fields[f].nodes;
+    conditions_[f].count_plane_forces(nodes);
     conditions_[f].fold(nodes);
     each_node(nodes, [](Node& node) {
       if (!(node.mass > 0)) return;
@@ -203,8 +206,10 @@ void Stepper<Dim>::accelerate(double dt, Known known) {
     const bool free = !system_.fields[f].rigid_contact;
     const Vec3 gravity = free ? model_.body_force.gravity : Vec3(Vec3::Zero());
     const double damping = free ? grid_damping : 0.0;
-    if (known != Known::velocity_and_folded_force)
+    if (known != Known::velocity_and_folded_force) {
+      conditions_[f].count_plane_forces(nodes);
       conditions_[f].fold(nodes, from_momentum ? Fold::everything : Fold::forces);
+    }
     each_node(nodes, [&](Node& node) {
       if (!(node.mass > 0)) return;
       const double inverse = 1.0 / node.mass;
@@ -345,6 +350,7 @@ void Stepper<Dim>::move(double dt, double strain_dt) {
     if (!result.valid) stop_at_bad_particle();
   }
   move_rigid(dt);
+  for (auto& body : system_.bodies) count_crossings(body, system_.lattice);
   system_.drift += std::max(travel, rigid_travel_);
   contact_.moved(std::max(travel, rigid_travel_));
 }

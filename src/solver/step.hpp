@@ -26,8 +26,8 @@ class Stepper {
   void advance(double dt);
 
   Conditions<Dim>& conditions(std::size_t field) { return conditions_[field]; }
-  /// Force of rigid particles on the material in the last step [force].
-  const Vec3& rigid_reaction() const { return rigid_reaction_; }
+  /// Force of the rigid bodies, in their order, on the material in the last step [force].
+  const std::vector<Vec3>& rigid_reactions() const { return rigid_reactions_; }
   Ledger& ledger() { return ledger_; }
   const Transfers<Dim>& transfers() const { return *transfers_; }
   Contact<Dim>& contact() { return contact_; }
@@ -91,8 +91,8 @@ class Stepper {
   HeatConduction<Dim> heat_;
   BBar<Dim> b_bar_;
   Ledger ledger_;
-  bool filtering_ = false;  ///< XPIC or FMPM acts in this step
-  Vec3 rigid_reaction_ = Vec3::Zero();
+  bool filtering_ = false;             ///< XPIC or FMPM acts in this step
+  std::vector<Vec3> rigid_reactions_;  ///< by rigid body
   double rigid_travel_ = 0.0;
   struct Push {
     std::size_t field;

@@ -58,6 +58,7 @@ struct Body {
   std::optional<std::size_t> contact_view;    ///< for output: columns state, traction, normal
   std::optional<std::size_t> temperature;     ///< with conduction followed by its gradient, and its detail
   std::optional<std::size_t> heated;          ///< dissipated work per initial volume that is heat already
+  std::optional<std::size_t> crossings;       ///< for output: how often it changed its cell, and the cell it is in
   std::optional<std::size_t> volumetric;      ///< B-bar: rate of volume change or stress while it is averaged
   double heat_capacity = 0.0;                 ///< [energy/(mass temperature)]
   double conductivity = 0.0;                  ///< [power/(length temperature)]

@@ -1,0 +1,127 @@
+#include "input/script/document.hpp"
+
+#include "base/error.hpp"
+
+#include <array>
+
+namespace tribo::script {
+namespace {
+
+constexpr char reference = '\x01';  // marks text that is an id until the end
+
+// Order of the sections in a file.
+constexpr std::array order{"Header",  "MPMHeader",   "Mesh",    "MaterialPoints", "CrackList",  "Material",
+                           "GridBCs", "ParticleBCs", "Thermal", "Gravity",        "CustomTasks"};
+
+Statement statement(const std::string& name, const Origin& origin, const std::string& text = {}) {
+  Statement s;
+  s.name = name, s.origin = s.text_origin = origin, s.text = text;
+  return s;
+}
+
+}  // namespace
+
+Statement& Document::section(const std::string& name, const Origin& origin) {
+  return sections_.try_emplace(name, statement(name, origin)).first->second;
+}
+
+Statement& Document::add(const std::string& to, const std::string& element, const Origin& origin,
+                         const std::string& text) {
+  auto& children = section(to, origin).children;
+  children.push_back(statement(element, origin, text));
+  return children.back();
+}
+
+Statement& Document::set(const std::string& to, const std::string& element, const Origin& origin,
+                         const std::string& text) {
+  for (auto& child : section(to, origin).children)
+    if (child.name == element) return child = statement(element, origin, text);
+  return add(to, element, origin, text);
+}
+
+Statement& Document::material(const std::string& id, const Origin& origin) {
+  materials_.push_back(statement("Material", origin));
+  if (!ids_.emplace(id, surrounding_ + materials_.size()).second)
+    throw InputError(origin, "there is a material '" + id + "' already");
+  return materials_.back();
+}
+
+void Document::refer(Statement& s, const std::string& name, const std::string& id, const Origin& origin) {
+  attribute(s, name, reference + id, origin);
+}
+
+void Document::refer_text(Statement& s, const std::string& id, const Origin& origin) {
+  s.text = reference + id, s.text_origin = origin;
+}
+
+std::string Document::number_of(const std::string& id, const Origin& origin, Problems& problems) const {
+  if (const auto found = ids_.find(id); found != ids_.end()) return std::to_string(found->second);
+  std::vector<std::string> known;
+  for (const auto& [name, n] : ids_) known.push_back(name);
+  problems.add(origin, "there is no material '" + id + "'" + did_you_mean(id, known) +
+                           (known.empty() ? "" : "; materials: " + join(known)));
+  return "1";
+}
+
+// In an XML file materials may be numbered in the order in which they are named, so names it is.
+void Document::resolve(Attribute& a, Problems& problems) const {
+  if (a.text.empty() || a.text[0] != reference) return;
+  const std::string id = a.text.substr(1), number = number_of(id, a.origin, problems);
+  a.text = number;
+  if (!inside_) return;
+  a.name = a.name == "law" ? "lawname" : "matname";
+  const auto k = static_cast<std::size_t>(std::stoul(number));
+  a.text = id;
+  if (k > surrounding_ && k <= surrounding_ + materials_.size())
+    if (const Attribute* name = materials_[k - surrounding_ - 1].attribute("Name")) a.text = name->text;
+}
+
+void Document::resolve(Statement& s, Problems& problems) const {
+  for (auto& a : s.attributes) resolve(a, problems);
+  if (!s.text.empty() && s.text[0] == reference) {
+    s.text = number_of(s.text.substr(1), s.text_origin, problems);
+    if (inside_)
+      problems.add(s.text_origin, "<" + s.name + "> takes a number, which <Commands> cannot know; write it in the XML");
+  }
+  for (auto& child : s.children) resolve(child, problems);
+}
+
+void Document::surround(const std::vector<std::string>& names) {
+  inside_ = true;
+  for (const auto& name : names) ids_.emplace(name, ++surrounding_);
+}
+
+std::vector<Statement> Document::finish_sections(bool legacy) {
+  std::vector<Statement> out;
+  if (!description_.empty()) set("Header", "Description", origin_, description_);
+  Problems problems;
+  for (auto& [name, section] : sections_) resolve(section, problems);
+  for (auto& m : materials_)
+    for (auto& child : m.children) resolve(child, problems);
+  problems.raise();
+  for (const char* name : order) {
+    if (name == std::string_view("Material"))
+      for (auto& m : materials_) out.push_back(std::move(m));
+    else if (const auto found = sections_.find(name); found != sections_.end())
+      out.push_back(std::move(found->second)), sections_.erase(found);
+  }
+  for (auto& [name, rest] : sections_) out.push_back(std::move(rest));
+  // Times of a legacy script are milliseconds.
+  if (!legacy) return out;
+  for (auto& section : out)
+    if (section.name == "MPMHeader")
+      for (auto& s : section.children)
+        for (const char* timed : {"TimeStep", "MaxTime", "ArchiveTime", "FirstArchiveTime", "GlobalArchiveTime"})
+          if (s.name == timed) attribute(s, "units", "ms", s.origin);
+  return out;
+}
+
+Statement Document::finish(bool legacy) {
+  Statement root = statement("JANFEAInput", origin_);
+  attribute(root, "version", "3", origin_);
+  section("Mesh", origin_), section("MPMHeader", origin_), section("MaterialPoints", origin_);
+  root.children = finish_sections(legacy);
+  return root;
+}
+
+}  // namespace tribo::script

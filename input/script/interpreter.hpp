@@ -1,0 +1,68 @@
+/// Runs a script: variables, choices, loops and subroutines; every other command goes to a receiver.
+#pragma once
+
+#include "input/script/program.hpp"
+
+#include <functional>
+#include <set>
+
+namespace tribo::script {
+
+/// A command as the receiver sees it.
+struct Command {
+  const Node& node;
+  const Variables& variables;
+
+  std::size_t size() const { return node.arguments.size(); }
+  const Origin& origin() const { return node.origin; }
+  /// Place of an argument; of the command if there is none.
+  const Origin& origin(std::size_t k) const { return k < size() ? node.arguments[k].origin : node.origin; }
+  bool given(std::size_t k) const { return k < size() && !node.arguments[k].text.empty(); }
+  /// An argument as it goes into the model; empty if there is none.
+  std::string text(std::size_t k) const { return given(k) ? argument(node.arguments[k], variables) : std::string(); }
+  /// An argument as a number; throws InputError if it is none.
+  double number(std::size_t k) const { return evaluate_number(node.arguments.at(k), variables); }
+};
+
+class Interpreter {
+ public:
+  using Receiver = std::function<void(const Command&)>;
+
+  Interpreter(const Program& program, Receiver receiver) : program_(program), receiver_(std::move(receiver)) {}
+
+  /// A variable whose first assignment in the script does not count: it has this value instead.
+  void fix(const std::string& name, Value value);
+  /// Runs to the end. Throws InputError with every problem found, or with the message of `Stop`.
+  void run();
+  /// What `Write` and `WriteLine` wrote.
+  const std::string& output() const { return output_; }
+
+ private:
+  enum class Flow { on, next_turn, leave_loop, leave_loops, leave_sub };
+
+  Flow block(const Block& body);
+  Flow node(const Node& n);
+  Flow choice(const Node& n);
+  Flow repeat(const Node& n);
+  void call(const Node& n);
+  void assign(const Node& n);
+  bool holds(const Branch& branch) const;
+  void command(const Node& n);
+  void pieces_of_text(const Node& n, bool words);
+  std::string joined(const Node& n) const;
+  void count(const Origin& origin);
+  void complain(const InputError& error);
+
+  const Program& program_;
+  Receiver receiver_;
+  Variables variables_;
+  std::set<std::string> fixed_;
+  std::string output_;
+  std::vector<std::string> stack_;  ///< where the present command was reached from, outermost first
+  std::set<std::string> known_;     ///< problems reported already: loops repeat them
+  std::vector<Problem> problems_;
+  long commands_ = 0;
+  int loops_ = 0;  ///< inside each other, in the present subroutine
+};
+
+}  // namespace tribo::script

@@ -1,0 +1,311 @@
+/// Materials, bodies, shapes and conditions.
+
+#include "base/schema.hpp"
+#include "contact/contact_law.hpp"
+#include "input/script/text_functions.hpp"
+#include "input/script/translator.hpp"
+#include "materials/material.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tribo::script {
+namespace {
+
+// A property as its law spells it; the scripted names are free in case, and some differ.
+std::string property_name(const Statement& material, const std::string& word) {
+  static const std::map<std::string, std::string> all{{"a", "alpha"},
+                                                      {"direction", "SetDirection"},
+                                                      {"settingfunction", "SettingFunction"},
+                                                      {"settingfunction2", "SettingFunction2"},
+                                                      {"settingfunction3", "SettingFunction3"},
+                                                      {"hardening", "Hardening"},
+                                                      {"ujoption", "UJOption"},
+                                                      {"largerotation", "largeRotation"},
+                                                      {"pdamping", "PDamping"},
+                                                      {"taylorquinney", "TaylorQuinney"},
+                                                      {"liquidphase", "LiquidPhase"},
+                                                      {"cv", "Cv"},
+                                                      {"kcond", "kCond"}};
+  if (const auto found = all.find(lower(word)); found != all.end()) return found->second;
+  const std::string type = material.attribute("Type") ? material.attribute("Type")->text : "";
+  const auto spelled = [&](const auto* law) -> std::string {
+    if (law)
+      for (const ParameterInfo& p : law->parameters)
+        for (const std::string& name : {p.name, p.alias})
+          if (!name.empty() && lower(name) == lower(word)) return name;
+    return {};
+  };
+  std::string name = spelled(materials().find(type));
+  if (name.empty()) name = spelled(contact_laws().find(type));
+  return name.empty() ? word : name;
+}
+
+// The scripted name of a type, where it is not a name that the catalogue knows.
+std::string type_name(const std::string& word) {
+  static const std::map<std::string, std::string> all{
+      {"transverse 1", "2"}, {"transverse 2", "3"}, {"mooney", "8"}, {"ideal gas", "22"}, {"tait liquid", "27"}};
+  const auto found = all.find(lower(word));
+  return found == all.end() ? word : found->second;
+}
+
+constexpr std::array box_edges{"xmin", "xmax", "ymin", "ymax", "zmin", "zmax"};
+constexpr std::array line_ends{"x1", "x2", "y1", "y2", "z1", "z2"};
+
+Statement element(const std::string& name, const Origin& origin, const std::string& text = {}) {
+  Statement s;
+  s.name = name, s.origin = s.text_origin = origin, s.text = text;
+  return s;
+}
+
+}  // namespace
+
+void Translator::material(const Command& c) {
+  open(Open::material, c);
+  Statement& m = document_.material(c.text(0), c.origin());
+  attribute(m, "Type", type_name(c.text(2)), c.origin(2));
+  attribute(m, "Name", c.text(1), c.origin(1));
+}
+
+void Translator::property(const Command& c) {
+  Statement& m = document_.materials().back();
+  const std::string word = lower(c.node.word);
+  const auto add = [&](Statement s) { m.children.push_back(std::move(s)); };
+  if (word == "contact") {
+    Statement s = element("Friction", c.origin());
+    Document::refer(s, "law", c.text(0), c.origin(0)), Document::refer(s, "mat", c.text(1), c.origin(1));
+    return add(std::move(s));
+  }
+  if (word == "sharematfield") {
+    Statement s = element("shareMatField", c.origin());
+    Document::refer_text(s, c.text(0), c.origin(0));
+    return add(std::move(s));
+  }
+  if (word == "color") return;  // of the peer's plots
+  std::string text;
+  for (std::size_t k = 0; k < c.size(); ++k) text += (k ? "," : "") + c.text(k);
+  Statement s = element(property_name(m, c.node.word), c.origin(), text);
+  s.text_origin = c.origin(0);
+  add(std::move(s));
+}
+
+void Translator::region(const Command& c) {
+  const bool solid = dimension(c) == 3;
+  open(Open::region, c);
+  block_ = element("Body", c.origin());
+  Document::refer(block_, "mat", c.text(0), c.origin(0));
+  const std::array names{"vx", "vy", solid ? "vz" : "thick"};
+  for (std::size_t k = 1; k < std::min<std::size_t>(4, c.size()); ++k)
+    if (c.given(k)) attribute(block_, names[k - 1], c.text(k), c.origin(k));
+  if (c.size() > 4 && c.size() % 2 != 0)
+    throw InputError(c.origin(), "after the velocity and thickness come pairs: a name and its value");
+  for (std::size_t k = 4; k + 1 < c.size(); k += 2) attribute(block_, c.text(k), c.text(k + 1), c.origin(k));
+}
+
+void Translator::hole(const Command& c) {
+  open(Open::hole, c);
+  block_ = element("Hole", c.origin());
+}
+
+void Translator::picture(const Command& c) {
+  open(Open::picture, c);
+  block_ = element("BMP", c.origin());
+  constexpr std::array names{"name", "width", "height"};
+  for (std::size_t k = 0; k < std::min<std::size_t>(3, c.size()); ++k)
+    if (c.given(k)) attribute(block_, names[k], c.text(k), c.origin(k));
+}
+
+void Translator::intensity(const Command& c) {
+  if (open_ != Open::picture) throw InputError(c.origin(), "'Intensity' belongs into 'BMPRegion ... EndRegion'");
+  Statement s = element("Intensity", c.origin());
+  Document::refer(s, "mat", c.text(0), c.origin(0));
+  attribute(s, "imin", c.text(1), c.origin(1)), attribute(s, "imax", c.text(2), c.origin(2));
+  for (std::size_t k = 3; k + 1 < c.size(); k += 2) attribute(s, c.text(k), c.text(k + 1), c.origin(k));
+  block_.children.push_back(std::move(s));
+}
+
+void Translator::picture_origin(const Command& c) {
+  if (open_ != Open::picture) throw InputError(c.origin(), "'Origin' belongs into 'BMPRegion ... EndRegion'");
+  Statement s = element("Origin", c.origin());
+  attribute(s, "x", c.text(0), c.origin(0)), attribute(s, "y", c.text(1), c.origin(1));
+  block_.children.push_back(std::move(s));
+}
+
+// x -> R (x - o) + o + t
+void Translator::transform(const Command& c) {
+  if (open_ != Open::region) throw InputError(c.origin(), "'Transform' belongs into 'Region ... EndRegion'");
+  if (c.size() > 5)
+    throw InputError(c.origin(5), "rotations about other axes than z are not read; use <Deform> in XMLData");
+  const double angle = c.number(0) * M_PI / 180, cosine = std::cos(angle), sine = std::sin(angle);
+  const double tx = c.number(1), ty = c.number(2), ox = c.number(3), oy = c.number(4);
+  const auto linear = [](double a, double b, double constant) {
+    return "(" + written(a) + ")*x+(" + written(b) + ")*y+(" + written(constant) + ")";
+  };
+  Statement s = element("Deform", c.origin());
+  attribute(s, "dX", linear(cosine - 1, -sine, tx - (cosine - 1) * ox + sine * oy), c.origin());
+  attribute(s, "dY", linear(sine, cosine - 1, ty - sine * ox - (cosine - 1) * oy), c.origin());
+  attribute(s, "F11", written(cosine), c.origin()), attribute(s, "F12", written(-sine), c.origin());
+  attribute(s, "F21", written(sine), c.origin()), attribute(s, "F22", written(cosine), c.origin());
+  block_.children.push_back(std::move(s));
+}
+
+void Translator::rotate(const Command& c) {
+  if (open_ != Open::region) throw InputError(c.origin(), "'Rotate' belongs into 'Region ... EndRegion'");
+  for (std::size_t k = 0; k + 1 < c.size(); k += 2) {
+    const std::string axis = lower(c.text(k));
+    if (axis != "x" && axis != "y" && axis != "z")
+      throw InputError(c.origin(k), "an axis is x, y or z, not '" + c.text(k) + "'");
+    Statement s = element(std::string("Rotate") + static_cast<char>(axis[0] - 'a' + 'A'), c.origin(k), c.text(k + 1));
+    s.text_origin = c.origin(k + 1);
+    block_.children.push_back(std::move(s));
+  }
+}
+
+void Translator::initial_velocity(const Command& c) {
+  if (open_ != Open::region) throw InputError(c.origin(), "'" + c.node.word + "' belongs into 'Region ... EndRegion'");
+  std::string name = lower(c.node.word);
+  name.back() = static_cast<char>(name.back() - 'a' + 'A');
+  block_.children.push_back(element(name, c.origin(0), c.text(0)));
+}
+
+// Where the next shape goes: among the shapes, or for cut-outs into the last shape, the last cut-out in it, ...
+Statement& Translator::place(const Command& c, int cuts) {
+  if (open_ != Open::region && open_ != Open::hole && open_ != Open::grid && open_ != Open::particles)
+    throw InputError(c.origin(),
+                     "'" + c.node.word + "' is a shape; it belongs into 'Region', 'Hole', 'GridBC' or 'ParticleBC'");
+  const bool selects = open_ == Open::grid || open_ == Open::particles;
+  if (selects && cuts == 0 && !block_.name.empty()) throw InputError(c.origin(), "there is a shape already");
+  if (static_cast<std::size_t>(cuts) > path_.size())
+    throw InputError(c.origin(), "'Cut' needs a shape to cut from before it");
+  if (selects && block_.name.empty()) block_ = element(open_ == Open::grid ? "BCShape" : "LdShape", c.origin());
+  path_.resize(static_cast<std::size_t>(cuts));
+  Statement* at = &block_;
+  for (const std::size_t k : path_) at = &at->children[k];
+  path_.push_back(at->children.size());
+  return *at;
+}
+
+void Translator::shape(const Command& c) {
+  std::string name = lower(c.node.word);
+  const bool solid = c.size() >= 6 && name != "arc" && (name != "line" || dimension(c) == 3);
+  if (name == "rect" && solid) name = "box";
+  if (name == "oval" && solid) name = "sphere";
+  static const std::map<std::string, std::string> names{
+      {"rect", "Rect"}, {"oval", "Oval"},     {"line", "Line"},         {"arc", "Arc"},
+      {"box", "Box"},   {"sphere", "Sphere"}, {"cylinder", "Cylinder"}, {"torus", "Torus"}};
+  Statement s = element(names.at(name), c.origin());
+  const bool selects = open_ == Open::grid || open_ == Open::particles;
+  const bool line = name == "line", arc = name == "arc";
+  const std::size_t edges = solid ? 6 : 4;
+  for (std::size_t k = 0; k < edges; ++k) attribute(s, line ? line_ends[k] : box_edges[k], c.text(k), c.origin(k));
+  std::vector<std::string> more;
+  if (line) more = {"tolerance"};
+  if (arc) more = {"start", "end", "tolerance"};
+  if (name == "cylinder" || name == "torus") more = {"axis", "radius"};
+  if (c.size() > edges + more.size())
+    throw InputError(c.origin(edges + more.size()), "'" + c.node.word + "' has nothing to do with this");
+  for (std::size_t k = edges; k < c.size(); ++k)
+    if (c.given(k)) attribute(s, more[k - edges], c.text(k), c.origin(k));
+  if (selects && (line || arc) && c.node.cuts == 0) {
+    if (!block_.name.empty()) throw InputError(c.origin(), "there is a shape already");
+    s.name = line ? "BCLine" : "BCArc";
+    block_ = std::move(s);
+    return;
+  }
+  place(c, c.node.cuts).children.push_back(std::move(s));
+}
+
+void Translator::polygon_point(const Command& c) {
+  if (c.size() == 0) return close_polygon();
+  if (c.size() != 2) throw InputError(c.origin(), "a point of a polygon is x, y");
+  if (!polygon_) {
+    Statement& to = place(c, c.node.cuts);
+    to.children.push_back(element("Polygon", c.origin()));
+    polygon_ = &to.children.back();
+  }
+  Statement point = element("pt", c.origin());
+  attribute(point, "x", c.text(0), c.origin(0)), attribute(point, "y", c.text(1), c.origin(1));
+  polygon_->children.push_back(std::move(point));
+}
+
+void Translator::conditions(const Command& c) {
+  open(lower(c.node.word) == "gridbc" ? Open::grid : Open::particles, c);
+}
+
+Statement& Translator::condition(const Command& c, const std::string& name) {
+  if (open_ != Open::grid && open_ != Open::particles)
+    throw InputError(c.origin(), "'" + c.node.word + "' belongs into 'GridBC' or 'ParticleBC'");
+  if (block_.name.empty())
+    throw InputError(c.origin(), "'" + c.node.word + "' needs a shape before it, where it holds");
+  block_.children.push_back(element(name, c.origin()));
+  Statement& s = block_.children.back();
+  if (!boundary_id_.empty() && open_ == Open::grid) attribute(s, "id", boundary_id_, c.origin());
+  return s;
+}
+
+std::string Translator::direction(const Command& c, std::size_t k, bool traction) {
+  static const std::map<std::string, std::string> all{{"x", "1"}, {"y", "2"}, {"z", "3"}, {"r", "1"},
+                                                      {"1", "1"}, {"2", "2"}, {"3", "3"}};
+  static const std::map<std::string, std::string> skewed{{"skewxy", "12"}, {"skewrz", "12"},   {"skewxz", "13"},
+                                                         {"skewyz", "23"}, {"skewxyz", "123"}, {"12", "12"},
+                                                         {"13", "13"},     {"23", "23"},       {"123", "123"}};
+  static const std::map<std::string, std::string> faces{{"normal", "11"}, {"shear", "12"}, {"11", "11"}, {"12", "12"}};
+  const std::string word = lower(c.text(k));
+  if (const auto found = all.find(word); found != all.end()) return found->second;
+  const auto& more = traction ? faces : skewed;
+  if (const auto found = more.find(word); found != more.end()) return found->second;
+  throw InputError(c.origin(k), "'" + c.text(k) + "' is no direction; valid: x, y, z, " +
+                                    (traction ? "normal, shear" : "skewxy, skewxz, skewyz, skewxyz"));
+}
+
+// style, value, time from argument k on.
+void Translator::style(Statement& s, const Command& c, std::size_t k, const char* value_name) {
+  const std::string word = lower(c.text(k));
+  attribute(s, "style", word, c.origin(k));
+  const bool function = word == "function" || word == "6";
+  if (c.given(k + 1)) attribute(s, function ? "function" : value_name, c.text(k + 1), c.origin(k + 1));
+  if (c.given(k + 2)) attribute(s, "time", c.text(k + 2), c.origin(k + 2));
+}
+
+void Translator::velocity(const Command& c) {
+  if (lower(c.text(1)) == "gradient") throw InputError(c.origin(1), "moving walls are not built; use a rigid material");
+  Statement& s = condition(c, "DisBC");
+  attribute(s, "dir", direction(c, 0, false), c.origin(0));
+  style(s, c, 1, "vel");
+  if (c.given(4)) attribute(s, "angle", c.text(4), c.origin(4));
+  if (c.given(5)) attribute(s, "angle2", c.text(5), c.origin(5));
+}
+
+void Translator::temperature(const Command& c) { style(condition(c, "TempBC"), c, 0, "value"); }
+
+void Translator::load(const Command& c) {
+  Statement& s = condition(c, "LoadBC");
+  attribute(s, "dir", direction(c, 0, false), c.origin(0));
+  style(s, c, 1, "load");
+}
+
+void Translator::load_type(const Command& c) {
+  const std::string word = lower(c.text(0));
+  if (word != "net" && word != "perparticle")
+    throw InputError(c.origin(0), "a load is 'net' or 'perParticle', not '" + c.text(0) + "'");
+  condition(c, word == "net" ? "net" : "perParticle");
+}
+
+void Translator::traction(const Command& c) {
+  Statement& s = condition(c, "TractionBC");
+  attribute(s, "dir", direction(c, 0, true), c.origin(0));
+  attribute(s, "face", c.text(1), c.origin(1));
+  style(s, c, 2, "stress");
+}
+
+void Translator::heat_flux(const Command& c) {
+  Statement& s = condition(c, "HeatFluxBC");
+  const std::string kind = lower(c.text(0));
+  attribute(s, "dir", kind == "external" ? "1" : c.text(0), c.origin(0));
+  attribute(s, "face", c.text(1), c.origin(1));
+  style(s, c, 2, "value");
+}
+
+void Translator::boundary_id(const Command& c) { boundary_id_ = c.given(0) ? c.text(0) : std::string(); }
+
+}  // namespace tribo::script

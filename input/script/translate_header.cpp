@@ -1,0 +1,330 @@
+/// How to solve, what to write, the grid, gravity, tasks.
+
+#include "base/schema.hpp"
+#include "input/script/text_functions.hpp"
+#include "input/script/translator.hpp"
+#include "input/xml.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tribo::script {
+namespace {
+
+// The code of a name, or an error that lists the names.
+std::string choice(const Command& c, std::size_t k, const std::vector<std::pair<std::string, std::string>>& all,
+                   const std::string& what) {
+  const std::string given = c.text(k), word = lower(given);
+  std::vector<std::string> names;
+  for (const auto& [name, code] : all) {
+    if (lower(name) == word || code == given) return code;
+    names.push_back(name);
+  }
+  throw InputError(c.origin(k),
+                   "'" + given + "' is no " + what + did_you_mean(given, names) + "; valid: " + join(names));
+}
+
+// Dialect elements whose names are those of the commands.
+std::string element_of(const std::string& command) {
+  static const std::map<std::string, std::string> all{{"maximumtime", "MaxTime"},
+                                                      {"globalarchivetime", "GlobalArchiveTime"},
+                                                      {"damping", "Damping"},
+                                                      {"pdamping", "PDamping"},
+                                                      {"feedbackdamping", "FeedbackDamping"},
+                                                      {"pfeedbackdamping", "PFeedbackDamping"},
+                                                      {"leavelimit", "LeaveLimit"},
+                                                      {"deletelimit", "DeleteLimit"},
+                                                      {"extrapolaterigid", "ExtrapolateRigid"},
+                                                      {"exacttractions", "ExactTractions"},
+                                                      {"cpdircrit", "CPDIrcrit"},
+                                                      {"stressfreetemp", "StressFreeTemp"}};
+  return all.at(lower(command));
+}
+
+// Counts of cells come from divisions.
+std::string count(const Command& c, std::size_t k) {
+  const double n = c.number(k), nearest = std::round(n);
+  if (!(std::abs(n - nearest) < 1e-6 * std::max(1.0, std::abs(n))) || !(std::abs(n) < 1e15))
+    throw InputError(c.origin(k), "a number of cells must be whole, not " + written(n) + "; int() makes it so");
+  return written(nearest);
+}
+
+}  // namespace
+
+void Translator::title(const Command& c) { document_.describe("Title: " + c.text(0)); }
+void Translator::user(const Command& c) { document_.describe("User Name: " + c.text(0)); }
+
+void Translator::comment(const Command& c) {
+  std::string text;
+  for (std::size_t k = 0; k < c.size(); ++k) text += (k ? "," : "") + c.text(k);
+  document_.describe("Comment: " + text);
+}
+
+void Translator::header(const Command& c) {
+  for (const Piece& line : c.node.lines) document_.describe(line.text);
+}
+
+void Translator::analysis(const Command& c) {
+  const std::string code = choice(
+      c, 0, {{"Plane Strain MPM", "10"}, {"Plane Stress MPM", "11"}, {"3D MPM", "12"}, {"Axisymmetric MPM", "13"}},
+      "analysis");
+  analysis_ = static_cast<int>(*to_number(code));
+  document_.set("Header", "Analysis", c.origin(0), code);
+}
+
+void Translator::units(const Command& c) {
+  consistent_ = true;
+  Statement& s = document_.set("Header", "ConsistentUnits", c.origin());
+  constexpr std::array names{"length", "mass", "time"};
+  for (std::size_t k = 0; k < c.size(); ++k) attribute(s, names[k], c.text(k), c.origin(k));
+  static const std::map<std::string, double> lengths{{"km", 1e3},  {"m", 1},     {"dm", 0.1},       {"cm", 1e-2},
+                                                     {"mm", 1e-3}, {"um", 1e-6}, {"microns", 1e-6}, {"nm", 1e-9}};
+  static const std::map<std::string, double> times{{"s", 1}, {"sec", 1}, {"ms", 1e-3}, {"msec", 1e-3}, {"us", 1e-6}};
+  const auto size = [](const auto& table, const std::string& word) {
+    const auto found = table.find(word);
+    return found == table.end() ? 0.0 : found->second;
+  };
+  length_in_m_ = size(lengths, c.text(0)), time_in_s_ = size(times, c.text(2));
+}
+
+void Translator::method(const Command& c) {
+  std::string update = c.text(0);
+  const bool minus = !update.empty() && update.back() == '-', plus = !update.empty() && update.back() == '+';
+  if (minus || plus) update.pop_back();
+  static const std::map<std::string, std::string> codes{{"usf", "0"}, {"usavg", "2"}, {"usl", "3"},
+                                                        {"0", "0"},   {"2", "2"},     {"3", "3"}};
+  const auto code = codes.find(lower(update));
+  if (code == codes.end())
+    throw InputError(c.origin(0),
+                     "'" + c.text(0) + "' is no update method; valid: USF, USAVG, USL, the last two with + or -");
+  document_.set("MPMHeader", "MPMMethod", c.origin(0), code->second);
+  if (minus) document_.set("MPMHeader", "SkipPostExtrapolation", c.origin(0));
+  const std::string shape = c.given(1) ? c.text(1) : "uGIMP";
+  Statement& s = document_.set("MPMHeader", "GIMP", c.origin(1));
+  static const std::map<std::string, std::string> shapes{
+      {"ugimp", "uGIMP"},     {"gimp", "uGIMP"},    {"cpdi", "lCPDI"},       {"lcpdi", "lCPDI"},
+      {"classic", "Classic"}, {"dirac", "Classic"}, {"b2spline", "B2SPLINE"}};
+  const auto found = shapes.find(lower(shape));
+  attribute(s, "type", found == shapes.end() ? shape : found->second, c.origin(1));
+}
+
+void Translator::time_step(const Command& c) {
+  document_.set("MPMHeader", "TimeStep", c.origin(0), c.text(0));
+  if (c.given(1)) document_.set("MPMHeader", "MaxTime", c.origin(1), c.text(1));
+  if (c.given(2)) document_.set("MPMHeader", "TimeFactor", c.origin(2), c.text(2));
+}
+
+void Translator::courant(const Command& c) {
+  document_.set("MPMHeader", "TimeFactor", c.origin(0), c.text(0));
+  if (c.given(1)) document_.set("MPMHeader", "TransTimeFactor", c.origin(1), c.text(1));
+}
+
+void Translator::archive_time(const Command& c) {
+  Statement& s = document_.set("MPMHeader", "ArchiveTime", c.origin(0), c.text(0));
+  if (c.given(2)) attribute(s, "maxProps", c.text(2), c.origin(2));
+  if (c.given(1)) document_.set("MPMHeader", "FirstArchiveTime", c.origin(1), c.text(1));
+}
+
+void Translator::archive(const Command& c) {
+  Statement& s = document_.set("MPMHeader", "ArchiveRoot", c.origin(0), c.text(0));
+  if (lower(c.node.word) == "archiveunique") attribute(s, "unique", "1", c.origin());
+}
+
+void Translator::global_archive(const Command& c) {
+  Statement& s = document_.add("MPMHeader", "GlobalArchive", c.origin());
+  attribute(s, "type", c.text(0), c.origin(0));
+  if (c.size() > 2)
+    throw InputError(c.origin(1), "histories of a point are not built; give the id of a material, or nothing");
+  if (!c.given(1)) return;
+  const std::string of = c.text(1);
+  if (const auto number = to_number(of); number && *number <= 0)
+    attribute(s, "material", of, c.origin(1));
+  else
+    Document::refer(s, "material", of, c.origin(1));
+}
+
+void Translator::to_archive(const Command& c) {
+  for (std::size_t k = 0; k < c.size(); ++k)
+    attribute(document_.add("MPMHeader", "MPMArchive", c.origin(k)), "result", c.text(k), c.origin(k));
+}
+
+void Translator::points_per_element(const Command& c) {
+  const double n = c.number(0);
+  document_.set("MPMHeader", "MatlPtsPerElement", c.origin(0), written(std::pow(n, dimension(c))));
+}
+
+void Translator::plain(const Command& c) {
+  document_.set("MPMHeader", element_of(c.node.word), c.origin(0), c.text(0));
+}
+
+void Translator::feedback(const Command& c) {
+  Statement& s = document_.set("MPMHeader", element_of(c.node.word), c.origin(0), c.text(0));
+  if (c.given(1)) attribute(s, "target", c.text(1), c.origin(1));
+  if (c.given(2)) attribute(s, "max", c.text(2), c.origin(2));
+}
+
+// A wish of the machine, not of the model: --threads.
+void Translator::processors(const Command& c) { c.number(0); }
+
+Statement& Translator::multimaterial_mode(const Command& c) {
+  auto& header = document_.section("MPMHeader", c.origin());
+  for (auto& s : header.children)
+    if (s.name == "MultiMaterialMode") return s;
+  return document_.add("MPMHeader", "MultiMaterialMode", c.origin());
+}
+
+void Translator::multimaterial(const Command& c) {
+  Statement& s = multimaterial_mode(c);
+  s.origin = c.origin();
+  static const std::vector<std::pair<std::string, std::string>> norms{
+      {"maxgrad", "0"}, {"maxvol", "1"}, {"avggrad", "2"}, {"owngrad", "3"},
+      {"specify", "4"}, {"linreg", "5"}, {"logreg", "6"}};
+  if (!c.given(0)) return;
+  const std::string norm = choice(c, 0, norms, "way to find normals");
+  attribute(s, "Normals", norm, c.origin(0));
+  if (c.given(1)) attribute(s, norm == "4" ? "Azimuth" : "RigidBias", c.text(1), c.origin(1));
+  if (c.given(2)) attribute(s, "Polar", c.text(2), c.origin(2));
+}
+
+// vmin, enabled, normals and what they need: vmin and the flag had meanings once.
+void Translator::old_multimaterial(const Command& c) {
+  Node node = c.node;
+  node.arguments.erase(node.arguments.begin(),
+                       node.arguments.begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(2, c.size())));
+  multimaterial({node, c.variables});
+}
+
+void Translator::contact_law(const Command& c) {
+  Statement s;
+  s.name = "Friction", s.origin = c.origin();
+  Document::refer(s, "law", c.text(0), c.origin(0));
+  multimaterial_mode(c).children.push_back(std::move(s));
+}
+
+void Translator::old_friction(const Command& c) {
+  Statement s;
+  s.name = "Friction", s.origin = c.origin();
+  const bool interface = lower(c.node.word) == "imperfectinterfacemm";
+  s.text = interface ? "11" : c.text(0), s.text_origin = c.origin(0);
+  if (interface) {
+    attribute(s, "Dt", c.text(0), c.origin(0)), attribute(s, "Dnt", c.text(1), c.origin(1));
+    if (c.given(2)) attribute(s, "Dnc", c.text(2), c.origin(2));
+  }
+  multimaterial_mode(c).children.push_back(std::move(s));
+}
+
+void Translator::contact_position(const Command& c) {
+  Statement s;
+  s.name = "ContactPosition", s.origin = c.origin(), s.text = c.text(0), s.text_origin = c.origin(0);
+  multimaterial_mode(c).children.push_back(std::move(s));
+}
+
+void Translator::grid_cells(const Command& c) {
+  const std::string word = lower(c.node.word);
+  const std::size_t axis = word == "gridhoriz" ? 0 : word == "gridvert" ? 1 : 2;
+  constexpr std::array elements{"Horiz", "Vert", "Depth"}, counts{"nx", "ny", "nz"};
+  auto& mesh = document_.section("Mesh", c.origin());
+  if (mesh.children.empty()) document_.add("Mesh", "Grid", c.origin());
+  Statement s;
+  s.name = elements[axis], s.origin = c.origin();
+  attribute(s, counts[axis], count(c, 0), c.origin(0));
+  if (c.given(1)) {
+    const bool low = !c.given(2) || c.number(2) < 0;
+    attribute(s, low ? "symmin" : "symmax", c.text(1), c.origin(1));
+    if (c.given(3)) attribute(s, low ? "symmax" : "symmin", c.text(3), c.origin(3));
+  }
+  auto& children = mesh.children.front().children;
+  children.erase(
+      std::remove_if(children.begin(), children.end(), [&](const Statement& old) { return old.name == s.name; }),
+      children.end());
+  children.push_back(std::move(s));
+}
+
+void Translator::grid_box(const Command& c) {
+  auto& mesh = document_.section("Mesh", c.origin());
+  if (mesh.children.empty()) document_.add("Mesh", "Grid", c.origin());
+  Statement& grid = mesh.children.front();
+  grid.origin = c.origin();
+  constexpr std::array names{"xmin", "xmax", "ymin", "ymax", "zmin", "zmax"};
+  for (std::size_t k = 0; k < c.size(); ++k) attribute(grid, names[k], c.text(k), c.origin(k));
+}
+
+void Translator::grid_thickness(const Command& c) {
+  auto& mesh = document_.section("Mesh", c.origin());
+  if (mesh.children.empty()) document_.add("Mesh", "Grid", c.origin());
+  attribute(mesh.children.front(), "thickness", c.text(0), c.origin(0));
+}
+
+void Translator::gravity(const Command& c) {
+  constexpr std::array names{"BodyXForce", "BodyYForce", "BodyZForce"};
+  for (std::size_t k = 0; k < c.size(); ++k)
+    if (c.given(k)) document_.set("Gravity", names[k], c.origin(k), c.text(k));
+  if (c.size() > 0) return;
+  if (!(length_in_m_ > 0 && time_in_s_ > 0))
+    throw InputError(c.origin(), "'Gravity' without numbers needs units with a size; give its components");
+  document_.set("Gravity", "BodyYForce", c.origin(), written(-9.80665 * time_in_s_ * time_in_s_ / length_in_m_));
+}
+
+void Translator::conduction(const Command& c) {
+  static const std::vector<std::pair<std::string, std::string>> yes_no{{"yes", "1"}, {"no", "0"}},
+      modes{{"adiabatic", "1"}, {"isothermal", "0"}};
+  if (choice(c, 0, yes_no, "answer") == "1") document_.set("Thermal", "Conduction", c.origin(0));
+  if (c.given(1) && choice(c, 1, modes, "mode") == "1") document_.set("Thermal", "EnergyCoupling", c.origin(1));
+}
+
+void Translator::task(const Command& c) {
+  task_ = &document_.add("CustomTasks", "Schedule", c.origin());
+  attribute(*task_, "name", c.text(0), c.origin(0));
+}
+
+void Translator::parameter(const Command& c) {
+  if (!task_) throw InputError(c.origin(), "'Parameter' belongs to a 'CustomTask' before it");
+  Statement s;
+  s.name = "Parameter", s.origin = c.origin(), s.text = c.text(1), s.text_origin = c.origin(1);
+  attribute(s, "name", c.text(0), c.origin(0));
+  task_->children.push_back(std::move(s));
+}
+
+void Translator::entity(const Command& c) { entities_[c.text(0)] = c.text(1); }
+
+// Lines of XML, added to a section; the reader counts lines as in the script.
+void Translator::xml_data(const Command& c) {
+  const std::string where = c.given(0) ? c.text(0) : "End";
+  static const std::map<std::string, std::string> sections{{"header", "Header"},
+                                                           {"mpmheader", "MPMHeader"},
+                                                           {"mesh", "Mesh"},
+                                                           {"materialpoints", "MaterialPoints"},
+                                                           {"cracklist", "CrackList"},
+                                                           {"material", "Material"},
+                                                           {"gridbcs", "GridBCs"},
+                                                           {"particlebcs", "ParticleBCs"},
+                                                           {"thermal", "Thermal"},
+                                                           {"gravity", "Gravity"},
+                                                           {"customtasks", "CustomTasks"},
+                                                           {"end", "End"}};
+  const auto found = sections.find(lower(where));
+  if (found == sections.end()) {
+    std::vector<std::string> names;
+    for (const auto& [word, name] : sections) names.push_back(name);
+    throw InputError(c.origin(0),
+                     "there is no section '" + where + "'" + did_you_mean(where, names) + "; valid: " + join(names));
+  }
+  std::string text = "<!DOCTYPE x [";
+  for (const auto& [name, value] : entities_) text += "<!ENTITY " + name + " \"" + value + "\">";
+  text += "]>" + std::string(static_cast<std::size_t>(std::max(0, c.origin().line - 1)), '\n') + "<x>\n";
+  for (const Piece& line : c.node.lines) text += line.text + "\n";
+  const Statement read = read_xml(text + "</x>", c.origin().file);
+  for (const Statement& child : read.children) {
+    if (found->second == "Material") {
+      document_.materials().push_back(child);
+      if (c.given(1)) document_.name_material(c.text(1));
+    } else if (found->second == "End") {
+      auto& children = document_.section(child.name, child.origin).children;
+      children.insert(children.end(), child.children.begin(), child.children.end());
+    } else {
+      document_.section(found->second, child.origin).children.push_back(child);
+    }
+  }
+}
+
+}  // namespace tribo::script

@@ -1,0 +1,116 @@
+/// The commands of scripts as elements of command files.
+#pragma once
+
+#include "input/script/document.hpp"
+#include "input/script/interpreter.hpp"
+
+#include <functional>
+
+namespace tribo::script {
+
+class Translator {
+ public:
+  explicit Translator(const Origin& origin) : document_(origin), origin_(origin) {}
+
+  /// Adds what a command says. Throws InputError.
+  void take(const Command& c);
+  /// The script stands in an XML file: of this analysis (10 to 13), with these materials, in consistent units or not.
+  void surround(int analysis, const std::vector<std::string>& materials, bool consistent);
+  /// The whole command file. Throws InputError.
+  Statement finish();
+  /// What the script adds to the file around it. Throws InputError.
+  std::vector<Statement> finish_sections();
+
+ private:
+  using Action = void (Translator::*)(const Command&);
+  struct Entry {
+    Action action;
+    std::size_t least, most;  ///< arguments
+  };
+  static const std::map<std::string, Entry>& table();
+
+  // translate_header.cpp
+  void title(const Command& c);
+  void user(const Command& c);
+  void comment(const Command& c);
+  void header(const Command& c);
+  void analysis(const Command& c);
+  void units(const Command& c);
+  void method(const Command& c);
+  void time_step(const Command& c);
+  void courant(const Command& c);
+  void archive_time(const Command& c);
+  void archive(const Command& c);
+  void global_archive(const Command& c);
+  void to_archive(const Command& c);
+  void points_per_element(const Command& c);
+  void plain(const Command& c);
+  void feedback(const Command& c);
+  void processors(const Command& c);
+  void multimaterial(const Command& c);
+  void old_multimaterial(const Command& c);
+  void contact_law(const Command& c);
+  void old_friction(const Command& c);
+  void contact_position(const Command& c);
+  void grid_cells(const Command& c);
+  void grid_box(const Command& c);
+  void grid_thickness(const Command& c);
+  void gravity(const Command& c);
+  void conduction(const Command& c);
+  void task(const Command& c);
+  void parameter(const Command& c);
+  void xml_data(const Command& c);
+  void entity(const Command& c);
+  void refused(const Command& c);
+
+  // translate_bodies.cpp
+  void material(const Command& c);
+  void property(const Command& c);
+  void region(const Command& c);
+  void hole(const Command& c);
+  void picture(const Command& c);
+  void intensity(const Command& c);
+  void picture_origin(const Command& c);
+  void transform(const Command& c);
+  void rotate(const Command& c);
+  void initial_velocity(const Command& c);
+  void shape(const Command& c);
+  void polygon_point(const Command& c);
+  void conditions(const Command& c);
+  void velocity(const Command& c);
+  void temperature(const Command& c);
+  void load(const Command& c);
+  void load_type(const Command& c);
+  void traction(const Command& c);
+  void heat_flux(const Command& c);
+  void boundary_id(const Command& c);
+  void end_block(const Command& c);
+
+  int dimension(const Command& c) const;
+  Statement& multimaterial_mode(const Command& c);
+  Statement& place(const Command& c, int cuts);
+  void close_polygon() { polygon_ = nullptr; }
+  Statement& condition(const Command& c, const std::string& element);
+  void style(Statement& s, const Command& c, std::size_t k, const char* value_name);
+  static std::string direction(const Command& c, std::size_t k, bool traction);
+
+  enum class Open { nothing, material, region, hole, picture, grid, particles };
+  void open(Open block, const Command& c);
+
+  Document document_;
+  Origin origin_;
+  int analysis_ = 0;
+  bool consistent_ = false;
+  double length_in_m_ = 1e-3, time_in_s_ = 1.0;
+  Open open_ = Open::nothing;
+  std::string opened_by_;
+  Origin opened_at_;
+  Statement block_;                ///< the body, hole or selector being filled
+  std::vector<std::size_t> path_;  ///< to the last shape in it, for cut-outs
+  Statement* polygon_ = nullptr;
+  Statement* task_ = nullptr;
+  std::string boundary_id_;
+  std::map<std::string, std::string> entities_;
+};
+
+}  // namespace tribo::script

@@ -1,0 +1,140 @@
+#include "commands.hpp"
+
+#include "base/error.hpp"
+#include "input/dialect.hpp"
+#include "input/read.hpp"
+#include "input/script/write_xml.hpp"
+#include "output/atomic_file.hpp"
+#include "output/number.hpp"
+#include "run/safety.hpp"
+#include "run/simulation.hpp"
+
+#include <cstdio>
+#include <fstream>
+
+namespace tribo {
+namespace {
+
+std::filesystem::path default_folder(const std::filesystem::path& file) { return file.stem().string() + ".out"; }
+
+void print_warnings(const Model& model) {
+  for (const auto& warning : model.warnings) std::fprintf(stderr, "%s\n", warning.c_str());
+}
+
+Settings settings_of(const Arguments& a) {
+  std::map<std::string, std::string> values;
+  for (const std::string& pair : a.settings) {
+    const auto equals = pair.find('=');
+    if (equals == std::string::npos || equals == 0) throw UsageError("--set takes name=value, not '" + pair + "'");
+    values[pair.substr(0, equals)] = pair.substr(equals + 1);
+  }
+  return values;
+}
+
+// The command file of a run and what was set in it, as the run's folder remembers them.
+Model model_of(const std::filesystem::path& folder) {
+  std::ifstream record(folder / "model.path");
+  std::string file;
+  if (!std::getline(record, file))
+    throw FileError("'" + folder.string() + "' is not the folder of a run: it has no model.path");
+  Arguments a;
+  for (std::string line; std::getline(record, line);) a.settings.push_back(line);
+  return read_model(file, settings_of(a));
+}
+
+}  // namespace
+
+int run_command(const Arguments& a) {
+  if (a.only_check) return check_command(a);
+  const Model model = read_model(a.file, settings_of(a));
+  print_warnings(model);
+  RunOptions options;
+  options.folder = a.output.empty() ? default_folder(a.file) : a.output;
+  options.threads = a.thread_count, options.quiet = a.quiet, options.overwrite = a.overwrite,
+  options.max_wall = a.max_wall;
+  options.command_line = a.command_line;
+  const auto outcome = tribo::run(model, options);
+  if (!a.quiet)
+    std::printf("open %s in ParaView; histories in %s\n", (options.folder / "run.pvd").c_str(),
+                (options.folder / "history.csv").c_str());
+  if (outcome == Outcome::stopped)
+    std::fprintf(stderr, "stopped; continue with: tribo resume %s\n", options.folder.c_str());
+  return outcome == Outcome::finished ? done : stopped_early;
+}
+
+int resume_command(const Arguments& a) {
+  const Model model = model_of(a.folder);
+  RunOptions options;
+  options.folder = a.folder, options.threads = a.thread_count, options.quiet = a.quiet, options.max_wall = a.max_wall;
+  options.resume = true, options.command_line = a.command_line;
+  return tribo::run(model, options) == Outcome::finished ? done : stopped_early;
+}
+
+int check_command(const Arguments& a) {
+  const Model model = read_model(a.file, settings_of(a));
+  std::printf("%s", preflight(model, a.thread_count).c_str());
+  return 0;
+}
+
+int drive_command(const Arguments& a) {
+  const std::filesystem::path table = a.output.empty() ? a.file.stem().string() + ".csv" : a.output.string();
+  if (!a.overwrite && std::filesystem::exists(table))
+    throw FileError("'" + table.string() + "' is there already; --overwrite replaces it, --output names another");
+  const auto out = std::visit([](const auto& what) { return tribo::drive(what); }, read_drive(a.file, settings_of(a)));
+  write_atomically(table, out.text());
+  if (!a.quiet) std::printf("%zu rows in %s\n", out.rows.size(), table.c_str());
+  return 0;
+}
+
+int safety_command(const Arguments& a) {
+  const Model model = read_model(a.file, settings_of(a));
+  print_warnings(model);
+  RunOptions options;
+  options.folder = a.output.empty() ? default_folder(a.file) : a.output;
+  options.threads = a.thread_count, options.quiet = true, options.overwrite = a.overwrite,
+  options.command_line = a.command_line;
+  refuse_used_folder(options);
+  std::error_code refused;  // now, not after the search
+  std::filesystem::create_directories(options.folder, refused);
+  if (refused) throw FileError("cannot create '" + options.folder.string() + "': " + refused.message());
+  const auto found = find_safety(model, a.thread_count, [&](const SafetyTrial& t) {
+    if (!a.quiet)
+      std::printf("strengths over %-8.5g %s\n", t.factor,
+                  t.holds             ? "hold"
+                  : t.failure.empty() ? "slips"
+                                      : ("slips: " + t.failure).c_str());
+    std::fflush(stdout);
+  });
+  std::string table = "factor,displacement_late,displacement_end,holds\n";
+  for (const auto& t : found.trials)
+    table += number_text(t.factor) + "," + number_text(t.late) + "," + number_text(t.at_end) + "," +
+             (t.holds ? "1" : "0") + "\n";
+  auto outcome = Outcome::finished;
+  try {
+    outcome = tribo::run(weakened(model, found.slips), options);
+  } catch (const SimulationError& error) {  // a body that slips may well leave the grid
+    std::fprintf(stderr, "warning: the run that slips ended early: %s\n", error.what());
+  }
+  write_atomically(options.folder / "safety.csv", table);
+  if (!a.quiet)
+    std::printf("factor of safety %.5g: holds with strengths over %.5g, slips over %.5g (%s)\n",
+                0.5 * (found.holds + found.slips), found.holds, found.slips, (options.folder / "run.pvd").c_str());
+  return outcome == Outcome::finished ? done : stopped_early;
+}
+
+int convert_command(const Arguments& a) {
+  const std::string text = xml_text(read_statements(a.file, settings_of(a), stderr));
+  if (a.output.empty()) return std::fputs(text.c_str(), stdout) < 0 ? file_error : done;
+  if (!a.overwrite && std::filesystem::exists(a.output))
+    throw FileError("'" + a.output.string() + "' is there already; --overwrite replaces it, --output names another");
+  write_atomically(a.output, text);
+  return done;
+}
+
+int list_command(const Arguments& a) {
+  const auto text = list_keywords(a.keyword);
+  if (text.empty()) throw InputError(Origin{}, "there is no element or material named '" + a.keyword + "'");
+  return std::printf("%s", text.c_str()) < 0 ? file_error : done;
+}
+
+}  // namespace tribo

@@ -1,0 +1,32 @@
+/// What the program's commands do. Each returns the exit code and throws what main turns into one.
+#pragma once
+
+#include "base/parallel.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace tribo {
+
+enum ExitCode { done = 0, usage_error = 2, input_error = 3, numerical_error = 4, file_error = 5, stopped_early = 6 };
+
+struct Arguments {
+  std::filesystem::path file, output, folder;
+  int thread_count = threads();
+  bool quiet = false, overwrite = false, only_check = false;
+  double max_wall = 0.0;              ///< seconds
+  std::vector<std::string> settings;  ///< name=value
+  std::string keyword;
+  std::string command_line;
+};
+
+int run_command(const Arguments& a);
+int resume_command(const Arguments& a);
+int check_command(const Arguments& a);
+int drive_command(const Arguments& a);
+int safety_command(const Arguments& a);
+int convert_command(const Arguments& a);
+int list_command(const Arguments& a);
+
+}  // namespace tribo

@@ -1,0 +1,118 @@
+#include "input/script/evaluate.hpp"
+#include "input/script/program.hpp"
+#include "input/script/script.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+
+using namespace tribo;
+using namespace tribo::script;
+using Catch::Contains;
+
+namespace {
+
+const Variables some{{"#a", 2.0}, {"#b", 3.0}, {"#name$", std::string("left ball")}, {"#list[2]", 7.0}, {"#i", 1.0}};
+
+Piece piece(const std::string& text) { return {text, {std::make_shared<const std::string>("s"), 1, 1}}; }
+double number(const std::string& text) { return std::get<double>(evaluate(piece(text), some)); }
+std::string words(const std::string& text) { return printed(evaluate(piece(text), some)); }
+
+// What a script writes, in a frame that makes it a whole file.
+std::string output(const std::string& script) {
+  static const std::string frame =
+      "Analysis \"Plane Strain MPM\"\nArchiveTime 1\nMaximumTime 1\nGridHoriz 4\nGridVert 4\nGridRect 0,4,0,4\n"
+      "Material \"m\",\"rubber\",\"Isotropic\"\nrho 1\nE 1\nnu .3\nDone\nRegion \"m\",0,0,1\nRect 1,2,1,2\nEndRegion\n";
+  Settings none;
+  return read_script(script + "\n" + frame, std::make_shared<const std::string>("s"), none).output;
+}
+
+// All that is wrong with a script.
+std::string complaint(const std::string& script) {
+  try {
+    output(script);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+}  // namespace
+
+TEST_CASE("numbers of scripts", "[script]") {
+  CHECK(number("1+2*3") == 7);
+  CHECK(number("-2^2") == -4);
+  CHECK(number("2^3^2") == 64);
+  CHECK(number("2^-1") == 0.5);
+  CHECK(number("7%4") == 3);
+  CHECK(number("(#a+#b)*2") == 10);
+  CHECK(number("#list[#i+1]") == 7);
+  CHECK(number("sqrt(16)+SIN(0)") == 4);
+  CHECK(number("cos(pi)") == -1);
+  CHECK(number(".5e1") == 5);
+  CHECK(number("round(2.345\\1)") == Approx(2.3));
+  CHECK(number("length(\"four\")") == 4);
+}
+
+TEST_CASE("texts of scripts", "[script]") {
+  CHECK(words("\"a\"&#a&\"b\"") == "a2b");
+  CHECK(words("#a/#b") == "0.66666667");
+  CHECK(words("(1000*#a)&\"*t\"") == "2000*t");
+  CHECK(words("word(2\\#name$)") == "ball");
+  CHECK(words("chars(1\\4\\#name$)") == "left");
+  CHECK(words("replace(\"l\"\\\"L\"\\#name$)") == "Left baLL");
+  CHECK(words("upperCase(firstWord(#name$))") == "LEFT");
+  CHECK(words("titleCase(#name$)") == "Left Ball");
+  CHECK(words("removeFirstWord(#name$)&tab&lastWord(#name$)") == "ball\tball");
+  CHECK(words("offset(\"b\"\\1\\#name$)") == "6");
+  CHECK(argument(piece("velocity"), some) == "velocity");
+  CHECK(argument(piece("3*t*x"), some) == "3*t*x");
+  CHECK(argument(piece("0.1234567890123"), some) == "0.1234567890123");
+  CHECK(argument(piece("#a/#b"), some) == "0.666666666666667");
+}
+
+TEST_CASE("conditions of scripts", "[script]") {
+  CHECK(condition(piece("#a=2 && #b>2"), some));
+  CHECK(condition(piece("#a=1 || #b>=3"), some));
+  CHECK_FALSE(condition(piece("#a!=2"), some));
+  CHECK(condition(piece("#name$=\"LEFT Ball\""), some));
+  CHECK(condition(piece("#name$ is \"LEFT Ball\""), some));
+  CHECK_FALSE(condition(piece("#name$==\"LEFT Ball\""), some));
+  CHECK(condition(piece("#a"), some));
+  CHECK(condition(piece("#a=1 && #b=3 || #a=2"), some));  // && first
+}
+
+TEST_CASE("choices, loops and subroutines", "[script]") {
+  CHECK(output("if 1=2\nWrite 1\nelse if 2=2\nWrite 2\nelse\nWrite 3\nendif") == "2");
+  CHECK(output("Repeat #i,1,10,3\nWrite #i,\" \"\nEndRepeat") == "1 4 7 10 ");
+  CHECK(output("Repeat #i,3,1,-1\nWrite #i\nEndRepeat") == "321");
+  CHECK(output("Repeat #x,0,1,.1\nWrite \"x\"\nEndRepeat") == "xxxxxxxxxxx");
+  CHECK(output("#n=0\nRepeat\n#n+=1\nif #n=2\ncontinue\nendif\nif #n>4\nbreak\nendif\nWrite #n\nEndRepeat") == "134");
+  CHECK(output("Repeat #i,1,3\nRepeat #j,1,3\nif #j=2\nbreakAll\nendif\nWrite #i&#j\nEndRepeat\nEndRepeat") == "11");
+  CHECK(
+      output("Sub add,#x,#y\n#sum=#x+#y\nif #sum>5\nreturn\nendif\nWrite #sum\nEndSub\nGoSub add,1,2\nGosub add 3,4") ==
+      "3");
+  CHECK(output("ifDef #q\nWrite 1\nendif\n#q=1\nifDef #q\nWrite 2\nendif\nifNDef #r\nWrite 3\nendif") == "23");
+  CHECK(output("#a[1]=5\n#a[2]=#a[1]*2\n#a[2]^=2\nWrite #a[2]\n#t$=\"x\"\n#t$&=\"y\"\nWrite #t$") == "100xy");
+  CHECK(output("Lines #l,1,9,\"a\"&return&\"b\"\nWords #w,0,1,\"c d e\"\nWrite #l[2],#w[1]") == "bd");
+  CHECK(output("Write \"! no comment\" ! a comment\nif 1!=2\nWrite \".\"\nendif") == "! no comment.");
+}
+
+TEST_CASE("what is wrong with a script is told with its place, all at once", "[script]") {
+  CHECK_THAT(complaint("#a=1\n#b=#aa+1\n#c=#bb"),
+             Contains("s:2:4: error: there is no variable '#aa' (did you mean '#a'?)") && Contains("s:3:4:"));
+  CHECK_THAT(complaint("if 1=1\nWrite 1"), Contains("s:1:1: error: this 'if' is never closed by 'endif'"));
+  CHECK_THAT(complaint("endif"), Contains("s:1:1: error: 'endif' without"));
+  CHECK_THAT(complaint("Repeat #i,2,3\nfrobnicate\nEndRepeat"),
+             Contains("s:2:1: error: there is no command 'frobnicate'") && Contains("with #i = 2"));
+  CHECK_THAT(complaint("Sub s,#x\n#y=#x+#z\nEndSub\nGoSub s,1"),
+             Contains("s:2:7: error: there is no variable '#z'") && Contains("called from s:4:1"));
+  CHECK_THAT(complaint("Stop \"too \",\"slow\""), Contains("s:1:1: error: too slow"));
+  CHECK_THAT(complaint("NewCrack 1,2"), Contains("cracks are not built"));
+  CHECK_THAT(complaint("GridHorizz 3"), Contains("did you mean 'gridhoriz'"));
+  CHECK_THAT(complaint("Repeat\nEndRepeat"), Contains("does not end"));
+  CHECK_THAT(complaint("#a=(1"), Contains("s:1:6: error: ')' is missing"));
+  CHECK_THAT(complaint("#a=\"x"), Contains("never closed"));
+  CHECK_THAT(complaint("GlobalArchive velx,\"ma\""), Contains("there is no material 'ma' (did you mean 'm'?)"));
+  CHECK_THAT(complaint("Gosub nothing"), Contains("there is no subroutine 'nothing'"));
+}
