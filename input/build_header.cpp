@@ -253,7 +253,11 @@ void Builder::history(const Statement& h) {
                                                      "; valid: " + join(names_of(global_quantities())));
       continue;
     }
-    q.name = info->name;
+    const bool elastic = q.name.size() == 4 && std::tolower(static_cast<unsigned char>(q.name[0])) == 'e';
+    if (elastic)
+      q.name = "elastic " + std::string(info->name);  // checked when the materials are known
+    else
+      q.name = info->name;
     const Attribute* of = s.attribute("material") ? s.attribute("material") : s.attribute("mat");
     const bool reaction = info->name.rfind("reaction", 0) == 0;
     if (of && !s.attribute("matname") && to_number(of->text).value_or(0) <= 0) {
@@ -279,9 +283,19 @@ void Builder::history(const Statement& h) {
   }
 }
 
-// Whose forces they are is known when all materials and conditions are.
-void Builder::check_reactions() {
-  for (const auto& q : model_.output.history) {
+// What needs to know all materials and conditions.
+void Builder::check_histories() {
+  for (auto& q : model_.output.history) {
+    if (q.name.rfind("elastic ", 0) == 0) {
+      q.name.erase(0, 8);
+      for (std::size_t k = 0; k < model_.materials.size(); ++k) {
+        const auto& spec = model_.materials[k];
+        const bool asked = q.material < 0 || q.material == static_cast<int>(k);
+        must(!asked || !spec.law || spec.law->dissipation_index() < 0, q.origin,
+             "'" + q.column + "': '" + spec.name +
+                 "' dissipates, and Tribo keeps no elastic strain apart from the whole; ask for '" + q.name + "'");
+      }
+    }
     if (q.name.rfind("reaction", 0) != 0) continue;
     if (q.material >= 0) {
       const auto& spec = model_.materials[static_cast<std::size_t>(q.material)];
@@ -364,7 +378,13 @@ void Builder::mesh() {
   for (const int n : g.cells) nodes *= n + 1.0;
   must(nodes < 2e11, grid.origin, "the grid has more than 2e11 nodes; use larger cells");
   if (model_.analysis == Analysis::axisymmetric) {
-    must(g.low[0] >= 0 || g.symmetry[0][0].has_value(), grid.origin, "an axisymmetric grid must not reach below r = 0");
+    const double h = (g.high[0] - g.low[0]) / g.cells[0], below = -g.low[0] / h;
+    const auto cut = static_cast<int>(std::lround(below));
+    if (below > 1e-9 && std::abs(below - cut) < 1e-6 && cut < g.cells[0]) {
+      g.low[0] = 0.0, g.cells[0] -= cut;  // nothing is there: the axis is a symmetry plane
+    } else {
+      must(g.low[0] >= 0, grid.origin, "an axisymmetric grid needs a grid line at r = 0 if it reaches below");
+    }
     if (g.low[0] <= 0) g.symmetry[0][0] = 0.0;
     must(!g.periodic[0], grid.origin, "the radius of an axisymmetric grid cannot be periodic");
   }

@@ -17,7 +17,7 @@ namespace {
 const std::vector<std::string> without_law{"alpha", "Cv", "Cp", "kCond", "TaylorQuinney", "color"};
 const std::vector<std::string> common{"PDamping", "largeRotation", "ArtificialVisc", "Friction", "shareMatField"};
 const std::vector<std::string> rigid_properties{"SetDirection", "SettingFunction", "SettingFunction2",
-                                                "SettingFunction3"};
+                                                "SettingFunction3", "mirrored"};
 
 std::vector<std::string> law_names(bool with_number) {
   std::vector<std::string> out;
@@ -210,7 +210,11 @@ void Builder::rigid_functions(const Statement& s, MaterialSpec& spec, bool conta
            "<SetDirection> is the sum of 1 (x), 2 (y) and 4 (z), or 8 for a body that others touch by contact");
     }
     if (child.name.rfind("SettingFunction", 0) == 0) functions.push_back(&child);
+    if (child.name == "mirrored") spec.mirrored = static_cast<int>(to_number(child.text).value_or(2));
   }
+  must(std::abs(spec.mirrored) <= 1, s.origin, "<mirrored> is 1, -1, or 0 for not mirrored");
+  must(spec.mirrored == 0 || spec.rigid_directions == 1 || spec.rigid_directions == 2 || spec.rigid_directions == 4,
+       s.origin, "<mirrored> needs one direction in <SetDirection>: 1, 2 or 4");
   if (spec.touches()) {
     const Statement* solver = root_.child("MPMHeader");
     const bool active = solver && solver->child("MultiMaterialMode");

@@ -24,7 +24,7 @@ Model Builder::build() {
   heat();
   gravity();
   tasks();
-  check_reactions();
+  check_histories();
   problems_.raise();
   return std::move(model_);
 }

@@ -27,7 +27,7 @@ class Builder {
   void mpm_header();
   void archive(const Statement& header);
   void history(const Statement& header);
-  void check_reactions();
+  void check_histories();
   void damping(const Statement& header);
   void strength_reduction(const Statement& header);
   void mesh();

@@ -98,7 +98,7 @@ std::map<std::string, Union> unions() {
   add(contact_laws().items());
   for (const auto name :
        {"alpha", "Cv", "Cp", "kCond", "color", "PDamping", "largeRotation", "SetDirection", "SettingFunction",
-        "SettingFunction2", "SettingFunction3", "rho", "viscosity", "logshearrate"})
+        "SettingFunction2", "SettingFunction3", "mirrored", "rho", "viscosity", "logshearrate"})
     material.children.emplace(name);
   return all;
 }

@@ -311,9 +311,20 @@ std::vector<Piece> split(const Piece& piece, std::string_view separator) {
 
 Value evaluate(const Piece& piece, const Variables& variables) { return Evaluator(piece, variables).whole(); }
 
+namespace {
+
+double finite(double x, const Piece& piece) {
+  if (std::isfinite(x)) return x;
+  throw InputError(piece.origin, "'" + piece.text +
+                                     "' is not a finite number: a division by 0, or a root or logarithm " +
+                                     "of something negative?");
+}
+
+}  // namespace
+
 double evaluate_number(const Piece& piece, const Variables& variables) {
   const Value v = evaluate(piece, variables);
-  if (const double* x = std::get_if<double>(&v)) return *x;
+  if (const double* x = std::get_if<double>(&v)) return finite(*x, piece);
   if (const auto x = to_number(std::get<std::string>(v))) return *x;
   throw InputError(piece.origin, "'" + std::get<std::string>(v) + "' is text where a number is needed");
 }
@@ -330,13 +341,16 @@ std::string variable_name(const Piece& piece, const Variables& variables) {
 
 std::string argument(const Piece& piece, const Variables& variables) {
   if (to_number(piece.text)) return piece.text;  // as the user wrote it
+  Value v;
   try {
-    return written(evaluate(piece, variables));
+    v = evaluate(piece, variables);
   } catch (const InputError&) {
     const bool computed = piece.text.find('#') != std::string::npos || piece.text.find('"') != std::string::npos;
     if (computed || piece.text.empty()) throw;
     return piece.text;
   }
+  if (const double* x = std::get_if<double>(&v)) finite(*x, piece);
+  return written(v);
 }
 
 bool condition(const Piece& piece, const Variables& variables) {

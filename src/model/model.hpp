@@ -112,6 +112,8 @@ struct MaterialSpec {
   std::optional<double> particle_damping;                   ///< [1/time]
   std::array<std::optional<Expression>, 3> rigid_velocity;  ///< rigid materials: prescribed components
   int rigid_directions = 0;                                 ///< type 11: bits x 1, y 2, z 4; 8: touched by contact
+  int mirrored =
+      0;  ///< type 11: beyond the face at the low (-1) or high (1) end of the bodies, velocities are mirrored
   bool touches() const { return (rigid_directions & 8) != 0; }
   Statement statement{};  ///< as written, for provenance and late errors
   Origin origin{};

@@ -87,6 +87,7 @@ const QuantityInfo* find_global_quantity(std::string_view name) {
   if (same(name, "temp")) return find(global_quantities(), "Temperature");
   // axisymmetric names: R is x, Z is y, T is z
   std::string plain(name);
+  if (plain.size() == 4 && (plain[0] == 'e') && plain[3] == 'e') plain.pop_back();  // elastic strain
   const bool tensor = plain.size() == 3 && (plain[0] == 's' || plain[0] == 'e');
   for (std::size_t k = tensor ? 1 : plain.size() - 1; k < plain.size() && plain.size() > 1; ++k) {
     constexpr std::string_view axisymmetric = "RZT";

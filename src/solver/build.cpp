@@ -145,6 +145,7 @@ template <int Dim>
 void assign_fields(const Model& model, System<Dim>& system) {
   if (!model.contact.active) {
     system.fields.emplace_back(system.lattice);
+    for (auto& body : system.rigids) body.field = Body<Dim>::no_field;
     return;
   }
   std::map<int, std::size_t> field_of;

@@ -152,7 +152,7 @@ void Stepper<Dim>::move_rigid(double dt) {
 
 template <int Dim>
 void Stepper<Dim>::impose_rigid(double dt, bool update, bool after_impose) {
-  rigid_reactions_.assign(system_.rigids.size(), Vec3::Zero());
+  if (update) rigid_reactions_.assign(system_.rigids.size(), Vec3::Zero());
   for (std::size_t r = 0; r < system_.rigids.size(); ++r)
     for (std::size_t f = 0; f < system_.fields.size(); ++f) impose_rigid(f, r, dt, update, after_impose);
 }
@@ -162,13 +162,29 @@ void Stepper<Dim>::impose_rigid(std::size_t f, std::size_t r, double dt, bool up
   Field<Dim>& field = system_.fields[f];
   if (system_.rigids[r].field != Body<Dim>::no_field) return;
   const int directions = model_.materials[static_cast<std::size_t>(system_.rigids[r].material)].rigid_directions;
+  const int mirrored = model_.materials[static_cast<std::size_t>(system_.rigids[r].material)].mirrored;
+  // Velocity of the node that the one right beyond the face mirrors, or null.
+  const auto mirror_image = [&](std::size_t n, int d) -> const double* {
+    if (mirrored == 0) return nullptr;
+    auto at = field.map.node_at(static_cast<std::int64_t>(n));
+    at[static_cast<std::size_t>(d)] -= mirrored;
+    const auto face = field.map.node(at);
+    at[static_cast<std::size_t>(d)] -= mirrored;
+    const auto inside = field.map.node(at);
+    if (face < 0 || inside < 0) return nullptr;
+    const auto i = static_cast<std::size_t>(inside);
+    const bool right_beyond = field.rigid[r][static_cast<std::size_t>(face)].mass > 0 && !(field.rigid[r][i].mass > 0);
+    return right_beyond && field.nodes[i].mass > 0 ? &field.nodes[i].velocity[d] : nullptr;
+  };
   for (std::size_t n = 0; n < field.nodes.size(); ++n) {
     Node& node = field.nodes[n];
     Node& rigid = field.rigid[r][n];
     if (!(rigid.mass > 0) || !(node.mass > 0)) continue;
     for (int d = 0; d < Dim; ++d) {
       if (!(directions >> d & 1)) continue;
-      const double wanted = rigid.velocity[d] / rigid.mass;
+      const double prescribed = rigid.velocity[d] / rigid.mass;
+      const double* image = mirror_image(n, d);
+      const double wanted = image ? 2 * prescribed - *image : prescribed;
       const double change = wanted - node.velocity[d];
       node.velocity[d] = wanted;
       if (!update) {

@@ -1,3 +1,4 @@
+#include "input/read.hpp"
 #include "input/script/evaluate.hpp"
 #include "input/script/program.hpp"
 #include "input/script/script.hpp"
@@ -12,9 +13,9 @@ using Catch::Contains;
 
 namespace {
 
-const Variables some{{"#a", 2.0}, {"#b", 3.0}, {"#name$", std::string("left ball")}, {"#list[2]", 7.0}, {"#i", 1.0}};
+const script::Variables some{{"#a", 2.0}, {"#b", 3.0}, {"#name$", std::string("left ball")}, {"#list[2]", 7.0}, {"#i", 1.0}};
 
-Piece piece(const std::string& text) { return {text, {std::make_shared<const std::string>("s"), 1, 1}}; }
+script::Piece piece(const std::string& text) { return {text, {std::make_shared<const std::string>("s"), 1, 1}}; }
 double number(const std::string& text) { return std::get<double>(evaluate(piece(text), some)); }
 std::string words(const std::string& text) { return printed(evaluate(piece(text), some)); }
 
@@ -115,4 +116,67 @@ TEST_CASE("what is wrong with a script is told with its place, all at once", "[s
   CHECK_THAT(complaint("#a=\"x"), Contains("never closed"));
   CHECK_THAT(complaint("GlobalArchive velx,\"ma\""), Contains("there is no material 'ma' (did you mean 'm'?)"));
   CHECK_THAT(complaint("Gosub nothing"), Contains("there is no subroutine 'nothing'"));
+}
+
+TEST_CASE("numbers that go into the model are finite", "[script]") {
+  CHECK_THAT(complaint("Damping 1/0"), Contains("s:1:9: error: '1/0' is not a finite number"));
+  CHECK_THAT(complaint("#a=-1\nDamping sqrt(#a)"), Contains("has no finite value"));
+  CHECK(output("#a=1/0\nif #a>1e300\nWrite \"big\"\nendif") == "big");  // while it only compares, it may be infinite
+}
+
+TEST_CASE("the command line gives a variable another first value", "[script]") {
+  const auto file = std::make_shared<const std::string>("s");
+  const std::string rest =
+      "\nAnalysis \"Plane Strain MPM\"\nArchiveTime 1\nMaximumTime 1\nGridHoriz 4\nGridVert 4\nGridRect 0,4,0,4\n";
+  Settings settings({{"border", "5"}, {"#name$", "two words"}, {"cell", "3"}});
+  const auto script = read_script("#border=3\n#border+=2\n#name$=\"one\"\nWrite #border,#name$" + rest, file, settings);
+  CHECK(script.output == "7two words");
+  CHECK(settings.used("border"));
+  CHECK_FALSE(settings.used("cell"));
+}
+
+TEST_CASE("<Commands> adds to the sections of its file", "[script]") {
+  const std::string text = R"(<JANFEAInput version='3'>
+ <Header><Analysis>10</Analysis></Header>
+ <MPMHeader><MaxTime>1</MaxTime><ArchiveTime>1</ArchiveTime></MPMHeader>
+ <Mesh><Grid xmin='0' xmax='8' ymin='0' ymax='8'><Horiz nx='8'/><Vert ny='8'/></Grid></Mesh>
+ <Material Type='1' Name='left'><rho>1</rho><E>1</E><nu>.3</nu></Material>
+ <MaterialPoints><Body matname='left'><Rect xmin='0' xmax='1' ymin='0' ymax='1'/></Body></MaterialPoints>
+ <Commands><![CDATA[
+  Material "r","right","Isotropic"
+   rho 2
+   E 1
+   nu .3
+  Done
+  Repeat #i,1,3
+   Region "r",#i,0,1
+    Rect 2*#i,2*#i+1,4,5
+   EndRegion
+  EndRepeat
+  GlobalArchive velx,"left"
+  GlobalArchive velx,"r"
+ ]]></Commands>
+</JANFEAInput>)";
+  const Model model = read_model_text(text, "deck.xml");
+  REQUIRE(model.materials.size() == 2);
+  REQUIRE(model.pieces.size() == 4);
+  CHECK(model.pieces[0].material == 0);
+  CHECK(model.pieces[3].material == 1);
+  CHECK(model.pieces[3].velocity[0] == 3);
+  CHECK(model.pieces[3].origin.line == 15);
+  CHECK(model.output.history.at(0).column == "velx:left");
+  CHECK(model.output.history.at(1).column == "velx:right");
+
+  std::string wrong = text;
+  wrong.replace(wrong.find("Repeat #i,1,3"), 13, "Repeat #i,1,#n");
+  CHECK_THAT(
+      [&] {
+        try {
+          read_model_text(wrong, "deck.xml");
+        } catch (const InputError& error) {
+          return std::string(error.what());
+        }
+        return std::string();
+      }(),
+      Contains("deck.xml:13:15: error: there is no variable '#n'"));
 }

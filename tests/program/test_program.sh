@@ -64,6 +64,32 @@ sed 's|cell "0.0025"|cell "0.00125"|; s|<MaxTime>6e-4|<MaxTime>2e-5|; s|<Archive
   "$source/verification/rubbing/case.xml" >rubbing.xml
 same_bits rubbing.xml 0.1
 
+# A script gives the same bits as the XML that it converts to, with other values for its variables, too
+script=$source/tests/input/falling_blocks.fmcmd
+for set in drop=0.5 drop=0.25; do
+  rm -rf direct converted && rm -f blocks.xml
+  expect 0 "$tribo" run --quiet --set $set -o direct "$script"
+  expect 0 "$tribo" convert --set $set "$script" -o blocks.xml
+  expect 0 "$tribo" run --quiet -o converted blocks.xml
+  for file in history.csv energy.csv checkpoint.bin $(cd direct && ls particles/*); do
+    cmp "direct/$file" "converted/$file" || fail "converted/$file differs"
+    passed=$((passed + 1))
+  done
+  cp direct/history.csv "$set.csv"
+done
+cmp -s drop=0.5.csv drop=0.25.csv && fail "--set changes nothing"
+expect 3 "$tribo" check --set dropp=1 "$script"
+grep -q "did you mean 'drop'" err.txt || { cat err.txt; fail "--set: no 'did you mean'"; }
+expect 2 "$tribo" check --set drop "$script"
+code=0
+"$tribo" run --quiet --overwrite --np 1 --max-wall 0.001 --set drop=0.25 -o direct "$script" >/dev/null 2>&1 || code=$?
+while [ $code -eq 6 ]; do
+  code=0
+  "$tribo" resume --quiet direct >/dev/null 2>&1 || code=$?
+done
+cmp direct/history.csv drop=0.25.csv || fail "a resumed run forgets --set"
+expect 0 "$tribo" run -a -v -w "$script"
+
 # A signal finishes the step and leaves a checkpoint
 "$tribo" run --quiet --output four "$source/input/examples/simple_shear.xml" >/dev/null 2>&1 &
 sleep 0.15
