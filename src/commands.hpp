@@ -18,6 +18,9 @@ struct Arguments {
   double max_wall = 0.0;              ///< seconds
   std::vector<std::string> settings;  ///< name=value
   std::string keyword;
+  std::string field = "von_mises", view;
+  std::vector<double> times, range;
+  int width = 900, rate = 20;
   std::string command_line;
 };
 
@@ -28,5 +31,8 @@ int drive_command(const Arguments& a);
 int safety_command(const Arguments& a);
 int convert_command(const Arguments& a);
 int list_command(const Arguments& a);
+
+// show_commands.cpp
+int render_command(const Arguments& a);
 
 }  // namespace tribo

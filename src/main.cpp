@@ -68,6 +68,12 @@ class CommandLine {
     auto* safety = reads_file("safety", "find the factor of safety by reduction of all strengths", safety_command);
     writes_folder(safety), has_threads(safety), may_be_quiet(safety);
     writes_file(reads_file("convert", "write a command file as XML", convert_command), "the file (default: print it)");
+    auto* render = add("render", "draw the particles of a run, as pictures and a film", render_command);
+    render->add_option("DIR", a.folder, "folder of the run")->required();
+    render->add_option("-o,--output", a.output,
+                       "pictures go into this folder, the film beside it (default: DIR/pictures)");
+    shows_field(render);
+    render->add_option("--rate", a.rate, "pictures per second of the film (default 20)")->check(CLI::PositiveNumber);
     add("schema", "print the XML schema of command files",
         [](const Arguments&) { return std::printf("%s", schema().c_str()) < 0 ? file_error : done; });
     add("list", "print all keywords and materials, or one of them", list_command)
@@ -104,6 +110,14 @@ class CommandLine {
   void has_threads(CLI::App* command) {
     command->add_option("--threads,--np", a.thread_count, "threads (default: OMP_NUM_THREADS, else all)")
         ->check(CLI::PositiveNumber);
+  }
+  void shows_field(CLI::App* command) {
+    command->add_option("--field", a.field,
+                        "colour by: von_mises (default), velocity, velocity.x, stress.xy, material ...");
+    command->add_option("--time", a.times, "only the files nearest to these times");
+    command->add_option("--range", a.range, "lowest and highest value of the colours")->expected(2);
+    command->add_option("--view", a.view, "xy, xz, yz, iso (y up) or iso-z");
+    command->add_option("--width", a.width, "of a picture in pixels (default 900)")->check(CLI::Range(200, 8000));
   }
   void may_be_quiet(CLI::App* command) { command->add_flag("--quiet", a.quiet, "say nothing"); }
   void has_wall(CLI::App* command) {

@@ -17,12 +17,13 @@ const std::map<std::string, std::set<std::string>> allowed{
     {"materials", {"base", "materials"}},
     {"contact", {"base", "contact"}},
     {"input", {"base", "geometry", "model", "materials", "contact", "drive", "input"}},
-    {"input/script", {"base", "input"}},
+    {"input/script", {"base", "materials", "contact", "input"}},
     {"src/drive", {"base", "materials", "contact", "output", "drive"}},
     {"src/grid", {"base", "geometry", "grid"}},
     {"src/particles", {"base", "geometry", "model", "materials", "grid", "particles"}},
     {"src/solver", {"base", "geometry", "model", "materials", "contact", "grid", "particles", "solver"}},
     {"src/output", {"base", "output"}},
+    {"src/view", {"base", "output", "view"}},
     {"src/run", {"base", "model", "materials", "grid", "particles", "solver", "output", "run"}},
 };
 

@@ -14,6 +14,7 @@
 #include <vtkPolyData.h>
 #include <vtkTypeInt64Array.h>
 #include <vtkXMLImageDataWriter.h>
+#include <vtkXMLPolyDataReader.h>
 #include <vtkXMLPolyDataWriter.h>
 
 #include <fstream>
@@ -104,22 +105,63 @@ void write_grid(const std::filesystem::path& path, const std::array<double, 3>& 
   write<vtkXMLImageDataWriter>(path, data.Get());
 }
 
-void Collection::resume(double time) {
-  std::ifstream file(path_);
-  if (!file) throw FileError("cannot read '" + path_.string() + "'");
-  entries_.clear();
+const ParticleFrame::Field* ParticleFrame::field(std::string_view name) const {
+  for (const Field& f : fields)
+    if (f.name == name) return &f;
+  return nullptr;
+}
+
+ParticleFrame read_particles(const std::filesystem::path& path) {
+  if (!std::filesystem::exists(path)) throw FileError("there is no file '" + path.string() + "'");
+  vtkNew<vtkXMLPolyDataReader> reader;
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  vtkPolyData* data = reader->GetOutput();
+  if (reader->GetErrorCode() != 0 || !data) throw FileError("'" + path.string() + "' is damaged");
+  ParticleFrame frame;
+  if (auto* time = data->GetFieldData()->GetArray("TimeValue")) frame.time = time->GetTuple1(0);
+  const vtkIdType n = data->GetNumberOfPoints();
+  frame.position.resize(static_cast<std::size_t>(n));
+  for (vtkIdType i = 0; i < n; ++i) data->GetPoint(i, frame.position[static_cast<std::size_t>(i)].data());
+  vtkPointData* points = data->GetPointData();
+  for (int k = 0; k < points->GetNumberOfArrays(); ++k) {
+    vtkDataArray* array = points->GetArray(k);
+    if (!array) continue;
+    ParticleFrame::Field field{array->GetName() ? array->GetName() : "",
+                               array->GetNumberOfComponents(),
+                               array->GetDataType() != VTK_DOUBLE && array->GetDataType() != VTK_FLOAT,
+                               {}};
+    field.values.resize(static_cast<std::size_t>(n * field.components));
+    for (vtkIdType i = 0; i < n; ++i)
+      for (int c = 0; c < field.components; ++c)
+        field.values[static_cast<std::size_t>(i * field.components + c)] = array->GetComponent(i, c);
+    frame.fields.push_back(std::move(field));
+  }
+  return frame;
+}
+
+std::vector<CollectionEntry> read_collection(const std::filesystem::path& path) {
+  std::ifstream file(path);
+  if (!file) throw FileError("cannot read '" + path.string() + "'");
+  std::vector<CollectionEntry> entries;
   // Our own files: one <DataSet .../> per line.
   for (std::string line; std::getline(file, line);) {
     const auto value = [&](const std::string& name) {
       const auto at = line.find(" " + name + "=\"");
-      if (at == std::string::npos) throw FileError("'" + path_.string() + "' is damaged: " + line);
+      if (at == std::string::npos) throw FileError("'" + path.string() + "' is damaged: " + line);
       const auto from = at + name.size() + 3;
       return line.substr(from, line.find('"', from) - from);
     };
     if (line.find("<DataSet") == std::string::npos) continue;
-    const double t = parse_number(value("timestep"));
-    if (t <= time) entries_.push_back({t, value("file")});
+    entries.push_back({parse_number(value("timestep")), path.parent_path() / value("file")});
   }
+  return entries;
+}
+
+void Collection::resume(double time) {
+  entries_.clear();
+  for (const auto& e : read_collection(path_))
+    if (e.time <= time) entries_.push_back({e.time, std::filesystem::relative(e.file, path_.parent_path()).string()});
 }
 
 void Collection::add(double time, const std::string& file) {

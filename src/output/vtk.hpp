@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace tribo {
@@ -27,6 +28,33 @@ void write_particles(const std::filesystem::path& path, std::size_t count, const
 void write_grid(const std::filesystem::path& path, const std::array<double, 3>& origin,
                 const std::array<double, 3>& spacing, const std::array<int, 3>& nodes,
                 std::span<const OutputField> fields, double time);
+
+/// What a particle file holds.
+struct ParticleFrame {
+  struct Field {
+    std::string name;
+    int components = 1;
+    bool integers = false;
+    std::vector<double> values;  ///< components of a particle side by side
+  };
+  double time = 0.0;
+  std::vector<std::array<double, 3>> position;
+  std::vector<Field> fields;
+
+  /// The field of this name, or null.
+  const Field* field(std::string_view name) const;
+};
+
+/// Reads a .vtp file of write_particles. Throws FileError.
+ParticleFrame read_particles(const std::filesystem::path& path);
+
+/// A file of a collection and its time.
+struct CollectionEntry {
+  double time = 0.0;
+  std::filesystem::path file;
+};
+/// The entries of a .pvd file, with whole paths. Throws FileError.
+std::vector<CollectionEntry> read_collection(const std::filesystem::path& path);
 
 /// The list of files and times that ParaView opens.
 class Collection {

@@ -13,7 +13,8 @@ using Catch::Contains;
 
 namespace {
 
-const script::Variables some{{"#a", 2.0}, {"#b", 3.0}, {"#name$", std::string("left ball")}, {"#list[2]", 7.0}, {"#i", 1.0}};
+const script::Variables some{
+    {"#a", 2.0}, {"#b", 3.0}, {"#name$", std::string("left ball")}, {"#list[2]", 7.0}, {"#i", 1.0}};
 
 script::Piece piece(const std::string& text) { return {text, {std::make_shared<const std::string>("s"), 1, 1}}; }
 double number(const std::string& text) { return std::get<double>(evaluate(piece(text), some)); }

@@ -1,0 +1,360 @@
+#include "view/picture.hpp"
+
+#include "base/error.hpp"
+#include "view/colours.hpp"
+
+#include <cairo.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <set>
+
+namespace tribo {
+namespace {
+
+using Box = std::array<std::array<double, 3>, 2>;
+
+struct Destroy {
+  void operator()(cairo_surface_t* s) const { cairo_surface_destroy(s); }
+  void operator()(cairo_t* c) const { cairo_destroy(c); }
+};
+using Surface = std::unique_ptr<cairo_surface_t, Destroy>;
+using Pen = std::unique_ptr<cairo_t, Destroy>;
+
+std::string short_number(double x) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g", std::abs(x) < 1e-300 ? 0.0 : x);
+  return text;
+}
+
+// Round numbers from low to high, about `wanted` of them.
+std::vector<double> ticks(double low, double high, int wanted) {
+  const double raw = (high - low) / std::max(1, wanted);
+  if (!(raw > 0) || !std::isfinite(raw)) return {low};
+  const double power = std::pow(10, std::floor(std::log10(raw))), mantissa = raw / power;
+  const double step = power * (mantissa < 1.5 ? 1 : mantissa < 3.5 ? 2 : mantissa < 7.5 ? 5 : 10);
+  std::vector<double> out;
+  for (double k = std::ceil(low / step - 1e-9); k * step <= high + 1e-9 * step; ++k) out.push_back(k * step);
+  return out;
+}
+
+/// What is drawn where, in pixels.
+struct Sheet {
+  double left, top, width, height;  // of the particles
+  double scale;                     // pixels per length
+  double u0, v1;                    // projected coordinates of the upper left corner
+  int picture_width, picture_height;
+
+  double x(double u) const { return left + (u - u0) * scale; }
+  double y(double v) const { return top + (v1 - v) * scale; }
+};
+
+constexpr double margin_left = 64, margin_right = 118, margin_top = 36, margin_bottom = 44;
+
+Sheet lay_out(const Camera& camera, const Box& box, int width, bool axes) {
+  double u0 = 1e300, u1 = -1e300, v0 = 1e300, v1 = -1e300;
+  for (int corner = 0; corner < 8; ++corner) {
+    std::array<double, 3> x{};
+    for (std::size_t d = 0; d < 3; ++d) x[d] = box[static_cast<std::size_t>(corner >> d & 1)][d];
+    const Vec3 p = camera.project(x);
+    u0 = std::min(u0, p[0]), u1 = std::max(u1, p[0]), v0 = std::min(v0, p[1]), v1 = std::max(v1, p[1]);
+  }
+  const double around = 0.02 * std::max(u1 - u0, v1 - v0);
+  u0 -= around, u1 += around, v0 -= around, v1 += around;
+  Sheet l{};
+  l.left = axes ? margin_left : 16, l.top = margin_top;
+  const double room = width - l.left - margin_right;
+  l.scale = std::min(room / (u1 - u0), 1.2 * room / (v1 - v0));
+  l.width = (u1 - u0) * l.scale, l.height = std::max((v1 - v0) * l.scale, 60.0);
+  const double spare = l.height / l.scale - (v1 - v0);
+  l.u0 = u0, l.v1 = v1 + 0.5 * spare;
+  l.picture_width = static_cast<int>(std::lround(l.left + l.width + margin_right));
+  l.picture_height = static_cast<int>(std::lround(l.top + l.height + (axes ? margin_bottom : 16)));
+  // even numbers: films want them
+  l.picture_width += l.picture_width % 2, l.picture_height += l.picture_height % 2;
+  return l;
+}
+
+/// Particles as squares (flat) or balls (space) on a canvas four times as fine as the picture.
+class Canvas {
+ public:
+  Canvas(const Sheet& layout) : layout_(layout) {
+    width_ = fine * static_cast<int>(std::ceil(layout.width)),
+    height_ = fine * static_cast<int>(std::ceil(layout.height));
+    depth_.assign(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_), -1e30F);
+    colour_.assign(depth_.size(), Colour{255, 255, 255});
+  }
+
+  void particle(const Vec3& at, double radius, const Colour& colour, bool ball) {
+    const double s = fine * layout_.scale, r = std::max(radius * s, 0.75 * fine);
+    const double u = (at[0] - layout_.u0) * s, v = (layout_.v1 - at[1]) * s;
+    const int x0 = std::max(0, static_cast<int>(std::floor(u - r))), x1 = std::min(width_, static_cast<int>(u + r) + 1);
+    const int y0 = std::max(0, static_cast<int>(std::floor(v - r))),
+              y1 = std::min(height_, static_cast<int>(v + r) + 1);
+    for (int y = y0; y < y1; ++y)
+      for (int x = x0; x < x1; ++x) {
+        const double a = (x + 0.5 - u) / r, b = (y + 0.5 - v) / r, square = a * a + b * b;
+        const std::size_t pixel =
+            static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
+        if (!ball) {
+          if (std::abs(a) <= 1 && std::abs(b) <= 1) colour_[pixel] = colour;
+          continue;
+        }
+        if (square > 1) continue;
+        const double height = std::sqrt(1 - square);
+        const auto depth = static_cast<float>(at[2] + radius * height);
+        if (depth <= depth_[pixel]) continue;
+        depth_[pixel] = depth;
+        // light from above the left shoulder
+        const double light = 0.45 + 0.55 * std::max(0.0, -0.35 * a - 0.5 * b + 0.79 * height);
+        for (std::size_t c = 0; c < 3; ++c)
+          colour_[pixel][c] = static_cast<std::uint8_t>(std::min(255.0, light * colour[c] + 8));
+      }
+  }
+
+  void copy_to(cairo_surface_t* surface) const {
+    cairo_surface_flush(surface);
+    unsigned char* data = cairo_image_surface_get_data(surface);
+    const int stride = cairo_image_surface_get_stride(surface);
+    for (int y = 0; y < height_ / fine; ++y)
+      for (int x = 0; x < width_ / fine; ++x) {
+        const int to_x = static_cast<int>(layout_.left) + x, to_y = static_cast<int>(layout_.top) + y;
+        if (to_x >= layout_.picture_width || to_y >= layout_.picture_height) continue;
+        std::array<int, 3> sum{};
+        for (int j = 0; j < fine; ++j)
+          for (int i = 0; i < fine; ++i) {
+            const Colour& c = colour_[static_cast<std::size_t>(fine * y + j) * static_cast<std::size_t>(width_) +
+                                      static_cast<std::size_t>(fine * x + i)];
+            for (std::size_t k = 0; k < 3; ++k) sum[k] += c[k];
+          }
+        auto* pixel = reinterpret_cast<std::uint32_t*>(data + static_cast<std::ptrdiff_t>(to_y) * stride) + to_x;
+        const auto mean = [&](std::size_t k) { return static_cast<std::uint32_t>(sum[k] / (fine * fine)); };
+        *pixel = 0xFF000000U | mean(0) << 16U | mean(1) << 8U | mean(2);
+      }
+    cairo_surface_mark_dirty(surface);
+  }
+
+ private:
+  static constexpr int fine = 2;
+  Sheet layout_;
+  int width_ = 0, height_ = 0;
+  std::vector<float> depth_;
+  std::vector<Colour> colour_;
+};
+
+enum class Anchor { left, middle, right };
+
+void write(cairo_t* pen, const std::string& text, double x, double y, Anchor anchor = Anchor::left, double size = 12) {
+  cairo_set_font_size(pen, size);
+  cairo_text_extents_t extents;
+  cairo_text_extents(pen, text.c_str(), &extents);
+  const double shift = anchor == Anchor::left     ? 0
+                       : anchor == Anchor::middle ? 0.5 * extents.x_advance
+                                                  : extents.x_advance;
+  cairo_move_to(pen, x - shift, y);
+  cairo_show_text(pen, text.c_str());
+}
+
+void line(cairo_t* pen, double x0, double y0, double x1, double y1) {
+  cairo_move_to(pen, x0, y0);
+  cairo_line_to(pen, x1, y1);
+  cairo_stroke(pen);
+}
+
+void draw_axes(cairo_t* pen, const Sheet& l, const Camera& camera) {
+  cairo_set_source_rgb(pen, 0.35, 0.35, 0.35);
+  cairo_set_line_width(pen, 1);
+  cairo_rectangle(pen, l.left - 0.5, l.top - 0.5, l.width + 1, l.height + 1);
+  cairo_stroke(pen);
+  const double bottom = l.top + l.height;
+  for (const double u : ticks(l.u0, l.u0 + l.width / l.scale, static_cast<int>(l.width / 90))) {
+    line(pen, l.x(u), bottom, l.x(u), bottom + 4);
+    write(pen, short_number(u), l.x(u), bottom + 17, Anchor::middle, 11);
+  }
+  for (const double v : ticks(l.v1 - l.height / l.scale, l.v1, static_cast<int>(l.height / 60))) {
+    line(pen, l.left - 4, l.y(v), l.left, l.y(v));
+    write(pen, short_number(v), l.left - 7, l.y(v) + 4, Anchor::right, 11);
+  }
+  write(pen, camera.right_name, l.left + l.width, bottom + 34, Anchor::right);
+  write(pen, camera.up_name, l.left - 8, l.top - 8, Anchor::right);
+}
+
+// A cross of the three directions where there are no axes.
+void draw_directions(cairo_t* pen, const Sheet& l, const Camera& camera) {
+  cairo_set_line_width(pen, 1.5);
+  const double x0 = l.left + 30, y0 = l.top + l.height - 22;
+  constexpr std::array names{"x", "y", "z"};
+  for (std::size_t d = 0; d < 3; ++d) {
+    std::array<double, 3> axis{};
+    axis[d] = 1;
+    const Vec3 p = camera.project(axis);
+    cairo_set_source_rgb(pen, 0.2, 0.2, 0.2);
+    line(pen, x0, y0, x0 + 26 * p[0], y0 - 26 * p[1]);
+    write(pen, names[d], x0 + 34 * p[0] - 3, y0 - 34 * p[1] + 4);
+  }
+}
+
+void draw_scale(cairo_t* pen, const Sheet& l, const Range& range, const std::string& name, const std::string& unit) {
+  const double x = l.left + l.width + 18, width = 16, height = std::min(l.height, 420.0),
+               top = l.top + 0.5 * (l.height - height);
+  for (int k = 0; k < static_cast<int>(height); ++k) {
+    const Colour c = viridis(1 - (k + 0.5) / height);
+    cairo_set_source_rgb(pen, c[0] / 255.0, c[1] / 255.0, c[2] / 255.0);
+    cairo_rectangle(pen, x, top + k, width, 1.5);
+    cairo_fill(pen);
+  }
+  cairo_set_source_rgb(pen, 0.2, 0.2, 0.2);
+  cairo_set_line_width(pen, 1);
+  cairo_rectangle(pen, x - 0.5, top - 0.5, width + 1, height + 1);
+  cairo_stroke(pen);
+  for (const double value : ticks(range[0], range[1], std::max(2, static_cast<int>(height / 50)))) {
+    const double y = top + height * (1 - (value - range[0]) / (range[1] - range[0]));
+    if (y < top - 1 || y > top + height + 1) continue;
+    line(pen, x + width, y, x + width + 4, y);
+    write(pen, short_number(value), x + width + 7, y + 4, Anchor::left, 11);
+  }
+  write(pen, unit.empty() ? name : name + " [" + unit + "]", l.picture_width - 8.0, l.top - 14, Anchor::right, 13);
+}
+
+void draw_names(cairo_t* pen, const Sheet& l, const std::vector<double>& values, const std::string& name) {
+  const std::set<int> things = [&] {
+    std::set<int> all;
+    for (const double v : values)
+      if (all.size() < 12) all.insert(static_cast<int>(v));
+    return all;
+  }();
+  double y = l.top + 14;
+  for (const int k : things) {
+    const Colour c = distinct(k - 1);
+    cairo_set_source_rgb(pen, c[0] / 255.0, c[1] / 255.0, c[2] / 255.0);
+    cairo_rectangle(pen, l.left + l.width + 18, y - 10, 14, 12);
+    cairo_fill(pen);
+    cairo_set_source_rgb(pen, 0.2, 0.2, 0.2);
+    write(pen, std::to_string(k), l.left + l.width + 38, y);
+    y += 19;
+  }
+  write(pen, name, l.picture_width - 8.0, l.top - 14, Anchor::right, 13);
+}
+
+cairo_status_t append(void* to, const unsigned char* data, unsigned int length) {
+  static_cast<std::string*>(to)->append(reinterpret_cast<const char*>(data), length);
+  return CAIRO_STATUS_SUCCESS;
+}
+
+}  // namespace
+
+Shade shade_of(const ParticleFrame& frame, const std::string& wanted) {
+  const auto dot = wanted.find('.');
+  const std::string name = wanted.substr(0, dot);
+  const auto* field = frame.field(name);
+  if (!field) {
+    std::vector<std::string> names;
+    for (const auto& f : frame.fields) names.push_back(f.name);
+    throw UsageError("the run has no field '" + name + "'" + did_you_mean(name, names) + "; it has: " + join(names));
+  }
+  const auto count = static_cast<std::size_t>(field->components);
+  int component = -1;
+  if (dot != std::string::npos) {
+    const std::vector<std::string> names =
+        count == 3   ? std::vector<std::string>{"x", "y", "z"}
+        : count == 6 ? std::vector<std::string>{"xx", "yy", "zz", "xy", "yz", "xz"}
+        : count == 9 ? std::vector<std::string>{"xx", "xy", "xz", "yx", "yy", "yz", "zx", "zy", "zz"}
+                     : std::vector<std::string>{};
+    const auto found = std::find(names.begin(), names.end(), wanted.substr(dot + 1));
+    if (found == names.end())
+      throw UsageError("'" + name + "' has no component '" + wanted.substr(dot + 1) + "'" +
+                       (names.empty() ? "" : "; it has: " + join(names)));
+    component = static_cast<int>(found - names.begin());
+  } else if (count > 3) {
+    throw UsageError("'" + name + "' is a tensor; add the component, for example '" + name + ".xx'");
+  }
+  Shade shade{wanted, {}, field->integers && count == 1};
+  for (std::size_t i = 0; i < frame.position.size(); ++i) {
+    const double* v = field->values.data() + i * count;
+    if (component >= 0)
+      shade.values.push_back(v[component]);
+    else if (count == 1)
+      shade.values.push_back(v[0]);
+    else
+      shade.values.push_back(std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]));
+  }
+  return shade;
+}
+
+Range range_of(const std::vector<double>& values) {
+  std::vector<double> sorted;
+  for (const double v : values)
+    if (std::isfinite(v)) sorted.push_back(v);
+  if (sorted.empty()) return {0, 1};
+  std::sort(sorted.begin(), sorted.end());
+  const auto at = [&](double part) {
+    return sorted[static_cast<std::size_t>(part * static_cast<double>(sorted.size() - 1))];
+  };
+  Range range{at(0.005), at(0.995)};
+  if (!(range[1] - range[0] > 1e-12 * std::max(std::abs(range[0]), std::abs(range[1])))) {
+    const double half = std::max(1e-30, 0.5 * std::abs(range[0]));
+    range = {range[0] - half, range[1] + half};
+  }
+  return range;
+}
+
+Box box_of(const ParticleFrame& frame) {
+  if (frame.position.empty()) throw FileError("the file holds no particles");
+  Box box{frame.position[0], frame.position[0]};
+  for (const auto& x : frame.position)
+    for (std::size_t d = 0; d < 3; ++d) box[0][d] = std::min(box[0][d], x[d]), box[1][d] = std::max(box[1][d], x[d]);
+  return box;
+}
+
+Box joined(const Box& a, const Box& b) {
+  Box out = a;
+  for (std::size_t d = 0; d < 3; ++d) out[0][d] = std::min(a[0][d], b[0][d]), out[1][d] = std::max(a[1][d], b[1][d]);
+  return out;
+}
+
+std::string picture(const ParticleFrame& frame, const PictureOptions& options) {
+  const Shade shade = shade_of(frame, options.field);
+  const Box particles = box_of(frame);
+  const bool flat = particles[1][2] - particles[0][2] <= 0;
+  const std::string view = !options.view.empty() ? options.view : flat ? "xy" : "iso";
+  const Camera eye = camera(view);
+  const bool axes = !eye.right_name.empty();
+  const double spacing = spacing_of(frame.position), radius = flat ? 0.54 * spacing : 0.62 * spacing;
+  Box box = options.box.value_or(particles);
+  for (std::size_t d = 0; d < 3; ++d)
+    if (d < 2 || !flat) box[0][d] -= radius, box[1][d] += radius;
+  const Sheet l = lay_out(eye, box, options.width, axes);
+  const Range range = options.range.value_or(range_of(shade.values));
+
+  Canvas canvas(l);
+  for (std::size_t i = 0; i < frame.position.size(); ++i) {
+    const double v = shade.values[i];
+    const Colour colour =
+        shade.integers ? distinct(static_cast<int>(v) - 1) : viridis((v - range[0]) / (range[1] - range[0]));
+    canvas.particle(eye.project(frame.position[i]), radius, colour, !flat);
+  }
+  const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, l.picture_width, l.picture_height));
+  const Pen pen(cairo_create(surface.get()));
+  cairo_set_source_rgb(pen.get(), 1, 1, 1);
+  cairo_paint(pen.get());
+  canvas.copy_to(surface.get());
+  cairo_select_font_face(pen.get(), "DejaVu Sans", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
+  if (axes)
+    draw_axes(pen.get(), l, eye);
+  else
+    draw_directions(pen.get(), l, eye);
+  if (shade.integers)
+    draw_names(pen.get(), l, shade.values, shade.name);
+  else
+    draw_scale(pen.get(), l, range, shade.name, options.unit);
+  cairo_set_source_rgb(pen.get(), 0.2, 0.2, 0.2);
+  write(pen.get(), "time " + short_number(frame.time) + (options.time_unit.empty() ? "" : " " + options.time_unit),
+        l.left, l.top - 14, Anchor::left, 13);
+  std::string png;
+  if (cairo_surface_write_to_png_stream(surface.get(), append, &png) != CAIRO_STATUS_SUCCESS)
+    throw FileError("the picture could not be drawn");
+  return png;
+}
+
+}  // namespace tribo

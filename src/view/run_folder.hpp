@@ -1,0 +1,38 @@
+/// What a run left in its folder, for those who show it.
+#pragma once
+
+#include "output/vtk.hpp"
+
+namespace tribo {
+
+/// Columns of numbers with names.
+struct Table {
+  std::vector<std::string> names;
+  std::vector<std::vector<double>> columns;
+
+  std::size_t rows() const { return columns.empty() ? 0 : columns.front().size(); }
+  /// The column of this name, or null.
+  const std::vector<double>* column(std::string_view name) const;
+};
+
+/// A file of History: a torn last line is left out. Throws FileError.
+Table read_table(const std::filesystem::path& file);
+
+class RunFolder {
+ public:
+  /// Throws FileError if the folder holds no run.
+  explicit RunFolder(std::filesystem::path folder);
+
+  const std::filesystem::path& path() const { return folder_; }
+  /// Particle files that are there now.
+  std::vector<CollectionEntry> frames() const { return read_collection(folder_ / "run.pvd"); }
+  Table history() const { return read_table(folder_ / "history.csv"); }
+  Table energy() const { return read_table(folder_ / "energy.csv"); }
+  /// provenance.json as text.
+  std::string provenance() const;
+
+ private:
+  std::filesystem::path folder_;
+};
+
+}  // namespace tribo
