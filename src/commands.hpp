@@ -34,5 +34,6 @@ int list_command(const Arguments& a);
 
 // show_commands.cpp
 int render_command(const Arguments& a);
+int report_command(const Arguments& a);
 
 }  // namespace tribo

@@ -74,6 +74,11 @@ class CommandLine {
                        "pictures go into this folder, the film beside it (default: DIR/pictures)");
     shows_field(render);
     render->add_option("--rate", a.rate, "pictures per second of the film (default 20)")->check(CLI::PositiveNumber);
+    auto* report =
+        add("report", "write one HTML file about a run: pictures, histories, energies, times", report_command);
+    report->add_option("DIR", a.folder, "folder of the run")->required();
+    report->add_option("-o,--output", a.output, "the file (default: DIR/report.html)");
+    shows_field(report);
     add("schema", "print the XML schema of command files",
         [](const Arguments&) { return std::printf("%s", schema().c_str()) < 0 ? file_error : done; });
     add("list", "print all keywords and materials, or one of them", list_command)

@@ -2,12 +2,15 @@
 #include "commands.hpp"
 #include "output/atomic_file.hpp"
 #include "view/picture.hpp"
-#include "view/run_folder.hpp"
+#include "view/report.hpp"
+
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <map>
 
 namespace tribo {
 namespace {
@@ -26,9 +29,23 @@ std::vector<CollectionEntry> chosen(const std::vector<CollectionEntry>& all, con
   return out;
 }
 
+// The unit of a field, as far as its name tells its dimension.
+std::string unit_of(const std::string& field, const nlohmann::json& model) {
+  static const std::map<std::string, std::string> dimensions{
+      {"von_mises", "stress"},  {"pressure", "stress"},     {"stress", "stress"}, {"contact_traction", "stress"},
+      {"velocity", "velocity"}, {"displacement", "length"}, {"mass", "mass"}};
+  const auto found = dimensions.find(field.substr(0, field.find('.')));
+  return found == dimensions.end() ? "" : model.value("unit of " + found->second, "");
+}
+
 // One box and one range of colours for all pictures.
-PictureOptions common_options(const std::vector<CollectionEntry>& frames, const Arguments& a) {
+PictureOptions common_options(const RunFolder& run, const std::vector<CollectionEntry>& frames, const Arguments& a) {
   PictureOptions options;
+  const auto record = nlohmann::json::parse(run.provenance(), nullptr, false);
+  if (record.is_object() && record.contains("model")) {
+    options.unit = unit_of(a.field, record["model"]);
+    options.time_unit = record["model"].value("unit of time", "");
+  }
   options.field = a.field, options.view = a.view, options.width = a.width;
   std::optional<Range> range;
   const std::size_t stride = std::max<std::size_t>(1, frames.size() / 12);
@@ -60,7 +77,7 @@ std::string quoted(const std::string& text) {
 int render_command(const Arguments& a) {
   const RunFolder run(a.folder);
   const auto frames = chosen(run.frames(), a.times);
-  const PictureOptions options = common_options(frames, a);
+  const PictureOptions options = common_options(run, frames, a);
   const std::filesystem::path folder = a.output.empty() ? a.folder / "pictures" : a.output;
   std::error_code refused;
   std::filesystem::create_directories(folder, refused);
@@ -80,6 +97,24 @@ int render_command(const Arguments& a) {
     std::printf("film: %s\n", film.c_str());
   else
     throw FileError("ffmpeg could not make '" + film + "'");
+  return done;
+}
+
+int report_command(const Arguments& a) {
+  const RunFolder run(a.folder);
+  const auto all = run.frames();
+  if (all.empty()) throw FileError("the run has written no particles yet");
+  std::vector<double> times = a.times;
+  if (times.empty())
+    for (const double part : {0.0, 1.0 / 3, 2.0 / 3, 1.0})
+      times.push_back(all.front().time + part * (all.back().time - all.front().time));
+  const auto frames = chosen(all, times);
+  const PictureOptions options = common_options(run, frames, a);
+  std::vector<ReportPicture> pictures;
+  for (const auto& frame : frames) pictures.push_back({frame.time, picture(read_particles(frame.file), options)});
+  const std::filesystem::path file = a.output.empty() ? a.folder / "report.html" : a.output;
+  write_atomically(file, report(run, pictures));
+  std::printf("%s\n", file.c_str());
   return done;
 }
 

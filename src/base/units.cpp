@@ -1,5 +1,7 @@
 #include "base/units.hpp"
 
+#include <array>
+
 #include <numbers>
 
 namespace tribo {
@@ -33,6 +35,27 @@ double Units::factor(Dimension dimension) const {
   }
 }
 
+namespace {
+
+/// Systems of units whose stress and force have names.
+struct KnownUnits {
+  std::string_view length, mass, time;
+  const char *stress, *force;
+};
+
+const KnownUnits* known_units(std::string_view length, std::string_view mass, std::string_view time) {
+  static constexpr std::array<KnownUnits, 5> all{{{"m", "kg", "s", "Pa", "N"},
+                                                  {"mm", "g", "ms", "MPa", "N"},
+                                                  {"mm", "g", "s", "Pa", "uN"},
+                                                  {"mm", "kg", "ms", "GPa", "kN"},
+                                                  {"mm", "mg", "ms", "kPa", "mN"}}};
+  for (const auto& u : all)
+    if (u.length == length && u.mass == mass && u.time == time) return &u;
+  return nullptr;
+}
+
+}  // namespace
+
 std::string Units::name(Dimension dimension) const {
   const std::string l = legacy ? "mm" : length, m = legacy ? "g" : mass, t = legacy ? "s" : time;
   switch (dimension) {
@@ -51,8 +74,10 @@ std::string Units::name(Dimension dimension) const {
     case Dimension::density:
       return m + "/" + l + "^3";
     case Dimension::stress:
+      if (const auto* known = known_units(l, m, t)) return known->stress;
       return m + "/(" + l + " " + t + "^2)";
     case Dimension::force:
+      if (const auto* known = known_units(l, m, t)) return known->force;
       return m + " " + l + "/" + t + "^2";
     case Dimension::rate:
       return "1/" + t;

@@ -2,6 +2,7 @@
 
 #include "output/atomic_file.hpp"
 
+#include <unistd.h>
 #include <zlib.h>
 
 #include <chrono>
@@ -70,6 +71,11 @@ void Provenance::write(const std::string& status, const std::string& reason, dou
   if (!reason.empty()) record["reason"] = reason;
   record["time"] = time;
   record["step"] = step;
+  record["end_time"] = progress_.end_time;
+  record["time_step"] = progress_.step;
+  record["seconds"] = progress_.seconds;
+  if (status == "running") record["seconds_left"] = progress_.seconds_left, record["process"] = ::getpid();
+  for (const auto& [part, seconds] : progress_.seconds_of) record["seconds_of"][part] = seconds;
   for (const auto& [name, value] : facts_) record["model"][name] = value;
   write_atomically(path_, record.dump(2) + "\n");
 }

@@ -18,11 +18,20 @@ class Provenance {
   /// Writes the file with a status: running, finished, stopped, failed, and why. Throws FileError.
   void write(const std::string& status, const std::string& reason, double time, long step) const;
 
+  /// How far the run is and where its time went, for the next write().
+  struct Progress {
+    double end_time = 0.0, step = 0.0;              ///< simulated
+    double seconds = 0.0, seconds_left = 0.0;       ///< on the clock, since the start or resumption
+    std::map<std::string, double> seconds_of = {};  ///< by part of the program
+  };
+  void set_progress(Progress progress) { progress_ = std::move(progress); }
+
  private:
   std::filesystem::path path_;
   std::string command_line_, input_, input_checksum_, started_;
   int threads_;
   std::map<std::string, std::string> facts_;
+  Progress progress_;
 };
 
 }  // namespace tribo

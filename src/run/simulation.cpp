@@ -19,17 +19,20 @@
 namespace tribo {
 namespace {
 
-std::atomic<bool> stop_requested{false};
+std::atomic<bool> stop_requested{false}, checkpoint_requested{false};
 
-/// Turns the first SIGINT or SIGTERM into a request, restores the old handlers afterwards.
+/// Turns SIGINT or SIGTERM into a request to stop, SIGUSR1 into one for a checkpoint; restores the old handlers
+/// afterwards.
 class SignalGuard {
  public:
   SignalGuard() {
-    stop_requested = false;
+    stop_requested = checkpoint_requested = false;
+    old_user_ = std::signal(SIGUSR1, [](int) { checkpoint_requested = true; });
     old_interrupt_ = std::signal(SIGINT, handle);
     old_terminate_ = std::signal(SIGTERM, handle);
   }
   ~SignalGuard() {
+    std::signal(SIGUSR1, old_user_);
     std::signal(SIGINT, old_interrupt_);
     std::signal(SIGTERM, old_terminate_);
   }
@@ -40,6 +43,7 @@ class SignalGuard {
   static void handle(int) { stop_requested = true; }
   void (*old_interrupt_)(int);
   void (*old_terminate_)(int);
+  void (*old_user_)(int);
 };
 
 // More threads than this only wait for each other. Results do not depend on it.
@@ -80,9 +84,15 @@ class Simulation {
     Results<Dim> results(model_, system_, stepper_, options_.folder, resume_time);
     results.initial_energy = state.initial_energy;
     Provenance provenance(options_.folder / "provenance.json", options_.command_line, model_.file, threads(), facts());
-    provenance.write("running", "", system_.time, static_cast<long>(system_.step));
-
     dt_ = resume_time ? state.dt : stable_step();
+    const double begin_time = system_.time;
+    const auto report = [&](const std::string& status, const std::string& reason) {
+      provenance.set_progress(progress_since(begin_time, seconds_since(begin)));
+      provenance.write(status, reason, system_.time, static_cast<long>(system_.step));
+    };
+    report("running", "");
+    auto reported = begin;
+
     const auto save = [&] {
       save_state({archive_.count(), history_.count(), checkpoints_.count(), results.initial_energy, dt_}, system_,
                  stepper_)
@@ -90,6 +100,7 @@ class Simulation {
       stepper_.contact().forget();
     };
     const auto write = [&](bool all) {
+      const auto lap = output_watch_.lap();
       const double tolerance = 1e-6 * dt_;
       if (history_.due(system_.time, tolerance) || all) results.write_history(dt_);
       if (archive_.due(system_.time, tolerance) || all) results.write_particles(archive_.count() - (all ? 0 : 1));
@@ -105,25 +116,32 @@ class Simulation {
         const bool stop = stop_requested || (options_.max_wall > 0 && seconds_since(begin) > options_.max_wall);
         if (stop && stepper_.contact().interruptible()) {
           save();
-          provenance.write("stopped", stop_requested ? "signal" : "wall time", system_.time,
-                           static_cast<long>(system_.step));
+          report("stopped", stop_requested ? "signal" : "wall time");
           return Outcome::stopped;
+        }
+        if (checkpoint_requested && stepper_.contact().interruptible()) {
+          checkpoint_requested = false;
+          save();
         }
         const double step = next_step();
         update_damping(step);
         stepper_.advance(step);
         write(false);
+        if (system_.step % 16 == 0 && seconds_since(reported) > between_reports) {
+          report("running", "");
+          reported = std::chrono::steady_clock::now();
+        }
         progress.step(system_.time, system_.step, step);
       }
     } catch (const SimulationError& error) {
-      provenance.write("failed", error.what(), system_.time, static_cast<long>(system_.step));
+      report("failed", error.what());
       const bool usable = std::filesystem::exists(checkpoint);
       throw SimulationError(std::string(error.what()) +
                             (usable ? "\nThe last checkpoint is in '" + checkpoint.string() + "'." : std::string()));
     }
     if (system_.step > first_step) finish(results);
     save();
-    provenance.write("finished", "", system_.time, static_cast<long>(system_.step));
+    report("finished", "");
     progress.finish(system_.time, system_.step);
     return Outcome::finished;
   }
@@ -209,6 +227,28 @@ class Simulation {
   }
 
  private:
+  static constexpr double between_reports = 2.0;  // seconds
+
+  Provenance::Progress progress_since(double begin_time, double seconds) const {
+    Provenance::Progress p;
+    p.end_time = model_.time.end, p.step = dt_, p.seconds = seconds;
+    const double done = system_.time - begin_time;
+    p.seconds_left = done > 0 ? seconds * (model_.time.end - system_.time) / done : 0.0;
+    const StepWatches& w = stepper_.watches();
+    const double contact = stepper_.contact().watch.seconds();
+    p.seconds_of = {{"sorting", w.sort.seconds()},
+                    {"particles to nodes", w.scatter.seconds()},
+                    {"nodes", w.grid.seconds()},
+                    {"nodes to particles, stress", w.gather.seconds()},
+                    {"contact", contact},
+                    {"filter (XPIC, FMPM)", w.filter.seconds()},
+                    {"output", output_watch_.seconds()}};
+    double named = contact;
+    for (const Stopwatch* watch : {&w.sort, &w.scatter, &w.grid, &w.gather, &w.filter}) named += watch->seconds();
+    p.seconds_of["loads, heat, rest of the step"] = std::max(0.0, w.all.seconds() - named);
+    return p;
+  }
+
   static double seconds_since(std::chrono::steady_clock::time_point begin) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   }
@@ -222,6 +262,11 @@ class Simulation {
   std::map<std::string, std::string> facts() const {
     std::map<std::string, std::string> out{{"title", model_.title}};
     for (const auto& body : system_.bodies) out["particles of " + body.name] = std::to_string(body.particles.size());
+    using D = Dimension;
+    for (const auto& [name, dimension] :
+         {std::pair("length", D::length), std::pair("time", D::time), std::pair("velocity", D::velocity),
+          std::pair("stress", D::stress), std::pair("force", D::force), std::pair("mass", D::mass)})
+      out["unit of " + std::string(name)] = model_.units.name(dimension);
     out["units"] = model_.units.name(Dimension::length) + ", " + model_.units.name(Dimension::mass) + ", " +
                    model_.units.name(Dimension::time);
     return out;
@@ -323,6 +368,7 @@ class Simulation {
   System<Dim> system_;
   Stepper<Dim> stepper_;
   Schedule archive_, history_, checkpoints_;
+  Stopwatch output_watch_;
   double dt_ = 0.0, wave_speed_ = 0.0;
   std::string controlling_;
   bool limited_by_user_ = false;

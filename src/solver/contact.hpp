@@ -1,6 +1,7 @@
 /// Contact between velocity fields: where they meet, what their laws answer, and what it does to the nodes.
 #pragma once
 
+#include "base/stopwatch.hpp"
 #include "contact/contact_law.hpp"
 #include "solver/conditions.hpp"
 #include "solver/contact_cloud.hpp"
@@ -81,6 +82,7 @@ class Contact {
   /// Sums over pairs.
   PairLedger total() const;
   /// Work done on the deformable bodies by the motion of rigid ones so far [energy].
+  Stopwatch watch;  ///< of all that contact does in a step
   double rigid_work = 0.0;
   /// Momentum they gave to the deformable bodies so far.
   Vec3 rigid_impulse = Vec3::Zero();

@@ -110,6 +110,7 @@ void Contact<Dim>::show() {
 template <int Dim>
 void Contact<Dim>::meet(double dt, Pass pass) {
   if (!active_) return;
+  const auto lap = watch.lap();
   parallel_for(static_cast<std::ptrdiff_t>(nodes_.size()), [&](std::ptrdiff_t k) {
     MeetingNode& node = nodes_[static_cast<std::size_t>(k)];
     if (node.by_faces) return;
@@ -136,6 +137,7 @@ void Contact<Dim>::meet(double dt, Pass pass) {
 template <int Dim>
 void Contact<Dim>::part() {
   if (!active_) return;
+  const auto lap = watch.lap();
   face_impulses_.part();
   parallel_for(static_cast<std::ptrdiff_t>(nodes_.size()), [&](std::ptrdiff_t k) {
     const MeetingNode& node = nodes_[static_cast<std::size_t>(k)];
@@ -176,6 +178,7 @@ void Contact<Dim>::refine(bool update) {
 template <int Dim>
 void Contact<Dim>::book(double dt) {
   if (!active_) return;
+  const auto lap = watch.lap();
   for (auto& [fields, entry] : ledger_) entry.force.setZero(), entry.stored = entry.area = 0.0;
   for (const auto& node : nodes_)
     for (std::size_t p = node.first_pair; p < node.end_pair; ++p) {

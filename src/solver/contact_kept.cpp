@@ -26,6 +26,7 @@ constexpr double even = 0.02;
 template <int Dim>
 void Contact<Dim>::find(std::vector<Conditions<Dim>>& conditions) {
   if (!active_) return;
+  const auto lap = watch.lap();
   list_nodes(conditions);
   const bool kept = keeps_faces_ && kept_steps_ > 0 && !worn() && reuse_faces();
   const auto stale = std::count_if(nodes_.begin(), nodes_.end(), [](const MeetingNode& node) { return node.stale; });

@@ -37,6 +37,7 @@ bool Stepper<Dim>::filter_now() {
 // Leaves v(k) in the velocities of the layer `filter`. dt > 0: after the forces, which XPIC takes out first.
 template <int Dim>
 void Stepper<Dim>::filter(double dt, bool from_start) {
+  const auto lap = watches_.filter.lap();
   const double without = model_.scheme.transfer == Transfer::xpic ? dt : 0.0;
   Gather value;
   value.filtered = true;
@@ -86,6 +87,7 @@ void Stepper<Dim>::filter(double dt, bool from_start) {
 
 template <int Dim>
 void Stepper<Dim>::use_filtered(double dt) {
+  const auto lap = watches_.filter.lap();
   const double with = model_.scheme.transfer == Transfer::xpic ? dt : 0.0;
   for (auto& field : system_.fields) {
     if (field.rigid_contact) continue;

@@ -15,6 +15,7 @@ template <int Dim>
 void Stepper<Dim>::advance(double dt) {
   const UpdateOrder order = model_.scheme.order;
   const bool again = model_.scheme.extrapolate_again && order != UpdateOrder::usf;
+  const auto lap = watches_.all.lap();
   if (!system_.sorted || system_.drift >= 1.0 - 1e-6) sort();
 
   filtering_ = filter_now();
@@ -104,6 +105,7 @@ Stepper<Dim>::Stepper(const Model& model, System<Dim>& system)
 
 template <int Dim>
 void Stepper<Dim>::sort() {
+  const auto lap = watches_.sort.lap();
   for (auto* bodies : {&system_.bodies, &system_.rigids})
     for (auto& body : *bodies) {
       bring_home(model_.grid, system_.lattice, body);
@@ -161,11 +163,13 @@ void Stepper<Dim>::allocate() {
 
 template <int Dim>
 void Stepper<Dim>::clear() {
+  const auto lap = watches_.grid.lap();
   for (auto& field : system_.fields) zero(field.nodes);
 }
 
 template <int Dim>
 void Stepper<Dim>::scatter(Scatter what, bool from_start) {
+  const auto lap = watches_.scatter.lap();
   if (what != Scatter::momentum) b_bar_.average_stress();
   for (auto& body : system_.bodies) {
     auto& field = system_.fields[body.field];
@@ -181,6 +185,7 @@ void Stepper<Dim>::scatter(Scatter what, bool from_start) {
 
 template <int Dim>
 void Stepper<Dim>::divide_by_mass() {
+  const auto lap = watches_.grid.lap();
   for (std::size_t f = 0; f < system_.fields.size(); ++f) {
     auto& nodes = system_.fields[f].nodes;
     conditions_[f].count_plane_forces(nodes);
@@ -200,6 +205,7 @@ void Stepper<Dim>::extend() {
 
 template <int Dim>
 void Stepper<Dim>::accelerate(double dt, Known known) {
+  const auto lap = watches_.grid.lap();
   const bool from_momentum = known == Known::momentum;
   for (std::size_t f = 0; f < system_.fields.size(); ++f) {
     auto& nodes = system_.fields[f].nodes;
@@ -305,12 +311,14 @@ typename Stepper<Dim>::Exchange Stepper<Dim>::sum_over_nodes(std::size_t f, F&& 
 
 template <int Dim>
 void Stepper<Dim>::impose(double time, double dt) {
+  const auto lap = watches_.grid.lap();
   for (std::size_t f = 0; f < conditions_.size(); ++f) conditions_[f].impose(system_.fields[f].nodes, time, dt);
   impose_rigid(dt, false, false);
 }
 
 template <int Dim>
 void Stepper<Dim>::impose_update(double dt, bool after_impose) {
+  const auto lap = watches_.grid.lap();
   for (std::size_t f = 0; f < conditions_.size(); ++f)
     conditions_[f].impose_update(system_.fields[f].nodes, system_.time, dt, after_impose, system_.step == 0);
   impose_rigid(dt, true, after_impose);
@@ -318,6 +326,7 @@ void Stepper<Dim>::impose_update(double dt, bool after_impose) {
 
 template <int Dim>
 void Stepper<Dim>::move(double dt, double strain_dt) {
+  const auto lap = watches_.gather.lap();
   Gather what = gather_options();
   what.move = true;
   what.dt = dt;
@@ -358,6 +367,7 @@ void Stepper<Dim>::move(double dt, double strain_dt) {
 template <int Dim>
 void Stepper<Dim>::strain(double dt, bool from_start) {
   if (!(dt > 0)) return;
+  const auto lap = watches_.gather.lap();
   Gather what = gather_options();
   what.strain_dt = dt;
   what.from_start = from_start;

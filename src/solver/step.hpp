@@ -16,6 +16,11 @@ struct Ledger {
   Vec3 impulse = Vec3::Zero();  ///< of all of these                            [momentum]
 };
 
+/// Where the time of the steps goes.
+struct StepWatches {
+  Stopwatch all, sort, scatter, grid, filter, gather;
+};
+
 template <int Dim>
 class Stepper {
  public:
@@ -32,6 +37,7 @@ class Stepper {
   const Transfers<Dim>& transfers() const { return *transfers_; }
   Contact<Dim>& contact() { return contact_; }
   const Contact<Dim>& contact() const { return contact_; }
+  const StepWatches& watches() const { return watches_; }
   HeatConduction<Dim>& heat() { return heat_; }
   const HeatConduction<Dim>& heat() const { return heat_; }
   /// Rebuilds blocks and nodes for the present bins; needed after a restart.
@@ -91,6 +97,7 @@ class Stepper {
   HeatConduction<Dim> heat_;
   BBar<Dim> b_bar_;
   Ledger ledger_;
+  StepWatches watches_;
   bool filtering_ = false;             ///< XPIC or FMPM acts in this step
   std::vector<Vec3> rigid_reactions_;  ///< by rigid body
   double rigid_travel_ = 0.0;

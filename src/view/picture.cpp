@@ -1,6 +1,7 @@
 #include "view/picture.hpp"
 
 #include "base/error.hpp"
+#include "view/chart.hpp"
 #include "view/colours.hpp"
 
 #include <cairo.h>
@@ -21,23 +22,6 @@ struct Destroy {
 };
 using Surface = std::unique_ptr<cairo_surface_t, Destroy>;
 using Pen = std::unique_ptr<cairo_t, Destroy>;
-
-std::string short_number(double x) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.4g", std::abs(x) < 1e-300 ? 0.0 : x);
-  return text;
-}
-
-// Round numbers from low to high, about `wanted` of them.
-std::vector<double> ticks(double low, double high, int wanted) {
-  const double raw = (high - low) / std::max(1, wanted);
-  if (!(raw > 0) || !std::isfinite(raw)) return {low};
-  const double power = std::pow(10, std::floor(std::log10(raw))), mantissa = raw / power;
-  const double step = power * (mantissa < 1.5 ? 1 : mantissa < 3.5 ? 2 : mantissa < 7.5 ? 5 : 10);
-  std::vector<double> out;
-  for (double k = std::ceil(low / step - 1e-9); k * step <= high + 1e-9 * step; ++k) out.push_back(k * step);
-  return out;
-}
 
 /// What is drawn where, in pixels.
 struct Sheet {

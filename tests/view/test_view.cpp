@@ -1,0 +1,169 @@
+#include "base/error.hpp"
+#include "scratch.hpp"
+#include "view/chart.hpp"
+#include "view/colours.hpp"
+#include "view/picture.hpp"
+#include "view/report.hpp"
+
+#include <png.h>
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <cstring>
+#include <fstream>
+
+using namespace tribo;
+
+namespace {
+
+// Two rows of three particles a distance of 2 apart; von_mises grows from left to right.
+ParticleFrame small_frame() {
+  ParticleFrame frame;
+  frame.time = 1.5;
+  frame.fields = {{"von_mises", 1, false, {}}, {"velocity", 3, false, {}}, {"material", 1, true, {}}};
+  for (int j = 0; j < 2; ++j)
+    for (int i = 0; i < 3; ++i) {
+      frame.position.push_back({2.0 * i, 2.0 * j, 0.0});
+      frame.fields[0].values.push_back(i);
+      for (const double v : {3.0, 4.0, 0.0}) frame.fields[1].values.push_back(v);
+      frame.fields[2].values.push_back(1 + j);
+    }
+  return frame;
+}
+
+struct Pixels {
+  int width = 0, height = 0;
+  std::vector<Colour> colours;
+  Colour at(double x, double y) const {
+    return colours[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)];
+  }
+};
+
+Pixels read_png(const std::string& bytes) {
+  png_image image{};
+  image.version = PNG_IMAGE_VERSION;
+  REQUIRE(png_image_begin_read_from_memory(&image, bytes.data(), bytes.size()));
+  image.format = PNG_FORMAT_RGB;
+  Pixels out{static_cast<int>(image.width), static_cast<int>(image.height), {}};
+  out.colours.resize(static_cast<std::size_t>(image.width) * image.height);
+  REQUIRE(png_image_finish_read(&image, nullptr, out.colours.data(), 0, nullptr));
+  return out;
+}
+
+int count(const Pixels& pixels, const Colour& colour) {
+  return static_cast<int>(std::count(pixels.colours.begin(), pixels.colours.end(), colour));
+}
+
+}  // namespace
+
+TEST_CASE("the distance of neighbours is found", "[view]") {
+  CHECK(spacing_of(small_frame().position) == Approx(2));
+  std::vector<std::array<double, 3>> cube;
+  for (int k = 0; k < 1000; ++k) cube.push_back({0.5 * (k % 10), 0.5 * (k / 10 % 10), 0.5 * (k / 100)});
+  CHECK(spacing_of(cube) == Approx(0.5));
+  CHECK(spacing_of({}) == 0);
+  CHECK(spacing_of({{1, 2, 3}, {1, 2, 3}}) == 0);
+}
+
+TEST_CASE("cameras have right-handed, orthonormal axes", "[view]") {
+  for (const char* view : {"xy", "xz", "yz", "iso", "iso-z"}) {
+    const Camera c = camera(view);
+    CHECK((c.right.cross(c.up) - c.eye).norm() < 1e-14);
+    CHECK(c.right.norm() == Approx(1));
+  }
+  CHECK(camera("iso").project({0, 1, 0})[1] > 0.5);  // y up
+  CHECK(camera("iso-z").project({0, 0, 1})[1] > 0.5);
+  CHECK_THROWS_AS(camera("top"), UsageError);
+}
+
+TEST_CASE("a shade is a scalar, a length or a component", "[view]") {
+  const ParticleFrame frame = small_frame();
+  CHECK(shade_of(frame, "von_mises").values == std::vector<double>{0, 1, 2, 0, 1, 2});
+  CHECK(shade_of(frame, "velocity").values[3] == 5);
+  CHECK(shade_of(frame, "velocity.y").values[3] == 4);
+  CHECK(shade_of(frame, "material").integers);
+  CHECK_THROWS_WITH(shade_of(frame, "von_misses"), Catch::Contains("did you mean 'von_mises'?"));
+  CHECK_THROWS_WITH(shade_of(frame, "velocity.xx"), Catch::Contains("it has: x, y, z"));
+  CHECK_THROWS_AS(shade_of(frame, "von_mises.x"), UsageError);
+}
+
+TEST_CASE("the range leaves outliers out and is never empty", "[view]") {
+  std::vector<double> values(1000, 1.0);
+  values[0] = -1e9, values[1] = 1e9, values[2] = NAN, values[3] = 2.0;
+  const Range range = range_of(values);
+  CHECK(range[0] < 1);
+  CHECK(range[1] > 1);
+  CHECK(range[1] < 10);
+  CHECK(range_of({})[1] > range_of({})[0]);
+}
+
+TEST_CASE("a picture shows particles where they are, in the colours of their values", "[view]") {
+  const ParticleFrame frame = small_frame();
+  PictureOptions options;
+  options.range = Range{0, 2};
+  const Pixels p = read_png(picture(frame, options));
+  CHECK(p.width <= 901);
+  CHECK(p.width % 2 == 0);
+  CHECK(p.height % 2 == 0);
+  // low, middle and high value cover the same area, apart from the scale
+  const int low = count(p, viridis(0)), middle = count(p, viridis(0.5)), high = count(p, viridis(1));
+  CHECK(low > 10000);
+  CHECK(middle == Approx(low).epsilon(0.2));
+  CHECK(high == Approx(low).epsilon(0.2));
+  const double y = 0.5 * p.height;
+  CHECK(p.at(64 + 0.1 * (p.width - 182), y - 40) == viridis(0));
+  CHECK(p.at(64 + 0.9 * (p.width - 182), y - 40) == viridis(1));
+
+  options.field = "material";
+  const Pixels m = read_png(picture(frame, options));
+  CHECK(m.at(64 + 0.5 * (m.width - 182), 36 + 0.75 * (m.height - 80)) == distinct(0));  // y points up
+  CHECK(m.at(64 + 0.5 * (m.width - 182), 36 + 0.25 * (m.height - 80)) == distinct(1));
+}
+
+TEST_CASE("in space, the nearer ball hides the farther one", "[view]") {
+  ParticleFrame frame = small_frame();
+  frame.position = {{0, 0, 0}, {0, 0, 5}, {8, 0, 0}, {8, 0, 5}, {0, 8, 0}, {0, 8, 5}};
+  frame.fields[2].values = {1, 2, 1, 2, 1, 2};
+  PictureOptions options;
+  options.field = "material", options.view = "xy";  // the eye is at +z
+  const Pixels p = read_png(picture(frame, options));
+  const auto bluish = [](const Colour& c) { return c[2] > 1.3 * c[0]; };
+  const auto n = std::count_if(p.colours.begin(), p.colours.end(), bluish);
+  CHECK(n < 1000);  // material 1 is blue: only its square in the list of names
+  options.view = "iso";
+  const Pixels q = read_png(picture(frame, options));
+  CHECK(std::count_if(q.colours.begin(), q.colours.end(), bluish) > 1000);
+}
+
+TEST_CASE("ticks are round", "[view]") {
+  const auto t = ticks(0.13, 0.97, 5);
+  REQUIRE(t.size() == 4);
+  CHECK(t.front() == Approx(0.2));
+  CHECK(t.back() == Approx(0.8));
+  CHECK(ticks(1, 1, 5).size() == 1);
+}
+
+TEST_CASE("a chart keeps its peaks and leaves gaps", "[view]") {
+  std::vector<double> x, y;
+  for (int k = 0; k < 100000; ++k) x.push_back(k), y.push_back(k == 34567 ? 7.0 : 0.0);
+  const std::string svg = chart("a < b", "time", x, {{"spike", y}});
+  CHECK(svg.find("a &lt; b") != std::string::npos);
+  CHECK(svg.size() < 40000);
+  // the spike's top: 4 % below the upper edge of the frame
+  CHECK(svg.find(" 42.1") != std::string::npos);
+  y[34567] = NAN;
+  CHECK(chart("t", "time", x, {{"gap", y}}).find("nan") == std::string::npos);
+}
+
+TEST_CASE("tables are read back, without a torn last line", "[view]") {
+  const ScratchFolder scratch;
+  const auto file = scratch.path / "t.csv";
+  std::ofstream(file) << "time,\"velx:a,b\"\n0,1\n1,2.5\n2,";
+  const Table table = read_table(file);
+  CHECK(table.names == std::vector<std::string>{"time", "velx:a,b"});
+  REQUIRE(table.rows() == 2);
+  CHECK((*table.column("velx:a,b"))[1] == 2.5);
+  CHECK_FALSE(table.column("vely"));
+  CHECK_THROWS_AS(read_table(scratch.path / "none.csv"), FileError);
+  CHECK_THROWS_WITH(RunFolder(scratch.path), Catch::Contains("not the folder of a run"));
+}
