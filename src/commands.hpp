@@ -20,7 +20,7 @@ struct Arguments {
   std::string keyword;
   std::string field = "von_mises", view;
   std::vector<double> times, range;
-  int width = 900, rate = 20;
+  int width = 900, rate = 20, port = 0;
   std::string command_line;
 };
 
@@ -35,5 +35,6 @@ int list_command(const Arguments& a);
 // show_commands.cpp
 int render_command(const Arguments& a);
 int report_command(const Arguments& a);
+int watch_command(const Arguments& a);
 
 }  // namespace tribo

@@ -79,6 +79,9 @@ class CommandLine {
     report->add_option("DIR", a.folder, "folder of the run")->required();
     report->add_option("-o,--output", a.output, "the file (default: DIR/report.html)");
     shows_field(report);
+    auto* watch = add("watch", "show a run on a page in the browser while it goes on", watch_command);
+    watch->add_option("DIR", a.folder, "folder of the run")->required();
+    watch->add_option("--port", a.port, "of this machine (default: any that is free)")->check(CLI::Range(1, 65535));
     add("schema", "print the XML schema of command files",
         [](const Arguments&) { return std::printf("%s", schema().c_str()) < 0 ? file_error : done; });
     add("list", "print all keywords and materials, or one of them", list_command)

@@ -3,6 +3,7 @@
 #include "output/atomic_file.hpp"
 #include "view/picture.hpp"
 #include "view/report.hpp"
+#include "view/watch.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -115,6 +116,17 @@ int report_command(const Arguments& a) {
   const std::filesystem::path file = a.output.empty() ? a.folder / "report.html" : a.output;
   write_atomically(file, report(run, pictures));
   std::printf("%s\n", file.c_str());
+  return done;
+}
+
+int watch_command(const Arguments& a) {
+  WatchOptions options;
+  options.port = a.port;
+  options.ready = [](const std::string& address) {
+    std::printf("watch %s (Ctrl-C ends it, not the run)\n", address.c_str());
+    std::fflush(stdout);
+  };
+  watch(RunFolder(a.folder), options);
   return done;
 }
 

@@ -114,7 +114,29 @@ std::string timing_section(const Json& record) {
   return out + "</table>\n";
 }
 
+std::string charts_of(const RunFolder& run, const std::string& time_name) {
+  std::string out;
+  const Table history = run.history();
+  if (const std::string charts = history_charts(history, time_name, true); !charts.empty())
+    out += "<h2>Contact</h2>\n" + charts;
+  if (const std::string charts = history_charts(history, time_name, false); !charts.empty())
+    out += "<h2>Histories</h2>\n" + charts;
+  if (const Table energy = run.energy(); energy.rows() > 0)
+    out += "<h2>Energy ledger</h2>\n" + energy_section(energy, time_name);
+  return out;
+}
+
+std::string time_name_of(const Json& record) {
+  const Json model = record.contains("model") ? record["model"] : Json::object();
+  const std::string unit = model.contains("unit of time") ? plain(model["unit of time"]) : "";
+  return unit.empty() ? "time" : "time [" + unit + "]";
+}
+
 }  // namespace
+
+std::string report_charts(const RunFolder& run) {
+  return charts_of(run, time_name_of(Json::parse(run.provenance(), nullptr, false)));
+}
 
 std::string report(const RunFolder& run, const std::vector<ReportPicture>& pictures) {
   const Json record = Json::parse(run.provenance(), nullptr, false);
@@ -122,8 +144,7 @@ std::string report(const RunFolder& run, const std::vector<ReportPicture>& pictu
   const Json model = record.contains("model") ? record["model"] : Json::object();
   const std::string title = model.contains("title") ? plain(model["title"]) : "";
   const std::string name = title.empty() ? run.path().filename().string() : title.substr(0, title.find('\n'));
-  const std::string unit = model.contains("unit of time") ? plain(model["unit of time"]) : "";
-  const std::string time_name = unit.empty() ? "time" : "time [" + unit + "]";
+  const std::string time_name = time_name_of(record);
 
   std::string out = "<!DOCTYPE html>\n<html lang='en'><head><meta charset='utf-8'><title>" + escaped_html(name) +
                     "</title>\n<style>" + style + "</style></head><body>\n<h1>" + escaped_html(name) + "</h1>\n";
@@ -138,13 +159,7 @@ std::string report(const RunFolder& run, const std::vector<ReportPicture>& pictu
              base64(p.png) + "'></figure>\n";
     out += "</div>\n";
   }
-  const Table history = run.history();
-  if (const std::string charts = history_charts(history, time_name, true); !charts.empty())
-    out += "<h2>Contact</h2>\n" + charts;
-  if (const std::string charts = history_charts(history, time_name, false); !charts.empty())
-    out += "<h2>Histories</h2>\n" + charts;
-  if (const Table energy = run.energy(); energy.rows() > 0)
-    out += "<h2>Energy ledger</h2>\n" + energy_section(energy, time_name);
+  out += charts_of(run, time_name);
   if (const std::string timing = timing_section(record); !timing.empty())
     out += "<h2>Where the time went</h2>\n" + timing;
   out += "<h2>Where it comes from</h2>\n<table>\n";

@@ -15,4 +15,7 @@ struct ReportPicture {
 /// The page: pictures, histories, energy ledger, contact forces, where the time went, where the run comes from.
 std::string report(const RunFolder& run, const std::vector<ReportPicture>& pictures);
 
+/// Contact forces, histories and energies as charts: the part of the page that changes while a run goes on.
+std::string report_charts(const RunFolder& run);
+
 }  // namespace tribo

@@ -1,0 +1,1 @@
+// Built without vtk.js: the page shows pictures.

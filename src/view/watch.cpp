@@ -1,0 +1,177 @@
+#include "view/watch.hpp"
+
+#include "base/error.hpp"
+#include "view/page.hpp"
+#include "view/picture.hpp"
+#include "view/report.hpp"
+
+#include <httplib.h>
+#include <signal.h>
+
+#include <cstring>
+#include <nlohmann/json.hpp>
+
+namespace tribo {
+namespace {
+
+using Json = nlohmann::json;
+
+httplib::Server* running_server = nullptr;
+void stop_server(int) {
+  if (running_server) running_server->stop();
+}
+
+// The process that writes the run, if it is one of ours and alive; else 0.
+pid_t process_of(const Json& record) {
+  if (record.value("status", "") != "running") return 0;
+  const auto pid = static_cast<pid_t>(record.value("process", 0));
+  if (pid <= 1) return 0;
+  std::error_code none;
+  const auto program = std::filesystem::read_symlink("/proc/" + std::to_string(pid) + "/exe", none);
+  return program.filename().string().rfind("tribo", 0) == 0 ? pid : 0;
+}
+
+void answer(httplib::Response& response, const Json& json) { response.set_content(json.dump(), "application/json"); }
+
+/// What the page asks for.
+class Answers {
+ public:
+  explicit Answers(const RunFolder& run) : run_(run) {}
+
+  Json state() const {
+    Json state = Json::parse(run_.provenance(), nullptr, false);
+    if (!state.is_object()) state = Json::object();
+    if (state.value("status", "") == "running" && process_of(state) == 0) state["status"] = "lost";
+    state["folder"] = run_.path().string();
+    for (const auto& frame : run_.frames()) state["times"].push_back(frame.time);
+    return state;
+  }
+
+  // A line of JSON, then positions and values as 32-bit floats.
+  std::string frame(std::size_t k, const std::string& field) const {
+    const ParticleFrame frame = read(k);
+    const Shade shade = shade_of(frame, field);
+    const auto box = box_of(frame);
+    Json head{{"time", frame.time},
+              {"count", frame.position.size()},
+              {"spacing", spacing_of(frame.position)},
+              {"range", range_of(shade.values)},
+              {"integers", shade.integers},
+              {"flat", box[1][2] - box[0][2] <= 0}};
+    for (const auto& f : frame.fields) {
+      head["fields"].push_back(f.name);
+      if (f.components > 3) head["fields"].erase(head["fields"].size() - 1);
+      if (f.components == 3)
+        for (const char* c : {".x", ".y", ".z"}) head["fields"].push_back(f.name + c);
+      if (f.components == 6)
+        for (const char* c : {".xx", ".yy", ".zz", ".xy", ".yz", ".xz"}) head["fields"].push_back(f.name + c);
+    }
+    std::string out = head.dump();
+    out += std::string((4 - (out.size() + 1) % 4) % 4, ' ') + "\n";  // floats begin at a multiple of four
+    const auto add = [&](double v) {
+      const auto single = static_cast<float>(v);
+      char bytes[sizeof single];
+      std::memcpy(bytes, &single, sizeof single);
+      out.append(bytes, sizeof single);
+    };
+    for (const auto& x : frame.position)
+      for (const double v : x) add(v);
+    for (const double v : shade.values) add(v);
+    return out;
+  }
+
+  std::string image(std::size_t k, const std::string& field) const {
+    PictureOptions options;
+    options.field = field;
+    return picture(read(k), options);
+  }
+
+  std::string charts() const { return report_charts(run_); }
+
+  // Sends a signal to the run; false if it does not run.
+  bool tell(int signal) const {
+    const Json record = Json::parse(run_.provenance(), nullptr, false);
+    const pid_t pid = record.is_object() ? process_of(record) : 0;
+    return pid > 0 && ::kill(pid, signal) == 0;
+  }
+
+ private:
+  ParticleFrame read(std::size_t k) const {
+    const auto frames = run_.frames();
+    if (k >= frames.size()) throw FileError("there is no such file yet");
+    return read_particles(frames[k].file);
+  }
+  const RunFolder& run_;
+};
+
+}  // namespace
+
+void watch(const RunFolder& run, const WatchOptions& options) {
+  const Answers answers(run);
+  httplib::Server server;
+  // Names of other machines that lead here are refused, so that no page from elsewhere reads a run through a browser.
+  server.set_pre_routing_handler([](const httplib::Request& request, httplib::Response& response) {
+    const std::string host = request.get_header_value("Host"), name = host.substr(0, host.rfind(':'));
+    if (name == "127.0.0.1" || name == "localhost") return httplib::Server::HandlerResponse::Unhandled;
+    response.status = 403;
+    return httplib::Server::HandlerResponse::Handled;
+  });
+  server.set_exception_handler(
+      [](const httplib::Request&, httplib::Response& response, const std::exception_ptr& thrown) {
+        response.status = 400;
+        try {
+          std::rethrow_exception(thrown);
+        } catch (const std::exception& error) {
+          response.set_content(error.what(), "text/plain");
+        }
+      });
+  server.Get("/", [](const httplib::Request&, httplib::Response& response) {
+    const auto page = watch_page();
+    response.set_content(page.data(), page.size(), "text/html; charset=utf-8");
+  });
+  server.Get("/vtk.js", [](const httplib::Request&, httplib::Response& response) {
+    const auto script = vtk_js();
+    response.set_content(script.data(), script.size(), "text/javascript");
+  });
+  server.Get("/state", [&](const httplib::Request&, httplib::Response& r) { answer(r, answers.state()); });
+  server.Get("/charts",
+             [&](const httplib::Request&, httplib::Response& r) { r.set_content(answers.charts(), "text/html"); });
+  const auto field = [](const httplib::Request& q) {
+    return q.has_param("field") ? q.get_param_value("field") : std::string("von_mises");
+  };
+  server.Get(R"(/frame/(\d{1,9}))", [&](const httplib::Request& q, httplib::Response& r) {
+    r.set_content(answers.frame(std::stoul(q.matches[1]), field(q)), "application/octet-stream");
+  });
+  server.Get(R"(/picture/(\d{1,9}))", [&](const httplib::Request& q, httplib::Response& r) {
+    r.set_content(answers.image(std::stoul(q.matches[1]), field(q)), "image/png");
+  });
+  // A header that forms and links of other pages cannot send
+  const auto command = [&](int signal) {
+    return [&answers, signal](const httplib::Request& q, httplib::Response& r) {
+      if (!q.has_header("X-Tribo")) {
+        r.status = 403;
+        return;
+      }
+      answer(r, {{"sent", answers.tell(signal)}});
+    };
+  };
+  server.Post("/stop", command(SIGTERM));
+  server.Post("/checkpoint", command(SIGUSR1));
+
+  const std::string here = "127.0.0.1";
+  int port = options.port;
+  if (port == 0)
+    port = server.bind_to_any_port(here.c_str());
+  else if (!server.bind_to_port(here.c_str(), port))
+    port = -1;
+  if (port <= 0)
+    throw FileError("port " + std::to_string(options.port) + " of this machine is taken; --port names another");
+  running_server = &server;
+  const auto old_interrupt = std::signal(SIGINT, stop_server), old_terminate = std::signal(SIGTERM, stop_server);
+  if (options.ready) options.ready("http://" + here + ":" + std::to_string(port) + "/");
+  server.listen_after_bind();
+  std::signal(SIGINT, old_interrupt), std::signal(SIGTERM, old_terminate);
+  running_server = nullptr;
+}
+
+}  // namespace tribo

@@ -1,0 +1,20 @@
+/// A page on this machine that shows a run while it goes on.
+#pragma once
+
+#include "view/run_folder.hpp"
+
+#include <functional>
+
+namespace tribo {
+
+struct WatchOptions {
+  int port = 0;  ///< 0: any that is free
+  /// Called with the address once the page can be asked for.
+  std::function<void(const std::string&)> ready;
+};
+
+/// Serves the page to this machine only, until SIGINT or SIGTERM. The page can ask the run to stop, or to write a
+/// checkpoint. Throws FileError if the port is taken.
+void watch(const RunFolder& run, const WatchOptions& options);
+
+}  // namespace tribo

@@ -1,0 +1,114 @@
+#!/usr/bin/python3
+"""`tribo report`, `tribo render` and `tribo watch`, the page in headless Chromium. Usage: test_watch.py TRIBO SOURCE_DIR"""
+
+import json
+import os
+import re
+import shutil
+import signal
+import struct
+import subprocess
+import sys
+import tempfile
+import time
+import urllib.error
+import urllib.request
+
+tribo, source = sys.argv[1:3]
+passed = 0
+
+
+def check(condition, what):
+    global passed
+    if not condition:
+        sys.exit(f"FAILED: {what}")
+    passed += 1
+
+
+def get(path, **options):
+    with urllib.request.urlopen(urllib.request.Request(address + path, **options), timeout=20) as answer:
+        return answer.read()
+
+
+def code_of(path, **options):
+    try:
+        get(path, **options)
+        return 200
+    except urllib.error.HTTPError as error:
+        return error.code
+
+
+with tempfile.TemporaryDirectory() as folder:
+    os.chdir(folder)
+    deck = open(source + "/tests/input/legacy_disks.xml").read()
+    open("long.xml", "w").write(re.sub(r"<MaxTime units=.ms.>[^<]*", "<MaxTime units='ms'>100000", deck))
+    short = subprocess.run([tribo, "run", "--quiet", "-o", "short", source + "/tests/input/legacy_disks.xml"])
+    check(short.returncode == 0, "the short run")
+
+    subprocess.run([tribo, "report", "short"], check=True, stdout=subprocess.DEVNULL)
+    page = open("short/report.html").read()
+    check("http" not in page.replace("http://www.w3.org", ""), "the report asks the network for nothing")
+    check(page.count("data:image/png;base64,") == 4, "the report has four pictures")
+    check("Energy ledger" in page and "Where the time went" in page and "crc32:" in page, "the report's parts")
+    check(subprocess.run([tribo, "report", "nowhere"], stderr=subprocess.DEVNULL).returncode == 5, "no run: exit 5")
+    bad = subprocess.run([tribo, "render", "short", "--field", "velocty"], stderr=subprocess.PIPE, text=True)
+    check(bad.returncode == 2 and "did you mean 'velocity'" in bad.stderr, "an unknown field: exit 2 and a hint")
+    subprocess.run([tribo, "render", "short", "-o", "film", "--width", "400"], check=True, stdout=subprocess.DEVNULL)
+    frames = len(re.findall("<DataSet", open("short/run.pvd").read()))
+    check(len([f for f in os.listdir("film") if f.endswith(".png")]) == frames, "a picture for every file")
+    check(os.path.exists("film.mp4") == bool(shutil.which("ffmpeg")), "a film if ffmpeg is there")
+
+    run = subprocess.Popen([tribo, "run", "--quiet", "-o", "long", "long.xml"], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    while not os.path.exists("long/run.pvd"):
+        check(run.poll() is None, "the long run goes on")
+        time.sleep(0.05)
+    server = subprocess.Popen([tribo, "watch", "long"], stdout=subprocess.PIPE, text=True)
+    try:
+        address = server.stdout.readline().split()[1]
+        state = json.loads(get("state"))
+        check(state["status"] == "running" and state["process"] == run.pid, "the state of a running run")
+        frame = get("frame/0?field=velocity.x")
+        head = json.loads(frame[: frame.index(b"\n")])
+        body = frame[frame.index(b"\n") + 1 :]
+        check(len(body) == 16 * head["count"] and head["flat"] and "stress.xy" in head["fields"], "a frame")
+        speeds = set(struct.unpack(f"<{head['count']}f", body[12 * head["count"] :]))
+        check(speeds == {2500.0, -2500.0}, "its values")
+        check(get("picture/0")[:8] == b"\x89PNG\r\n\x1a\n", "a picture")
+        check(b"<svg" in get("charts"), "charts")
+        check(code_of("frame/999999") == 400 and code_of("frame/0?field=nothing") == 400, "what is not there")
+        check(code_of("nowhere") == 404, "an unknown page")
+        check(code_of("state", headers={"Host": "example.org"}) == 403, "another machine's name is refused")
+        check(code_of("stop", method="POST") == 403, "a form of another page cannot stop the run")
+
+        browser = shutil.which("chromium")
+        if browser:
+            dom = subprocess.run(
+                [browser, "--headless", "--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-quic",
+                 "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-sync",
+                 f"--user-data-dir={folder}/profile", "--virtual-time-budget=6000", "--dump-dom", address],
+                stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True, timeout=120).stdout
+            check('data-shown="' in dom, "the page shows particles")
+            check("<svg" in dom and re.search(r"<option[^>]*>von_mises", dom), "the page's charts and fields")
+            check("running" in dom, "the page tells that it runs")
+            if len(get("vtk.js")) > 1000:
+                check(re.search(r'id="view".*<canvas', dom, re.S), "the page draws in space")
+        else:
+            print("Chromium is not installed: the page itself was not looked at")
+
+        old = os.path.getmtime("long/checkpoint.bin") if os.path.exists("long/checkpoint.bin") else 0
+        check(json.loads(get("checkpoint", method="POST", headers={"X-Tribo": "1"}))["sent"], "a checkpoint is asked for")
+        for _ in range(100):
+            if os.path.exists("long/checkpoint.bin") and os.path.getmtime("long/checkpoint.bin") > old:
+                break
+            time.sleep(0.05)
+        check(os.path.getmtime("long/checkpoint.bin") > old and run.poll() is None, "a checkpoint, and the run goes on")
+        check(json.loads(get("stop", method="POST", headers={"X-Tribo": "1"}))["sent"], "the run is asked to stop")
+        check(run.wait(20) == 6, "it stops with a checkpoint")
+        check(json.loads(get("state"))["status"] == "stopped", "the state of a stopped run")
+        check(not json.loads(get("stop", method="POST", headers={"X-Tribo": "1"}))["sent"], "a run that ended is not asked again")
+        server.send_signal(signal.SIGINT)
+        check(server.wait(10) == 0, "Ctrl-C ends the page")
+    finally:
+        server.kill()
+        run.kill()
+print(f"{passed} passed, 0 failed")
