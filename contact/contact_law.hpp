@@ -59,6 +59,8 @@ class ContactLaw {
   virtual bool remembers() const { return false; }
   /// The law reads `area`.
   virtual bool uses_area() const { return false; }
+  /// Stiffness of an interface, the largest of its directions [stress/length]; 0 for laws without.
+  virtual double stiffness() const { return 0.0; }
   /// Number of the liquid whose viscosity the law needs, or 0; it is given before the run.
   virtual int liquid() const { return 0; }
   virtual void set_viscosity(const Viscosity&) {}

@@ -30,6 +30,8 @@ struct LinearInterface final : ContactLaw {
     if (!statement.child("Dnc")) closed = open;
   }
 
+  double stiffness() const override { return std::max({open, closed, tangential, 0.0}); }
+
   struct Spring {
     double impulse, stored;
   };

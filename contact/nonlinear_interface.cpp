@@ -26,6 +26,7 @@ struct NonlinearInterface final : ContactLaw {
   };
   double normal_kind = 0, tangential_kind = 0, normal_peak = 0, tangential_peak = 0, normal_break = 0,
          tangential_break = 0;
+  double stiffness() const override { return std::max({open, closed, tangential, 0.0}); }
   Shape normal_shape() const { return {normal_kind, normal_peak, normal_break}; }
   Shape tangential_shape() const { return {tangential_kind, tangential_peak, tangential_break}; }
 

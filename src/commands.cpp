@@ -6,6 +6,7 @@
 #include "input/script/write_xml.hpp"
 #include "output/atomic_file.hpp"
 #include "output/number.hpp"
+#include "run/preflight.hpp"
 #include "run/safety.hpp"
 #include "run/simulation.hpp"
 

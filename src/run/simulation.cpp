@@ -7,6 +7,7 @@
 #include "run/clock.hpp"
 #include "run/restart.hpp"
 #include "run/results.hpp"
+#include "run/step_size.hpp"
 #include "solver/build.hpp"
 
 #include <atomic>
@@ -46,12 +47,6 @@ class SignalGuard {
   void (*old_user_)(int);
 };
 
-// More threads than this only wait for each other. Results do not depend on it.
-int sensible_threads(int wanted, std::int64_t particles) {
-  static constexpr std::int64_t worthwhile = 8192;
-  return static_cast<int>(std::min<std::int64_t>(wanted, 1 + particles / worthwhile));
-}
-
 template <int Dim>
 class Simulation {
  public:
@@ -64,10 +59,11 @@ class Simulation {
         history_(model.output.history_interval > 0 ? Schedule::every(model.output.history_interval)
                                                    : Schedule(model.output.archive)),
         checkpoints_(model.output.checkpoint_interval > 0 ? Schedule::every(model.output.checkpoint_interval)
-                                                          : Schedule(model.output.archive)) {}
+                                                          : Schedule(model.output.archive)),
+        step_size_(model, system_) {}
 
   Outcome run() {
-    set_threads(sensible_threads(options_.threads, particle_count()));
+    set_threads(sensible_threads(options_.threads, particle_count(system_)));
     const SignalGuard signals;
     const auto begin = std::chrono::steady_clock::now();
     const auto checkpoint = options_.folder / "checkpoint.bin";
@@ -84,7 +80,7 @@ class Simulation {
     Results<Dim> results(model_, system_, stepper_, options_.folder, resume_time);
     results.initial_energy = state.initial_energy;
     Provenance provenance(options_.folder / "provenance.json", options_.command_line, model_.file, threads(), facts());
-    dt_ = resume_time ? state.dt : stable_step();
+    dt_ = resume_time ? state.dt : step_size_.first().size;
     const double begin_time = system_.time;
     const auto report = [&](const std::string& status, const std::string& reason) {
       provenance.set_progress(progress_since(begin_time, seconds_since(begin)));
@@ -108,7 +104,7 @@ class Simulation {
     };
     if (!resume_time) write(false);
 
-    Progress progress(options_.quiet, system_.time, model_.time.end, particle_count());
+    Progress progress(options_.quiet, system_.time, model_.time.end, particle_count(system_));
     const std::int64_t first_step = system_.step;
     try {
       while (system_.time < model_.time.end * (1 - 1e-12)) {
@@ -123,7 +119,8 @@ class Simulation {
           checkpoint_requested = false;
           save();
         }
-        const double step = next_step();
+        dt_ = step_size_.next(dt_);
+        const double step = step_size_.up_to_end(dt_);
         update_damping(step);
         stepper_.advance(step);
         write(false);
@@ -147,12 +144,13 @@ class Simulation {
   }
 
   Settlement settle() {
-    set_threads(sensible_threads(options_.threads, particle_count()));
+    set_threads(sensible_threads(options_.threads, particle_count(system_)));
     Settlement out;
-    dt_ = stable_step();
+    dt_ = step_size_.first().size;
     const auto until = [&](double time) {
       while (system_.time < time * (1 - 1e-12)) {
-        const double step = next_step();
+        dt_ = step_size_.next(dt_);
+        const double step = step_size_.up_to_end(dt_);
         update_damping(step);
         stepper_.advance(step);
       }
@@ -165,64 +163,6 @@ class Simulation {
     } catch (const SimulationError& error) {
       out.failure = error.what();
     }
-    return out;
-  }
-
-  /// Size of the first steps, and which material sets it.
-  double stable_step() {
-    double fastest = 0.0;
-    for (auto& body : system_.bodies) {
-      const double c = measure(body).largest_wave_speed;
-      if (c > fastest) fastest = c, controlling_ = body.name;
-    }
-    if (!(fastest > 0)) throw SimulationError("no material has a wave speed; the time step cannot be chosen");
-    double wave_step = model_.time.courant * system_.lattice.smallest_spacing() / fastest;
-    wave_step = std::min({wave_step, viscous_step(), conduction_step()});
-    wave_speed_ = fastest;
-    limited_by_user_ = model_.time.max_step < wave_step;
-    return std::min(wave_step, model_.time.max_step);
-  }
-
-  std::string preflight() {
-    set_threads(sensible_threads(options_.threads, particle_count()));
-    std::string out;
-    const auto line = [&](const std::string& text) { out += text + "\n"; };
-    char buffer[256];
-    const auto format = [&](const char* pattern, auto... values) {
-      std::snprintf(buffer, sizeof buffer, pattern, values...);
-      line(buffer);
-    };
-    for (const auto& placed : volume_error(model_, place_points(model_))) {
-      const auto& piece = model_.pieces[static_cast<std::size_t>(placed.piece)];
-      if (piece.material < 0) continue;
-      const auto name = model_.materials[static_cast<std::size_t>(piece.material)].name;
-      if (placed.exact)
-        format("body of %-20s %9lld particles, volume %.6g (exact %.6g, %+.2f %%)", ("'" + name + "':").c_str(),
-               static_cast<long long>(placed.points), placed.placed, *placed.exact,
-               100 * (placed.placed / *placed.exact - 1));
-      else
-        format("body of %-20s %9lld particles, volume %.6g", ("'" + name + "':").c_str(),
-               static_cast<long long>(placed.points), placed.placed);
-    }
-    const double dt = stable_step();
-    format("time step: %.6g, set by %s (wave speed %.6g)", dt,
-           limited_by_user_ ? "<TimeStep>" : ("material '" + controlling_ + "'").c_str(), wave_speed_);
-    const double steps = std::ceil(model_.time.end / dt);
-    format("steps: about %.0f to time %.6g", steps, model_.time.end);
-    double bytes = 0;
-    for (const auto& body : system_.bodies)
-      bytes +=
-          static_cast<double>(body.particles.size()) * 8.0 * static_cast<double>(body.particles.columns().size() + 3);
-    dt_ = dt;
-    for (int k = 0; k < 3; ++k) stepper_.advance(dt);
-    for (const auto& field : system_.fields) bytes += static_cast<double>(field.nodes.size() * sizeof(Node));
-    format("memory: about %.3g MB", 1e-6 * bytes);
-    const auto begin = std::chrono::steady_clock::now();
-    int trial = 0;
-    while (seconds_since(begin) < 0.2 && trial < 20) stepper_.advance(dt), ++trial;
-    format("estimated time: %.3g s on %d thread%s, without output", seconds_since(begin) / trial * steps, threads(),
-           threads() == 1 ? "" : "s");
-    for (const auto& warning : model_.warnings) line(warning);
     return out;
   }
 
@@ -253,12 +193,6 @@ class Simulation {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   }
 
-  std::int64_t particle_count() const {
-    std::int64_t n = 0;
-    for (const auto& body : system_.bodies) n += static_cast<std::int64_t>(body.particles.size());
-    return n;
-  }
-
   std::map<std::string, std::string> facts() const {
     std::map<std::string, std::string> out{{"title", model_.title}};
     for (const auto& body : system_.bodies) out["particles of " + body.name] = std::to_string(body.particles.size());
@@ -270,42 +204,6 @@ class Simulation {
     out["units"] = model_.units.name(Dimension::length) + ", " + model_.units.name(Dimension::mass) + ", " +
                    model_.units.name(Dimension::time);
     return out;
-  }
-
-  // Explicit diffusion of momentum: dt < h^2 / (2 Dim nu).
-  double viscous_step() const {
-    double least = std::numeric_limits<double>::infinity();
-    const double h = system_.lattice.smallest_spacing();
-    for (const auto& body : system_.bodies)
-      if (const double eta = body.law->largest_viscosity(); eta > 0)
-        least = std::min(least, model_.time.courant * h * h * body.law->density() / (2 * Dim * eta));
-    return least;
-  }
-
-  // Explicit diffusion of heat, the same with k / (rho c).
-  double conduction_step() const {
-    double least = std::numeric_limits<double>::infinity();
-    const double h = system_.lattice.smallest_spacing();
-    for (const auto& body : system_.bodies)
-      if (body.temperature && body.conductivity > 0)
-        least = std::min(least, model_.time.transport_courant * h * h * body.law->density() * body.heat_capacity /
-                                    (2 * Dim * body.conductivity));
-    return least;
-  }
-
-  // Adaptive steps follow the wave speeds and the fastest particle; the last step ends at the end.
-  double next_step() {
-    static constexpr int every = 10;
-    if (model_.time.adaptive && system_.step % every == 0) {
-      const Measures all = measure(system_);
-      const double h = system_.lattice.smallest_spacing();
-      double wanted = std::min(
-          {model_.time.max_step, model_.time.courant * h / all.largest_wave_speed, viscous_step(), conduction_step()});
-      if (all.largest_speed > 0) wanted = std::min(wanted, model_.time.velocity_courant * h / all.largest_speed);
-      dt_ = std::min(wanted, model_.time.max_increase * dt_);
-    }
-    const double left = model_.time.end - system_.time;
-    return left < dt_ * (1 + 1e-9) ? left : dt_;
   }
 
   void update_damping(double dt) {
@@ -369,9 +267,8 @@ class Simulation {
   Stepper<Dim> stepper_;
   Schedule archive_, history_, checkpoints_;
   Stopwatch output_watch_;
-  double dt_ = 0.0, wave_speed_ = 0.0;
-  std::string controlling_;
-  bool limited_by_user_ = false;
+  StepSize<Dim> step_size_;
+  double dt_ = 0.0;
 };
 
 void prepare_folder(const RunOptions& options) {
@@ -422,13 +319,6 @@ Settlement settle(const Model& model, int thread_count) {
   RunOptions options;
   options.threads = thread_count;
   return model.dimension() == 2 ? Simulation<2>(model, options).settle() : Simulation<3>(model, options).settle();
-}
-
-std::string preflight(const Model& model, int thread_count) {
-  set_threads(thread_count);
-  RunOptions options;
-  options.threads = thread_count;
-  return model.dimension() == 2 ? Simulation<2>(model, options).preflight() : Simulation<3>(model, options).preflight();
 }
 
 }  // namespace tribo

@@ -40,10 +40,6 @@ struct Settlement {
 /// Runs the model and writes nothing.
 Settlement settle(const Model& model, int threads);
 
-/// The pre-flight sheet: particles, volumes, time step and what controls it, memory, estimated time. Runs a few steps
-/// for the estimate but writes nothing.
-std::string preflight(const Model& model, int threads);
-
 /// Asks all running simulations to stop after their step; safe in a signal handler.
 void request_stop();
 

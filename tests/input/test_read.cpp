@@ -2,6 +2,7 @@
 #include "input/read.hpp"
 #include "materials/material.hpp"
 #include "particles/seed.hpp"
+#include "run/preflight.hpp"
 #include "run/simulation.hpp"
 
 #include <catch2/catch.hpp>

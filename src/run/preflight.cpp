@@ -1,0 +1,313 @@
+#include "run/preflight.hpp"
+
+#include "base/parallel.hpp"
+#include "contact/contact_law.hpp"
+#include "grid/select.hpp"
+#include "run/clock.hpp"
+#include "run/step_size.hpp"
+#include "solver/build.hpp"
+#include "solver/measures.hpp"
+#include "solver/step.hpp"
+
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <set>
+
+namespace tribo {
+namespace {
+
+template <class... Values>
+std::string format(const char* pattern, Values... values) {
+  char buffer[512];
+  std::snprintf(buffer, sizeof buffer, pattern, values...);
+  return buffer;
+}
+
+/// Distance of two materials' particle domains at the start, in cells; negative: they overlap.
+using Gaps = std::map<std::pair<int, int>, double>;
+
+template <int Dim>
+class Sheet {
+ public:
+  Sheet(const Model& model, int wanted_threads)
+      : model_(model),
+        seeds_(place_points(model)),
+        system_(build_system<Dim>(model, seeds_)),
+        stepper_(model, system_),
+        h_(system_.lattice.smallest_spacing()) {
+    set_threads(sensible_threads(wanted_threads, particle_count(system_)));
+  }
+
+  std::string text() {
+    step_ = StepSize<Dim>(model_, system_).first();
+    line("units: " + model_.units.name(Dimension::length) + ", " + model_.units.name(Dimension::mass) + ", " +
+         model_.units.name(Dimension::time) + "; stress " + model_.units.name(Dimension::stress));
+    bodies();
+    gaps();
+    stiffness();
+    interfaces();
+    glued();
+    travel();
+    steps();
+    effort();
+    for (const auto& warning : model_.warnings) line(warning);
+    if (!advice_.empty()) line("\nto look at:");
+    for (const auto& a : advice_) line("- " + a);
+    return out_;
+  }
+
+ private:
+  void line(const std::string& text) { out_ += text + "\n"; }
+  const MaterialSpec& material(int k) const { return model_.materials[static_cast<std::size_t>(k)]; }
+  std::string name(int k) const { return "'" + material(k).name + "'"; }
+
+  void bodies() {
+    for (const auto& placed : volume_error(model_, seeds_)) {
+      const auto& piece = model_.pieces[static_cast<std::size_t>(placed.piece)];
+      std::string text = format("body of %-20s %9lld particles, volume %.6g", (name(piece.material) + ":").c_str(),
+                                static_cast<long long>(placed.points), placed.placed);
+      if (placed.exact) {
+        text += format(" (exact %.6g, %+.2f %%)", *placed.exact, 100 * *placed.error());
+        if (std::abs(*placed.error()) > 0.05)
+          advice_.push_back(
+              format("the particles of %s hold %+.1f %% of its volume: smaller cells, more particles per "
+                     "cell, or edges on grid lines",
+                     name(piece.material).c_str(), 100 * *placed.error()));
+      }
+      line(text + thickness(placed.piece));
+    }
+  }
+
+  // How many cells a body is thick where that is few.
+  std::string thickness(int piece) {
+    Vec3 low = Vec3::Constant(1e300), high = -low;
+    for (const Seed& s : seeds_)
+      if (s.piece == piece) low = low.cwiseMin(s.x - s.half_size), high = high.cwiseMax(s.x + s.half_size);
+    const double cells = ((high - low).template head<Dim>().array() / system_.lattice.spacing.array()).minCoeff();
+    const int k = model_.pieces[static_cast<std::size_t>(piece)].material;
+    if (cells > 2.75 || material(k).law->rigid()) return {};
+    advice_.push_back(
+        format("a body of %s is %.2g cells thick: it neither bends nor carries contact stress well below 3",
+               name(k).c_str(), cells));
+    return format(", %.2g cells thick", cells);
+  }
+
+  void gaps() {
+    const bool separate = model_.contact.active;
+    const auto grips = [&](int k) { return material(k).law->rigid() && !material(k).touches(); };
+    for (const auto& [pair, gap] : smallest_gaps()) {
+      if (grips(pair.first) || grips(pair.second)) continue;
+      const std::string who = name(pair.first) + " and " + name(pair.second);
+      if (gap < -1e-6) {
+        line("overlap: " + who + format(" by %.3g cells", -gap));
+        if (separate) advice_.push_back(who + " overlap at the start: contact will push them apart");
+      } else if (gap < 1) {
+        line(gap < 1e-6 ? "touch: " + who : "gap: " + who + format(", %.3g cells", gap));
+      }
+      if (!separate && gap < 1)
+        advice_.push_back(who +
+                          (gap < 1e-6 ? " share one velocity field: they stick where they touch"
+                                      : " act on each other across the gap, as they share one velocity field") +
+                          "; <MultiMaterialMode> gives each its own");
+      if (separate && gap > 1e-6 && gap < 1 && model_.contact.separation != Separation::edges)
+        advice_.push_back(who +
+                          format(" are %.3g cells apart: this way to find the gap may see contact before they touch; "
+                                 "normals LOGREG (the default) measures it",
+                                 gap));
+    }
+  }
+
+  Gaps smallest_gaps() const {
+    using Cell = std::array<int, 3>;
+    const auto cell_of = [&](const Vec3& x) {
+      Cell c{};
+      for (std::size_t d = 0; d < Dim; ++d) {
+        const auto k = static_cast<Eigen::Index>(d);
+        c[d] = static_cast<int>(std::floor((x[k] - system_.lattice.low[k]) / system_.lattice.spacing[k]));
+      }
+      return c;
+    };
+    std::map<Cell, std::vector<std::size_t>> cells;
+    std::map<Cell, std::set<int>> here;
+    for (std::size_t i = 0; i < seeds_.size(); ++i) {
+      const Cell c = cell_of(seeds_[i].x);
+      cells[c].push_back(i);
+      here[c].insert(seeds_[i].material);
+    }
+    Gaps gaps;
+    const auto around = [](const Cell& c, auto&& f) {
+      const int deep = Dim == 3 ? 2 : 0;
+      for (int k = -deep; k <= deep; ++k)
+        for (int j = -2; j <= 2; ++j)
+          for (int i = -2; i <= 2; ++i) f(Cell{c[0] + i, c[1] + j, c[2] + k});
+    };
+    for (const auto& [c, list] : cells) {
+      bool alone = true;
+      around(c, [&](const Cell& n) {
+        if (const auto found = here.find(n); found != here.end() && found->second != here.at(c)) alone = false;
+      });
+      if (alone && here.at(c).size() == 1) continue;
+      around(c, [&](const Cell& n) {
+        const auto found = cells.find(n);
+        if (found == cells.end()) return;
+        for (const std::size_t i : list)
+          for (const std::size_t j : found->second)
+            if (seeds_[i].material < seeds_[j].material) {
+              double gap = -1e300;
+              for (Eigen::Index d = 0; d < Dim; ++d)
+                gap = std::max(
+                    gap, (std::abs(seeds_[i].x[d] - seeds_[j].x[d]) - seeds_[i].half_size[d] - seeds_[j].half_size[d]) /
+                             system_.lattice.spacing[d]);
+              const auto [entry, fresh] = gaps.try_emplace({seeds_[i].material, seeds_[j].material}, gap);
+              if (!fresh) entry->second = std::min(entry->second, gap);
+            }
+      });
+    }
+    return gaps;
+  }
+
+  void stiffness() {
+    int stiffest = -1, softest = -1;
+    double most = 0.0, least = 1e300;
+    for (const auto& body : system_.bodies) {
+      const double modulus = body.law->wave_modulus();
+      if (modulus > most) most = modulus, stiffest = body.material;
+      if (modulus > 0 && modulus < least) least = modulus, softest = body.material;
+    }
+    if (stiffest == softest || softest < 0) return;
+    line(format("stiffness contrast: %s is %.3g times as stiff as %s", name(stiffest).c_str(), most / least,
+                name(softest).c_str()));
+    if (most > 1e3 * least)
+      advice_.push_back(name(stiffest) + " is so much stiffer than " + name(softest) +
+                        " that it could be rigid (RigidContact), with larger time steps");
+  }
+
+  // phi = dt sqrt(k/m) of an interface between two half cells.
+  void interfaces() {
+    const auto tell = [&](const ContactLaw& law, int a, int b) {
+      if (!(law.stiffness() > 0)) return;
+      const auto half_mass = [&](int k) {
+        return material(k).law->rigid() ? 1e300 : 0.5 * material(k).law->density() * h_;
+      };
+      const double mass = 1 / (1 / half_mass(a) + 1 / half_mass(b));
+      const double phi = step_.size * std::sqrt(law.stiffness() / mass);
+      line(format("interface of %s and %s: stiffness %.3g, dt sqrt(k/m) = %.2g, %s", name(a).c_str(), name(b).c_str(),
+                  law.stiffness(), phi,
+                  phi <= 1  ? "resolved"
+                  : phi < 3 ? "partly resolved"
+                            : "joined implicitly"));
+      if (phi >= 3)
+        advice_.push_back(
+            format("the interface of %s and %s is so stiff for the step that its own oscillation is left "
+                   "out; a smaller step resolves it, -1 joins the faces",
+                   name(a).c_str(), name(b).c_str()));
+    };
+    if (!model_.contact.active) return;
+    for (std::size_t i = 0; i < system_.bodies.size(); ++i)
+      for (std::size_t j = i + 1; j < system_.bodies.size(); ++j) {
+        const int a = system_.bodies[i].material, b = system_.bodies[j].material;
+        if (const ContactLaw* law = model_.contact.law(a, b)) tell(*law, a, b);
+      }
+  }
+
+  // Bodies that rest on nodes without any freedom while others slide by a law.
+  void glued() {
+    if (!model_.contact.active || model_.node_conditions.empty()) return;
+    std::map<Index<Dim>, std::set<int>> fixed;
+    for (const auto& c : model_.node_conditions)
+      each_node_in<Dim>(system_.lattice, *c.where, [&](const Index<Dim>& node) {
+        for (int d = 0; d < Dim; ++d)
+          if (c.direction[d] != 0) fixed[node].insert(d);
+      });
+    std::set<int> stuck;
+    for (const Seed& s : seeds_) {
+      if (material(s.material).law->rigid() || stuck.count(s.material)) continue;
+      Index<Dim> node{};
+      for (std::size_t d = 0; d < Dim; ++d) {
+        const auto k = static_cast<Eigen::Index>(d);
+        node[d] = static_cast<int>(std::lround((s.x[k] - system_.lattice.origin[k]) / system_.lattice.spacing[k]));
+      }
+      const auto found = fixed.find(node);
+      if (found != fixed.end() && found->second.size() == Dim) stuck.insert(s.material);
+    }
+    for (const int k : stuck) {
+      line("glued: " + name(k) + " touches nodes that are fixed in all directions");
+      advice_.push_back(name(k) +
+                        " is glued to the nodes that are fixed in all directions: no law of contact acts there. "
+                        "If it should slide, take a RigidContact body, or fix only the normal direction");
+    }
+  }
+
+  void travel() {
+    for (const auto& body : system_.bodies) {
+      double first = 1e300;
+      for (const Seed& s : seeds_) {
+        if (s.material != body.material) continue;
+        for (Eigen::Index d = 0; d < Dim; ++d) {
+          const auto k = static_cast<std::size_t>(d);
+          const auto& plane = model_.grid.symmetry[k][s.v[d] > 0 ? 1 : 0];
+          if (s.v[d] == 0 || plane || model_.grid.periodic[k]) continue;
+          const double room = s.v[d] > 0 ? model_.grid.high[k] - s.x[d] : s.x[d] - model_.grid.low[k];
+          first = std::min(first, room / std::abs(s.v[d]));
+        }
+      }
+      if (first < model_.time.end)
+        advice_.push_back(
+            format("%s leaves the grid at time %.4g unless something stops it", name(body.material).c_str(), first));
+    }
+    double fastest = 0.0;
+    for (const Seed& s : seeds_) fastest = std::max(fastest, s.v.cwiseAbs().maxCoeff());
+    if (fastest > 0.5 * step_.wave_speed && !model_.time.adaptive)
+      advice_.push_back(
+          format("particles start at %.2g of the wave speed: let the step follow them (custom task "
+                 "AdjustTimeStep)",
+                 fastest / step_.wave_speed));
+  }
+
+  void steps() {
+    line(format("time step: %.6g, set by %s (wave speed %.6g)", step_.size, step_.set_by.c_str(), step_.wave_speed));
+    line(format("steps: about %.0f to time %.6g", std::ceil(model_.time.end / step_.size), model_.time.end));
+  }
+
+  void effort() {
+    double bytes = 0;
+    for (const auto& body : system_.bodies)
+      bytes +=
+          static_cast<double>(body.particles.size()) * 8.0 * static_cast<double>(body.particles.columns().size() + 3);
+    for (int k = 0; k < 3; ++k) stepper_.advance(step_.size);
+    for (const auto& field : system_.fields) bytes += static_cast<double>(field.nodes.size() * sizeof(Node));
+    line(format("memory: about %.3g MB", 1e-6 * bytes));
+    Schedule archive(model_.output.archive);
+    archive.due(model_.time.end, 0.0);
+    const auto files = static_cast<double>(archive.count());
+    line(format("particle files: %.0f, up to %.3g MB in all", files,
+                files * 1e-6 * 250 * static_cast<double>(seeds_.size())));
+    if (files > 2000) advice_.push_back(format("%.0f particle files: a larger <ArchiveTime>?", files));
+    const auto begin = std::chrono::steady_clock::now();
+    const auto seconds = [&] {
+      return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    };
+    int trial = 0;
+    while (seconds() < 0.2 && trial < 20) stepper_.advance(step_.size), ++trial;
+    line(format("estimated time: %.3g s on %d thread%s, without output",
+                seconds() / trial * std::ceil(model_.time.end / step_.size), threads(), threads() == 1 ? "" : "s"));
+  }
+
+  const Model& model_;
+  std::vector<Seed> seeds_;
+  System<Dim> system_;
+  Stepper<Dim> stepper_;
+  double h_;
+  typename StepSize<Dim>::First step_;
+  std::string out_;
+  std::vector<std::string> advice_;
+};
+
+}  // namespace
+
+std::string preflight(const Model& model, int threads) {
+  return model.dimension() == 2 ? Sheet<2>(model, threads).text() : Sheet<3>(model, threads).text();
+}
+
+}  // namespace tribo

@@ -1,0 +1,61 @@
+#include "run/step_size.hpp"
+
+#include "solver/measures.hpp"
+
+#include <limits>
+
+namespace tribo {
+
+template <int Dim>
+typename StepSize<Dim>::First StepSize<Dim>::first() {
+  First out;
+  out.size = std::numeric_limits<double>::infinity();
+  const double h = system_.lattice.smallest_spacing();
+  const auto limit = [&](double size, const std::string& by) {
+    if (size < out.size) out.size = size, out.set_by = by;
+  };
+  for (auto& body : system_.bodies) {
+    const double c = measure(body).largest_wave_speed;
+    out.wave_speed = std::max(out.wave_speed, c);
+    if (c > 0) limit(model_.time.courant * h / c, "the waves in '" + body.name + "'");
+    limit(viscous_limit(body), "the viscosity of '" + body.name + "'");
+    limit(conduction_limit(body), "the conduction in '" + body.name + "'");
+  }
+  if (!(out.wave_speed > 0)) throw SimulationError("no material has a wave speed; the time step cannot be chosen");
+  if (model_.time.max_step < out.size) out.size = model_.time.max_step, out.set_by = "<TimeStep>";
+  return out;
+}
+
+// Explicit diffusion of momentum: dt < h^2 / (2 Dim nu).
+template <int Dim>
+double StepSize<Dim>::viscous_limit(const Body<Dim>& body) const {
+  const double h = system_.lattice.smallest_spacing(), eta = body.law->largest_viscosity();
+  if (!(eta > 0)) return std::numeric_limits<double>::infinity();
+  return model_.time.courant * h * h * body.law->density() / (2 * Dim * eta);
+}
+
+// Explicit diffusion of heat, the same with k / (rho c).
+template <int Dim>
+double StepSize<Dim>::conduction_limit(const Body<Dim>& body) const {
+  const double h = system_.lattice.smallest_spacing();
+  if (!body.temperature || !(body.conductivity > 0)) return std::numeric_limits<double>::infinity();
+  return model_.time.transport_courant * h * h * body.law->density() * body.heat_capacity /
+         (2 * Dim * body.conductivity);
+}
+
+template <int Dim>
+double StepSize<Dim>::next(double size) {
+  static constexpr int every = 10;
+  if (!model_.time.adaptive || system_.step % every != 0) return size;
+  const Measures all = measure(system_);
+  const double h = system_.lattice.smallest_spacing();
+  double wanted = std::min(model_.time.max_step, model_.time.courant * h / all.largest_wave_speed);
+  for (const auto& body : system_.bodies) wanted = std::min({wanted, viscous_limit(body), conduction_limit(body)});
+  if (all.largest_speed > 0) wanted = std::min(wanted, model_.time.velocity_courant * h / all.largest_speed);
+  return std::min(wanted, model_.time.max_increase * size);
+}
+
+template class StepSize<2>;
+template class StepSize<3>;
+
+}  // namespace tribo

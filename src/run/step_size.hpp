@@ -1,0 +1,52 @@
+/// How large the steps are, and why.
+#pragma once
+
+#include "model/model.hpp"
+#include "solver/system.hpp"
+
+#include <algorithm>
+
+namespace tribo {
+
+template <int Dim>
+class StepSize {
+ public:
+  StepSize(const Model& model, System<Dim>& system) : model_(model), system_(system) {}
+
+  struct First {
+    double size = 0.0;
+    double wave_speed = 0.0;  ///< the largest
+    std::string set_by;       ///< "<TimeStep>", or what limits the step: "the waves in 'steel'"
+  };
+  /// For the state as it is. Throws SimulationError if no material has a wave speed.
+  First first();
+  /// The step after one of this size: the same, or adapted to wave speeds and the fastest particle now and then.
+  double next(double size);
+  /// This size, or what is left to the end of the run.
+  double up_to_end(double size) const {
+    const double left = model_.time.end - system_.time;
+    return left < size * (1 + 1e-9) ? left : size;
+  }
+
+ private:
+  double viscous_limit(const Body<Dim>& body) const;
+  double conduction_limit(const Body<Dim>& body) const;
+
+  const Model& model_;
+  System<Dim>& system_;
+};
+
+/// More threads than this for so many particles only wait for each other. Results do not depend on it.
+inline int sensible_threads(int wanted, std::int64_t particles) {
+  static constexpr std::int64_t worthwhile = 8192;
+  return static_cast<int>(std::min<std::int64_t>(wanted, 1 + particles / worthwhile));
+}
+
+template <int Dim>
+std::int64_t particle_count(const System<Dim>& system) {
+  std::int64_t n = 0;
+  for (const auto& body : system.bodies) n += static_cast<std::int64_t>(body.particles.size());
+  return n;
+}
+
+}  // namespace tribo

@@ -1,0 +1,89 @@
+/// What `tribo check` says of a model.
+
+#include "input/read.hpp"
+#include "run/preflight.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace tribo;
+using Catch::Contains;
+
+namespace {
+
+// Two blocks of 4 x 4 cells, the right one `gap` cells beside the left one.
+std::string sheet(const std::string& gap, const std::string& header, const std::string& more = "",
+                  const std::string& left_size = "4", const std::string& right_modulus = "1") {
+  const std::string deck = R"(<JANFEAInput version='3'>
+ <Header><Analysis>10</Analysis><ConsistentUnits length='mm' mass='g' time='ms'/></Header>
+ <MPMHeader><MaxTime>1</MaxTime><ArchiveTime>0.25</ArchiveTime><GIMP/>)" +
+                           header + R"(</MPMHeader>
+ <Mesh><Grid xmin='0' xmax='20' ymin='0' ymax='10'><Horiz nx='20'/><Vert ny='10'/></Grid></Mesh>
+ <MaterialPoints>
+  <Body matname='left'><Rect xmin='4' xmax='8' ymin='2' ymax='2+'/></Body>
+  <Body matname='right'><Deform dX=')" +
+                           gap + R"('/><Rect xmin='8' xmax='12' ymin='2' ymax='6'/></Body>
+ </MaterialPoints>
+ <Material Type='1' Name='left'><rho>0.001</rho><E>1</E><nu>0</nu></Material>
+ <Material Type='1' Name='right'><rho>0.001</rho><E>)" +
+                           right_modulus + R"(</E><nu>0</nu></Material>)" + more + "</JANFEAInput>";
+  std::string text = deck;
+  text.replace(text.find("2+"), 2, std::to_string(2 + std::stoi(left_size)));
+  return preflight(read_model_text(text, "deck.xml"), 1);
+}
+const std::string contact = "<MultiMaterialMode/>";
+
+}  // namespace
+
+TEST_CASE("the sheet tells gaps, contacts and overlaps", "[preflight]") {
+  CHECK_THAT(sheet("0", contact), Contains("touch: 'left' and 'right'"));
+  CHECK_THAT(sheet("0.4", contact), Contains("gap: 'left' and 'right', 0.4 cells"));
+  CHECK_THAT(sheet("-0.4", contact),
+             Contains("overlap: 'left' and 'right' by 0.4 cells") && Contains("push them apart"));
+  CHECK_THAT(sheet("1.5", contact), !Contains("gap:") && !Contains("to look at"));
+  CHECK_THAT(sheet("0", ""), Contains("share one velocity field"));
+  CHECK_THAT(sheet("0.4", ""), Contains("act on each other across the gap"));
+  CHECK_THAT(sheet("0.4", "<MultiMaterialMode Normals='2'><ContactPosition>0.8</ContactPosition></MultiMaterialMode>"),
+             Contains("may see contact before they touch"));
+}
+
+TEST_CASE("the sheet tells thin bodies, contrasts and what sets the step", "[preflight]") {
+  CHECK_THAT(sheet("0", contact, "", "2"), Contains("2 cells thick"));
+  CHECK_THAT(sheet("0", contact, "", "3"), !Contains("cells thick"));
+  const std::string text = sheet("0", contact, "", "4", "1e4");
+  CHECK_THAT(text,
+             Contains("stiffness contrast: 'right' is 1e+04 times as stiff as 'left'") && Contains("could be rigid"));
+  // h/c/2 with c = sqrt(1e4/0.001)
+  CHECK_THAT(text, Contains("time step: 0.000158114, set by the waves in 'right' (wave speed 3162.28)"));
+  CHECK_THAT(sheet("0", contact + "<TimeStep>1e-4</TimeStep>"), Contains("time step: 0.0001, set by <TimeStep>"));
+  CHECK_THAT(text, Contains("particle files: 5"));
+  CHECK_THAT(text, Contains("stress MPa"));
+}
+
+TEST_CASE("the sheet compares an interface's oscillation with the step", "[preflight]") {
+  const auto with = [](const std::string& stiffness) {
+    return sheet("0", "<MultiMaterialMode><Friction lawname='glue'/></MultiMaterialMode>",
+                 "<Material Type='LinearInterface' Name='glue'><Dnt>" + stiffness + "</Dnt><Dt>0</Dt></Material>");
+  };
+  // dt = h/c/2 with c = sqrt(1000), reduced mass of two half cells 0.00025: phi = sqrt(D)
+  CHECK_THAT(with("0.25"), Contains("dt sqrt(k/m) = 0.5, resolved"));
+  CHECK_THAT(with("100"), Contains("dt sqrt(k/m) = 10, joined implicitly") && Contains("-1 joins the faces"));
+  CHECK_THAT(with("-1"), !Contains("interface of"));
+}
+
+TEST_CASE("the sheet tells who is glued and who leaves", "[preflight]") {
+  const std::string glue =
+      "<GridBCs><BCLine x1='0' x2='20' y1='2' y2='2' tolerance='*0.1'><DisBC dir='1' vel='0'/><DisBC dir='2' vel='0'/>"
+      "</BCLine></GridBCs>";
+  CHECK_THAT(sheet("2", contact, glue), Contains("glued: 'left'") && Contains("glued: 'right'"));
+  const std::string slides =
+      "<GridBCs><BCLine x1='0' x2='20' y1='2' y2='2' tolerance='*0.1'><DisBC dir='2' vel='0'/></BCLine></GridBCs>";
+  CHECK_THAT(sheet("2", contact, slides), !Contains("glued"));
+
+  std::string deck = R"(<JANFEAInput version='3'><Header><Analysis>10</Analysis></Header>
+ <MPMHeader><MaxTime>1</MaxTime><ArchiveTime>1</ArchiveTime></MPMHeader>
+ <Mesh><Grid xmin='0' xmax='20' ymin='0' ymax='10'><Horiz nx='20'/><Vert ny='10'/></Grid></Mesh>
+ <MaterialPoints><Body matname='m' vx='40'><Rect xmin='0' xmax='10' ymin='2' ymax='6'/></Body></MaterialPoints>
+ <Material Type='1' Name='m'><rho>1</rho><E>1</E><nu>0</nu></Material></JANFEAInput>)";
+  // the foremost particle is at 9.75 of 20
+  CHECK_THAT(preflight(read_model_text(deck, "deck.xml"), 1), Contains("'m' leaves the grid at time 0.2562"));
+}
