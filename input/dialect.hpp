@@ -62,7 +62,5 @@ void check_statements(const Statement& root, Problems& problems, bool only_drive
 
 /// XML schema of the dialect as Tribo reads it.
 std::string schema();
-/// All elements, or one of them, with attributes and meaning, as text.
-std::string list_keywords(std::string_view only = {});
 
 }  // namespace tribo

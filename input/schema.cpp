@@ -41,28 +41,6 @@ std::vector<std::string> split(std::string_view list) {
   return out;
 }
 
-std::string type_name(ValueType type) {
-  switch (type) {
-    case ValueType::none:
-      return "nothing";
-    case ValueType::text:
-      return "text";
-    case ValueType::number:
-      return "number";
-    case ValueType::integer:
-      return "whole number";
-    case ValueType::coordinate:
-      return "coordinate";
-    case ValueType::function:
-      return "function";
-    case ValueType::flag:
-      return "yes|no";
-    case ValueType::choice:
-      return "one of";
-  }
-  return "";
-}
-
 /// Elements of one name may differ by parent; a schema without local names holds their union.
 struct Union {
   std::map<std::string, const AttributeSpec*> attributes;
@@ -142,45 +120,6 @@ std::string schema() {
     out << "</xs:complexType></xs:element>\n";
   }
   out << "</xs:schema>\n";
-  return out.str();
-}
-
-std::string list_keywords(std::string_view only) {
-  std::ostringstream out;
-  for (const auto& e : dialect()) {
-    if (!only.empty() && e.name != only) continue;
-    out << "<" << e.name << ">";
-    if (!e.parents.empty()) out << "  in " << e.parents;
-    out << "\n    " << e.meaning;
-    if (e.content != ValueType::none)
-      out << "; text: " << type_name(e.content) << (e.choices.empty() ? "" : " ") << e.choices;
-    if (e.required) out << "; required";
-    out << "\n";
-    for (const auto& a : e.attributes) {
-      out << "      " << a.name << ": " << type_name(a.type);
-      if (!a.choices.empty()) out << " " << a.choices;
-      if (!a.meaning.empty()) out << ", " << a.meaning;
-      if (a.required) out << " (required)";
-      out << "\n";
-    }
-  }
-  const auto list_laws = [&](const auto& items) {
-    for (const auto& item : items) {
-      if (!only.empty() && item.name != only) continue;
-      out << "Material " << item.name;
-      if (item.number) out << " (" << item.number << ")";
-      out << "\n    " << item.summary << "\n";
-      for (const auto& p : item.parameters) {
-        out << "      <" << p.name << "> " << dimension_name(p.dimension) << ", " << p.range.text() << ", "
-            << p.meaning;
-        if (!p.alias.empty()) out << "; also <" << p.alias << ">";
-        if (p.fallback) out << " (default " << *p.fallback << ")";
-        out << "\n";
-      }
-    }
-  };
-  list_laws(materials().items());
-  list_laws(contact_laws().items());
   return out.str();
 }
 

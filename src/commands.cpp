@@ -1,7 +1,7 @@
 #include "commands.hpp"
 
 #include "base/error.hpp"
-#include "input/dialect.hpp"
+#include "input/manual.hpp"
 #include "input/read.hpp"
 #include "input/script/write_xml.hpp"
 #include "output/atomic_file.hpp"
@@ -133,9 +133,13 @@ int convert_command(const Arguments& a) {
 }
 
 int list_command(const Arguments& a) {
-  const auto text = list_keywords(a.keyword);
-  if (text.empty()) throw InputError(Origin{}, "there is no element or material named '" + a.keyword + "'");
-  return std::printf("%s", text.c_str()) < 0 ? file_error : done;
+  const std::string text = !a.keyword.empty() ? manual_text(a.keyword) : a.names ? manual_names() : manual_list();
+  return std::fputs(text.c_str(), stdout) < 0 ? file_error : done;
+}
+
+int doc_command(const Arguments& a) {
+  const std::string text = a.markdown ? manual_markdown() : manual_text(a.keyword);
+  return std::fputs(text.c_str(), stdout) < 0 ? file_error : done;
 }
 
 }  // namespace tribo

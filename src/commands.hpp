@@ -18,6 +18,7 @@ struct Arguments {
   double max_wall = 0.0;              ///< seconds
   std::vector<std::string> settings;  ///< name=value
   std::string keyword;
+  bool markdown = false, names = false;
   std::string field = "von_mises", view;
   std::vector<double> times, range;
   int width = 900, rate = 20, port = 0;
@@ -31,6 +32,7 @@ int drive_command(const Arguments& a);
 int safety_command(const Arguments& a);
 int convert_command(const Arguments& a);
 int list_command(const Arguments& a);
+int doc_command(const Arguments& a);
 
 // show_commands.cpp
 int render_command(const Arguments& a);

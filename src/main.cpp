@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "commands.hpp"
+#include "completion.hpp"
 #include "input/dialect.hpp"
 #include "output/provenance.hpp"
 
@@ -84,8 +85,21 @@ class CommandLine {
     watch->add_option("--port", a.port, "of this machine (default: any that is free)")->check(CLI::Range(1, 65535));
     add("schema", "print the XML schema of command files",
         [](const Arguments&) { return std::printf("%s", schema().c_str()) < 0 ? file_error : done; });
-    add("list", "print all keywords and materials, or one of them", list_command)
-        ->add_option("NAME", a.keyword, "an element or a material");
+    auto* list =
+        add("list", "name all elements, materials, laws, commands and quantities, or describe one", list_command);
+    list->add_option("NAME", a.keyword, "one of them");
+    list->add_flag("--names", a.names, "nothing but the names");
+    auto* doc = add("doc", "describe an element, material, law, command or quantity, or all", doc_command);
+    doc->add_option("NAME", a.keyword, "one of them");
+    doc->add_flag("--markdown", a.markdown, "all, as a page of the manual");
+    add("completion", "print what makes a shell complete commands: bash or zsh",
+        [this](const Arguments&) {
+          const std::string text = completion(app, a.keyword);
+          return std::fputs(text.c_str(), stdout) < 0 ? file_error : done;
+        })
+        ->add_option("SHELL", a.keyword, "bash or zsh")
+        ->required()
+        ->check(CLI::IsMember({"bash", "zsh"}));
   }
 
   CLI::App app{"Tribo: material point method with contact"};

@@ -24,7 +24,7 @@ const std::map<std::string, std::set<std::string>> allowed{
     {"src/solver", {"base", "geometry", "model", "materials", "contact", "grid", "particles", "solver"}},
     {"src/output", {"base", "output"}},
     {"src/view", {"base", "output", "view"}},
-    {"src/run", {"base", "model", "materials", "grid", "particles", "solver", "output", "run"}},
+    {"src/run", {"base", "model", "materials", "contact", "grid", "particles", "solver", "output", "run"}},
 };
 
 }  // namespace

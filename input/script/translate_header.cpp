@@ -33,9 +33,6 @@ std::string element_of(const std::string& command) {
                                                       {"feedbackdamping", "FeedbackDamping"},
                                                       {"pfeedbackdamping", "PFeedbackDamping"},
                                                       {"leavelimit", "LeaveLimit"},
-                                                      {"deletelimit", "DeleteLimit"},
-                                                      {"extrapolaterigid", "ExtrapolateRigid"},
-                                                      {"exacttractions", "ExactTractions"},
                                                       {"cpdircrit", "CPDIrcrit"},
                                                       {"stressfreetemp", "StressFreeTemp"}};
   return all.at(lower(command));

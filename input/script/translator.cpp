@@ -1,109 +1,117 @@
 #include "input/script/translator.hpp"
 
+#include "input/script/commands.hpp"
 #include "input/script/text_functions.hpp"
 
 #include <algorithm>
 
 namespace tribo::script {
 
-// A command in lower case, what does it, and how many arguments it takes.
-auto Translator::table() -> const std::map<std::string, Entry>& {
+// What does a command, by its name in lower case.
+auto Translator::actions() -> const std::map<std::string, Action>& {
   using A = Translator;
-  static const std::map<std::string, Entry> all{{"title", {&A::title, 1, 1}},
-                                                {"name", {&A::user, 1, 1}},
-                                                {"comment", {&A::comment, 1, 99}},
-                                                {"header", {&A::header, 0, 0}},
-                                                {"analysis", {&A::analysis, 1, 2}},
-                                                {"consistentunits", {&A::units, 0, 3}},
-                                                {"mpmmethod", {&A::method, 1, 2}},
-                                                {"timestep", {&A::time_step, 1, 3}},
-                                                {"maximumtime", {&A::plain, 1, 1}},
-                                                {"cflfactor", {&A::courant, 1, 2}},
-                                                {"archivetime", {&A::archive_time, 1, 3}},
-                                                {"globalarchivetime", {&A::plain, 1, 1}},
-                                                {"archive", {&A::archive, 1, 1}},
-                                                {"archiveunique", {&A::archive, 1, 1}},
-                                                {"globalarchive", {&A::global_archive, 1, 4}},
-                                                {"toarchive", {&A::to_archive, 1, 99}},
-                                                {"ptsperelement", {&A::points_per_element, 1, 1}},
-                                                {"damping", {&A::plain, 1, 1}},
-                                                {"pdamping", {&A::plain, 1, 1}},
-                                                {"feedbackdamping", {&A::feedback, 1, 3}},
-                                                {"pfeedbackdamping", {&A::feedback, 1, 3}},
-                                                {"leavelimit", {&A::plain, 1, 1}},
-                                                {"deletelimit", {&A::plain, 1, 1}},
-                                                {"extrapolaterigid", {&A::plain, 0, 1}},
-                                                {"exacttractions", {&A::plain, 0, 1}},
-                                                {"cpdircrit", {&A::plain, 1, 1}},
-                                                {"stressfreetemp", {&A::plain, 1, 1}},
-                                                {"processors", {&A::processors, 1, 1}},
-                                                {"multimaterialmpm", {&A::multimaterial, 0, 4}},
-                                                {"multimaterialmode", {&A::old_multimaterial, 0, 5}},
-                                                {"contactmm", {&A::contact_law, 1, 1}},
-                                                {"frictionmm", {&A::old_friction, 1, 1}},
-                                                {"imperfectinterfacemm", {&A::old_friction, 2, 3}},
-                                                {"contactposition", {&A::contact_position, 1, 1}},
-                                                {"gridhoriz", {&A::grid_cells, 1, 4}},
-                                                {"gridvert", {&A::grid_cells, 1, 4}},
-                                                {"griddepth", {&A::grid_cells, 1, 4}},
-                                                {"gridrect", {&A::grid_box, 4, 6}},
-                                                {"gridthickness", {&A::grid_thickness, 1, 1}},
-                                                {"gravity", {&A::gravity, 0, 3}},
-                                                {"conduction", {&A::conduction, 1, 2}},
-                                                {"customtask", {&A::task, 1, 1}},
-                                                {"parameter", {&A::parameter, 1, 2}},
-                                                {"xmldata", {&A::xml_data, 0, 2}},
-                                                {"entity", {&A::entity, 2, 2}},
-                                                {"material", {&A::material, 3, 3}},
-                                                {"region", {&A::region, 3, 40}},
-                                                {"hole", {&A::hole, 0, 0}},
-                                                {"bmpregion", {&A::picture, 2, 4}},
-                                                {"intensity", {&A::intensity, 3, 10}},
-                                                {"origin", {&A::picture_origin, 2, 2}},
-                                                {"transform", {&A::transform, 5, 9}},
-                                                {"rotate", {&A::rotate, 2, 6}},
-                                                {"vel0x", {&A::initial_velocity, 1, 1}},
-                                                {"vel0y", {&A::initial_velocity, 1, 1}},
-                                                {"vel0z", {&A::initial_velocity, 1, 1}},
-                                                {"rect", {&A::shape, 4, 6}},
-                                                {"oval", {&A::shape, 4, 6}},
-                                                {"line", {&A::shape, 4, 7}},
-                                                {"arc", {&A::shape, 6, 7}},
-                                                {"box", {&A::shape, 6, 6}},
-                                                {"sphere", {&A::shape, 6, 6}},
-                                                {"cylinder", {&A::shape, 7, 8}},
-                                                {"torus", {&A::shape, 7, 8}},
-                                                {"polypt", {&A::polygon_point, 0, 2}},
-                                                {"gridbc", {&A::conditions, 0, 0}},
-                                                {"particlebc", {&A::conditions, 0, 0}},
-                                                {"velocity", {&A::velocity, 3, 6}},
-                                                {"temperature", {&A::temperature, 2, 3}},
-                                                {"load", {&A::load, 3, 4}},
-                                                {"loadtype", {&A::load_type, 1, 1}},
-                                                {"traction", {&A::traction, 4, 5}},
-                                                {"heatflux", {&A::heat_flux, 4, 5}},
-                                                {"boundaryid", {&A::boundary_id, 0, 1}},
-                                                {"done", {&A::end_block, 0, 0}},
-                                                {"endregion", {&A::end_block, 0, 0}},
-                                                {"endhole", {&A::end_block, 0, 0}},
-                                                {"endgridbc", {&A::end_block, 0, 0}},
-                                                {"endparticlebc", {&A::end_block, 0, 0}}};
+  static const std::map<std::string, Action> all{{"title", &A::title},
+                                                 {"name", &A::user},
+                                                 {"comment", &A::comment},
+                                                 {"header", &A::header},
+                                                 {"analysis", &A::analysis},
+                                                 {"consistentunits", &A::units},
+                                                 {"mpmmethod", &A::method},
+                                                 {"timestep", &A::time_step},
+                                                 {"maximumtime", &A::plain},
+                                                 {"cflfactor", &A::courant},
+                                                 {"archivetime", &A::archive_time},
+                                                 {"globalarchivetime", &A::plain},
+                                                 {"archive", &A::archive},
+                                                 {"archiveunique", &A::archive},
+                                                 {"globalarchive", &A::global_archive},
+                                                 {"toarchive", &A::to_archive},
+                                                 {"ptsperelement", &A::points_per_element},
+                                                 {"damping", &A::plain},
+                                                 {"pdamping", &A::plain},
+                                                 {"feedbackdamping", &A::feedback},
+                                                 {"pfeedbackdamping", &A::feedback},
+                                                 {"leavelimit", &A::plain},
+                                                 {"cpdircrit", &A::plain},
+                                                 {"stressfreetemp", &A::plain},
+                                                 {"processors", &A::processors},
+                                                 {"multimaterialmpm", &A::multimaterial},
+                                                 {"multimaterialmode", &A::old_multimaterial},
+                                                 {"contactmm", &A::contact_law},
+                                                 {"frictionmm", &A::old_friction},
+                                                 {"imperfectinterfacemm", &A::old_friction},
+                                                 {"contactposition", &A::contact_position},
+                                                 {"gridhoriz", &A::grid_cells},
+                                                 {"gridvert", &A::grid_cells},
+                                                 {"griddepth", &A::grid_cells},
+                                                 {"gridrect", &A::grid_box},
+                                                 {"gridthickness", &A::grid_thickness},
+                                                 {"gravity", &A::gravity},
+                                                 {"conduction", &A::conduction},
+                                                 {"customtask", &A::task},
+                                                 {"parameter", &A::parameter},
+                                                 {"xmldata", &A::xml_data},
+                                                 {"entity", &A::entity},
+                                                 {"material", &A::material},
+                                                 {"region", &A::region},
+                                                 {"hole", &A::hole},
+                                                 {"bmpregion", &A::picture},
+                                                 {"intensity", &A::intensity},
+                                                 {"origin", &A::picture_origin},
+                                                 {"transform", &A::transform},
+                                                 {"rotate", &A::rotate},
+                                                 {"vel0x", &A::initial_velocity},
+                                                 {"vel0y", &A::initial_velocity},
+                                                 {"vel0z", &A::initial_velocity},
+                                                 {"rect", &A::shape},
+                                                 {"oval", &A::shape},
+                                                 {"line", &A::shape},
+                                                 {"arc", &A::shape},
+                                                 {"box", &A::shape},
+                                                 {"sphere", &A::shape},
+                                                 {"cylinder", &A::shape},
+                                                 {"torus", &A::shape},
+                                                 {"polypt", &A::polygon_point},
+                                                 {"gridbc", &A::conditions},
+                                                 {"particlebc", &A::conditions},
+                                                 {"velocity", &A::velocity},
+                                                 {"temperature", &A::temperature},
+                                                 {"load", &A::load},
+                                                 {"loadtype", &A::load_type},
+                                                 {"traction", &A::traction},
+                                                 {"heatflux", &A::heat_flux},
+                                                 {"boundaryid", &A::boundary_id},
+                                                 {"done", &A::end_block},
+                                                 {"endregion", &A::end_block},
+                                                 {"endhole", &A::end_block},
+                                                 {"endgridbc", &A::end_block},
+                                                 {"endparticlebc", &A::end_block}};
   return all;
 }
+
+namespace {
+
+const CommandInfo* find_command(const std::string& word) {
+  for (const CommandInfo& info : commands())
+    if (lower(std::string(info.name)) == word) return &info;
+  return nullptr;
+}
+
+}  // namespace
 
 void Translator::take(const Command& c) {
   const std::string word = lower(c.node.word);
   if (word != "polypt") close_polygon();
-  const auto found = table().find(word);
+  const CommandInfo* info = find_command(word);
   static const std::set<std::string> also_properties{"temperature", "pdamping", "velocity", "load", "origin", "rotate"};
-  if (open_ == Open::material && (found == table().end() || also_properties.count(word))) return property(c);
-  if (found == table().end()) return refused(c);
-  const Entry& entry = found->second;
-  if (c.size() < entry.least || c.size() > entry.most)
-    throw InputError(c.origin(), "'" + c.node.word + "' takes " + std::to_string(entry.least) +
-                                     (entry.most > entry.least ? " to " + std::to_string(entry.most) : "") +
-                                     " arguments, not " + std::to_string(c.size()));
-  (this->*entry.action)(c);
+  if (open_ == Open::material && (!info || also_properties.count(word))) return property(c);
+  if (!info) return refused(c);
+  if (c.size() < info->least || c.size() > info->most)
+    throw InputError(c.origin(), "'" + c.node.word + "' takes " + std::to_string(info->least) +
+                                     (info->most > info->least ? " to " + std::to_string(info->most) : "") +
+                                     " arguments, not " + std::to_string(c.size()) +
+                                     (info->arguments.empty() ? "" : ": " + std::string(info->arguments)));
+  (this->*actions().at(word))(c);
 }
 
 // What the language knows and Tribo does not do, and what nobody knows.
@@ -123,6 +131,9 @@ void Translator::refused(const Command& c) {
       {"damage phasefield", "damage that is given at the start is not built"},
       {"angularmom0", "angular momentum that is given at the start is not built; use vel0X, vel0Y, vel0Z"},
       {"shell", "its meaning is not documented well enough; use a Cylinder with a Cut Cylinder"},
+      {"deletelimit", "particles are never deleted; use LeaveLimit"},
+      {"extrapolaterigid", "rigid particles always act through extrapolated velocities"},
+      {"exacttractions", "tractions act at the particles"},
       {"fill", "particle reservoirs are not built"},
       {"tartanaoi tartanborder", "grids with unequal cells are not built"},
       {"moveline movearc movebox endmoveline endmovearc endmovebox", "it is obsolete; use GridBC ... EndGridBC"},
@@ -138,8 +149,9 @@ void Translator::refused(const Command& c) {
     if (commands.find(" " + word + " ") != std::string::npos)
       throw InputError(c.origin(), "Tribo does not read '" + c.node.word + "': " + r.why);
   }
-  for (const auto& [name, entry] : table()) known.push_back(name);
-  throw InputError(c.origin(), "there is no command '" + c.node.word + "'" + did_you_mean(word, known));
+  for (const CommandInfo& info : commands()) known.emplace_back(info.name);
+  for (const CommandInfo& info : language()) known.emplace_back(info.name);
+  throw InputError(c.origin(), "there is no command '" + c.node.word + "'" + did_you_mean(c.node.word, known));
 }
 
 void Translator::open(Open block, const Command& c) {

@@ -23,11 +23,7 @@ class Translator {
 
  private:
   using Action = void (Translator::*)(const Command&);
-  struct Entry {
-    Action action;
-    std::size_t least, most;  ///< arguments
-  };
-  static const std::map<std::string, Entry>& table();
+  static const std::map<std::string, Action>& actions();
 
   // translate_header.cpp
   void title(const Command& c);

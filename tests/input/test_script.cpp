@@ -111,7 +111,7 @@ TEST_CASE("what is wrong with a script is told with its place, all at once", "[s
              Contains("s:2:7: error: there is no variable '#z'") && Contains("called from s:4:1"));
   CHECK_THAT(complaint("Stop \"too \",\"slow\""), Contains("s:1:1: error: too slow"));
   CHECK_THAT(complaint("NewCrack 1,2"), Contains("cracks are not built"));
-  CHECK_THAT(complaint("GridHorizz 3"), Contains("did you mean 'gridhoriz'"));
+  CHECK_THAT(complaint("GridHorizz 3"), Contains("did you mean 'GridHoriz'"));
   CHECK_THAT(complaint("Repeat\nEndRepeat"), Contains("does not end"));
   CHECK_THAT(complaint("#a=(1"), Contains("s:1:6: error: ')' is missing"));
   CHECK_THAT(complaint("#a=\"x"), Contains("never closed"));

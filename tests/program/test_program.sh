@@ -22,7 +22,22 @@ expect 2 "$tribo" run
 expect 2 "$tribo" run --threads 0 "$deck"
 expect 0 "$tribo" --version
 expect 0 "$tribo" list GIMP
-expect 3 "$tribo" list Nonsense
+expect 2 "$tribo" list Nonsense
+expect 0 "$tribo" doc mohrcoulomb
+grep -q "angle of internal friction" out.txt || fail "doc does not describe a material"
+expect 0 "$tribo" doc GridHoriz
+expect 2 "$tribo" doc MohrColoumb
+grep -q "did you mean 'MohrCoulomb'" err.txt || fail "doc: no 'did you mean'"
+expect 0 "$tribo" doc --markdown
+for shell in bash zsh; do expect 0 "$tribo" completion $shell; done
+"$tribo" completion bash >completion.bash
+bash -O extglob -c '
+  source completion.bash
+  tribo() { '"$tribo"' "$@"; }
+  COMP_WORDS=(tribo re) COMP_CWORD=1; _tribo; echo "${COMPREPLY[*]}"
+  COMP_WORDS=(tribo run --ov) COMP_CWORD=2; _tribo; echo "${COMPREPLY[*]}"
+  COMP_WORDS=(tribo doc MohrC) COMP_CWORD=2; _tribo; echo "${COMPREPLY[*]}"' >completed.txt
+printf 'resume render report\n--overwrite\nMohrCoulomb\n' | cmp - completed.txt || { cat completed.txt; fail "completion"; }
 expect 5 "$tribo" run missing.xml
 for file in "$source"/tests/input/malformed/*.xml; do
   expect 3 "$tribo" check "$file"

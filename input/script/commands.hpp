@@ -1,0 +1,22 @@
+/// The commands of scripts: one table that the translator, error texts and the manual follow from.
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+#include <vector>
+
+namespace tribo::script {
+
+struct CommandInfo {
+  std::string_view name;
+  std::size_t least, most;  ///< arguments
+  std::string_view arguments;
+  std::string_view meaning;
+};
+
+/// Commands that build the model.
+const std::vector<CommandInfo>& commands();
+/// Commands of the language itself; they check their arguments themselves.
+const std::vector<CommandInfo>& language();
+
+}  // namespace tribo::script
