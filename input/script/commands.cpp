@@ -14,6 +14,8 @@ const std::vector<CommandInfo>& commands() {
        "all numbers are in these units, as mm,g,ms; without it: mm, g, MPa, ms for times"},
       {"MPMMethod", 1, 2, "order[, shape functions]",
        "USF, USAVG or USL, the last two with + or -; uGIMP (default), lCPDI, Classic, B2SPLINE"},
+      {"Transfer", 1, 2, "type[, order or share]",
+       "FLIP, PIC, APIC, XPIC or FMPM of an order, blend with a share of FLIP"},
       {"TimeStep", 1, 3, "step[, end[, Courant number]]", "largest time step, end of the run"},
       {"MaximumTime", 1, 1, "time", "end of the run"},
       {"CFLFactor", 1, 2, "Courant number[, of conduction]", "share of the stable step"},

@@ -105,6 +105,13 @@ void Translator::method(const Command& c) {
   attribute(s, "type", found == shapes.end() ? shape : found->second, c.origin(1));
 }
 
+void Translator::transfer(const Command& c) {
+  Statement& s = document_.set("MPMHeader", "Transfer", c.origin());
+  const std::string type = c.text(0);
+  attribute(s, "type", type, c.origin(0));
+  if (c.given(1)) attribute(s, lower(type) == "blend" ? "fraction" : "order", c.text(1), c.origin(1));
+}
+
 void Translator::time_step(const Command& c) {
   document_.set("MPMHeader", "TimeStep", c.origin(0), c.text(0));
   if (c.given(1)) document_.set("MPMHeader", "MaxTime", c.origin(1), c.text(1));
@@ -152,6 +159,16 @@ void Translator::points_per_element(const Command& c) {
 
 void Translator::plain(const Command& c) {
   document_.set("MPMHeader", element_of(c.node.word), c.origin(0), c.text(0));
+}
+
+// A number or a function.
+void Translator::rate(const Command& c) {
+  Statement& s = document_.set("MPMHeader", element_of(c.node.word), c.origin(0));
+  const std::string text = c.text(0);
+  if (to_number(text))
+    s.text = text;
+  else
+    attribute(s, "function", text, c.origin(0));
 }
 
 void Translator::feedback(const Command& c) {

@@ -33,6 +33,7 @@ class Translator {
   void analysis(const Command& c);
   void units(const Command& c);
   void method(const Command& c);
+  void transfer(const Command& c);
   void time_step(const Command& c);
   void courant(const Command& c);
   void archive_time(const Command& c);
@@ -41,6 +42,7 @@ class Translator {
   void to_archive(const Command& c);
   void points_per_element(const Command& c);
   void plain(const Command& c);
+  void rate(const Command& c);
   void feedback(const Command& c);
   void processors(const Command& c);
   void multimaterial(const Command& c);

@@ -176,6 +176,8 @@ double Results<Dim>::quantity(const HistoryQuantity& q, const Measures& all, con
   if (const int d = axis("vel"); d >= 0) return velocity[d];
   if (const int d = axis("disp"); d >= 0) return m->displacement[d];
   if (const int d = axis("pos"); d >= 0) return m->centre[d];
+  if (const int d = axis("min"); d >= 0) return m->low[d];
+  if (const int d = axis("max"); d >= 0) return m->high[d];
   if (const int d = axis("lp"); d >= 0) return m->angular_momentum[d];
   if (const int d = axis("reaction"); d >= 0) return reaction(q)[d];
   if (const int d = axis("contact"); d >= 0) return contact_of(q).force[d];

@@ -17,6 +17,7 @@ void add(Measures& to, const Measures& from) {
   to.kinetic += from.kinetic, to.stored += from.stored, to.dissipated += from.dissipated;
   to.heat += from.heat, to.work_heat += from.work_heat, to.temperature += from.temperature;
   to.stress += from.stress, to.deformation += from.deformation, to.strain += from.strain;
+  to.low = to.low.cwiseMin(from.low), to.high = to.high.cwiseMax(from.high);
   to.largest_speed = std::max(to.largest_speed, from.largest_speed);
   to.largest_wave_speed = std::max(to.largest_wave_speed, from.largest_wave_speed);
   to.least_volume_ratio = std::min(to.least_volume_ratio, from.least_volume_ratio);
@@ -61,6 +62,7 @@ Measures measure_range(Body<Dim>& body, std::uint32_t first, int count, bool str
     m.momentum += mass * velocity;
     m.angular_momentum += mass * position.cross(velocity);
     if (body.affine) m.angular_momentum += mass * affine_spin(body, i);
+    m.low = m.low.cwiseMin(position), m.high = m.high.cwiseMax(position);
     m.centre += mass * position, m.displacement += mass * shift;
     if (body.temperature) {
       const double capacity = mass * body.heat_capacity;

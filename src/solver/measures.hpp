@@ -22,9 +22,11 @@ struct Measures {
   Mat3 stress = Mat3::Zero();            ///< volume average                                     [stress]
   Mat3 deformation = Mat3::Zero();       ///< volume average of F, zero if not kept
   Mat3 strain = Mat3::Zero();            ///< volume average of the Biot strain, if asked for and F is kept
-  double largest_speed = 0.0;            ///< of a component                                     [velocity]
-  double largest_wave_speed = 0.0;       ///< in the present state                               [velocity]
-  double least_volume_ratio = 0.0;       ///< of V / V0
+  Vec3 low = Vec3::Constant(1e300);      ///< corners of the box around the particles' centres       [length]
+  Vec3 high = Vec3::Constant(-1e300);
+  double largest_speed = 0.0;       ///< of a component                                     [velocity]
+  double largest_wave_speed = 0.0;  ///< in the present state                               [velocity]
+  double least_volume_ratio = 0.0;  ///< of V / V0
 };
 
 template <int Dim>

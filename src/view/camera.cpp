@@ -68,8 +68,10 @@ double spacing_of(const std::vector<std::array<double, 3>>& positions) {
     if (std::isfinite(best)) nearest.push_back(std::sqrt(best));
   }
   if (nearest.empty()) return edge;
-  std::nth_element(nearest.begin(), nearest.begin() + static_cast<std::ptrdiff_t>(nearest.size() / 2), nearest.end());
-  return nearest[nearest.size() / 2];
+  // Where bodies are squeezed particles are nearer than they were
+  const auto k = static_cast<std::size_t>(0.8 * static_cast<double>(nearest.size()));
+  std::nth_element(nearest.begin(), nearest.begin() + static_cast<std::ptrdiff_t>(k), nearest.end());
+  return nearest[k];
 }
 
 }  // namespace tribo

@@ -23,7 +23,7 @@ struct Camera {
 /// `xy`, `xz`, `yz`, or `iso` with y up, `iso-z` with z up. Throws UsageError for other names.
 Camera camera(const std::string& view);
 
-/// The distance between neighbouring particles: the median over a sample of the distance to the nearest one.
+/// The distance between neighbouring particles: what four fifths of a sample have to the nearest one at most.
 double spacing_of(const std::vector<std::array<double, 3>>& positions);
 
 }  // namespace tribo

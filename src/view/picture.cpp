@@ -34,6 +34,7 @@ struct Sheet {
   double y(double v) const { return top + (v1 - v) * scale; }
 };
 
+constexpr double least_width = 170;
 constexpr double margin_left = 64, margin_right = 118, margin_top = 36, margin_bottom = 44;
 
 Sheet lay_out(const Camera& camera, const Box& box, int width, bool axes) {
@@ -50,10 +51,12 @@ Sheet lay_out(const Camera& camera, const Box& box, int width, bool axes) {
   l.left = axes ? margin_left : 16, l.top = margin_top;
   const double room = width - l.left - margin_right;
   l.scale = std::min(room / (u1 - u0), 1.2 * room / (v1 - v0));
+  l.left += std::max(0.0, 0.5 * (least_width - (u1 - u0) * l.scale));  // room for what is written above
   l.width = (u1 - u0) * l.scale, l.height = std::max((v1 - v0) * l.scale, 60.0);
   const double spare = l.height / l.scale - (v1 - v0);
   l.u0 = u0, l.v1 = v1 + 0.5 * spare;
-  l.picture_width = static_cast<int>(std::lround(l.left + l.width + margin_right));
+  l.picture_width =
+      static_cast<int>(std::lround(std::max(l.left + l.width, l.left + 0.5 * (l.width + least_width)) + margin_right));
   l.picture_height = static_cast<int>(std::lround(l.top + l.height + (axes ? margin_bottom : 16)));
   // even numbers: films want them
   l.picture_width += l.picture_width % 2, l.picture_height += l.picture_height % 2;
@@ -79,10 +82,9 @@ class Canvas {
     for (int y = y0; y < y1; ++y)
       for (int x = x0; x < x1; ++x) {
         const double a = (x + 0.5 - u) / r, b = (y + 0.5 - v) / r, square = a * a + b * b;
-        const std::size_t pixel =
-            static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
+        const std::size_t pixel = index(x, y);
         if (!ball) {
-          if (std::abs(a) <= 1 && std::abs(b) <= 1) colour_[pixel] = colour;
+          if (std::abs(a) <= 1 && std::abs(b) <= 1) colour_[pixel] = colour, depth_[pixel] = 0;
           continue;
         }
         if (square > 1) continue;
@@ -94,6 +96,24 @@ class Canvas {
         const double light = 0.45 + 0.55 * std::max(0.0, -0.35 * a - 0.5 * b + 0.79 * height);
         for (std::size_t c = 0; c < 3; ++c)
           colour_[pixel][c] = static_cast<std::uint8_t>(std::min(255.0, light * colour[c] + 8));
+      }
+  }
+
+  /// Fills gaps up to twice a length wide between particles with the colour of the nearest: where bodies stretch,
+  /// squares no longer touch. Edges stay where they are, as what was added there is taken away again.
+  void close_gaps(double length) {
+    const double reach = length * fine * layout_.scale;
+    if (reach < 1) return;
+    const auto drawn = [&](std::size_t pixel) { return depth_[pixel] > -1e29F; };
+    const auto nearest = offsets_to(drawn);
+    std::vector<bool> wide(colour_.size());
+    for (std::size_t k = 0; k < wide.size(); ++k) wide[k] = nearest[k].length() <= reach;
+    const auto outside = offsets_to([&](std::size_t pixel) { return !wide[pixel]; });
+    for (int y = 0; y < height_; ++y)
+      for (int x = 0; x < width_; ++x) {
+        const auto k = index(x, y);
+        if (drawn(k) || !wide[k] || outside[k].length() <= reach) continue;
+        colour_[k] = colour_[index(x + nearest[k].x, y + nearest[k].y)];
       }
   }
 
@@ -121,6 +141,43 @@ class Canvas {
 
  private:
   static constexpr int fine = 2;
+
+  struct Offset {
+    int x = 1 << 14, y = 1 << 14;
+    double length() const { return std::hypot(x, y); }
+    long square() const { return static_cast<long>(x) * x + static_cast<long>(y) * y; }
+  };
+  std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
+  }
+
+  // From every pixel to the nearest that `is`, by two sweeps (Danielsson, Comput. Graph. Image Process. 14 (1980)
+  // 227-248).
+  template <class Is>
+  std::vector<Offset> offsets_to(Is&& is) const {
+    std::vector<Offset> offsets(colour_.size());
+    for (std::size_t k = 0; k < offsets.size(); ++k)
+      if (is(k)) offsets[k] = {0, 0};
+    const auto look = [&](int x, int y, int dx, int dy) {
+      if (x + dx < 0 || x + dx >= width_ || y + dy < 0 || y + dy >= height_) return;
+      const Offset& there = offsets[index(x + dx, y + dy)];
+      const Offset candidate{there.x + dx, there.y + dy};
+      Offset& here = offsets[index(x, y)];
+      if (candidate.square() < here.square()) here = candidate;
+    };
+    for (int y = 0; y < height_; ++y) {
+      for (int x = 0; x < width_; ++x)
+        for (const auto& [dx, dy] : {std::pair(-1, 0), {0, -1}, {-1, -1}, {1, -1}}) look(x, y, dx, dy);
+      for (int x = width_; x-- > 0;) look(x, y, 1, 0);
+    }
+    for (int y = height_; y-- > 0;) {
+      for (int x = width_; x-- > 0;)
+        for (const auto& [dx, dy] : {std::pair(1, 0), {0, 1}, {1, 1}, {-1, 1}}) look(x, y, dx, dy);
+      for (int x = 0; x < width_; ++x) look(x, y, -1, 0);
+    }
+    return offsets;
+  }
+
   Sheet layout_;
   int width_ = 0, height_ = 0;
   std::vector<float> depth_;
@@ -318,6 +375,7 @@ std::string picture(const ParticleFrame& frame, const PictureOptions& options) {
         shade.integers ? distinct(static_cast<int>(v) - 1) : viridis((v - range[0]) / (range[1] - range[0]));
     canvas.particle(eye.project(frame.position[i]), radius, colour, !flat);
   }
+  if (flat) canvas.close_gaps(0.45 * spacing);
   const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, l.picture_width, l.picture_height));
   const Pen pen(cairo_create(surface.get()));
   cairo_set_source_rgb(pen.get(), 1, 1, 1);
@@ -334,7 +392,7 @@ std::string picture(const ParticleFrame& frame, const PictureOptions& options) {
     draw_scale(pen.get(), l, range, shade.name, options.unit);
   cairo_set_source_rgb(pen.get(), 0.2, 0.2, 0.2);
   write(pen.get(), "time " + short_number(frame.time) + (options.time_unit.empty() ? "" : " " + options.time_unit),
-        l.left, l.top - 14, Anchor::left, 13);
+        l.left - std::max(0.0, 0.5 * (least_width - l.width)), l.top - 14, Anchor::left, 13);
   std::string png;
   if (cairo_surface_write_to_png_stream(surface.get(), append, &png) != CAIRO_STATUS_SUCCESS)
     throw FileError("the picture could not be drawn");
