@@ -50,7 +50,10 @@ constexpr std::array<std::string_view, 27> archive_order{"",
 
 void Builder::header() {
   const Statement& h = *root_.child("Header");
-  if (const auto* d = h.child("Description")) model_.title = d->text;
+  if (const auto* d = h.child("Description")) {
+    constexpr std::string_view label = "Title: ";
+    model_.title = d->text.rfind(label, 0) == 0 ? d->text.substr(label.size()) : d->text;
+  }
   const std::string analysis = h.child("Analysis")->text;
   model_.analysis = analysis == "10"   ? Analysis::plane_strain
                     : analysis == "11" ? Analysis::plane_stress

@@ -112,7 +112,8 @@ class Parser {
       statement(line, word, out);
     }
     if (!ends.words.empty())
-      problems_.add(opened, "this '" + ends.opened + "' is never closed by '" + ends.words.back() + "'");
+      problems_.add(opened, "this '" + ends.opened + "' is never closed by '" +
+                                (ends.opened == "if" ? "endif" : "End" + ends.opened) + "'");
     --depth_;
     return out;
   }

@@ -45,11 +45,25 @@ std::string property_name(const Statement& material, const std::string& word) {
 }
 
 // The scripted name of a type, where it is not a name that the catalogue knows.
-std::string type_name(const std::string& word) {
+const std::map<std::string, std::string>& scripted_types() {
   static const std::map<std::string, std::string> all{
       {"transverse 1", "2"}, {"transverse 2", "3"}, {"mooney", "8"}, {"ideal gas", "22"}, {"tait liquid", "27"}};
-  const auto found = all.find(lower(word));
-  return found == all.end() ? word : found->second;
+  return all;
+}
+std::string type_name(const std::string& word) {
+  const auto found = scripted_types().find(lower(word));
+  return found == scripted_types().end() ? word : found->second;
+}
+
+// What nobody knows is complained about here, where the scripted names are known, too.
+void check_type(const Command& c, const std::string& type) {
+  if (to_number(type) || materials().find(type) || contact_laws().find(type)) return;
+  std::vector<std::string> known;
+  for (const auto& [name, number] : scripted_types()) known.push_back(name);
+  for (const auto& item : materials().items()) known.push_back(item.name);
+  for (const auto& item : contact_laws().items()) known.push_back(item.name);
+  const std::string near = did_you_mean(type, known);
+  if (!near.empty()) throw InputError(c.origin(2), "there is no material type '" + type + "'" + near);
 }
 
 constexpr std::array box_edges{"xmin", "xmax", "ymin", "ymax", "zmin", "zmax"};
@@ -68,6 +82,7 @@ void Translator::material(const Command& c) {
   Statement& m = document_.material(c.text(0), c.origin());
   attribute(m, "Type", type_name(c.text(2)), c.origin(2));
   attribute(m, "Name", c.text(1), c.origin(1));
+  check_type(c, m.attribute("Type")->text);
 }
 
 void Translator::property(const Command& c) {

@@ -62,6 +62,7 @@ void Translator::header(const Command& c) {
 }
 
 void Translator::analysis(const Command& c) {
+  analysis_ = 10;  // if it is none of these: one complaint is enough
   const std::string code = choice(
       c, 0, {{"Plane Strain MPM", "10"}, {"Plane Stress MPM", "11"}, {"3D MPM", "12"}, {"Axisymmetric MPM", "13"}},
       "analysis");

@@ -28,13 +28,19 @@ Conditions<Dim>::Conditions(const Model& model, const Lattice<Dim>& lattice)
   }
 
   plane_reactions_.assign(planes_.size(), 0.0);
+  // Of the user's grid and one layer around it; farther out is nothing
+  const auto near_grid = [&](const Index<Dim>& node) {
+    for (std::size_t d = 0; d < Dim; ++d)
+      if (const int n = node[d] - Lattice<Dim>::padding; n < -1 || n > model.grid.cells[d] + 1) return false;
+    return true;
+  };
   // Conditions on the same node in the same direction add.
   std::map<std::pair<std::int64_t, std::array<double, 3>>, std::size_t> known;
   for (std::size_t c = 0; c < model.node_conditions.size(); ++c) {
     const auto& condition = model.node_conditions[c];
     bool any = false;
     each_node_in<Dim>(lattice, *condition.where, [&](const Index<Dim>& node) {
-      any = true;
+      any = any || near_grid(node);
       std::int64_t flat = 0;
       for (std::size_t d = Dim; d-- > 0;) flat = flat * lattice.blocks[d] * block_edge<Dim> + node[d];
       const auto& n = condition.direction;

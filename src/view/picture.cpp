@@ -218,7 +218,7 @@ void draw_axes(cairo_t* pen, const Sheet& l, const Camera& camera) {
     write(pen, short_number(v), l.left - 7, l.y(v) + 4, Anchor::right, 11);
   }
   write(pen, camera.right_name, l.left + l.width, bottom + 34, Anchor::right);
-  write(pen, camera.up_name, l.left - 8, l.top - 8, Anchor::right);
+  write(pen, camera.up_name, 8, l.top + 12);
 }
 
 // A cross of the three directions where there are no axes.

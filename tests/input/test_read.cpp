@@ -54,6 +54,30 @@ TEST_CASE("every malformed command file is refused with places and the right wor
   CHECK(count >= 60);
 }
 
+TEST_CASE("every malformed script is refused with one message, which has a place and the right words", "[input]") {
+  int count = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(here / "malformed_scripts")) {
+    ++count;
+    INFO(entry.path());
+    const std::string text = text_of(entry.path());
+    const std::string head = "! expect: ";
+    REQUIRE(text.rfind(head, 0) == 0);
+    const std::string expected = text.substr(head.size(), text.find('\n') - head.size());
+    bool refused = false;
+    try {
+      preflight(read_model(entry.path()), 1);
+    } catch (const InputError& error) {
+      refused = true;
+      CHECK(error.problems().size() == 1);
+      CHECK(error.problems().front().origin.line > 0);
+      CHECK(error.problems().front().origin.column > 0);
+      CHECK_THAT(error.what(), Catch::Contains(expected));
+    }
+    CHECK(refused);
+  }
+  CHECK(count >= 70);
+}
+
 TEST_CASE("all problems are reported at once, in the order of the file", "[input]") {
   try {
     read_model_text("<JANFEAInput>\n <Header><Analysis>7</Analysis></Header>\n <Nonsense/>\n</JANFEAInput>",

@@ -29,6 +29,8 @@ expect 0 "$tribo" doc GridHoriz
 expect 2 "$tribo" doc MohrColoumb
 grep -q "did you mean 'MohrCoulomb'" err.txt || fail "doc: no 'did you mean'"
 expect 0 "$tribo" doc --markdown
+cmp out.txt "$source/docs/keywords.md" || fail "docs/keywords.md is old: tribo doc --markdown > docs/keywords.md"
+"$tribo" schema | cmp - "$source/docs/editor/workspace/.vscode/tribo.xsd" || fail "docs/editor/workspace/.vscode/tribo.xsd is old"
 for shell in bash zsh; do expect 0 "$tribo" completion $shell; done
 "$tribo" completion bash >completion.bash
 bash -O extglob -c '
@@ -39,7 +41,7 @@ bash -O extglob -c '
   COMP_WORDS=(tribo doc MohrC) COMP_CWORD=2; _tribo; echo "${COMPREPLY[*]}"' >completed.txt
 printf 'resume render report\n--overwrite\nMohrCoulomb\n' | cmp - completed.txt || { cat completed.txt; fail "completion"; }
 expect 5 "$tribo" run missing.xml
-for file in "$source"/tests/input/malformed/*.xml; do
+for file in "$source"/tests/input/malformed/*.xml "$source"/tests/input/malformed_scripts/*.fmcmd; do
   expect 3 "$tribo" check "$file"
   grep -Eq '^[^:]+:[0-9]+:[0-9]+: error: ' err.txt || { cat err.txt; fail "$file: no file:line:col"; }
 done
