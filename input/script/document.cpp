@@ -39,11 +39,14 @@ Statement& Document::set(const std::string& to, const std::string& element, cons
   return add(to, element, origin, text);
 }
 
-Statement& Document::material(const std::string& id, const Origin& origin) {
+Statement& Document::material(const Origin& origin) {
   materials_.push_back(statement("Material", origin));
+  return materials_.back();
+}
+
+void Document::name_material(const std::string& id, const Origin& origin) {
   if (!ids_.emplace(id, surrounding_ + materials_.size()).second)
     throw InputError(origin, "there is a material '" + id + "' already");
-  return materials_.back();
 }
 
 void Document::refer(Statement& s, const std::string& name, const std::string& id, const Origin& origin) {

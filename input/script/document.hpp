@@ -25,9 +25,10 @@ class Document {
                  const std::string& text = {});
 
   /// Starts a material; its number is its place in the order of definitions.
-  Statement& material(const std::string& id, const Origin& origin);
+  Statement& material(const Origin& origin);
   std::vector<Statement>& materials() { return materials_; }
-  void name_material(const std::string& id) { ids_.emplace(id, surrounding_ + materials_.size()); }
+  /// Names the last material. Throws InputError if another one has this name.
+  void name_material(const std::string& id, const Origin& origin);
 
   /// An attribute that names a material by its id, which may be defined later.
   static void refer(Statement& s, const std::string& attribute, const std::string& id, const Origin& origin);

@@ -79,7 +79,9 @@ Statement element(const std::string& name, const Origin& origin, const std::stri
 
 void Translator::material(const Command& c) {
   open(Open::material, c);
-  Statement& m = document_.material(c.text(0), c.origin());
+  Statement& m =
+      document_.material(c.origin());  // first: if the rest is wrong, its properties still are none of others
+  document_.name_material(c.text(0), c.origin(0));
   attribute(m, "Type", type_name(c.text(2)), c.origin(2));
   attribute(m, "Name", c.text(1), c.origin(1));
   check_type(c, m.attribute("Type")->text);

@@ -329,10 +329,11 @@ void Translator::xml_data(const Command& c) {
   text += "]>" + std::string(static_cast<std::size_t>(std::max(0, c.origin().line - 1)), '\n') + "<x>\n";
   for (const Piece& line : c.node.lines) text += line.text + "\n";
   const Statement read = read_xml(text + "</x>", c.origin().file);
+  task_ = nullptr;  // its place may move
   for (const Statement& child : read.children) {
     if (found->second == "Material") {
       document_.materials().push_back(child);
-      if (c.given(1)) document_.name_material(c.text(1));
+      if (c.given(1)) document_.name_material(c.text(1), c.origin(1));
     } else if (found->second == "End") {
       auto& children = document_.section(child.name, child.origin).children;
       children.insert(children.end(), child.children.begin(), child.children.end());
