@@ -66,17 +66,18 @@ std::map<std::string, Union> unions() {
   }
   auto& material = all["Material"];
   const auto add = [&](const auto& items) {
-    for (const auto& item : items)
+    for (const auto& item : items) {
       for (const auto& p : item.parameters) {
         material.children.insert(p.name);
         if (!p.alias.empty()) material.children.insert(p.alias);
       }
+      material.children.insert(item.own_properties.begin(), item.own_properties.end());
+    }
   };
   add(materials().items());
   add(contact_laws().items());
-  for (const auto name :
-       {"alpha", "Cv", "Cp", "kCond", "color", "PDamping", "largeRotation", "SetDirection", "SettingFunction",
-        "SettingFunction2", "SettingFunction3", "mirrored", "rho", "viscosity", "logshearrate"})
+  for (const auto name : {"alpha", "Cv", "Cp", "kCond", "color", "PDamping", "largeRotation", "SetDirection",
+                          "SettingFunction", "SettingFunction2", "SettingFunction3", "mirrored", "rho"})
     material.children.emplace(name);
   return all;
 }

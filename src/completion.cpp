@@ -1,7 +1,5 @@
 #include "completion.hpp"
 
-#include <CLI/CLI.hpp>
-
 namespace tribo {
 namespace {
 

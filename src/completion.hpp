@@ -1,11 +1,9 @@
 /// What makes a shell complete the program's commands.
 #pragma once
 
-#include <string>
+#include <CLI/CLI.hpp>
 
-namespace CLI {
-class App;
-}
+#include <string>
 
 namespace tribo {
 

@@ -22,7 +22,6 @@ std::string property_name(const Statement& material, const std::string& word) {
                                                       {"settingfunctionx", "SettingFunction"},
                                                       {"settingfunctiony", "SettingFunction2"},
                                                       {"settingfunctionz", "SettingFunction3"},
-                                                      {"hardening", "Hardening"},
                                                       {"ujoption", "UJOption"},
                                                       {"largerotation", "largeRotation"},
                                                       {"pdamping", "PDamping"},
@@ -37,6 +36,9 @@ std::string property_name(const Statement& material, const std::string& word) {
       for (const ParameterInfo& p : law->parameters)
         for (const std::string& name : {p.name, p.alias})
           if (!name.empty() && lower(name) == lower(word)) return name;
+    if (law)
+      for (const std::string& name : law->own_properties)
+        if (lower(name) == lower(word)) return name;
     return {};
   };
   std::string name = spelled(materials().find(type));

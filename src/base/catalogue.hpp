@@ -18,6 +18,7 @@ class Catalogue {
     int number = 0;                    ///< type number in the NairnMPM dialect; 0: has none
     std::vector<std::string> aliases;  ///< further accepted names
     std::vector<ParameterInfo> parameters;
+    std::vector<std::string> own_properties;  ///< that are words or lists, which the law reads itself
     /// Reads the properties of a <Material> element; problems are collected, null if there were any.
     std::unique_ptr<Base> (*make)(const Statement&, const std::vector<std::string>& handled_elsewhere, const Units&,
                                   Problems&) = nullptr;
@@ -56,6 +57,7 @@ typename Catalogue<Base>::Item catalogue_item(const std::vector<std::string>& al
   item.number = Law::number;
   item.aliases = aliases;
   for (const auto& p : Law::parameters()) item.parameters.push_back(p.info());
+  if constexpr (requires { Law::repeated(); }) item.own_properties = Law::repeated();
   item.make = [](const Statement& statement, const std::vector<std::string>& handled_elsewhere, const Units& units,
                  Problems& problems) -> std::unique_ptr<Base> {
     Law law;

@@ -142,7 +142,9 @@ class Sheet {
         for (int j = -2; j <= 2; ++j)
           for (int i = -2; i <= 2; ++i) f(Cell{c[0] + i, c[1] + j, c[2] + k});
     };
-    for (const auto& [c, list] : cells) {
+    for (const auto& entry : cells) {
+      const Cell& c = entry.first;
+      const auto& list = entry.second;
       bool alone = true;
       around(c, [&](const Cell& n) {
         if (const auto found = here.find(n); found != here.end() && found->second != here.at(c)) alone = false;
@@ -159,8 +161,8 @@ class Sheet {
                 gap = std::max(
                     gap, (std::abs(seeds_[i].x[d] - seeds_[j].x[d]) - seeds_[i].half_size[d] - seeds_[j].half_size[d]) /
                              system_.lattice.spacing[d]);
-              const auto [entry, fresh] = gaps.try_emplace({seeds_[i].material, seeds_[j].material}, gap);
-              if (!fresh) entry->second = std::min(entry->second, gap);
+              const auto [known, fresh] = gaps.try_emplace({seeds_[i].material, seeds_[j].material}, gap);
+              if (!fresh) known->second = std::min(known->second, gap);
             }
       });
     }

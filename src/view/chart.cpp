@@ -9,6 +9,7 @@
 namespace tribo {
 namespace {
 
+constexpr double row_height = 18;
 constexpr double width = 640, left = 74, right = 16, top = 34, plot_height = 220;
 constexpr std::size_t most_points = 800;
 
@@ -97,7 +98,8 @@ std::string chart(const std::string& title, const std::string& x_name, const std
   const double plot_width = width - left - right, bottom = top + plot_height;
   const auto at_x = [&](double v) { return left + plot_width * across.part(v); };
   const auto at_y = [&](double v) { return bottom - plot_height * y.part(v); };
-  const double height = bottom + 48 + 18 * static_cast<double>((curves.size() + 1) / 2);
+  const std::size_t rows = (curves.size() + 1) / 2;
+  const double height = bottom + 48 + row_height * static_cast<double>(rows);
 
   std::string out = format("<svg viewBox='0 0 %g %g' role='img'>", width, height);
   out += format("<text x='%g' y='20' class='title'>", left) + escaped_html(title) + "</text>";
@@ -123,8 +125,9 @@ std::string chart(const std::string& title, const std::string& x_name, const std
       pen = std::isfinite(v);
     }
     out += "<path d='" + path + "' stroke='" + colour + "'/>";
+    const std::size_t line = k / 2;
     const double name_x = left + static_cast<double>(k % 2) * 0.5 * plot_width,
-                 name_y = bottom + 52 + 18 * static_cast<double>(k / 2);
+                 name_y = bottom + 52 + row_height * static_cast<double>(line);
     out += format("<line x1='%g' x2='%g' y1='%g' y2='%g' style='stroke:%s;stroke-width:3'/>", name_x, name_x + 18,
                   name_y - 4, name_y - 4, colour.c_str());
     out += format("<text x='%g' y='%g'>", name_x + 24, name_y) + escaped_html(curves[k].name) + "</text>";
