@@ -180,6 +180,11 @@ class Evaluator {
         ++at_;
         given.push_back(joined());
       }
+      // round(x" "n): number and decimals as one text
+      if (lower(word) == "round" && next() == '"') {
+        const Value between = quoted();
+        given.back() = printed(given.back()) + printed(between) + printed(joined());
+      }
     }
     expect(')');
     if (function) {

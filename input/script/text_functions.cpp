@@ -109,6 +109,9 @@ std::vector<TextFunction> make() {
                  }});
   all.push_back({"round", 1, 2, "a number and how many decimals (default 0)",
                  [](const Arguments& a, const Number& number) -> Value {
+                   const auto parts = words_of(printed(a[0]));
+                   if (a.size() == 1 && is_text(a[0]) && parts.size() == 2)
+                     return rounded(number(Value(parts[0])), number(Value(parts[1])));
                    return rounded(number(a[0]), a.size() > 1 ? number(a[1]) : 0.0);
                  }});
   return all;

@@ -61,6 +61,9 @@ TEST_CASE("texts of scripts", "[script]") {
   CHECK(words("#a/#b") == "0.66666667");
   CHECK(words("(1000*#a)&\"*t\"") == "2000*t");
   CHECK(words("word(2\\#name$)") == "ball");
+  CHECK(words("round(3.14159\" \"2)") == "3.14");
+  CHECK(words("round(3.14159\\3)") == "3.142");
+  CHECK(words("round(#a*1.3)") == "3");
   CHECK(words("chars(1\\4\\#name$)") == "left");
   CHECK(words("replace(\"l\"\\\"L\"\\#name$)") == "Left baLL");
   CHECK(words("upperCase(firstWord(#name$))") == "LEFT");
