@@ -78,8 +78,8 @@ void add_laws(std::vector<ManualEntry>& out, const char* kind, const Items& item
       entry.rows.push_back(
           {"<" + p.name + ">", std::string(dimension_name(p.dimension)) + ", " + p.range.text(), meaning});
     }
-    for (const auto& name : item.own_properties)
-      entry.rows.push_back({"<" + name + ">", "words or lists", "see the law's page"});
+    for (const auto& p : item.own_properties)
+      entry.rows.push_back({"<" + std::string(p.name) + ">", "", std::string(p.meaning)});
     out.push_back(std::move(entry));
   }
 }

@@ -71,7 +71,7 @@ std::map<std::string, Union> unions() {
         material.children.insert(p.name);
         if (!p.alias.empty()) material.children.insert(p.alias);
       }
-      material.children.insert(item.own_properties.begin(), item.own_properties.end());
+      for (const auto& p : item.own_properties) material.children.emplace(p.name);
     }
   };
   add(materials().items());

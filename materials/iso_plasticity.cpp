@@ -76,8 +76,9 @@ struct IsoPlasticity {
         P{"mjc", &L::m, none, positive, "JohnsonCook: exponent of the loss with temperature (default 1)", {}, true},
     };
   }
-  /// A word, read in prepare.
-  static std::vector<std::string> repeated() { return {"Hardening"}; }
+  static std::vector<OwnProperty> own_properties() {
+    return {{"Hardening", "Linear (1; default), Nonlinear (2), JohnsonCook (3) or Nonlinear2 (6)"}};
+  }
 
   void prepare(const Statement& statement, const Units& units, Problems& problems) {
     elastic =

@@ -60,8 +60,11 @@ struct IsoSoftening {
         P{"II-Gc", &L::shear_toughness, energy, positive, "of slip (default: as of opening); with tauc", {}, true},
     };
   }
-  /// Words, read in prepare.
-  static std::vector<std::string> repeated() { return {"Initiation", "SofteningI", "SofteningII"}; }
+  static std::vector<OwnProperty> own_properties() {
+    return {{"Initiation", "MaxPrinciple: cracks start where the largest principal stress reaches the strength"},
+            {"SofteningI", "Linear or Exponential: how the strength falls as a crack opens"},
+            {"SofteningII", "the same as it slips"}};
+  }
 
   void prepare(const Statement& statement, Problems& problems) {
     elastic =

@@ -107,16 +107,17 @@ struct Motion {
 struct NoState {};
 
 /// Lifts a law written for one point to the batch interface. `Law` is a plain struct with
-///   static constexpr std::string_view name, summary;  static constexpr int number;   (dialect number or 0)
-///   static auto parameters();                         // std::array<Parameter<Law>, N>
-///   void prepare(const Statement&, Problems&);        // derived constants and cross-checks, once; or with Units
-///   between static std::vector<std::string> repeated();       // optional: properties that prepare reads itself double
-///   density; double wave_modulus() const; using State = ...;                                // NoState, or a struct of
-///   doubles static auto history();                            // std::tuple of StateVariable, only with a State Mat3
-///   stress(const Motion&, const Mat3& old_stress, State&) const; double energy_density(const Mat3& F, const Mat3&
-///   stress, const State&) const;   // stored, per current volume
-///   void weaken(double factor);    // optional: see Material::weakened
-///   bool feels_temperature() const; double largest_cell() const;  // optional: see Material
+/// - `static constexpr std::string_view name, summary; static constexpr int number;` (of the dialect, or 0)
+/// - `static auto parameters()`: std::array<Parameter<Law>, N>
+/// - `static std::vector<OwnProperty> own_properties()`, optional: words and lists that prepare reads itself
+/// - `void prepare(const Statement&, Problems&)`: derived constants and checks, once; or with Units between
+/// - `double density; double wave_modulus() const;`
+/// - `using State = ...`: NoState, or a struct of doubles with `static auto history()`, a tuple of StateVariable
+/// - `Mat3 stress(const Motion&, const Mat3& old_stress, State&) const`
+/// - `double energy_density(const Mat3& F, const Mat3& stress, const State&) const`: stored, per present volume
+/// - `void weaken(double factor)`, optional: see Material::weakened
+/// - `bool feels_temperature() const; double largest_cell() const`, optional: see Material
+///
 /// Plane stress is solved here for every such law, see plane_stress.hpp.
 template <class State>
 struct StateVariable {

@@ -28,8 +28,10 @@ struct TaitLiquid {
         P{"K", &TaitLiquid::bulk_modulus, Dimension::stress, positive, "bulk modulus at zero pressure"},
     };
   }
-  /// Properties that may be repeated are read in prepare.
-  static std::vector<std::string> repeated() { return {"viscosity", "logshearrate"}; }
+  static std::vector<OwnProperty> own_properties() {
+    return {{"viscosity", "stress time; one, or one for each <logshearrate>"},
+            {"logshearrate", "log10 of the shear rate at which the viscosity holds; increasing"}};
+  }
 
   void prepare(const Statement& statement, const Units& units, Problems& problems) {
     std::vector<double> values, rates;

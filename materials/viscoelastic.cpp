@@ -35,8 +35,11 @@ struct ViscoelasticParameters {
         P{"G0", &L::long_modulus, Dimension::stress, not_negative, "shear modulus after long times"},
     };
   }
-  /// Given once per element, as pairs in the order of the file.
-  static std::vector<std::string> repeated() { return {"Gk", "tauk", "ntaus"}; }
+  static std::vector<OwnProperty> own_properties() {
+    return {{"Gk", "stress; shear modulus of an element, followed by its <tauk>; as often as there are elements"},
+            {"tauk", "time; relaxation time of the element before it"},
+            {"ntaus", "how many pairs there are; checked if given"}};
+  }
 
   void prepare(const Statement& statement, const Units& units, Problems& problems) {
     std::vector<double> moduli, times;

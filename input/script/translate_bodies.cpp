@@ -37,8 +37,8 @@ std::string property_name(const Statement& material, const std::string& word) {
         for (const std::string& name : {p.name, p.alias})
           if (!name.empty() && lower(name) == lower(word)) return name;
     if (law)
-      for (const std::string& name : law->own_properties)
-        if (lower(name) == lower(word)) return name;
+      for (const OwnProperty& p : law->own_properties)
+        if (lower(p.name) == lower(word)) return std::string(p.name);
     return {};
   };
   std::string name = spelled(materials().find(type));

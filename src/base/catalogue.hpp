@@ -5,9 +5,15 @@
 
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace tribo {
+
+/// A property that is a word or a list, which the law reads itself.
+struct OwnProperty {
+  std::string_view name, meaning;
+};
 
 template <class Base>
 class Catalogue {
@@ -18,7 +24,7 @@ class Catalogue {
     int number = 0;                    ///< type number in the NairnMPM dialect; 0: has none
     std::vector<std::string> aliases;  ///< further accepted names
     std::vector<ParameterInfo> parameters;
-    std::vector<std::string> own_properties;  ///< that are words or lists, which the law reads itself
+    std::vector<OwnProperty> own_properties;
     /// Reads the properties of a <Material> element; problems are collected, null if there were any.
     std::unique_ptr<Base> (*make)(const Statement&, const std::vector<std::string>& handled_elsewhere, const Units&,
                                   Problems&) = nullptr;
@@ -48,7 +54,8 @@ class Catalogue {
 };
 
 /// Catalogue entry of `Law`, which has name, summary, number, parameters(), prepare() and, if it reads some properties
-/// itself, repeated(). `Host` is what the engine calls, made from the law it was given: the law itself or an adaptor.
+/// itself, own_properties(). `Host` is what the engine calls, made from the law it was given: the law itself or an
+/// adaptor.
 template <class Base, class Law, class Host>
 typename Catalogue<Base>::Item catalogue_item(const std::vector<std::string>& aliases) {
   typename Catalogue<Base>::Item item;
@@ -57,14 +64,14 @@ typename Catalogue<Base>::Item catalogue_item(const std::vector<std::string>& al
   item.number = Law::number;
   item.aliases = aliases;
   for (const auto& p : Law::parameters()) item.parameters.push_back(p.info());
-  if constexpr (requires { Law::repeated(); }) item.own_properties = Law::repeated();
+  if constexpr (requires { Law::own_properties(); }) item.own_properties = Law::own_properties();
   item.make = [](const Statement& statement, const std::vector<std::string>& handled_elsewhere, const Units& units,
                  Problems& problems) -> std::unique_ptr<Base> {
     Law law;
     Problems mine;
-    if constexpr (requires { Law::repeated(); }) {
-      auto skipped = Law::repeated();
-      skipped.insert(skipped.end(), handled_elsewhere.begin(), handled_elsewhere.end());
+    if constexpr (requires { Law::own_properties(); }) {
+      auto skipped = handled_elsewhere;
+      for (const auto& p : Law::own_properties()) skipped.emplace_back(p.name);
       read_law(law, statement, skipped, units, mine);
     } else {
       read_law(law, statement, handled_elsewhere, units, mine);
