@@ -22,12 +22,9 @@ class Builder {
   Drive build_drive();
 
  private:
-  // header.cpp
+  // build_header.cpp
   void header();
   void mpm_header();
-  void archive(const Statement& header);
-  void history(const Statement& header);
-  void check_histories();
   void damping(const Statement& header);
   void strength_reduction(const Statement& header);
   void mesh();
@@ -35,7 +32,13 @@ class Builder {
   void tasks();
   void task(const Statement& schedule);
 
-  // materials.cpp
+  // build_output.cpp
+  void archive(const Statement& header);
+  void history(const Statement& header);
+  void check_histories();
+  Vec3 history_point(const Attribute& at);
+
+  // build_materials.cpp
   void number_materials();
   void materials();
   void contact();
@@ -57,7 +60,7 @@ class Builder {
   /// Index of the material an element names by mat or matname; problems and 0 if there is none.
   int material(const Statement& s, std::string_view by_number = "mat", std::string_view by_name = "matname");
 
-  // bodies.cpp
+  // build_bodies.cpp
   void bodies();
   void body(const Statement& s, bool hole);
   void picture(const Statement& s);
@@ -69,7 +72,7 @@ class Builder {
   RegionPtr line_shape(const Statement& s);
   RegionPtr arc_shape(const Statement& s);
 
-  // conditions.cpp
+  // build_conditions.cpp
   void conditions();
   void selector(const Statement& s, bool grid);
   RegionPtr selected(const Statement& s);

@@ -161,6 +161,7 @@ std::vector<ElementSpec> make() {
        T::none,
        {text("type", "name of the quantity", true), text("material", "number of a material, or id of a condition"),
         text("mat", "the same"), text("matname", "name of a material"),
+        text("pt", "'x,y' or 'x,y,z': of the particle that starts nearest to this point"),
         text("with", "contact quantities: number of the other material"), text("withname", "or its name")}});
   add({"ArchiveRoot",
        "MPMHeader",

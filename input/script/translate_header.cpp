@@ -138,8 +138,12 @@ void Translator::archive(const Command& c) {
 void Translator::global_archive(const Command& c) {
   Statement& s = document_.add("MPMHeader", "GlobalArchive", c.origin());
   attribute(s, "type", c.text(0), c.origin(0));
-  if (c.size() > 2)
-    throw InputError(c.origin(1), "histories of a point are not built; give the id of a material, or nothing");
+  if (c.size() > 2) {
+    std::string point;
+    for (std::size_t k = 1; k < c.size(); ++k) point += (k > 1 ? "," : "") + written(c.number(k));
+    attribute(s, "pt", point, c.origin(1));
+    return;
+  }
   if (!c.given(1)) return;
   const std::string of = c.text(1);
   if (const auto number = to_number(of); number && *number <= 0)

@@ -230,8 +230,8 @@ struct HistoryQuantity {
   std::string column;  ///< column head: `velx:Disk 1`
   int material = -1;   ///< -1: all
   int condition_id = 0;
-  int other = -1;  ///< contact: only with this material; -1: with all
-  std::optional<Vec3> point;
+  int other = -1;             ///< contact: only with this material; -1: with all
+  std::optional<Vec3> point;  ///< of the particle that starts nearest to it
   Origin origin;
 };
 

@@ -10,11 +10,18 @@
 
 namespace tribo {
 
+/// What a quantity may be asked of.
+enum class Scope {
+  run,       ///< only of all
+  material,  ///< of one material, too
+  particle   ///< of one particle, too
+};
+
 struct QuantityInfo {
   std::string_view name;
   std::string_view unit;     ///< generic, e.g. `velocity`
   std::string_view meaning;  ///< one phrase
-  bool of_material;          ///< may be restricted to a material
+  Scope scope;               ///< of a field of the particle files: particle
 };
 
 /// Global quantities, by the dialect's names and Tribo's own.

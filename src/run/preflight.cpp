@@ -5,6 +5,7 @@
 #include "grid/select.hpp"
 #include "run/clock.hpp"
 #include "run/step_size.hpp"
+#include "run/tracers.hpp"
 #include "solver/build.hpp"
 #include "solver/measures.hpp"
 #include "solver/step.hpp"
@@ -37,6 +38,7 @@ class Sheet {
         stepper_(model, system_),
         h_(system_.lattice.smallest_spacing()) {
     set_threads(sensible_threads(wanted_threads, particle_count(system_)));
+    const Tracers<Dim> found(model_, system_);  // throws for a history of a point where nothing is
   }
 
   std::string text() {

@@ -38,6 +38,7 @@ Results<Dim>::Results(const Model& model, System<Dim>& system, Stepper<Dim>& ste
     : model_(model),
       system_(system),
       stepper_(stepper),
+      tracers_(model, system),
       folder_(std::move(folder)),
       particles_(folder_ / "run.pvd"),
       grid_(folder_ / "grid.pvd") {
@@ -133,7 +134,8 @@ void Results<Dim>::write_history(double dt) {
   const Ledgers l = ledgers(all);
 
   std::vector<double> row{system_.time};
-  for (const auto& q : model_.output.history) row.push_back(quantity(q, all, bodies, l, dt));
+  for (std::size_t k = 0; k < model_.output.history.size(); ++k)
+    row.push_back(quantity(model_.output.history[k], measures_of(k, all, bodies), l, dt));
   history_->add(row);
 
   const double content = all.kinetic + all.stored + all.dissipated + l.potential + l.damping + l.contact + l.interface;
@@ -159,52 +161,54 @@ void Results<Dim>::write_history(double dt) {
 }
 
 template <int Dim>
-double Results<Dim>::quantity(const HistoryQuantity& q, const Measures& all, const std::vector<Measures>& bodies,
-                              const Ledgers& ledgers, double dt) const {
-  const Measures* m = &all;
-  static const Measures nothing;
-  if (q.material >= 0) {
-    m = &nothing;
-    for (std::size_t b = 0; b < system_.bodies.size(); ++b)
-      if (system_.bodies[b].material == q.material) m = &bodies[b];
-  }
+Measures Results<Dim>::measures_of(std::size_t k, const Measures& all, const std::vector<Measures>& bodies) const {
+  const HistoryQuantity& q = model_.output.history[k];
+  if (q.point) return tracers_.measure(system_, k, model_.output.wants_strain());
+  if (q.material < 0) return all;
+  for (std::size_t b = 0; b < system_.bodies.size(); ++b)
+    if (system_.bodies[b].material == q.material) return bodies[b];
+  return {};
+}
+
+template <int Dim>
+double Results<Dim>::quantity(const HistoryQuantity& q, const Measures& m, const Ledgers& ledgers, double dt) const {
   const std::string name = lower(q.name);
   const auto axis = [&](const std::string& stem) {
     return name.size() == stem.size() + 1 && name.rfind(stem, 0) == 0 ? name.back() - 'x' : -1;
   };
-  const Vec3 velocity = m->mass > 0 ? Vec3(m->momentum / m->mass) : Vec3(Vec3::Zero());
+  const Vec3 velocity = m.mass > 0 ? Vec3(m.momentum / m.mass) : Vec3(Vec3::Zero());
   if (const int d = axis("vel"); d >= 0) return velocity[d];
-  if (const int d = axis("disp"); d >= 0) return m->displacement[d];
-  if (const int d = axis("pos"); d >= 0) return m->centre[d];
-  if (const int d = axis("min"); d >= 0) return m->low[d];
-  if (const int d = axis("max"); d >= 0) return m->high[d];
-  if (const int d = axis("lp"); d >= 0) return m->angular_momentum[d];
+  if (const int d = axis("disp"); d >= 0) return m.displacement[d];
+  if (const int d = axis("pos"); d >= 0) return m.centre[d];
+  if (const int d = axis("min"); d >= 0) return m.low[d];
+  if (const int d = axis("max"); d >= 0) return m.high[d];
+  if (const int d = axis("lp"); d >= 0) return m.angular_momentum[d];
   if (const int d = axis("reaction"); d >= 0) return reaction(q)[d];
   if (const int d = axis("contact"); d >= 0) return contact_of(q).force[d];
   if (name == "friction work") return contact_of(q).friction;
   if (name == "impact work") return contact_of(q).impact;
   if (name == "interface energy") return contact_of(q).stored;
   if (name == "contact area") return contact_of(q).area;
-  if (name == "temperature") return m->temperature;
-  if (name == "heat energy") return m->heat;
+  if (name == "temperature") return m.temperature;
+  if (name == "heat energy") return m.heat;
   if (name == "heat supplied") return stepper_.heat().supplied;
   if (name == "contact heat") return stepper_.heat().from_contact;
-  if (name == "work heat") return m->work_heat;
-  if (const int d = axis("p"); d >= 0) return m->momentum[d];
-  if (name.size() == 3 && name[0] == 'e') return m->strain(name[1] - 'x', name[2] - 'x');
-  if (name.size() == 3 && name[0] == 's') return m->stress(name[1] - 'x', name[2] - 'x');
-  if (name == "pressure") return -m->stress.trace() / 3.0;
-  if (name == "kinetic energy") return m->kinetic;
-  if (name == "strain energy") return m->stored;
-  if (name == "plastic energy") return m->dissipated;
-  if (name == "internal energy") return m->stored + m->heat;
+  if (name == "work heat") return m.work_heat;
+  if (const int d = axis("p"); d >= 0) return m.momentum[d];
+  if (name.size() == 3 && name[0] == 'e') return m.strain(name[1] - 'x', name[2] - 'x');
+  if (name.size() == 3 && name[0] == 's') return m.stress(name[1] - 'x', name[2] - 'x');
+  if (name == "pressure") return -m.stress.trace() / 3.0;
+  if (name == "kinetic energy") return m.kinetic;
+  if (name == "strain energy") return m.stored;
+  if (name == "plastic energy") return m.dissipated;
+  if (name == "internal energy") return m.stored + m.heat;
   if (name == "potential energy") return ledgers.potential;
   if (name == "external work") return ledgers.external_work;
   if (name == "boundary work") return ledgers.boundary_work;
   if (name == "damping energy") return ledgers.damping;
-  if (name == "mass") return m->mass;
-  if (name == "volume") return m->volume;
-  if (name == "particles") return static_cast<double>(m->particles);
+  if (name == "mass") return m.mass;
+  if (name == "volume") return m.volume;
+  if (name == "particles") return static_cast<double>(m.particles);
   if (name == "alpha") return stepper_.grid_damping;
   if (name == "palpha") return stepper_.particle_damping;
   if (name == "step number") return static_cast<double>(system_.step);

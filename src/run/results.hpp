@@ -3,6 +3,7 @@
 
 #include "output/history.hpp"
 #include "output/vtk.hpp"
+#include "run/tracers.hpp"
 #include "solver/measures.hpp"
 #include "solver/step.hpp"
 
@@ -34,8 +35,9 @@ class Results {
   double initial_energy = 0.0;
 
  private:
-  double quantity(const HistoryQuantity& q, const Measures& all, const std::vector<Measures>& bodies,
-                  const Ledgers& ledgers, double dt) const;
+  /// Of what history `k` asks for: all, a material or a particle.
+  Measures measures_of(std::size_t k, const Measures& all, const std::vector<Measures>& bodies) const;
+  double quantity(const HistoryQuantity& q, const Measures& m, const Ledgers& ledgers, double dt) const;
   Vec3 reaction(const HistoryQuantity& q) const;
   PairLedger contact_of(const HistoryQuantity& q) const;
   Ledgers ledgers(const Measures& all) const;
@@ -44,6 +46,7 @@ class Results {
   const Model& model_;
   System<Dim>& system_;
   Stepper<Dim>& stepper_;
+  Tracers<Dim> tracers_;
   std::filesystem::path folder_;
   Collection particles_, grid_;
   std::optional<History> history_, energy_;

@@ -124,6 +124,13 @@ Measures measure(Body<Dim>& body, bool strain) {
 }
 
 template <int Dim>
+Measures measure_particle(Body<Dim>& body, std::size_t particle, bool strain) {
+  Measures m = measure_range(body, static_cast<std::uint32_t>(particle), 1, strain);
+  average(m);
+  return m;
+}
+
+template <int Dim>
 Measures measure(System<Dim>& system, bool strain) {
   Measures all;
   all.least_volume_ratio = 1e300;
@@ -134,6 +141,8 @@ Measures measure(System<Dim>& system, bool strain) {
 
 template Measures measure<2>(Body<2>&, bool);
 template Measures measure<3>(Body<3>&, bool);
+template Measures measure_particle<2>(Body<2>&, std::size_t, bool);
+template Measures measure_particle<3>(Body<3>&, std::size_t, bool);
 template Measures measure<2>(System<2>&, bool);
 template Measures measure<3>(System<3>&, bool);
 template double stored_energy<2>(Body<2>&, std::size_t);

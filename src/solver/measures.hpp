@@ -31,6 +31,9 @@ struct Measures {
 
 template <int Dim>
 Measures measure(Body<Dim>& body, bool strain = false);
+/// Of one particle.
+template <int Dim>
+Measures measure_particle(Body<Dim>& body, std::size_t particle, bool strain);
 /// Sum over bodies; means weighted by mass or volume.
 template <int Dim>
 Measures measure(System<Dim>& system, bool strain = false);

@@ -161,8 +161,8 @@ void watch(const RunFolder& run, const WatchOptions& options) {
   const std::string here = "127.0.0.1";
   int port = options.port;
   if (port == 0)
-    port = server.bind_to_any_port(here.c_str());
-  else if (!server.bind_to_port(here.c_str(), port))
+    port = server.bind_to_any_port(here);
+  else if (!server.bind_to_port(here, port))
     port = -1;
   if (port <= 0)
     throw FileError("port " + std::to_string(options.port) + " of this machine is taken; --port names another");

@@ -159,6 +159,7 @@ TEST_CASE("<Commands> adds to the sections of its file", "[script]") {
   EndRepeat
   GlobalArchive velx,"left"
   GlobalArchive velx,"r"
+  GlobalArchive sxx,4.5,1/4
  ]]></Commands>
 </JANFEAInput>)";
   const Model model = read_model_text(text, "deck.xml");
@@ -170,6 +171,8 @@ TEST_CASE("<Commands> adds to the sections of its file", "[script]") {
   CHECK(model.pieces[3].origin.line == 15);
   CHECK(model.output.history.at(0).column == "velx:left");
   CHECK(model.output.history.at(1).column == "velx:right");
+  CHECK(model.output.history.at(2).column == "sxx:4.5,0.25");
+  CHECK(model.output.history.at(2).point.value() == Vec3(4.5, 0.25, 0));
 
   std::string wrong = text;
   wrong.replace(wrong.find("Repeat #i,1,3"), 13, "Repeat #i,1,#n");

@@ -1,0 +1,219 @@
+/// What a run writes: particle and grid files, columns of the histories.
+
+#include "input/builder.hpp"
+#include "materials/material.hpp"
+#include "model/quantities.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <sstream>
+
+namespace tribo {
+namespace {
+
+std::vector<std::string> names_of(const std::vector<QuantityInfo>& list) {
+  std::vector<std::string> out;
+  for (const auto& q : list) out.emplace_back(q.name);
+  return out;
+}
+
+// The dialect's archive letters, in order; always written, or nothing any more: empty.
+constexpr std::array<std::string_view, 27> archive_order{"",
+                                                         "",
+                                                         "velocity",
+                                                         "stress",
+                                                         "strain",
+                                                         "history",
+                                                         "",
+                                                         "work_energy",
+                                                         "temperature",
+                                                         "plastic_energy",
+                                                         "",
+                                                         "shear components",
+                                                         "strain_energy",
+                                                         "history",
+                                                         "concentration",
+                                                         "heat_energy",
+                                                         "cell_crossings",
+                                                         "rotation",
+                                                         "damage normal",
+                                                         "spin momentum",
+                                                         "spin velocity",
+                                                         "history",
+                                                         "history",
+                                                         "history",
+                                                         "particle size",
+                                                         "",
+                                                         ""};
+
+}  // namespace
+
+void Builder::archive(const Statement& h) {
+  OutputSpec& out = model_.output;
+  double start = 0.0;
+  if (const auto* first = h.child("FirstArchiveTime")) start = text_number(*first, Dimension::time);
+  for (const auto& s : h.children) {
+    if (s.name != "ArchiveTime" && s.name != "ArchiveGroup") continue;
+    const bool group = s.name == "ArchiveGroup";
+    const double interval = group ? number(s, "time", Dimension::time) : text_number(s, Dimension::time);
+    must(interval > 0, s.origin, "the time between archives must be positive");
+    const double from = group                 ? number(s, "start", Dimension::time)
+                        : out.archive.empty() ? 0.0
+                                              : out.archive.back().start + 1e-300;
+    if (!group && !out.archive.empty()) {
+      problems_.add(s.origin, "<ArchiveTime> is given twice; use <ArchiveGroup time= start=> for further intervals");
+      continue;
+    }
+    must(out.archive.empty() || from > out.archive.back().start, s.origin, "archive groups must start later and later");
+    out.archive.push_back({from, interval, 0});
+  }
+  if (out.archive.empty()) {
+    problems_.add(h.origin, "<MPMHeader> needs <ArchiveTime>, the time between particle files");
+    return;
+  }
+  if (start > 0) {
+    // The first file after the start comes at `start`, then at every interval.
+    const double interval = out.archive.front().interval;
+    out.archive.front() = {0.0, 0.0, 0};
+    out.archive.insert(out.archive.begin() + 1, {start, interval, 0});
+  }
+  if (const auto* g = h.child("GlobalArchiveTime")) {
+    out.history_interval = text_number(*g, Dimension::time);
+    must(out.history_interval > 0, g->origin, "<GlobalArchiveTime> must be positive");
+  }
+
+  const auto add_field = [&](const std::string& name, const Origin& origin) {
+    const auto* field = find_particle_field(name);
+    if (!field)
+      problems_.add(origin, "'" + name + "' is no field of the particle files" +
+                                did_you_mean(name, names_of(particle_fields())) +
+                                "; valid: " + join(names_of(particle_fields())));
+    else if (std::find(out.particle_fields.begin(), out.particle_fields.end(), field->name) ==
+             out.particle_fields.end())
+      out.particle_fields.emplace_back(field->name);
+  };
+  if (const auto* order = h.child("MPMArchiveOrder"); order && !h.child("Output")) {
+    for (const auto name : {"id", "material", "displacement", "volume_ratio"}) add_field(name, order->origin);
+    for (std::size_t k = 2; k < archive_order.size() && k < order->text.size(); ++k) {
+      const std::string field(archive_order[k]);
+      if (order->text[k] == 'N' || field.empty()) continue;
+      if (find_particle_field(field))
+        add_field(field, order->text_origin);
+      else
+        warn(order->text_origin, "letter " + std::to_string(k + 1) + " asks for the " + field +
+                                     ", which Tribo does not have; it is not written");
+    }
+    for (const auto name : {"velocity", "stress", "pressure", "von_mises"}) add_field(name, order->origin);
+  }
+  for (const auto& s : h.children)
+    if (s.name == "MPMArchive" && word(s, "setting", "yes") != "no") add_field(word(s, "result"), s.origin);
+  if (const auto* o = h.child("Output")) {
+    std::istringstream fields(word(*o, "fields")), grid(word(*o, "grid"));
+    for (std::string name; fields >> name;) add_field(name, o->attribute("fields")->origin);
+    for (std::string name; grid >> name;) {
+      if (name == "mass" || name == "velocity")
+        out.grid_fields.push_back(name);
+      else
+        problems_.add(o->attribute("grid")->origin,
+                      "'" + name + "' is no field of the grid files; valid: mass, velocity");
+    }
+    out.checkpoint_interval = number(*o, "checkpoint", Dimension::time);
+    must(out.checkpoint_interval >= 0, o->origin, "the time between checkpoints must not be negative");
+  }
+}
+
+void Builder::history(const Statement& h) {
+  for (const auto& s : h.children) {
+    if (s.name != "GlobalArchive") continue;
+    HistoryQuantity q;
+    q.name = q.column = word(s, "type");
+    q.origin = s.origin;
+    const auto* info = find_global_quantity(q.name);
+    if (!info) {
+      problems_.add(s.attribute("type")->origin, "'" + q.name + "' is no quantity of the histories" +
+                                                     did_you_mean(q.name, names_of(global_quantities())) +
+                                                     "; valid: " + join(names_of(global_quantities())));
+      continue;
+    }
+    const bool elastic = q.name.size() == 4 && std::tolower(static_cast<unsigned char>(q.name[0])) == 'e';
+    if (elastic)
+      q.name = "elastic " + std::string(info->name);  // checked when the materials are known
+    else
+      q.name = info->name;
+    const Attribute* of = s.attribute("material") ? s.attribute("material") : s.attribute("mat");
+    const bool reaction = info->name.rfind("reaction", 0) == 0;
+    if (of && !s.attribute("matname") && to_number(of->text).value_or(0) <= 0) {
+      q.condition_id = static_cast<int>(to_number(of->text).value_or(0));
+      must(reaction, of->origin, "a number <= 0 is the id of a condition, for reactionx, reactiony, reactionz");
+      q.column += ":" + of->text;
+    } else if (of || s.attribute("matname")) {
+      must(info->scope != Scope::run, s.origin, "'" + q.name + "' is not a quantity of one material");
+      q.material = material(s, s.attribute("material") ? "material" : "mat");
+      if (q.material >= 0 && q.material < static_cast<int>(material_statements_.size()))
+        q.column += ":" + word(*material_statements_[static_cast<std::size_t>(q.material)], "Name");
+    }
+    if (s.attribute("with") || s.attribute("withname")) {
+      must(info->name.rfind("contact", 0) == 0 || info->name.rfind("Contact", 0) == 0 ||
+               info->name == "Friction Work" || info->name == "Impact Work" || info->name == "Interface Energy",
+           s.origin, "'with' names the other material of a contact quantity; '" + q.name + "' is none");
+      must(q.material >= 0, s.origin, "'with' needs a material; give 'matname' or 'material', too");
+      q.other = material(s, "with", "withname");
+      if (q.other < static_cast<int>(material_statements_.size()))
+        q.column += ":" + word(*material_statements_[static_cast<std::size_t>(q.other)], "Name");
+    }
+    if (const auto* at = s.attribute("pt")) {
+      must(info->scope == Scope::particle, s.origin, "'" + q.name + "' is not a quantity of one particle");
+      q.point = history_point(*at);
+      q.column += ":" + at->text;
+    }
+    model_.output.history.push_back(q);
+  }
+}
+
+// 'x,y' or 'x,y,z' in the grid
+Vec3 Builder::history_point(const Attribute& at) {
+  std::vector<double> x;
+  std::istringstream list(at.text);
+  for (std::string item; std::getline(list, item, ',');) x.push_back(to_number(item).value_or(std::nan("")));
+  const auto dim = static_cast<std::size_t>(model_.dimension());
+  const bool readable = x.size() == dim && std::none_of(x.begin(), x.end(), [](double v) { return std::isnan(v); });
+  must(readable, at.origin, dim == 2 ? "'pt' is a point 'x,y'" : "'pt' is a point 'x,y,z'");
+  return readable ? Vec3(x[0], x[1], dim == 3 ? x[2] : 0.0) : Vec3(Vec3::Zero());
+}
+
+// What needs to know all materials and conditions.
+void Builder::check_histories() {
+  for (auto& q : model_.output.history) {
+    if (q.name.rfind("elastic ", 0) == 0) {
+      q.name.erase(0, 8);
+      for (std::size_t k = 0; k < model_.materials.size(); ++k) {
+        const auto& spec = model_.materials[k];
+        const bool asked = q.material < 0 || q.material == static_cast<int>(k);
+        must(!asked || !spec.law || spec.law->dissipation_index() < 0, q.origin,
+             "'" + q.column + "': '" + spec.name +
+                 "' dissipates, and Tribo keeps no elastic strain apart from the whole; ask for '" + q.name + "'");
+      }
+    }
+    if (q.name.rfind("reaction", 0) != 0) continue;
+    if (q.material >= 0) {
+      const auto& spec = model_.materials[static_cast<std::size_t>(q.material)];
+      must(spec.law && spec.law->rigid() && !spec.touches(), q.origin,
+           "'" + q.name + "' of a material is the force of a rigid one that sets velocities; '" + spec.name +
+               "' is none (of those that touch: 'contactx')");
+    } else if (q.condition_id < 0) {
+      bool known = std::any_of(model_.node_conditions.begin(), model_.node_conditions.end(),
+                               [&](const NodeCondition& c) { return c.id == q.condition_id; });
+      for (int axis = 0; axis < 3; ++axis)
+        for (int side = 0; side < 2; ++side)
+          known = known || (symmetry_plane_id(axis, side) == q.condition_id &&
+                            model_.grid.symmetry[static_cast<std::size_t>(axis)][static_cast<std::size_t>(side)]);
+      must(known, q.origin,
+           "no condition has the id " + std::to_string(q.condition_id) +
+               " (symmetry planes: -10 and -11 for x, -20 and -21 for y, -30 and -31 for z)");
+    }
+  }
+}
+
+}  // namespace tribo

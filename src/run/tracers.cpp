@@ -1,0 +1,48 @@
+#include "run/tracers.hpp"
+
+#include "base/error.hpp"
+
+#include <algorithm>
+
+namespace tribo {
+
+template <int Dim>
+Tracers<Dim>::Tracers(const Model& model, System<Dim>& system) {
+  const double cell = system.lattice.spacing.maxCoeff();
+  for (const auto& q : model.output.history) {
+    Tracer tracer;
+    double nearest = 1e300;
+    for (std::size_t b = 0; q.point && b < system.bodies.size(); ++b) {
+      auto& body = system.bodies[b];
+      if (q.material >= 0 && body.material != q.material) continue;
+      const auto start = body.particles.vector(*body.origin);
+      for (std::size_t i = 0; i < body.particles.size(); ++i) {
+        double distance = 0.0;
+        for (std::size_t d = 0; d < Dim; ++d) {
+          const double along = (start[d][i] - (*q.point)[static_cast<Eigen::Index>(d)]) / cell;
+          distance += along * along;
+        }
+        const std::int64_t id = body.particles.id[i];
+        // Rounding must not choose between particles that lie around the point
+        const bool nearer = distance < nearest - 1e-9, as_near = distance < nearest + 1e-9;
+        if (nearer || (as_near && id < tracer.id)) tracer = {b, id}, nearest = std::min(distance, nearest);
+      }
+    }
+    if (q.point && nearest > 1.0)
+      throw InputError(q.origin, "'" + q.column + "': no particle starts within a cell of this point");
+    tracers_.push_back(tracer);
+  }
+}
+
+template <int Dim>
+Measures Tracers<Dim>::measure(System<Dim>& system, std::size_t k, bool strain) const {
+  auto& body = system.bodies[tracers_[k].body];
+  const auto& id = body.particles.id;
+  const auto at = std::find(id.begin(), id.end(), tracers_[k].id);
+  return measure_particle(body, static_cast<std::size_t>(at - id.begin()), strain);
+}
+
+template class Tracers<2>;
+template class Tracers<3>;
+
+}  // namespace tribo
