@@ -5,8 +5,9 @@ namespace {
 
 using T = ValueType;
 
-constexpr std::string_view units_words =
-    "ms msec s sec us microsec m cm mm microns in ft m/sec mm/msec mm/sec cm/sec in/sec ft/sec kg g mg lbs oz";
+constexpr std::string_view times = "ms msec s sec us microsec", lengths = "m cm mm microns in ft",
+                           velocities = "m/sec mm/msec mm/sec cm/sec in/sec ft/sec", masses = "kg g mg lbs oz",
+                           velocities_and_lengths = "m/sec mm/msec mm/sec cm/sec in/sec ft/sec m cm mm microns in ft";
 constexpr std::string_view styles = "1 2 3 4 5 6 constant linear sine cosine silent function";
 
 AttributeSpec number(std::string_view name, std::string_view meaning, bool required = false) {
@@ -16,14 +17,16 @@ AttributeSpec text(std::string_view name, std::string_view meaning, bool require
   return {name, T::text, meaning, {}, required};
 }
 AttributeSpec function(std::string_view name, std::string_view meaning) { return {name, T::function, meaning}; }
-AttributeSpec units() { return {"units", T::choice, "unit of the value, in legacy files only", units_words}; }
+AttributeSpec units(std::string_view known) {
+  return {"units", T::choice, "unit of the value, in legacy files only", known};
+}
 
 std::vector<AttributeSpec> box(bool three) {
   std::vector<AttributeSpec> out;
   for (const auto name : {"xmin", "xmax", "ymin", "ymax"}) out.push_back({name, T::coordinate, "edge", {}, true});
   if (three)
     for (const auto name : {"zmin", "zmax"}) out.push_back({name, T::coordinate, "edge", {}, true});
-  out.push_back(units());
+  out.push_back(units(lengths));
   return out;
 }
 
@@ -123,8 +126,8 @@ std::vector<ElementSpec> make() {
         number("fraction", "of FLIP in a blend"),
         {"order", T::integer, "m of XPIC(m), k of FMPM(k)"}},
        true});
-  add({"TimeStep", "MPMHeader", "largest time step", T::number, {units()}, true});
-  add({"MaxTime", "MPMHeader", "end of the run", T::number, {units()}, true});
+  add({"TimeStep", "MPMHeader", "largest time step", T::number, {units(times)}, true});
+  add({"MaxTime", "MPMHeader", "end of the run", T::number, {units(times)}, true});
   add({"TimeFactor", "MPMHeader", "Courant factor, cells per step of the fastest wave", T::number, {}, true});
   add({"TransTimeFactor", "MPMHeader", "the same for conduction, of the largest stable step", T::number, {}, true});
   add({"Timing",
@@ -132,15 +135,20 @@ std::vector<ElementSpec> make() {
        "step, end and Courant factor in one",
        T::none,
        {number("step", "largest time step"), number("max", "end of the run"), number("CFL", "Courant factor"),
-        number("TransCFL", "for transport; no effect"), units()},
+        number("TransCFL", "for transport; no effect"), units(times)},
        true});
   add({"ArchiveTime",
        "MPMHeader",
        "time between particle files",
        T::number,
-       {units(), {"maxProps", T::integer, "no effect"}},
+       {units(times), {"maxProps", T::integer, "no effect"}},
        false});
-  add({"FirstArchiveTime", "MPMHeader", "time of the first particle file after the start", T::number, {units()}, true});
+  add({"FirstArchiveTime",
+       "MPMHeader",
+       "time of the first particle file after the start",
+       T::number,
+       {units(times)},
+       true});
   add({"ArchiveGroup",
        "MPMHeader",
        "another interval from a later time",
@@ -148,12 +156,12 @@ std::vector<ElementSpec> make() {
        {number("time", "interval", true),
         number("start", "from this time on"),
         {"maxProps", T::integer, "no effect"},
-        units()}});
+        units(times)}});
   add({"GlobalArchiveTime",
        "MPMHeader",
        "time between rows of history.csv (default as the particle files)",
        T::number,
-       {units()},
+       {units(times)},
        true});
   add({"GlobalArchive",
        "MPMHeader",
@@ -264,7 +272,7 @@ std::vector<ElementSpec> make() {
         number("zmax", ""),
         number("thickness", "of a plane model (default 1)"),
         {"type", T::integer, "accepted"},
-        units()},
+        units(lengths)},
        true,
        true});
   for (const auto name : {"Horiz", "Vert", "Depth"})
@@ -285,12 +293,13 @@ std::vector<ElementSpec> make() {
           {"periodic", T::integer, "1: the two edges of the grid are one; what leaves comes in on the other side"},
           {"rx", T::number, "accepted for equal cells: 1"},
           {"style", T::text, "accepted for equal cells"},
-          units()},
+          units(lengths)},
          true});
 
   // MaterialPoints
   add({"MaterialPoints", "JANFEAInput", "bodies and particles", T::none, {}, true, true});
-  add({"Body", "MaterialPoints", "shapes filled with a material", T::none, body_attributes() + std::vector{units()}});
+  add({"Body", "MaterialPoints", "shapes filled with a material", T::none,
+       body_attributes() + std::vector{units(velocities_and_lengths)}});
   add({"Hole", "MaterialPoints", "shapes left empty", T::none});
   for (const auto name : {"vel0X", "vel0Y", "vel0Z"})
     add({name, "Body", "initial velocity of the following shapes, a function of position (before Deform moves it)",
@@ -333,9 +342,12 @@ std::vector<ElementSpec> make() {
        "mp Polygon",
        "coordinates",
        T::none,
-       {{"x", T::coordinate, "", {}, true}, {"y", T::coordinate, "", {}, true}, {"z", T::coordinate, ""}, units()}});
-  add({"vel", "mp", "velocity", T::none, {number("x", ""), number("y", ""), number("z", ""), units()}, true});
-  add({"mass", "mp", "mass instead of density times volume", T::none, {number("m", "", true), units()}, true});
+       {{"x", T::coordinate, "", {}, true},
+        {"y", T::coordinate, "", {}, true},
+        {"z", T::coordinate, ""},
+        units(lengths)}});
+  add({"vel", "mp", "velocity", T::none, {number("x", ""), number("y", ""), number("z", ""), units(velocities)}, true});
+  add({"mass", "mp", "mass instead of density times volume", T::none, {number("m", "", true), units(masses)}, true});
 
   // Shapes
   const auto shape = [&](std::string_view name, std::string_view meaning, std::vector<AttributeSpec> attributes) {
@@ -364,8 +376,9 @@ std::vector<ElementSpec> make() {
        "MaterialPoints",
        "grey picture (PNG or BMP) laid over a rectangle",
        T::none,
-       {text("name", "file", true), number("width", "(default: one unit per pixel)"), number("height", ""), units()}});
-  add({"Origin", "BMP", "lower left corner", T::none, {number("x", ""), number("y", ""), units()}, true});
+       {text("name", "file", true), number("width", "(default: one unit per pixel)"), number("height", ""),
+        units(lengths)}});
+  add({"Origin", "BMP", "lower left corner", T::none, {number("x", ""), number("y", ""), units(lengths)}, true});
   add({"Intensity",
        "BMP",
        "material of a range of grey",
@@ -487,7 +500,7 @@ std::vector<ElementSpec> make() {
        std::vector{AttributeSpec{"dir", T::choice, "1 x, 2 y, 3 z, or skewed", "1 2 3 12 13 23 123", true},
                    number("vel", "velocity"), number("disp", "the same"),
                    number("angle", "of a skewed direction, clockwise [degrees]"),
-                   number("angle2", "second angle [degrees]"), units()} +
+                   number("angle2", "second angle [degrees]"), units(velocities)} +
            condition_attributes()});
 
   add({"TempBC", "BCShape BCLine BCArc LdRect BCBox", "prescribed temperature", T::none,

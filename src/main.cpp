@@ -8,7 +8,9 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <functional>
 
 namespace {
@@ -19,6 +21,23 @@ std::string joined(int argc, char** argv) {
   std::string out;
   for (int k = 0; k < argc; ++k) out += (k ? " " : "") + std::string(argv[k]);
   return out;
+}
+
+// Nothing after the program's name, or no command of it: says what there is.
+bool misses_a_command(const CLI::App& app, int argc, char** argv) {
+  if (argc < 2) {
+    std::fprintf(stderr, "%s", app.help().c_str());
+    return true;
+  }
+  const std::string word = argv[1];
+  std::vector<std::string> known;
+  for (const auto* command : app.get_subcommands({})) known.push_back(command->get_name());
+  if (word.starts_with("-") || std::find(known.begin(), known.end(), word) != known.end()) return false;
+  const std::string meant =
+      std::filesystem::exists(word) ? " (to run this file: tribo run " + word + ")" : tribo::did_you_mean(word, known);
+  std::fprintf(stderr, "there is no command '%s'%s; valid: %s\n", word.c_str(), meant.c_str(),
+               tribo::join(known).c_str());
+  return true;
 }
 
 int guarded(const std::function<int()>& action) {
@@ -155,7 +174,9 @@ int main(int argc, char** argv) {  // NOLINT(bugprone-exception-escape): what es
   try {
     line.app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return line.app.exit(error) == 0 ? done : usage_error;
+    if (error.get_exit_code() == 0 || !misses_a_command(line.app, argc, argv))
+      return line.app.exit(error) == 0 ? done : usage_error;
+    return usage_error;
   }
   line.a.command_line = joined(argc, argv);
   return guarded([&] { return line.action(line.a); });

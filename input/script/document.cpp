@@ -1,7 +1,5 @@
 #include "input/script/document.hpp"
 
-#include "base/error.hpp"
-
 #include <array>
 
 namespace tribo::script {
@@ -94,13 +92,17 @@ void Document::surround(const std::vector<std::string>& names) {
   for (const auto& name : names) ids_.emplace(name, ++surrounding_);
 }
 
+void Document::check_references(Problems& problems) const {
+  for (auto [name, section] : sections_) resolve(section, problems);
+  for (Statement m : materials_) resolve(m, problems);
+}
+
 std::vector<Statement> Document::finish_sections(bool legacy) {
   std::vector<Statement> out;
   if (!description_.empty()) set("Header", "Description", origin_, description_);
   Problems problems;
   for (auto& [name, section] : sections_) resolve(section, problems);
-  for (auto& m : materials_)
-    for (auto& child : m.children) resolve(child, problems);
+  for (auto& m : materials_) resolve(m, problems);
   problems.raise();
   for (const char* name : order) {
     if (name == std::string_view("Material"))

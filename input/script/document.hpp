@@ -1,6 +1,7 @@
 /// The command file that a script's commands build, piece by piece.
 #pragma once
 
+#include "base/error.hpp"
 #include "base/statement.hpp"
 
 #include <map>
@@ -27,6 +28,7 @@ class Document {
   /// Starts a material; its number is its place in the order of definitions.
   Statement& material(const Origin& origin);
   std::vector<Statement>& materials() { return materials_; }
+  const std::vector<Statement>& materials() const { return materials_; }
   /// Names the last material. Throws InputError if another one has this name.
   void name_material(const std::string& id, const Origin& origin);
 
@@ -42,6 +44,9 @@ class Document {
   /// Names of materials that an XML file around the script defines. With them, what refers to a material does so by
   /// name, as the file numbers them.
   void surround(const std::vector<std::string>& names);
+
+  /// Complains about ids that were never defined.
+  void check_references(Problems& problems) const;
 
   /// The sections alone, for a file that has the rest. Throws like finish().
   std::vector<Statement> finish_sections(bool legacy);

@@ -26,6 +26,7 @@ void Interpreter::fix(const std::string& name, Value value) {
 void Interpreter::run() {
   try {
     block(program_.body);
+    ran_to_end_ = true;
   } catch (const Stopped&) {
   }
   if (!problems_.empty()) throw InputError(std::move(problems_));

@@ -34,6 +34,8 @@ class Interpreter {
   void fix(const std::string& name, Value value);
   /// Runs to the end. Throws InputError with every problem found, or with the message of `Stop`.
   void run();
+  /// Every command was reached: no `Stop`, not too many of them, not too many problems.
+  bool ran_to_end() const { return ran_to_end_; }
   /// What `Write` and `WriteLine` wrote.
   const std::string& output() const { return output_; }
 
@@ -61,6 +63,7 @@ class Interpreter {
   std::vector<std::string> stack_;  ///< where the present command was reached from, outermost first
   std::set<std::string> known_;     ///< problems reported already: loops repeat them
   std::vector<Problem> problems_;
+  bool ran_to_end_ = false;
   long commands_ = 0;
   int loops_ = 0;  ///< inside each other, in the present subroutine
 };

@@ -1,5 +1,6 @@
 #include "input/script/script.hpp"
 
+#include "base/error.hpp"
 #include "base/schema.hpp"
 #include "input/script/interpreter.hpp"
 #include "input/script/translator.hpp"
@@ -26,7 +27,14 @@ std::string interpret(std::string_view text, const Origin& begin, Settings& sett
       const auto number = to_number(*value);
       interpreter.fix(name, number ? script::Value(*number) : script::Value(*value));
     }
-  interpreter.run();
+  try {
+    interpreter.run();
+  } catch (const InputError& error) {
+    if (!interpreter.ran_to_end()) throw;
+    Problems problems = translator.misnamed();
+    problems.add(error);
+    problems.raise();
+  }
   return interpreter.output();
 }
 

@@ -2,6 +2,7 @@
 
 #include "base/schema.hpp"
 #include "contact/contact_law.hpp"
+#include "input/dialect.hpp"
 #include "input/script/text_functions.hpp"
 #include "input/script/translator.hpp"
 #include "materials/material.hpp"
@@ -11,6 +12,22 @@
 
 namespace tribo::script {
 namespace {
+
+// What the law of a material knows; nothing if there is no such law.
+std::vector<std::string> properties_of(const Statement& material) {
+  const Attribute* type = material.attribute("Type");
+  std::vector<std::string> names;
+  const auto add = [&](const auto* law) {
+    if (!law) return;
+    for (const ParameterInfo& p : law->parameters) {
+      names.push_back(p.name);
+      if (!p.alias.empty()) names.push_back(p.alias);
+    }
+    for (const OwnProperty& p : law->own_properties) names.emplace_back(p.name);
+  };
+  if (type) add(materials().find(type->text)), add(contact_laws().find(type->text));
+  return names;
+}
 
 // A property as its law spells it; the scripted names are free in case, and some differ.
 std::string property_name(const Statement& material, const std::string& word) {
@@ -30,20 +47,10 @@ std::string property_name(const Statement& material, const std::string& word) {
                                                       {"cv", "Cv"},
                                                       {"kcond", "kCond"}};
   if (const auto found = all.find(lower(word)); found != all.end()) return found->second;
-  const std::string type = material.attribute("Type") ? material.attribute("Type")->text : "";
-  const auto spelled = [&](const auto* law) -> std::string {
-    if (law)
-      for (const ParameterInfo& p : law->parameters)
-        for (const std::string& name : {p.name, p.alias})
-          if (!name.empty() && lower(name) == lower(word)) return name;
-    if (law)
-      for (const OwnProperty& p : law->own_properties)
-        if (lower(p.name) == lower(word)) return std::string(p.name);
-    return {};
-  };
-  std::string name = spelled(materials().find(type));
-  if (name.empty()) name = spelled(contact_laws().find(type));
-  return name.empty() ? word : name;
+  const std::vector<std::string> known = properties_of(material);
+  const auto same =
+      std::find_if(known.begin(), known.end(), [&](const auto& name) { return lower(name) == lower(word); });
+  return same == known.end() ? word : *same;
 }
 
 // The scripted name of a type, where it is not a name that the catalogue knows.
@@ -109,6 +116,14 @@ void Translator::property(const Command& c) {
   Statement s = element(property_name(m, c.node.word), c.origin(), text);
   s.text_origin = c.origin(0);
   add(std::move(s));
+}
+
+void Translator::unknown_properties(const Statement& material, Problems& problems) {
+  const std::vector<std::string> known = properties_of(material);
+  for (const Statement& p : material.children)
+    if (!known.empty() && p.name != "rho" && !find_element(p.name, "Material") &&
+        std::find(known.begin(), known.end(), p.name) == known.end())
+      problems.add(p.origin, not_a_property(p.name, known));
 }
 
 void Translator::region(const Command& c) {

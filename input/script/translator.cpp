@@ -107,11 +107,13 @@ void Translator::take(const Command& c) {
   static const std::set<std::string> also_properties{"temperature", "pdamping", "velocity", "load", "origin", "rotate"};
   if (open_ == Open::material && (!info || also_properties.count(word))) return property(c);
   if (!info) return refused(c);
-  if (c.size() < info->least || c.size() > info->most)
+  if (c.size() < info->least || c.size() > info->most) {
+    lost_a_material_ |= word == "material";
     throw InputError(c.origin(), "'" + c.node.word + "' takes " + std::to_string(info->least) +
                                      (info->most > info->least ? " to " + std::to_string(info->most) : "") +
                                      " arguments, not " + std::to_string(c.size()) +
                                      (info->arguments.empty() ? "" : ": " + std::string(info->arguments)));
+  }
   (this->*actions().at(word))(c);
 }
 
@@ -189,6 +191,13 @@ int Translator::dimension(const Command& c) const {
 void Translator::surround(int analysis, const std::vector<std::string>& materials, bool consistent) {
   analysis_ = analysis, consistent_ = consistent;
   document_.surround(materials);
+}
+
+Problems Translator::misnamed() const {
+  Problems problems;
+  if (!lost_a_material_) document_.check_references(problems);
+  for (const Statement& m : document_.materials()) unknown_properties(m, problems);
+  return problems;
 }
 
 std::vector<Statement> Translator::finish_sections() {

@@ -1,6 +1,7 @@
 /// The commands of scripts as elements of command files.
 #pragma once
 
+#include "base/error.hpp"
 #include "input/script/document.hpp"
 #include "input/script/interpreter.hpp"
 
@@ -16,6 +17,8 @@ class Translator {
   void take(const Command& c);
   /// The script stands in an XML file: of this analysis (10 to 13), with these materials, in consistent units or not.
   void surround(int analysis, const std::vector<std::string>& materials, bool consistent);
+  /// Materials and properties that are not there, for a script that is wrong elsewhere, too, and is never finished.
+  Problems misnamed() const;
   /// The whole command file. Throws InputError.
   Statement finish();
   /// What the script adds to the file around it. Throws InputError.
@@ -84,6 +87,7 @@ class Translator {
   void boundary_id(const Command& c);
   void end_block(const Command& c);
 
+  static void unknown_properties(const Statement& material, Problems& problems);
   int dimension(const Command& c) const;
   Statement& multimaterial_mode(const Command& c);
   Statement& place(const Command& c, int cuts);
@@ -100,6 +104,7 @@ class Translator {
   int analysis_ = 0;
   bool consistent_ = false;
   double length_in_m_ = 1e-3, time_in_s_ = 1.0;
+  bool lost_a_material_ = false;  ///< one whose command is wrong; what refers to it is right
   Open open_ = Open::nothing;
   std::string opened_by_;
   Origin opened_at_;

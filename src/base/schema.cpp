@@ -32,6 +32,10 @@ std::optional<double> to_number(std::string_view text) {
   return value;
 }
 
+std::string not_a_property(const std::string& name, const std::vector<std::string>& valid) {
+  return "<" + name + "> is not a property of this material" + did_you_mean(name, valid) + "; valid: " + join(valid);
+}
+
 std::vector<std::optional<double>> read_parameters(const Statement& statement, const std::vector<ParameterInfo>& table,
                                                    const std::vector<std::string>& handled_elsewhere,
                                                    const Units& units, Problems& problems) {
@@ -46,8 +50,7 @@ std::vector<std::optional<double>> read_parameters(const Statement& statement, c
     if (entry == table.end()) {
       std::vector<std::string> names;
       for (const auto& p : table) names.push_back(p.name);
-      problems.add(child.origin, "<" + child.name + "> is not a property of this material" +
-                                     did_you_mean(child.name, names) + "; valid: " + join(names));
+      problems.add(child.origin, not_a_property(child.name, names));
       continue;
     }
     const auto k = static_cast<std::size_t>(entry - table.begin());

@@ -63,6 +63,9 @@ struct Parameter {
 /// A whole number or a decimal number that fills `text` completely; none otherwise.
 std::optional<double> to_number(std::string_view text);
 
+/// The complaint about a child of <Material> that its law does not know.
+std::string not_a_property(const std::string& name, const std::vector<std::string>& valid);
+
 /// Values of the parameters `table` from the children of `statement` (<E>1e6</E>), in table order and consistent units.
 /// Missing, unknown, repeated, malformed and out-of-range entries go to `problems`; absent optional ones give no value.
 /// Children named in `handled_elsewhere` are skipped.

@@ -122,6 +122,19 @@ TEST_CASE("what is wrong with a script is told with its place, all at once", "[s
   CHECK_THAT(complaint("Gosub nothing"), Contains("there is no subroutine 'nothing'"));
 }
 
+TEST_CASE("wrong commands do not hide wrong names of materials and properties", "[script]") {
+  const std::string materials = "Material \"gum\",\"Gum\",\"NeoHookean\"\nrhoo 1\nE 1\nDone\nAnalysis \"3D MPM\"\n";
+  const std::string text = complaint(materials + "GridHorizz 3\nRegion \"gun\",0,0,0\nEndRegion");
+  CHECK_THAT(text, Contains("s:2:1: error: <rhoo> is not a property of this material (did you mean 'rho'?)"));
+  CHECK_THAT(text, Contains("s:6:1: error: there is no command 'GridHorizz'"));
+  CHECK_THAT(text, Contains("s:7:8: error: there is no material 'gun' (did you mean 'gum'?)"));
+  CHECK(std::count(text.begin(), text.end(), '\n') == 2);
+  // what was not reached may be what is missing
+  CHECK_THAT(complaint("GlobalArchive velx,\"gum\"\nStop"), !Contains("there is no material"));
+  // its properties and regions are right
+  CHECK_THAT(complaint("Material \"gum\"\nGlobalArchive velx,\"gum\""), !Contains("there is no material"));
+}
+
 TEST_CASE("numbers that go into the model are finite", "[script]") {
   CHECK_THAT(complaint("Damping 1/0"), Contains("s:1:9: error: '1/0' is not a finite number"));
   CHECK_THAT(complaint("#a=-1\nDamping sqrt(#a)"), Contains("has no finite value"));

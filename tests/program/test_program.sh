@@ -41,6 +41,12 @@ bash -O extglob -c '
   COMP_WORDS=(tribo doc MohrC) COMP_CWORD=2; _tribo; echo "${COMPREPLY[*]}"' >completed.txt
 printf 'resume render report\n--overwrite\nMohrCoulomb\n' | cmp - completed.txt || { cat completed.txt; fail "completion"; }
 expect 5 "$tribo" run missing.xml
+expect 2 "$tribo"
+grep -q "preflight\|pre-flight" err.txt || fail "no list of commands"
+expect 2 "$tribo" runn "$deck"
+grep -q "there is no command 'runn' (did you mean 'run'?); valid: run, " err.txt || { cat err.txt; fail "runn"; }
+expect 2 "$tribo" "$deck"
+grep -q "to run this file: tribo run " err.txt || fail "a file without a command"
 for file in "$source"/tests/input/malformed/*.xml "$source"/tests/input/malformed_scripts/*.fmcmd; do
   expect 3 "$tribo" check "$file"
   grep -Eq '^[^:]+:[0-9]+:[0-9]+: error: ' err.txt || { cat err.txt; fail "$file: no file:line:col"; }
