@@ -2,23 +2,16 @@
 
 #include "base/expression.hpp"
 #include "base/schema.hpp"
+#include "base/text.hpp"
 #include "input/dialect.hpp"
 
 #include <algorithm>
-#include <sstream>
 
 namespace tribo {
 namespace {
 
-std::vector<std::string> words(std::string_view list) {
-  std::istringstream in{std::string(list)};
-  std::vector<std::string> out;
-  for (std::string word; in >> word;) out.push_back(word);
-  return out;
-}
-
 bool lists(std::string_view list, std::string_view word) {
-  for (const auto& w : words(list))
+  for (const auto& w : words_of(list))
     if (w == word) return true;
   return false;
 }
@@ -83,7 +76,7 @@ void check_value(std::string_view what, ValueType type, std::string_view choices
       if (!lists("yes no 1 0 true false", text)) wrong("yes or no");
       break;
     case ValueType::choice:
-      if (!lists(choices, text)) wrong("one of " + join(words(choices)) + did_you_mean(text, words(choices)));
+      if (!lists(choices, text)) wrong("one of " + join(words_of(choices)) + did_you_mean(text, words_of(choices)));
       break;
   }
 }
@@ -133,7 +126,7 @@ void check_children(const Statement& s, Problems& problems) {
       }
       std::string elsewhere;
       for (const auto& e : dialect())
-        if (e.name == child.name) elsewhere = "; it belongs into " + join(words(e.parents), " or ");
+        if (e.name == child.name) elsewhere = "; it belongs into " + join(words_of(e.parents), " or ");
       problems.add(child.origin, "<" + child.name + "> is not known inside <" + s.name + ">" +
                                      did_you_mean(child.name, valid) + elsewhere +
                                      (valid.empty() ? "" : "; valid: " + join(valid)));

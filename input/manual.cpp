@@ -2,10 +2,10 @@
 
 #include "base/error.hpp"
 #include "base/schema.hpp"
+#include "base/text.hpp"
 #include "contact/contact_law.hpp"
 #include "input/dialect.hpp"
 #include "input/script/commands.hpp"
-#include "input/script/text_functions.hpp"
 #include "materials/material.hpp"
 #include "model/quantities.hpp"
 
@@ -34,8 +34,7 @@ std::string type_name(ValueType type, std::string_view choices) {
       return "yes or no";
     case ValueType::choice: {
       std::string out;
-      std::istringstream words{std::string(choices)};
-      for (std::string word; words >> word;) out += (out.empty() ? "" : " | ") + word;
+      for (const auto& word : words_of(choices)) out += (out.empty() ? "" : " | ") + word;
       return out;
     }
   }
@@ -51,8 +50,7 @@ std::string fallback_text(double value) {
 void add_elements(std::vector<ManualEntry>& out) {
   for (const auto& e : dialect()) {
     ManualEntry entry{"element", "<" + std::string(e.name) + ">", "", std::string(e.meaning)};
-    std::istringstream parents{std::string(e.parents)};
-    for (std::string parent; parents >> parent;)
+    for (const auto& parent : words_of(e.parents))
       entry.usage += (entry.usage.empty() ? "in " : ", ") + (parent == "@shape" ? "any shape" : "<" + parent + ">");
     if (e.content != ValueType::none) entry.rows.push_back({"text", type_name(e.content, e.choices), ""});
     for (const auto& a : e.attributes)
@@ -100,7 +98,7 @@ std::vector<ManualEntry> make() {
 }
 
 std::string plain(const std::string& name) {
-  return script::lower(name.front() == '<' ? name.substr(1, name.size() - 2) : name);
+  return lower(name.front() == '<' ? name.substr(1, name.size() - 2) : name);
 }
 
 const char* title(const std::string& kind) {

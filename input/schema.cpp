@@ -1,5 +1,6 @@
 /// The table of keywords as an XML schema and as text.
 
+#include "base/text.hpp"
 #include "contact/contact_law.hpp"
 #include "input/dialect.hpp"
 #include "materials/material.hpp"
@@ -10,36 +11,6 @@
 
 namespace tribo {
 namespace {
-
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        out += c;
-    }
-  }
-  return out;
-}
-
-std::vector<std::string> split(std::string_view list) {
-  std::istringstream in{std::string(list)};
-  std::vector<std::string> out;
-  for (std::string word; in >> word;) out.push_back(word);
-  return out;
-}
 
 /// Elements of one name may differ by parent; a schema without local names holds their union.
 struct Union {
@@ -57,7 +28,7 @@ std::map<std::string, Union> unions() {
     auto& u = all[std::string(e.name)];
     if (u.meaning.empty()) u.meaning = e.meaning;
     for (const auto& a : e.attributes) u.attributes.emplace(a.name, &a);
-    for (const auto& parent : split(e.parents)) {
+    for (const auto& parent : words_of(e.parents)) {
       if (parent == "@shape")
         for (const auto& s : shapes) all[s].children.emplace(e.name);
       else
@@ -108,7 +79,7 @@ std::string schema() {
       out << "<xs:attribute name=\"" << attribute << "\"";
       if (spec->type == ValueType::choice) {
         out << "><xs:simpleType><xs:restriction base=\"xs:string\">";
-        for (const auto& word : split(spec->choices)) out << "<xs:enumeration value=\"" << escaped(word) << "\"/>";
+        for (const auto& word : words_of(spec->choices)) out << "<xs:enumeration value=\"" << escaped(word) << "\"/>";
         out << "</xs:restriction></xs:simpleType></xs:attribute>";
       } else {
         out << " type=\""

@@ -3,6 +3,7 @@
 #include "base/expression.hpp"
 #include "base/expression_text.hpp"
 #include "base/schema.hpp"
+#include "base/text.hpp"
 #include "input/script/text_functions.hpp"
 
 #include <algorithm>

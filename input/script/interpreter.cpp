@@ -1,7 +1,7 @@
 #include "input/script/interpreter.hpp"
 
 #include "base/schema.hpp"
-#include "input/script/text_functions.hpp"
+#include "base/text.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "input/script/program.hpp"
 
 #include "base/expression_text.hpp"
-#include "input/script/text_functions.hpp"
+#include "base/text.hpp"
 
 #include <algorithm>
 #include <optional>

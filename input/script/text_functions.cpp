@@ -1,19 +1,13 @@
 #include "input/script/text_functions.hpp"
 
+#include "base/text.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <random>
-#include <sstream>
 
 namespace tribo::script {
 namespace {
-
-std::vector<std::string> words_of(const std::string& text) {
-  std::istringstream in(text);
-  std::vector<std::string> out;
-  for (std::string word; in >> word;) out.push_back(word);
-  return out;
-}
 
 std::string words_between(const std::string& text, std::size_t begin, std::size_t end) {
   const auto words = words_of(text);
@@ -123,8 +117,6 @@ const std::vector<TextFunction>& functions() {
 }
 
 }  // namespace
-
-std::string lower(std::string_view text) { return each_letter(std::string(text), small); }
 
 const TextFunction* find_text_function(std::string_view name) {
   const std::string wanted = lower(name);

@@ -8,9 +8,6 @@
 
 namespace tribo::script {
 
-/// In lower case, ASCII only.
-std::string lower(std::string_view text);
-
 struct TextFunction {
   std::string_view name;
   std::size_t least, most;  ///< arguments

@@ -1,9 +1,9 @@
 /// Materials, bodies, shapes and conditions.
 
 #include "base/schema.hpp"
+#include "base/text.hpp"
 #include "contact/contact_law.hpp"
 #include "input/dialect.hpp"
-#include "input/script/text_functions.hpp"
 #include "input/script/translator.hpp"
 #include "materials/material.hpp"
 

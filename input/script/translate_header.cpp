@@ -1,7 +1,7 @@
 /// How to solve, what to write, the grid, gravity, tasks.
 
 #include "base/schema.hpp"
-#include "input/script/text_functions.hpp"
+#include "base/text.hpp"
 #include "input/script/translator.hpp"
 #include "input/xml.hpp"
 

@@ -1,7 +1,7 @@
 #include "input/script/translator.hpp"
 
+#include "base/text.hpp"
 #include "input/script/commands.hpp"
-#include "input/script/text_functions.hpp"
 
 #include <algorithm>
 

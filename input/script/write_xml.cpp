@@ -1,23 +1,9 @@
 #include "input/script/write_xml.hpp"
 
+#include "base/text.hpp"
+
 namespace tribo {
 namespace {
-
-std::string escaped(const std::string& text, bool attribute) {
-  std::string out;
-  for (const char c : text)
-    if (c == '&')
-      out += "&amp;";
-    else if (c == '<')
-      out += "&lt;";
-    else if (c == '>')
-      out += "&gt;";
-    else if (c == '\'' && attribute)
-      out += "&apos;";
-    else
-      out += c;
-  return out;
-}
 
 void write(const Statement& s, int depth, int& line, std::string& out) {
   const std::string indent(static_cast<std::size_t>(2 * depth), ' ');
@@ -26,12 +12,12 @@ void write(const Statement& s, int depth, int& line, std::string& out) {
     if (depth == 2 || s.name == "Material") out += indent + "<!-- line " + std::to_string(line) + " -->\n";
   }
   out += indent + "<" + s.name;
-  for (const auto& a : s.attributes) out += " " + a.name + "='" + escaped(a.text, true) + "'";
+  for (const auto& a : s.attributes) out += " " + a.name + "='" + escaped(a.text, '\'') + "'";
   if (s.text.empty() && s.children.empty()) {
     out += "/>\n";
     return;
   }
-  out += ">" + escaped(s.text, false);
+  out += ">" + escaped(s.text, '\0');
   if (!s.children.empty()) {
     out += "\n";
     for (const auto& child : s.children) write(child, depth + 1, line, out);

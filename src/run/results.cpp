@@ -1,19 +1,13 @@
 #include "run/results.hpp"
 
+#include "base/text.hpp"
 #include "run/particle_fields.hpp"
 
-#include <cctype>
 #include <cmath>
 #include <cstdio>
 
 namespace tribo {
 namespace {
-
-std::string lower(std::string_view text) {
-  std::string out(text);
-  for (char& c : out) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return out;
-}
 
 std::string numbered(const std::string& stem, std::int64_t number, const std::string& extension) {
   char digits[32];

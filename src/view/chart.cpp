@@ -1,5 +1,6 @@
 #include "view/chart.hpp"
 
+#include "base/text.hpp"
 #include "view/colours.hpp"
 
 #include <algorithm>
@@ -74,22 +75,6 @@ std::vector<double> ticks(double low, double high, int wanted) {
 
 std::string short_number(double x) { return format("%.4g", std::abs(x) < 1e-300 ? 0.0 : x); }
 
-std::string escaped_html(const std::string& text) {
-  std::string out;
-  for (const char c : text)
-    if (c == '&')
-      out += "&amp;";
-    else if (c == '<')
-      out += "&lt;";
-    else if (c == '>')
-      out += "&gt;";
-    else if (c == '"')
-      out += "&quot;";
-    else
-      out += c;
-  return out;
-}
-
 std::string chart(const std::string& title, const std::string& x_name, const std::vector<double>& x,
                   const std::vector<Curve>& curves) {
   const Span y = span_of(curves);
@@ -102,7 +87,7 @@ std::string chart(const std::string& title, const std::string& x_name, const std
   const double height = bottom + 48 + row_height * static_cast<double>(rows);
 
   std::string out = format("<svg viewBox='0 0 %g %g' role='img'>", width, height);
-  out += format("<text x='%g' y='20' class='title'>", left) + escaped_html(title) + "</text>";
+  out += format("<text x='%g' y='20' class='title'>", left) + escaped(title) + "</text>";
   for (const double v : ticks(y.low, y.high, 5)) {
     out += format("<line x1='%g' x2='%g' y1='%.1f' y2='%.1f' class='grid'/>", left, width - right, at_y(v), at_y(v));
     out += format("<text x='%g' y='%.1f' text-anchor='end'>%s</text>", left - 6, at_y(v) + 4, short_number(v).c_str());
@@ -113,8 +98,7 @@ std::string chart(const std::string& title, const std::string& x_name, const std
         format("<text x='%.1f' y='%g' text-anchor='middle'>%s</text>", at_x(v), bottom + 16, short_number(v).c_str());
   }
   out += format("<rect x='%g' y='%g' width='%g' height='%g' class='frame'/>", left, top, plot_width, plot_height);
-  out +=
-      format("<text x='%g' y='%g' text-anchor='end'>", width - right, bottom + 34) + escaped_html(x_name) + "</text>";
+  out += format("<text x='%g' y='%g' text-anchor='end'>", width - right, bottom + 34) + escaped(x_name) + "</text>";
   for (std::size_t k = 0; k < curves.size(); ++k) {
     const std::string colour = colour_name(static_cast<int>(k));
     std::string path;
@@ -130,7 +114,7 @@ std::string chart(const std::string& title, const std::string& x_name, const std
                  name_y = bottom + 52 + row_height * static_cast<double>(line);
     out += format("<line x1='%g' x2='%g' y1='%g' y2='%g' style='stroke:%s;stroke-width:3'/>", name_x, name_x + 18,
                   name_y - 4, name_y - 4, colour.c_str());
-    out += format("<text x='%g' y='%g'>", name_x + 24, name_y) + escaped_html(curves[k].name) + "</text>";
+    out += format("<text x='%g' y='%g'>", name_x + 24, name_y) + escaped(curves[k].name) + "</text>";
   }
   return out + "</svg>\n";
 }

@@ -20,7 +20,5 @@ std::string chart(const std::string& title, const std::string& x_name, const std
 std::vector<double> ticks(double low, double high, int wanted);
 /// A number with four digits.
 std::string short_number(double x);
-/// Text for HTML and SVG.
-std::string escaped_html(const std::string& text);
 
 }  // namespace tribo

@@ -1,5 +1,6 @@
 #include "view/report.hpp"
 
+#include "base/text.hpp"
 #include "view/chart.hpp"
 
 #include <algorithm>
@@ -38,7 +39,7 @@ td.number{text-align:right;font-variant-numeric:tabular-nums}
 )";
 
 std::string row(const std::string& name, const std::string& value) {
-  return "<tr><th>" + escaped_html(name) + "</th><td>" + escaped_html(value) + "</td></tr>\n";
+  return "<tr><th>" + escaped(name) + "</th><td>" + escaped(value) + "</td></tr>\n";
 }
 
 std::string plain(const Json& value) { return value.is_string() ? value.get<std::string>() : value.dump(); }
@@ -87,8 +88,7 @@ std::string energy_section(const Table& table, const std::string& time_name) {
   if (!momenta.empty()) out += chart("momentum", time_name, table.columns[0], momenta);
   out += "</div>\n<table><tr><th>at the end</th><th></th></tr>\n";
   for (const auto& c : contents)
-    out +=
-        "<tr><td>" + escaped_html(c.name) + "</td><td class='number'>" + short_number(c.values.back()) + "</td></tr>\n";
+    out += "<tr><td>" + escaped(c.name) + "</td><td class='number'>" + short_number(c.values.back()) + "</td></tr>\n";
   if (residual && !residual->empty() && most > 0)
     out += "<tr><td>residual</td><td class='number'>" + short_number(residual->back()) + " (" +
            short_number(100 * residual->back() / most) + " % of the largest)</td></tr>\n";
@@ -107,7 +107,7 @@ std::string timing_section(const Json& record) {
   std::string out = "<table>\n";
   for (const auto& [seconds, name] : parts) {
     if (!(seconds > 0)) continue;
-    out += "<tr><td>" + escaped_html(name) + "</td><td class='number'>" + short_number(seconds) +
+    out += "<tr><td>" + escaped(name) + "</td><td class='number'>" + short_number(seconds) +
            " s</td><td><span class='bar' style='width:" + short_number(std::max(1.0, 300 * seconds / sum)) +
            "px'></span> " + short_number(100 * seconds / sum) + " %</td></tr>\n";
   }
@@ -146,12 +146,12 @@ std::string report(const RunFolder& run, const std::vector<ReportPicture>& pictu
   const std::string name = title.empty() ? run.path().filename().string() : title.substr(0, title.find('\n'));
   const std::string time_name = time_name_of(record);
 
-  std::string out = "<!DOCTYPE html>\n<html lang='en'><head><meta charset='utf-8'><title>" + escaped_html(name) +
-                    "</title>\n<style>" + style + "</style></head><body>\n<h1>" + escaped_html(name) + "</h1>\n";
+  std::string out = "<!DOCTYPE html>\n<html lang='en'><head><meta charset='utf-8'><title>" + escaped(name) +
+                    "</title>\n<style>" + style + "</style></head><body>\n<h1>" + escaped(name) + "</h1>\n";
   const std::string status = text("status");
-  out += "<p class='" + std::string(status == "failed" ? "bad" : "quiet") + "'>" + escaped_html(status) +
-         (text("reason").empty() ? "" : ": " + escaped_html(text("reason"))) + "; time " + escaped_html(text("time")) +
-         " of " + escaped_html(text("end_time")) + ", " + escaped_html(text("step")) + " steps</p>\n";
+  out += "<p class='" + std::string(status == "failed" ? "bad" : "quiet") + "'>" + escaped(status) +
+         (text("reason").empty() ? "" : ": " + escaped(text("reason"))) + "; time " + escaped(text("time")) + " of " +
+         escaped(text("end_time")) + ", " + escaped(text("step")) + " steps</p>\n";
   if (!pictures.empty()) {
     out += "<h2>Particles</h2>\n<div class='charts'>";
     for (const auto& p : pictures)
