@@ -2,6 +2,7 @@
 
 #include "contact/contact_law.hpp"
 #include "input/builder.hpp"
+#include "input/common_properties.hpp"
 #include "materials/material.hpp"
 
 #include <algorithm>
@@ -12,12 +13,6 @@
 
 namespace tribo {
 namespace {
-
-// Properties that every material may have. The first group acts with conduction only, or on the screen.
-const std::vector<std::string> without_law{"alpha", "Cv", "Cp", "kCond", "TaylorQuinney", "color"};
-const std::vector<std::string> common{"PDamping", "largeRotation", "ArtificialVisc", "Friction", "shareMatField"};
-const std::vector<std::string> rigid_properties{"SetDirection", "SettingFunction", "SettingFunction2",
-                                                "SettingFunction3", "mirrored"};
 
 std::vector<std::string> law_names(bool with_number) {
   std::vector<std::string> out;
@@ -108,7 +103,7 @@ void Builder::materials() {
     const auto* law = type ? tribo::contact_laws().find(type->text) : nullptr;
     if (law) {
       spec.type = law->name;
-      auto elsewhere = without_law;
+      auto elsewhere = quiet_properties;
       elsewhere.insert(elsewhere.end(), {"rho", "Friction"});
       if (s->child("E"))
         problems_.add(type->origin, "'" + law->name + "' is a contact law, but this looks like a solid");
@@ -120,8 +115,9 @@ void Builder::materials() {
                                       did_you_mean(type->text, law_names(false)) + "; valid: " + join(law_names(true)));
     } else {
       spec.type = item->name;
-      auto elsewhere = without_law;
-      elsewhere.insert(elsewhere.end(), common.begin(), common.end());
+      auto elsewhere = quiet_properties;
+      elsewhere.insert(elsewhere.end(), common_properties.begin(), common_properties.end());
+      elsewhere.insert(elsewhere.end(), fracture_properties.begin(), fracture_properties.end());
       const bool has_own_density =
           std::any_of(item->parameters.begin(), item->parameters.end(), [](const auto& p) { return p.name == "rho"; });
       if (!has_own_density) elsewhere.emplace_back("rho");
@@ -142,6 +138,8 @@ void Builder::materials() {
           spec.conductivity = thermal_property(child, Dimension::conductivity);
         else if (child.name == "TaylorQuinney")
           spec.taylor_quinney = taylor_quinney(child);
+        else if (std::find(elsewhere.begin(), elsewhere.end(), child.name) != elsewhere.end() && of_cracks(child.name))
+          problems_.add(child.origin, why_not(child.name));
         else if (child.name == "ArtificialVisc")
           problems_.add(child.origin, "<ArtificialVisc> is not supported by Tribo");
       if (spec.law && spec.law->rigid()) rigid_functions(*s, spec, item->number == 35);

@@ -3,6 +3,7 @@
 #include "base/schema.hpp"
 #include "base/text.hpp"
 #include "contact/contact_law.hpp"
+#include "input/common_properties.hpp"
 #include "input/dialect.hpp"
 #include "input/script/translator.hpp"
 #include "materials/material.hpp"
@@ -120,10 +121,17 @@ void Translator::property(const Command& c) {
 
 void Translator::unknown_properties(const Statement& material, Problems& problems) {
   const std::vector<std::string> known = properties_of(material);
-  for (const Statement& p : material.children)
-    if (!known.empty() && p.name != "rho" && !find_element(p.name, "Material") &&
-        std::find(known.begin(), known.end(), p.name) == known.end())
+  const auto refused = [](const std::string& name) {
+    const auto& list = refused_names();
+    return std::any_of(list.begin(), list.end(), [&](const RefusedName& r) { return r.name == name; });
+  };
+  for (const Statement& p : material.children) {
+    if (known.empty() || std::find(known.begin(), known.end(), p.name) != known.end()) continue;
+    if (of_cracks(p.name))
+      problems.add(p.origin, why_not(p.name));
+    else if (!of_no_law(p.name) && !refused(p.name) && !find_element(p.name, "Material"))
       problems.add(p.origin, not_a_property(p.name, known));
+  }
 }
 
 void Translator::region(const Command& c) {

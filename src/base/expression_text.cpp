@@ -252,6 +252,15 @@ class Checker {
     if (!levels_.back().choices.empty()) fail(levels_.back().choices.back(), "'?' without ':'");
   }
 
+  // The operand before this place is a variable.
+  bool after_name() const {
+    std::size_t end = at_;
+    while (end > 0 && (text_[end - 1] == ' ' || text_[end - 1] == '\t')) --end;
+    std::size_t begin = end;
+    while (begin > 0 && (letter(text_[begin - 1]) || digit(text_[begin - 1]))) --begin;
+    return begin < end && letter(text_[begin]);
+  }
+
   void binary() {
     static constexpr std::array<std::string_view, 13> operators{"<=", ">=", "==", "!=", "&&", "||", "<",
                                                                 ">",  "+",  "-",  "*",  "/",  "^"};
@@ -263,6 +272,8 @@ class Checker {
       return push(word == "^" ? "#" : word);
     }
     const char c = text_[at_];
+    // 2(x+1) and (x+1)(x-1) are products, as in the dialect
+    if (c == '(' && !after_name()) return push("*");
     if (digit(c) || letter(c) || c == '(' || c == '.')
       fail(at_, "an operator is missing before '" + character() + "' (products are written with *)");
     if (c == '=') fail(at_, "'=' is no operator; equality is written ==");

@@ -50,6 +50,10 @@ TEST_CASE("powers run left to right and a leading sign comes after them", "[base
   CHECK(value("5-+-+3") == 8.0);
   CHECK(value("+4") == 4.0);
   CHECK(value("sin(pi/2)^2") == Approx(1.0).epsilon(1e-15));
+  // products before a parenthesis, as the dialect has them
+  CHECK(value("2(x+1)", at) == 8.0);
+  CHECK(value("-2.5(x-1)(x+1)", at) == -20.0);
+  CHECK(value("2(x+1)^2", at) == 32.0);
 }
 
 TEST_CASE("comparisons give 1 or 0 and choose", "[base][expression]") {
@@ -161,7 +165,7 @@ TEST_CASE("a bad expression is explained at the offending character", "[base][ex
       {"", 10, "the expression is empty"},
       {"  ", 12, "the expression is empty"},
       {"2x", 11, "an operator is missing before 'x' (products are written with *)"},
-      {"2(x+1)", 11, "an operator is missing before '('"},
+      {"x(2)", 11, "an operator is missing before '('"},
       {"x y", 12, "an operator is missing before 'y'"},
       {"1+", 12, "ends where a value is expected"},
       {"1+*2", 12, "a value is expected, not '*'"},

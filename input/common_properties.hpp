@@ -1,0 +1,38 @@
+/// Children of <Material> that belong to no law.
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace tribo {
+
+/// Act with conduction only, or on the screen.
+inline const std::vector<std::string> quiet_properties{"alpha", "Cv", "Cp", "kCond", "TaylorQuinney", "color"};
+/// Of everything that moves.
+inline const std::vector<std::string> common_properties{"PDamping", "largeRotation", "ArtificialVisc", "Friction",
+                                                        "shareMatField"};
+/// Of rigid materials.
+inline const std::vector<std::string> rigid_properties{"SetDirection", "SettingFunction", "SettingFunction2",
+                                                       "SettingFunction3", "mirrored"};
+
+/// Of cracks, which are not built.
+inline const std::vector<std::string> fracture_properties{
+    "KIc",      "KIIc",  "JIc",       "JIIc",  "KIexp", "KIIexp",      "delIc",     "delIIc",       "nmix",
+    "initTime", "speed", "maxLength", "xGrow", "yGrow", "constantTip", "Propagate", "AltPropagate", "allowsCracks"};
+inline bool of_cracks(const std::string& name) {
+  return std::find(fracture_properties.begin(), fracture_properties.end(), name) != fracture_properties.end();
+}
+inline std::string why_not(const std::string& fracture_property) {
+  return "<" + fracture_property + "> belongs to cracks, which are not built";
+}
+
+/// Whether some material takes this, whatever its law.
+inline bool of_no_law(const std::string& name) {
+  const auto in = [&](const std::vector<std::string>& list) {
+    return std::find(list.begin(), list.end(), name) != list.end();
+  };
+  return name == "rho" || in(quiet_properties) || in(common_properties) || in(rigid_properties);
+}
+
+}  // namespace tribo
