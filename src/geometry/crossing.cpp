@@ -1,0 +1,137 @@
+#include "geometry/crossing.hpp"
+
+#include <cmath>
+
+namespace tribo {
+namespace {
+
+/// An exact sum of doubles: parts that do not overlap, in order of size.
+/// Shewchuk, Discrete Comput. Geom. 18 (1997) 305-363.
+class ExactSum {
+ public:
+  void add(double b) {
+    double q = b;
+    int kept = 0;
+    for (int k = 0; k < count_; ++k) {
+      const double sum = q + parts_[k], part = sum - q;
+      const double error = (q - (sum - part)) + (parts_[k] - part);
+      q = sum;
+      if (error != 0) parts_[kept++] = error;
+    }
+    if (q != 0) parts_[kept++] = q;
+    count_ = kept;
+  }
+  void add_product(double a, double b) {
+    const double p = a * b;
+    add(std::fma(a, b, -p));
+    add(p);
+  }
+  void add_product(double a, double b, double c) {
+    const double p = a * b, low = std::fma(a, b, -p);
+    add_product(low, c);
+    add_product(p, c);
+  }
+  int sign() const { return count_ == 0 ? 0 : parts_[count_ - 1] > 0 ? 1 : -1; }
+
+ private:
+  double parts_[256];
+  int count_ = 0;
+};
+
+int sign(double x) { return (x > 0) - (x < 0); }
+
+// Sign of (a - b)(c - d) - (e - f)(g - h).
+int sign_of_difference(double a, double b, double c, double d, double e, double f, double g, double h) {
+  const double left = (a - b) * (c - d), right = (e - f) * (g - h), det = left - right;
+  constexpr double doubt = 1e-15;  // more than the (3 + 16 eps) eps of the rounding
+  if (std::abs(det) > doubt * (std::abs(left) + std::abs(right))) return sign(det);
+  ExactSum sum;
+  sum.add_product(a, c), sum.add_product(-a, d), sum.add_product(-b, c), sum.add_product(b, d);
+  sum.add_product(-e, g), sum.add_product(e, h), sum.add_product(f, g), sum.add_product(-f, h);
+  return sum.sign();
+}
+
+// Sign of (b - a) x (c - a): 1 if the three turn left.
+int turn(const Vec<2>& a, const Vec<2>& b, const Vec<2>& c) {
+  return sign_of_difference(b[0], a[0], c[1], a[1], b[1], a[1], c[0], a[0]);
+}
+
+// Sign of component k of (b - a) x (d - c).
+int cross(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, int k) {
+  const int i = (k + 1) % 3, j = (k + 2) % 3;
+  return sign_of_difference(b[i], a[i], d[j], c[j], b[j], a[j], d[i], c[i]);
+}
+
+// Sign of (b - a) . (c - a) x (d - a).
+int volume(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  const Vec3 u = b - a, v = c - a, w = d - a;
+  double det = 0.0, size = 0.0;
+  for (int k = 0; k < 3; ++k) {
+    const int i = (k + 1) % 3, j = (k + 2) % 3;
+    const double left = v[i] * w[j], right = v[j] * w[i];
+    det += u[k] * (left - right), size += std::abs(u[k]) * (std::abs(left) + std::abs(right));
+  }
+  constexpr double doubt = 2e-15;  // more than the (7 + 56 eps) eps of the rounding
+  if (std::abs(det) > doubt * size) return sign(det);
+  // The determinant of the rows (x, 1) by its minors: every product of three coordinates once.
+  ExactSum sum;
+  const Vec3* p[4] = {&a, &b, &c, &d};
+  for (int omitted = 0; omitted < 4; ++omitted) {
+    const Vec3* q[3];
+    for (int k = 0, n = 0; k < 4; ++k)
+      if (k != omitted) q[n++] = p[k];
+    const double s = omitted % 2 == 0 ? 1.0 : -1.0;
+    for (int k = 0; k < 3; ++k) {
+      const int i = (k + 1) % 3, j = (k + 2) % 3;
+      sum.add_product(s * (*q[0])[k], (*q[1])[i], (*q[2])[j]);
+      sum.add_product(-s * (*q[0])[k], (*q[1])[j], (*q[2])[i]);
+    }
+  }
+  return sum.sign();
+}
+
+// On which side of the way, moved a little, a corner lies.
+int side_of_way(const Vec<2>& from, const Vec<2>& to, const Vec<2>& corner) {
+  if (const int s = turn(from, to, corner)) return s;
+  if (const int s = sign(to[1] - from[1])) return s;
+  return sign(from[0] - to[0]);
+}
+int side_of_way(const Vec3& from, const Vec3& to, const Vec3& a, const Vec3& b) {
+  if (const int s = volume(from, to, a, b)) return s;
+  for (int k = 0; k < 3; ++k)
+    if (const int s = cross(b, a, from, to, k)) return s;
+  return 0;
+}
+
+}  // namespace
+
+int side_of(const std::array<Vec<2>, 2>& piece, const Vec<2>& p) {
+  const auto& [a, b] = piece;
+  if (const int s = turn(a, b, p)) return s;
+  if (const int s = sign(a[1] - b[1])) return s;
+  return sign(b[0] - a[0]);
+}
+
+int side_of(const std::array<Vec<3>, 3>& piece, const Vec<3>& p) {
+  const auto& [a, b, c] = piece;
+  if (const int s = volume(a, b, c, p)) return s;
+  for (int k = 0; k < 3; ++k)
+    if (const int s = cross(a, b, a, c, k)) return s;
+  return 0;
+}
+
+int crossing(const std::array<Vec<2>, 2>& piece, const Vec<2>& from, const Vec<2>& to) {
+  const int start = side_of(piece, from);
+  if (start == side_of(piece, to)) return 0;
+  return side_of_way(from, to, piece[0]) == side_of_way(from, to, piece[1]) ? 0 : start;
+}
+
+int crossing(const std::array<Vec<3>, 3>& piece, const Vec<3>& from, const Vec<3>& to) {
+  const int start = side_of(piece, from);
+  if (start == side_of(piece, to)) return 0;
+  const int first = side_of_way(from, to, piece[0], piece[1]);
+  if (first != side_of_way(from, to, piece[1], piece[2])) return 0;
+  return first == side_of_way(from, to, piece[2], piece[0]) ? start : 0;
+}
+
+}  // namespace tribo
