@@ -1,6 +1,7 @@
 /// Contact between materials: normals, gaps, and which law acts between which.
 
 #include "contact/contact_law.hpp"
+#include "contact/joint_law.hpp"
 #include "input/builder.hpp"
 #include "materials/material.hpp"
 
@@ -61,6 +62,11 @@ std::shared_ptr<const ContactLaw> Builder::named_law(const Statement& s) {
                                 : "contact laws: " + join(names);
   if (!found) {
     problems_.add(a->origin, "there is no contact law '" + a->text + "'" + did_you_mean(a->text, names) + "; " + valid);
+    return nullptr;
+  }
+  if (tribo::joint_laws().find(found->type)) {
+    problems_.add(a->origin, "'" + found->name + "' at " + found->origin.text() + " is the joint law " + found->type +
+                                 ", which has a history and cannot be given to grid nodes; " + valid);
     return nullptr;
   }
   if (!tribo::contact_laws().find(found->type)) {

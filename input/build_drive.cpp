@@ -7,7 +7,9 @@
 #include "input/xml.hpp"
 #include "materials/material.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 
 namespace tribo {
@@ -66,7 +68,7 @@ std::vector<PathRow> Builder::test_path(const Statement& s, Mat3& initial) {
 std::vector<PathRow> Builder::path(const Statement& s, const std::vector<PathColumn>& columns) {
   const Statement* path = s.child("Path");
   if (!path) {
-    problems_.add(s.origin, "<Drive> needs <Path>" + std::string(has(s, "contact") ? "" : " or the attribute 'test'"));
+    problems_.add(s.origin, "<Drive> needs <Path>" + std::string(has(s, "material") ? " or the attribute 'test'" : ""));
     return {};
   }
   const Attribute* file = path->attribute("file");
@@ -79,11 +81,18 @@ std::vector<PathRow> Builder::path(const Statement& s, const std::vector<PathCol
   return read_path(*text, {std::make_shared<const std::string>(place.string()), 1, 1}, columns, time, problems_);
 }
 
+void Builder::only_of_joints(const Statement& s) {
+  for (const auto name :
+       {"area", "thickness", "distance", "block", "spring-normal", "spring-shear", "vn", "vss", "vst"})
+    must(!has(s, name), s.origin, "'" + std::string(name) + "' belongs to joint laws");
+}
+
 MaterialDrive Builder::material_drive(const Statement& s, const MaterialSpec& spec) {
   MaterialDrive out;
   out.law = spec.law;
   for (const auto name : {"mass", "gap"})
-    must(!has(s, name), s.origin, "'" + std::string(name) + "' belongs to contact laws");
+    must(!has(s, name), s.origin, "'" + std::string(name) + "' belongs to contact and joint laws");
+  only_of_joints(s);
   must(!spec.law || !spec.law->rigid(), s.attribute("material")->origin,
        "'" + spec.name + "' is rigid and has no stress");
   const auto& units = model_.units;
@@ -128,6 +137,7 @@ ContactDrive Builder::contact_drive(const Statement& s, const MaterialSpec& spec
   for (const auto name : {"test", "strain", "rate", "steps", "pressure", "angle", "temp"})
     must(!has(s, name), s.origin, "'" + std::string(name) + "' belongs to materials; contact laws need <Path>");
   must(!s.child("InitialStress"), s.origin, "<InitialStress> belongs to materials");
+  only_of_joints(s);
   out.mass = number(s, "mass", Dimension::none, 1.0);
   out.gap = number(s, "gap", Dimension::length);
   out.cell = number(s, "cell", Dimension::length, 1.0);
@@ -135,6 +145,37 @@ ContactDrive Builder::contact_drive(const Statement& s, const MaterialSpec& spec
   const auto& units = model_.units;
   out.path = path(s, contact_columns(units.factor(Dimension::velocity), units.factor(Dimension::stress)));
   if (spec.contact && spec.contact->liquid() != 0) liquid_of(spec);
+  return out;
+}
+
+JointDrive Builder::joint_drive(const Statement& s, const MaterialSpec& spec) {
+  JointDrive out;
+  out.law = spec.joint, out.origin = s.origin;
+  for (const auto name : {"test", "strain", "rate", "steps", "pressure", "angle", "temp", "cell"})
+    must(!has(s, name), s.origin, "'" + std::string(name) + "' does not belong to joint laws, which need <Path>");
+  must(!s.child("InitialStress"), s.origin, "<InitialStress> belongs to materials; joints start with their own forces");
+  const auto& units = model_.units;
+  JointSite& site = out.site;
+  site.plane = has(s, "thickness");
+  site.thickness = number(s, "thickness", Dimension::length, 1.0);
+  site.area = number(s, "area", Dimension::none, 1.0);
+  site.gap = number(s, "gap", Dimension::length), site.distance = number(s, "distance", Dimension::length);
+  out.mass = number(s, "block", Dimension::mass);
+  out.dashpot_mass = number(s, "mass", Dimension::mass, out.mass / units.factor(Dimension::mass));
+  const double per_length = units.factor(Dimension::force) / units.factor(Dimension::length);
+  out.spring_normal = per_length * number(s, "spring-normal", Dimension::none);
+  out.spring_shear = per_length * number(s, "spring-shear", Dimension::none);
+  constexpr std::array<const char*, 3> axes{"vn", "vss", "vst"};
+  for (std::size_t k = 0; k < 3; ++k) {
+    out.velocity[k] = number(s, axes[k], Dimension::velocity);
+    must(!has(s, axes[k]) || out.mass > 0, s.origin, "'" + std::string(axes[k]) + "' needs the mass 'block'");
+  }
+  must(site.area > 0 && site.thickness > 0, s.origin, "'area' and 'thickness' must be positive");
+  must(site.distance >= 0 && out.mass >= 0 && out.dashpot_mass >= 0 && out.spring_normal >= 0 && out.spring_shear >= 0,
+       s.origin, "'distance', 'mass', 'block' and the springs must not be negative");
+  must(!spec.joint || !spec.joint->needs_distance() || site.distance > 0, s.origin,
+       "<compute-stiffness> of '" + spec.name + "' needs 'distance', between the bodies' centres");
+  out.path = path(s, joint_columns(units.factor(Dimension::length), units.factor(Dimension::force)));
   return out;
 }
 
@@ -151,28 +192,43 @@ Drive Builder::build_drive() {
     problems_.raise();
     return {};
   }
-  const Attribute *bulk = s->attribute("material"), *law = s->attribute("contact");
-  must((bulk == nullptr) != (law == nullptr), s->origin,
-       "<Drive> needs one of the attributes 'material' and 'contact', the name of a law");
+  struct Kind {
+    const char *attribute, *name;
+    bool (*fits)(const std::string& type);
+  };
+  static constexpr Kind kinds[] = {
+      {"material", "material", [](const std::string& t) { return tribo::materials().find(t) != nullptr; }},
+      {"contact", "contact law", [](const std::string& t) { return tribo::contact_laws().find(t) != nullptr; }},
+      {"joint", "joint law", [](const std::string& t) { return tribo::joint_laws().find(t) != nullptr; }}};
+  const auto asked =
+      std::count_if(std::begin(kinds), std::end(kinds), [&](const Kind& k) { return has(*s, k.attribute); });
+  must(asked == 1, s->origin,
+       "<Drive> needs one of the attributes 'material', 'contact' and 'joint', the name of a law");
   Drive out;
-  if (const Attribute* a = bulk ? bulk : law) {
+  for (const Kind& kind : kinds) {
+    const Attribute* a = s->attribute(kind.attribute);
+    if (!a || asked != 1) continue;
     std::vector<std::string> names;
     const MaterialSpec* found = nullptr;
     for (const auto& spec : model_.materials) {
-      const bool fits = bulk ? !tribo::contact_laws().find(spec.type) : tribo::materials().find(spec.type) == nullptr;
-      if (fits) names.push_back(spec.name);
-      if (fits && spec.name == a->text) found = &spec;
+      if (!kind.fits(spec.type)) continue;
+      names.push_back(spec.name);
+      if (spec.name == a->text) found = &spec;
     }
-    const std::string kind = bulk ? "material" : "contact law";
     if (!found)
-      problems_.add(a->origin, "there is no " + kind + " named '" + a->text + "'" + did_you_mean(a->text, names) +
-                                   "; valid: " + join(names));
-    else if (bulk)
+      problems_.add(a->origin, "there is no " + std::string(kind.name) + " named '" + a->text + "'" +
+                                   did_you_mean(a->text, names) +
+                                   (names.empty() ? "; this file has none" : "; valid: " + join(names)));
+    else if (&kind == &kinds[0])
       out = material_drive(*s, *found);
-    else
+    else if (&kind == &kinds[1])
       out = contact_drive(*s, *found);
+    else
+      out = joint_drive(*s, *found);
   }
   problems_.raise();
+  for (const auto& w : problems_.warnings())
+    std::fprintf(stderr, "%s: warning: %s\n", w.origin.text().c_str(), w.message.c_str());
   return out;
 }
 

@@ -1,6 +1,7 @@
 /// Materials: numbers, names, laws.
 
 #include "contact/contact_law.hpp"
+#include "contact/joint_law.hpp"
 #include "input/builder.hpp"
 #include "input/common_properties.hpp"
 #include "materials/material.hpp"
@@ -21,6 +22,7 @@ std::vector<std::string> law_names(bool with_number) {
   };
   for (const auto& item : materials().items()) add(item);
   for (const auto& item : contact_laws().items()) add(item);
+  for (const auto& item : joint_laws().items()) add(item);
   return out;
 }
 
@@ -88,8 +90,12 @@ void Builder::must_be_solid(const Statement& s, int material) {
   if (material >= static_cast<int>(model_.materials.size())) return;
   const auto& spec = model_.materials[static_cast<std::size_t>(material)];
   const Attribute* a = s.attribute("matname") ? s.attribute("matname") : s.attribute("mat");
-  must(!tribo::contact_laws().find(spec.type), a ? a->origin : s.origin,
-       "'" + spec.name + "' at " + spec.origin.text() + " is a contact law; a body needs a material");
+  const auto must_not_be = [&](const auto* law, const char* what) {
+    must(!law, a ? a->origin : s.origin,
+         "'" + spec.name + "' at " + spec.origin.text() + " is a " + what + " law; a body needs a material");
+  };
+  must_not_be(tribo::contact_laws().find(spec.type), "contact");
+  must_not_be(tribo::joint_laws().find(spec.type), "joint");
 }
 
 void Builder::materials() {
@@ -101,6 +107,7 @@ void Builder::materials() {
     const Attribute* type = s->attribute("Type");
     const auto* item = type ? tribo::materials().find(type->text) : nullptr;
     const auto* law = type ? tribo::contact_laws().find(type->text) : nullptr;
+    const auto* joint = type ? tribo::joint_laws().find(type->text) : nullptr;
     if (law) {
       spec.type = law->name;
       auto elsewhere = quiet_properties;
@@ -108,6 +115,9 @@ void Builder::materials() {
       if (s->child("E"))
         problems_.add(type->origin, "'" + law->name + "' is a contact law, but this looks like a solid");
       spec.contact = law->make(*s, elsewhere, model_.units, problems_);
+    } else if (joint) {
+      spec.type = joint->name;
+      spec.joint = joint->make(*s, quiet_properties, model_.units, problems_);
     } else if (!type) {
       problems_.add(s->origin, "<Material> needs the attributes Type and Name");
     } else if (!item) {

@@ -26,6 +26,7 @@ Model Builder::build() {
   tasks();
   check_histories();
   problems_.raise();
+  for (const auto& w : problems_.warnings()) warn(w.origin, w.message);
   return std::move(model_);
 }
 

@@ -88,6 +88,8 @@ class Builder {
   // build_drive.cpp
   MaterialDrive material_drive(const Statement& s, const MaterialSpec& spec);
   ContactDrive contact_drive(const Statement& s, const MaterialSpec& spec);
+  JointDrive joint_drive(const Statement& s, const MaterialSpec& spec);
+  void only_of_joints(const Statement& drive);
   std::vector<PathRow> path(const Statement& s, const std::vector<PathColumn>& columns);
   std::vector<PathRow> test_path(const Statement& s, Mat3& initial);
 

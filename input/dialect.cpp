@@ -401,6 +401,7 @@ std::vector<ElementSpec> make() {
        T::none,
        {text("material", "name of the material to drive"),
         text("contact", "or of the contact law"),
+        text("joint", "or of the joint law"),
         {"test", T::choice, "a standard test in place of <Path>",
          "simple_shear uniaxial_stress oedometer triaxial_compression triaxial_extension isotropic"},
         number("strain", "where the test ends: of the shear, the axis or, isotropic, the volume"),
@@ -409,9 +410,20 @@ std::vector<ElementSpec> make() {
         number("pressure", "that confines a triaxial test"),
         number("angle", "of the material axes about z [degrees]"),
         number("temp", "temperature at the start (default that of StressFreeTemp)"),
-        number("mass", "reduced mass per area of the faces of a contact law (default 1)"),
+        number("mass",
+               "reduced mass per area of the faces of a contact law (default 1); of a joint law: mass that its "
+               "dashpots see (default: of the block)"),
         number("gap", "between the faces at the start (default 0)"),
-        number("cell", "size of the cells that a contact law is told (default 1)")},
+        number("cell", "size of the cells that a contact law is told (default 1)"),
+        number("area", "of the joint (default 1)"),
+        number("thickness", "of a joint in two dimensions; without it: three"),
+        number("distance", "between the centres of the bodies that a joint joins"),
+        number("block", "mass that the joint holds; it moves by the forces on it"),
+        number("spring-normal", "stiffness [force/length] of the machine, whose far end the path moves"),
+        number("spring-shear", "the same along the joint"),
+        number("vn", "velocity of the block at the start"),
+        number("vss", "the same along s"),
+        number("vst", "the same along t")},
        true});
   add({"InitialStress",
        "Drive",
@@ -424,7 +436,9 @@ std::vector<ElementSpec> make() {
        "Drive",
        "rows of numbers with commas between; the first line names the columns: dt, steps, and for a material Lxx .. "
        "Lzz "
-       "(velocity gradient) and sxx .. sxz (prescribed stress), for a contact law vn, vt1, vt2 and N, St1, St2",
+       "(velocity gradient) and sxx .. sxz (prescribed stress), for a contact law vn, vt1, vt2 and N, St1, St2, for a "
+       "joint law, each step, dn, dss, dst, dtwist, dbs, dbt, or prescribed Fn, Fss, Fst, loads Pn, Pss, Pst, and the "
+       "force of the fictitious stress Ffn, Ffss, Ffst",
        T::text,
        {text("file", "the rows are in this file")},
        true});

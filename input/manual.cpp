@@ -4,6 +4,7 @@
 #include "base/schema.hpp"
 #include "base/text.hpp"
 #include "contact/contact_law.hpp"
+#include "contact/joint_law.hpp"
 #include "input/dialect.hpp"
 #include "input/script/commands.hpp"
 #include "materials/material.hpp"
@@ -77,7 +78,7 @@ void add_laws(std::vector<ManualEntry>& out, const char* kind, const Items& item
           {"<" + p.name + ">", std::string(dimension_name(p.dimension)) + ", " + p.range.text(), meaning});
     }
     for (const auto& p : item.own_properties)
-      entry.rows.push_back({"<" + std::string(p.name) + ">", "", std::string(p.meaning)});
+      if (!p.meaning.empty()) entry.rows.push_back({"<" + std::string(p.name) + ">", "", std::string(p.meaning)});
     out.push_back(std::move(entry));
   }
 }
@@ -87,6 +88,7 @@ std::vector<ManualEntry> make() {
   add_elements(out);
   add_laws(out, "material", materials().items());
   add_laws(out, "contact law", contact_laws().items());
+  add_laws(out, "joint law", joint_laws().items());
   for (const auto* list : {&script::commands(), &script::language()})
     for (const auto& c : *list)
       out.push_back({"command", std::string(c.name), std::string(c.arguments), std::string(c.meaning)});
@@ -105,6 +107,7 @@ const char* title(const std::string& kind) {
   if (kind == "element") return "Elements of XML command files";
   if (kind == "material") return "Materials";
   if (kind == "contact law") return "Laws of contact";
+  if (kind == "joint law") return "Laws of joints";
   if (kind == "command") return "Scripted commands";
   if (kind == "history") return "Quantities of history.csv";
   return "Fields of the particle files";

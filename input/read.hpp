@@ -24,7 +24,7 @@ Model read_model(const std::filesystem::path& file, const Settings& settings = {
 Model read_model_text(std::string_view text, const std::string& name);
 
 /// What <Drive> asks for.
-using Drive = std::variant<MaterialDrive, ContactDrive>;
+using Drive = std::variant<MaterialDrive, ContactDrive, JointDrive>;
 
 /// Reads <Drive> of a command file, which needs no model beside it. Throws like read_model.
 Drive read_drive(const std::filesystem::path& file, const Settings& settings = {});

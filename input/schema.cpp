@@ -2,6 +2,7 @@
 
 #include "base/text.hpp"
 #include "contact/contact_law.hpp"
+#include "contact/joint_law.hpp"
 #include "input/dialect.hpp"
 #include "materials/material.hpp"
 
@@ -42,11 +43,13 @@ std::map<std::string, Union> unions() {
         material.children.insert(p.name);
         if (!p.alias.empty()) material.children.insert(p.alias);
       }
-      for (const auto& p : item.own_properties) material.children.emplace(p.name);
+      for (const auto& p : item.own_properties)
+        if (!p.meaning.empty()) material.children.emplace(p.name);
     }
   };
   add(materials().items());
   add(contact_laws().items());
+  add(joint_laws().items());
   for (const auto name : {"alpha", "Cv", "Cp", "kCond", "color", "PDamping", "largeRotation", "SetDirection",
                           "SettingFunction", "SettingFunction2", "SettingFunction3", "mirrored", "rho"})
     material.children.emplace(name);

@@ -3,6 +3,7 @@
 #include "base/schema.hpp"
 #include "base/text.hpp"
 #include "contact/contact_law.hpp"
+#include "contact/joint_law.hpp"
 #include "input/common_properties.hpp"
 #include "input/dialect.hpp"
 #include "input/script/translator.hpp"
@@ -26,7 +27,7 @@ std::vector<std::string> properties_of(const Statement& material) {
     }
     for (const OwnProperty& p : law->own_properties) names.emplace_back(p.name);
   };
-  if (type) add(materials().find(type->text)), add(contact_laws().find(type->text));
+  if (type) add(materials().find(type->text)), add(contact_laws().find(type->text)), add(joint_laws().find(type->text));
   return names;
 }
 
@@ -67,11 +68,12 @@ std::string type_name(const std::string& word) {
 
 // What nobody knows is complained about here, where the scripted names are known, too.
 void check_type(const Command& c, const std::string& type) {
-  if (to_number(type) || materials().find(type) || contact_laws().find(type)) return;
+  if (to_number(type) || materials().find(type) || contact_laws().find(type) || joint_laws().find(type)) return;
   std::vector<std::string> known;
   for (const auto& [name, number] : scripted_types()) known.push_back(name);
   for (const auto& item : materials().items()) known.push_back(item.name);
   for (const auto& item : contact_laws().items()) known.push_back(item.name);
+  for (const auto& item : joint_laws().items()) known.push_back(item.name);
   const std::string near = did_you_mean(type, known);
   if (!near.empty()) throw InputError(c.origin(2), "there is no material type '" + type + "'" + near);
 }

@@ -10,7 +10,8 @@
 
 namespace tribo {
 
-/// A property that is a word or a list, which the law reads itself.
+/// A property that is a word or a list, which the law reads itself; without a meaning: one that it refuses with a
+/// reason.
 struct OwnProperty {
   std::string_view name, meaning;
 };
@@ -81,6 +82,7 @@ typename Catalogue<Base>::Item catalogue_item(const std::vector<std::string>& al
     } else if (mine.empty()) {
       law.prepare(statement, mine);
     }
+    for (const auto& w : mine.warnings()) problems.warn(w.origin, w.message);
     if (mine.empty()) return std::make_unique<Host>(std::move(law));
     try {
       mine.raise();

@@ -41,12 +41,15 @@ class Problems {
  public:
   void add(Origin origin, std::string message) { list_.push_back({std::move(origin), std::move(message)}); }
   void add(const InputError& error) { list_.insert(list_.end(), error.problems().begin(), error.problems().end()); }
+  /// Something that may well be meant otherwise; does not stop anything.
+  void warn(Origin origin, std::string message) { warnings_.push_back({std::move(origin), std::move(message)}); }
+  const std::vector<Problem>& warnings() const { return warnings_; }
   bool empty() const { return list_.empty(); }
   /// Throws InputError with everything collected, in order of file position; returns if there is nothing.
   void raise() const;
 
  private:
-  std::vector<Problem> list_;
+  std::vector<Problem> list_, warnings_;
 };
 
 /// A run left the range in which its result means anything (exit code 4).

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "contact/contact_law.hpp"
+#include "contact/joint_law.hpp"
 #include "drive/path.hpp"
 #include "materials/material.hpp"
 
@@ -40,6 +41,25 @@ struct ContactDrive {
 /// vn vt1 vt2 [velocity], N St1 St2 [stress].
 std::vector<PathColumn> contact_columns(double velocity_factor = 1.0, double stress_factor = 1.0);
 
+/// A joint law at one contact between a fixed body 1 and a body 2.
+///
+/// Without springs and mass the path is the motion of body 2. With springs the path moves their far ends, and body 2
+/// comes to rest between spring and joint: a testing machine that is not stiff. With a mass body 2 has inertia.
+struct JointDrive {
+  std::shared_ptr<const JointLaw> law;
+  JointSite site;
+  double dashpot_mass = 0.0;         ///< effective mass that dashpots see                [mass]
+  double mass = 0.0;                 ///< of body 2; 0: none                              [mass]
+  double spring_normal = 0.0;        ///< of the machine; it carries the joint's forces of the start [force/length]
+  double spring_shear = 0.0;         ///<                                                 [force/length]
+  std::array<double, 3> velocity{};  ///< of body 2 at the start: n, s, t                 [velocity]
+  Origin origin;                     ///< of the element, for messages
+  std::vector<PathRow> path;         ///< of the columns below
+};
+/// Per step: dn dss dst [length], dtwist dbs dbt [rad]; prescribed at the end of the row: Fn Fss Fst [force]; loads on
+/// body 2: Pn Pss Pst [force]; force of the fictitious stress: Ffn Ffss Ffst [force].
+std::vector<PathColumn> joint_columns(double length_factor = 1.0, double force_factor = 1.0);
+
 /// What came out: one row per step, the first before any step.
 struct Table {
   std::vector<std::string> names;
@@ -48,11 +68,13 @@ struct Table {
   std::string text() const;
 };
 
-/// Runs a path. Where a row prescribes a stress, the rate of that component is found so that the stress at the end of
-/// every step lies on the straight line from the row's start to the prescribed value, to 1e-10 of the stresses there.
-/// Rates that a row gives no number for are 0; those of a prescribed shear stress are equal, unless the row gives one.
-/// Throws InputError for rows that contradict themselves, SimulationError if no rate leads to a prescribed stress.
+/// Runs a path. Where a row prescribes a stress (or, of a joint, a force), the rate of that component is found so that
+/// the stress at the end of every step lies on the straight line from the row's start to the prescribed value, to 1e-10
+/// of the stresses there. Rates that a row gives no number for are 0; those of a prescribed shear stress are equal,
+/// unless the row gives one. Throws InputError for rows that contradict themselves, SimulationError if no rate leads to
+/// a prescribed stress.
 Table drive(const MaterialDrive& what);
 Table drive(const ContactDrive& what);
+Table drive(const JointDrive& what);
 
 }  // namespace tribo

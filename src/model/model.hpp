@@ -22,6 +22,7 @@ namespace tribo {
 
 class Material;
 class ContactLaw;
+class JointLaw;
 
 enum class Analysis { plane_strain, plane_stress, axisymmetric, solid };
 enum class UpdateOrder { usf, usl, usavg };
@@ -104,7 +105,7 @@ struct GridSpec {
   Origin origin;
 };
 
-/// A law with its name: of a material, or of contact.
+/// A law with its name: of a material, of contact or of joints.
 struct MaterialSpec {
   std::string name;
   std::string type;  ///< catalogue name
@@ -118,6 +119,7 @@ struct MaterialSpec {
   Statement statement{};  ///< as written, for provenance and late errors
   Origin origin{};
   std::shared_ptr<ContactLaw> contact{};  ///< instead of `law`
+  std::shared_ptr<JointLaw> joint{};      ///< instead of both
   double heat_capacity = 0.0;             ///< [energy/(mass temperature)]
   double conductivity = 0.0;              ///< [power/(length temperature)]
   double taylor_quinney = 1.0;            ///< share of the dissipated work that becomes heat

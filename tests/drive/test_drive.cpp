@@ -168,7 +168,7 @@ TEST_CASE("what is wrong with a drive is told at its place", "[drive]") {
     CHECK_THAT(problem(content), Catch::Contains(part));
   };
   tells(steel, "no <Drive>");
-  tells("<Drive/>" + steel, "one of the attributes 'material' and 'contact'");
+  tells("<Drive/>" + steel, "one of the attributes 'material', 'contact' and 'joint'");
   tells("<Drive material='stel' test='oedometer' strain='1'/>" + steel, "did you mean 'steel'");
   tells("<Drive material='rub' test='oedometer' strain='1'/>" + rubbing + steel, "no material named 'rub'");
   tells("<Drive material='steel'/>" + steel, "needs <Path>");

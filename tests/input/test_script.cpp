@@ -202,3 +202,19 @@ TEST_CASE("<Commands> adds to the sections of its file", "[script]") {
       }(),
       Contains("deck.xml:13:15: error: there is no variable '#n'"));
 }
+
+TEST_CASE("joint laws in scripts: keywords with hyphens, tables and methods", "[script]") {
+  Settings settings;
+  const Script script = read_script(
+      "Analysis \"3D MPM\"\nMaterial \"r\",\"Rock\",\"Mohr\"\nstiffness-normal 2e9\nslip-table 1,0,0.4,5e-4\nDone\n"
+      "Material \"b\",\"Bond\",\"SpringNetwork\"\ncompute-stiffness emod,5e10\nbond\nDone\n",
+      std::make_shared<const std::string>("joint.fmcmd"), settings);
+  std::vector<const Statement*> materials;
+  for (const auto& s : script.root.children)
+    if (s.name == "Material") materials.push_back(&s);
+  REQUIRE(materials.size() == 2);
+  CHECK(materials[0]->child("stiffness-normal")->text == "2e9");
+  CHECK(materials[0]->child("slip-table")->text == "1,0,0.4,5e-4");
+  CHECK(materials[1]->child("compute-stiffness")->text == "emod,5e10");
+  CHECK(materials[1]->child("bond")->text.empty());
+}

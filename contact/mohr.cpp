@@ -1,0 +1,249 @@
+/// Rock joint: elastic, then Mohr-Coulomb slip with weakening, dilation, pore pressure, healing and dashpots.
+///
+///   F_n += k_n A d_n,  F_s -= k_s A d_s;     N = F_n + A P <= A sigma_c,   |F_s| <= (1-w) F_P + w F_R
+///   F_P = c A - N tan phi,  F_R = c* A - N tan phi*;   w(slip) from 0 at the peak to 1 at the residual
+///   while it slips, N loses k_n A tan psi |d_s|: a dilating joint that cannot open is pressed
+///
+/// docs/joints.md has the reasons for every branch, and the differences from the published description.
+
+#include "contact/joint_parts.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tribo {
+namespace {
+
+constexpr int slips_now = 1, tears_now = 2, slipped = 4, torn_before = 8;
+
+struct Mohr final : JointLaw {
+  static constexpr std::string_view name = "Mohr";
+  static constexpr std::string_view summary =
+      "Rock joint: Mohr-Coulomb slip with weakening, dilation, pore pressure, healing and dashpots.";
+  static constexpr int number = 0;
+
+  double kn = 0, ks = 0, own_area = 0;
+  double c = 0, c_residual = 0, phi = 0, phi_residual = 0, tension = 0, tension_residual = 0;
+  double psi = 0, psi_residual = 0, dilation_zero = std::numeric_limits<double>::infinity();
+  double slip_length = 0, healing = 0, pressure = 0, gap_shift = 0, keep_pressure = 0;
+  double normal_stress = 0, normal_force = 0, state_at_start = 0, opening_at_start = 0;
+  Tangent shear_stress, shear_force, shear_at_start;
+  Dashpots dashpots;
+  double dashpot_normal = 0, dashpot_shear = 0, dashpot_mode = 0;
+  MultiplierTable table;
+  // from the above
+  double tan_phi = 0, tan_phi_residual = 0, tan_psi = 0, tan_psi_residual = 0;
+
+  static auto parameters() {
+    using L = Mohr;
+    using P = Parameter<L>;
+    using D = Dimension;
+    constexpr Range slope{0.0, 90.0, false, true};
+    return std::array{
+        P{"stiffness-normal", &L::kn, D::interface_stiffness, not_negative, "normal stiffness per area", 0.0},
+        P{"stiffness-shear", &L::ks, D::interface_stiffness, not_negative, "shear stiffness per area", 0.0},
+        P{"user_area", &L::own_area, D::none, not_negative, "area instead of the host's", 0.0, false, "area"},
+        P{"cohesion", &L::c, D::stress, not_negative, "cohesion at the peak", 0.0},
+        P{"cohesion-residual", &L::c_residual, D::stress, not_negative, "cohesion that is left", 0.0},
+        P{"friction", &L::phi, D::angle, slope, "friction angle at the peak", 0.0},
+        P{"friction-residual", &L::phi_residual, D::angle, slope, "friction angle that is left", 0.0},
+        P{"tension", &L::tension, D::stress, not_negative, "tensile strength", 0.0},
+        P{"tension-residual", &L::tension_residual, D::stress, not_negative, "tensile strength that is left", 0.0},
+        P{"dilation", &L::psi, D::angle, slope, "dilation angle at the peak", 0.0},
+        P{"dilation-residual", &L::psi_residual, D::angle, slope, "dilation angle that is left", 0.0},
+        P{"dilation-zero",
+          &L::dilation_zero,
+          D::length,
+          not_negative,
+          "shear displacement that ends dilation",
+          {},
+          true},
+        P{"slip-dc", &L::slip_length, D::length, not_negative, "slip from peak to residual; 0: at once", 0.0},
+        P{"healing", &L::healing, D::none, within(0, 1), "1: shear strength comes back when sliding ends", 0.0},
+        P{"pore-pressure", &L::pressure, D::stress, not_negative, "pressure of pore fluid", 0.0},
+        P{"keep-pressure-when-open", &L::keep_pressure, D::none, within(0, 1),
+          "1: the fluid goes on pressing on faces that are apart", 0.0},
+        P{"rgap", &L::gap_shift, D::length, not_negative, "gap at which the faces count as closed", 0.0},
+        P{"dashpot-ratio-normal", &L::dashpot_normal, D::none, within(0, 1), "share of critical damping", 0.0},
+        P{"dashpot-ratio-shear", &L::dashpot_shear, D::none, within(0, 1), "share of critical damping", 0.0},
+        P{"dashpot-mode", &L::dashpot_mode, D::none, within(0, 3),
+          "sum of 1 (no tension by the normal dashpot) and 2 (no shear dashpot while sliding)", 0.0},
+        P{"stress-normal", &L::normal_stress, D::stress, any_value, "normal stress at the start, tension positive",
+          0.0},
+        P{"force-normal", &L::normal_force, D::force, any_value, "or the normal force of each contact", 0.0},
+        P{"disp-normal", &L::opening_at_start, D::length, any_value, "opening at the start", 0.0},
+        P{"state", &L::state_at_start, D::none, within(0, 15),
+          "state at the start: 1 slips, 2 tears, 4 slipped, 8 torn before", 0.0}};
+  }
+  static std::vector<OwnProperty> own_properties() {
+    return {{"slip-table", "pairs of multiplier and slip, sorted, instead of slip-dc: 1 is peak, 0 residual"},
+            {"stress-shear", "shear stress at the start along s and t; one number: along t"},
+            {"force-shear", "or the shear force of each contact"},
+            {"disp-shear", "shear displacement at the start along s and t; one number: along t"},
+            {"table-pos", ""},
+            {"slip", ""},
+            {"stress-effective", ""},
+            {"dashpot-force", ""},
+            {"state-string", ""}};
+  }
+
+  void prepare(const Statement& s, const Units& units, Problems& problems) {
+    static constexpr RefusedProperty refused[] = {
+        {"table-pos", "selects which entry of <slip-table> is read back; here the whole table is in the file"},
+        {"slip", "is a result: a column of the output"},
+        {"stress-effective", "is a result: a column of the output"},
+        {"dashpot-force", "is a result: columns of the output"},
+        {"state-string", "is a result; give <state> by its number"}};
+    refuse(s, refused, problems);
+    must_be_whole(s, {"healing", "dashpot-mode", "state", "keep-pressure-when-open"}, problems);
+    const auto either = [&](const char* a, const char* b) {
+      if (s.child(a) && s.child(b))
+        problems.add(s.child(b)->origin, "<" + std::string(a) + "> and <" + b + "> say the same; give one of them");
+    };
+    either("stress-normal", "force-normal"), either("stress-shear", "force-shear"), either("slip-dc", "slip-table");
+    const auto pair = [&](const char* of, Dimension dimension) {
+      const auto v = numbers_of(s, of, 1, 2, problems);
+      const double factor = units.factor(dimension);
+      return v.empty() ? Tangent{} : v.size() == 1 ? Tangent{0, factor * v[0]} : factor * Tangent{v[0], v[1]};
+    };
+    shear_stress = pair("stress-shear", Dimension::stress), shear_force = pair("force-shear", Dimension::force);
+    shear_at_start = pair("disp-shear", Dimension::length);
+    table = MultiplierTable(s, "slip-table", units, problems);
+    dashpots = {dashpot_normal, dashpot_shear, dashpot_mode};
+    tan_phi = std::tan(phi), tan_phi_residual = std::tan(phi_residual);
+    tan_psi = std::tan(psi), tan_psi_residual = std::tan(psi_residual);
+    if (phi > 0 && !s.child("friction-residual"))
+      problems.warn(s.child("friction")->origin,
+                    "<friction-residual> is not given, so it is 0: this joint is frictionless after its first slip. "
+                    "Give <friction-residual>, the same as <friction> if it does not weaken");
+    if (tension > 0 && tan_phi > 0 && tension * tan_phi > c)
+      problems.warn(s.child("tension")->origin,
+                    "<tension> lies beyond the apex of the shear strength, cohesion/tan(friction): in that tension the "
+                    "joint carries no shear");
+  }
+
+  Joint start(const JointSite& site) const override {
+    Joint j;
+    set_area(j, site, own_area);
+    j.kn = kn, j.ks = ks;
+    j.Fn = normal_stress * j.area + normal_force, j.Fs = j.area * shear_stress + shear_force;
+    j.gap = site.gap, j.opening = opening_at_start, j.shear = shear_at_start;
+    j.state = static_cast<int>(state_at_start);
+    j.slips = j.state & slips_now;
+    j.shear_weak = j.state != 0, j.torn = (j.state & (tears_now | torn_before)) != 0;
+    j.strain = j.start = strain_energy(j);
+    return j;
+  }
+
+  static double strain_energy(const Joint& j) {
+    return spring_energy(j.Fn, j.Fn, j.kn * j.area) + spring_energy(j.Fs.norm(), j.Fs.norm(), j.ks * j.area);
+  }
+
+  /// From 0 at the peak to 1 at the residual strength.
+  double weakening(const Joint& j) const {
+    if (j.torn) return 1.0;
+    if (!table.empty()) return 1 - table.at(j.slip);
+    if (slip_length > 0) return std::min(j.slip / slip_length, 1.0);
+    return j.shear_weak ? 1.0 : 0.0;
+  }
+
+  void step(Joint& j, const JointIncrement& d, std::size_t contact, std::vector<JointEvent>& events) const {
+    const Joint before = j;
+    const double A = j.area, kA = j.kn * A;
+    const bool slid = j.state & slips_now;
+    if (j.state & slips_now) j.state |= slipped;
+    if (j.state & tears_now) j.state |= torn_before;
+    j.state &= ~(slips_now | tears_now);
+    const bool failed = j.state != 0;
+    j.opening += d.normal, j.shear += d.shear, j.gap = d.gap;
+    j.slips = false;
+    const double overlap_gap = d.gap - gap_shift;
+    const auto say_slip = [&] {
+      if (j.slips != slid)
+        events.push_back({JointEvent::Kind::slip_change, contact, 1, j.slips, false, false, 0.0, 0.0});
+    };
+
+    if (failed && overlap_gap - j.rest_gap > 0 && !(tension_residual > 0)) {
+      j.Fn = keep_pressure > 0 ? -A * pressure : 0.0, j.Fs = {};
+      j.dashpot_normal = 0, j.dashpot_shear = {};
+      j.strain = keep_pressure > 0 ? strain_energy(j) : 0.0;
+      j.away = true;
+      add_work(j, before, d);
+      say_slip();
+      return;
+    }
+    // Of faces that come together again only what they overlap presses.
+    const double dn = j.away ? std::max(d.normal, overlap_gap - j.rest_gap) : d.normal;
+    j.away = false;
+
+    const double trial = j.Fn + kA * dn;
+    double N = trial + A * pressure;
+    const double most = A * (failed ? tension_residual : tension);
+    const bool tears = N > most;
+    if (tears) N = most, j.state |= tears_now;
+
+    double dilated = 0.0;
+    if (tears && !(tension_residual > 0)) {
+      j.Fs = {};
+    } else {
+      if (slid)
+        j.slip += d.shear.norm();
+      else if (healing > 0)
+        j.slip = 0, j.shear_weak = j.torn = false;
+      const double w = weakening(j);
+      const double peak = c * A - N * tan_phi, residual = c_residual * A - N * tan_phi_residual;
+      const double limit = std::max(0.0, peak - (peak - residual) * w);
+      Tangent T = j.Fs - (j.ks * A) * d.shear;
+      const double size = T.norm();
+      if (size >= limit && size > 0) T *= limit / size, j.slips = true, j.state |= slips_now;
+      j.Fs = T;
+      if (j.slips && j.shear.norm() < dilation_zero) {
+        dilated = (tan_psi - (tan_psi - tan_psi_residual) * w) * d.shear.norm();
+        N -= kA * dilated;
+      }
+    }
+    if (!failed && j.state != 0) j.rest_gap = overlap_gap - (kA > 0 ? trial / kA : 0.0);
+    j.rest_gap += dilated;
+    if (tears) j.torn = true;
+    if (j.slips || tears) j.shear_weak = true;
+    j.Fn = N - A * pressure;
+
+    j.strain = strain_energy(j);
+    if (j.slips) {
+      Tangent slid_by = d.shear;
+      if (j.ks * A > 0) slid_by += (1 / (j.ks * A)) * (j.Fs - before.Fs);
+      j.slid += 0.5 * (before.Fs + j.Fs).dot(slid_by);
+    }
+    add_work(j, before, d);
+    dashpots.act(j, d);
+    if (!failed && j.state != 0 && (c > 0 || tension > 0))
+      events.push_back({JointEvent::Kind::bond_break, contact, tears ? 1 : 2, false, false, false,
+                        tears ? most / A : before.Fs.norm() / A, before.strain});
+    say_slip();
+  }
+
+  void update(std::span<Joint> joints, std::span<const JointIncrement> increments,
+              std::vector<JointEvent>& events) const override {
+    for (std::size_t k = 0; k < joints.size(); ++k) step(joints[k], increments[k], k, events);
+  }
+
+  std::string state_text(const Joint& j) const override {
+    std::string out;
+    for (const auto& [bit, word] :
+         {std::pair{slips_now, "slip-n"}, {tears_now, "tension-n"}, {slipped, "slip-p"}, {torn_before, "tension-p"}})
+      if (j.state & bit) out += (out.empty() ? "" : " ") + std::string(word);
+    return out;
+  }
+  std::vector<std::string_view> own_names() const override { return {"stress_effective"}; }
+  std::vector<double> own_values(const Joint& j) const override {
+    return {j.area > 0 ? j.Fn / j.area + pressure : 0.0};
+  }
+  double stiffness() const override { return std::max(kn, ks); }
+  double user_area() const override { return own_area; }
+};
+
+}  // namespace
+
+Catalogue<JointLaw>::Item mohr() { return catalogue_item<JointLaw, Mohr, Mohr>({}); }
+
+}  // namespace tribo

@@ -1,0 +1,22 @@
+/// Components in the plane of a contact.
+#pragma once
+
+#include <cmath>
+
+namespace tribo {
+
+/// Along the tangents s and t of a contact; of moments and rotations: about them.
+struct Tangent {
+  double s = 0.0, t = 0.0;
+
+  Tangent& operator+=(const Tangent& o) { return s += o.s, t += o.t, *this; }
+  Tangent& operator-=(const Tangent& o) { return s -= o.s, t -= o.t, *this; }
+  Tangent& operator*=(double f) { return s *= f, t *= f, *this; }
+  friend Tangent operator+(Tangent a, const Tangent& b) { return a += b; }
+  friend Tangent operator-(Tangent a, const Tangent& b) { return a -= b; }
+  friend Tangent operator*(double f, Tangent a) { return a *= f; }
+  double dot(const Tangent& o) const { return s * o.s + t * o.t; }
+  double norm() const { return std::sqrt(dot(*this)); }
+};
+
+}  // namespace tribo
