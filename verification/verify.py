@@ -7,10 +7,14 @@
 A case is a folder with README.md (source, what is compared, why the tolerance) and check.py with `run(case)`.
 """
 
+import concurrent.futures
+import contextlib
 import csv
 import datetime
 import importlib.util
+import io
 import json
+import multiprocessing
 import os
 import pathlib
 import re
@@ -143,6 +147,25 @@ def write_report(store):
     (root / "docs/verification.md").write_text("\n".join(lines))
 
 
+def run_case(name, tribo, quick):
+    """Name, what goes into the report (or why it stopped), and what was printed."""
+    folder = root / "verification" / name
+    spec = importlib.util.spec_from_file_location(name, folder / "check.py")
+    module = importlib.util.module_from_spec(spec)
+    sys.modules["verify"] = sys.modules["__main__"]
+    printed = io.StringIO()
+    with contextlib.redirect_stdout(printed):
+        try:
+            spec.loader.exec_module(module)
+            case = Case(name, tribo, quick)
+            module.run(case)
+        except SystemExit as stop:
+            return name, str(stop.code), printed.getvalue()
+    title = (folder / "README.md").read_text().splitlines()[0].lstrip("# ")
+    entry = dict(title=title, date=datetime.date.today().isoformat(), results=case.results, figures=case.figures, tables=case.tables)
+    return name, entry, printed.getvalue()
+
+
 def main():
     arguments = sys.argv[1:]
     quick = "--quick" in arguments
@@ -152,18 +175,19 @@ def main():
     record = root / "docs/verification.json"
     store = json.loads(record.read_text()) if record.exists() else {}
     store = {name: entry for name, entry in store.items() if (folder / name).exists()}
+    # Cases side by side, each on one processor; what they print stays together.
+    os.environ.setdefault("OMP_NUM_THREADS", "1")
     failed = total = 0
-    for name in names:
-        spec = importlib.util.spec_from_file_location(name, folder / name / "check.py")
-        module = importlib.util.module_from_spec(spec)
-        sys.modules["verify"] = sys.modules["__main__"]
-        spec.loader.exec_module(module)
-        case = Case(name, tribo, quick)
-        module.run(case)
-        failed += sum(not r["passed"] for r in case.results)
-        total += len(case.results)
-        title = (folder / name / "README.md").read_text().splitlines()[0].lstrip("# ")
-        store[name] = dict(title=title, date=datetime.date.today().isoformat(), results=case.results, figures=case.figures, tables=case.tables)
+    with concurrent.futures.ProcessPoolExecutor(os.cpu_count(), multiprocessing.get_context("fork")) as pool:
+        for running in concurrent.futures.as_completed([pool.submit(run_case, name, tribo, quick) for name in names]):
+            name, entry, printed = running.result()
+            print(printed, end="", flush=True)
+            if isinstance(entry, str):
+                sys.exit(entry)
+            failed += sum(not r["passed"] for r in entry["results"])
+            total += len(entry["results"])
+            store[name] = entry
+    store = dict(sorted(store.items()))
     if not quick:
         record.write_text(json.dumps(store, indent=1) + "\n")
         write_report(store)

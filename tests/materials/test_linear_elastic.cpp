@@ -91,7 +91,7 @@ TEST_CASE("linear elastic stress turns with the body through a full circle", "[m
     Mat3 R2 = Mat3::Identity(), R3 = R2;
     for (int n = 0; n < count; ++n) {
       flat.step(W2, 1.0), solid.step(W3, 1.0);
-      R2 = W2.exp() * R2, R3 = W3.exp() * R3;
+      R2 = exponential(W2) * R2, R3 = exponential(W3) * R3;
       if (n % 100 == 0) {
         REQUIRE((flat.stress - R2 * start2 * R2.transpose()).norm() < 1e-12 * start2.norm());
         REQUIRE((solid.stress - R3 * start3 * R3.transpose()).norm() < 1e-12 * start3.norm());
