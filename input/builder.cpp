@@ -19,6 +19,7 @@ Model Builder::build() {
   materials();
   check_cells();
   contact();
+  cracks();
   bodies();
   conditions();
   heat();

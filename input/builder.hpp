@@ -42,6 +42,8 @@ class Builder {
   void number_materials();
   void materials();
   void contact();
+  void cracks();
+  CrackSpec crack(const Statement& s);
   void pair_laws();
   void shared_fields();
   void liquid_of(const MaterialSpec& law);

@@ -16,7 +16,7 @@ inline const std::vector<std::string> common_properties{"PDamping", "largeRotati
 inline const std::vector<std::string> rigid_properties{"SetDirection", "SettingFunction", "SettingFunction2",
                                                        "SettingFunction3", "mirrored"};
 
-/// Of cracks, which are not built.
+/// Of the growth of cracks, which is not built.
 inline const std::vector<std::string> fracture_properties{
     "KIc",      "KIIc",  "JIc",       "JIIc",  "KIexp", "KIIexp",      "delIc",     "delIIc",       "nmix",
     "initTime", "speed", "maxLength", "xGrow", "yGrow", "constantTip", "Propagate", "AltPropagate", "allowsCracks"};
@@ -24,7 +24,7 @@ inline bool of_cracks(const std::string& name) {
   return std::find(fracture_properties.begin(), fracture_properties.end(), name) != fracture_properties.end();
 }
 inline std::string why_not(const std::string& fracture_property) {
-  return "<" + fracture_property + "> belongs to cracks, which are not built";
+  return "<" + fracture_property + "> belongs to the growth of cracks, which is not built";
 }
 
 /// Whether some material takes this, whatever its law.

@@ -494,6 +494,57 @@ std::vector<ElementSpec> make() {
        T::number,
        {},
        true});
+  add({"Cracks", "MPMHeader", "what holds for all cracks", T::none, {}, true});
+  add({"Friction", "Cracks",
+       "law between the faces of cracks that have none of their own; a number as in MultiMaterialMode (absent: "
+       "frictionless)",
+       T::number, law, true});
+  const std::vector<AttributeSpec> tips{
+      {"start_tip", T::integer, "tip at the start: number of the material there, -1 none, -2 outside of the body"},
+      {"end_tip", T::integer, "the same at the end"}};
+  add({"CrackList", "JANFEAInput",
+       "a crack: a line of points and lines in their order, or surfaces in three dimensions", T::none,
+       std::vector<AttributeSpec>{{"type", T::choice, "accepted", "fixed free"},
+                                  text("law", "number of the law between its faces"),
+                                  text("lawname", "or its name"),
+                                  number("friction", "old style: friction coefficient of the faces")}});
+  add({"pt",
+       "CrackList",
+       "the next point of the line",
+       T::none,
+       {number("x", "", true), number("y", "", true), {"tip", T::integer, "as start_tip of Line"}, units(lengths)}});
+  add({"Line", "CrackList", "points along a line, from the last point if that lies elsewhere", T::none,
+       std::vector<AttributeSpec>{{"xmin", T::coordinate, "start", {}, true},
+                                  {"ymin", T::coordinate, "start", {}, true},
+                                  {"xmax", T::coordinate, "end", {}, true},
+                                  {"ymax", T::coordinate, "end", {}, true},
+                                  {"resolution", T::integer, "number of pieces (default: two per cell)"},
+                                  units(lengths)} +
+           tips});
+  add({"Circle", "CrackList", "points along an arc of an ellipse", T::none,
+       std::vector<AttributeSpec>{{"xmin", T::coordinate, "edge of the ellipse's box", {}, true},
+                                  {"ymin", T::coordinate, "edge", {}, true},
+                                  {"xmax", T::coordinate, "edge", {}, true},
+                                  {"ymax", T::coordinate, "edge", {}, true},
+                                  number("start_angle", "from x [degrees] (default 0)"),
+                                  number("end_angle", "[degrees] (default 360)"),
+                                  {"resolution", T::integer, "number of pieces (default: two per cell)"},
+                                  units(lengths)} +
+           tips});
+  add({"Quad",
+       "CrackList",
+       "a parallelogram of triangles in three dimensions: a corner and its two neighbours",
+       T::none,
+       {number("x1", "corner", true), number("y1", "", true), number("z1", "", true), number("x2", "neighbour", true),
+        number("y2", "", true), number("z2", "", true), number("x3", "other neighbour", true), number("y3", "", true),
+        number("z3", "", true), units(lengths)}});
+  add({"Disc",
+       "CrackList",
+       "a circle of triangles in three dimensions",
+       T::none,
+       {number("x", "centre", true), number("y", "", true), number("z", "", true), number("radius", "", true),
+        number("nx", "normal, to the upper face (default 0)"), number("ny", "(default 0)"), number("nz", "(default 1)"),
+        units(lengths)}});
   add({"shareMatField", "Material", "number of a material whose velocity field this one shares", T::integer, {}, true});
 
   // Conditions on the grid
@@ -582,10 +633,13 @@ const std::vector<ElementSpec>& dialect() {
 
 const std::vector<RefusedName>& refused_names() {
   static const std::vector<RefusedName> all{
-      {"Cracks", "cracks are not built"},
-      {"CrackList", "cracks are not built"},
-      {"CrackContactHeating", "cracks are not built"},
-      {"CrackTipHeating", "cracks are not built"},
+      {"CrackContactHeating", "heat of cracks is not built"},
+      {"CrackTipHeating", "heat of cracks is not built"},
+      {"JContour", "J integrals and stress intensities of cracks are not built"},
+      {"Propagate", "growth of cracks is not built"},
+      {"AltPropagate", "growth of cracks is not built"},
+      {"PropagateLength", "growth of cracks is not built"},
+      {"MovePlane", "cracks always move with the mean of their two faces"},
       {"ConcBC", "diffusion is not built"},
       {"Diffusion", "diffusion is not built"},
       {"Poroelasticity", "pore pressure is not built"},

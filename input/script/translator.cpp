@@ -126,9 +126,9 @@ void Translator::refused(const Command& c) {
   static constexpr Refused all[] = {
       {"newcrack growcrack growcrackline growcrackarc crackthickness cracktractionprop propagate altpropagate "
        "propagatelength jcontour moveplane contactcracks contactpositioncracks crackinterface",
-       "cracks are not built"},
+       "cracks are read from XML only; give them by XMLData \"CrackList\""},
       {"friction imperfectinterface",
-       "it sets the contact of cracks, which are not built; for materials use ContactMM"},
+       "it sets the contact of cracks, which are read from XML only; for materials use ContactMM"},
       {"diffusion concentration concentrationflux", "diffusion is not built"},
       {"poroelasticity porepressure porepressureflux", "pore pressure is not built"},
       {"damage phasefield", "damage that is given at the start is not built"},

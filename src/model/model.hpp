@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <optional>
@@ -82,6 +83,14 @@ struct ContactSpec {
     const auto found = pair_laws.find({std::min(a, b), std::max(a, b)});
     return (found == pair_laws.end() ? default_law : found->second).get();
   }
+};
+
+/// A crack as the user drew it: straight pieces in two dimensions, triangles in three.
+struct CrackSpec {
+  std::vector<Vec3> points;
+  std::vector<std::array<std::uint32_t, 3>> pieces;  ///< corners; in two dimensions the first two count
+  std::shared_ptr<const ContactLaw> law;             ///< between its faces; null: they do not see each other
+  Origin origin;
 };
 
 /// Temperatures: where they come from, and what changes them.
@@ -284,6 +293,7 @@ struct Model {
   StrengthReduction strength_reduction;
   Damping damping;
   ContactSpec contact;
+  std::vector<CrackSpec> cracks;
   HeatSpec heat;
   OutputSpec output;
   /// Particles that leave the grid: unset stops the run; otherwise this many may be pushed back before it stops.

@@ -74,16 +74,44 @@ void write(const std::filesystem::path& path, Data* data) {
 
 }  // namespace
 
-void write_particles(const std::filesystem::path& path, std::size_t count, const std::array<const double*, 3>& position,
-                     std::span<const OutputField> fields, double time) {
+namespace {
+
+void set_points(vtkPolyData* data, std::size_t count, const std::array<const double*, 3>& position) {
   const auto n = static_cast<vtkIdType>(count);
-  vtkNew<vtkPolyData> data;
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   points->SetNumberOfPoints(n);
   for (vtkIdType i = 0; i < n; ++i)
     points->SetPoint(i, position[0][i], position[1] ? position[1][i] : 0.0, position[2] ? position[2][i] : 0.0);
   data->SetPoints(points);
+}
+
+}  // namespace
+
+void write_surface(const std::filesystem::path& path, std::size_t count, const std::array<const double*, 3>& position,
+                   std::span<const std::uint32_t> cells, std::size_t corners, std::span<const OutputField> fields,
+                   double time) {
+  vtkNew<vtkPolyData> data;
+  set_points(data, count, position);
+  vtkNew<vtkCellArray> list;
+  for (std::size_t at = 0; at < cells.size(); at += corners) {
+    list->InsertNextCell(static_cast<int>(corners));
+    for (std::size_t k = 0; k < corners; ++k) list->InsertCellPoint(static_cast<vtkIdType>(cells[at + k]));
+  }
+  if (corners == 2)
+    data->SetLines(list);
+  else
+    data->SetPolys(list);
+  add_fields(data->GetPointData(), count, fields);
+  add_time(data, time);
+  write<vtkXMLPolyDataWriter>(path, data.Get());
+}
+
+void write_particles(const std::filesystem::path& path, std::size_t count, const std::array<const double*, 3>& position,
+                     std::span<const OutputField> fields, double time) {
+  const auto n = static_cast<vtkIdType>(count);
+  vtkNew<vtkPolyData> data;
+  set_points(data, count, position);
   vtkNew<vtkCellArray> vertices;
   vertices->AllocateExact(n, n);
   for (vtkIdType i = 0; i < n; ++i) vertices->InsertNextCell(1, &i);

@@ -24,6 +24,11 @@ struct OutputField {
 void write_particles(const std::filesystem::path& path, std::size_t count, const std::array<const double*, 3>& position,
                      std::span<const OutputField> fields, double time);
 
+/// Writes points joined by cells of `corners` points each, lines (2) or triangles (3), as a .vtp. Throws FileError.
+void write_surface(const std::filesystem::path& path, std::size_t count, const std::array<const double*, 3>& position,
+                   std::span<const std::uint32_t> cells, std::size_t corners, std::span<const OutputField> fields,
+                   double time);
+
 /// Writes nodal fields of a regular lattice as a .vti; x runs fastest. Throws FileError.
 void write_grid(const std::filesystem::path& path, const std::array<double, 3>& origin,
                 const std::array<double, 3>& spacing, const std::array<int, 3>& nodes,

@@ -10,6 +10,20 @@ void each_body(System<Dim>& system, F&& f) {
     for (auto& body : *bodies) f(body, "body" + std::to_string(k++) + ".");
 }
 
+// Calls f(name, numbers) for all that is kept of a crack; what f writes into the numbers goes back.
+template <int Dim, class F>
+void each_column(Crack<Dim>& crack, F&& f) {
+  const auto vectors = [&](const char* name, std::vector<Vec<Dim>>& of) {
+    std::vector<double> flat;
+    for (const auto& v : of) flat.insert(flat.end(), v.data(), v.data() + Dim);
+    f(name, flat);
+    for (std::size_t k = 0; k < of.size(); ++k) std::copy_n(flat.data() + k * Dim, Dim, of[k].data());
+  };
+  vectors("x", crack.x), vectors("lower", crack.face[0]), vectors("upper", crack.face[1]);
+  vectors("traction", crack.traction);
+  f("gap", crack.gap), f("slip", crack.slip), f("bond", crack.bond), f("touch", crack.touch);
+}
+
 }  // namespace
 
 template <int Dim>
@@ -35,6 +49,10 @@ CheckpointWriter save_state(const RunState& state, System<Dim>& system, Stepper<
                                entry.impact, entry.interface, entry.stored});
   out.put("contact", std::span<const double>(pairs));
   out.put("heat", std::array{stepper.heat().supplied, stepper.heat().from_contact, stepper.heat().waited});
+  for (std::size_t c = 0; c < system.cracks.size(); ++c)
+    each_column(system.cracks[c], [&](const char* name, std::vector<double>& column) {
+      out.put("crack" + std::to_string(c) + "." + name, std::span<const double>(column));
+    });
   each_body(system, [&](Body<Dim>& body, const std::string& prefix) {
     out.put(prefix + "id", std::span<const std::int64_t>(body.particles.id));
     std::vector<std::int64_t> bins;
@@ -78,6 +96,12 @@ RunState load_state(const Checkpoint& checkpoint, System<Dim>& system, Stepper<D
   const auto heat = checkpoint.doubles("heat");
   stepper.heat().supplied = heat.at(0), stepper.heat().from_contact = heat.at(1);
   stepper.heat().waited = heat.at(2);
+  for (std::size_t c = 0; c < system.cracks.size(); ++c)
+    each_column(system.cracks[c], [&](const char* name, std::vector<double>& column) {
+      const auto values = checkpoint.doubles("crack" + std::to_string(c) + "." + name);
+      if (values.size() != column.size()) mismatch();
+      column = values;
+    });
   each_body(system, [&](Body<Dim>& body, const std::string& prefix) {
     const auto ids = checkpoint.integers(prefix + "id");
     if (ids.size() != body.particles.size()) mismatch();

@@ -35,7 +35,8 @@ Results<Dim>::Results(const Model& model, System<Dim>& system, Stepper<Dim>& ste
       tracers_(model, system),
       folder_(std::move(folder)),
       particles_(folder_ / "run.pvd"),
-      grid_(folder_ / "grid.pvd") {
+      grid_(folder_ / "grid.pvd"),
+      cracks_(folder_ / "cracks.pvd") {
   std::vector<std::string> columns{"time"};
   for (const auto& q : model.output.history) columns.push_back(q.column);
   if (!resume_time) {
@@ -47,6 +48,7 @@ Results<Dim>::Results(const Model& model, System<Dim>& system, Stepper<Dim>& ste
   energy_.emplace(History::resume(folder_ / "energy.csv", energy_columns(model.heat.kept), *resume_time));
   particles_.resume(*resume_time);
   if (!model.output.grid_fields.empty()) grid_.resume(*resume_time);
+  if (!system.cracks.empty()) cracks_.resume(*resume_time);
 }
 
 template <int Dim>
@@ -61,6 +63,7 @@ void Results<Dim>::write_particles(std::int64_t number) {
   tribo::write_particles(folder_ / file, all.count(), all.positions(), all.fields(), system_.time);
   particles_.add(system_.time, file);
   if (!model_.output.grid_fields.empty()) write_grid(number);
+  if (!system_.cracks.empty()) write_cracks(number);
 }
 
 template <int Dim>
@@ -101,6 +104,45 @@ void Results<Dim>::write_grid(std::int64_t number) {
   const std::string file = "grid/" + numbered("run", number, ".vti");
   tribo::write_grid(folder_ / file, origin, spacing, nodes, fields, system_.time);
   grid_.add(system_.time, file);
+}
+
+// All cracks in one file: points halfway between the faces.
+template <int Dim>
+void Results<Dim>::write_cracks(std::int64_t number) {
+  std::vector<std::uint32_t> cells;
+  std::vector<std::int64_t> which;
+  std::array<std::vector<double>, 3> x, opening, traction;
+  std::vector<double> gap, slip, state;
+  for (std::size_t c = 0; c < system_.cracks.size(); ++c) {
+    const Crack<Dim>& crack = system_.cracks[c];
+    const auto first = static_cast<std::uint32_t>(which.size());
+    for (const auto& piece : crack.pieces)
+      for (const auto point : piece) cells.push_back(first + point);
+    const auto normals = crack.normals();
+    for (std::size_t k = 0; k < crack.x.size(); ++k) {
+      which.push_back(static_cast<std::int64_t>(c) + 1);
+      for (std::size_t d = 0; d < 3; ++d) {
+        const auto axis = static_cast<Eigen::Index>(d);
+        x[d].push_back(d < Dim ? crack.x[k][axis] : 0.0);
+        opening[d].push_back(d < Dim ? crack.opening(k)[axis] : 0.0);
+        traction[d].push_back(d < Dim ? crack.traction[k][axis] : 0.0);
+      }
+      const Vec<Dim> apart = crack.opening(k);
+      gap.push_back(crack.gap[k]);
+      slip.push_back((apart - apart.dot(normals[k]) * normals[k]).norm());
+      state.push_back(crack.touch[k]);
+    }
+  }
+  const auto vector = [](const char* name, const std::array<std::vector<double>, 3>& v) {
+    return OutputField{name, {v[0].data(), v[1].data(), v[2].data()}, nullptr};
+  };
+  const std::vector<OutputField> fields{{"crack", {}, which.data()},        vector("opening", opening),
+                                        {"gap", {gap.data()}, nullptr},     {"slip", {slip.data()}, nullptr},
+                                        {"state", {state.data()}, nullptr}, vector("traction", traction)};
+  const std::string file = "cracks/" + numbered("run", number, ".vtp");
+  tribo::write_surface(folder_ / file, which.size(), {x[0].data(), x[1].data(), x[2].data()}, cells, Dim, fields,
+                       system_.time);
+  cracks_.add(system_.time, file);
 }
 
 template <int Dim>

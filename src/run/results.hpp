@@ -42,13 +42,14 @@ class Results {
   PairLedger contact_of(const HistoryQuantity& q) const;
   Ledgers ledgers(const Measures& all) const;
   void write_grid(std::int64_t number);
+  void write_cracks(std::int64_t number);
 
   const Model& model_;
   System<Dim>& system_;
   Stepper<Dim>& stepper_;
   Tracers<Dim> tracers_;
   std::filesystem::path folder_;
-  Collection particles_, grid_;
+  Collection particles_, grid_, cracks_;
   std::optional<History> history_, energy_;
 };
 

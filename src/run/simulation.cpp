@@ -282,9 +282,11 @@ void prepare_folder(const RunOptions& options) {
   std::error_code error;
   std::filesystem::remove_all(folder / "particles", error);
   std::filesystem::remove_all(folder / "grid", error);
-  for (const char* file : {"run.pvd", "grid.pvd", "history.csv", "energy.csv", "checkpoint.bin", "provenance.json"})
+  std::filesystem::remove_all(folder / "cracks", error);
+  for (const char* file :
+       {"run.pvd", "grid.pvd", "cracks.pvd", "history.csv", "energy.csv", "checkpoint.bin", "provenance.json"})
     std::filesystem::remove(folder / file, error);
-  for (const char* part : {"particles", "grid"}) {
+  for (const char* part : {"particles", "grid", "cracks"}) {
     std::filesystem::create_directories(folder / part, error);
     if (error) throw FileError("cannot create '" + (folder / part).string() + "': " + error.message());
   }

@@ -26,8 +26,7 @@ void BBar<Dim>::average_rates(Gather& what, NodeLayer Field<Dim>::*layer) {
   rate.from_start = what.from_start;
   rate.axisymmetric = what.axisymmetric;
   for (auto& body : system_.bodies) {
-    auto& field = system_.fields[body.field];
-    transfers_.gather(body, field.map, field.*layer, rate);
+    transfers_.gather(body, Target<Dim>(body, system_.fields, layer), rate);
     average(body, what.from_start);
   }
 }
@@ -54,7 +53,7 @@ template <int Dim>
 void BBar<Dim>::average(Body<Dim>& body, bool from_start) {
   auto& field = system_.fields[body.field];
   zero(field.cells);
-  cells_->scatter(body, field.map, field.cells, Scatter::volumetric, from_start, false);
+  cells_->scatter(body, Target<Dim>(field.map, field.cells), Scatter::volumetric, from_start, false);
   conditions_[body.field].fold(field.cells, Fold::cells);
   each_node(field.cells, [](Node& cell) {
     if (cell.mass > 0) cell.velocity[0] /= cell.mass;
@@ -63,7 +62,7 @@ void BBar<Dim>::average(Body<Dim>& body, bool from_start) {
   Gather mean;
   mean.volumetric = true;
   mean.from_start = from_start;
-  cells_->gather(body, field.map, field.cells, mean);
+  cells_->gather(body, Target<Dim>(field.map, field.cells), mean);
 }
 
 template class BBar<2>;

@@ -140,6 +140,38 @@ Body<Dim> make_body(const Model& model, int material, const std::vector<const Se
   return body;
 }
 
+template <int Dim>
+void add_cracks(const Model& model, System<Dim>& system) {
+  for (const CrackSpec& spec : model.cracks) {
+    Crack<Dim> crack;
+    crack.law = spec.law.get();
+    for (const Vec3& x : spec.points) crack.x.push_back(x.template head<Dim>());
+    crack.face.fill(crack.x);
+    for (const auto& piece : spec.pieces) {
+      typename Crack<Dim>::Piece corners;
+      std::copy_n(piece.begin(), corners.size(), corners.begin());
+      crack.pieces.push_back(corners);
+    }
+    crack.slip.assign(crack.x.size(), 0.0), crack.touch = crack.gap = crack.slip;
+    // faces that touch at the start are bonded if their law bonds
+    crack.bond.assign(crack.x.size(), crack.law && crack.law->remembers() ? 1.0 : 0.0);
+    crack.traction.assign(crack.x.size(), Vec<Dim>::Zero());
+    system.cracks.push_back(std::move(crack));
+  }
+  for (std::size_t f = 0; f < system.fields.size(); ++f) system.fields[f].home = f;
+  if (system.cracks.empty()) return;
+  const std::size_t homes = system.fields.size(), sides = system.cracks.size() == 1 ? 1 : 3;
+  for (std::size_t home = 0; home < homes; ++home) {
+    if (system.fields[home].rigid_contact) continue;
+    for (std::size_t side = 1; side <= sides; ++side) {
+      for (auto& body : system.bodies)
+        if (body.field == home) body.across[side - 1] = system.fields.size();
+      system.fields.emplace_back(system.lattice);
+      system.fields.back().home = home, system.fields.back().side = static_cast<int>(side);
+    }
+  }
+}
+
 // One field for all, or with contact one per material (or group of materials that share).
 template <int Dim>
 void assign_fields(const Model& model, System<Dim>& system) {
@@ -197,6 +229,7 @@ System<Dim> build_system(const Model& model, const std::vector<Seed>& seeds) {
     (body.law->rigid() ? system.rigids : system.bodies).push_back(std::move(body));
   }
   assign_fields(model, system);
+  add_cracks(model, system);
   if (system.bodies.empty())
     throw InputError(Origin{}, "the model has no deformable particle; give a <Body> with a material");
   const auto& periodic = model.grid.periodic;

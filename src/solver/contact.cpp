@@ -15,16 +15,17 @@ double reach_of(Kernel kernel) {
 
 }  // namespace
 template <int Dim>
-Contact<Dim>::Contact(const Model& model, System<Dim>& system, const Transfers<Dim>& transfers)
+Contact<Dim>::Contact(const Model& model, System<Dim>& system, const Transfers<Dim>& transfers, Cracks<Dim>& cracks)
     : model_(model),
       system_(system),
       transfers_(transfers),
+      cracks_(cracks),
       field_count_(system.fields.size()),
       cloud_(system.lattice, reach_of(model.scheme.kernel) * system.lattice.spacing.maxCoeff()),
       face_impulses_(system),
       h_(system.lattice.spacing.maxCoeff()) {
   const std::size_t n = field_count_;
-  active_ = model.contact.active && n > 1;
+  active_ = n > 1;
   if (!active_) return;
   const Transfer transfer = model.scheme.transfer;
   keeps_start_ = transfer == Transfer::flip || transfer == Transfer::blend || transfer == Transfer::xpic;
@@ -111,20 +112,50 @@ void Contact<Dim>::list_nodes(std::vector<Conditions<Dim>>& conditions) {
       const ContactMember& first = members_[node.first_member];
       node.mirrored = conditions[first.field].mirrored(node.index);
       node.share = conditions[first.field].share(first.at);
-      for (std::size_t a = node.first_member; a < node.end_member; ++a)
-        for (std::size_t b = a + 1; b < node.end_member; ++b) {
-          if (members_[a].inverse_mass + members_[b].inverse_mass == 0.0) continue;
-          ContactPair pair;
-          pair.a = a, pair.b = b;
-          pair.law = law_of(members_[a].field, members_[b].field);
-          pair.meeting.mass = 1.0 / (members_[a].inverse_mass + members_[b].inverse_mass);
-          pairs_.push_back(pair);
-        }
-      node.end_pair = pairs_.size();
+      list_pairs(node);
       record_[s * block_nodes<Dim> + static_cast<std::size_t>(local)] = static_cast<int>(nodes_.size());
       nodes_.push_back(node);
     }
   }
+}
+
+// Bodies on the same side of all cracks meet by the law of their materials, fields on the two sides of one crack by
+// its.
+template <int Dim>
+void Contact<Dim>::list_pairs(MeetingNode& node) {
+  for (std::size_t a = node.first_member; a < node.end_member; ++a)
+    for (std::size_t b = a + 1; b < node.end_member; ++b) {
+      const ContactMember &of_a = members_[a], &of_b = members_[b];
+      const int between = system_.fields[of_a.field].side ^ system_.fields[of_b.field].side;
+      if (of_a.inverse_mass + of_b.inverse_mass == 0.0 || between == 3) continue;
+      ContactPair pair;
+      pair.a = a, pair.b = b;
+      pair.meeting.mass = 1.0 / (of_a.inverse_mass + of_b.inverse_mass);
+      if (between == 0)
+        pair.law = law_of(of_a.field, of_b.field), node.bodies = true;
+      else
+        pair.crack = 0;  // meet_cracks() finds out which
+      pairs_.push_back(pair);
+    }
+  node.end_pair = pairs_.size();
+}
+
+template <int Dim>
+void Contact<Dim>::meet_cracks() {
+  if (!cracks_.active()) return;
+  cracks_.weigh();
+  parallel_for(static_cast<std::ptrdiff_t>(nodes_.size()), [&](std::ptrdiff_t k) {
+    const MeetingNode& node = nodes_[static_cast<std::size_t>(k)];
+    for (ContactPair& pair : pairs_of(node)) {
+      if (pair.crack < 0) continue;
+      const auto side = [&](std::size_t member) { return system_.fields[members_[member].field].side; };
+      pair.apart = !cracks_.meet(pair, node.index, side(pair.a), side(pair.b));
+      for (int d = 0; d < Dim; ++d)
+        if (node.mirrored >> d & 1) pair.meeting.normal[d] = 0.0;
+      pair.apart = pair.apart || !(pair.meeting.normal.norm() > 1e-6);
+      if (!pair.apart) pair.meeting.normal.normalize();
+    }
+  });
 }
 
 // Volume, and its gradient in place of the force, of the bodies near meeting nodes: sum_p V_p grad w_Ip is the
@@ -134,6 +165,7 @@ void Contact<Dim>::scatter_volumes(std::vector<Conditions<Dim>>& conditions) {
   std::fill(near_.begin(), near_.end(), 0);
   const auto& lattice = system_.lattice;
   for (const auto& node : nodes_) {
+    if (!node.bodies) continue;
     // A stencil that reaches the node begins at most three nodes below it; one more for drift.
     Index<Dim> low, high;
     for (std::size_t d = 0; d < Dim; ++d) {
@@ -154,8 +186,7 @@ void Contact<Dim>::scatter_volumes(std::vector<Conditions<Dim>>& conditions) {
     std::fill(field.volumes.begin(), field.volumes.end(), Node{});
   }
   for (auto* body : bodies_) {
-    auto& field = system_.fields[body->field];
-    transfers_.scatter(*body, field.map, field.volumes, Scatter::volume, false,
+    transfers_.scatter(*body, Target<Dim>(*body, system_.fields, &Field<Dim>::volumes), Scatter::volume, false,
                        system_.analysis == Analysis::axisymmetric, &near_);
   }
   for (std::size_t f = 0; f < field_count_; ++f) conditions[f].fold(system_.fields[f].volumes);

@@ -5,6 +5,7 @@
 #include "contact/contact_law.hpp"
 #include "solver/conditions.hpp"
 #include "solver/contact_cloud.hpp"
+#include "solver/cracks.hpp"
 #include "solver/face_impulses.hpp"
 #include "solver/faces.hpp"
 #include "solver/pair_impulses.hpp"
@@ -33,7 +34,7 @@ class Contact {
     update  ///< after the momentum update: the impulse of the step
   };
 
-  Contact(const Model& model, System<Dim>& system, const Transfers<Dim>& transfers);
+  Contact(const Model& model, System<Dim>& system, const Transfers<Dim>& transfers, Cracks<Dim>& cracks);
 
   /// False with a single field: there is nothing to do.
   bool active() const { return active_; }
@@ -64,7 +65,7 @@ class Contact {
   /// Books the impulses of the update, and lets the particles remember.
   void book(double dt);
 
-  /// By numbers of fields, smaller first.
+  /// By numbers of fields, smaller first; what acts between the faces of cracks under numbers beyond.
   const std::map<std::pair<std::size_t, std::size_t>, PairLedger>& ledger() const { return ledger_; }
   std::map<std::pair<std::size_t, std::size_t>, PairLedger>& ledger() { return ledger_; }
   /// Calls f(pair, side a, side b, share of sums over nodes) for the pairs whose faces touch: a force acted in the last
@@ -98,6 +99,7 @@ class Contact {
     int mirrored;           // bits: axes of symmetry planes through the node
     bool by_faces = false;  // solved by face_impulses_
     bool stale = true;      // its faces must be found
+    bool bodies = false;    // some pair is of bodies, not of the faces of a crack
     std::int64_t number;    // among the nodes of shared blocks
   };
   struct SharedBlock {
@@ -145,12 +147,21 @@ class Contact {
   // Particles this far beyond the band may come into it before that [cells].
   static constexpr double most_beside = 0.2;
 
-  const ContactLaw* law_of(std::size_t a, std::size_t b) const { return laws_[a * field_count_ + b]; }
+  const ContactLaw* law_of(std::size_t a, std::size_t b) const {
+    return laws_[system_.fields[a].home * field_count_ + system_.fields[b].home];
+  }
   // contact.cpp
   void list_nodes(std::vector<Conditions<Dim>>& conditions);
+  void list_pairs(MeetingNode& node);
+  void meet_cracks();
   void scatter_volumes(std::vector<Conditions<Dim>>& conditions);
   std::span<ContactPair> pairs_of(const MeetingNode& node) {
     return {pairs_.data() + node.first_pair, node.end_pair - node.first_pair};
+  }
+
+  std::pair<std::size_t, std::size_t> ledger_key(const ContactPair& pair) const {
+    if (pair.crack >= 0) return {field_count_ + static_cast<std::size_t>(pair.crack), field_count_};
+    return {system_.fields[members_[pair.a].field].home, system_.fields[members_[pair.b].field].home};
   }
 
   // contact_kept.cpp
@@ -199,6 +210,7 @@ class Contact {
   const Model& model_;
   System<Dim>& system_;
   const Transfers<Dim>& transfers_;
+  Cracks<Dim>& cracks_;
   bool active_ = false, keeps_start_ = false, remembers_ = false, interfaces_ = false;
   bool needs_areas_ = false;  ///< or gradients, whenever faces are found
   std::size_t field_count_ = 0;

@@ -11,7 +11,7 @@ void Contact<Dim>::face(const MeetingNode& node, ContactPair& pair, Faces& kept,
   kept.node = node.number, kept.a = members_[pair.a].field, kept.b = members_[pair.b].field;
   kept.count = {};
   kept.apart = false;
-  if (!pair.law->looks_at_faces()) return;
+  if (pair.crack >= 0 || !pair.law->looks_at_faces()) return;
   const ContactMember &a = members_[pair.a], &b = members_[pair.b];
   look_around(node, s, a, b);
   auto n = chosen_normal(node, s, a, b);

@@ -38,7 +38,7 @@ void Contact<Dim>::each_pair_near(const CloudPoint<Dim>& p, std::size_t field, F
     const MeetingNode& node = nodes_[static_cast<std::size_t>(r)];
     for (std::size_t q = node.first_pair; q < node.end_pair; ++q) {
       const ContactPair& pair = pairs_[q];
-      if (pair.apart) continue;
+      if (pair.apart || pair.crack >= 0) continue;
       // Nodes on both sides of a face share its tractions: only the distance along it counts.
       const Vec<Dim> normal = pair.meeting.normal.template head<Dim>();
       const double w = weight(distance - distance.dot(normal) * normal);
@@ -79,7 +79,7 @@ void Contact<Dim>::show() {
     if (body->contact_view)
       for (std::size_t k = 0; k < 1 + 2 * Dim; ++k)
         std::fill_n(body->particles.column(*body->contact_view + k), body->particles.size(), 0.0);
-  for (MeetingNode& node : nodes_) node.stale = true;
+  for (MeetingNode& node : nodes_) node.stale = node.bodies;
   collect();
   for (std::size_t k = 0; k < cloud_.size(); ++k) {
     const CloudLabel& label = cloud_.label(k);
@@ -180,13 +180,15 @@ void Contact<Dim>::book(double dt) {
   if (!active_) return;
   const auto lap = watch.lap();
   for (auto& [fields, entry] : ledger_) entry.force.setZero(), entry.stored = entry.area = 0.0;
+  if (cracks_.active()) cracks_.begin_memory();
   for (const auto& node : nodes_)
     for (std::size_t p = node.first_pair; p < node.end_pair; ++p) {
       ContactPair& pair = pairs_[p];
+      if (pair.crack >= 0 && !pair.apart) cracks_.remember(pair, node.index);
       pair.booked = pair.impulse, pair.shown = pair.answer.touch, pair.friction = 0.0;
       if (pair.answer.touch == Touch::open) continue;
       const ContactMember &a = members_[pair.a], &b = members_[pair.b];
-      auto& entry = ledger_[{a.field, b.field}];
+      auto& entry = ledger_[ledger_key(pair)];
       entry.force += node.share / dt * pair.impulse;
       entry.stored += node.share * pair.answer.stored;
       entry.area += node.share * pair.meeting.area;
@@ -211,6 +213,7 @@ void Contact<Dim>::book(double dt) {
         rigid_impulse += impulse;
       }
     }
+  if (cracks_.active()) cracks_.end_memory();
   if (remembers_) remember();
 }
 

@@ -28,6 +28,7 @@ void Contact<Dim>::find(std::vector<Conditions<Dim>>& conditions) {
   if (!active_) return;
   const auto lap = watch.lap();
   list_nodes(conditions);
+  meet_cracks();
   const bool kept = keeps_faces_ && kept_steps_ > 0 && !worn() && reuse_faces();
   const auto stale = std::count_if(nodes_.begin(), nodes_.end(), [](const MeetingNode& node) { return node.stale; });
   if (!kept || 2 * static_cast<std::size_t>(stale) > nodes_.size())
@@ -43,14 +44,15 @@ template <int Dim>
 void Contact<Dim>::find_faces(std::vector<Conditions<Dim>>& conditions, bool all) {
   if (all) {
     moved_ = 0.0, kept_steps_ = 0;
-    for (MeetingNode& node : nodes_) node.stale = true;
+    for (MeetingNode& node : nodes_) node.stale = node.bodies;
     faces_.resize(pairs_.size());
     face_of_.resize(pairs_.size());
     std::iota(face_of_.begin(), face_of_.end(), std::size_t{0});
     kept_.clear();
   }
   collect();
-  if (all || needs_areas_) scatter_volumes(conditions);
+  const bool bodies = std::any_of(nodes_.begin(), nodes_.end(), [](const MeetingNode& node) { return node.bodies; });
+  if (bodies && (all || needs_areas_)) scatter_volumes(conditions);
   parallel_for(static_cast<std::ptrdiff_t>(nodes_.size()), [&](std::ptrdiff_t k) {
     const MeetingNode& node = nodes_[static_cast<std::size_t>(k)];
     if (!node.stale) return;
@@ -110,6 +112,7 @@ bool Contact<Dim>::reuse_faces() {
 // Gives a pair the faces found before, with the gap of now; false if they no longer serve.
 template <int Dim>
 bool Contact<Dim>::reuse(const MeetingNode& node, ContactPair& pair, const Faces& face) const {
+  if (pair.crack >= 0) return true;
   pair.apart = face.apart;
   if (!pair.law->looks_at_faces()) return true;
   // All faces of a kind become old at the same time: it takes one search for all.
@@ -202,7 +205,9 @@ template <int Dim>
 void Contact<Dim>::gather_faces() {
   if (!model_.contact.at_faces) return;
   face_impulses_.clear();
-  const auto has_face = [](const ContactPair& pair) { return !pair.apart && pair.law->looks_at_faces(); };
+  const auto has_face = [](const ContactPair& pair) {
+    return !pair.apart && pair.crack < 0 && pair.law->looks_at_faces();
+  };
   for (MeetingNode& node : nodes_) {
     const auto pairs = pairs_of(node);
     node.by_faces = std::any_of(pairs.begin(), pairs.end(), has_face);

@@ -58,11 +58,13 @@ void Stepper<Dim>::filter(double dt, bool from_start) {
     each_field([&](std::size_t f, Field<Dim>& field) {
       conditions_[f].extend(field.filter);
       each(field, [](const Node&, Node&, Node& increment) { increment = Node{}; });
-      for (auto& body : system_.bodies) {
-        if (body.field != f) continue;
-        transfers_->gather(body, field.map, field.filter, value);
-        transfers_->scatter(body, field.map, field.increment, Scatter::filtered, from_start, false);
-      }
+    });
+    for (auto& body : system_.bodies) {
+      transfers_->gather(body, Target<Dim>(body, system_.fields, &Field<Dim>::filter), value);
+      transfers_->scatter(body, Target<Dim>(body, system_.fields, &Field<Dim>::increment), Scatter::filtered,
+                          from_start, false);
+    }
+    each_field([&](std::size_t f, Field<Dim>& field) {
       conditions_[f].fold(field.increment);
       each(field, [](const Node& node, Node& filtered, const Node& increment) {
         if (!(node.mass > 0)) return;

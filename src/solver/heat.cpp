@@ -59,8 +59,7 @@ template <int Dim>
 void HeatConduction<Dim>::scatter(Scatter what) {
   for (auto& field : system_.fields) std::fill(field.heat.begin(), field.heat.end(), Node{});
   for (auto& body : system_.bodies) {
-    auto& field = system_.fields[body.field];
-    transfers_.scatter(body, field.map, field.heat, what, false, false);
+    transfers_.scatter(body, Target<Dim>(body, system_.fields, &Field<Dim>::heat), what, false, false);
   }
 }
 
@@ -181,8 +180,7 @@ void HeatConduction<Dim>::give(double dt, const std::vector<Conditions<Dim>>& co
     conditions[f].extend(nodes, Fold::scalars);
   }
   for (auto& body : system_.bodies) {
-    auto& field = system_.fields[body.field];
-    if (!transfers_.gather(body, field.map, field.heat, what).valid)
+    if (!transfers_.gather(body, Target<Dim>(body, system_.fields, &Field<Dim>::heat), what).valid)
       throw SimulationError("a temperature of '" + body.name + "' is not a number in step " +
                             std::to_string(system_.step + 1) + " at time " + std::to_string(system_.time) +
                             ": usually the step is too large for the conductivity. Try a smaller <TimeFactor>, and "
@@ -215,8 +213,7 @@ void HeatConduction<Dim>::settle(double dt, const Contact<Dim>& contact,
   what.heat_detail = true;
   for (std::size_t f = 0; f < system_.fields.size(); ++f) conditions[f].extend(system_.fields[f].heat, Fold::scalars);
   for (auto& body : system_.bodies) {
-    auto& field = system_.fields[body.field];
-    transfers_.gather(body, field.map, field.heat, what);
+    transfers_.gather(body, Target<Dim>(body, system_.fields, &Field<Dim>::heat), what);
   }
 }
 

@@ -131,7 +131,7 @@ void Stepper<Dim>::follow_rigid(double dt) {
     if (body.field != Body<Dim>::no_field) continue;
     for (auto& field : system_.fields) {
       std::fill(field.rigid[r].begin(), field.rigid[r].end(), Node{});
-      transfers_->scatter(body, field.map, field.rigid[r], Scatter::momentum, false, false);
+      transfers_->scatter(body, Target<Dim>(field.map, field.rigid[r]), Scatter::momentum, false, false);
     }
   }
 }

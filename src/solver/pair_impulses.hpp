@@ -22,6 +22,7 @@ struct ContactMember {
 struct ContactPair {
   std::size_t a = 0, b = 0;  ///< members
   const ContactLaw* law = nullptr;
+  int crack = -1;  ///< between the faces of this crack, or between bodies
   Meeting meeting;
   Vec3 impulse = Vec3::Zero();  ///< on a
   Answer answer;

@@ -26,6 +26,17 @@ struct Patch {
 
   void clear() { std::memset(data, 0, sizeof data); }
 
+  /// The node of the lattice at an offset, in doubles, of the patch of a block.
+  static Index<Dim> node(const Index<Dim>& block, int offset) {
+    Index<Dim> out;
+    const int at = offset / 8;
+    if constexpr (Dim == 3) out[2] = at / plane;
+    const int in_plane = Dim == 3 ? at % plane : at;
+    out[0] = in_plane % row, out[1] = in_plane / row;
+    for (std::size_t d = 0; d < Dim; ++d) out[d] += block[d] * block_edge<Dim> - 1;
+    return out;
+  }
+
   using Slots = std::array<int, BlockMap<Dim>::neighbour_count>;
 
   void load(const Slots& slots, const NodeLayer& nodes) {

@@ -22,6 +22,7 @@ void Stepper<Dim>::advance(double dt) {
 
   // 1. Particles to nodes: mass and momentum; if stress comes last, forces in the same sweep
   remember_domains();
+  cracks_.find();
   clear();
   apply_loads(dt);
   for (auto& conditions : conditions_) conditions.begin_step();
@@ -96,7 +97,8 @@ Stepper<Dim>::Stepper(const Model& model, System<Dim>& system)
     : model_(model),
       system_(system),
       transfers_(make_transfers<Dim>(model.scheme)),
-      contact_(model, system, *transfers_),
+      cracks_(model, system, *transfers_),
+      contact_(model, system, *transfers_, cracks_),
       heat_(model, system, *transfers_),
       b_bar_(model.scheme, system, *transfers_, conditions_) {
   for (std::size_t f = 0; f < system.fields.size(); ++f) conditions_.emplace_back(model, system.lattice);
@@ -139,6 +141,7 @@ void Stepper<Dim>::push_back(Body<Dim>& body) {
 template <int Dim>
 void Stepper<Dim>::allocate() {
   const bool filtering = model_.scheme.transfer == Transfer::xpic || model_.scheme.transfer == Transfer::fmpm;
+  cracks_.locate();
   for (std::size_t f = 0; f < system_.fields.size(); ++f) {
     auto& field = system_.fields[f];
     std::vector<std::int64_t> occupied;
@@ -146,6 +149,7 @@ void Stepper<Dim>::allocate() {
       for (const auto& body : *bodies)
         if (body.field == f || body.field == Body<Dim>::no_field)
           for (const Bin& bin : body.bins.list()) occupied.push_back(bin.block);
+    if (field.side != 0) cracks_.add_blocks(field, occupied);
     reach_across(model_.grid, system_.lattice, occupied);
     field.map.rebuild(occupied);
     const auto nodes = static_cast<std::size_t>(field.map.node_count());
@@ -172,14 +176,14 @@ void Stepper<Dim>::scatter(Scatter what, bool from_start) {
   const auto lap = watches_.scatter.lap();
   if (what != Scatter::momentum) b_bar_.average_stress();
   for (auto& body : system_.bodies) {
-    auto& field = system_.fields[body.field];
-    transfers_->scatter(body, field.map, field.nodes, what, from_start, system_.analysis == Analysis::axisymmetric);
+    transfers_->scatter(body, Target<Dim>(body, system_.fields, &Field<Dim>::nodes), what, from_start,
+                        system_.analysis == Analysis::axisymmetric);
   }
   if (what == Scatter::force) return;
   for (auto& body : system_.rigids)
     if (body.field != Body<Dim>::no_field) {
       auto& field = system_.fields[body.field];
-      transfers_->scatter(body, field.map, field.nodes, Scatter::momentum, from_start, false);
+      transfers_->scatter(body, Target<Dim>(field.map, field.nodes), Scatter::momentum, from_start, false);
     }
 }
 
@@ -349,12 +353,12 @@ void Stepper<Dim>::move(double dt, double strain_dt) {
   }
   double travel = 0.0;
   extend();
+  cracks_.move(dt);
   b_bar_.average_rates(what, &Field<Dim>::nodes);
   for (auto& body : system_.bodies) {
-    auto& field = system_.fields[body.field];
     what.damping = body.particle_damping + particle_damping;
     if (what.damping != 0.0) account_particle_damping(body, what.damping, dt);
-    const auto result = transfers_->gather(body, field.map, field.nodes, what);
+    const auto result = transfers_->gather(body, Target<Dim>(body, system_.fields, &Field<Dim>::nodes), what);
     travel = std::max(travel, result.travel);
     if (!result.valid) stop_at_bad_particle();
   }
@@ -374,8 +378,7 @@ void Stepper<Dim>::strain(double dt, bool from_start) {
   const auto layer = filtering_ ? &Field<Dim>::filter : &Field<Dim>::nodes;
   b_bar_.average_rates(what, layer);
   for (auto& body : system_.bodies) {
-    auto& field = system_.fields[body.field];
-    if (!transfers_->gather(body, field.map, field.*layer, what).valid) stop_at_bad_particle();
+    if (!transfers_->gather(body, Target<Dim>(body, system_.fields, layer), what).valid) stop_at_bad_particle();
   }
 }
 

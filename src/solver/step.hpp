@@ -3,6 +3,7 @@
 
 #include "solver/b_bar.hpp"
 #include "solver/contact.hpp"
+#include "solver/cracks.hpp"
 #include "solver/heat.hpp"
 #include "solver/transfer.hpp"
 
@@ -93,6 +94,7 @@ class Stepper {
   System<Dim>& system_;
   std::unique_ptr<Transfers<Dim>> transfers_;
   std::vector<Conditions<Dim>> conditions_;
+  Cracks<Dim> cracks_;
   Contact<Dim> contact_;
   HeatConduction<Dim> heat_;
   BBar<Dim> b_bar_;

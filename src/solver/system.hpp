@@ -6,6 +6,7 @@
 #include "model/model.hpp"
 #include "particles/bins.hpp"
 #include "particles/particles.hpp"
+#include "solver/crack.hpp"
 
 #include <memory>
 #include <optional>
@@ -14,7 +15,20 @@
 
 namespace tribo {
 
-/// One velocity field: the nodes that all bodies assigned to it share.
+/// Which of its fields a particle of a cut bin gives to and takes from, node by node of its stencil, x fastest: 0 what
+/// lies on the node's own side of all cracks, 1 across its first crack, 2 across its second, 3 across both.
+struct CutBin {
+  std::vector<std::int32_t> first;  ///< per particle of the bin: where its sides begin, or -1: all are 0
+  std::vector<std::uint8_t> sides;
+  std::vector<std::uint64_t> crossed;  ///< with several cracks: bits of those between particle and node
+
+  const std::uint8_t* of(std::uint32_t particle) const {
+    const std::int32_t at = first[particle];
+    return at < 0 ? nullptr : sides.data() + at;
+  }
+};
+
+/// One velocity field: the nodes that all bodies assigned to it share. What lies across cracks has fields of its own.
 template <int Dim>
 struct Field {
   explicit Field(const Lattice<Dim>& lattice) : map(lattice) {}
@@ -27,6 +41,8 @@ struct Field {
   NodeLayer heat;                ///< conduction, see heat.hpp; empty without
   NodeLayer cells;               ///< B-bar: volume and mean of the volumetric part in a cell; empty without
   bool rigid_contact = false;    ///< the field of a rigid body that others touch: its velocity is prescribed
+  std::size_t home = 0;          ///< the field of the same bodies on the nodes' own side of cracks
+  int side = 0;                  ///< as in CutBin
 };
 
 /// The particles of one material.
@@ -40,6 +56,12 @@ struct Body {
   int material = 0;       ///< index into Model::materials
   std::size_t field = 0;  ///< of rigid bodies: only if others touch them, else `no_field`
   static constexpr std::size_t no_field = static_cast<std::size_t>(-1);
+  std::array<std::size_t, 3> across{no_field, no_field, no_field};  ///< fields of the sides 1, 2, 3
+  std::vector<std::int32_t> cut;                                    ///< per bin: which of `cut_bins`, or -1; or empty
+  std::vector<CutBin> cut_bins;
+  const CutBin* cut_bin(std::size_t bin) const {
+    return cut.empty() || cut[bin] < 0 ? nullptr : &cut_bins[static_cast<std::size_t>(cut[bin])];
+  }
   Particles<Dim> particles;
   Bins<Dim> bins;
   std::size_t history = 0;               ///< first history column
@@ -99,6 +121,7 @@ struct System {
   Analysis analysis = Analysis::plane_strain;
   std::vector<Field<Dim>> fields;
   std::vector<Body<Dim>> bodies;
+  std::vector<Crack<Dim>> cracks;
   std::vector<Body<Dim>> rigids;  ///< particles that prescribe velocities: `velocity` follows the material's functions
   double time = 0.0;
   std::int64_t step = 0;

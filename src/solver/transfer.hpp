@@ -49,16 +49,36 @@ struct GatherResult {
   bool valid = true;    ///< false: a velocity is not finite, or a volume not positive
 };
 
+/// The nodes of a body's fields: its own, and those across cracks.
+template <int Dim>
+struct Target {
+  std::array<const BlockMap<Dim>*, 4> map{};
+  std::array<NodeLayer*, 4> nodes{};
+
+  Target(const BlockMap<Dim>& own_map, NodeLayer& own_nodes) : map{&own_map}, nodes{&own_nodes} {}
+  /// One layer of all fields of a body.
+  Target(const Body<Dim>& body, std::vector<Field<Dim>>& fields, NodeLayer Field<Dim>::*layer)
+      : Target(fields[body.field].map, fields[body.field].*layer) {
+    for (std::size_t k = 0; k < body.across.size(); ++k)
+      if (body.across[k] < fields.size())
+        map[k + 1] = &fields[body.across[k]].map, nodes[k + 1] = &(fields[body.across[k]].*layer);
+  }
+};
+
 template <int Dim>
 class Transfers {
  public:
   virtual ~Transfers() = default;
   /// Adds the particles of a body to zeroed or partly filled nodes. `only`: flags of lattice blocks; particles of other
   /// blocks are left out.
-  virtual void scatter(Body<Dim>& body, const BlockMap<Dim>& map, NodeLayer& nodes, Scatter what, bool from_start,
-                       bool axisymmetric, const std::vector<char>* only = nullptr) const = 0;
-  virtual GatherResult gather(Body<Dim>& body, const BlockMap<Dim>& map, const NodeLayer& nodes,
-                              const Gather& what) const = 0;
+  virtual void scatter(Body<Dim>& body, const Target<Dim>& target, Scatter what, bool from_start, bool axisymmetric,
+                       const std::vector<char>* only = nullptr) const = 0;
+  virtual GatherResult gather(Body<Dim>& body, const Target<Dim>& target, const Gather& what) const = 0;
+  /// Nodes of a stencil along each axis.
+  virtual int stencil_width() const = 0;
+  /// The lowest node of the stencil of each particle of a bin.
+  virtual void lowest_nodes(Body<Dim>& body, const Lattice<Dim>& lattice, const Bin& bin,
+                            std::vector<Index<Dim>>& lowest) const = 0;
   virtual double shift() const = 0;
   virtual int colours_per_axis() const = 0;
 };

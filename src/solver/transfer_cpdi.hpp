@@ -7,6 +7,7 @@
 /// Int. J. Numer. Meth. Engng 107 (2016) 2, so that the stencil stays four nodes wide.
 #pragma once
 
+#include "solver/across.hpp"
 #include "solver/given.hpp"
 #include "solver/motion.hpp"
 
@@ -28,29 +29,43 @@ class CpdiTransfers final : public Transfers<Dim> {
   double shift() const override { return 1.0; }
   int colours_per_axis() const override { return width + 1 <= block_edge<Dim> ? 2 : 3; }
 
-  void scatter(Body<Dim>& body, const BlockMap<Dim>& map, NodeLayer& nodes, Scatter what, bool from_start,
-               bool axisymmetric, const std::vector<char>* only) const override {
+  int stencil_width() const override { return width; }
+
+  void lowest_nodes(Body<Dim>& body, const Lattice<Dim>& lattice, const Bin& bin,
+                    std::vector<Index<Dim>>& lowest) const override {
+    const auto block = lattice.block_at(bin.block);
+    const auto x = body.particles.x();
+    lowest.clear();
+    for (std::size_t i = bin.begin; i < bin.end; ++i)
+      lowest.push_back(NodePatch::node(block, stencil(body, lattice, block, x, i).base));
+  }
+
+  void scatter(Body<Dim>& body, const Target<Dim>& target, Scatter what, bool from_start, bool axisymmetric,
+               const std::vector<char>* only) const override {
     const bool force = pulls(what);
     for (const auto& colour : body.bins.colours())
       parallel_for(static_cast<std::ptrdiff_t>(colour.size()), [&](std::ptrdiff_t k) {
         const Bin& bin = body.bins.list()[colour[static_cast<std::size_t>(k)]];
         if (only && !(*only)[static_cast<std::size_t>(bin.block)]) return;
-        force ? scatter_bin<true>(body, map, nodes, bin, what, from_start, axisymmetric)
-              : scatter_bin<false>(body, map, nodes, bin, what, from_start, axisymmetric);
+        const CutBin* cut = body.cut_bin(colour[static_cast<std::size_t>(k)]);
+        force ? scatter_bin<true>(body, target, bin, cut, what, from_start, axisymmetric)
+              : scatter_bin<false>(body, target, bin, cut, what, from_start, axisymmetric);
       });
   }
 
-  GatherResult gather(Body<Dim>& body, const BlockMap<Dim>& map, const NodeLayer& nodes,
-                      const Gather& what) const override {
+  GatherResult gather(Body<Dim>& body, const Target<Dim>& target, const Gather& what) const override {
     GatherCollector collector;
     const auto& bins = body.bins.list();
     parallel_for(static_cast<std::ptrdiff_t>(bins.size()), [&](std::ptrdiff_t k) {
-      gather_bin(body, map, nodes, bins[static_cast<std::size_t>(k)], what, collector.mine());
+      const auto bin = static_cast<std::size_t>(k);
+      gather_bin(body, target, bins[bin], body.cut_bin(bin), what, collector.mine());
     });
     return collector.total();
   }
 
  private:
+  using Across = AcrossPatches<Dim, width>;
+
   struct Stencil {
     int base;                           ///< of the lowest node in the patch, in doubles
     double w[nodes_per_particle];       ///< x fastest
@@ -141,14 +156,16 @@ class CpdiTransfers final : public Transfers<Dim> {
   }
 
   template <bool Force>
-  void scatter_bin(Body<Dim>& body, const BlockMap<Dim>& map, NodeLayer& nodes, const Bin& bin, Scatter what,
+  void scatter_bin(Body<Dim>& body, const Target<Dim>& target, const Bin& bin, const CutBin* cut, Scatter what,
                    bool from_start, bool axisymmetric) const {
+    const BlockMap<Dim>& map = *target.map[0];
     const auto& lattice = map.lattice();
     const auto block = lattice.block_at(bin.block);
     const auto x = from_start ? body.particles.vector(*body.start) : body.particles.x();
     const bool affine = body.affine && (what == Scatter::momentum || what == Scatter::momentum_and_force);
     NodePatch patch;
     patch.clear();
+    Across across(cut != nullptr);
     Given<Dim> given;
     for (std::uint32_t first = bin.begin; first < bin.end; first += batch) {
       const int count = static_cast<int>(std::min<std::uint32_t>(batch, bin.end - first));
@@ -158,8 +175,10 @@ class CpdiTransfers final : public Transfers<Dim> {
         const Mat<Dim> C =
             affine ? affine_momentum(body, s, lattice, first + static_cast<std::size_t>(i)) : Mat<Dim>::Zero();
         const Wide whole = Wide::load(given.whole[i]);
+        const std::uint8_t* sides = cut ? cut->of(first - bin.begin + static_cast<std::uint32_t>(i)) : nullptr;
+        const auto data = across.data(patch);
         for (int n = 0; n < nodes_per_particle; ++n) {
-          double* node = patch.data + s.base + offset(n);
+          double* node = data[sides ? sides[n] : 0] + s.base + offset(n);
           Wide sum = Wide::load(node) + s.w[n] * whole;
           if constexpr (Force)
             for (int d = 0; d < Dim; ++d) sum = sum + s.g[d][n] * Upper::from(load4(given.pull[d][i]));
@@ -172,16 +191,24 @@ class CpdiTransfers final : public Transfers<Dim> {
         }
       }
     }
-    patch.add_to(map.neighbours(bin.block), nodes);
+    patch.add_to(map.neighbours(bin.block), *target.nodes[0]);
+    across.each(target, [&](std::size_t k, NodePatch& beyond) {
+      beyond.add_to(target.map[k]->neighbours(bin.block), *target.nodes[k]);
+    });
   }
 
-  void gather_bin(Body<Dim>& body, const BlockMap<Dim>& map, const NodeLayer& nodes, const Bin& bin, const Gather& what,
+  void gather_bin(Body<Dim>& body, const Target<Dim>& target, const Bin& bin, const CutBin* cut, const Gather& what,
                   GatherResult& result) const {
+    const BlockMap<Dim>& map = *target.map[0];
     const auto& lattice = map.lattice();
     const auto block = lattice.block_at(bin.block);
     const auto x = what.from_start ? body.particles.vector(*body.start) : body.particles.x();
     NodePatch patch;
-    patch.load(map.neighbours(bin.block), nodes);
+    patch.load(map.neighbours(bin.block), *target.nodes[0]);
+    Across across(cut != nullptr);
+    across.each(target, [&](std::size_t k, NodePatch& beyond) {
+      beyond.load(target.map[k]->neighbours(bin.block), *target.nodes[k]);
+    });
     Gathered<Dim> got;
     for (std::uint32_t first = bin.begin; first < bin.end; first += batch) {
       const int count = static_cast<int>(std::min<std::uint32_t>(batch, bin.end - first));
@@ -189,8 +216,10 @@ class CpdiTransfers final : public Transfers<Dim> {
         const Stencil s = stencil(body, lattice, block, x, first + static_cast<std::size_t>(i));
         Wide value = Wide::zero();
         Vec4 slope[Dim] = {}, moment[Dim] = {};
+        const std::uint8_t* sides = cut ? cut->of(first - bin.begin + static_cast<std::uint32_t>(i)) : nullptr;
+        const auto data = across.data(patch);
         for (int n = 0; n < nodes_per_particle; ++n) {
-          const Wide node = Wide::load(patch.data + s.base + offset(n));
+          const Wide node = Wide::load(data[sides ? sides[n] : 0] + s.base + offset(n));
           value = value + s.w[n] * node;
           for (int d = 0; d < Dim; ++d) slope[d] += s.g[d][n] * node.low();
           if (body.affine) {

@@ -8,6 +8,7 @@
 #pragma once
 
 #include "base/parallel.hpp"
+#include "solver/across.hpp"
 #include "solver/given.hpp"
 #include "solver/motion.hpp"
 #include "solver/stencils.hpp"
@@ -26,8 +27,24 @@ class ProductTransfers final : public Transfers<Dim> {
   double shift() const override { return Kernel::shift; }
   int colours_per_axis() const override { return width + 1 <= block_edge<Dim> ? 2 : 3; }
 
-  void scatter(Body<Dim>& body, const BlockMap<Dim>& map, NodeLayer& nodes, Scatter what, bool from_start,
-               bool axisymmetric, const std::vector<char>* only) const override {
+  int stencil_width() const override { return width; }
+
+  void lowest_nodes(Body<Dim>& body, const Lattice<Dim>& lattice, const Bin& bin,
+                    std::vector<Index<Dim>>& lowest) const override {
+    const auto block = lattice.block_at(bin.block);
+    const auto half = half_sizes(body);
+    Stencils<Dim, Kernel> stencils;
+    lowest.resize(bin.end - bin.begin);
+    for (std::uint32_t first = bin.begin; first < bin.end; first += batch) {
+      const int count = static_cast<int>(std::min<std::uint32_t>(batch, bin.end - first));
+      stencils.compute(lattice, block, body.particles.x(), first, count, half, body.uniform_half_size);
+      for (int i = 0; i < count; ++i)
+        lowest[first - bin.begin + static_cast<std::uint32_t>(i)] = NodePatch::node(block, stencils.base[i]);
+    }
+  }
+
+  void scatter(Body<Dim>& body, const Target<Dim>& target, Scatter what, bool from_start, bool axisymmetric,
+               const std::vector<char>* only) const override {
     const bool affine =
         what == Scatter::heat || (body.affine && (what == Scatter::momentum || what == Scatter::momentum_and_force));
     const bool force = pulls(what);
@@ -37,37 +54,40 @@ class ProductTransfers final : public Transfers<Dim> {
       parallel_for_weighted(static_cast<std::ptrdiff_t>(colour.size()), before, [&](std::ptrdiff_t k) {
         const Bin& bin = body.bins.list()[colour[static_cast<std::size_t>(k)]];
         if (only && !(*only)[static_cast<std::size_t>(bin.block)]) return;
+        const CutBin* cut = body.cut_bin(colour[static_cast<std::size_t>(k)]);
         if (force && affine)
-          scatter_bin<true, true>(body, map, nodes, bin, what, from_start, axisymmetric);
+          scatter_bin<true, true>(body, target, bin, cut, what, from_start, axisymmetric);
         else if (force)
-          scatter_bin<true, false>(body, map, nodes, bin, what, from_start, axisymmetric);
+          scatter_bin<true, false>(body, target, bin, cut, what, from_start, axisymmetric);
         else if (affine)
-          scatter_bin<false, true>(body, map, nodes, bin, what, from_start, axisymmetric);
+          scatter_bin<false, true>(body, target, bin, cut, what, from_start, axisymmetric);
         else
-          scatter_bin<false, false>(body, map, nodes, bin, what, from_start, axisymmetric);
+          scatter_bin<false, false>(body, target, bin, cut, what, from_start, axisymmetric);
       });
     }
   }
 
-  GatherResult gather(Body<Dim>& body, const BlockMap<Dim>& map, const NodeLayer& nodes,
-                      const Gather& what) const override {
+  GatherResult gather(Body<Dim>& body, const Target<Dim>& target, const Gather& what) const override {
     GatherCollector collector;
     const auto& bins = body.bins.list();
     const auto before = [&](std::ptrdiff_t k) { return body.bins.before(static_cast<std::size_t>(k)); };
     parallel_for_weighted(static_cast<std::ptrdiff_t>(bins.size()), before, [&](std::ptrdiff_t k) {
       auto& result = collector.mine();
       const Bin& bin = bins[static_cast<std::size_t>(k)];
+      const CutBin* cut = body.cut_bin(static_cast<std::size_t>(k));
       if (what.filtered || what.heat_detail || what.volumetric)
-        gather_bin<false, false>(body, map, nodes, bin, what, result);
+        gather_bin<false, false>(body, target, bin, cut, what, result);
       else if (body.affine && what.move)
-        gather_bin<true, true>(body, map, nodes, bin, what, result);
+        gather_bin<true, true>(body, target, bin, cut, what, result);
       else
-        gather_bin<true, false>(body, map, nodes, bin, what, result);
+        gather_bin<true, false>(body, target, bin, cut, what, result);
     });
     return collector.total();
   }
 
  private:
+  using Across = AcrossPatches<Dim, width>;
+
   static std::array<const double*, Dim> half_sizes(const Body<Dim>& body) {
     std::array<const double*, Dim> half{};
     if (Kernel::sized && body.half_size)
@@ -76,14 +96,15 @@ class ProductTransfers final : public Transfers<Dim> {
   }
 
   template <bool Force, bool Affine>
-  void scatter_bin(Body<Dim>& body, const BlockMap<Dim>& map, NodeLayer& nodes, const Bin& bin, Scatter what,
+  void scatter_bin(Body<Dim>& body, const Target<Dim>& target, const Bin& bin, const CutBin* cut, Scatter what,
                    bool from_start, bool axisymmetric) const {
-    const auto slots = map.neighbours(bin.block);
+    const BlockMap<Dim>& map = *target.map[0];
     const auto block = map.lattice().block_at(bin.block);
     const auto x = from_start ? body.particles.vector(*body.start) : body.particles.x();
     const auto half = half_sizes(body);
     NodePatch patch;
     patch.clear();
+    Across across(cut != nullptr);
     Stencils<Dim, Kernel> stencils;
     Given<Dim> given;
     for (std::uint32_t first = bin.begin; first < bin.end; first += batch) {
@@ -93,10 +114,17 @@ class ProductTransfers final : public Transfers<Dim> {
       if (Affine && what != Scatter::heat) prepare_affine(body, map.lattice(), stencils, first, count, given);
       for (int i = 0; i < count; ++i) {
         if (i % 8 == 0) fetch_ahead(body.read_by_scatter, first + static_cast<std::uint32_t>(batch + i));
-        add<Force, Affine>(stencils, given, map.lattice(), i, patch.data);
+        const std::uint8_t* sides = cut ? cut->of(first - bin.begin + static_cast<std::uint32_t>(i)) : nullptr;
+        if (sides)
+          add_by_side<Force, Affine>(stencils, given, map.lattice(), i, sides, across.data(patch));
+        else
+          add<Force, Affine>(stencils, given, map.lattice(), i, patch.data);
       }
     }
-    patch.add_to(slots, nodes);
+    patch.add_to(map.neighbours(bin.block), *target.nodes[0]);
+    across.each(target, [&](std::size_t k, NodePatch& beyond) {
+      beyond.add_to(target.map[k]->neighbours(bin.block), *target.nodes[k]);
+    });
   }
 
   // C = B D^-1 with D = sum w (x_i - x)(x_i - x)^T, diagonal for product kernels. Where D vanishes (a point on a node
@@ -178,14 +206,18 @@ class ProductTransfers final : public Transfers<Dim> {
   }
 
   template <bool Gradient, bool Affine>
-  void gather_bin(Body<Dim>& body, const BlockMap<Dim>& map, const NodeLayer& nodes, const Bin& bin, const Gather& what,
+  void gather_bin(Body<Dim>& body, const Target<Dim>& target, const Bin& bin, const CutBin* cut, const Gather& what,
                   GatherResult& result) const {
-    const auto slots = map.neighbours(bin.block);
+    const BlockMap<Dim>& map = *target.map[0];
     const auto block = map.lattice().block_at(bin.block);
     const auto x = what.from_start ? body.particles.vector(*body.start) : body.particles.x();
     const auto half = half_sizes(body);
     NodePatch patch;
-    patch.load(slots, nodes);
+    patch.load(map.neighbours(bin.block), *target.nodes[0]);
+    Across across(cut != nullptr);
+    across.each(target, [&](std::size_t k, NodePatch& beyond) {
+      beyond.load(target.map[k]->neighbours(bin.block), *target.nodes[k]);
+    });
     Stencils<Dim, Kernel> stencils;
     Gathered<Dim> got;
     for (std::uint32_t first = bin.begin; first < bin.end; first += batch) {
@@ -193,8 +225,13 @@ class ProductTransfers final : public Transfers<Dim> {
       stencils.compute(map.lattice(), block, x, first, count, half, body.uniform_half_size);
       for (int i = 0; i < count; i += 4) {
         if (i % 8 == 0) fetch_ahead(body.read_by_gather, first + static_cast<std::uint32_t>(batch + i));
-        for (int k = 0; k < 4; ++k)
-          if (i + k < count) sum<Gradient, Affine>(stencils, map.lattice(), i + k, patch.data, got);
+        for (int k = 0; k < 4 && i + k < count; ++k) {
+          const std::uint8_t* sides = cut ? cut->of(first - bin.begin + static_cast<std::uint32_t>(i + k)) : nullptr;
+          if (sides)
+            sum_by_side<Gradient, Affine>(stencils, map.lattice(), i + k, sides, across.data(patch), got);
+          else
+            sum<Gradient, Affine>(stencils, map.lattice(), i + k, patch.data, got);
+        }
         got.template transpose<Gradient, Affine>(i);
       }
       update_particles(body, map.lattice(), first, count, what, got, result);
@@ -257,6 +294,67 @@ class ProductTransfers final : public Transfers<Dim> {
     if constexpr (Affine) {
       store4(got.moment[0][i % 4], bx), store4(got.moment[1][i % 4], by);
       if constexpr (Dim == 3) store4(got.moment[Dim - 1][i % 4], bz);
+    }
+  }
+
+  /// Calls f(n, offset in a patch, weights and slopes) for the nodes of a stencil, x fastest.
+  template <class F>
+  static void each_stencil_node(const Stencils<Dim, Kernel>& s, int i, F&& f) {
+    int n = 0;
+    for (int c = 0; c < (Dim == 3 ? width : 1); ++c)
+      for (int b = 0; b < width; ++b)
+        for (int a = 0; a < width; ++a, ++n) {
+          const int at[3] = {a, b, c};
+          double w = 1.0;
+          std::array<double, Dim> slope, distance;
+          for (int d = 0; d < Dim; ++d) {
+            const auto k = static_cast<std::size_t>(d);
+            w *= s.w[d][at[d]][i], slope[k] = s.g[d][at[d]][i], distance[k] = at[d] - s.r[d][i];
+            for (int e = 0; e < Dim; ++e)
+              if (e != d) slope[k] *= s.w[e][at[e]][i];
+          }
+          f(n, s.base[i] + 8 * (c * NodePatch::plane + b * NodePatch::row + a), w, slope, distance);
+        }
+  }
+
+  template <bool Force, bool Affine>
+  static void add_by_side(const Stencils<Dim, Kernel>& s, const Given<Dim>& given, const Lattice<Dim>& lattice, int i,
+                          const std::uint8_t* sides, const std::array<double*, 4>& data) {
+    const Wide whole = Wide::load(given.whole[i]);
+    each_stencil_node(
+        s, i, [&](int n, int at, double w, [[maybe_unused]] const auto& slope, [[maybe_unused]] const auto& distance) {
+          double* node = data[sides[n]] + at;
+          Wide sum = Wide::load(node) + w * whole;
+          for (std::size_t d = 0; d < Dim; ++d) {
+            if constexpr (Force) sum = sum + slope[d] * Upper::from(load4(given.pull[d][i]));
+            if constexpr (Affine)
+              sum = sum + Wide::join(w * distance[d] * lattice.spacing[static_cast<Eigen::Index>(d)] *
+                                         load4(given.affine[d][i]),
+                                     Vec4{});
+          }
+          sum.store(node);
+        });
+  }
+
+  template <bool Gradient, bool Affine>
+  static void sum_by_side(const Stencils<Dim, Kernel>& s, const Lattice<Dim>& lattice, int i, const std::uint8_t* sides,
+                          const std::array<double*, 4>& data, Gathered<Dim>& got) {
+    Wide value = Wide::zero();
+    [[maybe_unused]] Vec4 gradient[Dim] = {}, moment[Dim] = {};
+    each_stencil_node(
+        s, i, [&](int n, int at, double w, [[maybe_unused]] const auto& slope, [[maybe_unused]] const auto& distance) {
+          const Wide node = Wide::load(data[sides[n]] + at);
+          value = value + w * node;
+          for (std::size_t d = 0; d < Dim; ++d) {
+            if constexpr (Gradient) gradient[d] += slope[d] * node.low();
+            if constexpr (Affine)
+              moment[d] += w * distance[d] * lattice.spacing[static_cast<Eigen::Index>(d)] * node.low();
+          }
+        });
+    value.store(got.whole[i % 4]);
+    for (std::size_t d = 0; d < Dim; ++d) {
+      if constexpr (Gradient) store4(got.slope[d][i % 4], gradient[d]);
+      if constexpr (Affine) store4(got.moment[d][i % 4], moment[d]);
     }
   }
 };

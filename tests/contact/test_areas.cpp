@@ -43,7 +43,7 @@ TEST_CASE("nodal areas are integrals of the weight over the face, whatever its t
   settle(system);
   const auto transfers = make_transfers<2>(model.scheme);
   auto& field = system.fields[0];
-  transfers->scatter(system.bodies[0], field.map, field.nodes, Scatter::volume, false, false);
+  transfers->scatter(system.bodies[0], {field.map, field.nodes}, Scatter::volume, false, false);
 
   double sum = 0.0, worst = 0.0, length = 0.0;
   for (std::int64_t n = 0; n < field.map.node_count(); ++n) {

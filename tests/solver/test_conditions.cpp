@@ -19,7 +19,7 @@ std::vector<double> folded_weights(Kernel kernel, double x, bool symmetry, bool 
   auto& field = system.fields[0];
   Conditions<2> conditions(model, system.lattice);
   conditions.locate(field.map);
-  make_transfers<2>(model.scheme)->scatter(system.bodies[0], field.map, field.nodes, Scatter::momentum, false, false);
+  make_transfers<2>(model.scheme)->scatter(system.bodies[0], {field.map, field.nodes}, Scatter::momentum, false, false);
   conditions.fold(field.nodes);
   std::vector<double> shares(5, 0.0);
   for (std::int64_t n = 0; n < field.map.node_count(); ++n) {
@@ -80,7 +80,7 @@ TEST_CASE("linear fields pass a wall unchanged", "[conditions]") {
   conditions.extend(field.nodes);
   Gather what;
   what.move = true, what.flip = 0, what.dt = 1e-12;
-  make_transfers<2>(model.scheme)->gather(system.bodies[0], field.map, field.nodes, what);
+  make_transfers<2>(model.scheme)->gather(system.bodies[0], {field.map, field.nodes}, what);
   CHECK(system.bodies[0].particles.velocity(0)[0] == Approx(1 + 0.6 - 23.8).epsilon(1e-12));
   CHECK(system.bodies[0].particles.velocity(0)[1] == Approx(2.7).epsilon(1e-12));
 }

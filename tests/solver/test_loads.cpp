@@ -99,12 +99,12 @@ TEST_CASE("deformation follows the particles: a rotation by chords strains nothi
         largest = std::max(largest, std::abs(component[i]));
     return largest;
   };
-  transfers->gather(system.bodies[0], field.map, field.nodes, what);
+  transfers->gather(system.bodies[0], {field.map, field.nodes}, what);
   CHECK(system.bodies[0].particles.volume()[7] == Approx(0.25).epsilon(1e-13));
   CHECK(largest_stress() < 1e6 * 1e-8);  // the fourth power of the angle
   // The exponential of the chord is not this rotation: half the square of the angle of strain.
   what.exponential = true, what.move = false;
-  transfers->gather(system.bodies[0], field.map, field.nodes, what);
+  transfers->gather(system.bodies[0], {field.map, field.nodes}, what);
   CHECK(largest_stress() > 1e6 * 2e-5);
 }
 
@@ -118,7 +118,7 @@ TEST_CASE("a tiled block has no internal force on inner nodes, and its surface i
   settle(system);
   auto& field = system.fields[0];
   make_transfers<2>(model.scheme)
-      ->scatter(system.bodies[0], field.map, field.nodes, Scatter::momentum_and_force, false, false);
+      ->scatter(system.bodies[0], {field.map, field.nodes}, Scatter::momentum_and_force, false, false);
   double right = 0;
   for (std::int64_t n = 0; n < field.map.node_count(); ++n) {
     const Vec<2> x = system.lattice.position(field.map.node_at(n));

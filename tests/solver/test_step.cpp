@@ -25,7 +25,7 @@ double gain(Kernel kernel, Transfer transfer, int order, int wavelength) {
   }
   Gather what;
   what.move = true, what.flip = 0, what.dt = 1e-12;
-  transfers->gather(body, field.map, field.nodes, what);
+  transfers->gather(body, {field.map, field.nodes}, what);
   // Now v_p = S g. One scatter gives lambda g on the nodes; a whole step gives the filter's gain times S g.
   std::vector<double> before;
   for (std::size_t i = 0; i < body.particles.size(); ++i) before.push_back(body.particles.velocity(i)[0]);

@@ -49,7 +49,7 @@ TEMPLATE_TEST_CASE_SIG("a linear velocity field is gathered exactly, with its gr
   for (std::size_t i = 0; i < body.particles.size(); ++i) start.push_back(body.particles.position(i));
   Gather what;
   what.move = true, what.flip = 0.0, what.dt = 1e-3, what.strain_dt = 1e-9;
-  make_transfers<Dim>(model.scheme)->gather(body, system.fields[0].map, system.fields[0].nodes, what);
+  make_transfers<Dim>(model.scheme)->gather(body, {system.fields[0].map, system.fields[0].nodes}, what);
   double worst = 0, strain = 0;
   const auto volume = body.particles.volume();
   for (std::size_t i = 0; i < body.particles.size(); ++i) {
@@ -78,7 +78,7 @@ TEMPLATE_TEST_CASE_SIG("the scatter conserves mass and momentum and gives no net
       for (std::size_t i = 0; i < body.particles.size(); ++i)
         body.particles.column(*body.affine + k)[i] = 0.1 * unit(random);
   auto& field = system.fields[0];
-  make_transfers<Dim>(model.scheme)->scatter(body, field.map, field.nodes, Scatter::momentum_and_force, false, false);
+  make_transfers<Dim>(model.scheme)->scatter(body, {field.map, field.nodes}, Scatter::momentum_and_force, false, false);
   double mass = 0, scale = 0;
   Vec3 momentum = Vec3::Zero(), force = Vec3::Zero(), moment = Vec3::Zero(), spin = Vec3::Zero();
   for (std::int64_t n = 0; n < field.map.node_count(); ++n) {
@@ -158,7 +158,7 @@ TEST_CASE("the affine moment is the kernel's second moment", "[transfer]") {
     Gather what;
     what.move = true, what.dt = 1e-12, what.flip = 0;
     auto& body = system.bodies[0];
-    make_transfers<2>(model.scheme)->gather(body, system.fields[0].map, system.fields[0].nodes, what);
+    make_transfers<2>(model.scheme)->gather(body, {system.fields[0].map, system.fields[0].nodes}, what);
     const auto B = [&](std::size_t c) { return body.particles.column(*body.affine + c)[0]; };
     CHECK(std::abs(B(0) - expected[static_cast<std::size_t>(k)]) < 1e-13);
     CHECK(std::abs(B(3) - expected[static_cast<std::size_t>(k)]) < 1e-13);

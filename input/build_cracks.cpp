@@ -1,0 +1,173 @@
+/// Cracks: their lines or surfaces, and the laws between their faces.
+
+#include "contact/contact_law.hpp"
+#include "input/builder.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace tribo {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+/// Puts a crack together, piece by piece.
+class CrackShape {
+ public:
+  CrackShape(CrackSpec& crack, double cell) : crack_(crack), cell_(cell) {}
+
+  void to(const Vec3& x) {
+    if (!crack_.points.empty() && (x - crack_.points.back()).norm() <= 1e-9 * cell_) return;
+    crack_.points.push_back(x);
+    const auto last = static_cast<std::uint32_t>(crack_.points.size()) - 1;
+    if (last > 0) crack_.pieces.push_back({last - 1, last, 0});
+  }
+
+  /// Triangles over a grid of (n+1) x (m+1) points x(i/n, j/m).
+  template <class F>
+  void sheet(int n, int m, F&& x) {
+    const auto first = static_cast<std::uint32_t>(crack_.points.size());
+    for (int j = 0; j <= m; ++j)
+      for (int i = 0; i <= n; ++i) crack_.points.push_back(x(static_cast<double>(i) / n, static_cast<double>(j) / m));
+    const auto at = [&](int i, int j) { return first + static_cast<std::uint32_t>(j * (n + 1) + i); };
+    for (int j = 0; j < m; ++j)
+      for (int i = 0; i < n; ++i) {
+        crack_.pieces.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
+        crack_.pieces.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+      }
+  }
+
+  /// Rings of triangles: the k-th has 6 k points.
+  void disc(const Vec3& centre, const Vec3& normal, double radius) {
+    const Vec3 n = normal.normalized(), a = n.unitOrthogonal(), b = n.cross(a);
+    const int rings = pieces(radius);
+    std::vector<std::uint32_t> inner{static_cast<std::uint32_t>(crack_.points.size())};
+    crack_.points.push_back(centre);
+    for (int k = 1; k <= rings; ++k) {
+      std::vector<std::uint32_t> outer;
+      for (int i = 0; i < 6 * k; ++i) {
+        const double angle = 2 * pi * i / (6 * k);
+        outer.push_back(static_cast<std::uint32_t>(crack_.points.size()));
+        crack_.points.push_back(centre + radius * k / rings * (std::cos(angle) * a + std::sin(angle) * b));
+      }
+      for (int sector = 0; sector < 6; ++sector)
+        for (int i = 0; i < k; ++i) {
+          const auto out = [&](int m) { return outer[static_cast<std::size_t>((sector * k + m) % (6 * k))]; };
+          const auto in = [&](int m) {
+            return k == 1 ? inner[0] : inner[static_cast<std::size_t>((sector * (k - 1) + m) % (6 * (k - 1)))];
+          };
+          crack_.pieces.push_back({in(i), out(i), out(i + 1)});
+          if (i + 1 < k) crack_.pieces.push_back({in(i), out(i + 1), in(i + 1)});
+        }
+      inner = outer;
+    }
+  }
+
+  /// Two per cell.
+  int pieces(double length) const { return std::max(1, static_cast<int>(std::ceil(2 * length / cell_ - 1e-9))); }
+
+ private:
+  CrackSpec& crack_;
+  double cell_;
+};
+
+}  // namespace
+
+CrackSpec Builder::crack(const Statement& s) {
+  CrackSpec out;
+  out.origin = s.origin;
+  double cell = std::numeric_limits<double>::infinity();
+  for (std::size_t d = 0; d < static_cast<std::size_t>(model_.dimension()); ++d)
+    cell = std::min(cell, (model_.grid.high[d] - model_.grid.low[d]) / model_.grid.cells[d]);
+  CrackShape shape(out, cell);
+  const bool solid = model_.dimension() == 3;
+  for (const auto& part : s.children) {
+    const bool surface = part.name == "Quad" || part.name == "Disc";
+    if (surface != solid) {
+      problems_.add(part.origin, "<" + part.name + "> belongs to cracks in " + (surface ? "three" : "two") +
+                                     " dimensions" +
+                                     (solid ? "; use <Quad> or <Disc>" : "; use <pt>, <Line> or <Circle>"));
+      continue;
+    }
+    const double unit = unit_factor(part, Dimension::length);
+    const auto at = [&](const char* x, const char* y, const char* z = nullptr) {
+      return Vec3(number(part, x, Dimension::length), number(part, y, Dimension::length),
+                  z ? number(part, z, Dimension::length) : 0.0);
+    };
+    const int resolution = static_cast<int>(number(part, "resolution", Dimension::none));
+    must(!has(part, "resolution") || resolution >= 1, part.origin, "'resolution' is a number of pieces, from 1 on");
+    if (part.name == "pt") {
+      shape.to(at("x", "y"));
+    } else if (part.name == "Line" || part.name == "Circle") {
+      const Vec3 a(coordinate(part, "xmin", 0), coordinate(part, "ymin", 1), 0),
+          b(coordinate(part, "xmax", 0), coordinate(part, "ymax", 1), 0);
+      const double from = number(part, "start_angle", Dimension::angle),
+                   to = number(part, "end_angle", Dimension::angle, 360.0);
+      const Vec3 middle = 0.5 * (a + b), half = 0.5 * (b - a);
+      const bool line = part.name == "Line";
+      const double length = line ? (b - a).norm() : std::abs(to - from) * half.cwiseAbs().maxCoeff();
+      const int n = std::max(1, resolution > 0 ? resolution : shape.pieces(length));
+      must(length > 0, part.origin, "<" + part.name + "> has no length");
+      for (int k = 0; k <= n; ++k) {
+        const double t = static_cast<double>(k) / n, angle = from + t * (to - from);
+        shape.to(line ? Vec3(a + t * (b - a))
+                      : Vec3(middle + Vec3(half[0] * std::cos(angle), half[1] * std::sin(angle), 0)));
+      }
+    } else if (part.name == "Quad") {
+      const Vec3 corner = at("x1", "y1", "z1"), u = at("x2", "y2", "z2") - corner, v = at("x3", "y3", "z3") - corner;
+      must(u.cross(v).norm() > 0, part.origin, "the corners of <Quad> lie on one line");
+      shape.sheet(shape.pieces(u.norm()), shape.pieces(v.norm()),
+                  [&](double i, double j) { return Vec3(corner + i * u + j * v); });
+    } else {
+      const Vec3 normal(number(part, "nx", Dimension::none), number(part, "ny", Dimension::none),
+                        number(part, "nz", Dimension::none, has(part, "nx") || has(part, "ny") ? 0.0 : 1.0));
+      const double radius = number(part, "radius", Dimension::length);
+      must(radius > 0 && normal.norm() > 0, part.origin, "<Disc> needs a positive 'radius' and a normal");
+      if (radius > 0 && normal.norm() > 0) shape.disc(at("x", "y", "z"), normal, radius);
+    }
+    static_cast<void>(unit);
+  }
+  must(!out.pieces.empty(), s.origin, solid ? "this crack has no surface" : "a crack needs at least two points");
+  for (const Vec3& x : out.points)
+    for (std::size_t d = 0; d < static_cast<std::size_t>(model_.dimension()); ++d)
+      if (const double v = x[static_cast<Eigen::Index>(d)]; v < model_.grid.low[d] || v > model_.grid.high[d]) {
+        problems_.add(s.origin, "this crack leaves the grid; enlarge <Grid> or end the crack within it");
+        return out;
+      }
+  return out;
+}
+
+void Builder::cracks() {
+  const Statement* general = root_.child("MPMHeader")->child("Cracks");
+  const auto law_of = [&](const Statement& s) -> std::shared_ptr<const ContactLaw> {
+    return s.attribute("law") || s.attribute("lawname") ? named_law(s) : law_by_number(s);
+  };
+  std::shared_ptr<const ContactLaw> fallback;
+  if (const Statement* f = general ? general->child("Friction") : nullptr)
+    fallback = law_of(*f);
+  else
+    fallback = tribo::contact_laws().find("CoulombFriction")->make(Statement{}, {}, model_.units, problems_);
+  for (const auto& s : root_.children) {
+    if (s.name != "CrackList") continue;
+    CrackSpec spec = crack(s);
+    spec.law = fallback;
+    if (has(s, "law") || has(s, "lawname")) {
+      spec.law = named_law(s);
+    } else if (const Attribute* friction = s.attribute("friction")) {
+      Statement number = s;
+      number.text = friction->text, number.text_origin = friction->origin;
+      spec.law = law_by_number(number);
+    }
+    // Faces that ignore each other have no law at all.
+    if (spec.law && !spec.law->looks_at_faces() && !spec.law->interface()) spec.law = nullptr;
+    must(!spec.law || spec.law->liquid() == 0, s.origin,
+         "LiquidContact needs a liquid on one side and cannot act between the faces of a crack");
+    model_.cracks.push_back(std::move(spec));
+  }
+  must(model_.cracks.empty() || !model_.scheme.b_bar, model_.cracks.empty() ? Origin{} : model_.cracks.front().origin,
+       "cracks and B-bar do not go together yet: means over cells would cross the crack");
+  if (general) must(!model_.cracks.empty(), general->origin, "<Cracks> without a <CrackList> has no effect");
+}
+
+}  // namespace tribo

@@ -1,0 +1,53 @@
+/// A crack: a surface with two faces that the bodies around it move.
+#pragma once
+
+#include "base/types.hpp"
+#include "contact/contact_law.hpp"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace tribo {
+
+/// Straight pieces in two dimensions, triangles in three. Seen along a line, or with the corners of a triangle
+/// counter-clockwise, the normal points to the left (up): to the upper face.
+template <int Dim>
+struct Crack {
+  using Piece = std::array<std::uint32_t, static_cast<std::size_t>(Dim)>;
+
+  const ContactLaw* law = nullptr;            ///< between the faces; null: they do not see each other
+  std::vector<Vec<Dim>> x;                    ///< points: halfway between the faces                      [length]
+  std::array<std::vector<Vec<Dim>>, 2> face;  ///< the same points on the lower (0) and upper (1) face    [length]
+  std::vector<Piece> pieces;
+  std::vector<double> gap;         ///< sum of what they parted along the normal                 [length]
+  std::vector<double> slip;        ///< way slid since the faces last stuck                    [length]
+  std::vector<double> bond;        ///< 1 whole, -1 broken, 0 none
+  std::vector<double> touch;       ///< in the last step: 0 open, 1 stick, 2 slip
+  std::vector<Vec<Dim>> traction;  ///< on the lower face in the last step                     [stress]
+
+  std::array<Vec<Dim>, static_cast<std::size_t>(Dim)> corners(std::size_t piece) const {
+    std::array<Vec<Dim>, static_cast<std::size_t>(Dim)> out;
+    for (std::size_t k = 0; k < out.size(); ++k) out[k] = x[pieces[piece][k]];
+    return out;
+  }
+  /// Upper minus lower face.
+  Vec<Dim> opening(std::size_t point) const { return face[1][point] - face[0][point]; }
+  /// Of all points: mean of the pieces around them.
+  std::vector<Vec<Dim>> normals() const {
+    std::vector<Vec<Dim>> out(x.size(), Vec<Dim>::Zero());
+    for (std::size_t p = 0; p < pieces.size(); ++p)
+      for (const auto point : pieces[p]) out[point] += area(corners(p));
+    for (auto& n : out) n.normalize();
+    return out;
+  }
+  /// Normal times area of a piece, to the upper side (length in two dimensions).
+  static Vec<Dim> area(const std::array<Vec<Dim>, static_cast<std::size_t>(Dim)>& c) {
+    if constexpr (Dim == 2)
+      return {c[0][1] - c[1][1], c[1][0] - c[0][0]};
+    else
+      return 0.5 * (c[1] - c[0]).cross(c[2] - c[0]);
+  }
+};
+
+}  // namespace tribo
