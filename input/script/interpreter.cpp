@@ -11,6 +11,7 @@ namespace tribo::script {
 namespace {
 
 constexpr long most_commands = 2'000'000;
+constexpr long most_complaints = 2'000;  // the same mistakes turn after turn
 constexpr std::size_t deepest_calls = 100, most_problems = 50, longest_text = 1'000'000;
 
 // `Stop`: what was complained about before comes first.
@@ -39,7 +40,7 @@ void Interpreter::complain(const InputError& error) {
     if (!known_.insert(p.origin.text() + p.message).second) continue;
     problems_.push_back({p.origin, p.message + from});
   }
-  if (problems_.size() >= most_problems) throw Stopped{};
+  if (problems_.size() >= most_problems || ++complaints_ >= most_complaints) throw Stopped{};
 }
 
 void Interpreter::count(const Origin& origin) {

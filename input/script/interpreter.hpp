@@ -64,7 +64,7 @@ class Interpreter {
   std::set<std::string> known_;     ///< problems reported already: loops repeat them
   std::vector<Problem> problems_;
   bool ran_to_end_ = false;
-  long commands_ = 0;
+  long commands_ = 0, complaints_ = 0;
   int loops_ = 0;  ///< inside each other, in the present subroutine
 };
 
