@@ -41,16 +41,19 @@ Statement property(const Statement& from, const char* name, const std::string& v
 
 }  // namespace
 
-// The law that <Friction> names by number or name; null after a problem.
-std::shared_ptr<const ContactLaw> Builder::named_law(const Statement& s) {
+// The law that <Friction> or <CrackList> names by number or name; null after a problem.
+const MaterialSpec* Builder::named_law(const Statement& s) {
   const Attribute* a = s.attribute("lawname") ? s.attribute("lawname") : s.attribute("law");
+  const auto law = [](const MaterialSpec& m) {
+    return tribo::contact_laws().find(m.type) || tribo::joint_laws().find(m.type);
+  };
   std::vector<std::string> names;
   for (const auto& m : model_.materials)
-    if (m.contact || tribo::contact_laws().find(m.type)) names.push_back(m.name);
+    if (law(m)) names.push_back(m.name);
   const MaterialSpec* found = nullptr;
   if (a->name == "lawname") {
     for (const auto& m : model_.materials)
-      if (m.name == a->text && (!found || tribo::contact_laws().find(m.type))) found = &m;
+      if (m.name == a->text && (!found || law(m))) found = &m;
   } else {
     const auto number = to_number(a->text);
     if (number && *number >= 1 && *number <= static_cast<double>(model_.materials.size()) &&
@@ -64,14 +67,22 @@ std::shared_ptr<const ContactLaw> Builder::named_law(const Statement& s) {
     problems_.add(a->origin, "there is no contact law '" + a->text + "'" + did_you_mean(a->text, names) + "; " + valid);
     return nullptr;
   }
-  if (tribo::joint_laws().find(found->type)) {
-    problems_.add(a->origin, "'" + found->name + "' at " + found->origin.text() + " is the joint law " + found->type +
-                                 ", which has a history and cannot be given to grid nodes; " + valid);
-    return nullptr;
-  }
-  if (!tribo::contact_laws().find(found->type)) {
+  if (!law(*found)) {
     problems_.add(a->origin, "'" + a->text + "' is the material '" + found->name + "' at " + found->origin.text() +
                                  ", not a contact law; " + valid);
+    return nullptr;
+  }
+  return found;
+}
+
+// For fields at nodes, which keep nothing.
+std::shared_ptr<const ContactLaw> Builder::nodal_law(const Statement& s) {
+  const MaterialSpec* found = named_law(s);
+  if (!found) return nullptr;
+  if (tribo::joint_laws().find(found->type)) {
+    const Attribute* a = s.attribute("lawname") ? s.attribute("lawname") : s.attribute("law");
+    problems_.add(a->origin, "'" + found->name + "' at " + found->origin.text() + " is the joint law " + found->type +
+                                 ", which has a history and cannot be given to grid nodes; give it to a <CrackList>");
     return nullptr;
   }
   return found->contact;
@@ -139,7 +150,7 @@ void Builder::contact() {
                                             : Separation::displacements;
 
   if (const auto* f = mode->child("Friction"))
-    c.default_law = f->attribute("law") || f->attribute("lawname") ? named_law(*f) : law_by_number(*f);
+    c.default_law = f->attribute("law") || f->attribute("lawname") ? nodal_law(*f) : law_by_number(*f);
   else
     c.default_law = tribo::contact_laws().find("CoulombFriction")->make(Statement{}, {}, model_.units, problems_);
   pair_laws();
@@ -161,7 +172,7 @@ void Builder::pair_laws() {
       }
       const int self = static_cast<int>(k), other = material(f);
       must(self != other, f.origin, "a pair needs two materials; this names the material itself");
-      const auto law = has(f, "law") || has(f, "lawname") ? named_law(f) : law_by_number(f);
+      const auto law = has(f, "law") || has(f, "lawname") ? nodal_law(f) : law_by_number(f);
       const std::pair pair{std::min(self, other), std::max(self, other)};
       const auto [entry, fresh] = given.try_emplace(pair, f.origin);
       if (!fresh) problems_.add(f.origin, "this pair of materials has a law already, at " + entry->second.text());

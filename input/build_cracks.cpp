@@ -1,6 +1,7 @@
 /// Cracks: their lines or surfaces, and the laws between their faces.
 
 #include "contact/contact_law.hpp"
+#include "contact/joint_law.hpp"
 #include "input/builder.hpp"
 
 #include <algorithm>
@@ -140,25 +141,37 @@ CrackSpec Builder::crack(const Statement& s) {
 
 void Builder::cracks() {
   const Statement* general = root_.child("MPMHeader")->child("Cracks");
-  const auto law_of = [&](const Statement& s) -> std::shared_ptr<const ContactLaw> {
-    return s.attribute("law") || s.attribute("lawname") ? named_law(s) : law_by_number(s);
+  struct Laws {
+    std::shared_ptr<const ContactLaw> contact;
+    std::shared_ptr<const JointLaw> joint;
   };
-  std::shared_ptr<const ContactLaw> fallback;
+  const auto named = [&](const Statement& s) -> Laws {
+    const MaterialSpec* law = named_law(s);
+    if (!law) return {};
+    if (law->joint)
+      must(!law->joint->needs_distance() && law->joint->poisson() == 0, s.origin,
+           "'" + law->name +
+               "' takes the place of material between blocks (compute-stiffness, sn_pois): on a crack "
+               "the bodies beside it are elastic already; use assign-stiffness");
+    return {law->contact, law->joint};
+  };
+  Laws fallback;
   if (const Statement* f = general ? general->child("Friction") : nullptr)
-    fallback = law_of(*f);
+    fallback = has(*f, "law") || has(*f, "lawname") ? named(*f) : Laws{law_by_number(*f), nullptr};
   else
-    fallback = tribo::contact_laws().find("CoulombFriction")->make(Statement{}, {}, model_.units, problems_);
+    fallback.contact = tribo::contact_laws().find("CoulombFriction")->make(Statement{}, {}, model_.units, problems_);
   for (const auto& s : root_.children) {
     if (s.name != "CrackList") continue;
     CrackSpec spec = crack(s);
-    spec.law = fallback;
+    Laws laws = fallback;
     if (has(s, "law") || has(s, "lawname")) {
-      spec.law = named_law(s);
+      laws = named(s);
     } else if (const Attribute* friction = s.attribute("friction")) {
       Statement number = s;
       number.text = friction->text, number.text_origin = friction->origin;
-      spec.law = law_by_number(number);
+      laws = {law_by_number(number), nullptr};
     }
+    spec.law = laws.contact, spec.joint = laws.joint;
     // Faces that ignore each other have no law at all.
     if (spec.law && !spec.law->looks_at_faces() && !spec.law->interface()) spec.law = nullptr;
     must(!spec.law || spec.law->liquid() == 0, s.origin,

@@ -47,7 +47,8 @@ class Builder {
   void pair_laws();
   void shared_fields();
   void liquid_of(const MaterialSpec& law);
-  std::shared_ptr<const ContactLaw> named_law(const Statement& s);
+  const MaterialSpec* named_law(const Statement& s);
+  std::shared_ptr<const ContactLaw> nodal_law(const Statement& s);
   std::shared_ptr<const ContactLaw> law_by_number(const Statement& s);
   double thermal_property(const Statement& s, Dimension dimension);
   void check_cell(const MaterialSpec& spec, double size, const Origin& origin);

@@ -505,7 +505,7 @@ std::vector<ElementSpec> make() {
   add({"CrackList", "JANFEAInput",
        "a crack: a line of points and lines in their order, or surfaces in three dimensions", T::none,
        std::vector<AttributeSpec>{{"type", T::choice, "accepted", "fixed free"},
-                                  text("law", "number of the law between its faces"),
+                                  text("law", "number of the contact or joint law between its faces"),
                                   text("lawname", "or its name"),
                                   number("friction", "old style: friction coefficient of the faces")}});
   add({"pt",

@@ -40,11 +40,38 @@ class ExactSum {
 
 int sign(double x) { return (x > 0) - (x < 0); }
 
+/// The sum of two doubles, of which the second is the rounding of the first: twice the digits. Dekker, Numer. Math. 18
+/// (1971) 224-242.
+struct Twofold {
+  double high = 0.0, low = 0.0;
+
+  /// Exact.
+  static Twofold sum(double a, double b) {
+    const double s = a + b, part = s - a;
+    return {s, (a - (s - part)) + (b - part)};
+  }
+  friend Twofold operator+(const Twofold& a, const Twofold& b) {
+    const Twofold s = sum(a.high, b.high);
+    return sum(s.high, s.low + a.low + b.low);
+  }
+  friend Twofold operator-(const Twofold& a, const Twofold& b) { return a + Twofold{-b.high, -b.low}; }
+  friend Twofold operator*(const Twofold& a, const Twofold& b) {
+    const double p = a.high * b.high;
+    return sum(p, std::fma(a.high, b.high, -p) + (a.high * b.low + a.low * b.high));
+  }
+};
+
+constexpr double fine_doubt = 1e-29;  // more than what Twofold rounds in the determinants below
+
 // Sign of (a - b)(c - d) - (e - f)(g - h).
 int sign_of_difference(double a, double b, double c, double d, double e, double f, double g, double h) {
   const double left = (a - b) * (c - d), right = (e - f) * (g - h), det = left - right;
   constexpr double doubt = 1e-15;  // more than the (3 + 16 eps) eps of the rounding
-  if (std::abs(det) > doubt * (std::abs(left) + std::abs(right))) return sign(det);
+  const double size = std::abs(left) + std::abs(right);
+  if (std::abs(det) > doubt * size) return sign(det);
+  if ((a == b || c == d) && (e == f || g == h)) return 0;
+  const Twofold fine = Twofold::sum(a, -b) * Twofold::sum(c, -d) - Twofold::sum(e, -f) * Twofold::sum(g, -h);
+  if (std::abs(fine.high) > fine_doubt * size) return sign(fine.high);
   ExactSum sum;
   sum.add_product(a, c), sum.add_product(-a, d), sum.add_product(-b, c), sum.add_product(b, d);
   sum.add_product(-e, g), sum.add_product(e, h), sum.add_product(f, g), sum.add_product(-f, h);
@@ -73,6 +100,14 @@ int volume(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   }
   constexpr double doubt = 2e-15;  // more than the (7 + 56 eps) eps of the rounding
   if (std::abs(det) > doubt * size) return sign(det);
+  if (size == 0) return 0;  // every product has a factor 0
+  Twofold fine;
+  for (int k = 0; k < 3; ++k) {
+    const int i = (k + 1) % 3, j = (k + 2) % 3;
+    const auto part = [&](const Vec3& x, int n) { return Twofold::sum(x[n], -a[n]); };
+    fine = fine + part(b, k) * (part(c, i) * part(d, j) - part(c, j) * part(d, i));
+  }
+  if (std::abs(fine.high) > fine_doubt * size) return sign(fine.high);
   // The determinant of the rows (x, 1) by its minors: every product of three coordinates once.
   ExactSum sum;
   const Vec3* p[4] = {&a, &b, &c, &d};

@@ -90,6 +90,7 @@ struct CrackSpec {
   std::vector<Vec3> points;
   std::vector<std::array<std::uint32_t, 3>> pieces;  ///< corners; in two dimensions the first two count
   std::shared_ptr<const ContactLaw> law;             ///< between its faces; null: they do not see each other
+  std::shared_ptr<const JointLaw> joint;             ///< or this
   Origin origin;
 };
 

@@ -65,7 +65,17 @@ void History::add(std::span<const double> row) {
     if (!line.empty()) line += ',';
     line += number_text(value);
   }
-  line += '\n';
+  write(line + '\n');
+}
+
+void History::add(double time, std::span<const std::string> rest) {
+  if (rest.size() + 1 != columns_) throw std::logic_error("a history row needs one value per column");
+  std::string line = number_text(time);
+  for (const auto& value : rest) line += ',' + value;
+  write(line + '\n');
+}
+
+void History::write(const std::string& line) {
   if (std::fwrite(line.data(), 1, line.size(), file_.get()) != line.size() || std::fflush(file_.get()) != 0)
     throw FileError("cannot write '" + path_.string() + "': " + std::strerror(errno));
 }

@@ -21,6 +21,8 @@ class History {
 
   /// One value per column, `time` first.
   void add(std::span<const double> row);
+  /// The same with text after the time; no value needs quotes.
+  void add(double time, std::span<const std::string> rest);
 
  private:
   struct Close {
@@ -28,6 +30,7 @@ class History {
   };
   History() = default;
   void open(const char* mode);
+  void write(const std::string& line);
   std::filesystem::path path_;
   std::size_t columns_ = 0;
   std::unique_ptr<std::FILE, Close> file_;

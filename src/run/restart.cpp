@@ -24,6 +24,40 @@ void each_column(Crack<Dim>& crack, F&& f) {
   f("gap", crack.gap), f("slip", crack.slip), f("bond", crack.bond), f("touch", crack.touch);
 }
 
+// The same for a surface of joints.
+template <int Dim, class F>
+void each_column(JointSurface<Dim>& surface, F&& f) {
+  std::vector<double> places, joints;
+  const auto each_place = [&](auto&& g) {
+    for (std::size_t k = 0; k < surface.joints.size(); ++k)
+      for (double* v :
+           {surface.x[k].data(), surface.axes[k].n.data(), surface.axes[k].s.data(), surface.axes[k].t.data()})
+        for (int d = 0; d < (v == surface.x[k].data() ? Dim : 3); ++d) g(v[d]);
+  };
+  const auto each_state = [&](auto&& g) {
+    for (Joint& joint : surface.joints) each_number(joint, g);
+  };
+  each_place([&](double& v) { places.push_back(v); });
+  each_state([&](double& v) { joints.push_back(v); });
+  f("places", places), f("joints", joints), f("mass1", surface.mass[0]), f("mass2", surface.mass[1]);
+  std::size_t k = 0;
+  each_place([&](double& v) { v = places[k++]; });
+  k = 0;
+  each_state([&](double& v) { v = joints[k++]; });
+}
+
+// Calls f(name, numbers) for all columns of cracks and joints.
+template <int Dim, class F>
+void each_surface(System<Dim>& system, F&& f) {
+  const auto all = [&](auto& list, const std::string& kind) {
+    for (std::size_t c = 0; c < list.size(); ++c)
+      each_column(list[c], [&](const char* name, std::vector<double>& column) {
+        f(kind + std::to_string(c) + "." + name, column);
+      });
+  };
+  all(system.cracks, "crack"), all(system.joints, "joints");
+}
+
 }  // namespace
 
 template <int Dim>
@@ -33,7 +67,7 @@ CheckpointWriter save_state(const RunState& state, System<Dim>& system, Stepper<
   out.put("counters", std::array<std::int64_t, 5>{state.archive, state.history, state.checkpoint, system.step,
                                                   stepper.pushed_back});
   out.put("clock", std::array{system.time, system.drift, system.sorted ? 1.0 : 0.0, state.initial_energy, state.dt,
-                              stepper.next_filter});
+                              stepper.next_filter, stepper.joints().stable_step()});
   const Ledger& l = stepper.ledger();
   out.put("ledger",
           std::array{l.external_work, l.damping_work, l.rigid_work, stepper.grid_damping, stepper.particle_damping,
@@ -49,10 +83,9 @@ CheckpointWriter save_state(const RunState& state, System<Dim>& system, Stepper<
                                entry.impact, entry.interface, entry.stored});
   out.put("contact", std::span<const double>(pairs));
   out.put("heat", std::array{stepper.heat().supplied, stepper.heat().from_contact, stepper.heat().waited});
-  for (std::size_t c = 0; c < system.cracks.size(); ++c)
-    each_column(system.cracks[c], [&](const char* name, std::vector<double>& column) {
-      out.put("crack" + std::to_string(c) + "." + name, std::span<const double>(column));
-    });
+  each_surface(system, [&](const std::string& name, std::vector<double>& column) {
+    out.put(name, std::span<const double>(column));
+  });
   each_body(system, [&](Body<Dim>& body, const std::string& prefix) {
     out.put(prefix + "id", std::span<const std::int64_t>(body.particles.id));
     std::vector<std::int64_t> bins;
@@ -76,6 +109,7 @@ RunState load_state(const Checkpoint& checkpoint, System<Dim>& system, Stepper<D
   system.step = counters.at(3), stepper.pushed_back = static_cast<long>(counters.at(4));
   system.time = clock.at(0), system.drift = clock.at(1), system.sorted = clock.at(2) != 0.0;
   state.initial_energy = clock.at(3), state.dt = clock.at(4), stepper.next_filter = clock.at(5);
+  stepper.joints().set_stable_step(clock.at(6));
   stepper.ledger() = {ledger.at(0), ledger.at(1), ledger.at(2), {ledger.at(7), ledger.at(8), ledger.at(9)}};
   stepper.grid_damping = ledger.at(3), stepper.particle_damping = ledger.at(4);
   stepper.grid_feedback = ledger.at(5), stepper.particle_feedback = ledger.at(6);
@@ -96,12 +130,11 @@ RunState load_state(const Checkpoint& checkpoint, System<Dim>& system, Stepper<D
   const auto heat = checkpoint.doubles("heat");
   stepper.heat().supplied = heat.at(0), stepper.heat().from_contact = heat.at(1);
   stepper.heat().waited = heat.at(2);
-  for (std::size_t c = 0; c < system.cracks.size(); ++c)
-    each_column(system.cracks[c], [&](const char* name, std::vector<double>& column) {
-      const auto values = checkpoint.doubles("crack" + std::to_string(c) + "." + name);
-      if (values.size() != column.size()) mismatch();
-      column = values;
-    });
+  each_surface(system, [&](const std::string& name, std::vector<double>& column) {
+    const auto values = checkpoint.doubles(name);
+    if (values.size() != column.size()) mismatch();
+    column = values;
+  });
   each_body(system, [&](Body<Dim>& body, const std::string& prefix) {
     const auto ids = checkpoint.integers(prefix + "id");
     if (ids.size() != body.particles.size()) mismatch();

@@ -9,12 +9,6 @@
 namespace tribo {
 namespace {
 
-std::string numbered(const std::string& stem, std::int64_t number, const std::string& extension) {
-  char digits[32];
-  std::snprintf(digits, sizeof digits, "_%06lld", static_cast<long long>(number));
-  return stem + digits + extension;
-}
-
 std::vector<std::string> energy_columns(bool heat) {
   std::vector<std::string> columns{"time",      "kinetic",    "elastic",       "plastic",       "potential",
                                    "contact",   "interface",  "external_work", "boundary_work", "damping",
@@ -24,7 +18,16 @@ std::vector<std::string> energy_columns(bool heat) {
   return columns;
 }
 
+const std::vector<std::string> event_columns{"time", "joint", "point", "x",        "y",
+                                             "z",    "event", "mode",  "strength", "energy"};
+
 }  // namespace
+
+std::string numbered(std::int64_t number, const std::string& extension) {
+  char digits[32];
+  std::snprintf(digits, sizeof digits, "run_%06lld", static_cast<long long>(number));
+  return digits + extension;
+}
 
 template <int Dim>
 Results<Dim>::Results(const Model& model, System<Dim>& system, Stepper<Dim>& stepper, std::filesystem::path folder,
@@ -36,12 +39,14 @@ Results<Dim>::Results(const Model& model, System<Dim>& system, Stepper<Dim>& ste
       folder_(std::move(folder)),
       particles_(folder_ / "run.pvd"),
       grid_(folder_ / "grid.pvd"),
-      cracks_(folder_ / "cracks.pvd") {
+      cracks_(folder_ / "cracks.pvd"),
+      joints_(folder_ / "joints.pvd") {
   std::vector<std::string> columns{"time"};
   for (const auto& q : model.output.history) columns.push_back(q.column);
   if (!resume_time) {
     history_.emplace(folder_ / "history.csv", columns);
     energy_.emplace(folder_ / "energy.csv", energy_columns(model.heat.kept));
+    if (!system.joints.empty()) events_.emplace(folder_ / "events.csv", event_columns);
     return;
   }
   history_.emplace(History::resume(folder_ / "history.csv", columns, *resume_time));
@@ -49,6 +54,9 @@ Results<Dim>::Results(const Model& model, System<Dim>& system, Stepper<Dim>& ste
   particles_.resume(*resume_time);
   if (!model.output.grid_fields.empty()) grid_.resume(*resume_time);
   if (!system.cracks.empty()) cracks_.resume(*resume_time);
+  if (system.joints.empty()) return;
+  joints_.resume(*resume_time);
+  events_.emplace(History::resume(folder_ / "events.csv", event_columns, *resume_time));
 }
 
 template <int Dim>
@@ -59,11 +67,12 @@ void Results<Dim>::write_particles(std::int64_t number) {
     for (auto& body : *list) bodies.push_back(&body);
   const auto& wanted = model_.output.particle_fields;
   const ParticleFields<Dim> all(model_, bodies, wanted.empty() ? ParticleFields<Dim>::standard() : wanted);
-  const std::string file = "particles/" + numbered("run", number, ".vtp");
+  const std::string file = "particles/" + numbered(number, ".vtp");
   tribo::write_particles(folder_ / file, all.count(), all.positions(), all.fields(), system_.time);
   particles_.add(system_.time, file);
   if (!model_.output.grid_fields.empty()) write_grid(number);
   if (!system_.cracks.empty()) write_cracks(number);
+  if (!system_.joints.empty()) write_joints(number);
 }
 
 template <int Dim>
@@ -101,48 +110,9 @@ void Results<Dim>::write_grid(std::int64_t number) {
     if (name == "velocity")
       fields.push_back({name, {velocity[0].data(), velocity[1].data(), velocity[2].data()}, nullptr});
   }
-  const std::string file = "grid/" + numbered("run", number, ".vti");
+  const std::string file = "grid/" + numbered(number, ".vti");
   tribo::write_grid(folder_ / file, origin, spacing, nodes, fields, system_.time);
   grid_.add(system_.time, file);
-}
-
-// All cracks in one file: points halfway between the faces.
-template <int Dim>
-void Results<Dim>::write_cracks(std::int64_t number) {
-  std::vector<std::uint32_t> cells;
-  std::vector<std::int64_t> which;
-  std::array<std::vector<double>, 3> x, opening, traction;
-  std::vector<double> gap, slip, state;
-  for (std::size_t c = 0; c < system_.cracks.size(); ++c) {
-    const Crack<Dim>& crack = system_.cracks[c];
-    const auto first = static_cast<std::uint32_t>(which.size());
-    for (const auto& piece : crack.pieces)
-      for (const auto point : piece) cells.push_back(first + point);
-    const auto normals = crack.normals();
-    for (std::size_t k = 0; k < crack.x.size(); ++k) {
-      which.push_back(static_cast<std::int64_t>(c) + 1);
-      for (std::size_t d = 0; d < 3; ++d) {
-        const auto axis = static_cast<Eigen::Index>(d);
-        x[d].push_back(d < Dim ? crack.x[k][axis] : 0.0);
-        opening[d].push_back(d < Dim ? crack.opening(k)[axis] : 0.0);
-        traction[d].push_back(d < Dim ? crack.traction[k][axis] : 0.0);
-      }
-      const Vec<Dim> apart = crack.opening(k);
-      gap.push_back(crack.gap[k]);
-      slip.push_back((apart - apart.dot(normals[k]) * normals[k]).norm());
-      state.push_back(crack.touch[k]);
-    }
-  }
-  const auto vector = [](const char* name, const std::array<std::vector<double>, 3>& v) {
-    return OutputField{name, {v[0].data(), v[1].data(), v[2].data()}, nullptr};
-  };
-  const std::vector<OutputField> fields{{"crack", {}, which.data()},        vector("opening", opening),
-                                        {"gap", {gap.data()}, nullptr},     {"slip", {slip.data()}, nullptr},
-                                        {"state", {state.data()}, nullptr}, vector("traction", traction)};
-  const std::string file = "cracks/" + numbered("run", number, ".vtp");
-  tribo::write_surface(folder_ / file, which.size(), {x[0].data(), x[1].data(), x[2].data()}, cells, Dim, fields,
-                       system_.time);
-  cracks_.add(system_.time, file);
 }
 
 template <int Dim>
@@ -156,6 +126,8 @@ Ledgers Results<Dim>::ledgers(const Measures& all) const {
   const PairLedger contact = stepper_.contact().total();
   l.interface = contact.stored;
   l.contact = contact.friction + contact.impact + contact.interface - contact.stored;
+  const auto joints = stepper_.joints().energies();
+  l.interface += joints.stored, l.contact += joints.lost;
   l.boundary_work += stepper_.contact().rigid_work;
   for (std::size_t f = 0; f < system_.fields.size(); ++f) l.boundary_work += stepper_.conditions(f).work();
   return l;

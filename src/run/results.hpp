@@ -12,6 +12,9 @@
 
 namespace tribo {
 
+/// `run_000012.vtp`
+std::string numbered(std::int64_t number, const std::string& extension);
+
 /// Everything the histories need to know of the present state.
 struct Ledgers {
   double potential = 0.0;      ///< of constant gravity, zero at the start   [energy]
@@ -31,6 +34,8 @@ class Results {
 
   void write_particles(std::int64_t number);
   void write_history(double dt);
+  /// What happened at joints since the last call.
+  void write_events();
   /// Energies at the start, for the residual; kept for restart.
   double initial_energy = 0.0;
 
@@ -43,14 +48,15 @@ class Results {
   Ledgers ledgers(const Measures& all) const;
   void write_grid(std::int64_t number);
   void write_cracks(std::int64_t number);
+  void write_joints(std::int64_t number);
 
   const Model& model_;
   System<Dim>& system_;
   Stepper<Dim>& stepper_;
   Tracers<Dim> tracers_;
   std::filesystem::path folder_;
-  Collection particles_, grid_, cracks_;
-  std::optional<History> history_, energy_;
+  Collection particles_, grid_, cracks_, joints_;
+  std::optional<History> history_, energy_, events_;
 };
 
 }  // namespace tribo

@@ -120,9 +120,10 @@ class Simulation {
           save();
         }
         dt_ = step_size_.next(dt_);
-        const double step = step_size_.up_to_end(dt_);
+        const double step = step_size_.up_to_end(std::min(dt_, stepper_.joints().stable_step()));
         update_damping(step);
         stepper_.advance(step);
+        results.write_events();
         write(false);
         if (system_.step % 16 == 0 && seconds_since(reported) > between_reports) {
           report("running", "");
@@ -150,7 +151,7 @@ class Simulation {
     const auto until = [&](double time) {
       while (system_.time < time * (1 - 1e-12)) {
         dt_ = step_size_.next(dt_);
-        const double step = step_size_.up_to_end(dt_);
+        const double step = step_size_.up_to_end(std::min(dt_, stepper_.joints().stable_step()));
         update_damping(step);
         stepper_.advance(step);
       }
@@ -283,10 +284,11 @@ void prepare_folder(const RunOptions& options) {
   std::filesystem::remove_all(folder / "particles", error);
   std::filesystem::remove_all(folder / "grid", error);
   std::filesystem::remove_all(folder / "cracks", error);
-  for (const char* file :
-       {"run.pvd", "grid.pvd", "cracks.pvd", "history.csv", "energy.csv", "checkpoint.bin", "provenance.json"})
+  std::filesystem::remove_all(folder / "joints", error);
+  for (const char* file : {"run.pvd", "grid.pvd", "cracks.pvd", "joints.pvd", "events.csv", "history.csv", "energy.csv",
+                           "checkpoint.bin", "provenance.json"})
     std::filesystem::remove(folder / file, error);
-  for (const char* part : {"particles", "grid", "cracks"}) {
+  for (const char* part : {"particles", "grid", "cracks", "joints"}) {
     std::filesystem::create_directories(folder / part, error);
     if (error) throw FileError("cannot create '" + (folder / part).string() + "': " + error.message());
   }

@@ -1,5 +1,6 @@
 #include "solver/build.hpp"
 
+#include "solver/crack_build.hpp"
 #include "solver/transfer.hpp"
 
 #include "contact/contact_law.hpp"
@@ -140,24 +141,9 @@ Body<Dim> make_body(const Model& model, int material, const std::vector<const Se
   return body;
 }
 
+// With cracks each field of bodies has others beyond them.
 template <int Dim>
-void add_cracks(const Model& model, System<Dim>& system) {
-  for (const CrackSpec& spec : model.cracks) {
-    Crack<Dim> crack;
-    crack.law = spec.law.get();
-    for (const Vec3& x : spec.points) crack.x.push_back(x.template head<Dim>());
-    crack.face.fill(crack.x);
-    for (const auto& piece : spec.pieces) {
-      typename Crack<Dim>::Piece corners;
-      std::copy_n(piece.begin(), corners.size(), corners.begin());
-      crack.pieces.push_back(corners);
-    }
-    crack.slip.assign(crack.x.size(), 0.0), crack.touch = crack.gap = crack.slip;
-    // faces that touch at the start are bonded if their law bonds
-    crack.bond.assign(crack.x.size(), crack.law && crack.law->remembers() ? 1.0 : 0.0);
-    crack.traction.assign(crack.x.size(), Vec<Dim>::Zero());
-    system.cracks.push_back(std::move(crack));
-  }
+void add_sides(System<Dim>& system) {
   for (std::size_t f = 0; f < system.fields.size(); ++f) system.fields[f].home = f;
   if (system.cracks.empty()) return;
   const std::size_t homes = system.fields.size(), sides = system.cracks.size() == 1 ? 1 : 3;
@@ -229,7 +215,8 @@ System<Dim> build_system(const Model& model, const std::vector<Seed>& seeds) {
     (body.law->rigid() ? system.rigids : system.bodies).push_back(std::move(body));
   }
   assign_fields(model, system);
-  add_cracks(model, system);
+  if (!model.cracks.empty()) add_cracks(model, system, transfers->stencil_width());
+  add_sides(system);
   if (system.bodies.empty())
     throw InputError(Origin{}, "the model has no deformable particle; give a <Body> with a material");
   const auto& periodic = model.grid.periodic;

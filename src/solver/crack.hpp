@@ -20,11 +20,15 @@ struct Crack {
   std::vector<Vec<Dim>> x;                    ///< points: halfway between the faces                      [length]
   std::array<std::vector<Vec<Dim>>, 2> face;  ///< the same points on the lower (0) and upper (1) face    [length]
   std::vector<Piece> pieces;
-  std::vector<double> gap;         ///< sum of what they parted along the normal                 [length]
-  std::vector<double> slip;        ///< way slid since the faces last stuck                    [length]
-  std::vector<double> bond;        ///< 1 whole, -1 broken, 0 none
-  std::vector<double> touch;       ///< in the last step: 0 open, 1 stick, 2 slip
-  std::vector<Vec<Dim>> traction;  ///< on the lower face in the last step                     [stress]
+  std::vector<double> inside;                      ///< part of each piece that lay in bodies at the start
+  std::size_t drawn_points = 0, drawn_pieces = 0;  ///< the others go on from where the crack leaves a body
+  std::vector<double> gap;                    ///< sum of what they parted along the normal                 [length]
+  std::vector<double> slip;                   ///< way slid since the faces last stuck                    [length]
+  std::vector<double> bond;                   ///< 1 whole, -1 broken, 0 none
+  std::vector<double> touch;                  ///< in the last step: 0 open, 1 stick, 2 slip
+  std::vector<Vec<Dim>> traction;             ///< on the lower face in the last step                     [stress]
+  std::vector<char> led;                      ///< points whose faces joints lead in this step; empty: none
+  std::vector<std::array<Vec<Dim>, 2>> lead;  ///< their velocities
 
   std::array<Vec<Dim>, static_cast<std::size_t>(Dim)> corners(std::size_t piece) const {
     std::array<Vec<Dim>, static_cast<std::size_t>(Dim)> out;

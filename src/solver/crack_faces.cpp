@@ -2,7 +2,6 @@
 
 #include "base/parallel.hpp"
 #include "geometry/crossing.hpp"
-#include "grid/kernels.hpp"
 #include "solver/cracks.hpp"
 
 #include <algorithm>
@@ -48,30 +47,7 @@ constexpr const auto& gauss() {
     return gauss3;
 }
 
-double hat(double s) { return std::max(0.0, 1 - std::abs(s)); }
-double quadratic(double s) {
-  s = std::abs(s);
-  return s <= 0.5 ? 0.75 - s * s : s < 1.5 ? 0.5 * (1.5 - s) * (1.5 - s) : 0.0;
-}
-double cubic(double s) {
-  s = std::abs(s);
-  return s <= 1 ? 2.0 / 3 - s * s * (1 - 0.5 * s) : s < 2 ? (2 - s) * (2 - s) * (2 - s) / 6 : 0.0;
-}
-
 }  // namespace
-
-// Of a node's shape function, from the node.
-template <int Dim>
-double Cracks<Dim>::weight(const Vec<Dim>& distance) const {
-  double w = 1.0;
-  for (int d = 0; d < Dim; ++d) {
-    const double s = distance[d] / system_.lattice.spacing[d];
-    w *= model_.scheme.kernel == Kernel::quadratic_spline ? quadratic(s)
-         : model_.scheme.kernel == Kernel::cubic_spline   ? cubic(s)
-                                                          : hat(s);
-  }
-  return w;
-}
 
 template <int Dim>
 auto Cracks<Dim>::nearest(std::uint32_t c, const Vec<Dim>& x) const -> Nearest {
@@ -119,14 +95,14 @@ auto Cracks<Dim>::seen(std::uint32_t c, const Vec<Dim>& node, const Nearest& nea
         ((p.high + reach).array() < node.array()).any())
       continue;
     const auto& corners = p.corners;
-    const double whole = p.area().norm() / static_cast<double>(gauss<Dim>().size());
+    const double whole = crack.inside[p.piece] * p.area().norm() / static_cast<double>(gauss<Dim>().size());
     for (std::size_t g = 0; g < gauss<Dim>().size(); ++g) {
       // the corners of images stand in another order
       auto share = gauss<Dim>()[g];
       if (p.points != crack.pieces[p.piece]) std::swap(share[0], share[1]);
       Vec<Dim> x = Vec<Dim>::Zero();
       for (std::size_t k = 0; k < share.size(); ++k) x += share[k] * corners[k];
-      double w = weight(x - node) * whole * carried_[c][p.piece * gauss<Dim>().size() + g];
+      double w = around_.weight(x - node) * whole * carried_[c][p.piece * gauss<Dim>().size() + g];
       if (!(w > 0)) continue;
       if (system_.analysis == Analysis::axisymmetric)
         w *= x[0];
@@ -177,7 +153,7 @@ void Cracks<Dim>::weigh() {
         Vec<Dim> x = Vec<Dim>::Zero();
         for (std::size_t k = 0; k < corners.size(); ++k) x += gauss<Dim>()[g][k] * corners[k];
         double all = 0.0, both = 0.0;
-        each_node_around(x, [&](double w, const Index<Dim>& n) {
+        around_.each(x, [&](double w, const Index<Dim>& n) {
           all += w;
           if (both_sides(c, n)) both += w;
         });
@@ -222,39 +198,10 @@ bool Cracks<Dim>::meet(ContactPair& pair, const Index<Dim>& node, int side_a, in
   return true;
 }
 
-// Calls f(weight, node) for the nodes around a point; false if some lie outside of the lattice.
-template <int Dim>
-template <class F>
-bool Cracks<Dim>::each_node_around(const Vec<Dim>& at, F&& f) const {
-  const auto& lattice = system_.lattice;
-  const double reach = model_.scheme.kernel == Kernel::cubic_spline       ? 2.0
-                       : model_.scheme.kernel == Kernel::quadratic_spline ? 1.5
-                                                                          : 1.0;
-  Index<Dim> low, high;
-  for (std::size_t d = 0; d < Dim; ++d) {
-    const auto axis = static_cast<Eigen::Index>(d);
-    const double s = (at[axis] - lattice.origin[axis]) / lattice.spacing[axis];
-    low[d] = static_cast<int>(std::ceil(s - reach)), high[d] = static_cast<int>(std::floor(s + reach));
-    if (low[d] < 0 || high[d] >= lattice.blocks[d] * block_edge<Dim>) return false;
-  }
-  Index<Dim> n = low;
-  for (int z = Dim == 3 ? low[Dim - 1] : 0; z <= (Dim == 3 ? high[Dim - 1] : 0); ++z)
-    for (n[1] = low[1]; n[1] <= high[1]; ++n[1])
-      for (n[0] = low[0]; n[0] <= high[0]; ++n[0]) {
-        if constexpr (Dim == 3) n[2] = z;
-        if (const double w = weight(at - lattice.position(n)); w > 0) f(w, n);
-      }
-  return true;
-}
-
 // Mass and velocity at a node of all that lies on one side there.
 template <int Dim>
 double Cracks<Dim>::of_side(Index<Dim> n, int side, Vec<Dim>& v) const {
-  Vec<Dim> mirror = Vec<Dim>::Ones();
-  for (const Plane& plane : planes_) {  // nodes beyond are images
-    int& at = n[static_cast<std::size_t>(plane.axis)];
-    if ((plane.node - at) * plane.inward > 0) at = 2 * plane.node - at, mirror[plane.axis] *= -1;
-  }
+  const Vec<Dim> mirror = around_.fold(n);
   double mass = 0.0;
   Vec<Dim> momentum = Vec<Dim>::Zero();
   for (const auto& field : system_.fields) {
@@ -278,12 +225,14 @@ bool Cracks<Dim>::face_velocities(const Crack<Dim>& crack, std::size_t k, const 
                                   std::array<Vec<Dim>, 2>& v) const {
   const Vec<Dim> aside = 1e-6 * system_.lattice.spacing.minCoeff() * normal;
   const std::array<Vec<Dim>, 2> beside{crack.x[k] - aside, crack.x[k] + aside};
+  thread_local Sight sight;
+  look(crack.x[k], sight);
   double all = 0.0, both = 0.0;
   Vec<Dim> mean = Vec<Dim>::Zero(), apart = mean;
-  each_node_around(crack.x[k], [&](double w, const Index<Dim>& n) {
+  around_.each(crack.x[k], [&](double w, const Index<Dim>& n) {
     std::array<Vec<Dim>, 2> here;
     std::array<double, 2> mass;
-    for (std::size_t f = 0; f < 2; ++f) mass[f] = of_side(n, side(beside[f], n), here[f]);
+    for (std::size_t f = 0; f < 2; ++f) mass[f] = of_side(n, side(sight, beside[f], n), here[f]);
     if (!(mass[0] + mass[1] > 0)) return;
     all += w;
     if (mass[0] > 0 && mass[1] > 0) {
@@ -302,9 +251,10 @@ bool Cracks<Dim>::face_velocities(const Crack<Dim>& crack, std::size_t k, const 
   for (std::size_t f = 0; f < 2; ++f) {
     double sum = 0.0;
     v[f].setZero();
-    each_node_around(crack.face[f][k], [&](double w, const Index<Dim>& n) {
+    look(crack.face[f][k], sight);
+    around_.each(crack.face[f][k], [&](double w, const Index<Dim>& n) {
       Vec<Dim> here;
-      if (of_side(n, side(beside[f], n), here) > 0) sum += w, v[f] += w * here;
+      if (of_side(n, side(sight, beside[f], n), here) > 0) sum += w, v[f] += w * here;
     });
     found[f] = sum > 0;
     if (found[f]) v[f] /= sum;
@@ -323,7 +273,10 @@ void Cracks<Dim>::move(double dt) {
     std::vector<char> carried(count, 0);
     parallel_for(static_cast<std::ptrdiff_t>(count), [&](std::ptrdiff_t point) {
       const auto k = static_cast<std::size_t>(point);
-      carried[k] = face_velocities(crack, k, normals[k], v[k]);
+      if (!crack.led.empty() && crack.led[k])
+        carried[k] = 1, v[k] = crack.lead[k];
+      else
+        carried[k] = face_velocities(crack, k, normals[k], v[k]);
     });
     for (std::size_t k = 0; k < count; ++k) {
       if (carried[k]) continue;
@@ -356,7 +309,7 @@ void Cracks<Dim>::remember(const ContactPair& pair, const Index<Dim>& node) {
     if (static_cast<int>(p.crack) != pair.crack) continue;
     const double of_lower = pair.meeting.normal.template head<Dim>().dot(p.area()) > 0 ? 1.0 : -1.0;
     for (std::size_t k = 0; k < p.points.size(); ++k) {
-      const double w = weight(p.corners[k] - x);
+      const double w = around_.weight(p.corners[k] - x);
       if (!(w > 0)) continue;
       Memory& m = memory_[p.crack][p.points[k]];
       m.area += w * pair.meeting.area;

@@ -2,7 +2,6 @@
 
 #include "base/parallel.hpp"
 #include "geometry/crossing.hpp"
-#include "grid/kernels.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,12 +14,8 @@ Cracks<Dim>::Cracks(const Model& model, System<Dim>& system, const Transfers<Dim
       system_(system),
       transfers_(transfers),
       width_(transfers.stencil_width()),
-      list_of_(active() ? static_cast<std::size_t>(system.lattice.block_count()) : 0, -1) {
-  for (int axis = 0; axis < Dim; ++axis)
-    for (std::size_t end = 0; end < 2; ++end)
-      if (const auto& at = model.grid.symmetry[static_cast<std::size_t>(axis)][end])
-        planes_.push_back({axis, *at, system.lattice.line(axis, *at), end == 0 ? 1 : -1});
-}
+      around_(model, system.lattice),
+      list_of_(active() ? static_cast<std::size_t>(system_.lattice.block_count()) : 0, -1) {}
 
 namespace {
 
@@ -53,7 +48,7 @@ template <class F>
 void Cracks<Dim>::each_image(const PieceOf& piece, F&& f) const {
   std::vector<PieceOf> images{piece};
   for (std::size_t k = 0; k < images.size(); ++k)
-    for (const Plane& plane : planes_) {
+    for (const SymmetryPlane& plane : around_.planes()) {
       PieceOf image = images[k];
       for (auto& corner : image.corners) corner[plane.axis] = 2 * plane.at - corner[plane.axis];
       image.mirror[plane.axis] *= -1;
@@ -166,13 +161,14 @@ void Cracks<Dim>::find() {
 
 // Bits of the cracks that a way crosses an odd number of times.
 template <int Dim>
-std::uint64_t Cracks<Dim>::crossed(const std::vector<PieceOf>& pieces, const Vec<Dim>& from, const Vec<Dim>& to) const {
+std::uint64_t Cracks<Dim>::crossed(const std::vector<const PieceOf*>& pieces, const Vec<Dim>& from,
+                                   const Vec<Dim>& to) const {
   std::uint64_t out = 0;
   const Vec<Dim> low = from.cwiseMin(to), high = from.cwiseMax(to);
-  for (const PieceOf& p : pieces)
-    if ((p.low.array() <= high.array()).all() && (low.array() <= p.high.array()).all() &&
-        crossing(p.corners, from, to) != 0)
-      out ^= std::uint64_t{1} << p.bit;
+  for (const PieceOf* p : pieces)
+    if ((p->low.array() <= high.array()).all() && (low.array() <= p->high.array()).all() &&
+        crossing(p->corners, from, to) != 0)
+      out ^= std::uint64_t{1} << p->bit;
   return out;
 }
 
@@ -186,7 +182,7 @@ void Cracks<Dim>::find_bin(Body<Dim>& body, const Bin& bin, CutBin& cut) {
   const int list = list_of_[static_cast<std::size_t>(bin.block)];
   if (list < 0) return;
   thread_local std::vector<Index<Dim>> lowest;
-  thread_local std::vector<PieceOf> close;
+  thread_local std::vector<const PieceOf*> close;
   transfers_.lowest_nodes(body, system_.lattice, bin, lowest);
   const int nodes = Dim == 2 ? width_ * width_ : width_ * width_ * width_;
   const Vec<Dim> span = (width_ - 1.0) * system_.lattice.spacing;
@@ -195,7 +191,7 @@ void Cracks<Dim>::find_bin(Body<Dim>& body, const Bin& bin, CutBin& cut) {
     const Vec<Dim> low = base.cwiseMin(x), high = (base + span).cwiseMax(x);
     close.clear();
     for (const PieceOf& p : lists_[static_cast<std::size_t>(list)].pieces)
-      if ((p.low.array() <= high.array()).all() && (low.array() <= p.high.array()).all()) close.push_back(p);
+      if ((p.low.array() <= high.array()).all() && (low.array() <= p.high.array()).all()) close.push_back(&p);
     if (close.empty()) continue;
     const std::size_t first = cut.sides.size();
     bool any = false;
@@ -278,9 +274,18 @@ int Cracks<Dim>::to_sides(const Index<Dim>& node, std::uint64_t crossed, const L
 }
 
 template <int Dim>
-int Cracks<Dim>::side(const Vec<Dim>& x, const Index<Dim>& node) const {
-  const List& list = near(x);
-  return to_sides(node, crossed(list.pieces, x, system_.lattice.position(node)), list);
+void Cracks<Dim>::look(const Vec<Dim>& x, Sight& sight) const {
+  sight.list = &near(x);
+  sight.close.clear();
+  const Vec<Dim> reach = 2.01 * system_.lattice.spacing;
+  const Vec<Dim> low = x - reach, high = x + reach;
+  for (const PieceOf& p : sight.list->pieces)
+    if ((p.low.array() <= high.array()).all() && (low.array() <= p.high.array()).all()) sight.close.push_back(&p);
+}
+
+template <int Dim>
+int Cracks<Dim>::side(const Sight& sight, const Vec<Dim>& x, const Index<Dim>& node) const {
+  return sight.close.empty() ? 0 : to_sides(node, crossed(sight.close, x, system_.lattice.position(node)), *sight.list);
 }
 
 template class Cracks<2>;

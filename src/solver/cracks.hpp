@@ -5,6 +5,7 @@
 #pragma once
 
 #include "solver/conditions.hpp"
+#include "solver/nodes_around.hpp"
 #include "solver/pair_impulses.hpp"
 #include "solver/transfer.hpp"
 
@@ -14,31 +15,6 @@ namespace tribo {
 
 template <int Dim>
 class Cracks {
- public:
-  Cracks(const Model& model, System<Dim>& system, const Transfers<Dim>& transfers);
-
-  bool active() const { return !system_.cracks.empty(); }
-  /// Finds the bins that cracks may cut until the next sort.
-  void locate();
-  /// Blocks of the lattice that the across fields of a field need.
-  void add_blocks(const Field<Dim>& field, std::vector<std::int64_t>& blocks) const;
-  /// Finds the sides of all particles near cracks; at the start of a step.
-  void find();
-  /// Finds which nodes carry the faces; once the masses of a step are known, before meet().
-  void weigh();
-  /// Whether fields of these sides face each other across a crack of this node; if so the pair's law, normal, gap,
-  /// area, opening and memory. False if nothing acts between them.
-  bool meet(ContactPair& pair, const Index<Dim>& node, int side_a, int side_b) const;
-  /// Moves the faces with the velocities of the nodes.
-  void move(double dt);
-  /// Side, as in CutBin, on which a way from `x` ends at a node.
-  int side(const Vec<Dim>& x, const Index<Dim>& node) const;
-  /// Shows and remembers what a pair did at a node; begin() before the first of a step, end() after the last.
-  void begin_memory();
-  void remember(const ContactPair& pair, const Index<Dim>& node);
-  void end_memory();
-
- private:
   using Points = typename Crack<Dim>::Piece;
   using Corners = std::array<Vec<Dim>, static_cast<std::size_t>(Dim)>;
   /// A piece, or its image in a symmetry plane.
@@ -59,6 +35,38 @@ class Cracks {
     std::vector<PieceOf> pieces;
     std::vector<std::uint32_t> cracks;
   };
+
+ public:
+  Cracks(const Model& model, System<Dim>& system, const Transfers<Dim>& transfers);
+
+  bool active() const { return !system_.cracks.empty(); }
+  /// Finds the bins that cracks may cut until the next sort.
+  void locate();
+  /// Blocks of the lattice that the across fields of a field need.
+  void add_blocks(const Field<Dim>& field, std::vector<std::int64_t>& blocks) const;
+  /// Finds the sides of all particles near cracks; at the start of a step.
+  void find();
+  /// Finds which nodes carry the faces; once the masses of a step are known, before meet().
+  void weigh();
+  /// Whether fields of these sides face each other across a crack of this node; if so the pair's law, normal, gap,
+  /// area, opening and memory. False if nothing acts between them.
+  bool meet(ContactPair& pair, const Index<Dim>& node, int side_a, int side_b) const;
+  /// Moves the faces with the velocities of the nodes.
+  void move(double dt);
+  /// The pieces that ways from a point to the nodes around it may cross.
+  struct Sight {
+    std::vector<const PieceOf*> close;
+    const List* list = nullptr;
+  };
+  void look(const Vec<Dim>& x, Sight& sight) const;
+  /// Side, as in CutBin, on which a way ends at a node that begins in `x`, next to where look() was.
+  int side(const Sight& sight, const Vec<Dim>& x, const Index<Dim>& node) const;
+  /// Shows and remembers what a pair did at a node; begin() before the first of a step, end() after the last.
+  void begin_memory();
+  void remember(const ContactPair& pair, const Index<Dim>& node);
+  void end_memory();
+
+ private:
   /// Where a crack is nearest to a point.
   struct Nearest {
     const PieceOf* piece = nullptr;
@@ -81,12 +89,9 @@ class Cracks {
   void number_node_cracks();
   std::int64_t flat(const Index<Dim>& node) const;
   int to_sides(const Index<Dim>& node, std::uint64_t crossed, const List& list) const;
-  std::uint64_t crossed(const std::vector<PieceOf>& pieces, const Vec<Dim>& from, const Vec<Dim>& to) const;
+  std::uint64_t crossed(const std::vector<const PieceOf*>& pieces, const Vec<Dim>& from, const Vec<Dim>& to) const;
   Nearest nearest(std::uint32_t crack, const Vec<Dim>& x) const;
   Seen seen(std::uint32_t crack, const Vec<Dim>& node, const Nearest& nearest) const;
-  double weight(const Vec<Dim>& distance) const;
-  template <class F>
-  bool each_node_around(const Vec<Dim>& at, F&& f) const;
   double of_side(Index<Dim> n, int side, Vec<Dim>& v) const;
   bool both_sides(std::uint32_t crack, const Index<Dim>& n) const;
   bool face_velocities(const Crack<Dim>& crack, std::size_t point, const Vec<Dim>& normal,
@@ -96,12 +101,7 @@ class Cracks {
   System<Dim>& system_;
   const Transfers<Dim>& transfers_;
   int width_;
-  struct Plane {
-    int axis;
-    double at;
-    int node, inward;
-  };
-  std::vector<Plane> planes_;  ///< of symmetry
+  NodesAround<Dim> around_;
   /// Per crack, piece and point of its sums: over the share of the weight at nodes that both faces reach; 0: too small.
   std::vector<std::vector<double>> carried_;
   std::vector<List> lists_;

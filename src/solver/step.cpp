@@ -59,6 +59,7 @@ void Stepper<Dim>::advance(double dt) {
   contact_.meet(dt, Contact<Dim>::Pass::update);
   impose_update(dt, order != UpdateOrder::usl);
   account_tractions(dt);
+  account_body_force(dt);
 
   // 4. XPIC and FMPM: sharper velocities than the lumped mass gives
   if (filtering_) {
@@ -99,6 +100,7 @@ Stepper<Dim>::Stepper(const Model& model, System<Dim>& system)
       transfers_(make_transfers<Dim>(model.scheme)),
       cracks_(model, system, *transfers_),
       contact_(model, system, *transfers_, cracks_),
+      joints_(model, system, cracks_),
       heat_(model, system, *transfers_),
       b_bar_(model.scheme, system, *transfers_, conditions_) {
   for (std::size_t f = 0; f < system.fields.size(); ++f) conditions_.emplace_back(model, system.lattice);
@@ -235,7 +237,17 @@ void Stepper<Dim>::accelerate(double dt, Known known) {
     if (damping != 0.0) account_damping(f, dt);
     conditions_[f].stay_on_planes(nodes);
   }
+  push_joints(dt);
   for (const auto& body : system_.bodies) ledger_.impulse += dt * body.total_mass * model_.body_force.gravity;
+}
+
+// What joints carry since the last step.
+template <int Dim>
+void Stepper<Dim>::push_joints(double dt) {
+  if (!joints_.active()) return;
+  joints_.find();
+  joints_.push(dt);
+  for (std::size_t f = 0; f < system_.fields.size(); ++f) conditions_[f].stay_on_planes(system_.fields[f].nodes);
 }
 
 // Accelerations that the user gave as functions of position and time.
@@ -244,25 +256,45 @@ void Stepper<Dim>::apply_body_force(std::size_t f, double dt) {
   const BodyForce& force = model_.body_force;
   if (!force.function[0] && !force.function[1] && !force.function[2]) return;
   const auto& field = system_.fields[f];
-  const Exchange sum = sum_over_nodes(f, [&](std::int64_t n, Node& node) {
-    Vec3 x = Vec3::Zero();
-    x.head<Dim>() = system_.lattice.position(field.map.node_at(n));
-    auto at = Variables::at(x, system_.time / force.function_time);
-    at.dt = dt / force.function_time;
-    Exchange power = Exchange::Zero();
-    for (int d = 0; d < Dim; ++d) {
-      const auto& function = force.function[static_cast<std::size_t>(d)];
-      if (!function) continue;
-      const double a = (*function)(at);
-      node.acceleration[d] += a;
-      node.velocity[d] += dt * a;
-      power[0] += node.mass * a * (node.velocity[d] - 0.5 * dt * node.acceleration[d]);
-      power[1 + d] += node.mass * a;
-    }
-    return Exchange(dt * power);
+  sum_over_nodes(f, [&](std::int64_t n, Node& node) {
+    const Vec3 a = body_force_at(field.map.node_at(n), dt);
+    for (int d = 0; d < Dim; ++d) node.acceleration[d] += a[d], node.velocity[d] += dt * a[d];
+    return Exchange(Exchange::Zero());
   });
-  ledger_.external_work += sum[0];
-  ledger_.impulse += sum.tail<3>();
+}
+
+template <int Dim>
+Vec3 Stepper<Dim>::body_force_at(const Index<Dim>& node, double dt) const {
+  const BodyForce& force = model_.body_force;
+  Vec3 x = Vec3::Zero(), a = Vec3::Zero();
+  x.head<Dim>() = system_.lattice.position(node);
+  auto at = Variables::at(x, system_.time / force.function_time);
+  at.dt = dt / force.function_time;
+  for (int d = 0; d < Dim; ++d)
+    if (const auto& function = force.function[static_cast<std::size_t>(d)]) a[d] = (*function)(at);
+  return a;
+}
+
+// With the velocities at mid step.
+template <int Dim>
+void Stepper<Dim>::account_body_force(double dt) {
+  const BodyForce& force = model_.body_force;
+  if (!force.function[0] && !force.function[1] && !force.function[2]) return;
+  for (std::size_t f = 0; f < system_.fields.size(); ++f) {
+    const auto& field = system_.fields[f];
+    if (field.rigid_contact) continue;
+    const Exchange sum = sum_over_nodes(f, [&](std::int64_t n, const Node& node) {
+      const Vec3 a = body_force_at(field.map.node_at(n), dt);
+      Exchange power = Exchange::Zero();
+      for (int d = 0; d < Dim; ++d) {
+        power[0] += node.mass * a[d] * (node.velocity[d] - 0.5 * dt * node.acceleration[d]);
+        power[1 + d] += node.mass * a[d];
+      }
+      return Exchange(dt * power);
+    });
+    ledger_.external_work += sum[0];
+    ledger_.impulse += sum.tail<3>();
+  }
 }
 
 template <int Dim>
@@ -353,7 +385,9 @@ void Stepper<Dim>::move(double dt, double strain_dt) {
   }
   double travel = 0.0;
   extend();
+  joints_.follow(dt);
   cracks_.move(dt);
+  joints_.settle(dt);
   b_bar_.average_rates(what, &Field<Dim>::nodes);
   for (auto& body : system_.bodies) {
     what.damping = body.particle_damping + particle_damping;

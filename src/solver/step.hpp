@@ -5,6 +5,7 @@
 #include "solver/contact.hpp"
 #include "solver/cracks.hpp"
 #include "solver/heat.hpp"
+#include "solver/joints.hpp"
 #include "solver/transfer.hpp"
 
 namespace tribo {
@@ -38,6 +39,8 @@ class Stepper {
   const Transfers<Dim>& transfers() const { return *transfers_; }
   Contact<Dim>& contact() { return contact_; }
   const Contact<Dim>& contact() const { return contact_; }
+  Joints<Dim>& joints() { return joints_; }
+  const Joints<Dim>& joints() const { return joints_; }
   const StepWatches& watches() const { return watches_; }
   HeatConduction<Dim>& heat() { return heat_; }
   const HeatConduction<Dim>& heat() const { return heat_; }
@@ -54,7 +57,10 @@ class Stepper {
  private:
   void sort();
   void push_back(Body<Dim>& body);
+  void push_joints(double dt);
   void apply_body_force(std::size_t field, double dt);
+  Vec3 body_force_at(const Index<Dim>& node, double dt) const;
+  void account_body_force(double dt);
   void account_damping(std::size_t field, double dt);
   void account_particle_damping(const Body<Dim>& body, double rate, double dt);
   /// Work, and impulse.
@@ -96,6 +102,7 @@ class Stepper {
   std::vector<Conditions<Dim>> conditions_;
   Cracks<Dim> cracks_;
   Contact<Dim> contact_;
+  Joints<Dim> joints_;
   HeatConduction<Dim> heat_;
   BBar<Dim> b_bar_;
   Ledger ledger_;

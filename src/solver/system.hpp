@@ -7,6 +7,7 @@
 #include "particles/bins.hpp"
 #include "particles/particles.hpp"
 #include "solver/crack.hpp"
+#include "solver/joint_surface.hpp"
 
 #include <memory>
 #include <optional>
@@ -122,6 +123,7 @@ struct System {
   std::vector<Field<Dim>> fields;
   std::vector<Body<Dim>> bodies;
   std::vector<Crack<Dim>> cracks;
+  std::vector<JointSurface<Dim>> joints;
   std::vector<Body<Dim>> rigids;  ///< particles that prescribe velocities: `velocity` follows the material's functions
   double time = 0.0;
   std::int64_t step = 0;

@@ -1,0 +1,126 @@
+/// Files of cracks and joints.
+
+#include "output/number.hpp"
+#include "run/results.hpp"
+
+namespace tribo {
+namespace {
+
+/// Columns of points, filled by appending.
+class Columns {
+ public:
+  void vector(const std::string& name, const auto& v) {
+    auto& to = of(name, 3);
+    for (std::size_t d = 0; d < 3; ++d)
+      to.data[d].push_back(static_cast<Eigen::Index>(d) < v.size() ? v[static_cast<Eigen::Index>(d)] : 0.0);
+  }
+  void number(const std::string& name, double x) { of(name, 1).data[0].push_back(x); }
+  void integer(const std::string& name, std::int64_t k) { of(name, 0).integers.push_back(k); }
+  std::array<const double*, 3> positions() {
+    auto& x = of("position", 3).data;
+    return {x[0].data(), x[1].data(), x[2].data()};
+  }
+  std::size_t size() { return of("position", 3).data[0].size(); }
+  std::vector<OutputField> fields() const {
+    std::vector<OutputField> out;
+    for (const Column& c : columns_) {
+      if (c.name == "position") continue;
+      OutputField field{c.name, {}, c.integers.empty() ? nullptr : c.integers.data()};
+      for (const auto& data : c.data) field.components.push_back(data.data());
+      out.push_back(std::move(field));
+    }
+    return out;
+  }
+
+ private:
+  struct Column {
+    std::string name;
+    std::vector<std::vector<double>> data;
+    std::vector<std::int64_t> integers;
+  };
+  Column& of(const std::string& name, std::size_t components) {
+    for (Column& c : columns_)
+      if (c.name == name) return c;
+    columns_.push_back({name, std::vector<std::vector<double>>(components), {}});
+    return columns_.back();
+  }
+  std::vector<Column> columns_;
+};
+
+}  // namespace
+
+// All cracks in one file: points halfway between the faces.
+template <int Dim>
+void Results<Dim>::write_cracks(std::int64_t number) {
+  Columns out;
+  std::vector<std::uint32_t> cells;
+  for (std::size_t c = 0; c < system_.cracks.size(); ++c) {
+    const Crack<Dim>& crack = system_.cracks[c];
+    const auto first = static_cast<std::uint32_t>(out.size());
+    for (std::size_t p = 0; p < crack.drawn_pieces; ++p)
+      for (const auto point : crack.pieces[p]) cells.push_back(first + point);
+    const auto normals = crack.normals();
+    for (std::size_t k = 0; k < crack.drawn_points; ++k) {
+      const Vec<Dim> apart = crack.opening(k);
+      out.vector("position", crack.x[k]);
+      out.integer("crack", static_cast<std::int64_t>(c) + 1);
+      out.vector("opening", apart);
+      out.number("gap", crack.gap[k]);
+      out.number("slip", (apart - apart.dot(normals[k]) * normals[k]).norm());
+      out.number("state", crack.touch[k]);
+      out.vector("traction", crack.traction[k]);
+    }
+  }
+  const std::string file = "cracks/" + numbered(number, ".vtp");
+  tribo::write_surface(folder_ / file, out.size(), out.positions(), cells, Dim, out.fields(), system_.time);
+  cracks_.add(system_.time, file);
+}
+
+// All joints in one file. Tractions act on body 1, the lower face of a crack.
+template <int Dim>
+void Results<Dim>::write_joints(std::int64_t number) {
+  Columns out;
+  for (std::size_t s = 0; s < system_.joints.size(); ++s) {
+    const JointSurface<Dim>& surface = system_.joints[s];
+    for (std::size_t k = 0; k < surface.joints.size(); ++k) {
+      const Joint& j = surface.joints[k];
+      out.vector("position", surface.x[k]);
+      out.integer("joint", static_cast<std::int64_t>(s) + 1);
+      out.integer("point", static_cast<std::int64_t>(k) + 1);
+      out.integer("state", j.state);
+      out.vector("normal", surface.axes[k].n);
+      out.number("area", j.area);
+      out.number("opening", j.opening);
+      out.vector("shear", surface.axes[k].vector(j.shear));
+      out.number("slip", j.slip);
+      out.number("normal_stress", j.Fn / j.area);
+      out.number("shear_stress", j.Fs.norm() / j.area);
+      out.vector("traction", Vec3(-surface.force(k) / j.area));
+      out.number("stored_energy", j.strain / j.area);
+      out.number("lost_energy", (j.released() - j.slid - j.damped) / j.area);
+    }
+  }
+  const std::string file = "joints/" + numbered(number, ".vtp");
+  tribo::write_particles(folder_ / file, out.size(), out.positions(), out.fields(), system_.time);
+  joints_.add(system_.time, file);
+}
+
+template <int Dim>
+void Results<Dim>::write_events() {
+  for (const PlacedEvent& e : stepper_.joints().take_events()) {
+    const auto text = [](double x) { return number_text(x); };
+    events_->add(e.time,
+                 std::vector<std::string>{std::to_string(e.surface + 1), std::to_string(e.event.contact + 1),
+                                          text(e.x[0]), text(e.x[1]), text(e.x[2]), std::string(e.event.name()),
+                                          std::to_string(e.event.mode), text(e.event.strength), text(e.event.energy)});
+  }
+}
+
+template void Results<2>::write_cracks(std::int64_t);
+template void Results<3>::write_cracks(std::int64_t);
+template void Results<2>::write_joints(std::int64_t);
+template void Results<3>::write_joints(std::int64_t);
+template void Results<2>::write_events();
+template void Results<3>::write_events();
+
+}  // namespace tribo

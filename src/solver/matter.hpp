@@ -1,0 +1,73 @@
+/// Where there are particles.
+#pragma once
+
+#include "solver/contact_cloud.hpp"
+#include "solver/nodes_around.hpp"
+
+#include <limits>
+#include <unordered_map>
+
+namespace tribo {
+
+/// Tells whether a point lies in the domain of a particle.
+template <int Dim>
+class Matter {
+ public:
+  /// Near the cracks of the model.
+  Matter(const Model& model, System<Dim>& system) : lattice_(system.lattice), around_(model, system.lattice) {
+    Vec<Dim> low = Vec<Dim>::Constant(std::numeric_limits<double>::infinity()), high = -low;
+    for (const CrackSpec& crack : model.cracks)
+      for (const Vec3& x : crack.points)
+        low = low.cwiseMin(x.template head<Dim>()), high = high.cwiseMax(x.template head<Dim>());
+    const Vec<Dim> reach = 8 * lattice_.spacing;
+    for (auto& body : system.bodies) {
+      const Domains<Dim> domains(body);
+      for (std::uint32_t i = 0; i < body.particles.size(); ++i) {
+        const CloudPoint<Dim> domain = domains(i);
+        if (((domain.x + reach).array() < low.array()).any() || ((domain.x - reach).array() > high.array()).any())
+          continue;
+        Vec<Dim> half = Vec<Dim>::Zero();
+        for (int k = 0; k < Dim; ++k) half += domain.axes.col(k).cwiseAbs();
+        each_cell(domain.x - half, domain.x + half, [&](std::int64_t cell) { cells_[cell].push_back(domain); });
+      }
+    }
+  }
+  bool at(Vec<Dim> x) const {
+    for (const SymmetryPlane& plane : around_.planes())
+      if ((plane.at - x[plane.axis]) * plane.inward > 0) x[plane.axis] = 2 * plane.at - x[plane.axis];
+    bool found = false;
+    each_cell(x, x, [&](std::int64_t cell) {
+      const auto domains = cells_.find(cell);
+      if (domains == cells_.end()) return;
+      constexpr double slack = 1 + 1e-9;
+      for (const auto& d : domains->second)
+        found = found || d.axes.inverse().operator*(x - d.x).cwiseAbs().maxCoeff() <= slack;
+    });
+    return found;
+  }
+
+ private:
+  template <class F>
+  void each_cell(const Vec<Dim>& low, const Vec<Dim>& high, F&& f) const {
+    Index<Dim> first, last;
+    for (std::size_t d = 0; d < Dim; ++d) {
+      const auto axis = static_cast<Eigen::Index>(d);
+      const auto cell = [&](double at) {
+        return static_cast<int>(std::floor((at - lattice_.origin[axis]) / lattice_.spacing[axis]));
+      };
+      first[d] = cell(low[axis]), last[d] = cell(high[axis]);
+    }
+    for (int z = Dim == 3 ? first[Dim - 1] : 0; z <= (Dim == 3 ? last[Dim - 1] : 0); ++z)
+      for (int y = first[1]; y <= last[1]; ++y)
+        for (int x = first[0]; x <= last[0]; ++x) {
+          constexpr std::int64_t row = std::int64_t{1} << 20;
+          f((z * row + y) * row + x);
+        }
+  }
+
+  const Lattice<Dim>& lattice_;
+  NodesAround<Dim> around_;
+  std::unordered_map<std::int64_t, std::vector<CloudPoint<Dim>>> cells_;
+};
+
+}  // namespace tribo
