@@ -98,7 +98,9 @@ CrackSpec Builder::crack(const Statement& s) {
     };
     const int resolution = static_cast<int>(number(part, "resolution", Dimension::none));
     must(!has(part, "resolution") || resolution >= 1, part.origin, "'resolution' is a number of pieces, from 1 on");
+    const bool begins = out.points.empty();
     if (part.name == "pt") {
+      set_end(part, "tip", out.ends[begins ? 0 : 1]);
       shape.to(at("x", "y"));
     } else if (part.name == "Line" || part.name == "Circle") {
       const Vec3 a(coordinate(part, "xmin", 0), coordinate(part, "ymin", 1), 0),
@@ -110,6 +112,8 @@ CrackSpec Builder::crack(const Statement& s) {
       const double length = line ? (b - a).norm() : std::abs(to - from) * half.cwiseAbs().maxCoeff();
       const int n = std::max(1, resolution > 0 ? resolution : shape.pieces(length));
       must(length > 0, part.origin, "<" + part.name + "> has no length");
+      if (begins) set_end(part, "start_tip", out.ends[0]);
+      set_end(part, "end_tip", out.ends[1]);
       for (int k = 0; k <= n; ++k) {
         const double t = static_cast<double>(k) / n, angle = from + t * (to - from);
         shape.to(line ? Vec3(a + t * (b - a))
@@ -137,6 +141,17 @@ CrackSpec Builder::crack(const Statement& s) {
         return out;
       }
   return out;
+}
+
+// What the dialect says of an end: number of the material around a tip, -1 none, -2 outside of the body.
+void Builder::set_end(const Statement& s, const char* code, CrackSpec::End& end) {
+  end = CrackSpec::End::found;
+  if (!has(s, code)) return;
+  const auto tip = static_cast<int>(number(s, code, Dimension::none));
+  const auto count = static_cast<int>(material_statements_.size());
+  must(tip == -2 || tip == -1 || (tip >= 1 && tip <= count), s.origin,
+       "'" + std::string(code) + "' is the number of the material around the tip, -1 (no tip) or -2 (outside)");
+  end = tip == -2 ? CrackSpec::End::exterior : tip == -1 ? CrackSpec::End::none : CrackSpec::End::tip;
 }
 
 void Builder::cracks() {
@@ -172,6 +187,7 @@ void Builder::cracks() {
       laws = {law_by_number(number), nullptr};
     }
     spec.law = laws.contact, spec.joint = laws.joint;
+    spec.fixed = word(s, "type") == "fixed";
     // Faces that ignore each other have no law at all.
     if (spec.law && !spec.law->looks_at_faces() && !spec.law->interface()) spec.law = nullptr;
     must(!spec.law || spec.law->liquid() == 0, s.origin,

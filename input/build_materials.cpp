@@ -149,7 +149,7 @@ void Builder::materials() {
         else if (child.name == "TaylorQuinney")
           spec.taylor_quinney = taylor_quinney(child);
         else if (std::find(elsewhere.begin(), elsewhere.end(), child.name) != elsewhere.end() && of_cracks(child.name))
-          problems_.add(child.origin, why_not(child.name));
+          fracture_property(child, spec);
         else if (child.name == "ArtificialVisc")
           problems_.add(child.origin, "<ArtificialVisc> is not supported by Tribo");
       if (spec.law && spec.law->rigid()) rigid_functions(*s, spec, item->number == 35);

@@ -20,6 +20,7 @@ Model Builder::build() {
   check_cells();
   contact();
   cracks();
+  fracture();
   bodies();
   conditions();
   heat();

@@ -43,6 +43,13 @@ class Builder {
   void materials();
   void contact();
   void cracks();
+  void set_end(const Statement& s, const char* code, CrackSpec::End& end);
+
+  // build_fracture.cpp
+  void fracture();
+  void fracture_property(const Statement& s, MaterialSpec& spec);
+  Growth growth(const Statement& s);
+  static std::string missing_toughness(const MaterialSpec& material);
   CrackSpec crack(const Statement& s);
   void pair_laws();
   void shared_fields();

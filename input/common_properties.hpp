@@ -16,7 +16,8 @@ inline const std::vector<std::string> common_properties{"PDamping", "largeRotati
 inline const std::vector<std::string> rigid_properties{"SetDirection", "SettingFunction", "SettingFunction2",
                                                        "SettingFunction3", "mirrored"};
 
-/// Of the growth of cracks, which is not built.
+/// Of the growth of cracks: those that are built, and others of the dialect.
+inline const std::vector<std::string> growth_properties{"KIc", "KIIc", "JIc", "KIexp", "KIIexp", "Propagate"};
 inline const std::vector<std::string> fracture_properties{
     "KIc",      "KIIc",  "JIc",       "JIIc",  "KIexp", "KIIexp",      "delIc",     "delIIc",       "nmix",
     "initTime", "speed", "maxLength", "xGrow", "yGrow", "constantTip", "Propagate", "AltPropagate", "allowsCracks"};
@@ -24,7 +25,7 @@ inline bool of_cracks(const std::string& name) {
   return std::find(fracture_properties.begin(), fracture_properties.end(), name) != fracture_properties.end();
 }
 inline std::string why_not(const std::string& fracture_property) {
-  return "<" + fracture_property + "> belongs to the growth of cracks, which is not built";
+  return "<" + fracture_property + "> belongs to a criterion for the growth of cracks that is not built";
 }
 
 /// Whether some material takes this, whatever its law.
@@ -32,7 +33,8 @@ inline bool of_no_law(const std::string& name) {
   const auto in = [&](const std::vector<std::string>& list) {
     return std::find(list.begin(), list.end(), name) != list.end();
   };
-  return name == "rho" || in(quiet_properties) || in(common_properties) || in(rigid_properties);
+  return name == "rho" || in(quiet_properties) || in(common_properties) || in(rigid_properties) ||
+         in(growth_properties);
 }
 
 }  // namespace tribo

@@ -499,6 +499,31 @@ std::vector<ElementSpec> make() {
        "law between the faces of cracks that have none of their own; a number as in MultiMaterialMode (absent: "
        "frictionless)",
        T::number, law, true});
+  add({"JContour", "Cracks",
+       "J integrals and stress intensities at the tips of cracks go to tips.csv (plane strain and plane stress)",
+       T::none,
+       std::vector<AttributeSpec>{{"type", T::integer, "1"},
+                                  number("size", "radius of the ring around a tip, in cells (default 4)"),
+                                  {"terms", T::integer, "1: without accelerations; 2 (default): with them"},
+                                  {"gridenergy", T::choice, "energies are those of the particles", "N no 0"}},
+       true});
+  add({"Propagate", "Cracks Material", "cracks grow (the same within a material)", T::none,
+       std::vector<AttributeSpec>{
+           {"criterion", T::integer,
+            "0 none, 1 (default) largest hoop stress, 4 strain energy density, 5 empirical, 7 release rate"},
+           {"direction", T::integer,
+            "0 (default) of the criterion (7: straight on), 1 straight on, 2 normal to the opening, 3 largest hoop "
+            "stress by the opening, 4 as at the start"},
+           {"traction", T::integer, "0: new parts carry no traction"}},
+       true});
+  add({"PropagateLength", "Cracks", "by which a tip grows at a time, in cells (default 0.5)", T::number, {}, true});
+  const std::vector<std::pair<const char*, const char*>> toughnesses{
+      {"KIc", "stress intensity of the largest hoop stress at which a crack grows [MPa m^0.5 in legacy files]"},
+      {"KIIc", "critical stress intensity of sliding, for criterion 5"},
+      {"JIc", "release rate at which a crack grows, for criterion 7 [J/m^2 in legacy files]"},
+      {"KIexp", "exponent of KI/KIc in criterion 5 (default 2)"},
+      {"KIIexp", "exponent of KII/KIIc in criterion 5 (default 2)"}};
+  for (const auto& [name, meaning] : toughnesses) add({name, "Material", meaning, T::number, {}, true});
   const std::vector<AttributeSpec> tips{
       {"start_tip", T::integer, "tip at the start: number of the material there, -1 none, -2 outside of the body"},
       {"end_tip", T::integer, "the same at the end"}};
@@ -635,10 +660,7 @@ const std::vector<RefusedName>& refused_names() {
   static const std::vector<RefusedName> all{
       {"CrackContactHeating", "heat of cracks is not built"},
       {"CrackTipHeating", "heat of cracks is not built"},
-      {"JContour", "J integrals and stress intensities of cracks are not built"},
-      {"Propagate", "growth of cracks is not built"},
-      {"AltPropagate", "growth of cracks is not built"},
-      {"PropagateLength", "growth of cracks is not built"},
+      {"AltPropagate", "a second criterion for the growth of cracks is not built"},
       {"MovePlane", "cracks always move with the mean of their two faces"},
       {"ConcBC", "diffusion is not built"},
       {"Diffusion", "diffusion is not built"},

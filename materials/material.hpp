@@ -12,6 +12,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -93,6 +94,15 @@ class Material {
 /// Whether a stress that a point has at the start is still there after a step without motion; that of laws that compute
 /// it from the deformation is not.
 bool keeps_stress(const Material& law);
+
+/// Of an isotropic law in its reference state.
+struct ElasticModuli {
+  double G = 0.0;   ///< shear modulus [stress]
+  double nu = 0.0;  ///< Poisson's ratio
+  double E() const { return 2 * G * (1 + nu); }
+};
+/// Found from the law's answers to small strains; none for liquids, rigid and anisotropic laws.
+std::optional<ElasticModuli> elastic_moduli(const Material& law);
 
 /// The motion of one material point over one step, and what surrounds it.
 struct Motion {

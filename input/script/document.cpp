@@ -69,7 +69,7 @@ void Document::resolve(Attribute& a, Problems& problems) const {
   if (a.text.empty() || a.text[0] != reference) return;
   const std::string id = a.text.substr(1), number = number_of(id, a.origin, problems);
   a.text = number;
-  if (!inside_) return;
+  if (!inside_ || a.name == "tip" || a.name == "end_tip") return;  // a tip only says that some material is there
   a.name = a.name == "law" ? "lawname" : "matname";
   const auto k = static_cast<std::size_t>(std::stoul(number));
   a.text = id;
@@ -95,6 +95,7 @@ void Document::surround(const std::vector<std::string>& names) {
 void Document::check_references(Problems& problems) const {
   for (auto [name, section] : sections_) resolve(section, problems);
   for (Statement m : materials_) resolve(m, problems);
+  for (Statement crack : cracks_) resolve(crack, problems);
 }
 
 std::vector<Statement> Document::finish_sections(bool legacy) {
@@ -103,8 +104,11 @@ std::vector<Statement> Document::finish_sections(bool legacy) {
   Problems problems;
   for (auto& [name, section] : sections_) resolve(section, problems);
   for (auto& m : materials_) resolve(m, problems);
+  for (auto& crack : cracks_) resolve(crack, problems);
   problems.raise();
   for (const char* name : order) {
+    if (name == std::string_view("CrackList"))
+      for (auto& crack : cracks_) out.push_back(std::move(crack));
     if (name == std::string_view("Material"))
       for (auto& m : materials_) out.push_back(std::move(m));
     else if (const auto found = sections_.find(name); found != sections_.end())

@@ -29,6 +29,8 @@ class Document {
   Statement& material(const Origin& origin);
   std::vector<Statement>& materials() { return materials_; }
   const std::vector<Statement>& materials() const { return materials_; }
+  /// Cracks, each a section of its own.
+  std::vector<Statement>& cracks() { return cracks_; }
   /// Names the last material. Throws InputError if another one has this name.
   void name_material(const std::string& id, const Origin& origin);
 
@@ -61,7 +63,7 @@ class Document {
 
   Origin origin_;
   std::map<std::string, Statement> sections_;
-  std::vector<Statement> materials_;
+  std::vector<Statement> materials_, cracks_;
   std::map<std::string, std::size_t> ids_;  ///< -> number, from 1
   std::string description_;
   bool inside_ = false;          ///< of an XML file

@@ -129,7 +129,7 @@ void Translator::unknown_properties(const Statement& material, Problems& problem
   };
   for (const Statement& p : material.children) {
     if (known.empty() || std::find(known.begin(), known.end(), p.name) != known.end()) continue;
-    if (of_cracks(p.name))
+    if (of_cracks(p.name) && !of_no_law(p.name))
       problems.add(p.origin, why_not(p.name));
     else if (!of_no_law(p.name) && !refused(p.name) && !find_element(p.name, "Material"))
       problems.add(p.origin, not_a_property(p.name, known));

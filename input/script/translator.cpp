@@ -82,6 +82,14 @@ auto Translator::actions() -> const std::map<std::string, Action>& {
                                                  {"traction", &A::traction},
                                                  {"heatflux", &A::heat_flux},
                                                  {"boundaryid", &A::boundary_id},
+                                                 {"newcrack", &A::new_crack},
+                                                 {"growcrack", &A::grow_crack},
+                                                 {"growcrackline", &A::grow_crack_line},
+                                                 {"growcrackarc", &A::grow_crack_arc},
+                                                 {"contactcracks", &A::contact_of_cracks},
+                                                 {"propagate", &A::propagate},
+                                                 {"propagatelength", &A::propagate_length},
+                                                 {"jcontour", &A::j_contour},
                                                  {"done", &A::end_block},
                                                  {"endregion", &A::end_block},
                                                  {"endhole", &A::end_block},
@@ -124,11 +132,13 @@ void Translator::refused(const Command& c) {
     const char* why;
   };
   static constexpr Refused all[] = {
-      {"newcrack growcrack growcrackline growcrackarc crackthickness cracktractionprop propagate altpropagate "
-       "propagatelength jcontour moveplane contactcracks contactpositioncracks crackinterface",
-       "cracks are read from XML only; give them by XMLData \"CrackList\""},
-      {"friction imperfectinterface",
-       "it sets the contact of cracks, which are read from XML only; for materials use ContactMM"},
+      {"friction imperfectinterface crackinterface",
+       "it is an old form of ContactCracks, or of ContactMM for materials"},
+      {"crackthickness", "a crack is as thick as the grid; use GridThickness"},
+      {"cracktractionprop", "traction laws are not built; give the crack a joint law as fourth argument of NewCrack"},
+      {"altpropagate", "a second criterion for the growth of cracks is not built"},
+      {"moveplane", "cracks always move with the mean of their two faces"},
+      {"contactpositioncracks", "gaps of cracks come from how their faces moved"},
       {"diffusion concentration concentrationflux", "diffusion is not built"},
       {"poroelasticity porepressure porepressureflux", "pore pressure is not built"},
       {"damage phasefield", "damage that is given at the start is not built"},

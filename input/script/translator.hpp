@@ -87,6 +87,21 @@ class Translator {
   void boundary_id(const Command& c);
   void end_block(const Command& c);
 
+  // translate_cracks.cpp
+  void new_crack(const Command& c);
+  void grow_crack(const Command& c);
+  void grow_crack_line(const Command& c);
+  void grow_crack_arc(const Command& c);
+  void contact_of_cracks(const Command& c);
+  void propagate(const Command& c);
+  void propagate_length(const Command& c);
+  void j_contour(const Command& c);
+  static void crack_end(Statement& s, const char* name, const Command& c, std::size_t k);
+  Statement& crack_part(const Command& c, const char* element);
+  Statement& crack_settings(const Command& c);
+  Statement& crack_setting(const Command& c, const char* element);
+  static void no_traction_law(const Command& c, std::size_t k);
+
   static void unknown_properties(const Statement& material, Problems& problems);
   int dimension(const Command& c) const;
   Statement& multimaterial_mode(const Command& c);
@@ -113,6 +128,7 @@ class Translator {
   Statement* polygon_ = nullptr;
   Statement* task_ = nullptr;
   std::string boundary_id_;
+  std::string crack_x_, crack_y_;  ///< the last point of the last crack
   std::map<std::string, std::string> entities_;
 };
 

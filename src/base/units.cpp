@@ -1,7 +1,7 @@
 #include "base/units.hpp"
 
 #include <array>
-
+#include <cmath>
 #include <numbers>
 
 namespace tribo {
@@ -30,6 +30,8 @@ double Units::factor(Dimension dimension) const {
       return 1e6;  // MPa/mm
     case Dimension::energy_release:
       return 1e3;  // J/m^2
+    case Dimension::stress_intensity:
+      return 1e6 * std::sqrt(1e3);  // MPa m^1/2
     default:
       return 1.0;
   }
@@ -97,6 +99,8 @@ std::string Units::name(Dimension dimension) const {
       return m + "/(" + l + "^2 " + t + "^2)";
     case Dimension::energy_release:
       return m + "/" + t + "^2";
+    case Dimension::stress_intensity:
+      return m + "/(" + l + "^0.5 " + t + "^2)";
     case Dimension::per_length:
       return "1/" + l;
     case Dimension::per_velocity:
@@ -145,6 +149,8 @@ std::string_view dimension_name(Dimension dimension) {
       return "stress/length";
     case Dimension::energy_release:
       return "energy/area";
+    case Dimension::stress_intensity:
+      return "stress length^0.5";
     case Dimension::per_length:
       return "1/length";
     case Dimension::per_velocity:

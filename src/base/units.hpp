@@ -26,6 +26,7 @@ enum class Dimension {
   viscosity,
   interface_stiffness,  ///< stress/length
   energy_release,       ///< energy/area
+  stress_intensity,     ///< stress length^1/2
   per_length,
   per_velocity,
   angle  ///< degrees in input, radians inside

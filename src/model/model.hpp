@@ -91,6 +91,10 @@ struct CrackSpec {
   std::vector<std::array<std::uint32_t, 3>> pieces;  ///< corners; in two dimensions the first two count
   std::shared_ptr<const ContactLaw> law;             ///< between its faces; null: they do not see each other
   std::shared_ptr<const JointLaw> joint;             ///< or this
+  /// Of the first and last point: whether it is a tip (unset: if it lies in a body), or goes on to a free surface.
+  enum class End { found, tip, none, exterior };
+  std::array<End, 2> ends{};
+  bool fixed = false;  ///< the bodies do not carry it along
   Origin origin;
 };
 
@@ -115,6 +119,34 @@ struct GridSpec {
   Origin origin;
 };
 
+/// When and how the tips of cracks grow.
+struct Growth {
+  enum class When {
+    never,
+    hoop_stress,     ///< the stress intensity of the largest hoop stress reaches KIc
+    energy_density,  ///< the least strain energy density around the tip reaches that of KIc
+    empirical,       ///< (K1/KIc)^KIexp + (K2/KIIc)^KIIexp reaches one
+    release_rate,    ///< the energy release rate reaches JIc
+  };
+  enum class Way { of_criterion, straight_on, normal_to_opening, hoop_of_opening, as_at_start };
+  When when = When::never;
+  Way way = Way::of_criterion;
+};
+
+/// Resistance to the growth of cracks.
+struct Toughness {
+  std::optional<double> KIc, KIIc;  ///< [stress length^1/2]
+  std::optional<double> JIc;        ///< [energy/length^2]
+  double KIexp = 2.0, KIIexp = 2.0;
+};
+
+/// What is computed at the tips of cracks.
+struct FractureSpec {
+  double size = 4.0;    ///< radius of the ring around a tip [cells]
+  bool inertia = true;  ///< J counts accelerations within the ring
+  double hop = 0.5;     ///< by which a tip grows [cells]
+};
+
 /// A law with its name: of a material, of contact or of joints.
 struct MaterialSpec {
   std::string name;
@@ -134,6 +166,8 @@ struct MaterialSpec {
   double conductivity = 0.0;              ///< [power/(length temperature)]
   double taylor_quinney = 1.0;            ///< share of the dissipated work that becomes heat
   int share_field_with = -1;              ///< material whose velocity field this one shares
+  Toughness toughness{};
+  Growth growth{};  ///< of cracks in it
 };
 
 /// A deformation of a body before the start: x -> x + shift(x), with F. Points are found in the undeformed shape.
@@ -295,6 +329,7 @@ struct Model {
   Damping damping;
   ContactSpec contact;
   std::vector<CrackSpec> cracks;
+  std::optional<FractureSpec> fracture;
   HeatSpec heat;
   OutputSpec output;
   /// Particles that leave the grid: unset stops the run; otherwise this many may be pushed back before it stops.

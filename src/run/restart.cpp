@@ -22,6 +22,44 @@ void each_column(Crack<Dim>& crack, F&& f) {
   vectors("x", crack.x), vectors("lower", crack.face[0]), vectors("upper", crack.face[1]);
   vectors("traction", crack.traction);
   f("gap", crack.gap), f("slip", crack.slip), f("bond", crack.bond), f("touch", crack.touch);
+  std::vector<double> tips;
+  const auto each_number = [&](auto&& g) {
+    for (CrackTip& tip : crack.tips)
+      for (double* v : {&tip.J, &tip.K[0], &tip.K[1], &tip.rest}) g(*v);
+  };
+  each_number([&](double& v) { tips.push_back(v); });
+  f("tips", tips);
+  std::size_t k = 0;
+  each_number([&](double& v) { v = tips[k++]; });
+}
+
+// What changes when a crack grows: how many points and pieces were drawn, the pieces, their part inside, per tip where
+// it is.
+template <int Dim>
+std::vector<double> shape_of(const Crack<Dim>& crack) {
+  std::vector<double> out{static_cast<double>(crack.x.size()), static_cast<double>(crack.drawn_points),
+                          static_cast<double>(crack.drawn_pieces), static_cast<double>(crack.pieces.size())};
+  for (const auto& piece : crack.pieces) out.insert(out.end(), piece.begin(), piece.end());
+  out.insert(out.end(), crack.inside.begin(), crack.inside.end());
+  for (const CrackTip& tip : crack.tips)
+    for (const auto v : {std::size_t{tip.point}, std::size_t{tip.behind}, tip.body, std::size_t{tip.lives}})
+      out.push_back(static_cast<double>(v));
+  return out;
+}
+
+template <int Dim>
+void give_shape(Crack<Dim>& crack, const std::vector<double>& shape) {
+  std::size_t k = 0;
+  const auto next = [&] { return static_cast<std::uint32_t>(shape.at(k++)); };
+  const std::size_t points = next();
+  while (crack.x.size() < points) crack.add_point(crack.x.size(), Vec<Dim>::Zero());
+  crack.drawn_points = next(), crack.drawn_pieces = next();
+  crack.pieces.resize(next());
+  for (auto& piece : crack.pieces)
+    for (auto& point : piece) point = next();
+  crack.inside.resize(crack.pieces.size());
+  for (double& part : crack.inside) part = shape.at(k++);
+  for (CrackTip& tip : crack.tips) tip.point = next(), tip.behind = next(), tip.body = next(), tip.lives = next() != 0;
 }
 
 // The same for a surface of joints.
@@ -83,6 +121,8 @@ CheckpointWriter save_state(const RunState& state, System<Dim>& system, Stepper<
                                entry.impact, entry.interface, entry.stored});
   out.put("contact", std::span<const double>(pairs));
   out.put("heat", std::array{stepper.heat().supplied, stepper.heat().from_contact, stepper.heat().waited});
+  for (std::size_t c = 0; c < system.cracks.size(); ++c)
+    out.put("crack" + std::to_string(c) + ".shape", std::span<const double>(shape_of(system.cracks[c])));
   each_surface(system, [&](const std::string& name, std::vector<double>& column) {
     out.put(name, std::span<const double>(column));
   });
@@ -130,6 +170,8 @@ RunState load_state(const Checkpoint& checkpoint, System<Dim>& system, Stepper<D
   const auto heat = checkpoint.doubles("heat");
   stepper.heat().supplied = heat.at(0), stepper.heat().from_contact = heat.at(1);
   stepper.heat().waited = heat.at(2);
+  for (std::size_t c = 0; c < system.cracks.size(); ++c)
+    give_shape(system.cracks[c], checkpoint.doubles("crack" + std::to_string(c) + ".shape"));
   each_surface(system, [&](const std::string& name, std::vector<double>& column) {
     const auto values = checkpoint.doubles(name);
     if (values.size() != column.size()) mismatch();

@@ -20,6 +20,7 @@ std::vector<std::string> energy_columns(bool heat) {
 
 const std::vector<std::string> event_columns{"time", "joint", "point", "x",        "y",
                                              "z",    "event", "mode",  "strength", "energy"};
+const std::vector<std::string> tip_columns{"time", "crack", "end", "x", "y", "length", "J", "K1", "K2"};
 
 }  // namespace
 
@@ -47,6 +48,7 @@ Results<Dim>::Results(const Model& model, System<Dim>& system, Stepper<Dim>& ste
     history_.emplace(folder_ / "history.csv", columns);
     energy_.emplace(folder_ / "energy.csv", energy_columns(model.heat.kept));
     if (!system.joints.empty()) events_.emplace(folder_ / "events.csv", event_columns);
+    if (model.fracture) tips_.emplace(folder_ / "tips.csv", tip_columns);
     return;
   }
   history_.emplace(History::resume(folder_ / "history.csv", columns, *resume_time));
@@ -54,6 +56,7 @@ Results<Dim>::Results(const Model& model, System<Dim>& system, Stepper<Dim>& ste
   particles_.resume(*resume_time);
   if (!model.output.grid_fields.empty()) grid_.resume(*resume_time);
   if (!system.cracks.empty()) cracks_.resume(*resume_time);
+  if (model.fracture) tips_.emplace(History::resume(folder_ / "tips.csv", tip_columns, *resume_time));
   if (system.joints.empty()) return;
   joints_.resume(*resume_time);
   events_.emplace(History::resume(folder_ / "events.csv", event_columns, *resume_time));
@@ -145,6 +148,7 @@ void Results<Dim>::write_history(double dt) {
   for (std::size_t k = 0; k < model_.output.history.size(); ++k)
     row.push_back(quantity(model_.output.history[k], measures_of(k, all, bodies), l, dt));
   history_->add(row);
+  write_tips();
 
   const double content = all.kinetic + all.stored + all.dissipated + l.potential + l.damping + l.contact + l.interface;
   if (system_.step == 0) initial_energy = content;

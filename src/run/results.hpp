@@ -49,6 +49,7 @@ class Results {
   void write_grid(std::int64_t number);
   void write_cracks(std::int64_t number);
   void write_joints(std::int64_t number);
+  void write_tips();
 
   const Model& model_;
   System<Dim>& system_;
@@ -56,7 +57,7 @@ class Results {
   Tracers<Dim> tracers_;
   std::filesystem::path folder_;
   Collection particles_, grid_, cracks_, joints_;
-  std::optional<History> history_, energy_, events_;
+  std::optional<History> history_, energy_, events_, tips_;
 };
 
 }  // namespace tribo

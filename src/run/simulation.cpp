@@ -285,8 +285,8 @@ void prepare_folder(const RunOptions& options) {
   std::filesystem::remove_all(folder / "grid", error);
   std::filesystem::remove_all(folder / "cracks", error);
   std::filesystem::remove_all(folder / "joints", error);
-  for (const char* file : {"run.pvd", "grid.pvd", "cracks.pvd", "joints.pvd", "events.csv", "history.csv", "energy.csv",
-                           "checkpoint.bin", "provenance.json"})
+  for (const char* file : {"run.pvd", "grid.pvd", "cracks.pvd", "joints.pvd", "events.csv", "tips.csv", "history.csv",
+                           "energy.csv", "checkpoint.bin", "provenance.json"})
     std::filesystem::remove(folder / file, error);
   for (const char* part : {"particles", "grid", "cracks", "joints"}) {
     std::filesystem::create_directories(folder / part, error);

@@ -3,6 +3,8 @@
 #include "output/number.hpp"
 #include "run/results.hpp"
 
+#include <algorithm>
+
 namespace tribo {
 namespace {
 
@@ -69,6 +71,13 @@ void Results<Dim>::write_cracks(std::int64_t number) {
       out.number("slip", (apart - apart.dot(normals[k]) * normals[k]).norm());
       out.number("state", crack.touch[k]);
       out.vector("traction", crack.traction[k]);
+      if (!model_.fracture) continue;
+      const auto tip =
+          std::find_if(crack.tips.begin(), crack.tips.end(), [&](const CrackTip& t) { return t.point == k; });
+      const bool is_tip = tip != crack.tips.end();
+      out.number("J", is_tip ? tip->J : 0.0);
+      out.number("K1", is_tip ? tip->K[0] : 0.0);
+      out.number("K2", is_tip ? tip->K[1] : 0.0);
     }
   }
   const std::string file = "cracks/" + numbered(number, ".vtp");
@@ -105,6 +114,21 @@ void Results<Dim>::write_joints(std::int64_t number) {
   joints_.add(system_.time, file);
 }
 
+// Lengths are those of the drawn pieces.
+template <int Dim>
+void Results<Dim>::write_tips() {
+  if (!tips_) return;
+  for (std::size_t c = 0; c < system_.cracks.size(); ++c) {
+    const Crack<Dim>& crack = system_.cracks[c];
+    double length = 0.0;
+    for (std::size_t p = 0; p < crack.drawn_pieces; ++p) length += Crack<Dim>::area(crack.corners(p)).norm();
+    for (const CrackTip& tip : crack.tips) {
+      const auto& x = crack.x[tip.point];
+      tips_->add(std::array{system_.time, c + 1.0, tip.end + 1.0, x[0], x[1], length, tip.J, tip.K[0], tip.K[1]});
+    }
+  }
+}
+
 template <int Dim>
 void Results<Dim>::write_events() {
   for (const PlacedEvent& e : stepper_.joints().take_events()) {
@@ -120,6 +144,8 @@ template void Results<2>::write_cracks(std::int64_t);
 template void Results<3>::write_cracks(std::int64_t);
 template void Results<2>::write_joints(std::int64_t);
 template void Results<3>::write_joints(std::int64_t);
+template void Results<2>::write_tips();
+template void Results<3>::write_tips();
 template void Results<2>::write_events();
 template void Results<3>::write_events();
 

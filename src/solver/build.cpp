@@ -118,7 +118,7 @@ Body<Dim> make_body(const Model& model, int material, const std::vector<const Se
                     const Transfers<Dim>& transfers) {
   const MaterialSpec& spec = model.materials[static_cast<std::size_t>(material)];
   const bool keep_deformation = spec.law->needs_deformation() || model.scheme.kernel == Kernel::cpdi ||
-                                model.contact.active || model.output.wants_deformation();
+                                model.contact.active || model.output.wants_deformation() || model.fracture;
   Body<Dim> body(seeds.size(), keep_deformation, transfers.shift(), transfers.colours_per_axis());
   body.name = spec.name;
   body.law = spec.law;

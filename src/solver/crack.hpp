@@ -10,6 +10,18 @@
 
 namespace tribo {
 
+/// An end of a crack that lies in a body (two dimensions).
+struct CrackTip {
+  std::uint32_t point = 0, behind = 0;  ///< of the crack; the crack runs from `behind` to `point`
+  int end = 1;                          ///< 0: of the first point, 1: of the last
+  bool lives = true;                    ///< false: it came out of the body or met another crack
+  std::size_t body = 0;                 ///< around it
+  double J = 0.0;                       ///< energy release rate                          [energy/length^2]
+  std::array<double, 2> K{};            ///< stress intensities, NaN if there are none    [stress length^1/2]
+  double rest = 0.0;                    ///< it does not grow again before               [time]
+  Vec<2> start = Vec<2>::Zero();        ///< its direction in the beginning
+};
+
 /// Straight pieces in two dimensions, triangles in three. Seen along a line, or with the corners of a triangle
 /// counter-clockwise, the normal points to the left (up): to the upper face.
 template <int Dim>
@@ -29,6 +41,21 @@ struct Crack {
   std::vector<Vec<Dim>> traction;             ///< on the lower face in the last step                     [stress]
   std::vector<char> led;                      ///< points whose faces joints lead in this step; empty: none
   std::vector<std::array<Vec<Dim>, 2>> lead;  ///< their velocities
+  std::vector<CrackTip> tips;
+  double whole_bond = 0.0;  ///< `bond` of new points
+  bool fixed = false;       ///< x stays where it is
+
+  /// Puts a point with closed faces before the k-th.
+  void add_point(std::size_t k, const Vec<Dim>& at) {
+    const auto insert = [&](auto& list, const auto& value) {
+      list.insert(list.begin() + static_cast<std::ptrdiff_t>(k), value);
+    };
+    insert(x, at), insert(face[0], at), insert(face[1], at), insert(traction, Vec<Dim>(Vec<Dim>::Zero()));
+    insert(gap, 0.0), insert(slip, 0.0), insert(bond, whole_bond), insert(touch, 0.0);
+    if (led.empty()) return;
+    const Vec<Dim> still = Vec<Dim>::Zero();
+    insert(led, char{0}), insert(lead, std::array{still, still});
+  }
 
   std::array<Vec<Dim>, static_cast<std::size_t>(Dim)> corners(std::size_t piece) const {
     std::array<Vec<Dim>, static_cast<std::size_t>(Dim)> out;

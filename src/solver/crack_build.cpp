@@ -97,58 +97,90 @@ void add_joint(const Model& model, const CrackSpec& spec, const Matter<Dim>& mat
   system.joints.push_back(std::move(surface));
 }
 
-/// A line that leaves a body goes on straight beyond it, as far as nodes see particles: else nodes out there would join
-/// its two sides.
-void go_on(Crack<2>& crack, const Matter<2>& matter, double cell, int cells) {
-  std::vector<int> pieces_at(crack.x.size(), 0);
-  for (const auto& piece : crack.pieces)
-    for (const auto point : piece) ++pieces_at[point];
-  for (std::size_t p = 0; p < crack.drawn_pieces; ++p)
-    for (std::size_t end = 0; end < 2; ++end) {
-      const auto point = crack.pieces[p][end];
-      if (pieces_at[point] != 1) continue;
-      const Vec<2> tip = crack.x[point];
-      const Vec<2> ahead = cell * (tip - crack.x[crack.pieces[p][1 - end]]).normalized();
-      constexpr int probes = 8;  // per cell
-      int free = 0;
-      while (free < probes * cells && !matter.at(tip + (free + 0.5) / probes * ahead)) ++free;
-      auto from = point;
-      for (int k = 1; k <= free / probes; ++k) {
-        const auto next = static_cast<std::uint32_t>(crack.x.size());
-        crack.x.push_back(tip + k * ahead);
-        crack.pieces.push_back(end == 1 ? Crack<2>::Piece{from, next} : Crack<2>::Piece{next, from});
-        from = next;
-      }
+/// Where a line ends: a tip in a body, or it goes on beyond the body's surface, as far as nodes see particles: else
+/// nodes out there would join its two sides.
+void find_ends(Crack<2>& crack, const CrackSpec& spec, const Matter<2>& matter, double cell, int cells) {
+  using End = CrackSpec::End;
+  if ((crack.x.front() - crack.x[crack.drawn_points - 1]).norm() < 1e-9 * cell) return;  // a ring
+  for (const int end : {0, 1}) {
+    const auto& piece = crack.pieces[end == 0 ? 0 : crack.drawn_pieces - 1];
+    CrackTip tip;
+    tip.end = end;
+    tip.point = piece[end == 0 ? 0 : 1], tip.behind = piece[end == 0 ? 1 : 0];
+    const End asked = spec.ends[static_cast<std::size_t>(end)];
+    const Vec<2> x = crack.x[tip.point], ahead = cell * (x - crack.x[tip.behind]).normalized();
+    constexpr int probes = 8;  // per cell
+    int free = 0;
+    while (free < probes * cells && !matter.at(x + (free + 0.5) / probes * ahead)) ++free;
+    if (free == 0 && (asked == End::found || asked == End::tip)) {
+      tip.start = ahead / cell;
+      crack.tips.push_back(tip);
+    } else if (asked == End::tip) {
+      throw InputError(spec.origin, std::string("this crack's ") + (end == 0 ? "first" : "last") +
+                                        " point is said to be a tip but lies in no body");
+    } else {
+      go_on(crack, tip, cell, asked == End::exterior ? cells : free / probes);
     }
+  }
 }
-void go_on(Crack<3>&, const Matter<3>&, double, int) {}
+void find_ends(Crack<3>&, const CrackSpec&, const Matter<3>&, double, int) {}
+
+/// What of the bodies lies around the model's cracks.
+template <int Dim>
+Matter<Dim> around_cracks(const Model& model, System<Dim>& system) {
+  Vec<Dim> low = Vec<Dim>::Constant(std::numeric_limits<double>::infinity()), high = -low;
+  for (const CrackSpec& crack : model.cracks)
+    for (const Vec3& x : crack.points)
+      low = low.cwiseMin(x.template head<Dim>()), high = high.cwiseMax(x.template head<Dim>());
+  const Vec<Dim> reach = 8 * system.lattice.spacing;
+  return Matter<Dim>(model, system, low - reach, high + reach);
+}
 
 }  // namespace
 
+void go_on(Crack<2>& crack, const CrackTip& tip, double cell, int cells) {
+  auto from = tip.point;
+  const Vec<2> end = crack.x[from], ahead = cell * (end - crack.x[tip.behind]).normalized();
+  for (int k = 1; k <= cells; ++k) {
+    const auto next = static_cast<std::uint32_t>(crack.x.size());
+    crack.add_point(crack.x.size(), end + k * ahead);
+    crack.pieces.push_back(tip.end == 1 ? Crack<2>::Piece{from, next} : Crack<2>::Piece{next, from});
+    crack.inside.push_back(0.0);
+    from = next;
+  }
+}
+
+void grow_by(Crack<2>& crack, CrackTip& tip, const Vec<2>& x) {
+  const auto next = static_cast<std::uint32_t>(crack.drawn_points);
+  for (auto& piece : crack.pieces)
+    for (auto& point : piece) point += point >= next;
+  crack.add_point(crack.drawn_points++, x);
+  const auto at = static_cast<std::ptrdiff_t>(crack.drawn_pieces++);
+  crack.pieces.insert(crack.pieces.begin() + at,
+                      tip.end == 1 ? Crack<2>::Piece{tip.point, next} : Crack<2>::Piece{next, tip.point});
+  crack.inside.insert(crack.inside.begin() + at, 1.0);
+  tip.behind = tip.point, tip.point = next;
+}
+
 template <int Dim>
 void add_cracks(const Model& model, System<Dim>& system, int width) {
-  const Matter<Dim> matter(model, system);
+  const Matter<Dim> matter = around_cracks(model, system);
   for (const CrackSpec& spec : model.cracks) {
     Crack<Dim> crack;
-    crack.law = spec.law.get();
-    for (const Vec3& x : spec.points) crack.x.push_back(x.template head<Dim>());
+    crack.law = spec.law.get(), crack.fixed = spec.fixed;
+    // faces that touch at the start are bonded if their law bonds
+    crack.whole_bond = crack.law && crack.law->remembers() ? 1.0 : 0.0;
+    for (const Vec3& x : spec.points) crack.add_point(crack.x.size(), x.template head<Dim>());
     for (const auto& piece : spec.pieces) {
       typename Crack<Dim>::Piece corners;
       std::copy_n(piece.begin(), corners.size(), corners.begin());
       crack.pieces.push_back(corners);
     }
     crack.drawn_points = crack.x.size(), crack.drawn_pieces = crack.pieces.size();
-    go_on(crack, matter, system.lattice.spacing.maxCoeff(), width + 1);
-    for (std::size_t p = 0; p < crack.pieces.size(); ++p) {
-      crack.inside.push_back(0.0);
-      for (const auto& [share, part] : samples(crack.corners(p), matter)) crack.inside.back() += part;
-    }
-    const std::size_t points = crack.x.size();
-    crack.face.fill(crack.x);
-    crack.slip.assign(points, 0.0), crack.touch = crack.gap = crack.slip;
-    // faces that touch at the start are bonded if their law bonds
-    crack.bond.assign(points, crack.law && crack.law->remembers() ? 1.0 : 0.0);
-    crack.traction.assign(points, Vec<Dim>::Zero());
+    find_ends(crack, spec, matter, system.lattice.spacing.maxCoeff(), width + 1);
+    crack.inside.assign(crack.pieces.size(), 0.0);
+    for (std::size_t p = 0; p < crack.pieces.size(); ++p)
+      for (const auto& [share, part] : samples(crack.corners(p), matter)) crack.inside[p] += part;
     system.cracks.push_back(std::move(crack));
     if (spec.joint) add_joint(model, spec, matter, system);
   }

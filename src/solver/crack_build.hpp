@@ -10,4 +10,9 @@ namespace tribo {
 template <int Dim>
 void add_cracks(const Model& model, System<Dim>& system, int width);
 
+/// Lets a crack go on straight beyond an end, by pieces of a cell's size.
+void go_on(Crack<2>& crack, const CrackTip& end, double cell, int cells);
+/// Lets a crack grow from a tip to a point.
+void grow_by(Crack<2>& crack, CrackTip& tip, const Vec<2>& x);
+
 }  // namespace tribo

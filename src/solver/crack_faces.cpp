@@ -289,7 +289,7 @@ void Cracks<Dim>::move(double dt) {
     for (std::size_t k = 0; k < count; ++k) {
       for (std::size_t f = 0; f < 2; ++f) crack.face[f][k] += dt * v[k][f];
       crack.gap[k] += dt * (v[k][1] - v[k][0]).dot(normals[k]);
-      crack.x[k] = 0.5 * (crack.face[0][k] + crack.face[1][k]);
+      if (!crack.fixed) crack.x[k] = 0.5 * (crack.face[0][k] + crack.face[1][k]);
     }
   }
 }

@@ -13,19 +13,20 @@ namespace tribo {
 template <int Dim>
 class Matter {
  public:
-  /// Near the cracks of the model.
-  Matter(const Model& model, System<Dim>& system) : lattice_(system.lattice), around_(model, system.lattice) {
-    Vec<Dim> low = Vec<Dim>::Constant(std::numeric_limits<double>::infinity()), high = -low;
-    for (const CrackSpec& crack : model.cracks)
-      for (const Vec3& x : crack.points)
-        low = low.cwiseMin(x.template head<Dim>()), high = high.cwiseMax(x.template head<Dim>());
-    const Vec<Dim> reach = 8 * lattice_.spacing;
+  /// Within a box.
+  Matter(const Model& model, System<Dim>& system, const Vec<Dim>& low, const Vec<Dim>& high)
+      : lattice_(system.lattice), around_(model, system.lattice) {
     for (auto& body : system.bodies) {
       const Domains<Dim> domains(body);
+      const auto x = body.particles.x();
       for (std::uint32_t i = 0; i < body.particles.size(); ++i) {
+        bool near = true;
+        for (std::size_t d = 0; d < Dim; ++d) {
+          const auto axis = static_cast<Eigen::Index>(d);
+          near = near && x[d][i] >= low[axis] && x[d][i] <= high[axis];
+        }
+        if (!near) continue;
         const CloudPoint<Dim> domain = domains(i);
-        if (((domain.x + reach).array() < low.array()).any() || ((domain.x - reach).array() > high.array()).any())
-          continue;
         Vec<Dim> half = Vec<Dim>::Zero();
         for (int k = 0; k < Dim; ++k) half += domain.axes.col(k).cwiseAbs();
         each_cell(domain.x - half, domain.x + half, [&](std::int64_t cell) { cells_[cell].push_back(domain); });

@@ -68,6 +68,7 @@ void Stepper<Dim>::advance(double dt) {
   }
 
   contact_.book(dt);
+  load_tips(dt);
   heat_.conduct(dt, contact_, conditions_);
 
   // 5. Nodes to particles: velocity, position; stress last unless it waits for better velocities
@@ -91,6 +92,7 @@ void Stepper<Dim>::advance(double dt) {
 
   system_.time += dt;
   ++system_.step;
+  grow_cracks();
 }
 
 template <int Dim>
@@ -101,6 +103,7 @@ Stepper<Dim>::Stepper(const Model& model, System<Dim>& system)
       cracks_(model, system, *transfers_),
       contact_(model, system, *transfers_, cracks_),
       joints_(model, system, cracks_),
+      fracture_(model, system, cracks_, transfers_->stencil_width()),
       heat_(model, system, *transfers_),
       b_bar_(model.scheme, system, *transfers_, conditions_) {
   for (std::size_t f = 0; f < system.fields.size(); ++f) conditions_.emplace_back(model, system.lattice);
@@ -257,22 +260,41 @@ void Stepper<Dim>::apply_body_force(std::size_t f, double dt) {
   if (!force.function[0] && !force.function[1] && !force.function[2]) return;
   const auto& field = system_.fields[f];
   sum_over_nodes(f, [&](std::int64_t n, Node& node) {
-    const Vec3 a = body_force_at(field.map.node_at(n), dt);
+    const Vec3 a = body_force_at(system_.lattice.position(field.map.node_at(n)), dt);
     for (int d = 0; d < Dim; ++d) node.acceleration[d] += a[d], node.velocity[d] += dt * a[d];
     return Exchange(Exchange::Zero());
   });
 }
 
 template <int Dim>
-Vec3 Stepper<Dim>::body_force_at(const Index<Dim>& node, double dt) const {
+Vec3 Stepper<Dim>::body_force_at(const Vec<Dim>& place, double dt) const {
   const BodyForce& force = model_.body_force;
   Vec3 x = Vec3::Zero(), a = Vec3::Zero();
-  x.head<Dim>() = system_.lattice.position(node);
+  x.head<Dim>() = place;
   auto at = Variables::at(x, system_.time / force.function_time);
   at.dt = dt / force.function_time;
   for (int d = 0; d < Dim; ++d)
     if (const auto& function = force.function[static_cast<std::size_t>(d)]) a[d] = (*function)(at);
   return a;
+}
+
+// What drives the tips of cracks.
+template <int Dim>
+void Stepper<Dim>::load_tips(double dt) {
+  if constexpr (Dim == 2) {
+    if (!fracture_.active()) return;
+    fracture_.measure([&](const Vec<2>& x, const Vec<2>& v) {
+      return Vec<2>((model_.body_force.gravity + body_force_at(x, dt)).template head<2>() - grid_damping * v);
+    });
+  }
+}
+
+// Particles near a new tip may lie in bins that no crack cut before.
+template <int Dim>
+void Stepper<Dim>::grow_cracks() {
+  if constexpr (Dim == 2) {
+    if (fracture_.active() && fracture_.grow()) system_.sorted = false;
+  }
 }
 
 // With the velocities at mid step.
@@ -284,7 +306,7 @@ void Stepper<Dim>::account_body_force(double dt) {
     const auto& field = system_.fields[f];
     if (field.rigid_contact) continue;
     const Exchange sum = sum_over_nodes(f, [&](std::int64_t n, const Node& node) {
-      const Vec3 a = body_force_at(field.map.node_at(n), dt);
+      const Vec3 a = body_force_at(system_.lattice.position(field.map.node_at(n)), dt);
       Exchange power = Exchange::Zero();
       for (int d = 0; d < Dim; ++d) {
         power[0] += node.mass * a[d] * (node.velocity[d] - 0.5 * dt * node.acceleration[d]);

@@ -4,6 +4,7 @@
 #include "solver/b_bar.hpp"
 #include "solver/contact.hpp"
 #include "solver/cracks.hpp"
+#include "solver/fracture.hpp"
 #include "solver/heat.hpp"
 #include "solver/joints.hpp"
 #include "solver/transfer.hpp"
@@ -59,7 +60,9 @@ class Stepper {
   void push_back(Body<Dim>& body);
   void push_joints(double dt);
   void apply_body_force(std::size_t field, double dt);
-  Vec3 body_force_at(const Index<Dim>& node, double dt) const;
+  Vec3 body_force_at(const Vec<Dim>& x, double dt) const;
+  void load_tips(double dt);
+  void grow_cracks();
   void account_body_force(double dt);
   void account_damping(std::size_t field, double dt);
   void account_particle_damping(const Body<Dim>& body, double rate, double dt);
@@ -103,6 +106,7 @@ class Stepper {
   Cracks<Dim> cracks_;
   Contact<Dim> contact_;
   Joints<Dim> joints_;
+  Fracture<Dim> fracture_;
   HeatConduction<Dim> heat_;
   BBar<Dim> b_bar_;
   Ledger ledger_;
