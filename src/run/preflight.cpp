@@ -4,6 +4,7 @@
 #include "contact/contact_law.hpp"
 #include "grid/select.hpp"
 #include "run/clock.hpp"
+#include "run/crack_sheet.hpp"
 #include "run/step_size.hpp"
 #include "run/tracers.hpp"
 #include "solver/build.hpp"
@@ -50,6 +51,7 @@ class Sheet {
     stiffness();
     interfaces();
     glued();
+    cracks();
     travel();
     steps();
     effort();
@@ -109,8 +111,10 @@ class Sheet {
       }
       if (!separate && gap < 1)
         advice_.push_back(who +
-                          (gap < 1e-6 ? " share one velocity field: they stick where they touch"
-                                      : " act on each other across the gap, as they share one velocity field") +
+                          (gap < 1e-6
+                               ? std::string(" share one velocity field: they stick where they touch") +
+                                     (model_.cracks.empty() ? "" : ", but for cracks")
+                               : std::string(" act on each other across the gap, as they share one velocity field")) +
                           "; <MultiMaterialMode> gives each its own");
       if (separate && gap > 1e-6 && gap < 1 && model_.contact.separation != Separation::edges)
         advice_.push_back(who +
@@ -241,6 +245,23 @@ class Sheet {
                         " is glued to the nodes that are fixed in all directions: no law of contact acts there. "
                         "If it should slide, take a RigidContact body, or fix only the normal direction");
     }
+  }
+
+  void cracks() {
+    const CrackSheet sheet = describe_cracks(system_);
+    for (const auto& text : sheet.lines) line(text);
+    advice_.insert(advice_.end(), sheet.advice.begin(), sheet.advice.end());
+    if (system_.joints.empty()) return;
+    // found with the masses of a first step
+    stepper_.advance(0.1 * step_.size);
+    const double stable = stepper_.joints().stable_step();
+    line(format("joints: stable up to steps of %.6g", stable));
+    if (stable < 0.2 * step_.size)
+      advice_.push_back(
+          format("the joints shorten the step by a factor of %.2g; stiffnesses of a few times modulus over "
+                 "cell size are stiff enough",
+                 step_.size / stable));
+    if (stable < step_.size) step_.size = stable, step_.set_by = "the stiffness of the joints";
   }
 
   void travel() {

@@ -70,6 +70,35 @@ TEST_CASE("the sheet compares an interface's oscillation with the step", "[prefl
   CHECK_THAT(with("-1"), !Contains("interface of"));
 }
 
+TEST_CASE("the sheet tells how many cells a crack spans", "[preflight]") {
+  const auto with = [](const std::string& lines, const std::string& more = "") {
+    return sheet("2", "", "<CrackList>" + lines + "</CrackList>" + more, "8");
+  };
+  // the left block is 4 cells wide and 8 high
+  CHECK_THAT(with("<Line xmin='6' xmax='6' ymin='1' ymax='10'/>"),
+             Contains("crack 1: 18 pieces, length 9, 8 of it in bodies: 8 cells long") && !Contains("- crack"));
+  CHECK_THAT(with("<Line xmin='6' xmax='6' ymin='3' ymax='8'/>"), Contains("crack 1 spans 5 cells only"));
+  CHECK_THAT(with("<Line xmin='3' xmax='8' ymin='6' ymax='6'/>"), !Contains("spans 4 cells"));  // it cuts the block
+  CHECK_THAT(with("<Line xmin='1' xmax='1' ymin='2' ymax='8'/>"), Contains("crack 1 lies in no body"));
+  CHECK_THAT(with("<Line xmin='6' xmax='6' ymin='2' ymax='8' resolution='2'/>"), Contains("pieces of up to 3 cells"));
+  CHECK_THAT(with("<Line xmin='5' xmax='5' ymin='2' ymax='8'/>",
+                  "<CrackList><Line xmin='7.5' xmax='7.5' ymin='2' ymax='8'/></CrackList>"),
+             Contains("crack 1 and crack 2 come within 2.5 cells"));
+}
+
+TEST_CASE("the sheet tells the step that joints allow", "[preflight]") {
+  const auto with = [](const std::string& stiffness) {
+    return sheet("2", "",
+                 "<CrackList lawname='joint'><Line xmin='3' xmax='9' ymin='6' ymax='6'/></CrackList>"
+                 "<Material Type='Mohr' Name='joint'><stiffness-normal>" +
+                     stiffness + "</stiffness-normal><stiffness-shear>0</stiffness-shear></Material>",
+                 "8");
+  };
+  CHECK_THAT(with("0.1"), Contains("joints: stable up to steps of") && Contains("set by the waves in 'left'"));
+  // a step of h/c/2 is stable with a spring of the order of E/h; 1e4 of it shorten the step by about 100
+  CHECK_THAT(with("1e4"), Contains("set by the stiffness of the joints") && Contains("shorten the step"));
+}
+
 TEST_CASE("the sheet tells who is glued and who leaves", "[preflight]") {
   const std::string glue =
       "<GridBCs><BCLine x1='0' x2='20' y1='2' y2='2' tolerance='*0.1'><DisBC dir='1' vel='0'/><DisBC dir='2' vel='0'/>"
