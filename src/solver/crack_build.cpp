@@ -112,7 +112,7 @@ void find_ends(Crack<2>& crack, const CrackSpec& spec, const Matter<2>& matter, 
     constexpr int probes = 8;  // per cell
     int free = 0;
     while (free < probes * cells && !matter.at(x + (free + 0.5) / probes * ahead)) ++free;
-    if (free == 0 && (asked == End::found || asked == End::tip)) {
+    if (free == 0 && !matter.mirrored(x + 1e-6 * ahead) && (asked == End::found || asked == End::tip)) {
       tip.start = ahead / cell;
       crack.tips.push_back(tip);
     } else if (asked == End::tip) {

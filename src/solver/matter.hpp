@@ -4,6 +4,7 @@
 #include "solver/contact_cloud.hpp"
 #include "solver/nodes_around.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <unordered_map>
 
@@ -32,6 +33,11 @@ class Matter {
         each_cell(domain.x - half, domain.x + half, [&](std::int64_t cell) { cells_[cell].push_back(domain); });
       }
     }
+  }
+  /// Whether a point lies beyond a symmetry plane.
+  bool mirrored(const Vec<Dim>& x) const {
+    return std::any_of(around_.planes().begin(), around_.planes().end(),
+                       [&](const SymmetryPlane& plane) { return (plane.at - x[plane.axis]) * plane.inward > 0; });
   }
   bool at(Vec<Dim> x) const {
     for (const SymmetryPlane& plane : around_.planes())
