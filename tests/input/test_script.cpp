@@ -113,7 +113,9 @@ TEST_CASE("what is wrong with a script is told with its place, all at once", "[s
   CHECK_THAT(complaint("Sub s,#x\n#y=#x+#z\nEndSub\nGoSub s,1"),
              Contains("s:2:7: error: there is no variable '#z'") && Contains("called from s:4:1"));
   CHECK_THAT(complaint("Stop \"too \",\"slow\""), Contains("s:1:1: error: too slow"));
-  CHECK_THAT(complaint("NewCrack 1,2"), Contains("cracks are read from XML only"));
+  CHECK_THAT(complaint("GrowCrack 1,2"), Contains("s:1:1: error: 'GrowCrack' belongs to a crack"));
+  CHECK_THAT(complaint("Propagate \"max enery release\""),
+             Contains("s:1:11: error: 'max enery release' is not known here (did you mean 'max energy release'?)"));
   CHECK_THAT(complaint("GridHorizz 3"), Contains("did you mean 'GridHoriz'"));
   CHECK_THAT(complaint("Repeat\nEndRepeat"), Contains("does not end"));
   CHECK_THAT(complaint("#a=(1"), Contains("s:1:6: error: ')' is missing"));
@@ -129,8 +131,8 @@ TEST_CASE("wrong commands do not hide wrong names of materials and properties", 
   CHECK_THAT(text, Contains("s:6:1: error: there is no command 'GridHorizz'"));
   CHECK_THAT(text, Contains("s:7:8: error: there is no material 'gun' (did you mean 'gum'?)"));
   CHECK(std::count(text.begin(), text.end(), '\n') == 2);
-  CHECK_THAT(complaint("Material \"gum\",\"Gum\",\"Isotropic\"\nalpha 1\nKIc 1\nDone\nGridHorizz 3"),
-             Contains("<KIc> belongs to the growth of cracks, which is not built") && !Contains("<alpha>"));
+  CHECK_THAT(complaint("Material \"gum\",\"Gum\",\"Isotropic\"\nalpha 1\ndelIc 1\nDone\nGridHorizz 3"),
+             Contains("<delIc> belongs to a criterion for the growth of cracks that is not built") && !Contains("<alpha>"));
   // what was not reached may be what is missing
   CHECK_THAT(complaint("GlobalArchive velx,\"gum\"\nStop"), !Contains("there is no material"));
   // its properties and regions are right

@@ -90,3 +90,147 @@ TEST_CASE("a body that has turned has the same stress intensities", "[fracture]"
   CHECK(tip.K[1] == Approx(still.K[1]).epsilon(1e-3));
   CHECK(tip.J == Approx(still.J).epsilon(1e-3));
 }
+
+namespace {
+
+/// A crack tip in the plate, and what it does under given loads.
+struct Growing {
+  Model model;
+  System<2> system;
+
+  explicit Growing(Growth growth, double angle = 0.3, std::optional<CrackSpec> other = {})
+      : model(with(growth, angle, std::move(other))), system(build_system<2>(model, lattice_seeds<2>(model, 8, 32))) {
+    settle(system);
+  }
+  static Model with(Growth growth, double angle, std::optional<CrackSpec> other) {
+    Model model = cracked(angle);
+    model.materials[0].growth = growth;
+    model.materials[0].toughness = {1.0, 0.5, 2.0};
+    if (other) model.cracks.push_back(*other);
+    return model;
+  }
+  CrackTip& tip() { return system.cracks[0].tips[0]; }
+  const Vec<2>& end() { return system.cracks[0].x[tip().point]; }
+  /// Whether it grew under these intensities, in parts of KIc.
+  bool grow(double K1, double K2, double J = 0) {
+    const auto transfers = make_transfers<2>(model.scheme);
+    Cracks<2> cracks(model, system, *transfers);
+    Fracture<2> fracture(model, system, cracks, 3);
+    tip().K = {K1, K2}, tip().J = J;
+    return fracture.grow();
+  }
+  /// Angle by which the last piece turns against the one before, in degrees.
+  double kink() {
+    const auto& crack = system.cracks[0];
+    const auto direction = [&](std::size_t piece) {
+      const Vec<2> d = crack.corners(piece)[1] - crack.corners(piece)[0];
+      return std::atan2(d[1], d[0]);
+    };
+    return (direction(crack.drawn_pieces - 1) - direction(crack.drawn_pieces - 2)) * 180 / std::numbers::pi;
+  }
+};
+
+}  // namespace
+
+TEST_CASE("cracks grow towards the largest hoop stress", "[fracture]") {
+  // mode II: 2 atan(1/sqrt 2) = 70.5288 degrees away from the side to which the upper face slides forward; the hoop
+  // stress is that of a mode I with 2/sqrt 3 of its intensity
+  for (const double sign : {1.0, -1.0}) {
+    Growing crack({Growth::When::hoop_stress});
+    CHECK_FALSE(crack.grow(0, sign * 0.999 * std::sqrt(3) / 2));
+    CHECK(crack.system.cracks[0].drawn_pieces == 12);
+    const Vec<2> before = crack.end();
+    CHECK(crack.grow(0, sign * 1.001 * std::sqrt(3) / 2));
+    CHECK(crack.system.cracks[0].drawn_pieces == 13);
+    CHECK(crack.kink() == Approx(-sign * 70.5287794).epsilon(1e-8));
+    CHECK((crack.end() - before).norm() == Approx(0.5 * crack.system.lattice.spacing[0]));
+  }
+  Growing straight({Growth::When::hoop_stress});
+  CHECK_FALSE(straight.grow(0.999, 0));
+  CHECK(straight.grow(1.001, 0));
+  CHECK(std::abs(straight.kink()) < 1e-9);
+  CHECK_FALSE(Growing({Growth::When::hoop_stress}).grow(-5, 0));
+}
+
+TEST_CASE("a tip rests until a surface wave has run along its new piece", "[fracture]") {
+  Growing crack({Growth::When::hoop_stress});
+  CHECK(crack.grow(2, 0));
+  CHECK_FALSE(crack.grow(2, 0));
+  const double hop = 0.5 * crack.system.lattice.spacing[0], shear_waves = std::sqrt(young / 2.6 / 1000);
+  crack.system.time = 0.99 * hop / (0.9 * shear_waves);
+  CHECK_FALSE(crack.grow(2, 0));
+  crack.system.time = 1.01 * hop / (0.9 * shear_waves);
+  CHECK(crack.grow(2, 0));
+  CHECK(crack.system.cracks[0].drawn_pieces == 14);
+}
+
+TEST_CASE("other criteria of growth have their own thresholds and angles", "[fracture]") {
+  // Sih 1974, nu = 0.3 in plane strain: mode II at -arccos((1 - 2 nu)/3) = -82.3377 degrees, where its energy density
+  // is (kappa + 1)(1 - c) + (1 + c)(3 c - 1) against 2 (kappa - 1) of mode I
+  const double kappa = 3 - 4 * poisson, c = (1 - 2 * poisson) / 3;
+  const double critical = std::sqrt(2 * (kappa - 1) / ((kappa + 1) * (1 - c) + (1 + c) * (3 * c - 1)));
+  Growing density({Growth::When::energy_density});
+  CHECK_FALSE(density.grow(0, 0.999 * critical));
+  CHECK(density.grow(0, 1.001 * critical));
+  CHECK(density.kink() == Approx(-std::acos(c) * 180 / std::numbers::pi).epsilon(1e-6));
+  CHECK_FALSE(Growing({Growth::When::energy_density}).grow(-2, 0));
+  CHECK(Growing({Growth::When::energy_density}).grow(1.001, 0));
+
+  // (K1/1)^2 + (K2/0.5)^2 = 1
+  CHECK_FALSE(Growing({Growth::When::empirical}).grow(0.6, 0.399));
+  CHECK(Growing({Growth::When::empirical}).grow(0.6, -0.401));
+
+  Growing energy({Growth::When::release_rate});
+  CHECK_FALSE(energy.grow(9, 9, 1.999));
+  CHECK(energy.grow(0, 1, 2.001));
+  CHECK(std::abs(energy.kink()) < 1e-9);
+}
+
+TEST_CASE("the direction of growth may be chosen", "[fracture]") {
+  using Way = Growth::Way;
+  const auto kink = [](Way way, double opens, double slides) {
+    Growing crack({Growth::When::hoop_stress, way});
+    auto& c = crack.system.cracks[0];
+    const Vec<2> along(std::cos(0.3), std::sin(0.3)), up(-along[1], along[0]);
+    c.face[1][crack.tip().behind] += opens * up + slides * along;
+    REQUIRE(crack.grow(0, 2));
+    return crack.kink();
+  };
+  CHECK(std::abs(kink(Way::straight_on, 1, 1)) < 1e-9);
+  CHECK(kink(Way::normal_to_opening, 1, 1) == Approx(-45));
+  CHECK(kink(Way::hoop_of_opening, 0, 1) == Approx(-70.5287794));
+
+  Growing start({Growth::When::hoop_stress, Way::as_at_start});
+  start.tip().start = Vec<2>(std::cos(0.5), std::sin(0.5));
+  REQUIRE(start.grow(0, 2));
+  CHECK(start.kink() == Approx(0.2 * 180 / std::numbers::pi));
+}
+
+TEST_CASE("a crack stops in front of another one", "[fracture]") {
+  // a wall of its way, 0.3 cells ahead of the tip at (20.1, 19.8)
+  const double ahead = 0.3;
+  Growing crack({Growth::When::hoop_stress}, 0, line(Vec3(20.1 + ahead, 18, 0), Vec3(20.1 + ahead, 22, 0), 4));
+  const double before = crack.end()[0];
+  REQUIRE(crack.grow(2, 0));
+  CHECK_FALSE(crack.tip().lives);
+  CHECK(crack.end()[0] - before == Approx(0.99 * ahead).epsilon(0.01));
+  crack.system.time = 1e9;
+  CHECK_FALSE(crack.grow(2, 0));
+}
+
+TEST_CASE("what an end of a crack is can be said", "[fracture]") {
+  Model model = cracked(0.0);
+  const auto seeds = lattice_seeds<2>(model, 8, 32);
+  const auto tips = [&](CrackSpec::End first, CrackSpec::End last) {
+    model.cracks[0].ends = {first, last};
+    return build_system<2>(model, seeds).cracks[0].tips.size();
+  };
+  using End = CrackSpec::End;
+  CHECK(tips(End::found, End::found) == 2);
+  CHECK(tips(End::tip, End::none) == 1);
+  CHECK(tips(End::none, End::none) == 0);
+  CHECK(tips(End::exterior, End::found) == 1);
+  model.cracks = {line(Vec3(2, 20, 0), Vec3(20, 20, 0), 12)};
+  CHECK(tips(End::found, End::found) == 1);
+  CHECK_THROWS_AS(tips(End::tip, End::found), InputError);
+}
