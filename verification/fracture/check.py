@@ -1,0 +1,86 @@
+import math
+
+import numpy as np
+
+import verify
+import vtp
+
+E, nu = 1000.0, 0.3
+plane_strain = E / (1 - nu**2)
+
+
+def tips(out, end=2):
+    got = verify.table(f"{out}/tips.csv")
+    return {name: column[got["end"] == end] for name, column in got.items()}
+
+
+def spread(values):
+    return (max(values) - min(values)) / np.mean(values)
+
+
+def beam(case):
+    sizes = (4,) if case.quick else (3, 4, 5, 6)
+    J = []
+    for size in sizes:
+        out = case.run(f"beam{size}", "beam.xml", dict(size=str(size)))
+        J.append(tips(out)["J"][-1])
+        case.check(f"double cantilever beam, ring of {size} cells: J [N/mm]", J[-1], 2.73380784e-4, 2e-2)
+    opening = 2 * verify.history(out)["dispy:arm@0,5,0"][-1]
+    case.check("double cantilever beam: opening [mm]", opening, 9.70034735e-2, 2e-2)
+    if not case.quick:
+        case.check("double cantilever beam: spread of J over rings of 3 to 6 cells", spread(J), 0, 1e-2, "at most")
+
+
+def plates(case):
+    kinds = {"centre": ("0", 1.186234), "edge": ("", 2.826375)}
+    for name, (symmetry, factor) in kinds.items():
+        exact = factor * math.sqrt(5 * math.pi)
+        K = []
+        for size in (3, 4, 5, 6) if name == "centre" else (4,):
+            out = case.run(f"{name}{size}", "plate.xml", dict(size=str(size)), {} if symmetry else {" symmin='0'": ""})
+            got = tips(out)
+            K.append(got["K1"][-1])
+            where = f"{name} crack, ring of {size} cells"
+            case.check(f"{where}: K1 [MPa mm^1/2]", K[-1], exact, 3e-2)
+            case.check(f"{where}: from J", math.sqrt(got["J"][-1] * plane_strain), exact, 3e-2)
+            case.check(f"{where}: K2 / K1", abs(got["K2"][-1]) / K[-1], 0, 1e-2, "at most")
+        if len(K) > 1:
+            case.check(f"{name} crack: spread of K1 over rings of 3 to 6 cells", spread(K), 0, 1e-2, "at most")
+
+
+def wave(case):
+    # until the first wave from the ends comes back
+    for nu_, factor in {0.25: 1.063846081, 0.3: 1.019499495}.items():
+        speed = math.sqrt(1000 * (1 - nu_) / ((1 + nu_) * (1 - 2 * nu_) * 1e-3))
+        out = case.run(f"wave{nu_}", "wave.xml", dict(nu=str(nu_)))
+        got = tips(out)
+        t = got["time"] - 20 / speed
+        late = (speed * t > 8) & (speed * t < 18)
+        K = got["K1"][late] / np.sqrt(speed * t[late])
+        case.check(f"tension wave, nu = {nu_}: K1 / (stress sqrt(c t)), mean", K.mean(), factor, 5e-2)
+        case.check(f"tension wave, nu = {nu_}: worst", np.abs(K / factor - 1).max(), 0, 5e-2, "at most")
+
+
+def closed(case):
+    # effective shear stress of a closed crack at 45 degrees: (10 - 2)/2 - mu (10 + 2)/2
+    for mu in (0, 0.3, 0.6, 0.7):
+        shear = max(4 - 6 * mu, 0.0)
+        out = case.run(f"closed{mu}", "closed.xml", dict(mu=str(mu)))
+        got = tips(out)
+        faces = vtp.read(str(vtp.collection(out)[-1][1]).replace("particles/run", "cracks/run"))
+        slip = faces["slip"].max()
+        if shear > 0:
+            case.check(f"closed crack, mu = {mu}: K2 [MPa mm^1/2]", abs(got["K2"][-1]), shear * math.sqrt(math.pi), 4e-2)
+            case.check(f"closed crack, mu = {mu}: K1 / K2 without friction", abs(got["K1"][-1]) / (4 * math.sqrt(math.pi)), 0, 4e-2, "at most")
+            case.check(f"closed crack, mu = {mu}: slip [mm]", slip, 4 * shear / plane_strain, 3e-2)
+        else:
+            case.check(f"closed crack, mu = {mu}: slip [mm]", slip, 0, 1e-9, "at most")
+
+
+def run(case):
+    beam(case)
+    if case.quick:
+        return
+    plates(case)
+    wave(case)
+    closed(case)
