@@ -10,9 +10,10 @@
 namespace tribo::script {
 namespace {
 
-constexpr long most_commands = 2'000'000;
+constexpr long most_commands = 500'000;
 constexpr long most_complaints = 2'000;  // the same mistakes turn after turn
-constexpr std::size_t deepest_calls = 100, most_problems = 50, longest_text = 1'000'000;
+constexpr std::size_t deepest_calls = 100, most_problems = 50;
+constexpr std::size_t longest_text = 10'000, most_written = 1'000'000;  // characters
 
 // `Stop`: what was complained about before comes first.
 struct Stopped {};
@@ -45,7 +46,7 @@ void Interpreter::complain(const InputError& error) {
 
 void Interpreter::count(const Origin& origin) {
   if (++commands_ <= most_commands) return;
-  complain({origin, "the script has run two million commands: a loop that does not end?"});
+  complain({origin, "the script has run half a million commands: a loop that does not end?"});
   throw Stopped{};
 }
 
@@ -101,7 +102,7 @@ void Interpreter::assign(const Node& n) {
     v = evaluate({"#old" + n.word + "#new", n.origin}, two);
   }
   if (is_text(v) && std::get<std::string>(v).size() > longest_text)
-    throw InputError(value.origin, "this text is longer than a million characters");
+    throw InputError(value.origin, "this text is longer than ten thousand characters");
   if (fixed_.erase(name) > 0) return;
   variables_[name] = std::move(v);
 }
@@ -205,7 +206,7 @@ void Interpreter::command(const Node& n) {
   const std::string word = lower(n.word);
   if (word == "write" || word == "writeline") {
     output_ += joined(n) + (word == "writeline" ? "\n" : "");
-    if (output_.size() > longest_text) throw InputError(n.origin, "more than a million characters written");
+    if (output_.size() > most_written) throw InputError(n.origin, "more than a million characters written");
   } else if (word == "clear") {
     output_.clear();
   } else if (word == "stop") {

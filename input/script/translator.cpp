@@ -4,6 +4,7 @@
 #include "input/script/commands.hpp"
 
 #include <algorithm>
+#include <unordered_map>
 
 namespace tribo::script {
 
@@ -101,9 +102,13 @@ auto Translator::actions() -> const std::map<std::string, Action>& {
 namespace {
 
 const CommandInfo* find_command(const std::string& word) {
-  for (const CommandInfo& info : commands())
-    if (lower(std::string(info.name)) == word) return &info;
-  return nullptr;
+  static const auto by_word = [] {
+    std::unordered_map<std::string, const CommandInfo*> out;
+    for (const CommandInfo& info : commands()) out.emplace(lower(info.name), &info);
+    return out;
+  }();
+  const auto found = by_word.find(word);
+  return found == by_word.end() ? nullptr : found->second;
 }
 
 }  // namespace

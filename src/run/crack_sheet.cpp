@@ -1,18 +1,12 @@
 #include "run/crack_sheet.hpp"
 
+#include "base/text.hpp"
+
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
 namespace tribo {
 namespace {
-
-template <class... Values>
-std::string format(const char* pattern, Values... values) {
-  char buffer[256];
-  std::snprintf(buffer, sizeof buffer, pattern, values...);
-  return buffer;
-}
 
 /// Least distance between the points of two cracks.
 template <int Dim>

@@ -1,6 +1,7 @@
 #include "run/preflight.hpp"
 
 #include "base/parallel.hpp"
+#include "base/text.hpp"
 #include "contact/contact_law.hpp"
 #include "grid/select.hpp"
 #include "run/clock.hpp"
@@ -13,18 +14,10 @@
 
 #include <chrono>
 #include <cmath>
-#include <cstdio>
 #include <set>
 
 namespace tribo {
 namespace {
-
-template <class... Values>
-std::string format(const char* pattern, Values... values) {
-  char buffer[512];
-  std::snprintf(buffer, sizeof buffer, pattern, values...);
-  return buffer;
-}
 
 /// Distance of two materials' particle domains at the start, in cells; negative: they overlap.
 using Gaps = std::map<std::pair<int, int>, double>;

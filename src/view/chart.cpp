@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace tribo {
 namespace {
@@ -29,12 +28,6 @@ Span span_of(const std::vector<Curve>& curves) {
                                                                         : size > 0                ? 0.5 * size
                                                                                                   : 1.0;
   return {low - margin, high + margin};
-}
-
-std::string format(const char* pattern, auto... values) {
-  char buffer[512];
-  std::snprintf(buffer, sizeof buffer, pattern, values...);
-  return buffer;
 }
 
 std::string colour_name(int k) {
