@@ -77,15 +77,18 @@ void Builder::fracture() {
   }
   const Growth for_all = propagate ? growth(*propagate) : Growth{};
   bool grows = false, tough = false;
+  Origin origin = contour ? contour->origin : propagate ? propagate->origin : Origin{};
   for (std::size_t m = 0; m < model_.materials.size(); ++m) {
     MaterialSpec& material = model_.materials[m];
-    const bool own = material.statement.child("Propagate");
+    const Statement* own = material.statement.child("Propagate");
     if (!own) material.growth = for_all;
     if (!material.law || material.growth.when == Growth::When::never) continue;
+    if (own && !origin.file) origin = own->origin;
     grows = true;
     const std::string missing = missing_toughness(material);
-    must(missing.empty() || !own, material.origin, "the growth of cracks in '" + material.name + "' needs " + missing);
     if (!missing.empty()) {
+      must(!own, material.origin, "the growth of cracks in '" + material.name + "' needs " + missing);
+      tough = tough || own;
       material.growth.when = Growth::When::never;
       continue;
     }
@@ -95,10 +98,6 @@ void Builder::fracture() {
              "' take criterion 7, which needs <JIc>");
   }
   if (!contour && !grows) return;
-  const Origin& origin = contour     ? contour->origin
-                         : propagate ? propagate->origin
-                         : general   ? general->origin
-                                     : Origin{};
   must(!grows || tough, origin, "no material resists the growth of cracks: give <KIc>, or <JIc> for criterion 7");
   must(model_.analysis == Analysis::plane_strain || model_.analysis == Analysis::plane_stress, origin,
        "tips of cracks are understood in plane strain and plane stress only");

@@ -53,7 +53,7 @@ void Translator::no_traction_law(const Command& c, std::size_t k) {
 }
 
 void Translator::new_crack(const Command& c) {
-  Statement crack;
+  Statement& crack = document_.cracks().emplace_back();
   crack.name = "CrackList", crack.origin = c.origin();
   const bool fixed = c.given(2) && lower(c.text(2)) == "fixed";
   if (fixed) attribute(crack, "type", "fixed", c.origin(2));
@@ -66,7 +66,6 @@ void Translator::new_crack(const Command& c) {
       Document::refer(crack, "law", law, c.origin(3));
   }
   no_traction_law(c, 4);
-  document_.cracks().push_back(std::move(crack));
   Statement& point = crack_part(c, "pt");
   attribute(point, "x", c.text(0), c.origin(0)), attribute(point, "y", c.text(1), c.origin(1));
   if (!fixed) crack_end(point, "tip", c, 2);

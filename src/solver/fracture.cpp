@@ -48,6 +48,13 @@ struct Fracture<2>::Ring {
     const double s = std::clamp((r - inner) / (outer - inner), 0.0, 1.0);
     return 1 - s * s * (3 - 2 * s);
   }
+  /// Of a point of the particle at `centre`, both from the tip: on the particle's side of the crack, which may be beyond
+  /// +-pi.
+  double angle(const Vec<2>& from_tip, const Vec<2>& centre) const {
+    const Vec<2> base = axes.transpose() * centre;
+    const double cross = centre[0] * from_tip[1] - centre[1] * from_tip[0];
+    return std::atan2(base[1], base[0]) + std::atan2(cross, centre.dot(from_tip));
+  }
   Vec<2> slope(const Vec<2>& from_tip) const {
     const double r = from_tip.norm(), s = (r - inner) / (outer - inner);
     if (s <= 0 || s >= 1) return Vec<2>::Zero();
@@ -195,10 +202,10 @@ void Fracture<2>::measure(const Crack<2>& crack, CrackTip& tip, const Force& for
         sum.elastic = false;
         continue;
       }
-      const Vec<2> local = ring.axes.transpose() * from_tip, local_slope = ring.axes.transpose() * slope,
-                   local_push = ring.axes.transpose() * push;
+      const Vec<2> local_slope = ring.axes.transpose() * slope, local_push = ring.axes.transpose() * push;
+      const double angle = ring.angle(from_tip, domain.x - ring.tip);
       for (int mode = 1; mode <= 2; ++mode) {
-        const TipField pure = tip_field(mode, r, std::atan2(local[1], local[0]), moduli->G, kappa(*moduli));
+        const TipField pure = tip_field(mode, r, angle, moduli->G, kappa(*moduli));
         sum.with_mode[static_cast<std::size_t>(mode) - 1] +=
             volume * (pure.gradient.col(0).dot(local_stress * local_slope) +
                       local_gradient.col(0).dot(pure.stress * local_slope) -

@@ -84,11 +84,13 @@ TEST_CASE("the ring around a tip finds the stress intensities of its field", "[f
 }
 
 TEST_CASE("a body that has turned has the same stress intensities", "[fracture]") {
-  const double turn = GENERATE(0.5, -1.5);
+  // by a right angle the particles' squares become themselves, otherwise the points of the sums change
+  const double right = 0.5 * std::numbers::pi;
+  const auto [turn, tolerance] = GENERATE_COPY(std::pair(right, 1e-5), std::pair(-right, 1e-5), std::pair(0.5, 0.01));
   const CrackTip tip = measured(0.3, 2, 1, turn), still = measured(0.3, 2, 1);
-  CHECK(tip.K[0] == Approx(still.K[0]).epsilon(1e-3));
-  CHECK(tip.K[1] == Approx(still.K[1]).epsilon(1e-3));
-  CHECK(tip.J == Approx(still.J).epsilon(1e-3));
+  CHECK(tip.K[0] == Approx(still.K[0]).epsilon(tolerance));
+  CHECK(tip.K[1] == Approx(still.K[1]).epsilon(tolerance));
+  CHECK(tip.J == Approx(still.J).epsilon(tolerance));
 }
 
 namespace {
