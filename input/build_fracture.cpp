@@ -77,7 +77,7 @@ void Builder::fracture() {
   }
   const Growth for_all = propagate ? growth(*propagate) : Growth{};
   bool grows = false, tough = false;
-  Origin origin = contour ? contour->origin : propagate ? propagate->origin : Origin{};
+  Origin origin = contour ? contour->origin : propagate ? propagate->origin : wants_tip_loads_.value_or(Origin{});
   for (std::size_t m = 0; m < model_.materials.size(); ++m) {
     MaterialSpec& material = model_.materials[m];
     const Statement* own = material.statement.child("Propagate");
@@ -97,7 +97,7 @@ void Builder::fracture() {
          "stress intensities need an isotropic material; for '" + material.name +
              "' take criterion 7, which needs <JIc>");
   }
-  if (!contour && !grows) return;
+  if (!contour && !grows && !wants_tip_loads_) return;
   must(!grows || tough, origin, "no material resists the growth of cracks: give <KIc>, or <JIc> for criterion 7");
   must(model_.analysis == Analysis::plane_strain || model_.analysis == Analysis::plane_stress, origin,
        "tips of cracks are understood in plane strain and plane stress only");

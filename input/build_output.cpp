@@ -1,5 +1,6 @@
 /// What a run writes: particle and grid files, columns of the histories.
 
+#include "base/text.hpp"
 #include "input/builder.hpp"
 #include "materials/material.hpp"
 #include "model/quantities.hpp"
@@ -107,8 +108,17 @@ void Builder::archive(const Statement& h) {
     }
     for (const auto name : {"velocity", "stress", "pressure", "von_mises"}) add_field(name, order->origin);
   }
-  for (const auto& s : h.children)
-    if (s.name == "MPMArchive" && word(s, "setting", "yes") != "no") add_field(word(s, "result"), s.origin);
+  for (const auto& s : h.children) {
+    if (s.name != "MPMArchive" || word(s, "setting", "yes") == "no") continue;
+    const std::string name = word(s, "result");
+    if (lower(name) == "jintegral" || lower(name) == "stressintensity")
+      wants_tip_loads_ = s.origin;
+    else
+      add_field(name, s.origin);
+  }
+  // its third and fourth letters: J and the stress intensities
+  if (const auto* order = h.child("CrackArchiveOrder"); order && root_.child("CrackList"))
+    if (order->text.find_first_not_of('N', 2) < 4) wants_tip_loads_ = order->text_origin;
   if (const auto* o = h.child("Output")) {
     std::istringstream fields(word(*o, "fields")), grid(word(*o, "grid"));
     for (std::string name; fields >> name;) add_field(name, o->attribute("fields")->origin);

@@ -124,6 +124,7 @@ class Builder {
   std::filesystem::path folder_;
   Model model_;
   Problems problems_;
+  std::optional<Origin> wants_tip_loads_;  ///< where archives ask for what is only known at tips of cracks
   std::vector<const Statement*> material_statements_;
 };
 

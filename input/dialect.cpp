@@ -185,10 +185,15 @@ std::vector<ElementSpec> make() {
        true});
   add({"MPMArchive",
        "MPMHeader",
-       "one field of the particle files",
+       "one field of the particle files; jintegral or stressintensity: tips.csv",
        T::none,
        {text("result", "name", true), {"setting", T::flag, "write it (default yes)"}}});
-  add({"CrackArchiveOrder", "MPMHeader", "accepted; no effect without cracks", T::text, {}, true});
+  add({"CrackArchiveOrder",
+       "MPMHeader",
+       "Y and N: with cracks, Y as third or fourth letter asks for tips.csv",
+       T::text,
+       {},
+       true});
   add({"Output",
        "MPMHeader",
        "fields of the particle files and grid files, and checkpoints",

@@ -227,20 +227,27 @@ bool Cracks<Dim>::face_velocities(const Crack<Dim>& crack, std::size_t k, const 
   const std::array<Vec<Dim>, 2> beside{crack.x[k] - aside, crack.x[k] + aside};
   thread_local Sight sight;
   look(crack.x[k], sight);
+  double heaviest = 0.0;
+  Vec<Dim> here;
+  around_.each(crack.x[k], [&](double, const Index<Dim>& n) {
+    for (const Vec<Dim>& at : beside) heaviest = std::max(heaviest, of_side(n, side(sight, at, n), here));
+  });
+  // nodes with next to no mass may fly away in one step
+  constexpr double light = 1e-3;
+  const auto share = [&](double mass) { return mass > 0 ? std::min(1.0, mass / (light * heaviest)) : 0.0; };
   double all = 0.0, both = 0.0;
   Vec<Dim> mean = Vec<Dim>::Zero(), apart = mean;
   around_.each(crack.x[k], [&](double w, const Index<Dim>& n) {
-    std::array<Vec<Dim>, 2> here;
-    std::array<double, 2> mass;
-    for (std::size_t f = 0; f < 2; ++f) mass[f] = of_side(n, side(sight, beside[f], n), here[f]);
-    if (!(mass[0] + mass[1] > 0)) return;
-    all += w;
-    if (mass[0] > 0 && mass[1] > 0) {
-      both += w;
-      mean += w * 0.5 * (here[0] + here[1]), apart += w * (here[1] - here[0]);
-    } else {
-      mean += w * here[mass[0] > 0 ? 0 : 1];
+    std::array<Vec<Dim>, 2> of;
+    std::array<double, 2> part;
+    for (std::size_t f = 0; f < 2; ++f) {
+      of[f].setZero();
+      part[f] = share(of_side(n, side(sight, beside[f], n), of[f]));
     }
+    const auto [less, more] = std::minmax(part[0], part[1]);
+    if (!(more > 0)) return;
+    all += w * more, mean += w * more * (part[0] * of[0] + part[1] * of[1]) / (part[0] + part[1]);
+    both += w * less, apart += w * less * (of[1] - of[0]);
   });
   constexpr double enough = 0.25;
   if (both > enough * all) {
@@ -253,8 +260,8 @@ bool Cracks<Dim>::face_velocities(const Crack<Dim>& crack, std::size_t k, const 
     v[f].setZero();
     look(crack.face[f][k], sight);
     around_.each(crack.face[f][k], [&](double w, const Index<Dim>& n) {
-      Vec<Dim> here;
-      if (of_side(n, side(sight, beside[f], n), here) > 0) sum += w, v[f] += w * here;
+      if (const double part = share(of_side(n, side(sight, beside[f], n), here)); part > 0)
+        sum += w * part, v[f] += w * part * here;
     });
     found[f] = sum > 0;
     if (found[f]) v[f] /= sum;

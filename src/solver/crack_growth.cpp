@@ -132,7 +132,8 @@ void Fracture<2>::extend(std::size_t c, CrackTip& tip, double angle) {
 
   const Vec<2> reach = Vec<2>::Constant(8 * cell_);
   const Matter<2> matter(model_, system_, from - reach, from + reach);
-  if (matter.at(crack.x[tip.point])) return;
+  // between particles that stretched there may be gaps
+  if (matter.at(crack.x[tip.point], 0.5)) return;
   tip.lives = false;
   go_on(crack, tip, cell_, beyond_);
 }

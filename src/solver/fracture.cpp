@@ -48,7 +48,8 @@ struct Fracture<2>::Ring {
     const double s = std::clamp((r - inner) / (outer - inner), 0.0, 1.0);
     return 1 - s * s * (3 - 2 * s);
   }
-  /// Of a point of the particle at `centre`, both from the tip: on the particle's side of the crack, which may be beyond
+  /// Of a point of the particle at `centre`, both from the tip: on the particle's side of the crack, which may be
+  /// beyond
   /// +-pi.
   double angle(const Vec<2>& from_tip, const Vec<2>& centre) const {
     const Vec<2> base = axes.transpose() * centre;
@@ -135,7 +136,7 @@ void Fracture<2>::each_loaded_face(const Crack<2>& crack, const CrackTip& tip, c
   }
 }
 
-double Fracture<2>::faces_in_J(const Crack<2>& crack, const CrackTip& tip, const Ring& ring) const {
+double Fracture<2>::work_of_faces(const Crack<2>& crack, const CrackTip& tip, const Ring& ring) const {
   double sum = 0.0;
   each_loaded_face(crack, tip, ring, [&](const Vec<2>& x, const Vec<2>& traction, const Vec<2>& change, double) {
     sum += traction.dot(change) * ring.weight((x - ring.tip).norm());
@@ -143,8 +144,8 @@ double Fracture<2>::faces_in_J(const Crack<2>& crack, const CrackTip& tip, const
   return sum;
 }
 
-std::array<double, 2> Fracture<2>::faces_in_modes(const Crack<2>& crack, const CrackTip& tip, const Ring& ring,
-                                                  const ElasticModuli& moduli) const {
+std::array<double, 2> Fracture<2>::work_of_faces_in_modes(const Crack<2>& crack, const CrackTip& tip, const Ring& ring,
+                                                          const ElasticModuli& moduli) const {
   constexpr double pi = std::numbers::pi;
   std::array<double, 2> sum{};
   each_loaded_face(crack, tip, ring, [&](const Vec<2>& x, const Vec<2>& traction, const Vec<2>&, double length) {
@@ -220,13 +221,13 @@ void Fracture<2>::measure(const Crack<2>& crack, CrackTip& tip, const Force& for
     for (std::size_t m = 0; m < 2; ++m) all.with_mode[m] += part.with_mode[m];
   }
   const double thickness = model_.grid.thickness;
-  tip.J = all.J / thickness + faces_in_J(crack, tip, ring);
+  tip.J = all.J / thickness + work_of_faces(crack, tip, ring);
   tip.body = ring.nearest();
   tip.K.fill(std::numeric_limits<double>::quiet_NaN());
   if (!all.elastic || ring.members.empty()) return;
   const ElasticModuli& moduli = *moduli_[tip.body];
   const double per_J = 8 * moduli.G / (kappa(moduli) + 1);  // J = (K1^2 + K2^2)/E', E' = 8 G/(kappa + 1)
-  const auto faces = faces_in_modes(crack, tip, ring, moduli);
+  const auto faces = work_of_faces_in_modes(crack, tip, ring, moduli);
   for (std::size_t m = 0; m < 2; ++m) tip.K[m] = 0.5 * per_J * (all.with_mode[m] / thickness + faces[m]);
 }
 

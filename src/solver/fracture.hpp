@@ -41,9 +41,9 @@ class Fracture<2> {
   double kappa(const ElasticModuli& moduli) const;
   template <class F>
   void each_loaded_face(const Crack<2>& crack, const CrackTip& tip, const Ring& ring, F&& f) const;
-  double faces_in_J(const Crack<2>& crack, const CrackTip& tip, const Ring& ring) const;
-  std::array<double, 2> faces_in_modes(const Crack<2>& crack, const CrackTip& tip, const Ring& ring,
-                                       const ElasticModuli& moduli) const;
+  double work_of_faces(const Crack<2>& crack, const CrackTip& tip, const Ring& ring) const;
+  std::array<double, 2> work_of_faces_in_modes(const Crack<2>& crack, const CrackTip& tip, const Ring& ring,
+                                               const ElasticModuli& moduli) const;
   std::optional<double> angle_of_growth(const Crack<2>& crack, const CrackTip& tip) const;
   void extend(std::size_t crack, CrackTip& tip, double angle);
 

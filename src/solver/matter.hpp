@@ -30,6 +30,7 @@ class Matter {
         const CloudPoint<Dim> domain = domains(i);
         Vec<Dim> half = Vec<Dim>::Zero();
         for (int k = 0; k < Dim; ++k) half += domain.axes.col(k).cwiseAbs();
+        half *= 1 + widest;
         each_cell(domain.x - half, domain.x + half, [&](std::int64_t cell) { cells_[cell].push_back(domain); });
       }
     }
@@ -39,21 +40,23 @@ class Matter {
     return std::any_of(around_.planes().begin(), around_.planes().end(),
                        [&](const SymmetryPlane& plane) { return (plane.at - x[plane.axis]) * plane.inward > 0; });
   }
-  bool at(Vec<Dim> x) const {
+  /// `slack`: parts of a particle's size by which a point may lie beside it, up to a half.
+  bool at(Vec<Dim> x, double slack = 1e-9) const {
     for (const SymmetryPlane& plane : around_.planes())
       if ((plane.at - x[plane.axis]) * plane.inward > 0) x[plane.axis] = 2 * plane.at - x[plane.axis];
     bool found = false;
     each_cell(x, x, [&](std::int64_t cell) {
       const auto domains = cells_.find(cell);
       if (domains == cells_.end()) return;
-      constexpr double slack = 1 + 1e-9;
       for (const auto& d : domains->second)
-        found = found || d.axes.inverse().operator*(x - d.x).cwiseAbs().maxCoeff() <= slack;
+        found = found || d.axes.inverse().operator*(x - d.x).cwiseAbs().maxCoeff() <= 1 + 2 * slack;
     });
     return found;
   }
 
  private:
+  static constexpr double widest = 1.0;
+
   template <class F>
   void each_cell(const Vec<Dim>& low, const Vec<Dim>& high, F&& f) const {
     Index<Dim> first, last;
