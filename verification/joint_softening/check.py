@@ -14,7 +14,7 @@ def pull(case, what, law, per_area):
     rows = [vtp.read(path) for _, path in vtp.collection(out, "joints")]
     stress = np.array([d["area"] @ d["normal_stress"] / d["area"].sum() for d in rows])
     opening = np.array([d["area"] @ d["opening"] / d["area"].sum() for d in rows])
-    case.check(f"{what}: largest stress [MPa]", stress.max(), 1, 1e-2)
+    case.check(f"{what}: largest stress [MPa]", stress.max(), 1, 2e-2)
     case.check(f"{what}: energy stored in the end [mJ]", abs(last["interface"]), 0, 1e-12, "at most")
     return opening, stress
 

@@ -5,7 +5,7 @@ import numpy as np
 import verify
 import vtp
 
-c, phi, confining = 0.5, math.radians(30), 0.0
+c, phi, confining = 0.5, math.radians(30), 1.0
 
 
 def strength(a):
@@ -26,18 +26,17 @@ def press(case, angle, **entities):
 
 
 def run(case):
-    angles = (60,) if case.quick else (45, 52, 60, 68)
+    if case.quick:
+        return
     curves = {}
-    for angle in angles:
-        t, slip, stress, got = press(case, angle, **(dict(end="44") if case.quick else {}))
+    for angle in (45, 52, 60, 68):
+        t, slip, stress, got = press(case, angle)
         first = np.argmax(slip > 0.03)
         case.check(f"{angle} degrees: strength [MPa]", np.interp(0.03, slip[: first + 1], stress[: first + 1]), strength(math.radians(angle)), 2e-2)
         curves[angle] = got
-    if case.quick:
-        return
-    t, slip, stress, got = press(case, 25, end="80")
-    case.check("25 degrees: slip at twice the largest of these loads [mm]", slip[stress < 12].max(), 0, 0, "at most")
-    case.check("25 degrees: load without slip / the largest of these", stress.max() / 6.1, 2, 0.25)
+    t, slip, stress, got = press(case, 25, end="42")
+    case.check("25 degrees: load [MPa]", stress[-1], 2 * strength(math.radians(45)), 0.25)
+    case.check("25 degrees: slip under that load, which is twice the largest of the others [mm]", slip[-1], 0, 1e-4, "at most")
 
     def draw(axes):
         for angle, got in curves.items():
