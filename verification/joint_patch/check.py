@@ -70,6 +70,10 @@ def between_materials(case):
         a = math.radians(angle)
         out = case.run(f"materials_solid_{angle}", "solid.xml", replace=two_materials(math.tan(a), solid=True))
         check(case, f"two materials, three dimensions, {angle} degrees", out, a, -0.1, 36 / math.cos(a), 1)
+    if not case.quick:
+        axis = {"<Analysis>10</Analysis>": "<Analysis>13</Analysis>", "<Grid xmin='-4'": "<Grid xmin='0'"}
+        out = case.run("materials_axisymmetric", replace=two_materials(0.0) | axis)
+        check(case, "two materials, axisymmetric", out, 0.0, -0.1, 50, 1)
 
 
 def check(case, what, out, a, stress, area, noise):
