@@ -20,6 +20,8 @@ constexpr double most_change = 0.01;
 // Particles of flat faces reach equally far, but for this [cells]: within the reach of a node that is a curvature whose
 // normals turn by 1e-3 along most_beside, less than most_change shows.
 constexpr double even = 0.02;
+// Cosine of the angle between the normals of a joint and of the face that goes on beyond it.
+constexpr double same_normal = 0.866;
 
 }  // namespace
 
@@ -40,8 +42,9 @@ void Contact<Dim>::find(std::vector<Conditions<Dim>>& conditions, const Joints<D
   gather_faces();
 }
 
-// Joints act where they are as near as the face is, but for a cell. Where two bodies reach each other beyond the end of
-// their common face both are about equally far, where their face goes on beyond the last joint it is nearer.
+// Joints act wherever nodes feel them, but where the face goes on beyond the last joint by more than a cell. Where two
+// bodies reach each other beyond the end of their common face the normal may be another, and joint and face are
+// about equally far.
 template <int Dim>
 void Contact<Dim>::leave_to_joints(const Joints<Dim>& joints) {
   if (model_.contact.joints.empty()) return;
@@ -50,11 +53,12 @@ void Contact<Dim>::leave_to_joints(const Joints<Dim>& joints) {
     for (std::size_t p = node.first_pair; p < node.end_pair; ++p) {
       ContactPair& pair = pairs_[p];
       if (pair.crack >= 0) continue;
-      const double joint =
-          joints.beside(system_.fields[members_[pair.a].field].home, system_.fields[members_[pair.b].field].home,
-                        system_.lattice.position(node.index));
-      const bool has_face = !pair.apart && pair.law->looks_at_faces();
-      pair.jointed = std::isfinite(joint) && (!has_face || joint <= faces_[face_of_[p]].beside + h_);
+      const auto joint = joints.next(system_.fields[members_[pair.a].field].home,
+                                     system_.fields[members_[pair.b].field].home, system_.lattice.position(node.index));
+      const Faces& face = faces_[face_of_[p]];
+      const bool beyond = !pair.apart && pair.law->looks_at_faces() && joint.distance > face.beside + h_ &&
+                          std::abs(face.normal.template head<Dim>().dot(joint.normal)) > same_normal;
+      pair.jointed = std::isfinite(joint.distance) && !beyond;
     }
   });
 }

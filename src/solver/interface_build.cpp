@@ -58,7 +58,7 @@ void add_interfaces(const Model& model, System<Dim>& system) {
       throw InputError(joint.origin,
                        both +
                            " touch nowhere at the start, and a joint law joins faces that touch then: let them end on "
-                           "the same line, without a gap and without lying over each other (see 'tribo check'), or "
+                           "the same line, without a gap and without lying over each other, or "
                            "take a contact law");
     JointSurface<Dim> surface;
     surface.law = joint.law.get();

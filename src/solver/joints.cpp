@@ -170,9 +170,9 @@ void Joints<Dim>::list_points() {
 }
 
 template <int Dim>
-double Joints<Dim>::beside(std::size_t a, std::size_t b, const Vec<Dim>& x) const {
-  double least = std::numeric_limits<double>::infinity();
-  if (points_.empty()) return least;
+auto Joints<Dim>::next(std::size_t a, std::size_t b, const Vec<Dim>& x) const -> Next {
+  Next out;
+  if (points_.empty()) return out;
   const Vec<Dim> reach = Vec<Dim>::Constant(reach_);
   const auto look = [&](const Index<Dim>& block) {
     for (const PointOf& point : points_[static_cast<std::size_t>(system_.lattice.block_index(block))]) {
@@ -180,7 +180,9 @@ double Joints<Dim>::beside(std::size_t a, std::size_t b, const Vec<Dim>& x) cons
       const auto& [one, two] = surface.home;
       if (!((one == a && two == b) || (one == b && two == a))) continue;
       const Vec<Dim> from = x - surface.x[point.joint], n = surface.axes[point.joint].n.template head<Dim>();
-      if (from.cwiseAbs().maxCoeff() <= reach_) least = std::min(least, (from - from.dot(n) * n).norm());
+      if (!(from.cwiseAbs().maxCoeff() <= reach_)) continue;
+      const double distance = (from - from.dot(n) * n).norm();
+      if (distance < out.distance) out.distance = distance, out.normal = n;
     }
   };
   const Index<Dim> low = block_of(system_.lattice, Vec<Dim>(x - reach)),
@@ -192,7 +194,7 @@ double Joints<Dim>::beside(std::size_t a, std::size_t b, const Vec<Dim>& x) cons
         if constexpr (Dim == 3) block[2] = z;
         look(block);
       }
-  return least;
+  return out;
 }
 
 // Calls f(reach, joint, part) for the samples that have both faces.

@@ -32,9 +32,14 @@ class Joints {
   bool active() const { return !system_.joints.empty(); }
   /// Finds the nodes of all points; once the masses of a step are known.
   void find();
-  /// How far along the face the next point between two bodies, given by their fields, is from a place that nodes at
-  /// the face may have; infinity if no node there feels a point that still has both faces [length]. After find().
-  double beside(std::size_t field_a, std::size_t field_b, const Vec<Dim>& x) const;
+  /// The point between two bodies, given by their fields, that is nearest to a node, along the face: how far, and the
+  /// normal there; infinity if the node is out of reach of all points that still have both faces [length]. After
+  /// find().
+  struct Next {
+    double distance = std::numeric_limits<double>::infinity();
+    Vec<Dim> normal = Vec<Dim>::Zero();
+  };
+  Next next(std::size_t field_a, std::size_t field_b, const Vec<Dim>& node) const;
   /// The forces of the joints on velocities and accelerations of the nodes.
   void push(double dt);
   /// What the faces do in this step, and what the law makes of it; before anything moves.

@@ -95,6 +95,9 @@ void patch(const std::vector<Block>& blocks, double angle, double tilt, double a
         std::to_string(a) + "*(" + std::to_string(n[static_cast<Eigen::Index>(d)]) + ")*(" + s + ")", Origin{});
   auto system = build_system<Dim>(model, turned<Dim>(model, blocks, angle, tilt));
   Stepper<Dim> stepper(model, system);
+  stepper.advance(1e-6);
+  stepper.contact().each_touching(
+      [](const ContactPair& pair, const auto&, const auto&, double) { CHECK(pair.jointed); });
   stepper.grid_damping = 20;  // critical: 2 sqrt(k A (1/m + 1/m))
   for (int step = 0; step < 600; ++step) stepper.advance(2.5e-3);
   const JointSums sums = means(system, Vec3::UnitX());
@@ -167,7 +170,7 @@ TEST_CASE("a stair of particles has the area and the normal of the face it stand
   const double angle = GENERATE(10.0, 17.0, 30.0, 45.0) * degree;
   const Model model = jointed_pair<2>(joint({{"stiffness-normal", "1"}}));
   std::vector<Seed> seeds = lattice_seeds<2>(model, 4, 16);
-  for (Seed& s : seeds) s.material = s.x[1] - centre > std::tan(angle) * (s.x[0] - centre) ? 1 : 0;
+  for (Seed& s : seeds) s.material = s.x[1] - centre > std::tan(angle) * (s.x[0] - centre - 0.1) ? 1 : 0;
   const auto system = build_system<2>(model, seeds);
   const auto& surface = system.joints.at(0);
   double area = 0;
@@ -177,7 +180,7 @@ TEST_CASE("a stair of particles has the area and the normal of the face it stand
     // half a particle over a diameter of five cells
     CHECK(std::abs(std::atan2(-surface.axes[k].n[0], surface.axes[k].n[1]) - angle) < 0.1);
   }
-  CHECK(area == Approx(12 / std::cos(angle)).epsilon(0.02));
+  CHECK(area == Approx(12 / std::cos(angle)).margin(0.5));  // one particle
 }
 
 TEST_CASE("corners of a body in another keep their normals", "[joints][interfaces]") {
@@ -227,7 +230,7 @@ TEST_CASE("beyond their joint two bodies meet by the contact law of the others",
   Model model = jointed_pair<2>(joint({{"stiffness-normal", "2e5"}, {"stiffness-shear", "1e5"}}));
   model.body_force.gravity = Vec3(0, -1, 0);
   model.grid.symmetry[1][0] = 8;
-  const std::vector<Block> blocks{{Vec3(-7, -2, 0), Vec3(8, 0, 0), 0}, {Vec3(-6, 0, 0), Vec3(-2, 3, 0), 1}};
+  const std::vector<Block> blocks{{Vec3(-8, -2, 0), Vec3(9.5, 0, 0), 0}, {Vec3(-6, 0, 0), Vec3(-2, 3, 0), 1}};
   auto system = build_system<2>(model, turned<2>(model, blocks, 0));
   set_velocity<2>(system.bodies[1], [](const Vec<2>&) { return Vec<2>(2, 0); });
   Stepper<2> stepper(model, system);
@@ -238,9 +241,9 @@ TEST_CASE("beyond their joint two bodies meet by the contact law of the others",
     return y - 0.25 - centre;
   };
   double deepest = 0;
-  for (int k = 0; k < 1400; ++k) stepper.advance(2.5e-3), deepest = std::min(deepest, lowest());
-  // it slid by seven cells, more than its length: its joint is gone
-  CHECK(measure(system.bodies[1], false).centre[0] > centre + 2.5);
+  for (int k = 0; k < 2200; ++k) stepper.advance(2.5e-3), deepest = std::min(deepest, lowest());
+  // it slid by eleven cells; the joint's points went half that way, and the last of them is gone
+  CHECK(measure(system.bodies[1], false).centre[0] > centre + 6.5);
   CHECK(deepest > -0.1);  // twice the 3000/k it may swing down to on its joint
   CHECK(measure(system.bodies[1], false).momentum[0] == Approx(2 * 12e3).epsilon(0.02));
   for (const Joint& j : system.joints[0].joints) CHECK(j.Fn == 0);
