@@ -130,15 +130,25 @@ class Assembly {
   BlockLedger ledger() const;
   /// Mean stress of the blocks by volume.
   Mat3 mean_stress() const;
+  /// Symmetric part of the displacement gradient that fits the blocks' displacements best.
+  Mat3 mean_strain() const;
+  /// Rotation vector of a block since the start, of at most half a turn.
+  Vec3 turned(std::size_t body) const;
   /// Force of the blocks on a platen.
   Vec3 platen_force(std::size_t platen) const;
   Vec3 platen_displacement(std::size_t platen) const;
+  /// On a block, from contacts, pressures and loads.
+  Vec3 contact_force(std::size_t body) const { return forces[body].all - bodies[body].weight * gravity_; }
+  /// All places and velocities are numbers.
+  bool sound() const;
   double platen_area(std::size_t platen) const { return platen_area_[platen]; }
   /// Largest force on a free block over the mean force of contacts.
   double unbalanced() const;
   /// Cauchy stress of a block, by the forces on its faces; symmetric.
   Mat3 stress_of(std::size_t body) const;
   std::size_t bonds() const;
+  /// Contacts that carry a force.
+  std::size_t active() const;
   double bytes() const;
 
   /// Calls f(name, vector of numbers) for all that changes with time; what f writes into it goes back.
@@ -156,6 +166,7 @@ class Assembly {
   AlignedVector<Joint> joints;
   AlignedVector<ContactForce> given;
   std::vector<double> dashpot_work;  ///< per contact, positive: lost
+  std::vector<double> broke;         ///< how a contact's bond broke: 0 not, 1 in tension, 2 in shear
   std::vector<Vec3> shift;           ///< of periodic boxes, per contact; else empty
   std::vector<ContactGroup> groups;
   std::vector<ContactOutline> outlines;
@@ -179,12 +190,12 @@ class Assembly {
 
   // build.cpp
   std::size_t add_body(const BlockShape& shape, const Vec3& reference, double density);
-  void add_facet(const Facet& facet, const JointLaw& law, bool corners);
+  void add_facet(const BlockFacet& facet, const JointLaw& law, bool corners);
   void add_contact(BlockContact c, const JointSite& site, const JointLaw& law, ContactKind kind,
                    std::vector<Vec3> outline, const Vec3& shift);
   void refuse_overlaps(double tolerance) const;
-  void add_platens(const std::vector<Facet>& free);
-  void add_pressures(const std::vector<Facet>& free);
+  void add_platens(const std::vector<BlockFacet>& free);
+  void add_pressures(const std::vector<BlockFacet>& free);
   void add_holds_and_loads();
   void finish(double max_step);
   void connect();
@@ -256,6 +267,7 @@ void Assembly::each_column(F&& f) {
   pass("contacts.joints", [&](auto&& g) {
     for (auto& j : joints) each_number(j, g);
     for (double& v : dashpot_work) g(v);
+    for (double& v : broke) g(v);
   });
   pass("contacts.places", [&](auto&& g) {
     for (std::size_t k = 0; k < contacts.size(); ++k) {

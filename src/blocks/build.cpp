@@ -20,7 +20,7 @@ struct Share {
   double area;
   std::vector<Vec3> outline;
 };
-std::vector<Share> shares(const Facet& f, bool plane) {
+std::vector<Share> shares(const BlockFacet& f, bool plane) {
   const auto& x = f.corners;
   const Vec3& c = f.geometry.centre;
   std::vector<Share> out;
@@ -37,7 +37,7 @@ std::vector<Share> shares(const Facet& f, bool plane) {
   return out;
 }
 
-BlockShape turned(BlockShape shape, double angle) {
+BlockShape rotated(BlockShape shape, double angle) {
   const Mat3 R = Eigen::AngleAxisd(angle, Vec3::UnitZ()).toRotationMatrix();
   if (angle != 0)
     for (Vec3& x : shape.corners) x = R * x;
@@ -94,7 +94,7 @@ void Assembly::add_contact(BlockContact c, const JointSite& site, const JointLaw
   if (!by.isZero(0.0) || !shift.empty()) shift.push_back(by);
 }
 
-void Assembly::add_facet(const Facet& f, const JointLaw& law, bool corners) {
+void Assembly::add_facet(const BlockFacet& f, const JointLaw& law, bool corners) {
   const auto a = static_cast<std::size_t>(f.a), b = static_cast<std::size_t>(f.b);
   const Vec3& n = f.geometry.normal;
   const bool platen = b >= blocks_;
@@ -131,8 +131,8 @@ Assembly::Assembly(const Tessellation& cells, std::span<const Vec3> nuclei, std:
   spec_ = spec;
   for (std::size_t k = 0; k < cells.shapes.size(); ++k) add_body(cells.shapes[k], nuclei[k], 1.0);
   blocks_ = bodies.size();
-  for (const Facet& f : cells.facets)
-    if (f.b != Facet::none) add_facet(f, *law, false);
+  for (const BlockFacet& f : cells.facets)
+    if (f.b != BlockFacet::none) add_facet(f, *law, false);
   finish(1.0);
 }
 
@@ -145,7 +145,7 @@ Assembly::Assembly(std::shared_ptr<const BlocksSpec> spec, int dimension, bool p
       damping_(spec_->local_damping),
       iterations_(spec_->stress_iterations),
       gravity_(gravity) {
-  std::vector<Facet> facets;
+  std::vector<BlockFacet> facets;
   std::vector<std::int64_t> group;
   double size = 0;
   for (std::size_t g = 0; g < spec_->groups.size(); ++g) {
@@ -155,21 +155,21 @@ Assembly::Assembly(std::shared_ptr<const BlocksSpec> spec, int dimension, bool p
       if (what.shape == BlockGroup::Shape::voronoi) {
         Tessellation cells = voronoi(what.points, what.low, what.high, plane_, thickness_);
         for (std::size_t k = 0; k < cells.shapes.size(); ++k) add_body(cells.shapes[k], what.points[k], what.density);
-        for (Facet& f : cells.facets) {
+        for (BlockFacet& f : cells.facets) {
           f.a += first;
-          if (f.b != Facet::none) f.b += first;
+          if (f.b != BlockFacet::none) f.b += first;
           facets.push_back(std::move(f));
         }
       } else {
         const BlockShape shape =
             what.shape == BlockGroup::Shape::ball
                 ? ball_block(what.points.front(), what.radius)
-                : turned(what.shape == BlockGroup::Shape::polygon ? polygon_block(what.points)
-                                                                  : brick_block(what.low, what.high, plane_),
-                         what.angle);
+                : rotated(what.shape == BlockGroup::Shape::polygon ? polygon_block(what.points)
+                                                                   : brick_block(what.low, what.high, plane_),
+                          what.angle);
         add_body(shape, mass_properties(shape, plane_, thickness_).centre, what.density);
         for (std::size_t f = 0; f < shape.faces.size(); ++f) {
-          Facet facet;
+          BlockFacet facet;
           facet.a = first, facet.corners = shape.face(f);
           facet.geometry = face_geometry(facet.corners, plane_, thickness_);
           facets.push_back(std::move(facet));
@@ -195,10 +195,10 @@ Assembly::Assembly(std::shared_ptr<const BlocksSpec> spec, int dimension, bool p
   refuse_overlaps(1e-6 * size);
 
   std::vector<bool> used(spec_->joints.size(), false);
-  std::vector<Facet> free;
-  std::vector<std::pair<std::size_t, const Facet*>> by_joint;  // spec_->joints.size(): the common law
-  for (const Facet& f : facets) {
-    if (f.b == Facet::none) {
+  std::vector<BlockFacet> free;
+  std::vector<std::pair<std::size_t, const BlockFacet*>> by_joint;  // spec_->joints.size(): the common law
+  for (const BlockFacet& f : facets) {
+    if (f.b == BlockFacet::none) {
       free.push_back(f);
       continue;
     }
@@ -291,9 +291,10 @@ void Assembly::add_holds_and_loads() {
 
 namespace {
 
-std::vector<const Facet*> selected(const std::vector<Facet>& free, const Region& where, const Origin& origin) {
-  std::vector<const Facet*> out;
-  for (const Facet& f : free)
+std::vector<const BlockFacet*> selected(const std::vector<BlockFacet>& free, const Region& where,
+                                        const Origin& origin) {
+  std::vector<const BlockFacet*> out;
+  for (const BlockFacet& f : free)
     if (where.contains(f.geometry.centre)) {
       if (f.covered)
         fail(origin, "the face around " + place(f.geometry.centre) +
@@ -306,7 +307,7 @@ std::vector<const Facet*> selected(const std::vector<Facet>& free, const Region&
 
 }  // namespace
 
-void Assembly::add_platens(const std::vector<Facet>& free) {
+void Assembly::add_platens(const std::vector<BlockFacet>& free) {
   for (const BlockPlaten& platen : spec_->platens) {
     const auto faces = selected(free, *platen.where, platen.origin);
     if (!(platen.modulus > 0) && !spec_->law)
@@ -320,21 +321,21 @@ void Assembly::add_platens(const std::vector<Facet>& free) {
     given_motions_.push_back(given_motion);
     BlockMotion at;
     double area = 0;
-    for (const Facet* f : faces) at.x += f->geometry.area * f->geometry.centre, area += f->geometry.area;
+    for (const BlockFacet* f : faces) at.x += f->geometry.area * f->geometry.centre, area += f->geometry.area;
     at.x /= area, body.start = at.x;
     motion.push_back(at), turn.push_back({1, 0, 0, 0}), bodies.push_back(body), shapes.emplace_back();
     platen_area_.push_back(area);
-    for (const Facet* face : faces) {
-      Facet f = *face;
+    for (const BlockFacet* face : faces) {
+      BlockFacet f = *face;
       f.b = static_cast<std::int64_t>(bodies.size()) - 1;
       add_facet(f, *own_laws_.back(), false);
     }
   }
 }
 
-void Assembly::add_pressures(const std::vector<Facet>& free) {
+void Assembly::add_pressures(const std::vector<BlockFacet>& free) {
   for (std::size_t p = 0; p < spec_->pressures.size(); ++p)
-    for (const Facet* f : selected(free, *spec_->pressures[p].where, spec_->pressures[p].origin)) {
+    for (const BlockFacet* f : selected(free, *spec_->pressures[p].where, spec_->pressures[p].origin)) {
       const auto k = static_cast<std::size_t>(f->a);
       pressed.push_back({static_cast<std::uint32_t>(k), f->geometry.centre - motion[k].x, f->geometry.normal,
                          f->geometry.area, static_cast<std::uint32_t>(p)});
@@ -384,6 +385,7 @@ void Assembly::finish(double max_step) {
   }
   forces.assign(bodies.size(), {}), work.assign(bodies.size(), {}), stress.assign(bodies.size(), Mat3::Zero());
   given.assign(contacts.size(), {}), dashpot_work.assign(contacts.size(), 0.0);
+  broke.assign(contacts.size(), 0.0);
   given_now_.assign(given_motions_.size(), {});
   pressed_force_.assign(pressed.size(), {}), pressure_now_.assign(spec_->pressures.size(), 0.0);
   if (iterations_ > 0 && poisson_) kept_increments_.resize(contacts.size()), predicted_.resize(contacts.size());

@@ -63,7 +63,7 @@ std::vector<Vec3> edges(const BlockShape& s) {
 }  // namespace
 
 void join_faces(std::span<const std::int64_t> group, bool plane, double thickness, double tolerance,
-                std::vector<Facet>& facets) {
+                std::vector<BlockFacet>& facets) {
   struct Free {
     std::size_t facet;
     Vec3 low, high;
@@ -71,7 +71,7 @@ void join_faces(std::span<const std::int64_t> group, bool plane, double thicknes
   };
   std::vector<Free> list;
   for (std::size_t k = 0; k < facets.size(); ++k) {
-    if (facets[k].b != Facet::none) continue;
+    if (facets[k].b != BlockFacet::none) continue;
     Free f{k, facets[k].corners[0], facets[k].corners[0]};
     for (const Vec3& x : facets[k].corners) f.low = f.low.cwiseMin(x), f.high = f.high.cwiseMax(x);
     list.push_back(f);
@@ -79,12 +79,12 @@ void join_faces(std::span<const std::int64_t> group, bool plane, double thicknes
   std::sort(list.begin(), list.end(), [&](const Free& a, const Free& b) {
     return a.low[0] < b.low[0] || (a.low[0] == b.low[0] && a.facet < b.facet);
   });
-  std::vector<Facet> found;
+  std::vector<BlockFacet> found;
   for (std::size_t i = 0; i < list.size(); ++i)
     for (std::size_t j = i + 1; j < list.size() && list[j].low[0] <= list[i].high[0] + tolerance; ++j) {
       const Free &fi = list[i], &fj = list[j];
       const bool swap = facets[fi.facet].a > facets[fj.facet].a;
-      const Facet &a = facets[swap ? fj.facet : fi.facet], &b = facets[swap ? fi.facet : fj.facet];
+      const BlockFacet &a = facets[swap ? fj.facet : fi.facet], &b = facets[swap ? fi.facet : fj.facet];
       if (group[static_cast<std::size_t>(a.a)] == group[static_cast<std::size_t>(b.a)]) continue;
       if ((fi.low.array() > fj.high.array() + tolerance).any() || (fj.low.array() > fi.high.array() + tolerance).any())
         continue;
@@ -94,7 +94,7 @@ void join_faces(std::span<const std::int64_t> group, bool plane, double thicknes
       if (std::abs(gap) > tolerance) continue;
       std::vector<Vec3> theirs = b.corners;
       for (Vec3& x : theirs) x -= n.dot(x - a.geometry.centre) * n;
-      Facet f;
+      BlockFacet f;
       f.corners = plane ? common_segment(a.corners, theirs) : common_polygon(a.corners, theirs, n);
       if (f.corners.empty()) continue;
       f.a = a.a, f.b = b.a, f.gap = gap;
@@ -104,13 +104,13 @@ void join_faces(std::span<const std::int64_t> group, bool plane, double thicknes
       found.push_back(std::move(f));
     }
   for (const Free& f : list) {
-    Facet& facet = facets[f.facet];
+    BlockFacet& facet = facets[f.facet];
     facet.covered = f.covered > 0;
-    if (f.covered > (1 - 1e-6) * facet.geometry.area) facet.a = Facet::none;
+    if (f.covered > (1 - 1e-6) * facet.geometry.area) facet.a = BlockFacet::none;
   }
-  std::erase_if(facets, [](const Facet& f) { return f.a == Facet::none; });
+  std::erase_if(facets, [](const BlockFacet& f) { return f.a == BlockFacet::none; });
   std::sort(found.begin(), found.end(),
-            [](const Facet& x, const Facet& y) { return x.a < y.a || (x.a == y.a && x.b < y.b); });
+            [](const BlockFacet& x, const BlockFacet& y) { return x.a < y.a || (x.a == y.a && x.b < y.b); });
   for (auto& f : found) facets.push_back(std::move(f));
 }
 

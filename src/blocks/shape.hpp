@@ -44,7 +44,7 @@ struct FaceGeometry {
 FaceGeometry face_geometry(std::span<const Vec3> corners, bool plane, double thickness);
 
 /// A face of block `a`, shared with block `b` or free.
-struct Facet {
+struct BlockFacet {
   static constexpr std::int64_t none = -1;
   std::int64_t a = none, b = none;
   std::vector<Vec3> corners;  ///< as of the face of a
@@ -57,7 +57,7 @@ struct Facet {
 /// Blocks that fill a box, and the faces between them.
 struct Tessellation {
   std::vector<BlockShape> shapes;
-  std::vector<Facet> facets;
+  std::vector<BlockFacet> facets;
 };
 
 /// Voronoi cells of nuclei in a box, cell k around nucleus k. Faces much smaller than the largest of their cell are
@@ -69,7 +69,7 @@ Tessellation voronoi(std::span<const Vec3> nuclei, const Vec3& low, const Vec3& 
 /// Finds free facets of blocks of different groups that lie against one another, at most `tolerance` apart, and makes
 /// facets of what they share; wholly covered free ones go, others are marked. `group[k]` is that of block k.
 void join_faces(std::span<const std::int64_t> group, bool plane, double thickness, double tolerance,
-                std::vector<Facet>& facets);
+                std::vector<BlockFacet>& facets);
 
 /// How deep two blocks overlap, negative: how far they are apart along the best axis (for polyhedra at most the true
 /// distance).

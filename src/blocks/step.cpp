@@ -59,7 +59,7 @@ void Assembly::advance(double dt) {
       const std::size_t contact = batches_[k].begin + e.contact;
       BlockEvent out{time, contact, given[contact].at, e};
       out.event.contact = contact;
-      if (e.kind == JointEvent::Kind::bond_break) ++broken[e.mode == 1 ? 0 : 1];
+      if (e.kind == JointEvent::Kind::bond_break) ++broken[e.mode == 1 ? 0 : 1], broke[contact] = e.mode;
       events_.push_back(out);
     }
     batch_events_[k].clear();

@@ -108,6 +108,42 @@ Mat3 Assembly::mean_stress() const {
   return volume > 0 ? Mat3(sum / volume) : sum;
 }
 
+// Least squares of u - u_mean = G (X - X_mean), by volume; of the reference points, which an even strain moves evenly.
+Mat3 Assembly::mean_strain() const {
+  double volume = 0;
+  Vec3 mean_x = Vec3::Zero(), mean_u = Vec3::Zero();
+  std::vector<Vec3> x(blocks_), u(blocks_);
+  for (std::size_t k = 0; k < blocks_; ++k) {
+    x[k] = bodies[k].start + bodies[k].reference;
+    u[k] = motion[k].x - bodies[k].start + (motion[k].R * bodies[k].reference - bodies[k].reference);
+    volume += bodies[k].volume, mean_x += bodies[k].volume * x[k], mean_u += bodies[k].volume * u[k];
+  }
+  mean_x /= volume, mean_u /= volume;
+  Mat3 xx = Mat3::Zero(), ux = Mat3::Zero();
+  for (std::size_t k = 0; k < blocks_; ++k) {
+    xx += bodies[k].volume * (x[k] - mean_x) * (x[k] - mean_x).transpose();
+    ux += bodies[k].volume * (u[k] - mean_u) * (x[k] - mean_x).transpose();
+  }
+  // directions without extent have no strain
+  const double size = xx.trace();
+  if (!(size > 0)) return Mat3::Zero();
+  Mat3 inverse = Mat3::Zero();
+  if (plane_) xx(2, 2) = size;
+  if (std::abs(xx.determinant()) > 1e-12 * size * size * size)
+    inverse = xx.inverse();
+  else
+    for (int d = 0; d < 3; ++d) inverse(d, d) = xx(d, d) > 1e-12 * size ? 1 / xx(d, d) : 0.0;
+  const Mat3 G = ux * inverse;
+  return 0.5 * (G + G.transpose());
+}
+
+Vec3 Assembly::turned(std::size_t k) const {
+  const auto& q = turn[k];
+  const Vec3 v = q[0] < 0 ? Vec3(-q[1], -q[2], -q[3]) : Vec3(q[1], q[2], q[3]);
+  const double sine = v.norm();
+  return sine > 0 ? Vec3(2 * std::atan2(sine, std::abs(q[0])) / sine * v) : v;
+}
+
 Vec3 Assembly::platen_force(std::size_t platen) const { return forces[blocks_ + platen].all; }
 Vec3 Assembly::platen_displacement(std::size_t platen) const {
   return motion[blocks_ + platen].x - bodies[blocks_ + platen].start;
@@ -127,6 +163,17 @@ std::size_t Assembly::bonds() const {
   for (const ContactGroup& g : groups)
     for (std::size_t k = g.begin; !g.platen && k < g.end; ++k) count += g.law->is_bonded(joints[k]) ? 1 : 0;
   return count;
+}
+
+bool Assembly::sound() const {
+  return std::all_of(motion.begin(), motion.end(), [](const BlockMotion& m) {
+    return std::isfinite(m.x.sum() + m.v.sum() + m.w.sum()) && m.v.cwiseAbs().maxCoeff() < 1e100;
+  });
+}
+
+std::size_t Assembly::active() const {
+  return static_cast<std::size_t>(
+      std::count_if(given.begin(), given.end(), [](const ContactForce& f) { return !f.all.isZero(0.0); }));
 }
 
 std::vector<BlockEvent> Assembly::take_events() {

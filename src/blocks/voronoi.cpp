@@ -154,8 +154,8 @@ Tessellation voronoi(std::span<const Vec3> nuclei, const Vec3& low, const Vec3& 
                     (other->cell == self && (other->shift[0] < 0 || (other->shift[0] == 0 && other->shift[1] < 0)))))
         continue;
       if (length(e) <= 1e-6 * longest) continue;
-      Facet f;
-      f.a = self, f.b = other ? other->cell : Facet::none;
+      BlockFacet f;
+      f.a = self, f.b = other ? other->cell : BlockFacet::none;
       f.corners = {cell.edges[e].from, cell.edges[(e + 1) % n].from};
       f.geometry = face_geometry(f.corners, true, thickness);
       if (other) f.geometry.normal = (other->x - x).normalized(), f.shift = other->shift;

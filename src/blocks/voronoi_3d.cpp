@@ -32,7 +32,7 @@ Tessellation voronoi_3d(std::span<const Vec3> nuclei, const Vec3& low, const Vec
     box.put(static_cast<int>(k), nuclei[k][0], nuclei[k][1], nuclei[k][2]);
   Tessellation out;
   out.shapes.resize(nuclei.size());
-  std::vector<std::vector<Facet>> facets(nuclei.size());
+  std::vector<std::vector<BlockFacet>> facets(nuclei.size());
   voro::c_loop_all loop(box);
   voro::voronoicell_neighbor cell;
   std::size_t found = 0;
@@ -56,8 +56,8 @@ Tessellation voronoi_3d(std::span<const Vec3> nuclei, const Vec3& low, const Vec
         std::vector<std::uint32_t> loop_of(count);
         for (std::size_t c = 0; c < count; ++c) loop_of[c] = static_cast<std::uint32_t>(faces[at + 1 + c]);
         at += count + 1;
-        Facet f;
-        f.a = static_cast<std::int64_t>(k), f.b = neighbour < 0 ? Facet::none : neighbour;
+        BlockFacet f;
+        f.a = static_cast<std::int64_t>(k), f.b = neighbour < 0 ? BlockFacet::none : neighbour;
         for (const auto c : loop_of) f.corners.push_back(shape.corners[c]);
         f.geometry = face_geometry(f.corners, false, 1.0);
         if (f.geometry.normal.dot(f.geometry.centre - x) < 0) {
@@ -67,7 +67,7 @@ Tessellation voronoi_3d(std::span<const Vec3> nuclei, const Vec3& low, const Vec
         }
         shape.faces.push_back(std::move(loop_of));
         largest = std::max(largest, f.geometry.area);
-        if (f.b != Facet::none) {
+        if (f.b != BlockFacet::none) {
           // the neighbour is the mirror image of the nucleus; from it follows which of its copies it is
           const Vec3 n = f.geometry.normal, there = x + 2 * n.dot(f.geometry.centre - x) * n;
           const Vec3 apart = there - nuclei[static_cast<std::size_t>(f.b)];
@@ -78,7 +78,7 @@ Tessellation voronoi_3d(std::span<const Vec3> nuclei, const Vec3& low, const Vec
         }
         facets[k].push_back(std::move(f));
       }
-      std::erase_if(facets[k], [&](const Facet& f) { return f.geometry.area < 1e-6 * largest; });
+      std::erase_if(facets[k], [&](const BlockFacet& f) { return f.geometry.area < 1e-6 * largest; });
     } while (loop.inc());
   if (found != nuclei.size()) throw std::runtime_error("a cell of the tessellation vanished: two nuclei coincide");
   for (auto& list : facets)

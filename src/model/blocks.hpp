@@ -83,6 +83,14 @@ struct BlockLoad {
   Origin origin;
 };
 
+/// A column of history.csv.
+struct BlockHistory {
+  std::string name;    ///< of a quantity, see block_quantities()
+  std::string column;  ///< column head
+  int platen = -1;     ///< index, or
+  int group = -1;      ///< of blocks; -1 both: of the run
+};
+
 struct BlocksSpec {
   std::vector<BlockGroup> groups;
   std::vector<BlockJoint> joints;
@@ -98,6 +106,7 @@ struct BlocksSpec {
   int stress_iterations = 0;              ///< of the fictitious stress, within a step
   bool quasi_static = false;              ///< masses are chosen so that the step is as long as it is asked to be
   double step_share = 0.8;                ///< of the critical step
+  std::vector<BlockHistory> histories;
   Origin origin;
 };
 

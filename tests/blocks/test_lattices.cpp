@@ -66,7 +66,7 @@ TEST_CASE("Voronoi cells fill a periodic box, and A n (x_j - x_i) sums to its vo
     double volume = 0;
     for (std::size_t k = 0; k < net.body().block_count(); ++k) volume += net.body().bodies[k].volume;
     Mat3 sum = Mat3::Zero();
-    for (const Facet& f : net.cells().facets)
+    for (const BlockFacet& f : net.cells().facets)
       sum += f.geometry.area * f.geometry.normal *
              (net.nuclei()[static_cast<std::size_t>(f.b)] + f.shift - net.nuclei()[static_cast<std::size_t>(f.a)])
                  .transpose();

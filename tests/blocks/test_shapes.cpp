@@ -41,9 +41,9 @@ TEST_CASE("Voronoi cells fill their box and close", "[blocks]") {
     for (const auto& s : cells.shapes) volume += mass_properties(s, plane, 1.0).volume;
     CHECK(volume == Approx(plane ? 2.0 : 3.0).epsilon(1e-11));
     std::vector<Vec3> closed(nuclei.size(), Vec3::Zero());
-    for (const Facet& f : cells.facets) {
+    for (const BlockFacet& f : cells.facets) {
       closed[static_cast<std::size_t>(f.a)] += f.geometry.area * f.geometry.normal;
-      if (f.b != Facet::none) closed[static_cast<std::size_t>(f.b)] -= f.geometry.area * f.geometry.normal;
+      if (f.b != BlockFacet::none) closed[static_cast<std::size_t>(f.b)] -= f.geometry.area * f.geometry.normal;
     }
     double most = 0;
     for (const Vec3& c : closed) most = std::max(most, c.norm());
@@ -58,10 +58,10 @@ TEST_CASE("faces of blocks that lie against one another are found, and what they
   for (const bool plane : {true, false}) {
     const std::vector<BlockShape> shapes{brick_block({0, 0, 0}, {1, 1, 1}, plane),
                                          brick_block({1, 0.25, 0.5}, {2, 0.75, 2}, plane)};
-    std::vector<Facet> facets;
+    std::vector<BlockFacet> facets;
     for (std::size_t k = 0; k < 2; ++k)
       for (std::size_t f = 0; f < shapes[k].faces.size(); ++f) {
-        Facet one;
+        BlockFacet one;
         one.a = static_cast<std::int64_t>(k), one.corners = shapes[k].face(f);
         one.geometry = face_geometry(one.corners, plane, 1.0);
         facets.push_back(one);
@@ -69,9 +69,9 @@ TEST_CASE("faces of blocks that lie against one another are found, and what they
     const std::vector<std::int64_t> group{0, 1};
     join_faces(group, plane, 1.0, 1e-9, facets);
     std::size_t common = 0, covered = 0;
-    for (const Facet& f : facets) {
+    for (const BlockFacet& f : facets) {
       covered += f.covered ? 1 : 0;
-      if (f.b == Facet::none) continue;
+      if (f.b == BlockFacet::none) continue;
       ++common;
       CHECK(f.geometry.area == Approx(plane ? 0.5 : 0.25));
       CHECK((f.geometry.normal - Vec3::UnitX()).norm() < 1e-14);
