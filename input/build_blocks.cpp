@@ -51,6 +51,18 @@ void Builder::blocks() {
   auto spec = std::make_shared<BlocksSpec>();
   spec->origin = s.origin;
   if (has(s, "lawname") || has(s, "law")) spec->law = joint_of(s);
+  if (const Attribute* a = s.attribute("touchname")) {
+    Statement by_name = s;
+    by_name.attributes = {*a};
+    by_name.attributes.front().name = "lawname";
+    spec->touch = joint_of(by_name);
+    if (spec->touch) {
+      JointSite site;
+      site.area = site.distance = site.radius = 1.0, site.gap = -1e-3, site.plane = model_.dimension() == 2;
+      must(!spec->touch->is_bonded(spec->touch->start(site)), a->origin,
+           "'" + a->text + "' bonds what touches, and balls that meet later have no bond; name a law without <bond>");
+    }
+  }
   spec->corners = word(s, "points") == "corners";
   spec->thickness = number(s, "thickness", Dimension::length, 1.0);
   spec->local_damping = number(s, "damping", Dimension::none);

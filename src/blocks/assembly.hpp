@@ -141,6 +141,9 @@ class Assembly {
   Vec3 contact_force(std::size_t body) const { return forces[body].all - bodies[body].weight * gravity_; }
   /// All places and velocities are numbers.
   bool sound() const;
+  /// Throws SimulationError if blocks press into one another that have no contact, or carry a force across faces that
+  /// slid past each other: such contacts of polygons and polyhedra are not found anew. Looks only if blocks moved.
+  void check_contacts();
   double platen_area(std::size_t platen) const { return platen_area_[platen]; }
   /// Largest force on a free block over the mean force of contacts.
   double unbalanced() const;
@@ -154,6 +157,9 @@ class Assembly {
   /// Calls f(name, vector of numbers) for all that changes with time; what f writes into it goes back.
   template <class F>
   void each_column(F&& f);
+  /// Pairs of balls that may touch, a b a b ...; set them before the columns when a state is restored.
+  std::vector<std::int64_t> ball_pairs() const;
+  void set_ball_pairs(std::span<const std::int64_t> pairs);
 
   // State; blocks come first, then platens
   AlignedVector<BlockMotion> motion;
@@ -200,6 +206,14 @@ class Assembly {
   void finish(double max_step);
   void connect();
 
+  // detect.cpp
+  void join_balls();
+  void find_balls();
+  void take_balls(const std::vector<std::pair<std::uint32_t, std::uint32_t>>& pairs);
+  std::pair<BlockContact, JointSite> ball_contact(std::uint32_t a, std::uint32_t b) const;
+  bool moved(std::span<const Vec3> since, double distance) const;
+  BlockShape placed(std::size_t body) const;
+
   // step.cpp
   void move_bodies(double dt);
   void meet(const Batch& batch, double dt);
@@ -236,7 +250,12 @@ class Assembly {
   std::vector<std::shared_ptr<const JointLaw>> own_laws_;  // of platens
   std::vector<double> platen_area_;
   std::vector<BlockEvent> events_;
-  double last_step_ = 0.0;
+  std::vector<std::uint32_t> balls_;
+  std::size_t lasting_ = 0;  // contacts from the start on; those found later follow
+  double skin_ = 0.0;        // pairs of balls nearer than this are contacts
+  std::vector<Vec3> found_at_, checked_at_;
+  BlockLedger gone_;                          // of contacts that are no more
+  double last_step_ = 0.0, time_rest_ = 0.0;  // what rounding left out of `time`
 };
 
 template <class F>
@@ -278,10 +297,15 @@ void Assembly::each_column(F&& f) {
     }
     for (auto& p : pressed_force_) vec(g, p.at), vec(g, p.all);
   });
+  pass("blocks.found", [&](auto&& g) {
+    for (auto* list : {&found_at_, &checked_at_})
+      for (Vec3& x : *list) vec(g, x);
+    for (double* v : {&gone_.slip, &gone_.dashpot, &gone_.released}) g(*v);
+  });
   pass("blocks.counters", [&](auto&& g) {
     double steps = static_cast<double>(step), tension = static_cast<double>(broken[0]),
            shear = static_cast<double>(broken[1]);
-    for (double* v : {&time, &last_step_, &steps, &tension, &shear}) g(*v);
+    for (double* v : {&time, &time_rest_, &last_step_, &steps, &tension, &shear}) g(*v);
     step = static_cast<std::int64_t>(steps);
     broken = {static_cast<std::int64_t>(tension), static_cast<std::int64_t>(shear)};
   });

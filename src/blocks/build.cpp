@@ -220,9 +220,12 @@ Assembly::Assembly(std::shared_ptr<const BlocksSpec> spec, int dimension, bool p
     const bool common = k == spec_->joints.size();
     add_facet(*f, common ? *spec_->law : *spec_->joints[k].law, common ? spec_->corners : spec_->joints[k].corners);
   }
+  join_balls();
   add_holds_and_loads();
   add_platens(free);
   add_pressures(free);
+  lasting_ = contacts.size();
+  if (!balls_.empty() && spec_->touch) find_balls();
   finish(max_step);
 }
 
@@ -240,11 +243,6 @@ void Assembly::refuse_overlaps(double tolerance) const {
   }
   std::sort(order.begin(), order.end(),
             [&](std::size_t i, std::size_t j) { return boxes[i].low[0] < boxes[j].low[0]; });
-  const auto placed = [&](std::size_t k) {
-    BlockShape s = shapes[k];
-    for (Vec3& x : s.corners) x += motion[k].x;
-    return s;
-  };
   for (std::size_t i = 0; i < blocks_; ++i)
     for (std::size_t j = i + 1; j < blocks_ && boxes[order[j]].low[0] < boxes[order[i]].high[0]; ++j) {
       const std::size_t a = std::min(order[i], order[j]), b = std::max(order[i], order[j]);
@@ -361,6 +359,15 @@ void Assembly::finish(double max_step) {
       turned_hold[body] += stiff * arm.squaredNorm() + turning;
     }
   }
+  if (spec_->touch)  // as many neighbours of its size as fit around a ball
+    for (const auto k : balls_) {
+      const auto [c, site] = ball_contact(k, k);
+      JointSite twin = site;
+      twin.distance = 2 * shapes[k].radius, twin.gap = 0;
+      const Joint j = spec_->touch->start(twin);
+      const double stiff = (plane_ ? 6 : 12) * std::max(j.kn, j.ks) * j.area, r = shapes[k].radius;
+      hold[k] = std::max(hold[k], stiff), turned_hold[k] = std::max(turned_hold[k], stiff * r * r);
+    }
   double step_size = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < blocks_; ++k) {
     BlockBody& body = bodies[k];
@@ -383,6 +390,8 @@ void Assembly::finish(double max_step) {
     const double ma = bodies[c.a].mass, mb = bodies[c.b].mass;
     c.mass = a && b ? ma * mb / (ma + mb) : a ? ma : b ? mb : 0.0;
   }
+  checked_at_.resize(bodies.size());
+  for (std::size_t k = 0; k < bodies.size(); ++k) checked_at_[k] = motion[k].x;
   forces.assign(bodies.size(), {}), work.assign(bodies.size(), {}), stress.assign(bodies.size(), Mat3::Zero());
   given.assign(contacts.size(), {}), dashpot_work.assign(contacts.size(), 0.0);
   broke.assign(contacts.size(), 0.0);
@@ -392,7 +401,7 @@ void Assembly::finish(double max_step) {
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     const BlockContact& c = contacts[k];
     const Vec3 by = shift.empty() ? Vec3(Vec3::Zero()) : shift[k];
-    given[k].at = 0.5 * (motion[c.a].x + c.pa + motion[c.b].x + c.pb + by);
+    given[k].at = 0.5 * (motion[c.a].x + motion[c.a].R * c.pa + motion[c.b].x + motion[c.b].R * c.pb + by);
     give(k);
   }
   press();

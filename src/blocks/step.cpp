@@ -50,10 +50,12 @@ double lessening(double alpha, double force, double velocity) {
 
 void Assembly::advance(double dt) {
   move_bodies(dt);
+  if (!balls_.empty() && spec_->touch && moved(found_at_, 0.5 * skin_)) find_balls();
   const auto batch_count = static_cast<std::ptrdiff_t>(batches_.size());
   if (iterations_ > 0 && poisson_) iterate_stress(dt);
   parallel_for(batch_count, [&](std::ptrdiff_t k) { meet(batches_[static_cast<std::size_t>(k)], dt); });
-  time += dt, ++step, last_step_ = dt;
+  const double with_rest = dt + time_rest_, later = time + with_rest;  // compensated sum
+  time_rest_ = with_rest - (later - time), time = later, ++step, last_step_ = dt;
   for (std::size_t k = 0; k < batches_.size(); ++k) {
     for (const JointEvent& e : batch_events_[k]) {
       const std::size_t contact = batches_[k].begin + e.contact;

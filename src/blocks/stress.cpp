@@ -75,7 +75,7 @@ void Assembly::iterate_stress(double dt) {
 }
 
 BlockLedger Assembly::ledger() const {
-  BlockLedger out;
+  BlockLedger out = gone_;
   for (std::size_t k = 0; k < bodies.size(); ++k) {
     const BlockBody& body = bodies[k];
     const BlockMotion& m = motion[k];
