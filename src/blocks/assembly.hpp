@@ -67,6 +67,7 @@ struct BlockContact {
   Vec3 na = Vec3::UnitX(), nb = Vec3::UnitX();  ///< normal from a to b as each sees it; of balls na[0], nb[0] radii
   JointAxes axes;
   double mass = 0.0;  ///< m_a m_b/(m_a + m_b)
+  double on_a = 0.5;  ///< where it is between its points: 1 at that of a, 0 of b; its normal is then the other's
 };
 
 /// What a contact gives to its bodies: on b, the opposite on a.

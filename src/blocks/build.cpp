@@ -103,7 +103,7 @@ void Assembly::add_facet(const BlockFacet& f, const JointLaw& law, bool corners)
     BlockContact c;
     c.a = static_cast<std::uint32_t>(a), c.b = static_cast<std::uint32_t>(b);
     c.pa = at - motion[a].x, c.pb = at + f.gap * n - f.shift - motion[b].x;
-    c.na = c.nb = n;
+    c.na = c.nb = n, c.on_a = f.owner == 0 ? 0.5 : f.owner == 1 ? 1.0 : 0.0;
     c.axes = JointAxes::of_normal(n);
     JointSite site;
     site.area = area, site.gap = f.gap, site.plane = plane_, site.thickness = thickness_;

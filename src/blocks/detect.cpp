@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numbers>
 #include <numeric>
 #include <set>
@@ -162,8 +163,17 @@ void Assembly::check_contacts() {
   for (std::size_t k = 0; k < checked_at_.size(); ++k) checked_at_[k] = motion[k].x;
   const double much = 0.02 * smallest;
 
-  std::set<Pair> known;
-  for (const BlockContact& c : contacts) known.emplace(std::min(c.a, c.b), std::max(c.a, c.b));
+  // Pairs that have contacts, and how deep these overlap; none that is bonded is looked at.
+  std::map<Pair, double> known;
+  for (const ContactGroup& g : groups)
+    for (std::size_t k = g.begin; k < g.end; ++k) {
+      const BlockContact& c = contacts[k];
+      const double deep = g.law->is_bonded(joints[k]) || g.kind == ContactKind::ball || !shift.empty()
+                              ? std::numeric_limits<double>::infinity()
+                              : -joints[k].gap;
+      double& most = known.try_emplace({std::min(c.a, c.b), std::max(c.a, c.b)}, 0.0).first->second;
+      most = std::max(most, deep);
+    }
   std::vector<Bounds> boxes(blocks_);
   std::vector<BlockShape> at(blocks_);
   for (std::size_t k = 0; k < blocks_; ++k) {
@@ -174,13 +184,16 @@ void Assembly::check_contacts() {
       boxes[k].low = boxes[k].low.cwiseMin(x - r), boxes[k].high = boxes[k].high.cwiseMax(x + r);
   }
   each_near_pair(boxes, [&](std::uint32_t a, std::uint32_t b) {
-    if (known.count({a, b}) || overlap_depth(at[a], at[b], plane_) <= much) return;
+    const auto found = known.find({a, b});
+    const double deep = much + (found == known.end() ? 0.0 : found->second);
+    if (std::isinf(deep) || overlap_depth(at[a], at[b], plane_) <= deep) return;
     const bool balls = at[a].ball() && at[b].ball();
-    throw SimulationError("the blocks " + std::to_string(a + 1) + " and " + std::to_string(b + 1) + " met at " +
-                          place(motion[b].x) + ", time " + std::to_string(time) +
-                          (balls ? "; balls that meet need 'touchname' of <Blocks>"
-                                 : "; contacts between blocks that did not touch at the start are not built but for "
-                                   "balls: end the run before, or make a contact of faces from the start"));
+    throw SimulationError(
+        "the blocks " + std::to_string(a + 1) + " and " + std::to_string(b + 1) + " met at " + place(motion[b].x) +
+        ", time " + std::to_string(time) +
+        (balls ? "; balls that meet need 'touchname' of <Blocks>"
+               : " with faces that did not touch at the start; finding such contacts is built for balls "
+                 "only: end the run before"));
   });
   for (const ContactGroup& g : groups)
     for (std::size_t k = g.begin; k < g.end; ++k) {

@@ -100,6 +100,9 @@ void join_faces(std::span<const std::int64_t> group, bool plane, double thicknes
       f.a = a.a, f.b = b.a, f.gap = gap;
       f.geometry = face_geometry(f.corners, plane, thickness);
       if (f.geometry.area <= 1e-6 * std::min(a.geometry.area, b.geometry.area)) continue;
+      const bool all_a = f.geometry.area > (1 - 1e-6) * a.geometry.area,
+                 all_b = f.geometry.area > (1 - 1e-6) * b.geometry.area;
+      f.owner = all_a == all_b ? 0 : all_a ? 1 : 2;
       list[i].covered += f.geometry.area, list[j].covered += f.geometry.area;
       found.push_back(std::move(f));
     }

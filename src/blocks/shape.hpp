@@ -51,7 +51,10 @@ struct BlockFacet {
   FaceGeometry geometry;      ///< normal from a to b
   double gap = 0.0;           ///< from a's face to b's
   Vec3 shift = Vec3::Zero();  ///< periodic boxes: b's copy is at its place + shift
-  bool covered = false;       ///< a free face that another block lies against in part
+  /// Whose face it is a whole face of, if only of one: 1 a, 2 b; else 0. Such a contact stays with that block when it
+  /// slides along the larger face of the other.
+  int owner = 0;
+  bool covered = false;  ///< a free face that another block lies against in part
 };
 
 /// Blocks that fill a box, and the faces between them.

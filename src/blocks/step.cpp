@@ -24,9 +24,9 @@ void follow(BlockContact& c, const BlockMotion& a, const BlockMotion& b, const V
     at = a.x + (c.na[0] + 0.5 * d.gap) * n;
   } else {
     const Vec3 pa = a.x + a.R * c.pa, pb = xb + b.R * c.pb;
-    n = (a.R * c.na + b.R * c.nb).normalized();
+    n = ((1 - c.on_a) * (a.R * c.na) + c.on_a * (b.R * c.nb)).normalized();
     d.gap = (pb - pa).dot(n);
-    at = 0.5 * (pa + pb);
+    at = c.on_a * pa + (1 - c.on_a) * pb;
   }
   const Vec3 apart = dt * (b.v + shift_velocity + b.w.cross(at - xb) - a.v - a.w.cross(at - a.x));
   const Vec3 turn = dt * (b.w - a.w);

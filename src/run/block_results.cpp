@@ -133,7 +133,10 @@ void BlockResults::write_contacts(std::int64_t number) {
       const BlockMotion& a = blocks_.motion[contact.a];
       std::vector<Vec3> outline = blocks_.outlines[c].corners;
       for (Vec3& x : outline) x = a.x + a.R * x;
-      if (outline.empty()) outline = {blocks_.given[c].at};
+      if (outline.empty()) {  // balls: the line between their centres
+        outline = {a.x, blocks_.motion[contact.b].x};
+        if (!blocks_.plane()) outline.push_back(outline.back());
+      }
       out.add(outline);
       out.fields.integer("contact", static_cast<std::int64_t>(c) + 1);
       out.fields.integer("block1", static_cast<std::int64_t>(contact.a) + 1);
