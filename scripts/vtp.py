@@ -36,7 +36,7 @@ def read(path):
     return out
 
 
-def collection(folder):
-    """(time, path) of every particle file of a run."""
-    text = open(f"{folder}/run.pvd").read()
+def collection(folder, name="run"):
+    """(time, path) of every particle file of a run, or of its `cracks` or `joints`."""
+    text = open(f"{folder}/{name}.pvd").read()
     return [(float(t), f"{folder}/{f}") for t, f in re.findall(r'timestep="([^"]*)"[^>]*file="([^"]*)"', text)]

@@ -3,6 +3,7 @@
 #include "grid/kernels.hpp"
 
 #include <cmath>
+#include <utility>
 
 namespace tribo {
 namespace {
@@ -55,44 +56,66 @@ ParticleFace<Dim> ParticleFace<Dim>::of(const System<Dim>& system, Body<Dim>& bo
 }
 
 template <int Dim>
-PointShares<Dim>::PointShares(Kernel kernel, const Field<Dim>& field, const Conditions<Dim>& conditions,
-                              const Vec<Dim>& x) {
+void PointShares<Dim>::spread(Kernel kernel, const Lattice<Dim>& lattice, const Vec<Dim>& x) {
   if (kernel == Kernel::quadratic_spline)
-    fill<QuadraticKernel>(field, conditions, x);
+    spread<QuadraticKernel>(lattice, x);
   else if (kernel == Kernel::cubic_spline)
-    fill<CubicKernel>(field, conditions, x);
+    spread<CubicKernel>(lattice, x);
   else
-    fill<LinearKernel>(field, conditions, x);
+    spread<LinearKernel>(lattice, x);
 }
 
 template <int Dim>
 template <class K>
-void PointShares<Dim>::fill(const Field<Dim>& field, const Conditions<Dim>& conditions, const Vec<Dim>& x) {
-  const auto& lattice = field.map.lattice();
+void PointShares<Dim>::spread(const Lattice<Dim>& lattice, const Vec<Dim>& x) {
   Index<Dim> base;
   double w[Dim][K::width], g[K::width];
-  int size = 1;
-  for (int d = 0; d < Dim; ++d, size *= K::width) {
+  count = 1;
+  for (int d = 0; d < Dim; ++d, count *= K::width) {
     const double s = (x[d] - lattice.origin[d]) / lattice.spacing[d], from = std::floor(s - K::shift);
     base[static_cast<std::size_t>(d)] = static_cast<int>(from);
     K::at(s - from, 0.0, w[d], g);
   }
-  double sum = 0.0;
-  for (int k = 0; k < size; ++k) {
-    Index<Dim> n = base;
-    double weight = 1.0;
+  for (int k = 0; k < count; ++k) {
+    Index<Dim>& n = index_[static_cast<std::size_t>(k)] = base;
+    double& weight = share[static_cast<std::size_t>(k)] = 1.0;
     for (int d = 0, rest = k; d < Dim; ++d, rest /= K::width) {
       n[static_cast<std::size_t>(d)] += rest % K::width;
       weight *= w[d][rest % K::width];
     }
-    const auto at = field.map.node(n);
-    if (at < 0 || !(field.nodes[static_cast<std::size_t>(at)].mass > 0 || conditions.folds(n))) continue;
-    const auto here = static_cast<std::size_t>(count++);
-    node[here] = at, share[here] = weight;
-    sum += weight;
   }
-  for (int k = 0; k < count; ++k)
-    share[static_cast<std::size_t>(k)] = sum > 0 ? share[static_cast<std::size_t>(k)] / sum : 0.0;
+}
+
+// A surface reaches nodes that its particles hardly reach. The strain that a force on such a node makes in them goes as
+// share/mass times the node's weight there, which goes as the root of the mass (quadratic splines): shares that
+// go as that root keep it bounded. The bound leaves alone the nodes of edges that lie on grid lines, where the exact
+// share balances a uniform stress.
+template <int Dim>
+void PointShares<Dim>::keep_heavy(const std::vector<Field<Dim>>& fields,
+                                  const std::vector<Conditions<Dim>>& conditions) {
+  constexpr double light = 1e-3;  // of the mean mass
+  const int around = std::exchange(count, 0);
+  std::array<double, most> masses;
+  std::array<bool, most> folds;
+  double sum = 0.0, mass = 0.0;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(around); ++k) {
+    const Field<Dim>& of = fields[field[k]];
+    const auto at = of.map.node(index_[k]);
+    if (at < 0) continue;
+    const double here = of.nodes[static_cast<std::size_t>(at)].mass;
+    const bool folded = conditions[field[k]].folds(index_[k]);
+    if (!(here > 0 || folded)) continue;
+    const auto kept = static_cast<std::size_t>(count++);
+    field[kept] = field[k], node[kept] = at, share[kept] = share[k], masses[kept] = here, folds[kept] = folded;
+    sum += share[kept], mass += share[kept] * here;
+  }
+  const double bound = sum > 0 ? light * mass / sum : 0.0;
+  sum = 0.0;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k) {
+    if (masses[k] < bound && !folds[k]) share[k] *= std::sqrt(masses[k] / bound);
+    sum += share[k];
+  }
+  for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k) share[k] = sum > 0 ? share[k] / sum : 0.0;
 }
 
 template struct ParticleFace<2>;

@@ -18,21 +18,32 @@ struct ParticleFace {
   static ParticleFace of(const System<Dim>& system, Body<Dim>& body, std::size_t particle, int face);
 };
 
-/// Calls f(node, share) for the nodes around a point in the kernel's point form; the shares sum to one. Nodes without
-/// mass, beyond the surface, leave theirs to the others.
+/// The nodes around a point with the kernel's weights there; the shares sum to one. Nodes without mass, beyond the
+/// surface, leave theirs to the others, nodes with little mass a part of it.
 template <int Dim>
 struct PointShares {
   static constexpr int most = Dim == 2 ? 16 : 64;
   int count = 0;
-  std::array<std::int64_t, most> node;
+  std::array<std::size_t, most> field;
+  std::array<std::int64_t, most> node;  ///< position in the layers of `field`
   std::array<double, most> share;
 
-  /// `x`: the point; uGIMP and CPDI interpolate with hats.
-  PointShares(Kernel kernel, const Field<Dim>& field, const Conditions<Dim>& conditions, const Vec<Dim>& x);
+  /// `x`: the point; uGIMP and CPDI interpolate with hats. `field_at(index)` says which field a node's share is of.
+  template <class FieldAt>
+  PointShares(Kernel kernel, const std::vector<Field<Dim>>& fields, const std::vector<Conditions<Dim>>& conditions,
+              const Vec<Dim>& x, FieldAt&& field_at) {
+    spread(kernel, fields.front().map.lattice(), x);
+    for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k) field[k] = field_at(index_[k]);
+    keep_heavy(fields, conditions);
+  }
 
  private:
+  void spread(Kernel kernel, const Lattice<Dim>& lattice, const Vec<Dim>& x);
   template <class K>
-  void fill(const Field<Dim>& field, const Conditions<Dim>& conditions, const Vec<Dim>& x);
+  void spread(const Lattice<Dim>& lattice, const Vec<Dim>& x);
+  void keep_heavy(const std::vector<Field<Dim>>& fields, const std::vector<Conditions<Dim>>& conditions);
+
+  std::array<Index<Dim>, most> index_;
 };
 
 }  // namespace tribo

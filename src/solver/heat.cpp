@@ -70,7 +70,7 @@ void HeatConduction<Dim>::collect(double dt, const Contact<Dim>& contact,
   scatter(Scatter::heat);
   each_loaded(model_, system_, ParticleCondition::Kind::heat_flux,
               [&](const ParticleCondition& condition, Body<Dim>& body, std::size_t particle) {
-                flow_in(dt, condition, body, particle, conditions[body.field]);
+                flow_in(dt, condition, body, particle, conditions);
               });
   if (model_.heat.contact_heating && dt > 0) rub(dt, contact, conditions);
   for (std::size_t f = 0; f < system_.fields.size(); ++f) {
@@ -86,14 +86,15 @@ void HeatConduction<Dim>::collect(double dt, const Contact<Dim>& contact,
 
 template <int Dim>
 void HeatConduction<Dim>::flow_in(double dt, const ParticleCondition& condition, Body<Dim>& body, std::size_t particle,
-                                  const Conditions<Dim>& conditions) {
+                                  const std::vector<Conditions<Dim>>& conditions) {
   const auto face = ParticleFace<Dim>::of(system_, body, particle, condition.face);
   Vec3 x = Vec3::Zero();
   x.head<Dim>() = body.particles.position(particle);
   const double whole = face.area * condition.value.at(system_.time, x);
   auto& field = system_.fields[body.field];
   for (const auto& at : face.points) {
-    const PointShares<Dim> to(model_.scheme.kernel, field, conditions, at);
+    const PointShares<Dim> to(model_.scheme.kernel, system_.fields, conditions, at,
+                              [&](const Index<Dim>&) { return body.field; });
     for (std::size_t k = 0; k < static_cast<std::size_t>(to.count); ++k)
       power(field.heat[static_cast<std::size_t>(to.node[k])]) +=
           to.share[k] * whole / static_cast<double>(face.points.size());
@@ -114,7 +115,8 @@ void HeatConduction<Dim>::rub(double dt, const Contact<Dim>& contact, const std:
       auto& field = system_.fields[side->field];
       const Vec<Dim> face =
           system_.lattice.position(field.map.node_at(side->at)) + pair.face * pair.meeting.normal.template head<Dim>();
-      const PointShares<Dim> to(model_.scheme.kernel, field, conditions[side->field], face);
+      const PointShares<Dim> to(model_.scheme.kernel, system_.fields, conditions, face,
+                                [&](const Index<Dim>&) { return side->field; });
       for (std::size_t k = 0; k < static_cast<std::size_t>(to.count); ++k)
         power(field.heat[static_cast<std::size_t>(to.node[k])]) += to.share[k] * share * part * pair.friction / dt;
     }

@@ -44,7 +44,7 @@ class HeatConduction {
   Node& on(const ContactMember& m) { return system_.fields[m.field].heat[static_cast<std::size_t>(m.at)]; }
   void collect(double dt, const Contact<Dim>& contact, const std::vector<Conditions<Dim>>& conditions);
   void flow_in(double dt, const ParticleCondition& condition, Body<Dim>& body, std::size_t particle,
-               const Conditions<Dim>& conditions);
+               const std::vector<Conditions<Dim>>& conditions);
   void rub(double dt, const Contact<Dim>& contact, const std::vector<Conditions<Dim>>& conditions);
   void join(const Contact<Dim>& contact);
   void hold(double dt, const std::vector<Conditions<Dim>>& conditions);

@@ -1,0 +1,37 @@
+import numpy as np
+
+import verify
+import vtp
+
+
+def pull(case, what, law, per_area):
+    out = case.run(what.replace(" ", "_"), entities=dict(law=law))
+    last = {name: column[-1] for name, column in verify.energy(out).items()}
+    taken = 4 * per_area
+    case.check(f"{what}: energy the bond took [mJ]", last["contact"] + last["interface"], taken, 1e-4)
+    rest = last["boundary_work"] - last["kinetic"] - last["elastic"] - last["damping"]
+    case.check(f"{what}: energy put in and not left in the halves [mJ]", rest, taken, 2e-2)
+    rows = [vtp.read(path) for _, path in vtp.collection(out, "joints")]
+    stress = np.array([d["area"] @ d["normal_stress"] / d["area"].sum() for d in rows])
+    opening = np.array([d["area"] @ d["opening"] / d["area"].sum() for d in rows])
+    case.check(f"{what}: largest stress [MPa]", stress.max(), 1, 2e-2)
+    case.check(f"{what}: energy stored in the end [mJ]", abs(last["interface"]), 0, 1e-12, "at most")
+    return opening, stress
+
+
+def run(case):
+    linear = pull(case, "linear", "<sn_tendc>4e-2</sn_tendc>", (0.002 + 0.04) / 2)
+    if case.quick:
+        return
+    # from the elastic limit at 0.002 mm: 0.3 of the strength after 0.01 mm, nothing after 0.05 mm
+    table = pull(case, "by a table", "<sn_tentab>1 0 0.3 0.01 0 0.05</sn_tentab>", 0.001 + 0.65 * 0.01 + 0.15 * 0.04)
+
+    def draw(axes):
+        for (opening, stress), what in ((linear, "linear"), (table, "by a table")):
+            axes.plot(opening, stress, ".-", label=what)
+        axes.set_xlim(-0.002, 0.06)
+        axes.set_xlabel("opening [mm]")
+        axes.set_ylabel("stress [MPa]")
+        axes.legend()
+
+    case.figure("joint_bar", draw)
