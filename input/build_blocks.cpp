@@ -99,11 +99,11 @@ void Builder::blocks() {
       all(velocities, Dimension::velocity, p.velocity);
       spec->platens.push_back(std::move(p));
     } else if (part.name == "Pressure") {
-      BlockPressure p{{}, shapes_of(part), {}, !has(part, "follows") || yes(word(part, "follows")), part.origin};
+      BlockPressure p{shapes_of(part), {}, !has(part, "follows") || yes(word(part, "follows")), part.origin};
       if (const auto value = time_function(part, "value", Dimension::stress)) p.pressure = *value;
       spec->pressures.push_back(std::move(p));
     } else if (part.name == "Hold") {
-      BlockHold h{{}, shapes_of(part), {}, {}, part.origin};
+      BlockHold h{shapes_of(part), {}, {}, part.origin};
       all(velocities, Dimension::velocity, h.velocity), all(spins, Dimension::rate, h.spin);
       spec->holds.push_back(std::move(h));
     } else if (part.name == "Load") {

@@ -61,7 +61,6 @@ struct BlockPlaten {
 
 /// Pressure on the free faces whose middles lie in a region.
 struct BlockPressure {
-  std::string name;
   RegionPtr where;
   TimeFunction pressure;
   bool follows = true;  ///< the faces as they turn; else their normals at the start
@@ -70,7 +69,6 @@ struct BlockPressure {
 
 /// Prescribed motion of the blocks whose centres lie in a region.
 struct BlockHold {
-  std::string name;
   RegionPtr where;
   std::array<std::optional<TimeFunction>, 3> velocity, spin;  ///< not given: free
   Origin origin;
