@@ -60,7 +60,12 @@ void Builder::blocks() {
       JointSite site;
       site.area = site.distance = site.radius = 1.0, site.gap = -1e-3, site.plane = model_.dimension() == 2;
       must(!spec->touch->is_bonded(spec->touch->start(site)), a->origin,
-           "'" + a->text + "' bonds what touches, and balls that meet later have no bond; name a law without <bond>");
+           "'" + a->text + "' bonds what touches, and blocks that meet later have no bond; name a law without <bond>");
+      site.gap = 1.0;
+      must(spec->touch->start(site).away, a->origin,
+           "'" + a->text +
+               "' does not take its force from the gap, so that blocks which meet later cannot have it; SpringNetwork "
+               "without <bond> does");
     }
   }
   spec->corners = word(s, "points") == "corners";

@@ -57,8 +57,9 @@ struct BlockWork {
 
 /// How a contact follows its bodies.
 enum class ContactKind : std::uint8_t {
-  facet,  ///< a pair of faces that moves with the blocks
-  ball    ///< between two balls
+  facet,   ///< a pair of faces that moves with the blocks
+  ball,    ///< between two balls
+  overlap  ///< half of what two polygons share, found anew in every step
 };
 
 struct BlockContact {
@@ -67,7 +68,8 @@ struct BlockContact {
   Vec3 na = Vec3::UnitX(), nb = Vec3::UnitX();  ///< normal from a to b as each sees it; of balls na[0], nb[0] radii
   JointAxes axes;
   double mass = 0.0;  ///< m_a m_b/(m_a + m_b)
-  double on_a = 0.5;  ///< where it is between its points: 1 at that of a, 0 of b; its normal is then the other's
+  double on_a = 0.5;  ///< where it is between its points: 1 at that of a, 0 of b; its normal is then the other's;
+                      ///< of an overlap: which half
 };
 
 /// What a contact gives to its bodies: on b, the opposite on a.
@@ -158,9 +160,10 @@ class Assembly {
   /// Calls f(name, vector of numbers) for all that changes with time; what f writes into it goes back.
   template <class F>
   void each_column(F&& f);
-  /// Pairs of balls that may touch, a b a b ...; set them before the columns when a state is restored.
-  std::vector<std::int64_t> ball_pairs() const;
-  void set_ball_pairs(std::span<const std::int64_t> pairs);
+  /// Pairs of blocks that may touch, found since the start, a b a b ...; set them before the columns when a state is
+  /// restored.
+  std::vector<std::int64_t> found_pairs() const;
+  void set_found_pairs(std::span<const std::int64_t> pairs);
 
   // State; blocks come first, then platens
   AlignedVector<BlockMotion> motion;
@@ -207,12 +210,23 @@ class Assembly {
   void finish(double max_step);
   void connect();
 
+  /// One half of what two polygons share, or how far they are apart.
+  struct Overlap {
+    Vec3 n = Vec3::UnitX(), at = Vec3::Zero();
+    double gap = 0.0, length = 0.0;
+  };
+
   // detect.cpp
   void join_balls();
-  void find_balls();
-  void take_balls(const std::vector<std::pair<std::uint32_t, std::uint32_t>>& pairs);
+  void find_pairs();
+  void retire_faces();
+  Overlap overlap_of(const BlockContact& c) const;
+  void overlap_increment(std::size_t contact, double dt, JointIncrement& d);
+  void take_pairs(const std::vector<std::pair<std::uint32_t, std::uint32_t>>& pairs);
   std::pair<BlockContact, JointSite> ball_contact(std::uint32_t a, std::uint32_t b) const;
   bool moved(std::span<const Vec3> since, double distance) const;
+  std::array<Vec3, 3> marks(std::size_t body) const;
+  void remember(std::vector<Vec3>& places) const;
   BlockShape placed(std::size_t body) const;
 
   // step.cpp
@@ -252,8 +266,9 @@ class Assembly {
   std::vector<double> platen_area_;
   std::vector<BlockEvent> events_;
   std::vector<std::uint32_t> balls_;
-  std::size_t lasting_ = 0;  // contacts from the start on; those found later follow
-  double skin_ = 0.0;        // pairs of balls nearer than this are contacts
+  std::size_t lasting_ = 0;    // contacts from the start on; those found later follow
+  double skin_ = 0.0;          // pairs of blocks nearer than this are contacts
+  std::vector<double> reach_;  // of blocks from their centres
   std::vector<Vec3> found_at_, checked_at_;
   BlockLedger gone_;                          // of contacts that are no more
   double last_step_ = 0.0, time_rest_ = 0.0;  // what rounding left out of `time`

@@ -225,7 +225,7 @@ Assembly::Assembly(std::shared_ptr<const BlocksSpec> spec, int dimension, bool p
   add_platens(free);
   add_pressures(free);
   lasting_ = contacts.size();
-  if (!balls_.empty() && spec_->touch) find_balls();
+  if (spec_->touch) find_pairs();
   finish(max_step);
 }
 
@@ -368,6 +368,17 @@ void Assembly::finish(double max_step) {
       const double stiff = (plane_ ? 6 : 12) * std::max(j.kn, j.ks) * j.area, r = shapes[k].radius;
       hold[k] = std::max(hold[k], stiff), turned_hold[k] = std::max(turned_hold[k], stiff * r * r);
     }
+  if (spec_->touch && plane_)  // other polygons on half of its edges
+    for (std::size_t k = 0; k < blocks_; ++k) {
+      if (shapes[k].ball()) continue;
+      JointSite site;
+      for (std::size_t f = 0; f < shapes[k].faces.size(); ++f)
+        site.area += 0.5 * face_geometry(shapes[k].face(f), true, thickness_).area;
+      site.thickness = thickness_, site.distance = std::sqrt(bodies[k].volume / thickness_);
+      const Joint j = spec_->touch->start(site);
+      const double stiff = std::max(j.kn, j.ks) * site.area;
+      hold[k] = std::max(hold[k], stiff), turned_hold[k] = std::max(turned_hold[k], stiff * reach_[k] * reach_[k]);
+    }
   double step_size = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < blocks_; ++k) {
     BlockBody& body = bodies[k];
@@ -390,8 +401,7 @@ void Assembly::finish(double max_step) {
     const double ma = bodies[c.a].mass, mb = bodies[c.b].mass;
     c.mass = a && b ? ma * mb / (ma + mb) : a ? ma : b ? mb : 0.0;
   }
-  checked_at_.resize(bodies.size());
-  for (std::size_t k = 0; k < bodies.size(); ++k) checked_at_[k] = motion[k].x;
+  if (!reach_.empty()) remember(checked_at_);
   forces.assign(bodies.size(), {}), work.assign(bodies.size(), {}), stress.assign(bodies.size(), Mat3::Zero());
   given.assign(contacts.size(), {}), dashpot_work.assign(contacts.size(), 0.0);
   broke.assign(contacts.size(), 0.0);

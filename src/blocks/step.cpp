@@ -50,7 +50,7 @@ double lessening(double alpha, double force, double velocity) {
 
 void Assembly::advance(double dt) {
   move_bodies(dt);
-  if (!balls_.empty() && spec_->touch && moved(found_at_, 0.5 * skin_)) find_balls();
+  if (spec_->touch && moved(found_at_, 0.25 * skin_)) find_pairs();
   const auto batch_count = static_cast<std::ptrdiff_t>(batches_.size());
   if (iterations_ > 0 && poisson_) iterate_stress(dt);
   parallel_for(batch_count, [&](std::ptrdiff_t k) { meet(batches_[static_cast<std::size_t>(k)], dt); });
@@ -126,6 +126,10 @@ void Assembly::increments(const Batch& batch, double dt, JointIncrement* to) {
   const ContactGroup& group = groups[batch.group];
   const bool ball = group.kind == ContactKind::ball;
   for (std::size_t k = batch.begin; k < batch.end; ++k, ++to) {
+    if (group.kind == ContactKind::overlap) {
+      overlap_increment(k, dt, *to);
+      continue;
+    }
     BlockContact& c = contacts[k];
     const Vec3 by = shift.empty() ? Vec3(Vec3::Zero()) : shift[k];
     const Vec3 speed = shift.empty() ? Vec3(Vec3::Zero()) : Vec3(box_rate * by);

@@ -151,8 +151,8 @@ void BlockResults::write_contacts(std::int64_t number) {
       out.fields.number("opening", j.opening);
       out.fields.vector("shear", contact.axes.vector(j.shear));
       out.fields.number("slip", j.slip);
-      out.fields.number("normal_stress", j.Fn / j.area);
-      out.fields.number("shear_stress", j.Fs.norm() / j.area);
+      out.fields.number("normal_stress", j.area > 0 ? j.Fn / j.area : 0.0);
+      out.fields.number("shear_stress", j.area > 0 ? j.Fs.norm() / j.area : 0.0);
       out.fields.vector("force", blocks_.given[c].all);
       out.fields.vector("moment", blocks_.given[c].moment);
       out.fields.number("strain_energy", j.strain);

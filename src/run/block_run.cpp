@@ -28,7 +28,7 @@ void save(Assembly& blocks, const Counters& at, const std::filesystem::path& pat
   out.put("dimension", std::int64_t{blocks.plane() ? 2 : 3});
   out.put("counters", std::array<std::int64_t, 3>{at.archive, at.history, at.checkpoint});
   out.put("energy", at.initial_energy);
-  out.put("pairs", std::span<const std::int64_t>(blocks.ball_pairs()));
+  out.put("pairs", std::span<const std::int64_t>(blocks.found_pairs()));
   blocks.each_column(
       [&](const char* name, std::vector<double>& column) { out.put(name, std::span<const double>(column)); });
   out.save(path);
@@ -38,7 +38,7 @@ Counters load(Assembly& blocks, const std::filesystem::path& path) {
   const Checkpoint in(path);
   const auto mismatch = [] { throw FileError("the checkpoint belongs to another command file: its blocks differ"); };
   if (!in.has("blocks.motion") || in.integer("dimension") != (blocks.plane() ? 2 : 3)) mismatch();
-  blocks.set_ball_pairs(in.integers("pairs"));
+  blocks.set_found_pairs(in.integers("pairs"));
   blocks.each_column([&](const char* name, std::vector<double>& column) {
     const auto values = in.doubles(name);
     if (values.size() != column.size()) mismatch();

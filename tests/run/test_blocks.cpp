@@ -119,7 +119,7 @@ TEST_CASE("blocks that meet without a contact end the run with their names", "[b
              std::string("<GlobalArchive type='forcey' platen='top'/>").size());
   const ScratchFolder folder;
   CHECK_THROWS_WITH(run(read_model_text(text, "fly.xml"), quiet(folder.path)),
-                    Catch::Contains("the blocks 1 and 2 met") && Catch::Contains("balls only"));
+                    Catch::Contains("the blocks 1 and 2 met") && Catch::Contains("touchname"));
 }
 
 TEST_CASE("balls find each other and part again", "[blocks]") {
