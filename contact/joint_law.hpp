@@ -112,6 +112,8 @@ class JointLaw {
   /// One step of every contact; what happened is appended to `events`. A function of its arguments only.
   virtual void update(std::span<Joint> joints, std::span<const JointIncrement> increments,
                       std::vector<JointEvent>& events) const = 0;
+  /// Whether a bond holds the faces together.
+  virtual bool is_bonded(const Joint&) const { return false; }
   /// The state in words.
   virtual std::string state_text(const Joint& joint) const = 0;
   /// Numbers that only this law has, for output.

@@ -432,6 +432,7 @@ struct SpringNetwork final : JointLaw {
     for (std::size_t k = 0; k < joints.size(); ++k) step(joints[k], increments[k], k, events);
   }
 
+  bool is_bonded(const Joint& j) const override { return j.state >= bonded; }
   std::string state_text(const Joint& j) const override {
     constexpr const char* names[] = {"unbonded",         "unbonded-tension", "unbonded-shear", "bonded",
                                      "bonded-softening", "bonded-unloaded",  "healed"};

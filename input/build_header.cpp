@@ -86,23 +86,7 @@ void Builder::mpm_header() {
     must(scheme.cpdi_limit > 0 && scheme.cpdi_limit <= 1, c->origin, "<CPDIrcrit> must be in (0, 1] cells");
   }
 
-  TimeControl& time = model_.time;
-  const auto positive_time = [&](const Statement& s, double value) {
-    must(value > 0, s.origin, "<" + s.name + "> must be positive");
-    return value;
-  };
-  if (const auto* t = h.child("Timing")) {
-    time.max_step = number(*t, "step", Dimension::time, 1.0);
-    time.end = number(*t, "max", Dimension::time, 1.0);
-    time.courant = number(*t, "CFL", Dimension::none, 0.5);
-    positive_time(*t, std::min({time.max_step, time.end, time.courant}));
-  }
-  if (const auto* t = h.child("TimeStep")) time.max_step = positive_time(*t, text_number(*t, Dimension::time, 1.0));
-  if (const auto* t = h.child("MaxTime")) time.end = positive_time(*t, text_number(*t, Dimension::time, 1.0));
-  if (const auto* t = h.child("TimeFactor")) {
-    time.courant = text_number(*t, Dimension::none, 0.5);
-    must(time.courant > 0 && time.courant <= 1, t->origin, "<TimeFactor> must be in (0, 1]");
-  }
+  time_control(h);
 
   if (const auto* n = h.child("MatlPtsPerElement")) {
     model_.points_per_cell = static_cast<int>(text_number(*n, Dimension::none, 4));
@@ -126,6 +110,26 @@ void Builder::mpm_header() {
   history(h);
   damping(h);
   strength_reduction(h);
+}
+
+void Builder::time_control(const Statement& h) {
+  TimeControl& time = model_.time;
+  const auto positive_time = [&](const Statement& s, double value) {
+    must(value > 0, s.origin, "<" + s.name + "> must be positive");
+    return value;
+  };
+  if (const auto* t = h.child("Timing")) {
+    time.max_step = number(*t, "step", Dimension::time, 1.0);
+    time.end = number(*t, "max", Dimension::time, 1.0);
+    time.courant = number(*t, "CFL", Dimension::none, 0.5);
+    positive_time(*t, std::min({time.max_step, time.end, time.courant}));
+  }
+  if (const auto* t = h.child("TimeStep")) time.max_step = positive_time(*t, text_number(*t, Dimension::time, 1.0));
+  if (const auto* t = h.child("MaxTime")) time.end = positive_time(*t, text_number(*t, Dimension::time, 1.0));
+  if (const auto* t = h.child("TimeFactor")) {
+    time.courant = text_number(*t, Dimension::none, 0.5);
+    must(time.courant > 0 && time.courant <= 1, t->origin, "<TimeFactor> must be in (0, 1]");
+  }
 }
 
 void Builder::strength_reduction(const Statement& h) {

@@ -14,6 +14,17 @@ namespace tribo {
 Model Builder::build() {
   header();
   number_materials();
+  if (of_blocks()) {
+    only_of_blocks();
+    time_control(*root_.child("MPMHeader"));
+    archive(*root_.child("MPMHeader"));
+    materials();
+    gravity();
+    blocks();
+    problems_.raise();
+    for (const auto& w : problems_.warnings()) warn(w.origin, w.message);
+    return std::move(model_);
+  }
   mesh();
   mpm_header();
   materials();
@@ -57,6 +68,7 @@ double Builder::coordinate(const Statement& s, std::string_view attribute, int a
   const auto k = static_cast<std::size_t>(axis);
   const double h = (model_.grid.high[k] - model_.grid.low[k]) / model_.grid.cells[k];
   if (a->text.rfind("min", 0) == 0 || a->text.rfind("max", 0) == 0) {
+    must(!of_blocks(), a->origin, "'" + a->text + "' counts from the edge of a grid, and a model of blocks has none");
     const std::string rest = a->text.substr(3);
     const double cells = rest.empty() ? 0.0 : rest == "+" ? 1.0 : rest == "-" ? -1.0 : to_number(rest).value_or(0.0);
     return (a->text[1] == 'i' ? model_.grid.low[k] : model_.grid.high[k]) + cells * h;

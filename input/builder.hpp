@@ -4,6 +4,7 @@
 
 #include "base/schema.hpp"
 #include "input/read.hpp"
+#include "model/blocks.hpp"
 #include "model/model.hpp"
 
 #include <filesystem>
@@ -25,6 +26,7 @@ class Builder {
   // build_header.cpp
   void header();
   void mpm_header();
+  void time_control(const Statement& header);
   void damping(const Statement& header);
   void strength_reduction(const Statement& header);
   void mesh();
@@ -96,6 +98,18 @@ class Builder {
   void heat();
   void check_capacities(const Statement* thermal);
   void gravity();
+
+  // build_blocks.cpp
+  bool of_blocks() const { return root_.child("Blocks") != nullptr; }
+  void blocks();
+  void only_of_blocks();
+  BlockGroup block_group(const Statement& s);
+  void nuclei(const Statement& s, BlockGroup& group);
+  std::shared_ptr<const JointLaw> joint_of(const Statement& s);
+  RegionPtr shapes_of(const Statement& s);
+  std::optional<TimeFunction> time_function(const Statement& s, const char* attribute, Dimension dimension,
+                                            double factor = 1.0);
+  void block_histories(BlocksSpec& spec);
 
   // build_drive.cpp
   MaterialDrive material_drive(const Statement& s, const MaterialSpec& spec);

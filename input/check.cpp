@@ -104,7 +104,7 @@ void check_element(const Statement& s, const ElementSpec& spec, Problems& proble
     check_value(tag, spec.content, spec.choices, s.text, s.text.empty() ? s.origin : s.text_origin, problems);
 
   for (const auto& e : dialect())
-    if (whole && e.required && belongs(e, s.name) && !s.child(e.name))
+    if (whole && e.required && belongs(e, s.name) && !s.child(e.name) && (e.unless.empty() || !s.child(e.unless)))
       problems.add(s.origin, tag + " needs <" + std::string(e.name) + "> (" + std::string(e.meaning) + ")");
 }
 

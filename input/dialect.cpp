@@ -64,7 +64,7 @@ std::vector<AttributeSpec> condition_attributes() {
 }
 
 std::vector<ElementSpec> make() {
-  constexpr std::string_view shapes_in = "Body Hole BCShape LdShape @shape";
+  constexpr std::string_view shapes_in = "Body Hole BCShape LdShape Joint Platen Pressure Hold Load @shape";
   std::vector<ElementSpec> e;
   const auto add = [&](ElementSpec spec) { e.push_back(std::move(spec)); };
 
@@ -170,7 +170,8 @@ std::vector<ElementSpec> make() {
        {text("type", "name of the quantity", true), text("material", "number of a material, or id of a condition"),
         text("mat", "the same"), text("matname", "name of a material"),
         text("pt", "'x,y' or 'x,y,z': of the particle that starts nearest to this point"),
-        text("with", "contact quantities: number of the other material"), text("withname", "or its name")}});
+        text("with", "contact quantities: number of the other material"), text("withname", "or its name"),
+        text("platen", "models of blocks: name of a platen"), text("block", "or of a block or group")}});
   add({"ArchiveRoot",
        "MPMHeader",
        "accepted; results go to the run folder",
@@ -264,7 +265,7 @@ std::vector<ElementSpec> make() {
   add({"StressFreeTemp", "MPMHeader", "temperature of bodies that give none", T::number, {}, true});
 
   // Mesh
-  add({"Mesh", "JANFEAInput", "the grid", T::none, {text("output", "accepted")}, true, true});
+  add({"Mesh", "JANFEAInput", "the grid", T::none, {text("output", "accepted")}, true, true, false, {}, "Blocks"});
   add({"Grid",
        "Mesh",
        "its box",
@@ -302,7 +303,7 @@ std::vector<ElementSpec> make() {
          true});
 
   // MaterialPoints
-  add({"MaterialPoints", "JANFEAInput", "bodies and particles", T::none, {}, true, true});
+  add({"MaterialPoints", "JANFEAInput", "bodies and particles", T::none, {}, true, true, false, {}, "Blocks"});
   add({"Body", "MaterialPoints", "shapes filled with a material", T::none,
        body_attributes() + std::vector{units(velocities_and_lengths)}});
   add({"Hole", "MaterialPoints", "shapes left empty", T::none});
@@ -344,7 +345,7 @@ std::vector<ElementSpec> make() {
         number("lpy", ""),
         number("lpz", "")}});
   add({"pt",
-       "mp Polygon",
+       "mp Polygon Voronoi PolygonBlock",
        "coordinates",
        T::none,
        {{"x", T::coordinate, "", {}, true},
@@ -580,6 +581,76 @@ std::vector<ElementSpec> make() {
         number("nx", "normal, to the upper face (default 0)"), number("ny", "(default 0)"), number("nz", "(default 1)"),
         units(lengths)}});
   add({"shareMatField", "Material", "number of a material whose velocity field this one shares", T::integer, {}, true});
+
+  // Blocks
+  const std::vector<AttributeSpec> of_blocks{text("name", "that histories and messages use"),
+                                             number("rho", "density", true),
+                                             number("vx", "velocity at the start"),
+                                             number("vy", ""),
+                                             number("vz", ""),
+                                             number("spinx", "rotation at the start [rad/time]"),
+                                             number("spiny", ""),
+                                             number("spinz", "")};
+  const std::vector<AttributeSpec> block_box{number("xmin", "edge", true), number("xmax", "", true),
+                                             number("ymin", "", true),     number("ymax", "", true),
+                                             number("zmin", ""),           number("zmax", "")};
+  const AttributeSpec points{"points", T::choice,
+                             "a contact at the middle of a common face (default), or at each of its corners with its "
+                             "share of the area, so that laws without moments resist turning",
+                             "face corners"};
+  add({"Blocks", "JANFEAInput",
+       "an assembly of rigid blocks whose contacts follow joint laws, instead of a grid and particles", T::none,
+       std::vector<AttributeSpec>{
+           text("lawname", "name of the joint law of contacts that no <Joint> names, and of the platens' stiffness"),
+           text("law", "or its number"),
+           text("touchname", "name of the joint law of balls, or polygons, that meet later; without it they must not"),
+           points,
+           number("thickness", "of a plane model (default 1)"),
+           number("damping",
+                  "share of the unbalanced force that acts against the motion of each block: 0 (default) dynamic, 0.7 "
+                  "for a state of rest"),
+           {"quasistatic", T::flag,
+            "masses are chosen so that <TimeStep> is stable: time has no meaning but for prescribed motions"},
+           {"iterations", T::integer, "substitutions of the fictitious stress within a step (default 0)"},
+           number("step", "share of the critical time step (default 0.8)")},
+       true});
+  add({"Voronoi", "Blocks", "blocks that fill a box: cells of the <pt>s in it, of a file, or of a lattice", T::none,
+       block_box +
+           std::vector{text("file", "table with columns x, y, z of the nuclei"),
+                       number("hexagons", "distance between the flat tops of regular hexagons, instead")} +
+           of_blocks});
+  add({"BoxBlock", "Blocks", "a rectangle or box as one block", T::none,
+       block_box + std::vector{number("angle", "turned about z around the origin [degrees]")} + of_blocks});
+  add({"PolygonBlock", "Blocks", "a convex polygon through <pt>s as one block", T::none,
+       std::vector<AttributeSpec>{number("angle", "turned about z around the origin [degrees]")} + of_blocks});
+  add({"Ball", "Blocks", "a ball, in two dimensions a disc, as one block", T::none,
+       std::vector<AttributeSpec>{number("x", "centre", true), number("y", "", true), number("z", ""),
+                                  number("radius", "", true)} +
+           of_blocks});
+  add({"Joint", "Blocks", "law of contacts whose middles lie in its shapes; the first that fits is taken", T::none,
+       std::vector<AttributeSpec>{text("lawname", "name of the joint law"), text("law", "or its number"), points}});
+  const std::vector<AttributeSpec> motion{function("vx", "velocity, may be a function of t"), function("vy", ""),
+                                          function("vz", "")};
+  add({"Platen", "Blocks",
+       "a stiff plate that holds the free faces whose middles lie in its shapes, also in tension; it stands still "
+       "where no velocity is given",
+       T::none,
+       std::vector<AttributeSpec>{
+           text("name", "that histories use"),
+           {"rough", T::flag, "it holds the faces along the plate, too"},
+           number("E", "modulus of its springs E A/d, d from block to face (default: as the common law)")} +
+           motion});
+  add({"Pressure", "Blocks", "pressure on the free faces whose middles lie in its shapes", T::none,
+       std::vector<AttributeSpec>{{"value", T::function, "pressure, may be a function of t", {}, true},
+                                  {"follows", T::flag, "the faces as they turn (default yes)"}}});
+  add({"Hold", "Blocks", "prescribed motion of blocks whose centres lie in its shapes; what is not given is free",
+       T::none,
+       motion + std::vector<AttributeSpec>{function("spinx", "rotation [rad/time], may be a function of t"),
+                                           function("spiny", ""), function("spinz", "")}});
+  add({"Load", "Blocks", "force and moment on each block whose centre lies in its shapes", T::none,
+       std::vector<AttributeSpec>{function("Fx", "force, may be a function of t"), function("Fy", ""),
+                                  function("Fz", ""), function("Mx", "moment, may be a function of t"),
+                                  function("My", ""), function("Mz", "")}});
 
   // Conditions on the grid
   add({"GridBCs", "JANFEAInput", "conditions on grid nodes", T::none, {}, true});

@@ -40,6 +40,7 @@ struct ElementSpec {
   bool required = false;       ///< at least one in its parent
   bool shape = false;          ///< belongs to @shape
   std::string_view choices{};  ///< of the text
+  std::string_view unless{};   ///< a sibling beside which it is not required
 };
 
 /// All elements that Tribo understands.

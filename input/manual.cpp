@@ -59,6 +59,7 @@ void add_elements(std::vector<ManualEntry>& out) {
           {std::string(a.name), type_name(a.type, a.choices),
            std::string(a.meaning) + (a.required ? std::string(a.meaning.empty() ? "" : "; ") + "required" : "")});
     if (e.required) entry.meaning += "; required";
+    if (!e.unless.empty()) entry.meaning += " unless there is <" + std::string(e.unless) + ">";
     out.push_back(std::move(entry));
   }
 }
@@ -94,6 +95,8 @@ std::vector<ManualEntry> make() {
       out.push_back({"command", std::string(c.name), std::string(c.arguments), std::string(c.meaning)});
   for (const auto& q : global_quantities())
     out.push_back({"history", std::string(q.name), std::string(q.unit), std::string(q.meaning)});
+  for (const auto& q : block_quantities())
+    out.push_back({"history of blocks", std::string(q.name), std::string(q.unit), std::string(q.meaning)});
   for (const auto& q : particle_fields())
     out.push_back({"field", std::string(q.name), std::string(q.unit), std::string(q.meaning)});
   return out;
@@ -110,6 +113,7 @@ const char* title(const std::string& kind) {
   if (kind == "joint law") return "Laws of joints";
   if (kind == "command") return "Scripted commands";
   if (kind == "history") return "Quantities of history.csv";
+  if (kind == "history of blocks") return "Quantities of history.csv in models of blocks";
   return "Fields of the particle files";
 }
 

@@ -56,7 +56,8 @@ int run_command(const Arguments& a) {
   options.command_line = a.command_line;
   const auto outcome = tribo::run(model, options);
   if (!a.quiet)
-    std::printf("open %s in ParaView; histories in %s\n", (options.folder / "run.pvd").c_str(),
+    std::printf("open %s in ParaView; histories in %s\n",
+                (options.folder / (model.blocks ? "blocks.pvd" : "run.pvd")).c_str(),
                 (options.folder / "history.csv").c_str());
   if (outcome == Outcome::stopped)
     std::fprintf(stderr, "stopped; continue with: tribo resume %s\n", options.folder.c_str());

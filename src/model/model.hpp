@@ -24,6 +24,7 @@ namespace tribo {
 class Material;
 class ContactLaw;
 class JointLaw;
+struct BlocksSpec;
 
 enum class Analysis { plane_strain, plane_stress, axisymmetric, solid };
 enum class UpdateOrder { usf, usl, usavg };
@@ -337,6 +338,7 @@ struct Model {
   Damping damping;
   ContactSpec contact;
   std::vector<CrackSpec> cracks;
+  std::shared_ptr<const BlocksSpec> blocks;  ///< a model of rigid blocks, without grid and particles; else null
   std::optional<FractureSpec> fracture;
   HeatSpec heat;
   OutputSpec output;

@@ -103,6 +103,59 @@ const QuantityInfo* find_global_quantity(std::string_view name) {
   return find(global_quantities(), plain);
 }
 
+const std::vector<BlockQuantityInfo>& block_quantities() {
+  using Of = BlockQuantityInfo::Of;
+  static const std::vector<BlockQuantityInfo> list{
+      {"forcex", "force", "of the blocks on a platen, x", Of::platen},
+      {"forcey", "force", "of the blocks on a platen, y", Of::platen},
+      {"forcez", "force", "of the blocks on a platen, z", Of::platen},
+      {"dispx", "length", "displacement of a platen, x", Of::platen},
+      {"dispy", "length", "displacement of a platen, y", Of::platen},
+      {"dispz", "length", "displacement of a platen, z", Of::platen},
+      {"area", "length^2", "of the faces that a platen holds", Of::platen},
+      {"dispx", "length", "displacement of a block's centre, or the mean of its group, x", Of::block},
+      {"dispy", "length", "the same, y", Of::block},
+      {"dispz", "length", "the same, z", Of::block},
+      {"velx", "velocity", "of a block, or the mean of its group, x", Of::block},
+      {"vely", "velocity", "the same, y", Of::block},
+      {"velz", "velocity", "the same, z", Of::block},
+      {"turnx", "rad", "rotation vector of a block, or the mean of its group, x", Of::block},
+      {"turny", "rad", "the same, y", Of::block},
+      {"turnz", "rad", "the same, z", Of::block},
+      {"forcex", "force", "on a block without gravity and damping, or the sum of its group: what holds it, x",
+       Of::block},
+      {"forcey", "force", "the same, y", Of::block},
+      {"forcez", "force", "the same, z", Of::block},
+      {"sxx", "stress", "mean of the blocks by volume, xx", Of::run},
+      {"syy", "stress", "the same, yy", Of::run},
+      {"szz", "stress", "the same, zz", Of::run},
+      {"sxy", "stress", "the same, xy", Of::run},
+      {"sxz", "stress", "the same, xz", Of::run},
+      {"syz", "stress", "the same, yz", Of::run},
+      {"exx", "-", "strain that fits the displacements of all blocks best, xx", Of::run},
+      {"eyy", "-", "the same, yy", Of::run},
+      {"ezz", "-", "the same, zz", Of::run},
+      {"exy", "-", "the same, xy", Of::run},
+      {"exz", "-", "the same, xz", Of::run},
+      {"eyz", "-", "the same, yz", Of::run},
+      {"bonds", "-", "whole bonds", Of::run},
+      {"broken in tension", "-", "bonds that broke so far", Of::run},
+      {"broken in shear", "-", "the same", Of::run},
+      {"contacts", "-", "contacts that carry a force", Of::run},
+      {"unbalanced", "-", "largest force on a free block over the mean force of contacts", Of::run},
+      {"Kinetic Energy", "energy", "", Of::run},
+      {"Strain Energy", "energy", "stored in contacts", Of::run},
+      {"Step Number", "-", "", Of::run},
+      {"Time Step", "time", "", Of::run}};
+  return list;
+}
+
+const BlockQuantityInfo* find_block_quantity(std::string_view name, BlockQuantityInfo::Of of) {
+  for (const auto& q : block_quantities())
+    if (q.of == of && same(q.name, name)) return &q;
+  return nullptr;
+}
+
 const std::vector<QuantityInfo>& particle_fields() {
   static const std::vector<QuantityInfo> list{
       {"id", "-", "number given at the start, kept for life", Scope::particle},

@@ -29,6 +29,15 @@ const std::vector<QuantityInfo>& global_quantities();
 /// The entry of this name in any case, or of what the dialect calls it (`temp`, `sRR`), or null.
 const QuantityInfo* find_global_quantity(std::string_view name);
 
+/// Quantities of models of blocks.
+struct BlockQuantityInfo {
+  std::string_view name, unit, meaning;
+  enum class Of { run, platen, block } of;
+};
+const std::vector<BlockQuantityInfo>& block_quantities();
+/// The entry of this name in any case for what it is asked of, or null.
+const BlockQuantityInfo* find_block_quantity(std::string_view name, BlockQuantityInfo::Of of);
+
 /// Fields of the particle files.
 const std::vector<QuantityInfo>& particle_fields();
 /// The entry of this name in any case, or of what the dialect calls it (`strainenergy`, `history3`), or null.

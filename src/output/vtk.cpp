@@ -5,6 +5,7 @@
 #include "output/number.hpp"
 
 #include <vtkCellArray.h>
+#include <vtkCellData.h>
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
 #include <vtkImageData.h>
@@ -23,7 +24,7 @@
 namespace tribo {
 namespace {
 
-void add_fields(vtkPointData* data, std::size_t count, std::span<const OutputField> fields) {
+void add_fields(vtkDataSetAttributes* data, std::size_t count, std::span<const OutputField> fields) {
   const auto n = static_cast<vtkIdType>(count);
   for (const auto& field : fields) {
     if (field.integers) {
@@ -103,6 +104,28 @@ void write_surface(const std::filesystem::path& path, std::size_t count, const s
   else
     data->SetPolys(list);
   add_fields(data->GetPointData(), count, fields);
+  add_time(data, time);
+  write<vtkXMLPolyDataWriter>(path, data.Get());
+}
+
+void write_cells(const std::filesystem::path& path, std::size_t count, const std::array<const double*, 3>& position,
+                 std::span<const std::uint32_t> cells, std::span<const std::size_t> ends,
+                 std::span<const OutputField> fields, double time) {
+  vtkNew<vtkPolyData> data;
+  set_points(data, count, position);
+  vtkNew<vtkCellArray> list;
+  std::size_t at = 0;
+  bool lines = true;
+  for (const std::size_t end : ends) {
+    lines = lines && end - at <= 2;
+    list->InsertNextCell(static_cast<int>(end - at));
+    for (; at < end; ++at) list->InsertCellPoint(static_cast<vtkIdType>(cells[at]));
+  }
+  if (lines)
+    data->SetLines(list);
+  else
+    data->SetPolys(list);
+  add_fields(data->GetCellData(), ends.size(), fields);
   add_time(data, time);
   write<vtkXMLPolyDataWriter>(path, data.Get());
 }

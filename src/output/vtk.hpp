@@ -29,6 +29,12 @@ void write_surface(const std::filesystem::path& path, std::size_t count, const s
                    std::span<const std::uint32_t> cells, std::size_t corners, std::span<const OutputField> fields,
                    double time);
 
+/// Writes lines (`corners` 2 at most everywhere) or polygons of any number of corners as a .vtp with fields of the
+/// cells, not of the points: cell k has the corners cells[ends[k-1]] ... cells[ends[k] - 1]. Throws FileError.
+void write_cells(const std::filesystem::path& path, std::size_t count, const std::array<const double*, 3>& position,
+                 std::span<const std::uint32_t> cells, std::span<const std::size_t> ends,
+                 std::span<const OutputField> fields, double time);
+
 /// Writes nodal fields of a regular lattice as a .vti; x runs fastest. Throws FileError.
 void write_grid(const std::filesystem::path& path, const std::array<double, 3>& origin,
                 const std::array<double, 3>& spacing, const std::array<int, 3>& nodes,

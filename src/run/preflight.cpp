@@ -4,6 +4,7 @@
 #include "base/text.hpp"
 #include "contact/contact_law.hpp"
 #include "grid/select.hpp"
+#include "run/block_run.hpp"
 #include "run/clock.hpp"
 #include "run/crack_sheet.hpp"
 #include "run/step_size.hpp"
@@ -326,6 +327,7 @@ class Sheet {
 }  // namespace
 
 std::string preflight(const Model& model, int threads) {
+  if (model.blocks) return describe_blocks(model, threads);
   return model.dimension() == 2 ? Sheet<2>(model, threads).text() : Sheet<3>(model, threads).text();
 }
 

@@ -4,48 +4,21 @@
 #include "output/atomic_file.hpp"
 #include "output/progress.hpp"
 #include "output/provenance.hpp"
+#include "run/block_run.hpp"
 #include "run/clock.hpp"
 #include "run/restart.hpp"
 #include "run/results.hpp"
+#include "run/signals.hpp"
 #include "run/step_size.hpp"
 #include "solver/build.hpp"
 
-#include <atomic>
 #include <chrono>
 #include <cmath>
-#include <csignal>
 #include <cstdio>
 #include <limits>
 
 namespace tribo {
 namespace {
-
-std::atomic<bool> stop_requested{false}, checkpoint_requested{false};
-
-/// Turns SIGINT or SIGTERM into a request to stop, SIGUSR1 into one for a checkpoint; restores the old handlers
-/// afterwards.
-class SignalGuard {
- public:
-  SignalGuard() {
-    stop_requested = checkpoint_requested = false;
-    old_user_ = std::signal(SIGUSR1, [](int) { checkpoint_requested = true; });
-    old_interrupt_ = std::signal(SIGINT, handle);
-    old_terminate_ = std::signal(SIGTERM, handle);
-  }
-  ~SignalGuard() {
-    std::signal(SIGUSR1, old_user_);
-    std::signal(SIGINT, old_interrupt_);
-    std::signal(SIGTERM, old_terminate_);
-  }
-  SignalGuard(const SignalGuard&) = delete;
-  SignalGuard& operator=(const SignalGuard&) = delete;
-
- private:
-  static void handle(int) { stop_requested = true; }
-  void (*old_interrupt_)(int);
-  void (*old_terminate_)(int);
-  void (*old_user_)(int);
-};
 
 template <int Dim>
 class Simulation {
@@ -64,7 +37,7 @@ class Simulation {
 
   Outcome run() {
     set_threads(sensible_threads(options_.threads, particle_count(system_)));
-    const SignalGuard signals;
+    SignalGuard signals;
     const auto begin = std::chrono::steady_clock::now();
     const auto checkpoint = options_.folder / "checkpoint.bin";
     std::optional<double> resume_time;
@@ -76,7 +49,7 @@ class Simulation {
       archive_.set_count(state.archive), history_.set_count(state.history), checkpoints_.set_count(state.checkpoint);
     }
     // Where the model came from, for 'tribo resume'
-    if (!resume_time) write_atomically(options_.folder / "model.path", source_of_model());
+    if (!resume_time) write_atomically(options_.folder / "model.path", source_of(model_));
     Results<Dim> results(model_, system_, stepper_, options_.folder, resume_time);
     results.initial_energy = state.initial_energy;
     Provenance provenance(options_.folder / "provenance.json", options_.command_line, model_.file, threads(), facts());
@@ -109,14 +82,14 @@ class Simulation {
     try {
       while (system_.time < model_.time.end * (1 - 1e-12)) {
         // A few steps more, if contact keeps something that a checkpoint does not hold
-        const bool stop = stop_requested || (options_.max_wall > 0 && seconds_since(begin) > options_.max_wall);
+        const bool stop = signals.stop() || (options_.max_wall > 0 && seconds_since(begin) > options_.max_wall);
         if (stop && stepper_.contact().interruptible()) {
           save();
-          report("stopped", stop_requested ? "signal" : "wall time");
+          report("stopped", signals.stop() ? "signal" : "wall time");
           return Outcome::stopped;
         }
-        if (checkpoint_requested && stepper_.contact().interruptible()) {
-          checkpoint_requested = false;
+        if (signals.checkpoint() && stepper_.contact().interruptible()) {
+          signals.checkpoint_done();
           save();
         }
         dt_ = step_size_.next(dt_);
@@ -224,16 +197,6 @@ class Simulation {
     follow(d.particle, d.particle_gain, stepper_.particle_damping, stepper_.particle_feedback);
   }
 
-  // The command file, and line by line what was set in it.
-  std::string source_of_model() const {
-    std::string out = std::filesystem::absolute(model_.file).string() + "\n";
-    for (const auto& [name, value] : model_.settings) {
-      out += name;
-      out += "=" + value + "\n";
-    }
-    return out;
-  }
-
   double kinetic_energy() { return measure(system_).kinetic; }
 
   double largest_displacement() {
@@ -272,7 +235,7 @@ class Simulation {
   double dt_ = 0.0;
 };
 
-void prepare_folder(const RunOptions& options) {
+void prepare_folder(const RunOptions& options, const std::vector<const char*>& parts) {
   const auto& folder = options.folder;
   if (options.resume) {
     if (!std::filesystem::exists(folder / "checkpoint.bin"))
@@ -285,10 +248,12 @@ void prepare_folder(const RunOptions& options) {
   std::filesystem::remove_all(folder / "grid", error);
   std::filesystem::remove_all(folder / "cracks", error);
   std::filesystem::remove_all(folder / "joints", error);
-  for (const char* file : {"run.pvd", "grid.pvd", "cracks.pvd", "joints.pvd", "events.csv", "tips.csv", "history.csv",
-                           "energy.csv", "checkpoint.bin", "provenance.json"})
+  std::filesystem::remove_all(folder / "blocks", error);
+  std::filesystem::remove_all(folder / "contacts", error);
+  for (const char* file : {"run.pvd", "grid.pvd", "cracks.pvd", "joints.pvd", "blocks.pvd", "contacts.pvd",
+                           "events.csv", "tips.csv", "history.csv", "energy.csv", "checkpoint.bin", "provenance.json"})
     std::filesystem::remove(folder / file, error);
-  for (const char* part : {"particles", "grid", "cracks", "joints"}) {
+  for (const char* part : parts) {
     std::filesystem::create_directories(folder / part, error);
     if (error) throw FileError("cannot create '" + (folder / part).string() + "': " + error.message());
   }
@@ -298,24 +263,29 @@ void prepare_folder(const RunOptions& options) {
 
 void refuse_used_folder(const RunOptions& options) {
   const auto& folder = options.folder;
-  const bool used = std::filesystem::exists(folder / "run.pvd") || std::filesystem::exists(folder / "provenance.json");
+  const bool used = std::filesystem::exists(folder / "run.pvd") || std::filesystem::exists(folder / "blocks.pvd") ||
+                    std::filesystem::exists(folder / "provenance.json");
   if (used && !options.overwrite)
     throw FileError("'" + folder.string() +
                     "' already holds a run; pass --overwrite to replace it, --output DIR for another folder, or use "
                     "'tribo resume'");
 }
 
-void request_stop() { stop_requested = true; }
-
 Outcome run(const Model& model, const RunOptions& options) {
   set_threads(options.threads);
+  if (model.blocks) {
+    Assembly blocks = assemble(model);
+    prepare_folder(options, {"blocks", "contacts"});
+    return run_blocks(model, blocks, options);
+  }
+  const std::vector<const char*> of_particles{"particles", "grid", "cracks", "joints"};
   if (model.dimension() == 2) {
     Simulation<2> simulation(model, options);
-    prepare_folder(options);
+    prepare_folder(options, of_particles);
     return simulation.run();
   }
   Simulation<3> simulation(model, options);
-  prepare_folder(options);
+  prepare_folder(options, of_particles);
   return simulation.run();
 }
 

@@ -1,56 +1,12 @@
 /// Files of cracks and joints.
 
 #include "output/number.hpp"
+#include "run/columns.hpp"
 #include "run/results.hpp"
 
 #include <algorithm>
 
 namespace tribo {
-namespace {
-
-/// Columns of points, filled by appending.
-class Columns {
- public:
-  void vector(const std::string& name, const auto& v) {
-    auto& to = of(name, 3);
-    for (std::size_t d = 0; d < 3; ++d)
-      to.data[d].push_back(static_cast<Eigen::Index>(d) < v.size() ? v[static_cast<Eigen::Index>(d)] : 0.0);
-  }
-  void number(const std::string& name, double x) { of(name, 1).data[0].push_back(x); }
-  void integer(const std::string& name, std::int64_t k) { of(name, 0).integers.push_back(k); }
-  std::array<const double*, 3> positions() {
-    auto& x = of("position", 3).data;
-    return {x[0].data(), x[1].data(), x[2].data()};
-  }
-  std::size_t size() { return of("position", 3).data[0].size(); }
-  std::vector<OutputField> fields() const {
-    std::vector<OutputField> out;
-    for (const Column& c : columns_) {
-      if (c.name == "position") continue;
-      OutputField field{c.name, {}, c.integers.empty() ? nullptr : c.integers.data()};
-      for (const auto& data : c.data) field.components.push_back(data.data());
-      out.push_back(std::move(field));
-    }
-    return out;
-  }
-
- private:
-  struct Column {
-    std::string name;
-    std::vector<std::vector<double>> data;
-    std::vector<std::int64_t> integers;
-  };
-  Column& of(const std::string& name, std::size_t components) {
-    for (Column& c : columns_)
-      if (c.name == name) return c;
-    columns_.push_back({name, std::vector<std::vector<double>>(components), {}});
-    return columns_.back();
-  }
-  std::vector<Column> columns_;
-};
-
-}  // namespace
-
 // All cracks in one file: points halfway between the faces.
 template <int Dim>
 void Results<Dim>::write_cracks(std::int64_t number) {

@@ -52,6 +52,10 @@ Table read_table(const std::filesystem::path& file) {
 }
 
 RunFolder::RunFolder(std::filesystem::path folder) : folder_(std::move(folder)) {
+  if (std::filesystem::exists(folder_ / "blocks.pvd"))
+    throw FileError("'" + folder_.string() +
+                    "' is the folder of a run of blocks, whose pictures and reports are not built: open blocks.pvd and "
+                    "contacts.pvd in ParaView");
   if (!std::filesystem::exists(folder_ / "run.pvd"))
     throw FileError("'" + folder_.string() + "' is not the folder of a run: it has no run.pvd");
 }

@@ -1,0 +1,320 @@
+/// Assemblies of rigid blocks.
+
+#include "base/csv.hpp"
+#include "base/text.hpp"
+#include "contact/joint_law.hpp"
+#include "input/builder.hpp"
+#include "model/quantities.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <set>
+
+namespace tribo {
+namespace {
+
+bool lists(const std::vector<std::string_view>& list, const std::string& name) {
+  return std::find(list.begin(), list.end(), name) != list.end();
+}
+
+bool yes(const std::string& flag) { return flag == "yes" || flag == "1" || flag == "true"; }
+
+}  // namespace
+
+// A model of blocks has nothing else in it, and much of the header means the grid.
+void Builder::only_of_blocks() {
+  static const std::vector<std::string_view> sections{"Header",  "MPMHeader", "Blocks", "Material",
+                                                      "Gravity", "Commands",  "Drive"};
+  static const std::vector<std::string_view> settings{
+      "TimeStep",     "MaxTime",           "Timing",        "ArchiveTime", "FirstArchiveTime",
+      "ArchiveGroup", "GlobalArchiveTime", "GlobalArchive", "Output",      "ArchiveRoot"};
+  for (const auto& s : root_.children)
+    must(lists(sections, s.name), s.origin,
+         "<" + s.name + "> and <Blocks> do not go together: blocks beside a grid and particles are not built");
+  for (const auto& s : root_.child("MPMHeader")->children)
+    must(lists(settings, s.name), s.origin,
+         "<" + s.name + "> is for grids and particles and has no meaning for blocks; leave it out");
+  if (const auto* o = root_.child("MPMHeader")->child("Output"))
+    for (const char* name : {"fields", "grid"})
+      must(!has(*o, name), o->origin, "files of blocks have all their fields; leave '" + std::string(name) + "' out");
+  must(model_.analysis != Analysis::axisymmetric, root_.child("Header")->child("Analysis")->origin,
+       "blocks are plane or three-dimensional, not axisymmetric");
+  if (const auto* g = root_.child("Gravity"))
+    for (const auto& s : g->children)
+      must(s.name.rfind("Body", 0) == 0, s.origin,
+           "<" + s.name + "> is for grids and particles; gravity of blocks is constant, <BodyYForce>");
+}
+
+void Builder::blocks() {
+  const Statement& s = *root_.child("Blocks");
+  auto spec = std::make_shared<BlocksSpec>();
+  spec->origin = s.origin;
+  if (has(s, "lawname") || has(s, "law")) spec->law = joint_of(s);
+  if (const Attribute* a = s.attribute("touchname")) {
+    Statement by_name = s;
+    by_name.attributes = {*a};
+    by_name.attributes.front().name = "lawname";
+    spec->touch = joint_of(by_name);
+    if (spec->touch) {
+      JointSite site;
+      site.area = site.distance = site.radius = 1.0, site.gap = -1e-3, site.plane = model_.dimension() == 2;
+      must(!spec->touch->is_bonded(spec->touch->start(site)), a->origin,
+           "'" + a->text + "' bonds what touches, and blocks that meet later have no bond; name a law without <bond>");
+      site.gap = 1.0;
+      must(spec->touch->start(site).away, a->origin,
+           "'" + a->text +
+               "' does not take its force from the gap, so that blocks which meet later cannot have it; SpringNetwork "
+               "without <bond> does");
+    }
+  }
+  spec->corners = word(s, "points") == "corners";
+  spec->thickness = number(s, "thickness", Dimension::length, 1.0);
+  spec->local_damping = number(s, "damping", Dimension::none);
+  spec->stress_iterations = static_cast<int>(number(s, "iterations", Dimension::none));
+  spec->quasi_static = yes(word(s, "quasistatic"));
+  spec->step_share = number(s, "step", Dimension::none, 0.8);
+  const bool solid = model_.dimension() == 3;
+  must(spec->thickness > 0, s.origin, "the thickness must be positive");
+  must(!solid || !has(s, "thickness"), s.origin, "'thickness' belongs to plane models");
+  must(spec->local_damping >= 0 && spec->local_damping < 1, s.origin, "'damping' must be in [0, 1)");
+  must(spec->stress_iterations >= 0 && spec->stress_iterations <= 20, s.origin, "'iterations' must be in 0 ... 20");
+  must(spec->step_share > 0 && spec->step_share <= 1, s.origin, "'step' must be in (0, 1]");
+  const Statement& header = *root_.child("MPMHeader");
+  const auto* timing = header.child("Timing");
+  must(!spec->quasi_static || header.child("TimeStep") || (timing && has(*timing, "step")), s.origin,
+       "with 'quasistatic' the step is yours to choose: give <TimeStep>");
+  must(!spec->quasi_static || !has(s, "step"), s.origin, "with 'quasistatic' 'step' has no meaning; it is <TimeStep>");
+
+  constexpr std::array velocities{"vx", "vy", "vz"}, spins{"spinx", "spiny", "spinz"};
+  for (const auto& part : s.children) {
+    const auto all = [&](const std::array<const char*, 3>& names, Dimension dimension, auto& to, double factor = 1.0) {
+      for (std::size_t d = 0; d < 3; ++d) {
+        to[d] = time_function(part, names[d], dimension, factor);
+        const bool out_of_plane = !solid && (names[0][0] == 's' || names[0][0] == 'M' ? d < 2 : d == 2);
+        must(!out_of_plane || !to[d], part.origin, "'" + std::string(names[d]) + "' leaves the plane of the model");
+      }
+    };
+    if (part.name == "Joint") {
+      spec->joints.push_back({shapes_of(part), joint_of(part), word(part, "points") == "corners", part.origin});
+    } else if (part.name == "Platen") {
+      BlockPlaten p{word(part, "name"), shapes_of(part), {}, yes(word(part, "rough")), 0.0, part.origin};
+      p.modulus = number(part, "E", Dimension::stress);
+      must(!has(part, "E") || p.modulus > 0, part.origin, "'E' must be positive");
+      all(velocities, Dimension::velocity, p.velocity);
+      spec->platens.push_back(std::move(p));
+    } else if (part.name == "Pressure") {
+      BlockPressure p{shapes_of(part), {}, !has(part, "follows") || yes(word(part, "follows")), part.origin};
+      if (const auto value = time_function(part, "value", Dimension::stress)) p.pressure = *value;
+      spec->pressures.push_back(std::move(p));
+    } else if (part.name == "Hold") {
+      BlockHold h{shapes_of(part), {}, {}, part.origin};
+      all(velocities, Dimension::velocity, h.velocity), all(spins, Dimension::rate, h.spin);
+      spec->holds.push_back(std::move(h));
+    } else if (part.name == "Load") {
+      BlockLoad l{shapes_of(part), {}, {}, part.origin};
+      all({"Fx", "Fy", "Fz"}, Dimension::force, l.force);
+      all({"Mx", "My", "Mz"}, Dimension::force, l.moment, model_.units.factor(Dimension::length));
+      spec->loads.push_back(std::move(l));
+    } else {
+      spec->groups.push_back(block_group(part));
+    }
+  }
+  must(!spec->groups.empty(), s.origin, "<Blocks> has no block; give <Voronoi>, <BoxBlock>, <PolygonBlock> or <Ball>");
+  block_histories(*spec);
+
+  // Poisson's ratio by the fictitious stress
+  double nu = 0;
+  for (const auto& m : model_.materials) {
+    if (!m.joint || m.joint->poisson() == 0) continue;
+    nu = m.joint->poisson();
+    must(model_.analysis == Analysis::plane_stress || nu < 0.5, m.origin,
+         "Poisson's ratio of '" + m.name +
+             "' must be below 0.5: the fictitious stress of plane strain and three dimensions diverges from there on");
+  }
+  if (nu > 0 && spec->local_damping == 0)
+    warn(s.origin,
+         "Poisson's ratio comes from the stress of the step before, which feeds vibrations: without damping they grow "
+         "without bound. Give 'damping' (0.05 for motion, 0.7 for a state of rest), and perhaps 'iterations'='1'");
+  model_.blocks = std::move(spec);
+}
+
+std::shared_ptr<const JointLaw> Builder::joint_of(const Statement& s) {
+  if (!has(s, "lawname") && !has(s, "law")) {
+    problems_.add(s.origin, "<" + s.name + "> needs 'lawname', the name of a joint law (SpringNetwork, Mohr)");
+    return nullptr;
+  }
+  const MaterialSpec* found = named_law(s);
+  if (!found) return nullptr;
+  must(found->joint != nullptr || tribo::joint_laws().find(found->type) != nullptr, s.origin,
+       "'" + found->name + "' is the contact law " + found->type +
+           " of grids; contacts of blocks need a joint law with history: SpringNetwork or Mohr");
+  return found->joint;
+}
+
+RegionPtr Builder::shapes_of(const Statement& s) {
+  std::vector<RegionPtr> shapes;
+  for (const auto& child : s.children) {
+    must((child.name != "Line" && child.name != "Arc") || has(child, "tolerance"), child.origin,
+         "<" + child.name + "> needs 'tolerance': there are no cells to measure it in");
+    shapes.push_back(shape(child));
+  }
+  if (!shapes.empty()) return shapes.size() == 1 ? shapes.front() : unite(std::move(shapes));
+  problems_.add(s.origin, "<" + s.name + "> has no shape that says where it is");
+  return rectangle(0, 0, 0, 0);
+}
+
+std::optional<TimeFunction> Builder::time_function(const Statement& s, const char* attribute, Dimension dimension,
+                                                   double factor) {
+  const Attribute* a = s.attribute(attribute);
+  if (!a) return std::nullopt;
+  return TimeFunction{function(a->text, a->origin), model_.units.alternative_time(),
+                      model_.units.factor(dimension) * factor};
+}
+
+BlockGroup Builder::block_group(const Statement& s) {
+  using Shape = BlockGroup::Shape;
+  BlockGroup g;
+  g.origin = s.origin, g.name = word(s, "name");
+  g.density = number(s, "rho", Dimension::density, 1.0);
+  must(g.density > 0, s.origin, "the density must be positive");
+  const bool solid = model_.dimension() == 3;
+  constexpr std::array axes{"x", "y", "z"};
+  for (std::size_t d = 0; d < 3; ++d) {
+    const auto i = static_cast<Eigen::Index>(d);
+    const std::string x = axes[d];
+    g.velocity[i] = number(s, "v" + x, Dimension::velocity), g.spin[i] = number(s, "spin" + x, Dimension::rate);
+    g.low[i] = number(s, x + "min", Dimension::length), g.high[i] = number(s, x + "max", Dimension::length);
+    for (const char* end : {"min", "max"}) {
+      must(d < 2 || solid || !has(s, x + end), s.origin, "'" + x + end + "' belongs to three-dimensional models");
+      must(d < 2 || !solid || s.name == "Ball" || has(s, x + end), s.origin,
+           "<" + s.name + "> needs '" + x + end + "' in three dimensions");
+    }
+  }
+  must(solid || (g.velocity[2] == 0 && g.spin[0] == 0 && g.spin[1] == 0), s.origin,
+       "this motion leaves the plane of the model");
+  g.angle = number(s, "angle", Dimension::angle);
+  const auto point = [&](const Statement& pt) {
+    g.points.emplace_back(coordinate(pt, "x", 0), coordinate(pt, "y", 1), solid ? coordinate(pt, "z", 2) : 0.0);
+    g.point_origins.push_back(pt.origin);
+  };
+  if (s.name == "Ball") {
+    g.shape = Shape::ball;
+    g.radius = number(s, "radius", Dimension::length);
+    must(g.radius > 0, s.origin, "the radius must be positive");
+    g.points.emplace_back(number(s, "x", Dimension::length), number(s, "y", Dimension::length),
+                          solid ? number(s, "z", Dimension::length) : 0.0);
+    return g;
+  }
+  if (s.name == "PolygonBlock") {
+    g.shape = Shape::polygon;
+    must(!solid, s.origin, "<PolygonBlock> belongs to plane models; in three dimensions use <BoxBlock> or <Voronoi>");
+    for (const auto& pt : s.children) point(pt);
+    return g;
+  }
+  for (Eigen::Index d = 0; d < model_.dimension(); ++d)
+    must(g.high[d] > g.low[d], s.origin,
+         std::string(axes[static_cast<std::size_t>(d)]) + "max must be larger than " +
+             axes[static_cast<std::size_t>(d)] + "min");
+  g.shape = s.name == "Voronoi" ? Shape::voronoi : Shape::brick;
+  if (g.shape == Shape::brick) return g;
+  for (const auto& pt : s.children) point(pt);
+  nuclei(s, g);
+  return g;
+}
+
+void Builder::nuclei(const Statement& s, BlockGroup& g) {
+  const bool solid = model_.dimension() == 3;
+  const auto dimension = static_cast<std::size_t>(model_.dimension());
+  const int ways = (g.points.empty() ? 0 : 1) + (has(s, "file") ? 1 : 0) + (has(s, "hexagons") ? 1 : 0);
+  must(ways == 1, s.origin, "give the nuclei of <Voronoi> as <pt>s, by 'file' or by 'hexagons'");
+  if (has(s, "hexagons")) {
+    const double spacing = number(s, "hexagons", Dimension::length), across = spacing * std::sqrt(3.0) / 2;
+    must(spacing > 0 && !solid, s.origin, "'hexagons' is a positive distance, in plane models");
+    if (!(spacing > 0) || solid) return;
+    // From the lower left corner on; what sticks out at the other ends is cut off.
+    for (int i = 0; (i + 0.5) * across < (1 - 1e-9) * (g.high[0] - g.low[0]); ++i)
+      for (int j = 0; (j + (i % 2 ? 0.75 : 0.25)) * spacing < (1 - 1e-9) * (g.high[1] - g.low[1]); ++j)
+        g.points.emplace_back(g.low[0] + (i + 0.5) * across, g.low[1] + (j + (i % 2 ? 0.75 : 0.25)) * spacing, 0.0);
+    g.point_origins.assign(g.points.size(), s.origin);
+  }
+  if (const Attribute* file = s.attribute("file"))
+    if (const auto text = content_of(folder_ / file->text, file->origin)) {
+      const Origin begin{std::make_shared<const std::string>((folder_ / file->text).string()), 1, 1};
+      bool first = true;
+      for (const auto& row : read_csv(*text, begin)) {
+        std::array<double, 3> x{};
+        bool good = row.cells.size() == dimension;
+        for (std::size_t d = 0; good && d < dimension; ++d) {
+          const auto value = to_number(row.cells[d].text);
+          good = value.has_value(), x[d] = value.value_or(0) * model_.units.factor(Dimension::length);
+        }
+        if (!good && !first)
+          problems_.add(row.origin, "a nucleus needs " + std::to_string(dimension) + " numbers, separated by commas");
+        if (good) g.points.emplace_back(x[0], x[1], x[2]), g.point_origins.push_back(row.origin);
+        first = false;  // may be a head
+      }
+    }
+  must(!g.points.empty(), s.origin, "<Voronoi> has no nuclei");
+
+  std::vector<std::size_t> order(g.points.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return g.points[a][0] < g.points[b][0]; });
+  const double same = 1e-9 * (g.high - g.low).norm();
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const Vec3& x = g.points[order[i]];
+    for (Eigen::Index d = 0; d < model_.dimension(); ++d)
+      if (!(x[d] > g.low[d] && x[d] < g.high[d])) {
+        problems_.add(g.point_origins[order[i]], "this nucleus does not lie within the box of <Voronoi>");
+        break;
+      }
+    for (std::size_t j = i + 1; j < order.size() && g.points[order[j]][0] - x[0] <= same; ++j)
+      must((g.points[order[j]] - x).norm() > same, g.point_origins[std::max(order[i], order[j])],
+           "this nucleus coincides with the one at " + g.point_origins[std::min(order[i], order[j])].text());
+  }
+}
+
+void Builder::block_histories(BlocksSpec& spec) {
+  using Of = BlockQuantityInfo::Of;
+  for (const auto& s : root_.child("MPMHeader")->children) {
+    if (s.name != "GlobalArchive") continue;
+    BlockHistory h;
+    h.column = h.name = word(s, "type");
+    for (const auto& a : s.attributes)
+      must(a.name == "type" || a.name == "platen" || a.name == "block", a.origin,
+           "'" + a.name + "' is for grids and particles; here it is 'platen' or 'block'");
+    const auto find = [&](const char* attribute, const auto& list) {
+      const Attribute* a = s.attribute(attribute);
+      if (!a) return -1;
+      h.column += ":" + a->text;
+      std::vector<std::string> names;
+      for (std::size_t k = 0; k < list.size(); ++k) {
+        if (list[k].name == a->text) return static_cast<int>(k);
+        if (!list[k].name.empty()) names.push_back(list[k].name);
+      }
+      problems_.add(a->origin, "there is no " + std::string(attribute) + " '" + a->text + "'" +
+                                   did_you_mean(a->text, names) +
+                                   (names.empty() ? "; none has a name" : "; valid: " + join(names)));
+      return -1;
+    };
+    h.platen = find("platen", spec.platens), h.group = find("block", spec.groups);
+    must(!has(s, "platen") || !has(s, "block"), s.origin, "give 'platen' or 'block'");
+    const Of of = has(s, "platen") ? Of::platen : has(s, "block") ? Of::block : Of::run;
+    const auto* info = find_block_quantity(h.name, of);
+    if (!info) {
+      std::vector<std::string> names;
+      for (const auto& q : block_quantities())
+        if (q.of == of) names.emplace_back(q.name);
+      problems_.add(s.attribute("type")->origin, "'" + h.name + "' is no quantity " +
+                                                     (of == Of::platen  ? "of a platen"
+                                                      : of == Of::block ? "of blocks"
+                                                                        : "of the run") +
+                                                     did_you_mean(h.name, names) + "; valid: " + join(names));
+      continue;
+    }
+    h.name = info->name;
+    spec.histories.push_back(std::move(h));
+  }
+}
+
+}  // namespace tribo

@@ -1,0 +1,444 @@
+/// From the description of an assembly to blocks, contacts and masses.
+
+#include "base/error.hpp"
+#include "blocks/assembly.hpp"
+#include "blocks/platen_law.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <numeric>
+
+namespace tribo {
+namespace {
+
+/// A corner's share of a face: the piece between the middles of its edges and the centre.
+struct Share {
+  Vec3 at;
+  double area;
+  std::vector<Vec3> outline;
+};
+std::vector<Share> shares(const BlockFacet& f, bool plane) {
+  const auto& x = f.corners;
+  const Vec3& c = f.geometry.centre;
+  std::vector<Share> out;
+  if (plane) {
+    for (const Vec3& end : x) out.push_back({end, 0.5 * f.geometry.area, {c, end}});
+    return out;
+  }
+  const std::size_t n = x.size();
+  for (std::size_t k = 0; k < n; ++k) {
+    const Vec3 next = 0.5 * (x[k] + x[(k + 1) % n]), last = 0.5 * (x[k] + x[(k + n - 1) % n]);
+    const std::vector<Vec3> piece{x[k], next, c, last};
+    out.push_back({x[k], face_geometry(piece, false, 1.0).area, piece});
+  }
+  return out;
+}
+
+BlockShape rotated(BlockShape shape, double angle) {
+  const Mat3 R = Eigen::AngleAxisd(angle, Vec3::UnitZ()).toRotationMatrix();
+  if (angle != 0)
+    for (Vec3& x : shape.corners) x = R * x;
+  return shape;
+}
+
+std::string short_number(double x) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g", x);
+  return text;
+}
+std::string place(const Vec3& x) {
+  return "(" + short_number(x[0]) + ", " + short_number(x[1]) + (x[2] == 0 ? "" : ", " + short_number(x[2])) + ")";
+}
+
+[[noreturn]] void fail(const Origin& origin, const std::string& message) { throw InputError(origin, message); }
+
+}  // namespace
+
+std::size_t Assembly::add_body(const BlockShape& shape, const Vec3& reference, double density) {
+  const MassProperties m = mass_properties(shape, plane_, thickness_);
+  BlockBody body;
+  body.volume = body.share = m.volume;
+  body.mass = body.weight = density * m.volume;
+  if (plane_ || shape.ball()) {
+    body.inertia = Vec3::Constant(density * m.inertia(2, 2));
+  } else {
+    const Eigen::SelfAdjointEigenSolver<Mat3> principal(m.inertia);
+    body.inertia = density * principal.eigenvalues();
+    body.axes = principal.eigenvectors();
+    if (body.axes.determinant() < 0) body.axes.col(0) *= -1;
+    body.sphere = body.inertia.maxCoeff() - body.inertia.minCoeff() <= 1e-12 * body.inertia.maxCoeff();
+  }
+  if (plane_) body.held = 4 | 8 | 16;
+  body.reference = reference - m.centre, body.start = m.centre;
+  BlockMotion at;
+  at.x = m.centre;
+  BlockShape own = shape;
+  for (Vec3& x : own.corners) x -= m.centre;
+  motion.push_back(at), turn.push_back({1, 0, 0, 0}), bodies.push_back(body), shapes.push_back(std::move(own));
+  return bodies.size() - 1;
+}
+
+void Assembly::add_contact(BlockContact c, const JointSite& site, const JointLaw& law, ContactKind kind,
+                           std::vector<Vec3> outline, const Vec3& by) {
+  for (Vec3& x : outline) x -= motion[c.a].x;
+  const bool platen = c.b >= blocks_;
+  if (groups.empty() || groups.back().law != &law || groups.back().kind != kind) {
+    groups.push_back({&law, kind, contacts.size(), contacts.size(), platen});
+  }
+  ++groups.back().end;
+  contacts.push_back(c), joints.push_back(law.start(site)), outlines.push_back({std::move(outline)});
+  if (!by.isZero(0.0) && shift.empty()) shift.resize(contacts.size() - 1, Vec3::Zero());
+  if (!by.isZero(0.0) || !shift.empty()) shift.push_back(by);
+}
+
+void Assembly::add_facet(const BlockFacet& f, const JointLaw& law, bool corners) {
+  const auto a = static_cast<std::size_t>(f.a), b = static_cast<std::size_t>(f.b);
+  const Vec3& n = f.geometry.normal;
+  const bool platen = b >= blocks_;
+  const Vec3 ref_a = motion[a].x + bodies[a].reference, ref_b = motion[b].x + bodies[b].reference + f.shift;
+  const auto add = [&](const Vec3& at, double area, std::vector<Vec3> outline) {
+    BlockContact c;
+    c.a = static_cast<std::uint32_t>(a), c.b = static_cast<std::uint32_t>(b);
+    c.pa = at - motion[a].x, c.pb = at + f.gap * n - f.shift - motion[b].x;
+    c.na = c.nb = n, c.on_a = f.owner == 0 ? 0.5 : f.owner == 1 ? 1.0 : 0.0;
+    c.axes = JointAxes::of_normal(n);
+    JointSite site;
+    site.area = area, site.gap = f.gap, site.plane = plane_, site.thickness = thickness_;
+    site.distance = platen ? n.dot(at - ref_a) : (ref_b - ref_a).norm();
+    site.has_moments = !corners;
+    if (plane_) {
+      site.moments = {std::pow(area / thickness_, 3) * thickness_ / 12, 0, 0};
+    } else if (!corners) {
+      std::vector<Tangent> flat;
+      for (const Vec3& x : f.corners) flat.push_back(c.axes.tangent(x - at));
+      const PolygonMoments m = polygon_moments(flat);
+      site.moments = {m.I_s, m.I_t, m.I_st};
+    }
+    add_contact(c, site, law, ContactKind::facet, std::move(outline), f.shift);
+  };
+  if (!corners) return add(f.geometry.centre, f.geometry.area, f.corners);
+  for (auto& s : shares(f, plane_)) add(s.at, s.area, std::move(s.outline));
+}
+
+Assembly::Assembly(const Tessellation& cells, std::span<const Vec3> nuclei, std::shared_ptr<const JointLaw> law,
+                   bool plane, bool plane_stress, double thickness, int stress_iterations)
+    : plane_(plane), plane_stress_(plane_stress), thickness_(thickness), iterations_(stress_iterations) {
+  auto spec = std::make_shared<BlocksSpec>();
+  spec->law = law, spec->stress_iterations = stress_iterations;
+  spec_ = spec;
+  for (std::size_t k = 0; k < cells.shapes.size(); ++k) add_body(cells.shapes[k], nuclei[k], 1.0);
+  blocks_ = bodies.size();
+  for (const BlockFacet& f : cells.facets)
+    if (f.b != BlockFacet::none) add_facet(f, *law, false);
+  finish(1.0);
+}
+
+Assembly::Assembly(std::shared_ptr<const BlocksSpec> spec, int dimension, bool plane_stress, const Vec3& gravity,
+                   double max_step)
+    : spec_(std::move(spec)),
+      plane_(dimension == 2),
+      plane_stress_(plane_stress),
+      thickness_(spec_->thickness),
+      damping_(spec_->local_damping),
+      iterations_(spec_->stress_iterations),
+      gravity_(gravity) {
+  std::vector<BlockFacet> facets;
+  std::vector<std::int64_t> group;
+  double size = 0;
+  for (std::size_t g = 0; g < spec_->groups.size(); ++g) {
+    const BlockGroup& what = spec_->groups[g];
+    try {
+      const auto first = static_cast<std::int64_t>(bodies.size());
+      if (what.shape == BlockGroup::Shape::voronoi) {
+        Tessellation cells = voronoi(what.points, what.low, what.high, plane_, thickness_);
+        for (std::size_t k = 0; k < cells.shapes.size(); ++k) add_body(cells.shapes[k], what.points[k], what.density);
+        for (BlockFacet& f : cells.facets) {
+          f.a += first;
+          if (f.b != BlockFacet::none) f.b += first;
+          facets.push_back(std::move(f));
+        }
+      } else {
+        const BlockShape shape =
+            what.shape == BlockGroup::Shape::ball
+                ? ball_block(what.points.front(), what.radius)
+                : rotated(what.shape == BlockGroup::Shape::polygon ? polygon_block(what.points)
+                                                                   : brick_block(what.low, what.high, plane_),
+                          what.angle);
+        add_body(shape, mass_properties(shape, plane_, thickness_).centre, what.density);
+        for (std::size_t f = 0; f < shape.faces.size(); ++f) {
+          BlockFacet facet;
+          facet.a = first, facet.corners = shape.face(f);
+          facet.geometry = face_geometry(facet.corners, plane_, thickness_);
+          facets.push_back(std::move(facet));
+        }
+      }
+    } catch (const InputError&) {
+      throw;
+    } catch (const std::runtime_error& error) {
+      fail(what.origin, error.what());
+    }
+    group.resize(bodies.size(), static_cast<std::int64_t>(g));
+    for (std::size_t k = 0; k < bodies.size(); ++k)
+      if (bodies[k].group < 0) {
+        bodies[k].group = static_cast<std::int32_t>(g);
+        motion[k].v = what.velocity, motion[k].w = what.spin;
+      }
+  }
+  blocks_ = bodies.size();
+  if (blocks_ == 0) fail(spec_->origin, "<Blocks> has no block");
+  for (const BlockShape& s : shapes)
+    for (const Vec3& x : s.corners) size = std::max(size, x.norm() + s.radius);
+  join_faces(group, plane_, thickness_, 1e-6 * size, facets);
+  refuse_overlaps(1e-6 * size);
+
+  std::vector<bool> used(spec_->joints.size(), false);
+  std::vector<BlockFacet> free;
+  std::vector<std::pair<std::size_t, const BlockFacet*>> by_joint;  // spec_->joints.size(): the common law
+  for (const BlockFacet& f : facets) {
+    if (f.b == BlockFacet::none) {
+      free.push_back(f);
+      continue;
+    }
+    std::size_t k = 0;
+    while (k < spec_->joints.size() && !spec_->joints[k].where->contains(f.geometry.centre)) ++k;
+    if (k < used.size()) used[k] = true;
+    if (k == spec_->joints.size() && !spec_->law)
+      fail(spec_->origin, "blocks touch at " + place(f.geometry.centre) + ", but <Blocks> has no 'law' for that");
+    by_joint.emplace_back(k, &f);
+  }
+  for (std::size_t k = 0; k < used.size(); ++k)
+    if (!used[k])
+      fail(spec_->joints[k].origin,
+           "no two blocks touch in this shape: the middles of common faces must lie in it, and faces touch if they "
+           "are at most " +
+               short_number(1e-6 * size) + " apart");
+  std::stable_sort(by_joint.begin(), by_joint.end(), [](const auto& x, const auto& y) { return x.first < y.first; });
+  for (const auto& [k, f] : by_joint) {
+    const bool common = k == spec_->joints.size();
+    add_facet(*f, common ? *spec_->law : *spec_->joints[k].law, common ? spec_->corners : spec_->joints[k].corners);
+  }
+  join_balls();
+  add_holds_and_loads();
+  add_platens(free);
+  add_pressures(free);
+  lasting_ = contacts.size();
+  if (spec_->touch) find_pairs();
+  finish(max_step);
+}
+
+void Assembly::refuse_overlaps(double tolerance) const {
+  std::vector<std::size_t> order(blocks_);
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::vector<Bounds> boxes(blocks_);
+  for (std::size_t k = 0; k < blocks_; ++k) {
+    boxes[k] = {Vec3::Constant(1e300), Vec3::Constant(-1e300)};
+    const Vec3 r = Vec3::Constant(shapes[k].radius);
+    for (const Vec3& x : shapes[k].corners) {
+      boxes[k].low = boxes[k].low.cwiseMin(motion[k].x + x - r);
+      boxes[k].high = boxes[k].high.cwiseMax(motion[k].x + x + r);
+    }
+  }
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t i, std::size_t j) { return boxes[i].low[0] < boxes[j].low[0]; });
+  for (std::size_t i = 0; i < blocks_; ++i)
+    for (std::size_t j = i + 1; j < blocks_ && boxes[order[j]].low[0] < boxes[order[i]].high[0]; ++j) {
+      const std::size_t a = std::min(order[i], order[j]), b = std::max(order[i], order[j]);
+      if (bodies[a].group == bodies[b].group) continue;
+      if ((boxes[a].low.array() >= boxes[b].high.array()).head(plane_ ? 2 : 3).any() ||
+          (boxes[b].low.array() >= boxes[a].high.array()).head(plane_ ? 2 : 3).any())
+        continue;
+      const double depth = overlap_depth(placed(a), placed(b), plane_);
+      if (depth > tolerance)
+        fail(spec_->groups[static_cast<std::size_t>(bodies[b].group)].origin,
+             "this block overlaps the one at " + place(motion[a].x) + " by " + short_number(depth));
+    }
+}
+
+void Assembly::add_holds_and_loads() {
+  for (std::size_t h = 0; h < spec_->holds.size(); ++h) {
+    const BlockHold& hold = spec_->holds[h];
+    Given given_motion;
+    for (std::size_t d = 0; d < 3; ++d) {
+      if (hold.velocity[d]) given_motion.of[d] = &*hold.velocity[d], given_motion.held |= 1 << d;
+      if (hold.spin[d]) given_motion.of[d + 3] = &*hold.spin[d], given_motion.held |= 8 << d;
+    }
+    bool found = false;
+    for (std::size_t k = 0; k < blocks_; ++k) {
+      if (!hold.where->contains(motion[k].x)) continue;
+      found = true;
+      if (bodies[k].hold >= 0)
+        fail(hold.origin, "the block at " + place(motion[k].x) + " is held already by another element");
+      bodies[k].hold = static_cast<std::int32_t>(h), bodies[k].held |= given_motion.held;
+      bodies[k].share = 0;  // what holds it is not among the forces on its faces
+    }
+    if (!found) fail(hold.origin, "no block has its centre in this shape");
+    given_motions_.push_back(given_motion);
+  }
+  for (std::size_t l = 0; l < spec_->loads.size(); ++l) {
+    const std::size_t before = loaded_.size();
+    for (std::size_t k = 0; k < blocks_; ++k)
+      if (spec_->loads[l].where->contains(motion[k].x))
+        loaded_.emplace_back(static_cast<std::uint32_t>(k), static_cast<std::uint32_t>(l));
+    if (loaded_.size() == before) fail(spec_->loads[l].origin, "no block has its centre in this shape");
+  }
+  std::sort(loaded_.begin(), loaded_.end());
+}
+
+namespace {
+
+std::vector<const BlockFacet*> selected(const std::vector<BlockFacet>& free, const Region& where,
+                                        const Origin& origin) {
+  std::vector<const BlockFacet*> out;
+  for (const BlockFacet& f : free)
+    if (where.contains(f.geometry.centre)) {
+      if (f.covered)
+        fail(origin, "the face around " + place(f.geometry.centre) +
+                         " is covered in part by another block; cut its block so that the rest is a face of its own");
+      out.push_back(&f);
+    }
+  if (out.empty()) fail(origin, "no free face of a block has its middle in this shape");
+  return out;
+}
+
+}  // namespace
+
+void Assembly::add_platens(const std::vector<BlockFacet>& free) {
+  for (const BlockPlaten& platen : spec_->platens) {
+    const auto faces = selected(free, *platen.where, platen.origin);
+    if (!(platen.modulus > 0) && !spec_->law)
+      fail(platen.origin, "a platen needs 'E', or a 'law' of <Blocks> to be as stiff as");
+    own_laws_.push_back(std::make_shared<PlatenLaw>(spec_->law, platen.modulus, platen.rough));
+    BlockBody body;
+    body.held = 63, body.hold = static_cast<std::int32_t>(given_motions_.size());
+    Given given_motion;
+    for (std::size_t d = 0; d < 3; ++d)
+      if (platen.velocity[d]) given_motion.of[d] = &*platen.velocity[d];
+    given_motions_.push_back(given_motion);
+    BlockMotion at;
+    double area = 0;
+    for (const BlockFacet* f : faces) at.x += f->geometry.area * f->geometry.centre, area += f->geometry.area;
+    at.x /= area, body.start = at.x;
+    motion.push_back(at), turn.push_back({1, 0, 0, 0}), bodies.push_back(body), shapes.emplace_back();
+    platen_area_.push_back(area);
+    for (const BlockFacet* face : faces) {
+      BlockFacet f = *face;
+      f.b = static_cast<std::int64_t>(bodies.size()) - 1;
+      add_facet(f, *own_laws_.back(), false);
+    }
+  }
+}
+
+void Assembly::add_pressures(const std::vector<BlockFacet>& free) {
+  for (std::size_t p = 0; p < spec_->pressures.size(); ++p)
+    for (const BlockFacet* f : selected(free, *spec_->pressures[p].where, spec_->pressures[p].origin)) {
+      const auto k = static_cast<std::size_t>(f->a);
+      pressed.push_back({static_cast<std::uint32_t>(k), f->geometry.centre - motion[k].x, f->geometry.normal,
+                         f->geometry.area, static_cast<std::uint32_t>(p)});
+    }
+}
+
+void Assembly::finish(double max_step) {
+  connect();
+  double nu = 0;
+  for (const ContactGroup& g : groups) nu = std::max(nu, g.law->poisson());
+  poisson_ = std::any_of(groups.begin(), groups.end(), [](const ContactGroup& g) { return g.law->poisson() != 0; });
+
+  // What holds every body, and the largest stable step that follows
+  std::vector<double> hold(bodies.size(), 0.0), turned_hold(bodies.size(), 0.0);
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
+    const Joint& j = joints[k];
+    const BlockContact& c = contacts[k];
+    const double stiff = std::max(j.kn, j.ks) * j.area;
+    const double turning =
+        std::max({j.twist_stiffness, j.bend_stiffness[0], j.bend_stiffness[1]}) + std::abs(j.bend_stiffness[2]);
+    for (const auto& [body, arm] : {std::pair{c.a, c.pa}, std::pair{c.b, c.pb}}) {
+      hold[body] += stiff;
+      turned_hold[body] += stiff * arm.squaredNorm() + turning;
+    }
+  }
+  if (spec_->touch)  // as many neighbours of its size as fit around a ball
+    for (const auto k : balls_) {
+      const auto [c, site] = ball_contact(k, k);
+      JointSite twin = site;
+      twin.distance = 2 * shapes[k].radius, twin.gap = 0;
+      const Joint j = spec_->touch->start(twin);
+      const double stiff = (plane_ ? 6 : 12) * std::max(j.kn, j.ks) * j.area, r = shapes[k].radius;
+      hold[k] = std::max(hold[k], stiff), turned_hold[k] = std::max(turned_hold[k], stiff * r * r);
+    }
+  if (spec_->touch && plane_)  // other polygons on half of its edges
+    for (std::size_t k = 0; k < blocks_; ++k) {
+      if (shapes[k].ball()) continue;
+      JointSite site;
+      for (std::size_t f = 0; f < shapes[k].faces.size(); ++f)
+        site.area += 0.5 * face_geometry(shapes[k].face(f), true, thickness_).area;
+      site.thickness = thickness_, site.distance = std::sqrt(bodies[k].volume / thickness_);
+      const Joint j = spec_->touch->start(site);
+      const double stiff = std::max(j.kn, j.ks) * site.area;
+      hold[k] = std::max(hold[k], stiff), turned_hold[k] = std::max(turned_hold[k], stiff * reach_[k] * reach_[k]);
+    }
+  double step_size = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < blocks_; ++k) {
+    BlockBody& body = bodies[k];
+    if (spec_->quasi_static && hold[k] > 0) {
+      body.mass = 4 * hold[k] * max_step * max_step / (1 - 2 * nu);
+      body.inertia = Vec3::Constant(4 * turned_hold[k] * max_step * max_step / (1 - 2 * nu));
+      body.axes = Mat3::Identity(), body.sphere = true;
+    }
+    if (hold[k] > 0 && (body.held & 7) != 7) step_size = std::min(step_size, std::sqrt(body.mass / hold[k]));
+    if (turned_hold[k] > 0 && (body.held & 56) != 56)
+      step_size = std::min(step_size, std::sqrt(body.inertia.minCoeff() / turned_hold[k]));
+  }
+  const double stiffer = !poisson_       ? 1.0
+                         : plane_stress_ ? std::sqrt(1 - nu * nu)
+                                         : std::sqrt((1 + nu) * (1 - 2 * nu) / (1 - nu));
+  critical_step_ = spec_->quasi_static ? max_step : std::min(max_step, spec_->step_share * stiffer * step_size);
+
+  for (BlockContact& c : contacts) {
+    const bool a = (bodies[c.a].held & 7) != 7, b = (bodies[c.b].held & 7) != 7;
+    const double ma = bodies[c.a].mass, mb = bodies[c.b].mass;
+    c.mass = a && b ? ma * mb / (ma + mb) : a ? ma : b ? mb : 0.0;
+  }
+  if (!reach_.empty()) remember(checked_at_);
+  forces.assign(bodies.size(), {}), work.assign(bodies.size(), {}), stress.assign(bodies.size(), Mat3::Zero());
+  given.assign(contacts.size(), {}), dashpot_work.assign(contacts.size(), 0.0);
+  broke.assign(contacts.size(), 0.0);
+  given_now_.assign(given_motions_.size(), {});
+  pressed_force_.assign(pressed.size(), {}), pressure_now_.assign(spec_->pressures.size(), 0.0);
+  if (iterations_ > 0 && poisson_) kept_increments_.resize(contacts.size()), predicted_.resize(contacts.size());
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
+    const BlockContact& c = contacts[k];
+    const Vec3 by = shift.empty() ? Vec3(Vec3::Zero()) : shift[k];
+    given[k].at = 0.5 * (motion[c.a].x + motion[c.a].R * c.pa + motion[c.b].x + motion[c.b].R * c.pb + by);
+    give(k);
+  }
+  press();
+  for (std::size_t k = 0; k < bodies.size(); ++k) gather(k, 0.0);
+}
+
+// Batches within groups, and the contacts of every body in their order.
+void Assembly::connect() {
+  batches_.clear();
+  for (std::size_t g = 0; g < groups.size(); ++g)
+    for (std::size_t k = groups[g].begin; k < groups[g].end; k += batch_size)
+      batches_.push_back({g, k, std::min(k + batch_size, groups[g].end)});
+  batch_events_.assign(batches_.size(), {});
+  first_.assign(bodies.size() + 1, 0);
+  for (const BlockContact& c : contacts) ++first_[c.a + 1], ++first_[c.b + 1];
+  std::partial_sum(first_.begin(), first_.end(), first_.begin());
+  entries_.resize(2 * contacts.size());
+  std::vector<std::uint32_t> at(first_.begin(), first_.end() - 1);
+  for (std::uint32_t k = 0; k < contacts.size(); ++k)
+    entries_[at[contacts[k].a]++] = 2 * k, entries_[at[contacts[k].b]++] = 2 * k + 1;
+  first_pressed_.clear(), pressed_of_.resize(pressed.size());
+  if (pressed.empty()) return;
+  first_pressed_.assign(bodies.size() + 1, 0);
+  for (const PressedFace& p : pressed) ++first_pressed_[p.body + 1];
+  std::partial_sum(first_pressed_.begin(), first_pressed_.end(), first_pressed_.begin());
+  std::vector<std::uint32_t> next(first_pressed_.begin(), first_pressed_.end() - 1);
+  for (std::uint32_t k = 0; k < pressed.size(); ++k) pressed_of_[next[pressed[k].body]++] = k;
+}
+
+}  // namespace tribo

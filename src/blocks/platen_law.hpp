@@ -1,0 +1,63 @@
+/// What holds a platen to the faces of blocks: springs that never break.
+#pragma once
+
+#include "contact/joint_parts.hpp"
+
+#include <memory>
+
+namespace tribo {
+
+/// Normal springs E A/d, d from the reference point of the block to its face, with the fictitious stress of that block,
+/// so that the layer next to the platen strains as the blocks do; `rough`: the same along the face, else none.
+class PlatenLaw final : public JointLaw {
+ public:
+  /// `modulus` E; 0: as stiff as `like`, whose Poisson's ratio it takes in any case. `like` may be null with a modulus.
+  PlatenLaw(std::shared_ptr<const JointLaw> like, double modulus, bool rough)
+      : like_(std::move(like)), modulus_(modulus), rough_(rough) {}
+
+  Joint start(const JointSite& site) const override {
+    Joint j;
+    set_area(j, site, 0.0);
+    j.kn = modulus_ > 0 ? modulus_ / site.distance : like_->start(site).kn;
+    j.ks = rough_ ? j.kn : 0.0;
+    j.gap = site.gap;
+    return j;
+  }
+
+  void update(std::span<Joint> joints, std::span<const JointIncrement> increments,
+              std::vector<JointEvent>&) const override {
+    for (std::size_t k = 0; k < joints.size(); ++k) {
+      Joint& j = joints[k];
+      const JointIncrement& d = increments[k];
+      const double fn = j.Fn;
+      const Tangent fs = j.Fs;
+      j.Fn += j.kn * j.area * d.normal + d.poisson_normal - j.poisson_normal;
+      j.poisson_normal = d.poisson_normal;
+      if (rough_) {
+        j.Fs += d.poisson_shear - j.poisson_shear - (j.ks * j.area) * d.shear;
+        j.poisson_shear = d.poisson_shear;
+      }
+      j.opening += d.normal, j.shear += d.shear, j.gap = d.gap;
+      j.strain = spring_energy(j.Fn, j.Fn - j.poisson_normal, j.kn * j.area) +
+                 (rough_ ? 0.5 * j.Fs.dot(j.Fs - j.poisson_shear) / (j.ks * j.area) : 0.0);
+      j.work += 0.5 * ((fn + j.Fn) * d.normal - (fs + j.Fs).dot(d.shear));
+    }
+  }
+
+  bool is_bonded(const Joint&) const override { return true; }
+  std::string state_text(const Joint&) const override { return "held"; }
+  std::vector<std::string_view> own_names() const override { return {}; }
+  std::vector<double> own_values(const Joint&) const override { return {}; }
+  double stiffness() const override { return 0.0; }
+  bool needs_distance() const override { return true; }
+  double poisson() const override { return like_ ? like_->poisson() : 0.0; }
+  double off_diagonal() const override { return like_ ? like_->off_diagonal() : 0.0; }
+  double user_area() const override { return 0.0; }
+
+ private:
+  std::shared_ptr<const JointLaw> like_;
+  double modulus_;
+  bool rough_;
+};
+
+}  // namespace tribo

@@ -1,0 +1,245 @@
+/// One step of the blocks: leapfrog, contacts in batches, forces gathered by every block in the order of its contacts,
+/// so that sums do not depend on the number of threads.
+
+#include "base/parallel.hpp"
+#include "blocks/assembly.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tribo {
+namespace {
+
+/// The increment of a contact whose bodies have moved; updates its axes and place.
+template <ContactKind Kind>
+void follow(BlockContact& c, const BlockMotion& a, const BlockMotion& b, const Vec3& shift, const Vec3& shift_velocity,
+            bool plane, double dt, Vec3& at, JointIncrement& d) {
+  const Vec3 xb = b.x + shift;
+  Vec3 n;
+  if constexpr (Kind == ContactKind::ball) {
+    const Vec3 apart = xb - a.x;
+    const double distance = apart.norm();
+    n = apart / distance;
+    d.gap = distance - c.na[0] - c.nb[0];
+    at = a.x + (c.na[0] + 0.5 * d.gap) * n;
+  } else {
+    const Vec3 pa = a.x + a.R * c.pa, pb = xb + b.R * c.pb;
+    n = ((1 - c.on_a) * (a.R * c.na) + c.on_a * (b.R * c.nb)).normalized();
+    d.gap = (pb - pa).dot(n);
+    at = c.on_a * pa + (1 - c.on_a) * pb;
+  }
+  const Vec3 apart = dt * (b.v + shift_velocity + b.w.cross(at - xb) - a.v - a.w.cross(at - a.x));
+  const Vec3 turn = dt * (b.w - a.w);
+  JointAxes& axes = c.axes;
+  if (plane) {
+    axes.n = n, axes.s = Vec3::UnitZ(), axes.t = Vec3(n[1], -n[0], 0);
+    d.shear = {0.0, apart.dot(axes.t)}, d.twist = 0.0, d.bend = {turn[2], 0.0};
+  } else {
+    if (n != axes.n || a.w != b.w || !a.w.isZero(0.0))
+      axes.follow(n, 0.5 * dt * (a.w + b.w).dot((axes.n + n).normalized()));
+    d.shear = axes.tangent(apart), d.twist = turn.dot(n), d.bend = axes.tangent(turn);
+  }
+  d.normal = apart.dot(n), d.dt = dt, d.mass = c.mass;
+}
+
+double lessening(double alpha, double force, double velocity) {
+  return velocity == 0 ? 0.0 : -alpha * std::abs(force) * (velocity > 0 ? 1.0 : -1.0);
+}
+
+}  // namespace
+
+void Assembly::advance(double dt) {
+  move_bodies(dt);
+  if (spec_->touch && moved(found_at_, 0.25 * skin_)) find_pairs();
+  const auto batch_count = static_cast<std::ptrdiff_t>(batches_.size());
+  if (iterations_ > 0 && poisson_) iterate_stress(dt);
+  parallel_for(batch_count, [&](std::ptrdiff_t k) { meet(batches_[static_cast<std::size_t>(k)], dt); });
+  const double with_rest = dt + time_rest_, later = time + with_rest;  // compensated sum
+  time_rest_ = with_rest - (later - time), time = later, ++step, last_step_ = dt;
+  for (std::size_t k = 0; k < batches_.size(); ++k) {
+    for (const JointEvent& e : batch_events_[k]) {
+      const std::size_t contact = batches_[k].begin + e.contact;
+      BlockEvent out{time, contact, given[contact].at, e};
+      out.event.contact = contact;
+      if (e.kind == JointEvent::Kind::bond_break) ++broken[e.mode == 1 ? 0 : 1], broke[contact] = e.mode;
+      events_.push_back(out);
+    }
+    batch_events_[k].clear();
+  }
+  press();
+  parallel_for(static_cast<std::ptrdiff_t>(bodies.size()),
+               [&](std::ptrdiff_t k) { gather(static_cast<std::size_t>(k), dt); });
+}
+
+void Assembly::move_bodies(double dt) {
+  const double middle = time + 0.5 * dt;
+  for (std::size_t g = 0; g < given_motions_.size(); ++g)
+    for (std::size_t d = 0; d < 6; ++d)
+      given_now_[g][d] = given_motions_[g].of[d] ? given_motions_[g].of[d]->at(middle) : 0.0;
+  parallel_for(static_cast<std::ptrdiff_t>(bodies.size()), [&](std::ptrdiff_t i) {
+    const auto k = static_cast<std::size_t>(i);
+    const BlockBody& body = bodies[k];
+    const BlockForces& f = forces[k];
+    BlockMotion& m = motion[k];
+    if ((body.held & 7) != 7) m.v += dt / body.mass * (f.all + f.damping);
+    if ((body.held & 56) != 56) {
+      const Vec3 moment = f.moment + f.damping_moment;
+      if (plane_) {
+        m.w[2] += dt / body.inertia[2] * moment[2];
+      } else if (body.sphere) {
+        m.w += dt / body.inertia[0] * moment;
+      } else {
+        // Euler's equations, with the mean of the old and new rotation
+        const Mat3 axes = m.R * body.axes;
+        const Vec3 M = axes.transpose() * moment, old = axes.transpose() * m.w;
+        Vec3 w = old;
+        for (int pass = 0; pass < 3; ++pass) {
+          const Vec3 mean = 0.5 * (old + w);
+          w = old + dt * (M - mean.cross(body.inertia.cwiseProduct(mean))).cwiseQuotient(body.inertia);
+        }
+        m.w = axes * w;
+      }
+    }
+    if (body.hold >= 0) {
+      const auto& now = given_now_[static_cast<std::size_t>(body.hold)];
+      for (int d = 0; d < 3; ++d) {
+        if (body.held & (1 << d)) m.v[d] = now[static_cast<std::size_t>(d)];
+        if (body.held & (8 << d)) m.w[d] = now[static_cast<std::size_t>(d) + 3];
+      }
+    }
+    m.x += dt * m.v;
+    const double angle = dt * m.w.norm();
+    if (angle == 0) return;
+    const Vec3 axis = m.w * (dt / angle * std::sin(0.5 * angle));
+    auto& q = turn[k];
+    const Eigen::Quaterniond next = (Eigen::Quaterniond(std::cos(0.5 * angle), axis[0], axis[1], axis[2]) *
+                                     Eigen::Quaterniond(q[0], q[1], q[2], q[3]))
+                                        .normalized();
+    q = {next.w(), next.x(), next.y(), next.z()};
+    m.R = next.toRotationMatrix();
+  });
+  if (!box_rate.isZero(0.0))
+    for (Vec3& s : shift) s += dt * box_rate * s;
+}
+
+void Assembly::increments(const Batch& batch, double dt, JointIncrement* to) {
+  const ContactGroup& group = groups[batch.group];
+  const bool ball = group.kind == ContactKind::ball;
+  for (std::size_t k = batch.begin; k < batch.end; ++k, ++to) {
+    if (group.kind == ContactKind::overlap) {
+      overlap_increment(k, dt, *to);
+      continue;
+    }
+    BlockContact& c = contacts[k];
+    const Vec3 by = shift.empty() ? Vec3(Vec3::Zero()) : shift[k];
+    const Vec3 speed = shift.empty() ? Vec3(Vec3::Zero()) : Vec3(box_rate * by);
+    if (ball)
+      follow<ContactKind::ball>(c, motion[c.a], motion[c.b], by, speed, plane_, dt, given[k].at, *to);
+    else
+      follow<ContactKind::facet>(c, motion[c.a], motion[c.b], by, speed, plane_, dt, given[k].at, *to);
+  }
+}
+
+void Assembly::meet(const Batch& batch, double dt) {
+  std::array<JointIncrement, batch_size> steps;
+  const ContactGroup& group = groups[batch.group];
+  const std::size_t count = batch.end - batch.begin;
+  JointIncrement* d = steps.data();
+  if (kept_increments_.empty())
+    increments(batch, dt, d);
+  else
+    d = kept_increments_.data() + batch.begin;
+  if (const double nu = group.law->poisson(); nu != 0)
+    for (std::size_t k = 0; k < count; ++k) {
+      const BlockContact& c = contacts[batch.begin + k];
+      const PoissonForce f =
+          poisson_force(mean_stress_at(c, nu), nu, group.law->off_diagonal(), joints[batch.begin + k].area, c.axes);
+      d[k].poisson_normal = f.normal, d[k].poisson_shear = f.shear;
+    }
+  std::array<double, batch_size> normal;
+  std::array<Tangent, batch_size> shear;
+  for (std::size_t k = 0; k < count; ++k) {
+    const Joint& j = joints[batch.begin + k];
+    normal[k] = j.dashpot_normal, shear[k] = j.dashpot_shear;
+  }
+  group.law->update({joints.data() + batch.begin, count}, {d, count},
+                    batch_events_[static_cast<std::size_t>(&batch - batches_.data())]);
+  for (std::size_t k = 0; k < count; ++k) {
+    // by the trapezoidal rule, as leapfrog counts work
+    const Joint& j = joints[batch.begin + k];
+    dashpot_work[batch.begin + k] +=
+        0.5 * ((normal[k] + j.dashpot_normal) * d[k].normal - (shear[k] + j.dashpot_shear).dot(d[k].shear));
+    give(batch.begin + k);
+  }
+}
+
+void Assembly::give(std::size_t k) {
+  const Joint& j = joints[k];
+  const JointAxes& axes = contacts[k].axes;
+  ContactForce& f = given[k];
+  f.elastic = axes.vector(j.Fs) - j.Fn * axes.n;
+  f.all = f.elastic + axes.vector(j.dashpot_shear) - j.dashpot_normal * axes.n;
+  f.moment = axes.vector(j.Mb) + j.Mt * axes.n;
+}
+
+// Uniform pressures act at the middles of faces.
+void Assembly::press() {
+  if (pressed.empty()) return;
+  for (std::size_t k = 0; k < pressure_now_.size(); ++k) pressure_now_[k] = spec_->pressures[k].pressure.at(time);
+  for (std::size_t k = 0; k < pressed.size(); ++k) {
+    const PressedFace& p = pressed[k];
+    const BlockMotion& m = motion[p.body];
+    const Vec3 n = spec_->pressures[p.pressure].follows ? Vec3(m.R * p.n) : p.n;
+    pressed_force_[k].at = m.x + m.R * p.p;
+    pressed_force_[k].all = pressed_force_[k].elastic = -pressure_now_[p.pressure] * p.area * n;
+  }
+}
+
+void Assembly::gather(std::size_t k, double dt) {
+  const BlockBody& body = bodies[k];
+  const BlockMotion& m = motion[k];
+  BlockForces now;
+  for (std::uint32_t e = first_[k]; e < first_[k + 1]; ++e) {
+    const std::uint32_t c = entries_[e] / 2, end = entries_[e] % 2;
+    const ContactForce& f = given[c];
+    const double sign = end ? 1.0 : -1.0;
+    const Vec3 at = end && !shift.empty() ? Vec3(f.at - shift[c]) : f.at;
+    now.all += sign * f.all;
+    now.moment += sign * ((at - m.x).cross(f.all) + f.moment);
+  }
+  if (!first_pressed_.empty())
+    for (std::uint32_t e = first_pressed_[k]; e < first_pressed_[k + 1]; ++e) {
+      const ContactForce& f = pressed_force_[pressed_of_[e]];
+      now.outer += f.all, now.outer_moment += (f.at - m.x).cross(f.all);
+    }
+  for (auto load = std::lower_bound(loaded_.begin(), loaded_.end(), std::pair(static_cast<std::uint32_t>(k), 0u));
+       load != loaded_.end() && load->first == k; ++load)
+    for (std::size_t d = 0; d < 3; ++d) {
+      const BlockLoad& l = spec_->loads[load->second];
+      const auto i = static_cast<Eigen::Index>(d);
+      if (l.force[d]) now.outer[i] += l.force[d]->at(time);
+      if (l.moment[d]) now.outer_moment[i] += l.moment[d]->at(time);
+    }
+  now.all += now.outer + body.weight * gravity_, now.moment += now.outer_moment;
+  if (damping_ > 0 && body.held != 63) {
+    for (int d = 0; d < 3; ++d) {
+      if (!(body.held & (1 << d))) now.damping[d] = lessening(damping_, now.all[d], m.v[d]);
+      if (!(body.held & (8 << d))) now.damping_moment[d] = lessening(damping_, now.moment[d], m.w[d]);
+    }
+  }
+  // Work of the mean of the forces before and after: what leapfrog turns into v(-1/2) v(+1/2).
+  BlockForces& old = forces[k];
+  if (dt > 0) {
+    const Vec3 dx = 0.5 * dt * m.v, turned = 0.5 * dt * m.w;
+    work[k].outer += (old.outer + now.outer).dot(dx) + (old.outer_moment + now.outer_moment).dot(turned);
+    work[k].damped -= (old.damping + now.damping).dot(dx) + (old.damping_moment + now.damping_moment).dot(turned);
+    for (int d = 0; d < 3; ++d) {
+      if (body.held & (1 << d)) work[k].boundary -= (old.all[d] + now.all[d]) * dx[d];
+      if (body.held & (8 << d)) work[k].boundary -= (old.moment[d] + now.moment[d]) * turned[d];
+    }
+  }
+  old = now;
+  if (poisson_) stress[k] = stress_of(k);
+}
+
+}  // namespace tribo

@@ -1,0 +1,238 @@
+#include "run/block_results.hpp"
+
+#include "base/text.hpp"
+#include "output/number.hpp"
+#include "run/columns.hpp"
+#include "run/results.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace tribo {
+namespace {
+
+const std::vector<std::string> energy_columns{"time",       "kinetic",       "strain",  "potential",
+                                              "slip",       "dashpot",       "damping", "released",
+                                              "outer_work", "boundary_work", "residual"};
+const std::vector<std::string> event_columns{"time", "contact", "block1", "block2",   "x",     "y",
+                                             "z",    "event",   "mode",   "strength", "energy"};
+
+/// Polygons of a block at its place: faces, or the approximation of a ball by them.
+std::vector<std::vector<Vec3>> outlines(const BlockShape& shape, const BlockMotion& m, bool plane) {
+  constexpr double pi = std::numbers::pi;
+  std::vector<std::vector<Vec3>> out;
+  const auto at = [&](const Vec3& x) { return Vec3(m.x + m.R * x); };
+  if (shape.ball() && plane) {
+    constexpr int corners = 32;
+    out.emplace_back();
+    for (int k = 0; k < corners; ++k)
+      out[0].push_back(at(shape.radius * Vec3(std::cos(2 * pi * k / corners), std::sin(2 * pi * k / corners), 0)));
+  } else if (shape.ball()) {
+    constexpr int rings = 8, sectors = 16;
+    const auto point = [&](int i, int j) {
+      const double a = pi * i / rings, b = 2 * pi * j / sectors;
+      return at(shape.radius * Vec3(std::sin(a) * std::cos(b), std::sin(a) * std::sin(b), std::cos(a)));
+    };
+    for (int i = 0; i < rings; ++i)
+      for (int j = 0; j < sectors; ++j)
+        out.push_back({point(i, j), point(i + 1, j), point(i + 1, j + 1), point(i, j + 1)});
+  } else if (plane) {
+    out.emplace_back();
+    for (const Vec3& x : shape.corners) out[0].push_back(at(x));
+  } else {
+    for (std::size_t f = 0; f < shape.faces.size(); ++f) {
+      out.push_back(shape.face(f));
+      for (Vec3& x : out.back()) x = at(x);
+    }
+  }
+  return out;
+}
+
+/// Cells with their corners and fields, ready to be written.
+struct Cells {
+  Columns points, fields;
+  std::vector<std::uint32_t> corners;
+  std::vector<std::size_t> ends;
+  void add(const std::vector<Vec3>& outline) {
+    for (const Vec3& x : outline) {
+      corners.push_back(static_cast<std::uint32_t>(corners.size()));
+      points.vector("position", x);
+    }
+    ends.push_back(corners.size());
+  }
+  void write(const std::filesystem::path& path, double time) {
+    write_cells(path, points.size(), points.positions(), corners, ends, fields.fields(), time);
+  }
+};
+
+}  // namespace
+
+BlockResults::BlockResults(const Model& model, Assembly& blocks, std::filesystem::path folder,
+                           std::optional<double> resume_time)
+    : model_(model),
+      blocks_(blocks),
+      folder_(std::move(folder)),
+      cells_(folder_ / "blocks.pvd"),
+      contacts_(folder_ / "contacts.pvd") {
+  std::vector<std::string> columns{"time"};
+  for (const auto& q : model.blocks->histories) columns.push_back(q.column);
+  if (!resume_time) {
+    history_.emplace(folder_ / "history.csv", columns);
+    energy_.emplace(folder_ / "energy.csv", energy_columns);
+    events_.emplace(folder_ / "events.csv", event_columns);
+    return;
+  }
+  history_.emplace(History::resume(folder_ / "history.csv", columns, *resume_time));
+  energy_.emplace(History::resume(folder_ / "energy.csv", energy_columns, *resume_time));
+  events_.emplace(History::resume(folder_ / "events.csv", event_columns, *resume_time));
+  cells_.resume(*resume_time), contacts_.resume(*resume_time);
+}
+
+void BlockResults::write_pictures(std::int64_t number) {
+  write_blocks(number);
+  write_contacts(number);
+}
+
+void BlockResults::write_blocks(std::int64_t number) {
+  Cells out;
+  std::vector<double> strain(blocks_.bodies.size(), 0.0);
+  for (std::size_t c = 0; c < blocks_.contacts.size(); ++c)
+    for (const auto body : {blocks_.contacts[c].a, blocks_.contacts[c].b})
+      strain[body] += 0.5 * blocks_.joints[c].strain;
+  for (std::size_t k = 0; k < blocks_.block_count(); ++k) {
+    const BlockMotion& m = blocks_.motion[k];
+    const BlockBody& body = blocks_.bodies[k];
+    const Mat3 stress = blocks_.stress_of(k), axes = m.R * body.axes;
+    const Vec3 spin = axes.transpose() * m.w;
+    const double kinetic = 0.5 * (body.mass * m.v.squaredNorm() + spin.cwiseAbs2().dot(body.inertia));
+    for (const auto& outline : outlines(blocks_.shapes[k], m, blocks_.plane())) {
+      out.add(outline);
+      out.fields.integer("block", static_cast<std::int64_t>(k) + 1);
+      out.fields.integer("group", body.group + 1);
+      out.fields.vector("displacement", Vec3(m.x - body.start));
+      out.fields.vector("velocity", m.v);
+      out.fields.vector("rotation", blocks_.turned(k));
+      out.fields.vector("spin", m.w);
+      out.fields.tensor("stress", stress);
+      out.fields.number("kinetic_energy", kinetic);
+      out.fields.number("strain_energy", strain[k]);
+    }
+  }
+  const std::string file = "blocks/" + numbered(number, ".vtp");
+  out.write(folder_ / file, blocks_.time);
+  cells_.add(blocks_.time, file);
+}
+
+// Facets move with body 1. Tractions act on body 2.
+void BlockResults::write_contacts(std::int64_t number) {
+  Cells out;
+  for (const ContactGroup& group : blocks_.groups)
+    for (std::size_t c = group.begin; c < group.end; ++c) {
+      const BlockContact& contact = blocks_.contacts[c];
+      const Joint& j = blocks_.joints[c];
+      const BlockMotion& a = blocks_.motion[contact.a];
+      std::vector<Vec3> outline = blocks_.outlines[c].corners;
+      for (Vec3& x : outline) x = a.x + a.R * x;
+      if (outline.empty()) {  // balls: the line between their centres
+        outline = {a.x, blocks_.motion[contact.b].x};
+        if (!blocks_.plane()) outline.push_back(outline.back());
+      }
+      out.add(outline);
+      out.fields.integer("contact", static_cast<std::int64_t>(c) + 1);
+      out.fields.integer("block1", static_cast<std::int64_t>(contact.a) + 1);
+      out.fields.integer("block2", static_cast<std::int64_t>(contact.b) + 1);
+      out.fields.integer("platen", group.platen ? 1 : 0);
+      out.fields.integer("state", j.state);
+      out.fields.integer("bonded", group.law->is_bonded(j) ? 1 : 0);
+      out.fields.integer("broke", static_cast<std::int64_t>(blocks_.broke[c]));
+      out.fields.vector("normal", contact.axes.n);
+      out.fields.number("area", j.area);
+      out.fields.number("gap", j.gap);
+      out.fields.number("opening", j.opening);
+      out.fields.vector("shear", contact.axes.vector(j.shear));
+      out.fields.number("slip", j.slip);
+      out.fields.number("normal_stress", j.area > 0 ? j.Fn / j.area : 0.0);
+      out.fields.number("shear_stress", j.area > 0 ? j.Fs.norm() / j.area : 0.0);
+      out.fields.vector("force", blocks_.given[c].all);
+      out.fields.vector("moment", blocks_.given[c].moment);
+      out.fields.number("strain_energy", j.strain);
+      out.fields.number("lost_energy", j.released() - j.slid + blocks_.dashpot_work[c]);
+    }
+  const std::string file = "contacts/" + numbered(number, ".vtp");
+  out.write(folder_ / file, blocks_.time);
+  contacts_.add(blocks_.time, file);
+}
+
+void BlockResults::write_events() {
+  for (const BlockEvent& e : blocks_.take_events()) {
+    const auto text = [](double x) { return number_text(x); };
+    const BlockContact& c = blocks_.contacts[e.contact];
+    events_->add(e.time, std::vector<std::string>{std::to_string(e.contact + 1), std::to_string(c.a + 1),
+                                                  std::to_string(c.b + 1), text(e.x[0]), text(e.x[1]), text(e.x[2]),
+                                                  std::string(e.event.name()), std::to_string(e.event.mode),
+                                                  text(e.event.strength), text(e.event.energy)});
+  }
+}
+
+void BlockResults::write_history(double dt) {
+  std::vector<double> row{blocks_.time};
+  for (const auto& q : model_.blocks->histories) row.push_back(quantity(q, dt));
+  history_->add(row);
+  const BlockLedger l = blocks_.ledger();
+  if (blocks_.step == 0) initial_energy = l.content();
+  energy_->add(std::array{blocks_.time, l.kinetic, l.strain, l.potential, l.slip, l.dashpot, l.damping, l.released,
+                          l.outer_work, l.boundary_work,
+                          l.content() - initial_energy - l.outer_work - l.boundary_work});
+}
+
+double BlockResults::quantity(const BlockHistory& q, double dt) const {
+  const std::string name = lower(q.name);
+  const int axis = name.back() - 'x';
+  if (q.group >= 0) return of_group(name, static_cast<std::size_t>(q.group));
+  if (q.platen >= 0) {
+    const auto platen = static_cast<std::size_t>(q.platen);
+    if (name == "area") return blocks_.platen_area(platen);
+    return name[0] == 'f' ? blocks_.platen_force(platen)[axis] : blocks_.platen_displacement(platen)[axis];
+  }
+  if (name.size() == 3) {
+    const Mat3 m = name[0] == 's' ? blocks_.mean_stress() : blocks_.mean_strain();
+    return m(name[1] - 'x', name[2] - 'x');
+  }
+  if (name == "bonds") return static_cast<double>(blocks_.bonds());
+  if (name == "broken in tension") return static_cast<double>(blocks_.broken[0]);
+  if (name == "broken in shear") return static_cast<double>(blocks_.broken[1]);
+  if (name == "contacts") return static_cast<double>(blocks_.active());
+  if (name == "unbalanced") return blocks_.unbalanced();
+  if (name == "kinetic energy") return blocks_.ledger().kinetic;
+  if (name == "strain energy") return blocks_.ledger().strain;
+  if (name == "step number") return static_cast<double>(blocks_.step);
+  if (name == "time step") return dt;
+  throw std::logic_error("no such quantity: " + q.name);
+}
+
+// Means of places and motions, sums of forces.
+double BlockResults::of_group(const std::string& name, std::size_t group) const {
+  const int axis = name.back() - 'x';
+  double sum = 0, count = 0;
+  for (std::size_t k = 0; k < blocks_.block_count(); ++k) {
+    if (blocks_.bodies[k].group != static_cast<std::int32_t>(group)) continue;
+    const BlockMotion& m = blocks_.motion[k];
+    count += 1;
+    switch (name[0]) {
+      case 'd':
+        sum += m.x[axis] - blocks_.bodies[k].start[axis];
+        break;
+      case 'v':
+        sum += m.v[axis];
+        break;
+      case 't':
+        sum += blocks_.turned(k)[axis];
+        break;
+      default:
+        sum += blocks_.contact_force(k)[axis];
+    }
+  }
+  return name[0] == 'f' || count == 0 ? sum : sum / count;
+}
+
+}  // namespace tribo

@@ -1,0 +1,57 @@
+/// The sheet before a run of blocks.
+
+#include "base/parallel.hpp"
+#include "base/text.hpp"
+#include "run/block_run.hpp"
+#include "run/clock.hpp"
+
+#include <chrono>
+#include <map>
+
+namespace tribo {
+
+std::string describe_blocks(const Model& model, int wanted_threads) {
+  Assembly blocks = assemble(model);
+  set_threads(sensible_block_threads(wanted_threads, blocks.contacts.size()));
+  std::string out;
+  const auto line = [&](const std::string& text) { out += text + "\n"; };
+  line("units: " + model.units.name(Dimension::length) + ", " + model.units.name(Dimension::mass) + ", " +
+       model.units.name(Dimension::time) + "; stress " + model.units.name(Dimension::stress));
+  double volume = 0, smallest = 1e300, largest = 0;
+  for (std::size_t k = 0; k < blocks.block_count(); ++k) {
+    const double v = blocks.bodies[k].volume;
+    volume += v, smallest = std::min(smallest, v), largest = std::max(largest, v);
+  }
+  line(format("blocks: %zu, volume %.6g, single %.3g ... %.3g", blocks.block_count(), volume, smallest, largest));
+  for (const ContactGroup& g : blocks.groups) {
+    double stiffest = 0;
+    for (std::size_t k = g.begin; k < g.end; ++k) stiffest = std::max(stiffest, blocks.joints[k].kn);
+    std::string law = g.platen ? "a platen" : "a law of its own";
+    for (const auto& m : model.materials)
+      if (m.joint.get() == g.law) law = "'" + m.name + "'";
+    line(format("contacts of %s: %zu, normal stiffness up to %.4g", law.c_str(), g.end - g.begin, stiffest));
+  }
+  line(format("bonds: %zu", blocks.bonds()));
+  for (std::size_t p = 0; p < model.blocks->platens.size(); ++p)
+    line(format("platen '%s': area %.6g", model.blocks->platens[p].name.c_str(), blocks.platen_area(p)));
+  const BlockSteps steps = steps_of(model, blocks);
+  line(format("time step: %.6g, set by %s", steps.size,
+              model.blocks->quasi_static                     ? "<TimeStep>, to which masses are fitted"
+              : blocks.critical_step() < model.time.max_step ? "the stiffness of the contacts"
+                                                             : "<TimeStep>"));
+  line(format("steps: %lld to time %.6g", static_cast<long long>(steps.count), model.time.end));
+  line(format("memory: about %.3g MB", 1e-6 * blocks.bytes()));
+  Schedule archive(model.output.archive);
+  archive.due(model.time.end, 0.0);
+  line(format("files of blocks and contacts: %lld each", static_cast<long long>(archive.count())));
+  const auto begin = std::chrono::steady_clock::now();
+  const auto seconds = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(); };
+  int trial = 0;
+  while (seconds() < 0.2 && trial < 1000) blocks.advance(steps.size), ++trial;
+  line(format("estimated time: %.3g s on %d thread%s, without output",
+              seconds() / trial * static_cast<double>(steps.count), threads(), threads() == 1 ? "" : "s"));
+  for (const auto& warning : model.warnings) line(warning);
+  return out;
+}
+
+}  // namespace tribo

@@ -1,0 +1,61 @@
+/// Columns of output files.
+#pragma once
+
+#include "base/types.hpp"
+#include "output/vtk.hpp"
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace tribo {
+
+/// Columns of points or cells, filled by appending; "position" is no field but where they are.
+class Columns {
+ public:
+  void vector(const std::string& name, const auto& v) {
+    auto& to = of(name, 3);
+    for (std::size_t d = 0; d < 3; ++d)
+      to.data[d].push_back(static_cast<Eigen::Index>(d) < v.size() ? v[static_cast<Eigen::Index>(d)] : 0.0);
+  }
+  void number(const std::string& name, double x) { of(name, 1).data[0].push_back(x); }
+  void tensor(const std::string& name, const Mat3& m) {
+    auto& to = of(name, 6);
+    for (std::size_t k = 0; k < 6; ++k) {
+      const auto [r, c] = Layout<3>::symmetric_at[k];
+      to.data[k].push_back(m(r, c));
+    }
+  }
+  void integer(const std::string& name, std::int64_t k) { of(name, 0).integers.push_back(k); }
+  std::array<const double*, 3> positions() {
+    auto& x = of("position", 3).data;
+    return {x[0].data(), x[1].data(), x[2].data()};
+  }
+  std::size_t size() { return of("position", 3).data[0].size(); }
+  std::vector<OutputField> fields() const {
+    std::vector<OutputField> out;
+    for (const Column& c : columns_) {
+      if (c.name == "position") continue;
+      OutputField field{c.name, {}, c.integers.empty() ? nullptr : c.integers.data()};
+      for (const auto& data : c.data) field.components.push_back(data.data());
+      out.push_back(std::move(field));
+    }
+    return out;
+  }
+
+ private:
+  struct Column {
+    std::string name;
+    std::vector<std::vector<double>> data;
+    std::vector<std::int64_t> integers;
+  };
+  Column& of(const std::string& name, std::size_t components) {
+    for (Column& c : columns_)
+      if (c.name == name) return c;
+    columns_.push_back({name, std::vector<std::vector<double>>(components), {}});
+    return columns_.back();
+  }
+  std::vector<Column> columns_;
+};
+
+}  // namespace tribo

@@ -1,0 +1,32 @@
+/// Signals that ask a run to stop or to write a checkpoint.
+#pragma once
+
+#include "model/model.hpp"
+
+#include <string>
+
+namespace tribo {
+
+/// Turns SIGINT or SIGTERM into a request to stop, SIGUSR1 into one for a checkpoint; restores the old handlers
+/// afterwards.
+class SignalGuard {
+ public:
+  SignalGuard();
+  ~SignalGuard();
+  SignalGuard(const SignalGuard&) = delete;
+  SignalGuard& operator=(const SignalGuard&) = delete;
+
+  bool stop() const;
+  bool checkpoint() const;
+  void checkpoint_done();
+
+ private:
+  void (*old_interrupt_)(int);
+  void (*old_terminate_)(int);
+  void (*old_user_)(int);
+};
+
+/// The command file, and line by line what was set in it: for 'tribo resume'.
+std::string source_of(const Model& model);
+
+}  // namespace tribo
