@@ -115,7 +115,7 @@ expect 0 "$tribo" run -a -v -w "$script"
 
 # A signal finishes the step and leaves a checkpoint
 "$tribo" run --quiet --output four "$source/input/examples/simple_shear.xml" >/dev/null 2>&1 &
-sleep 0.15
+for _ in $(seq 200); do [ -f four/provenance.json ] && break; sleep 0.05; done # written once signals are heard
 kill -TERM $! 2>/dev/null || true
 code=0
 wait $! || code=$?
