@@ -75,17 +75,28 @@ const MaterialSpec* Builder::named_law(const Statement& s) {
   return found;
 }
 
-// For fields at nodes, which keep nothing.
-std::shared_ptr<const ContactLaw> Builder::nodal_law(const Statement& s) {
+// For all pairs: a joint law needs faces that touch at the start, and something must be said of all others.
+std::shared_ptr<const ContactLaw> Builder::default_law(const Statement& s) {
   const MaterialSpec* found = named_law(s);
   if (!found) return nullptr;
   if (tribo::joint_laws().find(found->type)) {
     const Attribute* a = s.attribute("lawname") ? s.attribute("lawname") : s.attribute("law");
-    problems_.add(a->origin, "'" + found->name + "' at " + found->origin.text() + " is the joint law " + found->type +
-                                 ", which has a history and cannot be given to grid nodes; give it to a <CrackList>");
+    problems_.add(a->origin,
+                  "'" + found->name + "' at " + found->origin.text() + " is the joint law " + found->type +
+                      ", which remembers the faces that touch at the start; it cannot be the law of all pairs "
+                      "wherever they meet. Give it to two materials by <Friction lawname='" +
+                      found->name + "' matname='...'/> inside one of them, or to a <CrackList>");
     return nullptr;
   }
   return found->contact;
+}
+
+void Builder::must_suit_grid(const MaterialSpec& law, const Origin& origin) {
+  must(
+      !law.joint || (!law.joint->needs_distance() && law.joint->poisson() == 0), origin,
+      "'" + law.name +
+          "' takes the place of material between blocks (compute-stiffness, sn_pois): in the grid the bodies beside it "
+          "are elastic already; use assign-stiffness");
 }
 
 // <Friction>0.3</Friction>: the dialect's old way to say the law with one number.
@@ -150,7 +161,7 @@ void Builder::contact() {
                                             : Separation::displacements;
 
   if (const auto* f = mode->child("Friction"))
-    c.default_law = f->attribute("law") || f->attribute("lawname") ? nodal_law(*f) : law_by_number(*f);
+    c.default_law = f->attribute("law") || f->attribute("lawname") ? default_law(*f) : law_by_number(*f);
   else
     c.default_law = tribo::contact_laws().find("CoulombFriction")->make(Statement{}, {}, model_.units, problems_);
   pair_laws();
@@ -158,13 +169,13 @@ void Builder::contact() {
 }
 
 void Builder::pair_laws() {
-  ContactSpec& c = model_.contact;
   std::map<std::pair<int, int>, Origin> given;
   for (std::size_t k = 0; k < material_statements_.size(); ++k)
     for (const auto& f : material_statements_[k]->children) {
       if (f.name != "Friction") continue;
-      const bool contact_law = static_cast<bool>(tribo::contact_laws().find(word(*material_statements_[k], "Type")));
-      must(!contact_law, f.origin, "<Friction> belongs to a material, not to a contact law");
+      const std::string type = word(*material_statements_[k], "Type");
+      must(!tribo::contact_laws().find(type) && !tribo::joint_laws().find(type), f.origin,
+           "<Friction> belongs to a material, not to a contact law");
       if (!has(f, "mat") && !has(f, "matname")) {
         problems_.add(f.origin,
                       "<Friction> inside a material needs 'mat' or 'matname', the other material of the pair");
@@ -172,12 +183,28 @@ void Builder::pair_laws() {
       }
       const int self = static_cast<int>(k), other = material(f);
       must(self != other, f.origin, "a pair needs two materials; this names the material itself");
-      const auto law = has(f, "law") || has(f, "lawname") ? nodal_law(f) : law_by_number(f);
       const std::pair pair{std::min(self, other), std::max(self, other)};
       const auto [entry, fresh] = given.try_emplace(pair, f.origin);
       if (!fresh) problems_.add(f.origin, "this pair of materials has a law already, at " + entry->second.text());
-      if (law) c.pair_laws[pair] = law;
+      pair_law(f, self, other);
     }
+}
+
+// Body 1 of a joint is the material in which its law stands.
+void Builder::pair_law(const Statement& f, int self, int other) {
+  const std::pair pair{std::min(self, other), std::max(self, other)};
+  ContactSpec& c = model_.contact;
+  if (!has(f, "law") && !has(f, "lawname")) {
+    if (const auto law = law_by_number(f)) c.pair_laws[pair] = law;
+    return;
+  }
+  const MaterialSpec* law = named_law(f);
+  if (!law) return;
+  must_suit_grid(*law, f.origin);
+  if (law->joint)
+    c.joints[pair] = {law->joint, {self, other}, f.origin};
+  else if (law->contact)
+    c.pair_laws[pair] = law->contact;
 }
 
 void Builder::shared_fields() {

@@ -163,11 +163,7 @@ void Builder::cracks() {
   const auto named = [&](const Statement& s) -> Laws {
     const MaterialSpec* law = named_law(s);
     if (!law) return {};
-    if (law->joint)
-      must(!law->joint->needs_distance() && law->joint->poisson() == 0, s.origin,
-           "'" + law->name +
-               "' takes the place of material between blocks (compute-stiffness, sn_pois): on a crack "
-               "the bodies beside it are elastic already; use assign-stiffness");
+    must_suit_grid(*law, s.origin);
     return {law->contact, law->joint};
   };
   Laws fallback;

@@ -57,7 +57,9 @@ class Builder {
   void shared_fields();
   void liquid_of(const MaterialSpec& law);
   const MaterialSpec* named_law(const Statement& s);
-  std::shared_ptr<const ContactLaw> nodal_law(const Statement& s);
+  std::shared_ptr<const ContactLaw> default_law(const Statement& s);
+  void pair_law(const Statement& f, int self, int other);
+  void must_suit_grid(const MaterialSpec& law, const Origin& origin);
   std::shared_ptr<const ContactLaw> law_by_number(const Statement& s);
   double thermal_property(const Statement& s, Dimension dimension);
   void check_cell(const MaterialSpec& spec, double size, const Origin& origin);

@@ -492,7 +492,11 @@ std::vector<ElementSpec> make() {
        "an "
        "interface (absent: frictionless)",
        T::number, law, true});
-  add({"Friction", "Material", "the law between this material and another", T::number,
+  add({"Friction", "Material",
+       "the law between this material and another: a contact law, or a joint law, which acts where their faces touch "
+       "at "
+       "the start",
+       T::number,
        law + std::vector<AttributeSpec>{text("mat", "number of the other material"), text("matname", "or its name")}});
   add({"ContactPosition",
        "MultiMaterialMode",

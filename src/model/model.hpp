@@ -80,6 +80,14 @@ struct ContactSpec {
   bool at_faces = false;           ///< impulses act on faces, between nodes, not on single nodes
   std::shared_ptr<const ContactLaw> default_law;
   std::map<std::pair<int, int>, std::shared_ptr<const ContactLaw>> pair_laws;  ///< by materials, smaller number first
+  /// A joint law given to a pair, and where.
+  struct Joint {
+    std::shared_ptr<const JointLaw> law;
+    std::array<int, 2> materials{};  ///< of the bodies 1 and 2
+    Origin origin;
+  };
+  std::map<std::pair<int, int>, Joint> joints;  ///< by materials, as above: where their faces touch at the start
+  /// Where no joint acts.
   const ContactLaw* law(int a, int b) const {
     const auto found = pair_laws.find({std::min(a, b), std::max(a, b)});
     return (found == pair_laws.end() ? default_law : found->second).get();

@@ -67,7 +67,45 @@ CrackSheet describe_cracks(const System<Dim>& system) {
   return out;
 }
 
+template <int Dim>
+CrackSheet describe_interfaces(const System<Dim>& system) {
+  constexpr double few = 3;       // cells
+  constexpr double turned = 0.9;  // cosine of the angle between neighbours
+  const double h = system.lattice.spacing.maxCoeff();
+  const auto name = [&](int material) {
+    for (const auto* list : {&system.bodies, &system.rigids})
+      for (const auto& body : *list)
+        if (body.material == material) return "'" + body.name + "'";
+    return std::string();
+  };
+  CrackSheet out;
+  for (std::size_t s = 0; s < system.joints.size(); ++s) {
+    const JointSurface<Dim>& surface = system.joints[s];
+    if (surface.crack != JointSurface<Dim>::none) continue;
+    double area = 0.0;
+    std::size_t steps = 0;
+    for (std::size_t k = 0; k < surface.joints.size(); ++k) {
+      area += surface.joints[k].area;
+      if (k > 0 && (surface.x[k] - surface.x[k - 1]).norm() < h)
+        steps += surface.axes[k].n.dot(surface.axes[k - 1].n) < turned;
+    }
+    const std::string who =
+        format("joint %zu of %s and %s", s + 1, name(surface.material[0]).c_str(), name(surface.material[1]).c_str());
+    out.lines.push_back(who + format(": %zu points, area %.6g", surface.joints.size(), area));
+    const double cells = std::pow(static_cast<double>(surface.joints.size()), 1.0 / (Dim - 1)) / 2;
+    if (cells < few) out.advice.push_back(who + format(" has %zu points only", surface.joints.size()));
+    if (10 * steps > surface.joints.size())
+      out.advice.push_back(
+          who +
+          " runs in steps of particles, which lock it: let particles follow the face (<Deform>), or draw "
+          "the joint as a crack");
+  }
+  return out;
+}
+
 template CrackSheet describe_cracks(const System<2>&);
+template CrackSheet describe_interfaces(const System<2>&);
+template CrackSheet describe_interfaces(const System<3>&);
 template CrackSheet describe_cracks(const System<3>&);
 
 }  // namespace tribo

@@ -242,9 +242,10 @@ class Sheet {
   }
 
   void cracks() {
-    const CrackSheet sheet = describe_cracks(system_);
-    for (const auto& text : sheet.lines) line(text);
-    advice_.insert(advice_.end(), sheet.advice.begin(), sheet.advice.end());
+    for (const CrackSheet& sheet : {describe_cracks(system_), describe_interfaces(system_)}) {
+      for (const auto& text : sheet.lines) line(text);
+      advice_.insert(advice_.end(), sheet.advice.begin(), sheet.advice.end());
+    }
     if (system_.joints.empty()) return;
     // found with the masses of a first step
     stepper_.advance(0.1 * step_.size);

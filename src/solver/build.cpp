@@ -1,6 +1,7 @@
 #include "solver/build.hpp"
 
 #include "solver/crack_build.hpp"
+#include "solver/interface_build.hpp"
 #include "solver/transfer.hpp"
 
 #include "contact/contact_law.hpp"
@@ -216,6 +217,7 @@ System<Dim> build_system(const Model& model, const std::vector<Seed>& seeds) {
   }
   assign_fields(model, system);
   if (!model.cracks.empty()) add_cracks(model, system, transfers->stencil_width());
+  add_interfaces(model, system);
   add_sides(system);
   if (system.bodies.empty())
     throw InputError(Origin{}, "the model has no deformable particle; give a <Body> with a material");

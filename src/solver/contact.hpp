@@ -8,6 +8,7 @@
 #include "solver/cracks.hpp"
 #include "solver/face_impulses.hpp"
 #include "solver/faces.hpp"
+#include "solver/joints.hpp"
 #include "solver/pair_impulses.hpp"
 #include "solver/transfer.hpp"
 
@@ -47,8 +48,8 @@ class Contact {
   void locate();
   /// Finds the nodes where fields meet, normals, gaps and areas, from particles at the start of the step. Normals and
   /// areas are kept for as long as no particle moves more than a small part of a cell, those of flat faces longer; gaps
-  /// are always new.
-  void find(std::vector<Conditions<Dim>>& conditions);
+  /// are always new. Where joints act between two bodies their law does not.
+  void find(std::vector<Conditions<Dim>>& conditions, const Joints<Dim>& joints);
   /// Tells how far some particle may have moved in this step [cells].
   void moved(double cells) { moved_ += cells; }
   /// Forgets what is kept from step to step.
@@ -113,8 +114,9 @@ class Contact {
     std::size_t a = 0, b = 0;
     Vec3 normal = Vec3::Zero();
     double area = 0.0;
-    double play = 0.0;   // added to the gap
-    double found = 0.0;  // the travel when they were found [cells]
+    double play = 0.0;    // added to the gap
+    double beside = 0.0;  // how far along the face it is from the node to where both sides have it
+    double found = 0.0;   // the travel when they were found [cells]
     bool apart = false, just_found = false;
     bool flat = false;               // however the node lies to them, as long as they do not turn
     double serves = 0.0;             // for so much travel [cells]
@@ -172,6 +174,7 @@ class Contact {
   void collect();
   void keep(Faces& kept, Scratch& s, const Vec<Dim>& n) const;
   void number_kept();
+  void leave_to_joints(const Joints<Dim>& joints);
   void gather_faces();
 
   // contact_faces.cpp
@@ -180,6 +183,7 @@ class Contact {
   double area(const MeetingNode& node, const ContactPair& pair, Scratch& s, const Vec<Dim>& n) const;
   bool is_thin(const MeetingNode& node, Scratch& s, std::size_t side, const Vec<Dim>& out) const;
   double separation(const MeetingNode& node, const ContactPair& pair, Scratch& scratch, const Vec<Dim>& n) const;
+  double beside(Scratch& scratch, const Vec<Dim>& n) const;
   Vec3 opening(const MeetingNode& node, Scratch& scratch, const Vec<Dim>& n) const;
   void recall(const MeetingNode& node, ContactPair& pair, const Scratch& scratch) const;
   double weight(const Vec<Dim>& distance) const;

@@ -36,6 +36,7 @@ void Contact<Dim>::face(const MeetingNode& node, ContactPair& pair, Faces& kept,
     pair.face = face_between(pair, of_a, of_b);
   }
   kept.normal = pair.meeting.normal, kept.area = pair.meeting.area;
+  if (!model_.contact.joints.empty()) kept.beside = beside(s, *n);
   if (keeps_faces_) keep(kept, s, *n);
   if (pair.law->interface()) pair.meeting.opening = opening(node, s, *n);
   if (pair.law->remembers()) recall(node, pair, s);
@@ -102,6 +103,21 @@ double Contact<Dim>::separation(const MeetingNode& node, const ContactPair& pair
     return e > 0 ? 2 * std::pow(e, q) - 1 : 1 - 2 * std::pow(-e, q);
   };
   return across * (distance(xb) - distance(xa));
+}
+
+// How far along the face it is to the nearest particle at it, of the side that begins farther away.
+template <int Dim>
+double Contact<Dim>::beside(Scratch& s, const Vec<Dim>& n) const {
+  double farthest = 0.0;
+  for (std::size_t side = 0; side < 2; ++side) {
+    Side<Dim>& of = s.sides[side];
+    const double face = face_position<Dim>(of, side == 0 ? n : Vec<Dim>(-n), band * h_);
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < of.size(); ++i)
+      if (of.reach[i] >= face - kept_depth * h_) nearest = std::min(nearest, of.sideways[i]);
+    if (std::isfinite(nearest)) farthest = std::max(farthest, std::sqrt(nearest));
+  }
+  return farthest;
 }
 
 template <int Dim>

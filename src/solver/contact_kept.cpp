@@ -20,11 +20,13 @@ constexpr double most_change = 0.01;
 // Particles of flat faces reach equally far, but for this [cells]: within the reach of a node that is a curvature whose
 // normals turn by 1e-3 along most_beside, less than most_change shows.
 constexpr double even = 0.02;
+// Cosine of the angle between the normals of a joint and of the face that goes on beyond it.
+constexpr double same_normal = 0.866;
 
 }  // namespace
 
 template <int Dim>
-void Contact<Dim>::find(std::vector<Conditions<Dim>>& conditions) {
+void Contact<Dim>::find(std::vector<Conditions<Dim>>& conditions, const Joints<Dim>& joints) {
   if (!active_) return;
   const auto lap = watch.lap();
   list_nodes(conditions);
@@ -36,7 +38,29 @@ void Contact<Dim>::find(std::vector<Conditions<Dim>>& conditions) {
   else if (stale > 0)
     find_faces(conditions, false);
   kept_steps_ = keeps_faces_ ? kept_steps_ + 1 : 0;
+  leave_to_joints(joints);
   gather_faces();
+}
+
+// Joints act wherever nodes feel them, but where the face goes on beyond the last joint by more than a cell. Where two
+// bodies reach each other beyond the end of their common face the normal may be another, and joint and face are
+// about equally far.
+template <int Dim>
+void Contact<Dim>::leave_to_joints(const Joints<Dim>& joints) {
+  if (model_.contact.joints.empty()) return;
+  parallel_for(static_cast<std::ptrdiff_t>(nodes_.size()), [&](std::ptrdiff_t k) {
+    const MeetingNode& node = nodes_[static_cast<std::size_t>(k)];
+    for (std::size_t p = node.first_pair; p < node.end_pair; ++p) {
+      ContactPair& pair = pairs_[p];
+      if (pair.crack >= 0) continue;
+      const auto joint = joints.next(system_.fields[members_[pair.a].field].home,
+                                     system_.fields[members_[pair.b].field].home, system_.lattice.position(node.index));
+      const Faces& face = faces_[face_of_[p]];
+      const bool beyond = !pair.apart && pair.law->looks_at_faces() && joint.distance > face.beside + h_ &&
+                          std::abs(face.normal.template head<Dim>().dot(joint.normal)) > same_normal;
+      pair.jointed = std::isfinite(joint.distance) && !beyond;
+    }
+  });
 }
 
 // Finds the faces at all nodes or at the stale ones.
@@ -206,7 +230,7 @@ void Contact<Dim>::gather_faces() {
   if (!model_.contact.at_faces) return;
   face_impulses_.clear();
   const auto has_face = [](const ContactPair& pair) {
-    return !pair.apart && pair.crack < 0 && pair.law->looks_at_faces();
+    return !pair.apart && !pair.jointed && pair.crack < 0 && pair.law->looks_at_faces();
   };
   for (MeetingNode& node : nodes_) {
     const auto pairs = pairs_of(node);
@@ -216,11 +240,11 @@ void Contact<Dim>::gather_faces() {
   }
 }
 
-template void Contact<2>::find(std::vector<Conditions<2>>&);
+template void Contact<2>::find(std::vector<Conditions<2>>&, const Joints<2>&);
 template bool Contact<2>::worn() const;
 template void Contact<2>::collect();
 template void Contact<2>::keep(Faces&, Scratch&, const Vec<2>&) const;
-template void Contact<3>::find(std::vector<Conditions<3>>&);
+template void Contact<3>::find(std::vector<Conditions<3>>&, const Joints<3>&);
 template bool Contact<3>::worn() const;
 template void Contact<3>::collect();
 template void Contact<3>::keep(Faces&, Scratch&, const Vec<3>&) const;

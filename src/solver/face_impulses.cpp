@@ -123,7 +123,9 @@ void FaceImpulses<Dim>::push(const Row& row, const Vec3& impulse) {
 // Sweeps of Jacobi's kind, then projected Gauss-Seidel, forward and backward in turn.
 template <int Dim>
 void FaceImpulses<Dim>::solve(bool update) {
-  const auto silent = [&](const Row& row) { return row.pair->apart || (!update && row.pair->law->interface()); };
+  const auto silent = [&](const Row& row) {
+    return row.pair->apart || row.pair->jointed || (!update && row.pair->law->interface());
+  };
   for (int sweep = 0; sweep < first_sweeps; ++sweep) {
     for (Row& row : rows_)
       if (!silent(row)) ask(row, row.mass_among);

@@ -10,7 +10,14 @@ namespace tribo {
 
 template <int Dim>
 Joints<Dim>::Joints(const Model& model, System<Dim>& system, const Cracks<Dim>& cracks)
-    : system_(system), cracks_(cracks), around_(model, system.lattice), surfaces_(system.joints.size()) {}
+    : system_(system), cracks_(cracks), around_(model, system.lattice), surfaces_(system.joints.size()) {
+  // Particles give to nodes from so far away, with domains of up to a cell.
+  const double cells = model.scheme.kernel == Kernel::cubic_spline ? 2.0 : 1.5;
+  reach_ = (cells + 0.5) * system.lattice.spacing.maxCoeff();
+  for (const auto& surface : system.joints)
+    if (surface.crack == JointSurface<Dim>::none)
+      points_.resize(static_cast<std::size_t>(system.lattice.block_count()));
+}
 
 // Weights of a fit of a linear velocity to what the nodes on one side have, by least squares: rigid motion opens
 // nothing. They are the shape functions where those reproduce linear velocities already; nodes with little
@@ -48,7 +55,7 @@ double Joints<Dim>::find_side(const JointSurface<Dim>& surface, const Vec<Dim>& 
     double total = 0.0;
     for (std::size_t f = 0; f < system_.fields.size(); ++f) {
       const Field<Dim>& field = system_.fields[f];
-      if (field.side != across || field.rigid_contact || (!of_crack && field.home != surface.home[side])) continue;
+      if (field.side != across || (of_crack ? field.rigid_contact : field.home != surface.home[side])) continue;
       const auto position = field.map.node(inside);
       if (position < 0) continue;
       const double m = field.nodes[static_cast<std::size_t>(position)].mass;
@@ -81,8 +88,11 @@ double Joints<Dim>::find_side(const JointSurface<Dim>& surface, const Vec<Dim>& 
 template <int Dim>
 std::pair<Vec<Dim>, Vec<Dim>> Joints<Dim>::place(const JointSurface<Dim>& surface, std::size_t s) const {
   const JointSample<Dim>& sample = surface.samples[s];
-  if (surface.crack == JointSurface<Dim>::none)
-    return {surface.x[sample.joint[0]], surface.axes[sample.joint[0]].n.template head<Dim>()};
+  if (surface.crack == JointSurface<Dim>::none) {
+    const JointAxes& axes = surface.axes[sample.joint[0]];
+    const Vec3 beside = sample.local[0] * axes.n + axes.vector({sample.local[1], sample.local[2]});
+    return {surface.x[sample.joint[0]] + beside.template head<Dim>(), axes.n.template head<Dim>()};
+  }
   const Crack<Dim>& crack = system_.cracks[surface.crack];
   typename JointSample<Dim>::Corners corners;
   Vec<Dim> x = Vec<Dim>::Zero();
@@ -93,6 +103,7 @@ std::pair<Vec<Dim>, Vec<Dim>> Joints<Dim>::place(const JointSurface<Dim>& surfac
 
 template <int Dim>
 void Joints<Dim>::find() {
+  if (!active()) return;
   for (std::size_t s = 0; s < system_.joints.size(); ++s) {
     JointSurface<Dim>& surface = system_.joints[s];
     Surface& mine = surfaces_[s];
@@ -100,6 +111,10 @@ void Joints<Dim>::find() {
     parallel_for(static_cast<std::ptrdiff_t>(mine.samples.size()), [&](std::ptrdiff_t sample) {
       const auto k = static_cast<std::size_t>(sample);
       Reach& reach = mine.samples[k];
+      if (surface.mass[0][k] == surface.gone) {
+        for (auto& side : reach.side) side.clear();
+        return;
+      }
       const auto [x, n] = place(surface, k);
       double inverse = 0.0;
       for (std::size_t f = 0; f < 2; ++f) {
@@ -109,13 +124,16 @@ void Joints<Dim>::find() {
         constexpr double enough = 0.05;  // else the body has gone
         if (mass < enough * first) reach.side[f].clear();
         for (const Share& share : reach.side[f])
-          inverse += share.images * share.weight * share.weight / node(share).mass;
+          inverse += share.images * share.weight * share.weight * inverse_mass(share);
       }
+      if (surface.crack == JointSurface<Dim>::none && !reach.whole())
+        surface.mass[0][k] = surface.mass[1][k] = surface.gone;
       reach.mass = inverse > 0 ? 1 / inverse : 0.0;
     });
     mine.held.assign(surface.joints.size(), 0.0);
     each_part(s, [&](Reach&, std::uint32_t joint, double part) { mine.held[joint] += part; });
   }
+  list_points();
   find_stable_step();
 }
 
@@ -150,7 +168,7 @@ void Joints<Dim>::find_stable_step() {
         stiffness(share) = 0.0;
       });
   const auto scaled = [&](const Share& share) {
-    return std::abs(share.weight) * std::sqrt(share.images / node(share).mass);
+    return std::abs(share.weight) * std::sqrt(share.images * inverse_mass(share));
   };
   double largest = 0.0;
   for (std::size_t s = 0; s < surfaces_.size(); ++s) {
@@ -183,7 +201,7 @@ void Joints<Dim>::push(double dt) {
       for (std::size_t f = 0; f < 2; ++f)
         for (const Share& share : reach.side[f]) {
           Node& at = node(share);
-          const double shared = (f == 0 ? -1.0 : 1.0) * share.images * share.weight / at.mass;
+          const double shared = (f == 0 ? -1.0 : 1.0) * share.images * share.weight * inverse_mass(share);
           const Vec<Dim> a = shared * share.mirror.cwiseProduct(force);
           for (int d = 0; d < Dim; ++d) at.acceleration[d] += a[d], at.velocity[d] += dt * a[d];
         }
@@ -228,6 +246,9 @@ void Joints<Dim>::follow(double dt) {
       d.normal = dt * apart.dot(surface.axes[k].n), d.shear = dt * surface.axes[k].tangent(apart);
       d.gap = surface.joints[k].gap + d.normal, d.dt = dt;
     }
+    std::vector<Vec3> before;
+    if (rigid(surface, 0) || rigid(surface, 1))
+      for (std::size_t k = 0; k < count; ++k) before.push_back(surface.force(k));
     // in runs of neighbours that have both faces
     for (std::size_t first = 0, end = 0; first < count; first = end + 1) {
       for (end = first; end < count && holds(s, end);) ++end;
@@ -235,6 +256,7 @@ void Joints<Dim>::follow(double dt) {
       if (end < count) let_go(surface.joints[end]);
     }
     if (surface.crack != JointSurface<Dim>::none) lead(s);
+    if (!before.empty()) work_on_rigid(s, before, dt);
   }
 }
 

@@ -3,6 +3,9 @@
 /// A point takes the velocities of its two faces from the nodes and gives them its force, with the same weights, so
 /// that what the joint gains the nodes lose. The law runs once per step, after the velocities are known; its force acts
 /// in the next one.
+///
+/// Between bodies a point moves with the mean of both faces and its normal turns with them. Once one of its faces has
+/// gone it is finished for good: the contact law of the two bodies takes over, there and wherever else they meet.
 #pragma once
 
 #include "solver/cracks.hpp"
@@ -29,6 +32,14 @@ class Joints {
   bool active() const { return !system_.joints.empty(); }
   /// Finds the nodes of all points; once the masses of a step are known.
   void find();
+  /// The point between two bodies, given by their fields, that is nearest to a node, along the face: how far, and the
+  /// normal there; infinity if the node is out of reach of all points that still have both faces [length]. After
+  /// find().
+  struct Next {
+    double distance = std::numeric_limits<double>::infinity();
+    Vec<Dim> normal = Vec<Dim>::Zero();
+  };
+  Next next(std::size_t field_a, std::size_t field_b, const Vec<Dim>& node) const;
   /// The forces of the joints on velocities and accelerations of the nodes.
   void push(double dt);
   /// What the faces do in this step, and what the law makes of it; before anything moves.
@@ -46,6 +57,21 @@ class Joints {
   Energies energies() const;
   /// Events since the last call.
   std::vector<PlacedEvent> take_events();
+  /// Calls f(field of body 1, field of body 2, force on body 1, area that is not open) for the joints between bodies.
+  template <class F>
+  void each_pair(F&& f) const {
+    for (std::size_t s = 0; s < system_.joints.size(); ++s) {
+      const JointSurface<Dim>& surface = system_.joints[s];
+      if (surface.crack != JointSurface<Dim>::none) continue;
+      Vec3 force = Vec3::Zero();
+      double area = 0.0;
+      for (std::size_t k = 0; k < surface.joints.size(); ++k)
+        if (holds(s, k)) force -= surface.force(k), area += surface.joints[k].away ? 0.0 : surface.joints[k].area;
+      f(surface.home[0], surface.home[1], force, area);
+    }
+  }
+  /// Work that rigid bodies did on joints, and momentum they gave through them, since the last call [energy, momentum].
+  std::pair<double, Vec3> take_rigid() { return std::exchange(rigid_, {0.0, Vec3::Zero()}); }
 
  private:
   /// One field at one node, as a point sees it.
@@ -76,13 +102,22 @@ class Joints {
   Node& node(const Share& share) const {
     return system_.fields[share.field].nodes[static_cast<std::size_t>(share.node)];
   }
+  /// 0 of rigid bodies.
+  double inverse_mass(const Share& share) const {
+    return system_.fields[share.field].rigid_contact ? 0.0 : 1.0 / node(share).mass;
+  }
+  bool rigid(const JointSurface<Dim>& surface, std::size_t side) const {
+    return surface.crack == JointSurface<Dim>::none && system_.fields[surface.home[side]].rigid_contact;
+  }
   bool holds(std::size_t surface, std::size_t joint) const { return surfaces_[surface].held[joint] > 0.25; }
   std::pair<Vec<Dim>, Vec<Dim>> place(const JointSurface<Dim>& surface, std::size_t sample) const;
   double find_side(const JointSurface<Dim>& surface, const Vec<Dim>& x, const Vec<Dim>& n, std::size_t side,
                    std::vector<Share>& out) const;
   template <class F>
   void each_part(std::size_t surface, F&& f);
+  void list_points();
   void find_stable_step();
+  void work_on_rigid(std::size_t surface, const std::vector<Vec3>& before, double dt);
   Motion motion(const std::vector<Share>& shares) const;
   void update(JointSurface<Dim>& surface, std::size_t s, std::size_t first, std::size_t end, double dt);
   static void let_go(Joint& joint);
@@ -98,6 +133,13 @@ class Joints {
   std::vector<JointIncrement> increments_;      ///< scratch
   std::vector<JointEvent> happened_;            ///< scratch
   std::vector<PlacedEvent> events_;
+  std::pair<double, Vec3> rigid_{0.0, Vec3::Zero()};
+  struct PointOf {
+    std::uint32_t surface, joint;
+  };
+  double reach_ = 0.0;                        ///< of the nodes that feel a point, along any axis [length]
+  std::vector<std::vector<PointOf>> points_;  ///< per block: points between bodies that have both faces
+  std::vector<std::int64_t> listed_;          ///< blocks that have some
   double stable_step_ = std::numeric_limits<double>::infinity();
 };
 

@@ -1,12 +1,11 @@
 /// Where there are particles.
 #pragma once
 
+#include "solver/cell_table.hpp"
 #include "solver/contact_cloud.hpp"
 #include "solver/nodes_around.hpp"
 
 #include <algorithm>
-#include <limits>
-#include <unordered_map>
 
 namespace tribo {
 
@@ -14,25 +13,27 @@ namespace tribo {
 template <int Dim>
 class Matter {
  public:
-  /// Within a box.
+  /// Of all deformable bodies within a box.
   Matter(const Model& model, System<Dim>& system, const Vec<Dim>& low, const Vec<Dim>& high)
-      : lattice_(system.lattice), around_(model, system.lattice) {
-    for (auto& body : system.bodies) {
-      const Domains<Dim> domains(body);
-      const auto x = body.particles.x();
-      for (std::uint32_t i = 0; i < body.particles.size(); ++i) {
-        bool near = true;
-        for (std::size_t d = 0; d < Dim; ++d) {
-          const auto axis = static_cast<Eigen::Index>(d);
-          near = near && x[d][i] >= low[axis] && x[d][i] <= high[axis];
-        }
-        if (!near) continue;
-        const CloudPoint<Dim> domain = domains(i);
-        Vec<Dim> half = Vec<Dim>::Zero();
-        for (int k = 0; k < Dim; ++k) half += domain.axes.col(k).cwiseAbs();
-        half *= 1 + widest;
-        each_cell(domain.x - half, domain.x + half, [&](std::int64_t cell) { cells_[cell].push_back(domain); });
+      : Matter(model, system.lattice, low, high) {
+    for (auto& body : system.bodies) add(body);
+  }
+  /// Of the bodies that are added.
+  Matter(const Model& model, const Lattice<Dim>& lattice, const Vec<Dim>& low, const Vec<Dim>& high)
+      : around_(model, lattice), cells_(lattice), low_(low), high_(high) {}
+  void add(Body<Dim>& body) {
+    const Domains<Dim> domains(body);
+    const auto x = body.particles.x();
+    for (std::uint32_t i = 0; i < body.particles.size(); ++i) {
+      bool near = true;
+      for (std::size_t d = 0; d < Dim; ++d) {
+        const auto axis = static_cast<Eigen::Index>(d);
+        near = near && x[d][i] >= low_[axis] && x[d][i] <= high_[axis];
       }
+      if (!near) continue;
+      const CloudPoint<Dim> domain = domains(i);
+      const Vec<Dim> half = (1 + widest) * domain.axes.cwiseAbs().rowwise().sum();
+      cells_.add(domain.x - half, domain.x + half, domain);
     }
   }
   /// Whether a point lies beyond a symmetry plane.
@@ -45,11 +46,8 @@ class Matter {
     for (const SymmetryPlane& plane : around_.planes())
       if ((plane.at - x[plane.axis]) * plane.inward > 0) x[plane.axis] = 2 * plane.at - x[plane.axis];
     bool found = false;
-    each_cell(x, x, [&](std::int64_t cell) {
-      const auto domains = cells_.find(cell);
-      if (domains == cells_.end()) return;
-      for (const auto& d : domains->second)
-        found = found || d.axes.inverse().operator*(x - d.x).cwiseAbs().maxCoeff() <= 1 + 2 * slack;
+    cells_.each(x, x, [&](const CloudPoint<Dim>& d) {
+      found = found || d.axes.inverse().operator*(x - d.x).cwiseAbs().maxCoeff() <= 1 + 2 * slack;
     });
     return found;
   }
@@ -57,27 +55,9 @@ class Matter {
  private:
   static constexpr double widest = 1.0;
 
-  template <class F>
-  void each_cell(const Vec<Dim>& low, const Vec<Dim>& high, F&& f) const {
-    Index<Dim> first, last;
-    for (std::size_t d = 0; d < Dim; ++d) {
-      const auto axis = static_cast<Eigen::Index>(d);
-      const auto cell = [&](double at) {
-        return static_cast<int>(std::floor((at - lattice_.origin[axis]) / lattice_.spacing[axis]));
-      };
-      first[d] = cell(low[axis]), last[d] = cell(high[axis]);
-    }
-    for (int z = Dim == 3 ? first[Dim - 1] : 0; z <= (Dim == 3 ? last[Dim - 1] : 0); ++z)
-      for (int y = first[1]; y <= last[1]; ++y)
-        for (int x = first[0]; x <= last[0]; ++x) {
-          constexpr std::int64_t row = std::int64_t{1} << 20;
-          f((z * row + y) * row + x);
-        }
-  }
-
-  const Lattice<Dim>& lattice_;
   NodesAround<Dim> around_;
-  std::unordered_map<std::int64_t, std::vector<CloudPoint<Dim>>> cells_;
+  CellTable<Dim, CloudPoint<Dim>> cells_;
+  Vec<Dim> low_, high_;
 };
 
 }  // namespace tribo

@@ -26,7 +26,7 @@ void solve_pairs(std::span<const ContactMember> members, std::span<ContactPair> 
     double change = 0.0, size = 0.0;
     for (std::size_t k = 0; k < count; ++k) {
       ContactPair& pair = pairs[sweep % 2 == 0 ? k : count - 1 - k];
-      if (pair.apart || (!interfaces && pair.law->interface())) continue;
+      if (pair.apart || pair.jointed || (!interfaces && pair.law->interface())) continue;
       Meeting& m = pair.meeting;
       m.velocity =
           velocity_after(members, pairs, pair.b) - velocity_after(members, pairs, pair.a) + pair.impulse / m.mass;

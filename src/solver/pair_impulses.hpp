@@ -30,6 +30,7 @@ struct ContactPair {
   Touch shown = Touch::open;
   double friction = 0.0;      ///< work of sliding in the last update                           [energy]
   bool apart = false;         ///< they have no faces here
+  bool jointed = false;       ///< a joint acts between them here, not the law
   double face = 0.0;          ///< where it is, along the normal from the node                 [length]
   Vec3 after = Vec3::Zero();  ///< relative velocity that contact leaves; only of FaceImpulses
 };

@@ -32,18 +32,20 @@ void Stepper<Dim>::advance(double dt) {
     apply_tractions();
     if (contact_.keeps_start()) {
       divide_by_mass();
-      contact_.find(conditions_);
+      joints_.find();
+      contact_.find(conditions_, joints_);
       contact_.meet(dt, Contact<Dim>::Pass::start);
       accelerate(dt, Known::velocity_and_folded_force);
     } else {
       accelerate(dt, Known::momentum);
-      contact_.find(conditions_);
+      contact_.find(conditions_, joints_);
     }
   } else {
     // 2. Stress first (or half of it): strain from the extrapolated velocities, made to obey contact
     scatter(Scatter::momentum);
     divide_by_mass();
-    contact_.find(conditions_);
+    joints_.find();
+    contact_.find(conditions_, joints_);
     contact_.meet(dt, Contact<Dim>::Pass::start);
     impose(system_.time, dt);
     extend();
@@ -240,17 +242,28 @@ void Stepper<Dim>::accelerate(double dt, Known known) {
     if (damping != 0.0) account_damping(f, dt);
     conditions_[f].stay_on_planes(nodes);
   }
-  push_joints(dt);
+  push_joints(dt, from_momentum);
   for (const auto& body : system_.bodies) ledger_.impulse += dt * body.total_mass * model_.body_force.gravity;
 }
 
 // What joints carry since the last step.
 template <int Dim>
-void Stepper<Dim>::push_joints(double dt) {
+void Stepper<Dim>::push_joints(double dt, bool find) {
   if (!joints_.active()) return;
-  joints_.find();
+  if (find) joints_.find();
   joints_.push(dt);
   for (std::size_t f = 0; f < system_.fields.size(); ++f) conditions_[f].stay_on_planes(system_.fields[f].nodes);
+}
+
+// What joints between bodies do belongs to contact in the histories.
+template <int Dim>
+void Stepper<Dim>::book_joints() {
+  joints_.each_pair([&](std::size_t one, std::size_t two, const Vec3& force, double area) {
+    PairLedger& entry = contact_.ledger()[{std::min(one, two), std::max(one, two)}];
+    entry.force += one < two ? force : Vec3(-force), entry.area += area;
+  });
+  const auto [work, impulse] = joints_.take_rigid();
+  contact_.rigid_work += work, contact_.rigid_impulse += impulse;
 }
 
 // Accelerations that the user gave as functions of position and time.
@@ -408,6 +421,7 @@ void Stepper<Dim>::move(double dt, double strain_dt) {
   double travel = 0.0;
   extend();
   joints_.follow(dt);
+  book_joints();
   cracks_.move(dt);
   joints_.settle(dt);
   b_bar_.average_rates(what, &Field<Dim>::nodes);

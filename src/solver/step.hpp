@@ -58,7 +58,8 @@ class Stepper {
  private:
   void sort();
   void push_back(Body<Dim>& body);
-  void push_joints(double dt);
+  void push_joints(double dt, bool find);
+  void book_joints();
   void apply_body_force(std::size_t field, double dt);
   Vec3 body_force_at(const Vec<Dim>& x, double dt) const;
   void load_tips(double dt);

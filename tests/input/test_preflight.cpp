@@ -12,7 +12,8 @@ namespace {
 
 // Two blocks of 4 x 4 cells, the right one `gap` cells beside the left one.
 std::string sheet(const std::string& gap, const std::string& header, const std::string& more = "",
-                  const std::string& left_size = "4", const std::string& right_modulus = "1") {
+                  const std::string& left_size = "4", const std::string& right_modulus = "1",
+                  const std::string& left_law = "") {
   const std::string deck = R"(<JANFEAInput version='3'>
  <Header><Analysis>10</Analysis><ConsistentUnits length='mm' mass='g' time='ms'/></Header>
  <MPMHeader><MaxTime>1</MaxTime><ArchiveTime>0.25</ArchiveTime><GIMP/>)" +
@@ -23,7 +24,8 @@ std::string sheet(const std::string& gap, const std::string& header, const std::
   <Body matname='right'><Deform dX=')" +
                            gap + R"('/><Rect xmin='8' xmax='12' ymin='2' ymax='6'/></Body>
  </MaterialPoints>
- <Material Type='1' Name='left'><rho>0.001</rho><E>1</E><nu>0</nu></Material>
+ <Material Type='1' Name='left'><rho>0.001</rho><E>1</E><nu>0</nu>)" +
+                           left_law + R"(</Material>
  <Material Type='1' Name='right'><rho>0.001</rho><E>)" +
                            right_modulus + R"(</E><nu>0</nu></Material>)" + more + "</JANFEAInput>";
   std::string text = deck;
@@ -84,6 +86,17 @@ TEST_CASE("the sheet tells how many cells a crack spans", "[preflight]") {
   CHECK_THAT(with("<Line xmin='5' xmax='5' ymin='2' ymax='8'/>",
                   "<CrackList><Line xmin='7.5' xmax='7.5' ymin='2' ymax='8'/></CrackList>"),
              Contains("crack 1 and crack 2 come within 2.5 cells"));
+}
+
+TEST_CASE("the sheet tells points and area of a joint between materials, and its step", "[preflight]") {
+  const auto with = [](const std::string& stiffness) {
+    return sheet("0", contact,
+                 "<Material Type='Mohr' Name='bed'><stiffness-normal>" + stiffness + "</stiffness-normal></Material>",
+                 "4", "1", "<Friction lawname='bed' matname='right'/>");
+  };
+  CHECK_THAT(with("1"),
+             Contains("joint 1 of 'left' and 'right': 8 points, area 4") && Contains("joints: stable up to"));
+  CHECK_THAT(with("1000"), Contains("the joints shorten the step"));
 }
 
 TEST_CASE("the sheet tells the step that joints allow", "[preflight]") {

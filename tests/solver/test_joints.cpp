@@ -2,8 +2,8 @@
 
 #include "base/parallel.hpp"
 #include "cloud.hpp"
-#include "contact/joint_cases.hpp"
 #include "crack_cases.hpp"
+#include "joint_law.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -13,16 +13,6 @@ using namespace tribo;
 using namespace tribo::test;
 
 namespace {
-
-std::shared_ptr<const JointLaw> joint(const Properties& properties, const char* type = "Mohr") {
-  Problems problems;
-  std::shared_ptr<const JointLaw> law =
-      joint_laws().find(type)->make(joint_statement(properties), {}, Units{}, problems);
-  problems.raise();
-  return law;
-}
-
-const Properties strong{{"tension", "1e12"}, {"cohesion", "1e12"}};
 
 /// A block in the cells 6 to 14 with a joint through its middle, across y.
 template <int Dim>
@@ -42,22 +32,6 @@ Model jointed(Kernel kernel, Transfer transfer, const std::shared_ptr<const Join
 template <int Dim>
 void set_apart(System<Dim>& system, const Vec<Dim>& v) {
   set_velocity<Dim>(system.bodies[0], [&](const Vec<Dim>& x) -> Vec<Dim> { return (x[1] > 10 ? 0.5 : -0.5) * v; });
-}
-
-struct Sums {
-  double opening = 0, shear = 0, area = 0;
-};
-template <int Dim>
-Sums means(const System<Dim>& system, const Vec3& along) {
-  Sums out;
-  const auto& surface = system.joints[0];
-  for (std::size_t k = 0; k < surface.joints.size(); ++k) {
-    const Joint& j = surface.joints[k];
-    out.area += j.area, out.opening += j.area * j.opening;
-    out.shear += j.area * surface.axes[k].vector(j.shear).dot(along);
-  }
-  out.opening /= out.area, out.shear /= out.area;
-  return out;
 }
 
 template <int Dim>
@@ -84,7 +58,7 @@ void swings(Kernel kernel, Transfer transfer, bool along) {
     most_lost =
         std::max(most_lost, std::abs(measure(system).kinetic + measure(system).stored + energies.stored - begin));
   }
-  const Sums sums = means(system, Vec3::UnitX());
+  const JointSums sums = means(system, Vec3::UnitX());
   CHECK(sums.area == Approx(std::pow(8, Dim - 1)).epsilon(1e-6));
   // the bodies give by k H / (3 E) of their own
   CHECK((along ? sums.shear : sums.opening) == Approx(speed / omega * std::sin(omega * quarter * dt)).epsilon(2e-3));

@@ -12,6 +12,14 @@ dilating = ("<friction>30</friction><friction-residual>30</friction-residual><di
             "<dilation-zero>1</dilation-zero>")
 
 
+# the two blocks' own interface instead of a crack
+two_materials = {
+    "<CrackList lawname='joint'><Line xmin='0' ymin='10' xmax='40' ymax='10'/></CrackList>": "",
+    "Name='lower'>": "Name='lower'><Friction lawname='joint' matname='upper'/>",
+    "<TimeFactor>": "<MultiMaterialMode/><TimeFactor>",
+}
+
+
 def curve(out):
     """Per output time: means over the middle half of the joint of normal stress, shear stress, shear, slip and opening."""
     rows = []
@@ -30,30 +38,41 @@ def audit(case, what, out):
     case.check(f"{what}: energy that is not accounted for / put in", abs(float(rows[-1]["residual"])) / put_in, 0, 1e-2, "at most")
 
 
-def run(case):
-    out = case.run("load", entities=dict(law=dilating, end="20" if case.quick else "44"))
+def constant_load(case, what, replace=None):
+    out = case.run(f"{what} load", entities=dict(law=dilating, end="20" if case.quick else "44"), replace=replace)
     got = curve(out)
     sliding = got["time"] > 15
-    case.check("constant load: normal stress [MPa]", got["normal"][sliding].mean(), -1, 2e-2)
-    case.check("constant load: shear stress [MPa]", got["shear_stress"][sliding].mean(), tan30, 2e-2)
+    case.check(f"{what}: normal stress [MPa]", got["normal"][sliding].mean(), -1, 2e-2)
+    case.check(f"{what}: shear stress [MPa]", got["shear_stress"][sliding].mean(), tan30, 2e-2)
     rise = np.polyfit(got["shear"][sliding & (got["shear"] < 0.95)], got["opening"][sliding & (got["shear"] < 0.95)], 1)[0]
-    case.check("constant load: uplift per shear", rise, tan10, 5e-2)
+    case.check(f"{what}: uplift per shear", rise, tan10, 5e-2)
     if not case.quick:
-        case.check("constant load: whole uplift [mm]", got["opening"][-1] + 1 / 20, (1 - tan30 / 10) * tan10, 5e-2)
-    audit(case, "constant load", out)
-    if case.quick:
-        return
+        case.check(f"{what}: whole uplift [mm]", got["opening"][-1] + 1 / 20, (1 - tan30 / 10) * tan10, 5e-2)
+    audit(case, what, out)
+    return got
 
+
+def weakening(case, what, replace=None):
     weak = ("<cohesion>0.5</cohesion><friction>30</friction><cohesion-residual>0.1</cohesion-residual><friction-residual>20</friction-residual>"
             "<slip-dc>0.4</slip-dc><tension>0.2</tension>")
-    out = case.run("weakening", entities=dict(law=weak, speed="0.03", end="40", archive="0.25"))
+    out = case.run(f"{what} weak", entities=dict(law=weak, speed="0.03", end="40", archive="0.25"), replace=replace)
     soft = curve(out)
     tan20 = math.tan(math.radians(20))
-    case.check("weakening: peak [MPa]", soft["shear_stress"].max(), 0.5 + tan30, 2e-2)
-    case.check("weakening: residual [MPa]", soft["shear_stress"][-1], 0.1 + tan20, 2e-2)
+    case.check(f"{what}: peak [MPa]", soft["shear_stress"].max(), 0.5 + tan30, 2e-2)
+    case.check(f"{what}: residual [MPa]", soft["shear_stress"][-1], 0.1 + tan20, 2e-2)
     half = np.interp(0.2, soft["slip"], soft["shear_stress"])
-    case.check("weakening: half way [MPa]", half, 0.5 * (0.5 + tan30 + 0.1 + tan20), 2e-2)
-    audit(case, "weakening", out)
+    case.check(f"{what}: half way [MPa]", half, 0.5 * (0.5 + tan30 + 0.1 + tan20), 2e-2)
+    audit(case, what, out)
+    return soft
+
+
+def run(case):
+    got = constant_load(case, "constant load")
+    if case.quick:
+        return
+    constant_load(case, "two materials, constant load", two_materials)
+    soft = weakening(case, "weakening")
+    weakening(case, "two materials, weakening", two_materials)
 
     # the lower block is pressed against a lid by 1 MPa, 1/k_n + H/E = 0.075 mm
     E = 400.0
