@@ -189,8 +189,8 @@ class Assembly {
 
   /// An assembly of the cells of a tessellation with one law, for tests and programs: bodies, contacts and stiffness,
   /// density 1 unless said otherwise.
-  Assembly(const Tessellation& cells, std::span<const Vec3> nuclei, std::shared_ptr<const JointLaw> law, bool plane,
-           bool plane_stress, double thickness, int stress_iterations);
+  Assembly(const Tessellation& cells, std::span<const Vec3> nuclei, const std::shared_ptr<const JointLaw>& law,
+           bool plane, bool plane_stress, double thickness, int stress_iterations);
 
  private:
   struct Batch {
@@ -201,7 +201,7 @@ class Assembly {
   // build.cpp
   std::size_t add_body(const BlockShape& shape, const Vec3& reference, double density);
   void add_facet(const BlockFacet& facet, const JointLaw& law, bool corners);
-  void add_contact(BlockContact c, const JointSite& site, const JointLaw& law, ContactKind kind,
+  void add_contact(const BlockContact& c, const JointSite& site, const JointLaw& law, ContactKind kind,
                    std::vector<Vec3> outline, const Vec3& shift);
   void refuse_overlaps(double tolerance) const;
   void add_platens(const std::vector<BlockFacet>& free);

@@ -81,7 +81,7 @@ std::size_t Assembly::add_body(const BlockShape& shape, const Vec3& reference, d
   return bodies.size() - 1;
 }
 
-void Assembly::add_contact(BlockContact c, const JointSite& site, const JointLaw& law, ContactKind kind,
+void Assembly::add_contact(const BlockContact& c, const JointSite& site, const JointLaw& law, ContactKind kind,
                            std::vector<Vec3> outline, const Vec3& by) {
   for (Vec3& x : outline) x -= motion[c.a].x;
   const bool platen = c.b >= blocks_;
@@ -123,7 +123,7 @@ void Assembly::add_facet(const BlockFacet& f, const JointLaw& law, bool corners)
   for (auto& s : shares(f, plane_)) add(s.at, s.area, std::move(s.outline));
 }
 
-Assembly::Assembly(const Tessellation& cells, std::span<const Vec3> nuclei, std::shared_ptr<const JointLaw> law,
+Assembly::Assembly(const Tessellation& cells, std::span<const Vec3> nuclei, const std::shared_ptr<const JointLaw>& law,
                    bool plane, bool plane_stress, double thickness, int stress_iterations)
     : plane_(plane), plane_stress_(plane_stress), thickness_(thickness), iterations_(stress_iterations) {
   auto spec = std::make_shared<BlocksSpec>();

@@ -1,6 +1,7 @@
 /// Tractions, body forces of particles, and the deformation that belongs to the motion.
 
 #include "cloud.hpp"
+#include "crack_cases.hpp"
 
 using namespace tribo;
 using namespace tribo::test;
@@ -43,6 +44,46 @@ TEMPLATE_TEST_CASE_SIG("a traction pushes with its stress times the undeformed a
   const Vec3 p = total_momentum(system);
   CHECK(p[0] == Approx(1e-3 * 2 * area).epsilon(1e-12));
   CHECK(p[1] == Approx(-1e-3 * 7 * area).epsilon(1e-12));
+}
+
+TEST_CASE("a traction beside a crack pushes its own side only", "[loads][cracks]") {
+  const Kernel kernel = GENERATE(Kernel::gimp, Kernel::quadratic_spline);
+  INFO(name(kernel));
+  Model model = grid_model<2>(kernel, Transfer::flip, UpdateOrder::usl, false);
+  model.cracks.push_back(line(Vec3(6, 12, 0), Vec3(18, 12, 0), 24));
+  Bounds right;
+  right.low = Vec3(15.5, 12, -1), right.high = Vec3(16, 16, 1);
+  model.particle_conditions.push_back(traction(2, 0, 2.0, right));
+  auto system = build_system<2>(model, lattice_seeds<2>(model, 8, 16));
+  Stepper<2> stepper(model, system);
+  stepper.advance(1e-3);
+  auto& particles = system.bodies[0].particles;
+  Vec<2> above = Vec<2>::Zero(), below = above;
+  for (std::size_t i = 0; i < particles.size(); ++i)
+    (particles.position(i)[1] > 12 ? above : below) += particles.mass()[i] * particles.velocity(i);
+  CHECK(above[0] == Approx(1e-3 * 2 * 4).epsilon(1e-12));
+  CHECK(std::abs(below[0]) < 1e-15);
+}
+
+TEST_CASE("a traction spares nodes that its body hardly reaches", "[loads]") {
+  // The face at x = 15.76 gives the node at 17 a share of 0.034, the last row of particles a mass of 5e-5 of theirs.
+  Model model = grid_model<2>(Kernel::quadratic_spline, Transfer::flip, UpdateOrder::usl, false);
+  auto seeds = lattice_seeds<2>(model, 8, 16);
+  for (Seed& s : seeds) s.x[0] -= 0.24;
+  Bounds right;
+  right.low = Vec3(15.25, 8, -1), right.high = Vec3(16, 16, 1);
+  model.particle_conditions.push_back(traction(2, 0, 1.0, right));
+  auto system = build_system<2>(model, seeds);
+  Stepper<2> stepper(model, system);
+  const auto& law = *system.bodies[0].law;
+  const double dt = 0.4 * std::sqrt(law.density() / law.wave_modulus());
+  stepper.advance(dt);
+  auto& particles = system.bodies[0].particles;
+  double largest = 0.0;
+  for (std::size_t i = 0; i < particles.size(); ++i)
+    largest = std::max(largest, load_symmetric<2>(particles.stress(), static_cast<int>(i))(0, 0));
+  CHECK(largest < 1);
+  CHECK(stepper.ledger().impulse[0] == Approx(dt * 8).epsilon(1e-12));
 }
 
 TEST_CASE("the work of a traction is the energy it brings", "[loads]") {
