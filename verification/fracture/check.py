@@ -35,7 +35,8 @@ def plates(case):
         exact = factor * math.sqrt(5 * math.pi)
         K = []
         for size in (3, 4, 5, 6) if name == "centre" else (4,):
-            out = case.run(f"{name}{size}", "plate.xml", dict(size=str(size)), {} if symmetry else {" symmin='0'": ""})
+            # the plate with the edge crack bends, slowly
+            out = case.run(f"{name}{size}", "plate.xml", dict(size=str(size), end="1" if symmetry else "4"), {} if symmetry else {" symmin='0'": ""})
             got = tips(out)
             K.append(got["K1"][-1])
             where = f"{name} crack, ring of {size} cells"
@@ -53,7 +54,7 @@ def wave(case):
         speed = math.sqrt(1000 * (1 - nu_) / ((1 + nu_) * (1 - 2 * nu_) * 1e-3))
         means = []
         for size in (3, 4, 5, 6):
-            got = tips(case.run(f"wave{nu_}_{size}", "wave.xml", dict(nu=str(nu_), size=str(size), h="0.25")))
+            got = tips(case.run(f"wave{nu_}_{size}", "wave.xml", dict(nu=str(nu_), size=str(size), h="0.25", top="19.85")))
             way = speed * got["time"] - 20  # of the front since it met the crack
             late = (way > 4) & (way < 20)
             K = got["K1"][late] / np.sqrt(way[late])
@@ -78,13 +79,20 @@ def wave(case):
     case.figure("fracture_wave", draw)
 
 
-def slope_of_slip(got):
-    """Slip in the middle, and the K2 whose slip^2 = (4 t/E')^2 (a^2 - s^2), K2 = t sqrt(pi a), fits that of the faces within 0.8 a."""
-    slip = np.linalg.norm(got["opening"], axis=1)
-    s2 = (got["points"][:, :2] ** 2).sum(axis=1)
+def slip_of(got):
+    """Slip of the faces, and squares of the distance from the middle."""
+    return np.linalg.norm(got["opening"], axis=1), (got["points"][:, :2] ** 2).sum(axis=1)
+
+
+def in_the_middle(slip, s2):
+    return slip[s2.argmin()]
+
+
+def K2_of(slip, s2):
+    """The K2 whose slip^2 = (4 t/E')^2 (a^2 - s^2), K2 = t sqrt(pi a), fits that of the faces within 0.8 a."""
     near = s2 < 0.64
     slope = -np.polyfit(s2[near], slip[near] ** 2, 1)[0]
-    return slip[s2.argmin()], plane_strain_stiff / 4 * math.sqrt(math.pi * slope)
+    return plane_strain_stiff / 4 * math.sqrt(math.pi * slope)
 
 
 def closed(case):
@@ -92,14 +100,14 @@ def closed(case):
     for mu in (0, 0.3, 0.6):
         shear = 4 - 6 * mu
         out = case.run(f"closed{mu}", "closed.xml", dict(mu=str(mu)))
-        slip, K2 = slope_of_slip(faces(out))
+        got = slip_of(faces(out))
         exact = shear * math.sqrt(math.pi)
-        case.check(f"closed crack, mu = {mu}: slip [mm]", slip, 4 * shear / plane_strain_stiff, 3e-2)
-        case.check(f"closed crack, mu = {mu}: K2 from the slip [MPa mm^1/2]", K2, exact, 4e-2)
-        got = abs(tips(out)["K2"][-1])
-        case.check(f"closed crack, mu = {mu}: K2 from the ring [MPa mm^1/2]", got, exact, 4e-2 * 4 * math.sqrt(math.pi), "absolute")
+        case.check(f"closed crack, mu = {mu}: slip [mm]", in_the_middle(*got), 4 * shear / plane_strain_stiff, 3e-2)
+        case.check(f"closed crack, mu = {mu}: K2 from the slip [MPa mm^1/2]", K2_of(*got), exact, 4e-2)
+        ring = abs(tips(out)["K2"][-1])
+        case.check(f"closed crack, mu = {mu}: K2 from the ring [MPa mm^1/2]", ring, exact, 4e-2 * 4 * math.sqrt(math.pi), "absolute")
     out = case.run("closed0.7", "closed.xml", dict(mu="0.7"))
-    case.check("closed crack, mu = 0.7: slip / slip without friction", slope_of_slip(faces(out))[0] / (16 / plane_strain_stiff), 0, 1e-2, "at most")
+    case.check("closed crack, mu = 0.7: slip / slip without friction", in_the_middle(*slip_of(faces(out))) / (16 / plane_strain_stiff), 0, 1e-2, "at most")
     out = case.run("closed1", "closed.xml", dict(mu="1", h="0.0625", face="2.47"))
     case.check("closed crack, mu = 1: slip [mm]", np.abs(faces(out)["opening"]).max(), 0, 1e-12, "at most")
 
@@ -118,10 +126,11 @@ def growth(case):
 def penny(case):
     out = case.run("penny", "penny.xml")
     got = faces(out)
-    r2 = (got["points"][:, :2] ** 2).sum(axis=1)
+    quarter = (got["points"][:, 0] > 0) & (got["points"][:, 1] > 0)  # the rest of the disc lies beyond the planes of symmetry
+    r2 = (got["points"][quarter, :2] ** 2).sum(axis=1)
     near = (r2 > 0.25) & (r2 < 0.8)
-    opening = got["opening"][:, 2]
-    case.check("penny crack: opening in the middle [mm]", opening[r2 < 1e-3].mean(), 8 * (1 - nu**2) / (math.pi * E), 5e-2)
+    opening = got["opening"][quarter, 2]
+    case.check("penny crack: opening in the middle [mm]", opening[r2 < 0.02].mean(), 8 * (1 - nu**2) / (math.pi * E), 5e-2)
     # opening^2 = (8 s/(pi E'))^2 (a^2 - r^2), K = 2 s sqrt(a/pi), a = 1
     slope = -np.polyfit(r2[near], opening[near] ** 2, 1)[0]
     case.check("penny crack: K1 [MPa mm^1/2]", plane_strain / 4 * math.sqrt(math.pi * slope), 2 / math.sqrt(math.pi), 5e-2)
