@@ -52,10 +52,10 @@ PictureOptions common_options(const RunFolder& run, const std::vector<Collection
   const std::size_t stride = std::max<std::size_t>(1, frames.size() / 12);
   for (std::size_t k = 0; k < frames.size();
        k = k + 1 < frames.size() ? std::min(k + stride, frames.size() - 1) : k + 1) {
-    const ParticleFrame frame = read_particles(frames[k].file);
-    const auto box = box_of(frame);
+    const Scene scene = run.scene(frames[k]);
+    const auto box = box_of(scene);
     options.box = options.box ? joined(*options.box, box) : box;
-    const Range one = range_of(shade_of(frame, a.field).values);
+    const Range one = range_of(shade_of(scene, a.field).values);
     range = range ? Range{std::min((*range)[0], one[0]), std::max((*range)[1], one[1])} : one;
   }
   options.range = a.range.size() == 2 ? Range{a.range[0], a.range[1]} : range;
@@ -86,7 +86,7 @@ int render_command(const Arguments& a) {
   for (std::size_t k = 0; k < frames.size(); ++k) {
     char name[32];
     std::snprintf(name, sizeof name, "frame_%05zu.png", k);
-    write_atomically(folder / name, picture(read_particles(frames[k].file), options));
+    write_atomically(folder / name, picture(run.scene(frames[k]), options));
   }
   std::printf("%zu pictures in %s\n", frames.size(), folder.c_str());
   if (!a.times.empty()) return done;
@@ -112,7 +112,7 @@ int report_command(const Arguments& a) {
   const auto frames = chosen(all, times);
   const PictureOptions options = common_options(run, frames, a);
   std::vector<ReportPicture> pictures;
-  for (const auto& frame : frames) pictures.push_back({frame.time, picture(read_particles(frame.file), options)});
+  for (const auto& frame : frames) pictures.push_back({frame.time, picture(run.scene(frame), options)});
   const std::filesystem::path file = a.output.empty() ? a.folder / "report.html" : a.output;
   write_atomically(file, report(run, pictures));
   std::printf("%s\n", file.c_str());

@@ -8,6 +8,7 @@
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
+#include <vtkIdList.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -18,6 +19,7 @@
 #include <vtkXMLPolyDataReader.h>
 #include <vtkXMLPolyDataWriter.h>
 
+#include <algorithm>
 #include <fstream>
 #include <sstream>
 
@@ -156,37 +158,73 @@ void write_grid(const std::filesystem::path& path, const std::array<double, 3>& 
   write<vtkXMLImageDataWriter>(path, data.Get());
 }
 
-const ParticleFrame::Field* ParticleFrame::field(std::string_view name) const {
-  for (const Field& f : fields)
-    if (f.name == name) return &f;
-  return nullptr;
+namespace {
+
+const ParticleFrame::Field* named(const std::vector<ParticleFrame::Field>& fields, std::string_view name) {
+  const auto found = std::find_if(fields.begin(), fields.end(), [&](const auto& f) { return f.name == name; });
+  return found == fields.end() ? nullptr : &*found;
 }
 
-ParticleFrame read_particles(const std::filesystem::path& path) {
+vtkNew<vtkXMLPolyDataReader> opened(const std::filesystem::path& path) {
   if (!std::filesystem::exists(path)) throw FileError("there is no file '" + path.string() + "'");
   vtkNew<vtkXMLPolyDataReader> reader;
   reader->SetFileName(path.c_str());
   reader->Update();
-  vtkPolyData* data = reader->GetOutput();
-  if (reader->GetErrorCode() != 0 || !data) throw FileError("'" + path.string() + "' is damaged");
-  ParticleFrame frame;
+  if (reader->GetErrorCode() != 0 || !reader->GetOutput()) throw FileError("'" + path.string() + "' is damaged");
+  return reader;
+}
+
+// Time and points.
+template <class Frame>
+Frame frame_of(vtkPolyData* data) {
+  Frame frame;
   if (auto* time = data->GetFieldData()->GetArray("TimeValue")) frame.time = time->GetTuple1(0);
-  const vtkIdType n = data->GetNumberOfPoints();
-  frame.position.resize(static_cast<std::size_t>(n));
-  for (vtkIdType i = 0; i < n; ++i) data->GetPoint(i, frame.position[static_cast<std::size_t>(i)].data());
-  vtkPointData* points = data->GetPointData();
-  for (int k = 0; k < points->GetNumberOfArrays(); ++k) {
-    vtkDataArray* array = points->GetArray(k);
+  frame.position.resize(static_cast<std::size_t>(data->GetNumberOfPoints()));
+  for (std::size_t i = 0; i < frame.position.size(); ++i)
+    data->GetPoint(static_cast<vtkIdType>(i), frame.position[i].data());
+  return frame;
+}
+
+std::vector<ParticleFrame::Field> fields_of(vtkDataSetAttributes* from) {
+  std::vector<ParticleFrame::Field> out;
+  for (int k = 0; k < from->GetNumberOfArrays(); ++k) {
+    vtkDataArray* array = from->GetArray(k);
     if (!array) continue;
     ParticleFrame::Field field{array->GetName() ? array->GetName() : "",
                                array->GetNumberOfComponents(),
                                array->GetDataType() != VTK_DOUBLE && array->GetDataType() != VTK_FLOAT,
                                {}};
-    field.values.resize(static_cast<std::size_t>(n * field.components));
-    for (vtkIdType i = 0; i < n; ++i)
-      for (int c = 0; c < field.components; ++c)
-        field.values[static_cast<std::size_t>(i * field.components + c)] = array->GetComponent(i, c);
-    frame.fields.push_back(std::move(field));
+    field.values.reserve(static_cast<std::size_t>(array->GetNumberOfTuples() * field.components));
+    for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+      for (int c = 0; c < field.components; ++c) field.values.push_back(array->GetComponent(i, c));
+    out.push_back(std::move(field));
+  }
+  return out;
+}
+
+}  // namespace
+
+const ParticleFrame::Field* ParticleFrame::field(std::string_view name) const { return named(fields, name); }
+const ParticleFrame::Field* CellFrame::field(std::string_view name) const { return named(fields, name); }
+
+ParticleFrame read_particles(const std::filesystem::path& path) {
+  const auto reader = opened(path);
+  auto frame = frame_of<ParticleFrame>(reader->GetOutput());
+  frame.fields = fields_of(reader->GetOutput()->GetPointData());
+  return frame;
+}
+
+CellFrame read_cells(const std::filesystem::path& path) {
+  const auto reader = opened(path);
+  vtkPolyData* data = reader->GetOutput();
+  auto frame = frame_of<CellFrame>(data);
+  frame.fields = fields_of(data->GetCellData());
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType c = 0; c < data->GetNumberOfCells(); ++c) {
+    data->GetCellPoints(c, corners);
+    frame.cells.emplace_back();
+    for (vtkIdType k = 0; k < corners->GetNumberOfIds(); ++k)
+      frame.cells.back().push_back(static_cast<std::uint32_t>(corners->GetId(k)));
   }
   return frame;
 }

@@ -54,10 +54,24 @@ struct ParticleFrame {
 
   /// The field of this name, or null.
   const Field* field(std::string_view name) const;
+  std::size_t count() const { return position.size(); }
+};
+
+/// What a file of cells holds: lines and polygons between points, with fields of the cells.
+struct CellFrame {
+  double time = 0.0;
+  std::vector<std::array<double, 3>> position;
+  std::vector<std::vector<std::uint32_t>> cells;  ///< corners
+  std::vector<ParticleFrame::Field> fields;
+
+  const ParticleFrame::Field* field(std::string_view name) const;
+  std::size_t count() const { return cells.size(); }
 };
 
 /// Reads a .vtp file of write_particles. Throws FileError.
 ParticleFrame read_particles(const std::filesystem::path& path);
+/// Reads a .vtp file of write_cells. Throws FileError.
+CellFrame read_cells(const std::filesystem::path& path);
 
 /// A file of a collection and its time.
 struct CollectionEntry {

@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <limits>
 #include <memory>
 #include <set>
 
@@ -99,6 +101,61 @@ class Canvas {
       }
   }
 
+  /// A convex polygon with darker edges; in space lighter where it faces the light.
+  void polygon(const std::vector<Vec3>& corners, const Colour& fill, bool space) {
+    Vec3 n = Vec3::Zero();
+    for (std::size_t k = 1; k + 1 < corners.size(); ++k)
+      n += (corners[k] - corners[0]).cross(corners[k + 1] - corners[0]);
+    if (!(std::abs(n[2]) > 1e-12 * n.norm())) return;  // seen from the side
+    n.normalize();
+    if (n[2] < 0) n = -n;
+    const double light = space ? 0.45 + 0.55 * std::max(0.0, n.dot(Vec3(-0.35, 0.5, 0.79))) : 1.0;
+    const auto shaded = [&](double part) {
+      Colour c;
+      for (std::size_t k = 0; k < 3; ++k) c[k] = static_cast<std::uint8_t>(std::min(255.0, part * light * fill[k]));
+      return c;
+    };
+    const Colour inside = shaded(1.0), edge = shaded(0.45);
+    std::vector<Vec3> at;
+    for (const Vec3& x : corners) at.push_back(on_canvas(x));
+    const auto [low, high] = around(at, 0.0);
+    for (int y = low[1]; y < high[1]; ++y)
+      for (int x = low[0]; x < high[0]; ++x) {
+        const Eigen::Vector2d p(x + 0.5, y + 0.5);
+        int left = 0, right = 0;
+        double nearest = 1e30;
+        for (std::size_t k = 0; k < at.size(); ++k) {
+          const Eigen::Vector2d a = at[k].head<2>(), along = at[(k + 1) % at.size()].head<2>() - a;
+          const double distance = (along[0] * (p[1] - a[1]) - along[1] * (p[0] - a[0])) / std::max(along.norm(), 1e-9);
+          (distance >= 0 ? left : right)++;
+          nearest = std::min(nearest, std::abs(distance));
+        }
+        if (left > 0 && right > 0) continue;
+        const double s = fine * layout_.scale;
+        const auto depth =
+            static_cast<float>(corners[0][2] - (n[0] * (p[0] - at[0][0]) - n[1] * (p[1] - at[0][1])) / (s * n[2]));
+        if (depth < depth_[index(x, y)]) continue;
+        depth_[index(x, y)] = depth, colour_[index(x, y)] = nearest < 0.6 * fine ? edge : inside;
+      }
+  }
+
+  /// A stroke `width` pixels wide, on top of what lies no more than `lift` in front of it.
+  void stroke(const Vec3& from, const Vec3& to, double width, const Colour& colour, double lift) {
+    const Vec3 a = on_canvas(from), b = on_canvas(to);
+    const double reach = 0.5 * fine * width;
+    const Eigen::Vector2d along = (b - a).head<2>();
+    const auto [low, high] = around({a, b}, reach);
+    for (int y = low[1]; y < high[1]; ++y)
+      for (int x = low[0]; x < high[0]; ++x) {
+        const Eigen::Vector2d p = Eigen::Vector2d(x + 0.5, y + 0.5) - a.head<2>();
+        const double t = std::clamp(p.dot(along) / std::max(along.squaredNorm(), 1e-9), 0.0, 1.0);
+        if ((p - t * along).norm() > reach) continue;
+        const auto depth = static_cast<float>(a[2] + t * (b[2] - a[2]) + lift);
+        if (depth < depth_[index(x, y)]) continue;
+        depth_[index(x, y)] = depth, colour_[index(x, y)] = colour;
+      }
+  }
+
   /// Fills gaps up to twice a length wide between particles with the colour of the nearest: where bodies stretch,
   /// squares no longer touch. Edges stay where they are, as what was added there is taken away again.
   void close_gaps(double length) {
@@ -147,6 +204,19 @@ class Canvas {
     double length() const { return std::hypot(x, y); }
     long square() const { return static_cast<long>(x) * x + static_cast<long>(y) * y; }
   };
+  // Pixels from the upper left corner, and the depth as it is.
+  Vec3 on_canvas(const Vec3& x) const {
+    const double s = fine * layout_.scale;
+    return {(x[0] - layout_.u0) * s, (layout_.v1 - x[1]) * s, x[2]};
+  }
+  // The pixels that points may touch.
+  std::array<std::array<int, 2>, 2> around(const std::vector<Vec3>& at, double reach) const {
+    Vec3 low = at[0], high = at[0];
+    for (const Vec3& x : at) low = low.cwiseMin(x), high = high.cwiseMax(x);
+    const auto inside = [](double v, int size) { return std::clamp(static_cast<int>(v), 0, size); };
+    return {{{inside(low[0] - reach, width_), inside(low[1] - reach, height_)},
+             {inside(high[0] + reach + 1, width_), inside(high[1] + reach + 1, height_)}}};
+  }
   std::size_t index(int x, int y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
   }
@@ -262,7 +332,7 @@ void draw_names(cairo_t* pen, const Sheet& l, const std::vector<double>& values,
   const std::set<int> things = [&] {
     std::set<int> all;
     for (const double v : values)
-      if (all.size() < 12) all.insert(static_cast<int>(v));
+      if (all.size() < 12 && !std::isnan(v)) all.insert(static_cast<int>(v));
     return all;
   }();
   double y = l.top + 14;
@@ -285,7 +355,10 @@ cairo_status_t append(void* to, const unsigned char* data, unsigned int length) 
 
 }  // namespace
 
-Shade shade_of(const ParticleFrame& frame, const std::string& wanted) {
+namespace {
+
+template <class Frame>
+Shade shade_in(const Frame& frame, const std::string& wanted) {
   const auto dot = wanted.find('.');
   const std::string name = wanted.substr(0, dot);
   const auto* field = frame.field(name);
@@ -311,7 +384,7 @@ Shade shade_of(const ParticleFrame& frame, const std::string& wanted) {
     throw UsageError("'" + name + "' is a tensor; add the component, for example '" + name + ".xx'");
   }
   Shade shade{wanted, {}, field->integers && count == 1};
-  for (std::size_t i = 0; i < frame.position.size(); ++i) {
+  for (std::size_t i = 0; i < frame.count(); ++i) {
     const double* v = field->values.data() + i * count;
     if (component >= 0)
       shade.values.push_back(v[component]);
@@ -319,6 +392,26 @@ Shade shade_of(const ParticleFrame& frame, const std::string& wanted) {
       shade.values.push_back(v[0]);
     else
       shade.values.push_back(std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]));
+  }
+  return shade;
+}
+
+}  // namespace
+
+Shade shade_of(const ParticleFrame& frame, const std::string& wanted) { return shade_in(frame, wanted); }
+
+Shade shade_of(const Scene& scene, const std::string& wanted) {
+  const std::string name = wanted.substr(0, wanted.find('.'));
+  const bool of_particles = scene.particles.field(name) != nullptr, of_blocks = scene.blocks.field(name) != nullptr;
+  const std::vector<double> no_particles(scene.particles.count(), std::nan("")),
+      no_blocks(scene.blocks.count(), std::nan(""));
+  const bool ask_particles = of_particles || (!of_blocks && scene.particles.count() > 0);
+  Shade shade = ask_particles ? shade_in(scene.particles, wanted) : shade_in(scene.blocks, wanted);
+  if (of_particles) {
+    const auto more = of_blocks ? shade_in(scene.blocks, wanted).values : no_blocks;
+    shade.values.insert(shade.values.end(), more.begin(), more.end());
+  } else {
+    shade.values.insert(shade.values.begin(), no_particles.begin(), no_particles.end());
   }
   return shade;
 }
@@ -340,12 +433,28 @@ Range range_of(const std::vector<double>& values) {
   return range;
 }
 
-Box box_of(const ParticleFrame& frame) {
-  if (frame.position.empty()) throw FileError("the file holds no particles");
+namespace {
+
+template <class Frame>
+std::optional<Box> box_in(const Frame& frame) {
+  if (frame.position.empty()) return std::nullopt;
   Box box{frame.position[0], frame.position[0]};
   for (const auto& x : frame.position)
     for (std::size_t d = 0; d < 3; ++d) box[0][d] = std::min(box[0][d], x[d]), box[1][d] = std::max(box[1][d], x[d]);
   return box;
+}
+
+}  // namespace
+
+Box box_of(const ParticleFrame& frame) {
+  if (const auto box = box_in(frame)) return *box;
+  throw FileError("the file holds no particles");
+}
+
+Box box_of(const Scene& scene) {
+  const auto blocks = box_in(scene.blocks), particles = box_in(scene.particles);
+  if (!blocks) return box_of(scene.particles);
+  return particles ? joined(*particles, *blocks) : *blocks;
 }
 
 Box joined(const Box& a, const Box& b) {
@@ -354,9 +463,39 @@ Box joined(const Box& a, const Box& b) {
   return out;
 }
 
+namespace {
+
+// Polygons of blocks, and strokes along the edges of facets whose bond broke.
+void draw_blocks(Canvas& canvas, const Scene& scene, const Camera& eye, bool space, double size,
+                 const std::function<Colour(std::size_t)>& colour) {
+  const auto corners = [&](const CellFrame& frame, std::size_t c) {
+    std::vector<Vec3> out;
+    for (const auto k : frame.cells[c]) out.push_back(eye.project(frame.position[k]));
+    return out;
+  };
+  for (std::size_t c = 0; c < scene.blocks.count(); ++c) canvas.polygon(corners(scene.blocks, c), colour(c), space);
+  const auto* broke = scene.contacts.field("broke");
+  constexpr Colour torn{214, 39, 40}, sheared{31, 90, 200};
+  for (std::size_t c = 0; broke && c < scene.contacts.count(); ++c) {
+    if (broke->values[c] == 0) continue;
+    const auto x = corners(scene.contacts, c);
+    for (std::size_t k = 0; k < (x.size() == 2 ? 1 : x.size()); ++k)
+      canvas.stroke(x[k], x[(k + 1) % x.size()], 2.2, broke->values[c] == 1 ? torn : sheared, 0.01 * size);
+  }
+}
+
+}  // namespace
+
 std::string picture(const ParticleFrame& frame, const PictureOptions& options) {
-  const Shade shade = shade_of(frame, options.field);
-  const Box particles = box_of(frame);
+  Scene scene;
+  scene.time = frame.time, scene.particles = frame;
+  return picture(scene, options);
+}
+
+std::string picture(const Scene& scene, const PictureOptions& options) {
+  const ParticleFrame& frame = scene.particles;
+  const Shade shade = shade_of(scene, options.field);
+  const Box particles = box_of(scene);
   const bool flat = particles[1][2] - particles[0][2] <= 0;
   const std::string view = !options.view.empty() ? options.view : flat ? "xy" : "iso";
   const Camera eye = camera(view);
@@ -369,13 +508,16 @@ std::string picture(const ParticleFrame& frame, const PictureOptions& options) {
   const Range range = options.range.value_or(range_of(shade.values));
 
   Canvas canvas(l);
-  for (std::size_t i = 0; i < frame.position.size(); ++i) {
+  const auto colour = [&](std::size_t i) {
     const double v = shade.values[i];
-    const Colour colour =
-        shade.integers ? distinct(static_cast<int>(v) - 1) : viridis((v - range[0]) / (range[1] - range[0]));
-    canvas.particle(eye.project(frame.position[i]), radius, colour, !flat);
-  }
-  if (flat) canvas.close_gaps(0.45 * spacing);
+    if (std::isnan(v)) return Colour{186, 184, 178};  // stone
+    return shade.integers ? distinct(static_cast<int>(v) - 1) : viridis((v - range[0]) / (range[1] - range[0]));
+  };
+  for (std::size_t i = 0; i < frame.count(); ++i)
+    canvas.particle(eye.project(frame.position[i]), radius, colour(i), !flat);
+  if (flat && frame.count() > 0) canvas.close_gaps(0.45 * spacing);
+  const double size = std::max(particles[1][0] - particles[0][0], particles[1][1] - particles[0][1]);
+  draw_blocks(canvas, scene, eye, !flat, size, [&](std::size_t c) { return colour(frame.count() + c); });
   const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, l.picture_width, l.picture_height));
   const Pen pen(cairo_create(surface.get()));
   cairo_set_source_rgb(pen.get(), 1, 1, 1);
@@ -391,7 +533,7 @@ std::string picture(const ParticleFrame& frame, const PictureOptions& options) {
   else
     draw_scale(pen.get(), l, range, shade.name, options.unit);
   cairo_set_source_rgb(pen.get(), 0.2, 0.2, 0.2);
-  write(pen.get(), "time " + short_number(frame.time) + (options.time_unit.empty() ? "" : " " + options.time_unit),
+  write(pen.get(), "time " + short_number(scene.time) + (options.time_unit.empty() ? "" : " " + options.time_unit),
         l.left - std::max(0.0, 0.5 * (least_width - l.width)), l.top - 14, Anchor::left, 13);
   std::string png;
   if (cairo_surface_write_to_png_stream(surface.get(), append, &png) != CAIRO_STATUS_SUCCESS)

@@ -52,12 +52,27 @@ Table read_table(const std::filesystem::path& file) {
 }
 
 RunFolder::RunFolder(std::filesystem::path folder) : folder_(std::move(folder)) {
-  if (std::filesystem::exists(folder_ / "blocks.pvd"))
-    throw FileError("'" + folder_.string() +
-                    "' is the folder of a run of blocks, whose pictures and reports are not built: open blocks.pvd and "
-                    "contacts.pvd in ParaView");
-  if (!std::filesystem::exists(folder_ / "run.pvd"))
-    throw FileError("'" + folder_.string() + "' is not the folder of a run: it has no run.pvd");
+  if (!has_particles() && !std::filesystem::exists(folder_ / "blocks.pvd"))
+    throw FileError("'" + folder_.string() + "' is not the folder of a run: it has no run.pvd and no blocks.pvd");
+}
+
+bool RunFolder::has_particles() const { return std::filesystem::exists(folder_ / "run.pvd"); }
+
+std::vector<CollectionEntry> RunFolder::frames() const {
+  return read_collection(folder_ / (has_particles() ? "run.pvd" : "blocks.pvd"));
+}
+
+// Files that belong together have the same name in their folders.
+Scene RunFolder::scene(const CollectionEntry& frame) const {
+  Scene scene;
+  scene.time = frame.time;
+  if (has_particles()) scene.particles = read_particles(frame.file);
+  const auto cells = [&](const char* part) {
+    const auto file = folder_ / part / frame.file.filename();
+    return std::filesystem::exists(file) ? read_cells(file) : CellFrame{};
+  };
+  scene.blocks = cells("blocks"), scene.contacts = cells("contacts");
+  return scene;
 }
 
 std::string RunFolder::provenance() const {

@@ -18,14 +18,24 @@ struct Table {
 /// A file of History: a torn last line is left out. Throws FileError.
 Table read_table(const std::filesystem::path& file);
 
+/// What there is to see at one time: particles, rigid blocks, and the contacts of these. Any may be empty.
+struct Scene {
+  double time = 0.0;
+  ParticleFrame particles;
+  CellFrame blocks, contacts;
+};
+
 class RunFolder {
  public:
   /// Throws FileError if the folder holds no run.
   explicit RunFolder(std::filesystem::path folder);
 
   const std::filesystem::path& path() const { return folder_; }
-  /// Particle files that are there now.
-  std::vector<CollectionEntry> frames() const { return read_collection(folder_ / "run.pvd"); }
+  bool has_particles() const;
+  /// Particle files that are there now; of a run of blocks alone, their files.
+  std::vector<CollectionEntry> frames() const;
+  /// What was written together with a file of `frames`. Throws FileError.
+  Scene scene(const CollectionEntry& frame) const;
   Table history() const { return read_table(folder_ / "history.csv"); }
   Table energy() const { return read_table(folder_ / "energy.csv"); }
   /// provenance.json as text.

@@ -83,7 +83,7 @@ class Answers {
   std::string image(std::size_t k, const std::string& field) const {
     PictureOptions options;
     options.field = field;
-    return picture(read(k), options);
+    return picture(run_.scene(entry(k)), options);
   }
 
   std::string charts() const { return report_charts(run_); }
@@ -96,17 +96,21 @@ class Answers {
   }
 
  private:
-  ParticleFrame read(std::size_t k) const {
+  CollectionEntry entry(std::size_t k) const {
     const auto frames = run_.frames();
     if (k >= frames.size()) throw FileError("there is no such file yet");
-    return read_particles(frames[k].file);
+    return frames[k];
   }
+  ParticleFrame read(std::size_t k) const { return read_particles(entry(k).file); }
   const RunFolder& run_;
 };
 
 }  // namespace
 
 void watch(const RunFolder& run, const WatchOptions& options) {
+  if (!run.has_particles())
+    throw FileError("the live page shows particles, and '" + run.path().string() +
+                    "' holds a run of blocks alone; see it with 'tribo render' and 'tribo report'");
   const Answers answers(run);
   httplib::Server server;
   // Names of other machines that lead here are refused, so that no page from elsewhere reads a run through a browser.

@@ -167,3 +167,36 @@ TEST_CASE("tables are read back, without a torn last line", "[view]") {
   CHECK_THROWS_AS(read_table(scratch.path / "none.csv"), FileError);
   CHECK_THROWS_WITH(RunFolder(scratch.path), Catch::Contains("not the folder of a run"));
 }
+
+TEST_CASE("Blocks are drawn with their field, grey without, and broken bonds on them", "[view]") {
+  Scene scene;
+  scene.blocks.position = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {2, 0, 0}, {2, 1, 0}};
+  scene.blocks.cells = {{0, 1, 2, 3}, {1, 4, 5, 2}};
+  scene.blocks.fields = {{"velocity", 3, false, {0, 0, 0, 3, 4, 0}}, {"group", 1, true, {1, 2}}};
+  scene.contacts.position = {{1, 0, 0}, {1, 1, 0}};
+  scene.contacts.cells = {{0, 1}};
+  scene.contacts.fields = {{"broke", 1, true, {1}}};
+  CHECK(shade_of(scene, "velocity").values == std::vector<double>{0, 5});
+  CHECK(shade_of(scene, "group").integers);
+  CHECK_THROWS_WITH(shade_of(scene, "velocty"), Catch::Contains("did you mean 'velocity'?"));
+  CHECK(box_of(scene)[1] == std::array<double, 3>{2, 1, 0});
+
+  PictureOptions options;
+  options.field = "group", options.width = 400;
+  const Colour torn{214, 39, 40}, sheared{31, 90, 200}, stone{186, 184, 178};
+  CHECK(count(read_png(picture(scene, options)), torn) > 50);
+  scene.contacts.fields[0].values = {2};
+  const Pixels p = read_png(picture(scene, options));
+  CHECK(count(p, torn) == 0);
+  CHECK(count(p, sheared) > 50);
+
+  // beside particles that have another field
+  scene.particles.position = {{0.5, -0.5, 0}, {1.5, -0.5, 0}};
+  scene.particles.fields = {{"pressure", 1, false, {1, 2}}};
+  const Shade shade = shade_of(scene, "pressure");
+  REQUIRE(shade.values.size() == 4);
+  CHECK(shade.values[1] == 2);
+  CHECK(std::isnan(shade.values[3]));
+  options.field = "pressure";
+  CHECK(count(read_png(picture(scene, options)), stone) > 1000);
+}
