@@ -1,0 +1,74 @@
+#include "geometry/strewn.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <stdexcept>
+
+namespace tribo {
+namespace {
+
+/// Places in a box, found by the square (cube) of one least distance they lie in: at most a few each.
+class Places {
+ public:
+  Places(const Vec3& low, const Vec3& high, double distance, bool plane)
+      : low_(low), distance_(distance), plane_(plane) {
+    for (int d = 0; d < 3; ++d) count_[d] = plane && d == 2 ? 1 : 1 + static_cast<int>((high[d] - low[d]) / distance);
+    cells_.resize(static_cast<std::size_t>(count_[0]) * static_cast<std::size_t>(count_[1]) *
+                  static_cast<std::size_t>(count_[2]));
+  }
+  bool free(const Vec3& x) const {
+    const auto at = cell(x);
+    for (int k = plane_ ? 0 : -1; k <= (plane_ ? 0 : 1); ++k)
+      for (int j = -1; j <= 1; ++j)
+        for (int i = -1; i <= 1; ++i) {
+          const Eigen::Vector3i n = at + Eigen::Vector3i(i, j, k);
+          if ((n.array() < 0).any() || (n.array() >= count_.array()).any()) continue;
+          for (const Vec3& other : cells_[index(n)])
+            if ((other - x).squaredNorm() < distance_ * distance_) return false;
+        }
+    return true;
+  }
+  void add(const Vec3& x) { cells_[index(cell(x))].push_back(x); }
+
+ private:
+  Eigen::Vector3i cell(const Vec3& x) const {
+    Eigen::Vector3i n;
+    for (int d = 0; d < 3; ++d) n[d] = std::clamp(static_cast<int>((x[d] - low_[d]) / distance_), 0, count_[d] - 1);
+    return n;
+  }
+  std::size_t index(const Eigen::Vector3i& n) const {
+    return static_cast<std::size_t>((n[2] * count_[1] + n[1]) * count_[0] + n[0]);
+  }
+  Vec3 low_;
+  double distance_;
+  bool plane_;
+  Eigen::Vector3i count_;
+  std::vector<std::vector<Vec3>> cells_;
+};
+
+}  // namespace
+
+std::vector<Vec3> strewn_points(std::size_t count, const Vec3& low, const Vec3& high, bool plane, double apart,
+                                std::uint64_t seed) {
+  const Vec3 size = high - low;
+  const double room = (plane ? size[0] * size[1] : size.prod()) / static_cast<double>(count);
+  const double distance = apart * (plane ? std::sqrt(room) : std::cbrt(room));
+  // The generator's bits are the same everywhere; the library's distributions are not.
+  std::mt19937_64 bits(seed);
+  const auto some = [&] { return std::ldexp(static_cast<double>((bits() >> 11) | 1), -53); };
+  Places places(low, high, std::max(distance, 1e-3 * std::cbrt(room)), plane);
+  std::vector<Vec3> out;
+  for (std::size_t tries = 0; out.size() < count; ++tries) {
+    if (tries > 2000 * count)
+      throw std::runtime_error("found room for " + std::to_string(out.size()) + " of " + std::to_string(count) +
+                               " nuclei only; make 'apart' smaller");
+    Vec3 x = low;
+    for (int d = 0; d < (plane ? 2 : 3); ++d) x[d] += some() * size[d];
+    if (!places.free(x)) continue;
+    places.add(x), out.push_back(x);
+  }
+  return out;
+}
+
+}  // namespace tribo

@@ -1,0 +1,31 @@
+#include "geometry/strewn.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <stdexcept>
+
+using namespace tribo;
+
+TEST_CASE("Strewn points keep their distance, lie inside, and are the same for a seed", "[geometry]") {
+  const Vec3 low(1, 2, 3), high(3, 3, 5);
+  for (const bool plane : {true, false}) {
+    const std::size_t count = 300;
+    const auto points = strewn_points(count, low, high, plane, 0.7, 5);
+    REQUIRE(points.size() == count);
+    const double due = plane ? std::sqrt(2.0 / 300) : std::cbrt(4.0 / 300);
+    double nearest = 1e300;
+    for (std::size_t i = 0; i < count; ++i) {
+      for (int d = 0; d < (plane ? 2 : 3); ++d) CHECK((points[i][d] > low[d] && points[i][d] < high[d]));
+      if (plane) CHECK(points[i][2] == low[2]);
+      for (std::size_t j = 0; j < i; ++j) nearest = std::min(nearest, (points[i] - points[j]).norm());
+    }
+    CHECK(nearest >= 0.7 * due);
+    CHECK(nearest < 0.75 * due);
+    CHECK(strewn_points(count, low, high, plane, 0.7, 5) == points);
+    CHECK(strewn_points(count, low, high, plane, 0.7, 6) != points);
+  }
+  CHECK(strewn_points(1, low, high, true, 0.6, 1).size() == 1);
+  CHECK(strewn_points(50, low, high, true, 0.0, 1).size() == 50);
+  CHECK_THROWS_AS(strewn_points(500, low, high, true, 1.05, 1), std::runtime_error);
+}
