@@ -3,7 +3,9 @@
 #include "base/csv.hpp"
 #include "base/text.hpp"
 #include "contact/joint_law.hpp"
+#include "geometry/strewn.hpp"
 #include "input/builder.hpp"
+#include "materials/material.hpp"
 #include "model/quantities.hpp"
 
 #include <algorithm>
@@ -31,7 +33,7 @@ void Builder::only_of_blocks() {
       "ArchiveGroup", "GlobalArchiveTime", "GlobalArchive", "Output",      "ArchiveRoot"};
   for (const auto& s : root_.children)
     must(lists(sections, s.name), s.origin,
-         "<" + s.name + "> and <Blocks> do not go together: blocks beside a grid and particles are not built");
+         "<" + s.name + "> is for grids and particles; with a <Mesh> blocks can be beside them");
   for (const auto& s : root_.child("MPMHeader")->children)
     must(lists(settings, s.name), s.origin,
          "<" + s.name + "> is for grids and particles and has no meaning for blocks; leave it out");
@@ -46,10 +48,49 @@ void Builder::only_of_blocks() {
            "<" + s.name + "> is for grids and particles; gravity of blocks is constant, <BodyYForce>");
 }
 
+// Blocks beside a grid meet its matter by nodal contact.
+void Builder::blocks_in_grid(const BlocksSpec& spec) {
+  const Statement& s = *root_.child("Blocks");
+  must(model_.analysis != Analysis::axisymmetric, root_.child("Header")->child("Analysis")->origin,
+       "blocks are plane or three-dimensional, not axisymmetric");
+  must(model_.contact.active, s.origin,
+       "blocks beside a grid need <MultiMaterialMode> in <MPMHeader>: they touch its matter by contact");
+  must(!spec.quasi_static, s.origin, "'quasistatic' is for blocks alone: matter in a grid needs the true masses");
+  must(!has(s, "thickness") || spec.thickness == model_.grid.thickness, s.origin,
+       "the thickness is that of the grid here; leave 'thickness' out");
+  for (const auto& f : model_.body_force.function)
+    must(!f, root_.child("Gravity")->origin,
+         "gravity that is a function does not act on blocks; use <BodyXForce>, <BodyYForce>, <BodyZForce>");
+  for (const auto& [pair, joint] : model_.contact.joints)
+    for (const auto& group : spec.groups)
+      must(group.material != pair.first && group.material != pair.second, joint.origin,
+           "a joint law between blocks and matter is not built; use a contact law");
+}
+
+// The material through which others touch blocks in a grid.
+int Builder::block_material(const Statement& s) {
+  if (!has(s, "matname") && !has(s, "mat")) {
+    must(!in_grid(), s.origin,
+         "beside a grid <" + s.name +
+             "> needs 'matname', a material of Type='RigidContact' through which others touch it");
+    return -1;
+  }
+  must(in_grid(), s.origin, "'mat' and 'matname' are for blocks beside a grid");
+  const int found = material(s);
+  if (found < 0 || found >= static_cast<int>(model_.materials.size())) return -1;
+  const MaterialSpec& spec = model_.materials[static_cast<std::size_t>(found)];
+  const bool moves =
+      std::any_of(spec.rigid_velocity.begin(), spec.rigid_velocity.end(), [](const auto& v) { return v.has_value(); });
+  must(spec.law && spec.law->rigid() && spec.touches(), s.origin,
+       "'" + spec.name + "' is no material of Type='RigidContact'");
+  must(!moves, s.origin, "'" + spec.name + "' has a prescribed motion; blocks move as forces move them, or by <Hold>");
+  return found;
+}
+
 void Builder::blocks() {
   const Statement& s = *root_.child("Blocks");
   auto spec = std::make_shared<BlocksSpec>();
-  spec->origin = s.origin;
+  spec->origin = s.origin, spec->in_grid = in_grid();
   if (has(s, "lawname") || has(s, "law")) spec->law = joint_of(s);
   if (const Attribute* a = s.attribute("touchname")) {
     Statement by_name = s;
@@ -69,7 +110,7 @@ void Builder::blocks() {
     }
   }
   spec->corners = word(s, "points") == "corners";
-  spec->thickness = number(s, "thickness", Dimension::length, 1.0);
+  spec->thickness = number(s, "thickness", Dimension::length, in_grid() ? model_.grid.thickness : 1.0);
   spec->local_damping = number(s, "damping", Dimension::none);
   spec->stress_iterations = static_cast<int>(number(s, "iterations", Dimension::none));
   spec->quasi_static = yes(word(s, "quasistatic"));
@@ -122,6 +163,7 @@ void Builder::blocks() {
   }
   must(!spec->groups.empty(), s.origin, "<Blocks> has no block; give <Voronoi>, <BoxBlock>, <PolygonBlock> or <Ball>");
   block_histories(*spec);
+  if (in_grid()) blocks_in_grid(*spec);
 
   // Poisson's ratio by the fictitious stress
   double nu = 0;
@@ -177,6 +219,7 @@ BlockGroup Builder::block_group(const Statement& s) {
   BlockGroup g;
   g.origin = s.origin, g.name = word(s, "name");
   g.density = number(s, "rho", Dimension::density, 1.0);
+  g.material = block_material(s);
   must(g.density > 0, s.origin, "the density must be positive");
   const bool solid = model_.dimension() == 3;
   constexpr std::array axes{"x", "y", "z"};
@@ -226,8 +269,25 @@ BlockGroup Builder::block_group(const Statement& s) {
 void Builder::nuclei(const Statement& s, BlockGroup& g) {
   const bool solid = model_.dimension() == 3;
   const auto dimension = static_cast<std::size_t>(model_.dimension());
-  const int ways = (g.points.empty() ? 0 : 1) + (has(s, "file") ? 1 : 0) + (has(s, "hexagons") ? 1 : 0);
-  must(ways == 1, s.origin, "give the nuclei of <Voronoi> as <pt>s, by 'file' or by 'hexagons'");
+  const int ways =
+      (g.points.empty() ? 0 : 1) + (has(s, "file") ? 1 : 0) + (has(s, "hexagons") ? 1 : 0) + (has(s, "random") ? 1 : 0);
+  must(ways == 1, s.origin, "give the nuclei of <Voronoi> as <pt>s, by 'file', 'hexagons' or 'random'");
+  for (const char* name : {"seed", "apart"})
+    must(has(s, "random") || !has(s, name), s.origin, "'" + std::string(name) + "' belongs to 'random'");
+  if (has(s, "random")) {
+    const double count = number(s, "random", Dimension::none), apart = number(s, "apart", Dimension::none, 0.6),
+                 seed = number(s, "seed", Dimension::none, 1);
+    const bool sound = count >= 1 && count <= 1e7 && apart >= 0 && apart <= 0.8 && seed >= 0;
+    must(sound, s.origin, "'random' is a number of nuclei, 'apart' in [0, 0.8], 'seed' not negative");
+    if (!sound || !(g.high - g.low).head(model_.dimension()).cwiseSign().isOnes()) return;
+    try {
+      g.points = strewn_points(static_cast<std::size_t>(count), g.low, g.high, !solid, apart,
+                               static_cast<std::uint64_t>(seed));
+    } catch (const std::runtime_error& error) {
+      problems_.add(s.origin, error.what());
+    }
+    g.point_origins.assign(g.points.size(), s.origin);
+  }
   if (has(s, "hexagons")) {
     const double spacing = number(s, "hexagons", Dimension::length), across = spacing * std::sqrt(3.0) / 2;
     must(spacing > 0 && !solid, s.origin, "'hexagons' is a positive distance, in plane models");
@@ -277,7 +337,7 @@ void Builder::nuclei(const Statement& s, BlockGroup& g) {
 void Builder::block_histories(BlocksSpec& spec) {
   using Of = BlockQuantityInfo::Of;
   for (const auto& s : root_.child("MPMHeader")->children) {
-    if (s.name != "GlobalArchive") continue;
+    if (s.name != "GlobalArchive" || (in_grid() && !archives_blocks(s))) continue;
     BlockHistory h;
     h.column = h.name = word(s, "type");
     for (const auto& a : s.attributes)

@@ -136,7 +136,7 @@ void Builder::archive(const Statement& h) {
 
 void Builder::history(const Statement& h) {
   for (const auto& s : h.children) {
-    if (s.name != "GlobalArchive") continue;
+    if (s.name != "GlobalArchive" || archives_blocks(s)) continue;
     HistoryQuantity q;
     q.name = q.column = word(s, "type");
     q.origin = s.origin;

@@ -36,6 +36,7 @@ Model Builder::build() {
   conditions();
   heat();
   gravity();
+  if (root_.child("Blocks")) blocks();
   tasks();
   check_histories();
   problems_.raise();

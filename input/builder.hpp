@@ -100,9 +100,16 @@ class Builder {
   void gravity();
 
   // build_blocks.cpp
-  bool of_blocks() const { return root_.child("Blocks") != nullptr; }
+  bool in_grid() const { return root_.child("Mesh") != nullptr; }
+  bool of_blocks() const { return root_.child("Blocks") != nullptr && !in_grid(); }
   void blocks();
   void only_of_blocks();
+  void blocks_in_grid(const BlocksSpec& spec);
+  int block_material(const Statement& s);
+  /// A <GlobalArchive> that asks for blocks or platens beside a grid.
+  bool archives_blocks(const Statement& s) const {
+    return root_.child("Blocks") && (has(s, "platen") || has(s, "block"));
+  }
   BlockGroup block_group(const Statement& s);
   void nuclei(const Statement& s, BlockGroup& group);
   std::shared_ptr<const JointLaw> joint_of(const Statement& s);

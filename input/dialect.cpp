@@ -583,14 +583,17 @@ std::vector<ElementSpec> make() {
   add({"shareMatField", "Material", "number of a material whose velocity field this one shares", T::integer, {}, true});
 
   // Blocks
-  const std::vector<AttributeSpec> of_blocks{text("name", "that histories and messages use"),
-                                             number("rho", "density", true),
-                                             number("vx", "velocity at the start"),
-                                             number("vy", ""),
-                                             number("vz", ""),
-                                             number("spinx", "rotation at the start [rad/time]"),
-                                             number("spiny", ""),
-                                             number("spinz", "")};
+  const std::vector<AttributeSpec> of_blocks{
+      text("name", "that histories and messages use"),
+      text("matname", "beside a grid: the RigidContact material others touch it by"),
+      text("mat", "or its number"),
+      number("rho", "density", true),
+      number("vx", "velocity at the start"),
+      number("vy", ""),
+      number("vz", ""),
+      number("spinx", "rotation at the start [rad/time]"),
+      number("spiny", ""),
+      number("spinz", "")};
   const std::vector<AttributeSpec> block_box{number("xmin", "edge", true), number("xmax", "", true),
                                              number("ymin", "", true),     number("ymax", "", true),
                                              number("zmin", ""),           number("zmax", "")};
@@ -598,8 +601,8 @@ std::vector<ElementSpec> make() {
                              "a contact at the middle of a common face (default), or at each of its corners with its "
                              "share of the area, so that laws without moments resist turning",
                              "face corners"};
-  add({"Blocks", "JANFEAInput",
-       "an assembly of rigid blocks whose contacts follow joint laws, instead of a grid and particles", T::none,
+  add({"Blocks", "JANFEAInput", "rigid blocks whose contacts follow joint laws, alone or beside the matter in a grid",
+       T::none,
        std::vector<AttributeSpec>{
            text("lawname", "name of the joint law of contacts that no <Joint> names, and of the platens' stiffness"),
            text("law", "or its number"),
@@ -614,10 +617,16 @@ std::vector<ElementSpec> make() {
            {"iterations", T::integer, "substitutions of the fictitious stress within a step (default 0)"},
            number("step", "share of the critical time step (default 0.8)")},
        true});
-  add({"Voronoi", "Blocks", "blocks that fill a box: cells of the <pt>s in it, of a file, or of a lattice", T::none,
+  add({"Voronoi", "Blocks", "blocks that fill a box: cells of the <pt>s in it, of a file, of a lattice, or random",
+       T::none,
        block_box +
            std::vector{text("file", "table with columns x, y, z of the nuclei"),
-                       number("hexagons", "distance between the flat tops of regular hexagons, instead")} +
+                       number("hexagons", "distance between the flat tops of regular hexagons, instead"),
+                       {"random", T::integer, "number of nuclei strewn at random, instead"},
+                       {"seed", T::integer, "of them: another number, another specimen (default 1)"},
+                       number("apart",
+                              "least distance between two of them, of the edge of the square or cube that is one's "
+                              "due: 0 to 0.8 (default 0.6)")} +
            of_blocks});
   add({"BoxBlock", "Blocks", "a rectangle or box as one block", T::none,
        block_box + std::vector{number("angle", "turned about z around the origin [degrees]")} + of_blocks});

@@ -57,7 +57,7 @@ int run_command(const Arguments& a) {
   const auto outcome = tribo::run(model, options);
   if (!a.quiet)
     std::printf("open %s in ParaView; histories in %s\n",
-                (options.folder / (model.blocks ? "blocks.pvd" : "run.pvd")).c_str(),
+                (options.folder / (model.only_blocks() ? "blocks.pvd" : "run.pvd")).c_str(),
                 (options.folder / "history.csv").c_str());
   if (outcome == Outcome::stopped)
     std::fprintf(stderr, "stopped; continue with: tribo resume %s\n", options.folder.c_str());

@@ -21,7 +21,7 @@ const std::map<std::string, std::set<std::string>> allowed{
     {"src/drive", {"base", "materials", "contact", "output", "drive"}},
     {"src/grid", {"base", "geometry", "grid"}},
     {"src/particles", {"base", "geometry", "model", "materials", "grid", "particles"}},
-    {"src/solver", {"base", "geometry", "model", "materials", "contact", "grid", "particles", "solver"}},
+    {"src/solver", {"base", "geometry", "model", "materials", "contact", "grid", "particles", "blocks", "solver"}},
     {"src/blocks", {"base", "geometry", "model", "contact", "blocks"}},
     {"src/output", {"base", "output"}},
     {"src/view", {"base", "output", "view"}},

@@ -48,9 +48,14 @@ struct BlockForces {
   Vec3 damping = Vec3::Zero(), damping_moment = Vec3::Zero();
 };
 
+/// What the matter in a grid does to a block during a step; moment about the centre.
+struct BlockPush {
+  Vec3 force = Vec3::Zero(), moment = Vec3::Zero();
+};
+
 /// Sums over time of work on one block [energy].
 struct BlockWork {
-  double outer = 0.0;     ///< done by pressures and loads
+  double outer = 0.0;     ///< done by pressures, loads and pushes
   double boundary = 0.0;  ///< by what prescribes its motion
   double damped = 0.0;    ///< taken out by local damping
 };
@@ -140,8 +145,11 @@ class Assembly {
   /// Force of the blocks on a platen.
   Vec3 platen_force(std::size_t platen) const;
   Vec3 platen_displacement(std::size_t platen) const;
-  /// On a block, from contacts, pressures and loads.
-  Vec3 contact_force(std::size_t body) const { return forces[body].all - bodies[body].weight * gravity_; }
+  /// On a block, from contacts, pressures, loads and pushes.
+  Vec3 contact_force(std::size_t body) const {
+    const Vec3 all = forces[body].all - bodies[body].weight * gravity_;
+    return pushes.empty() ? all : Vec3(all + pushes[body].force);
+  }
   /// All places and velocities are numbers.
   bool sound() const;
   /// Throws SimulationError if blocks press into one another that have no contact, or carry a force across faces that
@@ -181,8 +189,9 @@ class Assembly {
   std::vector<ContactGroup> groups;
   std::vector<ContactOutline> outlines;
   std::vector<PressedFace> pressed;
-  std::vector<Mat3> stress;      ///< per body; of the last step if a law has Poisson's ratio
-  Mat3 box_rate = Mat3::Zero();  ///< velocity gradient of a periodic box
+  std::vector<BlockPush> pushes;  ///< per body, constant until changed; or empty
+  std::vector<Mat3> stress;       ///< per body; of the last step if a law has Poisson's ratio
+  Mat3 box_rate = Mat3::Zero();   ///< velocity gradient of a periodic box
   double time = 0.0;
   std::int64_t step = 0;
   std::array<std::int64_t, 2> broken{};  ///< bonds so far: in tension, in shear
@@ -297,6 +306,7 @@ void Assembly::each_column(F&& f) {
     for (auto& b : forces)
       for (Vec3* v : {&b.all, &b.moment, &b.outer, &b.outer_moment, &b.damping, &b.damping_moment}) vec(g, *v);
     for (auto& b : work) g(b.outer), g(b.boundary), g(b.damped);
+    for (auto& b : pushes) vec(g, b.force), vec(g, b.moment);
     for (auto& s : stress) vec(g, s);
   });
   pass("contacts.joints", [&](auto&& g) {

@@ -109,8 +109,10 @@ void Assembly::retire_faces() {
     for (std::size_t k = g.begin; k < g.end; ++k) {
       Joint& j = joints[k];
       if (j.area == 0 || g.law->is_bonded(j)) continue;
-      const double size = j.area / thickness_;
-      if (j.shear.norm() < 0.05 * size && j.gap < 0.05 * size) continue;
+      const BlockContact& c = contacts[k];
+      const double size = j.area / thickness_,
+                   turned = (motion[c.a].R * c.na).cross(motion[c.b].R * c.nb).norm();  // then corners press, not faces
+      if (j.shear.norm() < 0.05 * size && j.gap < 0.05 * size && turned < 0.03) continue;
       j.area = j.Fn = j.Mt = j.strain = j.dashpot_normal = j.poisson_normal = 0;
       j.Fs = j.Mb = j.dashpot_shear = j.poisson_shear = {};
       j.away = true;

@@ -71,8 +71,10 @@ void Assembly::advance(double dt) {
                [&](std::ptrdiff_t k) { gather(static_cast<std::size_t>(k), dt); });
 }
 
+// From the middle of the last step to that of this; the very first velocities are those of the start. What a grid does
+// in this step belongs to the whole of it.
 void Assembly::move_bodies(double dt) {
-  const double middle = time + 0.5 * dt;
+  const double middle = time + 0.5 * dt, kick = 0.5 * (last_step_ + dt);
   for (std::size_t g = 0; g < given_motions_.size(); ++g)
     for (std::size_t d = 0; d < 6; ++d)
       given_now_[g][d] = given_motions_[g].of[d] ? given_motions_[g].of[d]->at(middle) : 0.0;
@@ -81,21 +83,23 @@ void Assembly::move_bodies(double dt) {
     const BlockBody& body = bodies[k];
     const BlockForces& f = forces[k];
     BlockMotion& m = motion[k];
-    if ((body.held & 7) != 7) m.v += dt / body.mass * (f.all + f.damping);
+    const BlockPush push = pushes.empty() ? BlockPush{} : pushes[k];
+    const Vec3 old_v = m.v, old_w = m.w;
+    if ((body.held & 7) != 7) m.v += (kick * (f.all + f.damping) + dt * push.force) / body.mass;
     if ((body.held & 56) != 56) {
-      const Vec3 moment = f.moment + f.damping_moment;
+      const Vec3 turning = kick * (f.moment + f.damping_moment) + dt * push.moment;
       if (plane_) {
-        m.w[2] += dt / body.inertia[2] * moment[2];
+        m.w[2] += turning[2] / body.inertia[2];
       } else if (body.sphere) {
-        m.w += dt / body.inertia[0] * moment;
+        m.w += turning / body.inertia[0];
       } else {
         // Euler's equations, with the mean of the old and new rotation
         const Mat3 axes = m.R * body.axes;
-        const Vec3 M = axes.transpose() * moment, old = axes.transpose() * m.w;
+        const Vec3 M = axes.transpose() * turning, old = axes.transpose() * m.w;
         Vec3 w = old;
         for (int pass = 0; pass < 3; ++pass) {
           const Vec3 mean = 0.5 * (old + w);
-          w = old + dt * (M - mean.cross(body.inertia.cwiseProduct(mean))).cwiseQuotient(body.inertia);
+          w = old + (M - kick * mean.cross(body.inertia.cwiseProduct(mean))).cwiseQuotient(body.inertia);
         }
         m.w = axes * w;
       }
@@ -107,6 +111,11 @@ void Assembly::move_bodies(double dt) {
         if (body.held & (8 << d)) m.w[d] = now[static_cast<std::size_t>(d) + 3];
       }
     }
+    if (!pushes.empty())
+      for (int d = 0; d < 3; ++d) {
+        if (!(body.held & (1 << d))) work[k].outer += 0.5 * dt * push.force[d] * (old_v[d] + m.v[d]);
+        if (!(body.held & (8 << d))) work[k].outer += 0.5 * dt * push.moment[d] * (old_w[d] + m.w[d]);
+      }
     m.x += dt * m.v;
     const double angle = dt * m.w.norm();
     if (angle == 0) return;
@@ -222,9 +231,10 @@ void Assembly::gather(std::size_t k, double dt) {
     }
   now.all += now.outer + body.weight * gravity_, now.moment += now.outer_moment;
   if (damping_ > 0 && body.held != 63) {
+    const BlockPush push = pushes.empty() ? BlockPush{} : pushes[k];
     for (int d = 0; d < 3; ++d) {
-      if (!(body.held & (1 << d))) now.damping[d] = lessening(damping_, now.all[d], m.v[d]);
-      if (!(body.held & (8 << d))) now.damping_moment[d] = lessening(damping_, now.moment[d], m.w[d]);
+      if (!(body.held & (1 << d))) now.damping[d] = lessening(damping_, now.all[d] + push.force[d], m.v[d]);
+      if (!(body.held & (8 << d))) now.damping_moment[d] = lessening(damping_, now.moment[d] + push.moment[d], m.w[d]);
     }
   }
   // Work of the mean of the forces before and after: what leapfrog turns into v(-1/2) v(+1/2).

@@ -37,6 +37,7 @@ struct BlockGroup {
   double radius = 0.0;                           ///< of a ball
   double angle = 0.0;                            ///< polygon, brick: turned about z around the origin [rad]
   double density = 1.0;
+  int material = -1;  ///< beside a grid: what others touch, index into Model::materials
   Vec3 velocity = Vec3::Zero(), spin = Vec3::Zero();
   Origin origin;
 };
@@ -90,6 +91,7 @@ struct BlockHistory {
 };
 
 struct BlocksSpec {
+  bool in_grid = false;  ///< beside a grid with particles
   std::vector<BlockGroup> groups;
   std::vector<BlockJoint> joints;
   std::vector<BlockPlaten> platens;

@@ -9,6 +9,7 @@
 #include "base/units.hpp"
 #include "geometry/region.hpp"
 #include "geometry/scattered.hpp"
+#include "model/blocks.hpp"
 
 #include <algorithm>
 #include <array>
@@ -338,12 +339,14 @@ struct Model {
   Damping damping;
   ContactSpec contact;
   std::vector<CrackSpec> cracks;
-  std::shared_ptr<const BlocksSpec> blocks;  ///< a model of rigid blocks, without grid and particles; else null
+  std::shared_ptr<const BlocksSpec> blocks;  ///< rigid blocks, alone or beside a grid; else null
   std::optional<FractureSpec> fracture;
   HeatSpec heat;
   OutputSpec output;
   /// Particles that leave the grid: unset stops the run; otherwise this many may be pushed back before it stops.
   std::optional<long> leave_limit;
+  /// Rigid blocks without grid and particles.
+  bool only_blocks() const { return blocks && !blocks->in_grid; }
   std::vector<std::string> warnings;  ///< each `file:line:col: warning: ...`
 
   int dimension() const { return analysis == Analysis::solid ? 3 : 2; }

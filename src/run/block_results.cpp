@@ -74,18 +74,31 @@ BlockResults::BlockResults(const Model& model, Assembly& blocks, std::filesystem
       folder_(std::move(folder)),
       cells_(folder_ / "blocks.pvd"),
       contacts_(folder_ / "contacts.pvd") {
-  std::vector<std::string> columns{"time"};
-  for (const auto& q : model.blocks->histories) columns.push_back(q.column);
-  if (!resume_time) {
-    history_.emplace(folder_ / "history.csv", columns);
-    energy_.emplace(folder_ / "energy.csv", energy_columns);
-    events_.emplace(folder_ / "events.csv", event_columns);
-    return;
-  }
-  history_.emplace(History::resume(folder_ / "history.csv", columns, *resume_time));
-  energy_.emplace(History::resume(folder_ / "energy.csv", energy_columns, *resume_time));
-  events_.emplace(History::resume(folder_ / "events.csv", event_columns, *resume_time));
-  cells_.resume(*resume_time), contacts_.resume(*resume_time);
+  const bool alone = !model.blocks->in_grid;
+  const auto open = [&](std::optional<History>& file, const std::string& name, const std::vector<std::string>& heads) {
+    if (resume_time)
+      file.emplace(History::resume(folder_ / name, heads, *resume_time));
+    else
+      file.emplace(folder_ / name, heads);
+  };
+  std::vector<std::string> heads{"time"};
+  for (const auto& head : columns(model)) heads.push_back(head);
+  if (alone) open(history_, "history.csv", heads);
+  open(energy_, alone ? "energy.csv" : "block_energy.csv", energy_columns);
+  open(events_, alone ? "events.csv" : "block_events.csv", event_columns);
+  if (resume_time) cells_.resume(*resume_time), contacts_.resume(*resume_time);
+}
+
+std::vector<std::string> BlockResults::columns(const Model& model) {
+  std::vector<std::string> out;
+  for (const auto& q : model.blocks->histories) out.push_back(q.column);
+  return out;
+}
+
+std::vector<double> BlockResults::values(double dt) const {
+  std::vector<double> out;
+  for (const auto& q : model_.blocks->histories) out.push_back(quantity(q, dt));
+  return out;
 }
 
 void BlockResults::write_pictures(std::int64_t number) {
@@ -113,7 +126,11 @@ void BlockResults::write_blocks(std::int64_t number) {
       out.fields.vector("velocity", m.v);
       out.fields.vector("rotation", blocks_.turned(k));
       out.fields.vector("spin", m.w);
-      out.fields.tensor("stress", stress);
+      if (!model_.blocks->in_grid) {  // else the grid's forces would be missing in it
+        out.fields.tensor("stress", stress);
+        out.fields.number("pressure", -stress.trace() / 3);
+        out.fields.number("von_mises", std::sqrt(1.5) * (stress - stress.trace() / 3 * Mat3::Identity()).norm());
+      }
       out.fields.number("kinetic_energy", kinetic);
       out.fields.number("strain_energy", strain[k]);
     }
@@ -175,9 +192,11 @@ void BlockResults::write_events() {
 }
 
 void BlockResults::write_history(double dt) {
-  std::vector<double> row{blocks_.time};
-  for (const auto& q : model_.blocks->histories) row.push_back(quantity(q, dt));
-  history_->add(row);
+  if (history_) {
+    std::vector<double> row{blocks_.time};
+    for (const double value : values(dt)) row.push_back(value);
+    history_->add(row);
+  }
   const BlockLedger l = blocks_.ledger();
   if (blocks_.step == 0) initial_energy = l.content();
   energy_->add(std::array{blocks_.time, l.kinetic, l.strain, l.potential, l.slip, l.dashpot, l.damping, l.released,

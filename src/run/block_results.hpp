@@ -13,8 +13,13 @@ namespace tribo {
 
 class BlockResults {
  public:
-  /// Starts the files, or continues them after `resume_time`.
+  /// Starts the files, or continues them after `resume_time`. Beside a grid the energies and events of blocks have
+  /// files of their own, block_energy.csv and block_events.csv, and their histories are columns of the grid's file.
   BlockResults(const Model& model, Assembly& blocks, std::filesystem::path folder, std::optional<double> resume_time);
+
+  /// Heads and values of the histories that the model asks for.
+  static std::vector<std::string> columns(const Model& model);
+  std::vector<double> values(double dt) const;
 
   /// The blocks as cells and the contacts as facets.
   void write_pictures(std::int64_t number);

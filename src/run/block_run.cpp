@@ -4,11 +4,11 @@
 #include "base/parallel.hpp"
 #include "base/stopwatch.hpp"
 #include "output/atomic_file.hpp"
-#include "output/checkpoint.hpp"
 #include "output/progress.hpp"
 #include "output/provenance.hpp"
 #include "run/block_results.hpp"
 #include "run/clock.hpp"
+#include "run/restart.hpp"
 #include "run/signals.hpp"
 
 #include <algorithm>
@@ -27,25 +27,17 @@ void save(Assembly& blocks, const Counters& at, const std::filesystem::path& pat
   CheckpointWriter out;
   out.put("dimension", std::int64_t{blocks.plane() ? 2 : 3});
   out.put("counters", std::array<std::int64_t, 3>{at.archive, at.history, at.checkpoint});
-  out.put("energy", at.initial_energy);
-  out.put("pairs", std::span<const std::int64_t>(blocks.found_pairs()));
-  blocks.each_column(
-      [&](const char* name, std::vector<double>& column) { out.put(name, std::span<const double>(column)); });
+  save_blocks(blocks, at.initial_energy, out);
   out.save(path);
 }
 
 Counters load(Assembly& blocks, const std::filesystem::path& path) {
   const Checkpoint in(path);
-  const auto mismatch = [] { throw FileError("the checkpoint belongs to another command file: its blocks differ"); };
-  if (!in.has("blocks.motion") || in.integer("dimension") != (blocks.plane() ? 2 : 3)) mismatch();
-  blocks.set_found_pairs(in.integers("pairs"));
-  blocks.each_column([&](const char* name, std::vector<double>& column) {
-    const auto values = in.doubles(name);
-    if (values.size() != column.size()) mismatch();
-    column = values;
-  });
+  if (in.integer("dimension") != (blocks.plane() ? 2 : 3))
+    throw FileError("the checkpoint belongs to another command file: its blocks differ");
+  const double energy = load_blocks(in, blocks);
   const auto counters = in.integers("counters");
-  return {counters.at(0), counters.at(1), counters.at(2), in.number("energy")};
+  return {counters.at(0), counters.at(1), counters.at(2), energy};
 }
 
 double seconds_since(std::chrono::steady_clock::time_point begin) {
@@ -53,11 +45,11 @@ double seconds_since(std::chrono::steady_clock::time_point begin) {
 }
 
 std::map<std::string, std::string> facts(const Model& model, const Assembly& blocks) {
-  return {{"title", model.title},
-          {"blocks", std::to_string(blocks.block_count())},
-          {"contacts", std::to_string(blocks.contacts.size())},
-          {"units", model.units.name(Dimension::length) + ", " + model.units.name(Dimension::mass) + ", " +
-                        model.units.name(Dimension::time)}};
+  std::map<std::string, std::string> out = unit_facts(model);
+  out["title"] = model.title;
+  out["blocks"] = std::to_string(blocks.block_count());
+  out["contacts"] = std::to_string(blocks.contacts.size());
+  return out;
 }
 
 }  // namespace

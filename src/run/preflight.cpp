@@ -327,7 +327,7 @@ class Sheet {
 }  // namespace
 
 std::string preflight(const Model& model, int threads) {
-  if (model.blocks) return describe_blocks(model, threads);
+  if (model.only_blocks()) return describe_blocks(model, threads);
   return model.dimension() == 2 ? Sheet<2>(model, threads).text() : Sheet<3>(model, threads).text();
 }
 

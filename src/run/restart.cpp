@@ -98,6 +98,25 @@ void each_surface(System<Dim>& system, F&& f) {
 
 }  // namespace
 
+void save_blocks(Assembly& blocks, double initial_energy, CheckpointWriter& to) {
+  to.put("energy", initial_energy);
+  to.put("pairs", std::span<const std::int64_t>(blocks.found_pairs()));
+  blocks.each_column(
+      [&](const char* name, std::vector<double>& column) { to.put(name, std::span<const double>(column)); });
+}
+
+double load_blocks(const Checkpoint& from, Assembly& blocks) {
+  const auto mismatch = [] { throw FileError("the checkpoint belongs to another command file: its blocks differ"); };
+  if (!from.has("blocks.motion")) mismatch();
+  blocks.set_found_pairs(from.integers("pairs"));
+  blocks.each_column([&](const char* name, std::vector<double>& column) {
+    const auto values = from.doubles(name);
+    if (values.size() != column.size()) mismatch();
+    column = values;
+  });
+  return from.number("energy");
+}
+
 template <int Dim>
 CheckpointWriter save_state(const RunState& state, System<Dim>& system, Stepper<Dim>& stepper) {
   CheckpointWriter out;
@@ -126,6 +145,7 @@ CheckpointWriter save_state(const RunState& state, System<Dim>& system, Stepper<
   each_surface(system, [&](const std::string& name, std::vector<double>& column) {
     out.put(name, std::span<const double>(column));
   });
+  if (system.blocks) save_blocks(*system.blocks, state.initial_block_energy, out);
   each_body(system, [&](Body<Dim>& body, const std::string& prefix) {
     out.put(prefix + "id", std::span<const std::int64_t>(body.particles.id));
     std::vector<std::int64_t> bins;
@@ -177,6 +197,7 @@ RunState load_state(const Checkpoint& checkpoint, System<Dim>& system, Stepper<D
     if (values.size() != column.size()) mismatch();
     column = values;
   });
+  if (system.blocks) state.initial_block_energy = load_blocks(checkpoint, *system.blocks);
   each_body(system, [&](Body<Dim>& body, const std::string& prefix) {
     const auto ids = checkpoint.integers(prefix + "id");
     if (ids.size() != body.particles.size()) mismatch();

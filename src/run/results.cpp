@@ -44,6 +44,10 @@ Results<Dim>::Results(const Model& model, System<Dim>& system, Stepper<Dim>& ste
       joints_(folder_ / "joints.pvd") {
   std::vector<std::string> columns{"time"};
   for (const auto& q : model.output.history) columns.push_back(q.column);
+  if (system.blocks) {
+    blocks.emplace(model, *system.blocks, folder_, resume_time);
+    for (const auto& column : BlockResults::columns(model)) columns.push_back(column);
+  }
   if (!resume_time) {
     history_.emplace(folder_ / "history.csv", columns);
     energy_.emplace(folder_ / "energy.csv", energy_columns(model.heat.kept));
@@ -67,7 +71,8 @@ void Results<Dim>::write_particles(std::int64_t number) {
   stepper_.contact().show();
   std::vector<Body<Dim>*> bodies;
   for (auto* list : {&system_.bodies, &system_.rigids})
-    for (auto& body : *list) bodies.push_back(&body);
+    for (auto& body : *list)
+      if (body.block < 0) bodies.push_back(&body);
   const auto& wanted = model_.output.particle_fields;
   const ParticleFields<Dim> all(model_, bodies, wanted.empty() ? ParticleFields<Dim>::standard() : wanted);
   const std::string file = "particles/" + numbered(number, ".vtp");
@@ -76,6 +81,7 @@ void Results<Dim>::write_particles(std::int64_t number) {
   if (!model_.output.grid_fields.empty()) write_grid(number);
   if (!system_.cracks.empty()) write_cracks(number);
   if (!system_.joints.empty()) write_joints(number);
+  if (blocks) blocks->write_pictures(number);
 }
 
 template <int Dim>
@@ -147,6 +153,10 @@ void Results<Dim>::write_history(double dt) {
   std::vector<double> row{system_.time};
   for (std::size_t k = 0; k < model_.output.history.size(); ++k)
     row.push_back(quantity(model_.output.history[k], measures_of(k, all, bodies), l, dt));
+  if (blocks) {
+    for (const double value : blocks->values(dt)) row.push_back(value);
+    blocks->write_history(dt);
+  }
   history_->add(row);
   write_tips();
 
@@ -250,21 +260,20 @@ Vec3 Results<Dim>::reaction(const HistoryQuantity& q) const {
 // Sum over the pairs that a quantity asks for; force on its material, or on the first of each pair.
 template <int Dim>
 PairLedger Results<Dim>::contact_of(const HistoryQuantity& q) const {
-  const auto field = [&](int material) {
+  const auto is_of = [&](std::size_t field, int material) {
     for (auto* list : {&system_.bodies, &system_.rigids})
       for (const auto& body : *list)
-        if (body.material == material) return body.field;
-    return Body<Dim>::no_field;
+        if (body.field == field && body.material == material) return true;
+    return false;
   };
   PairLedger sum;
   for (const auto& [pair, entry] : stepper_.contact().ledger()) {
     double sign = 1.0;
     if (q.material >= 0) {
-      const auto self = field(q.material);
-      if (pair.first != self && pair.second != self) continue;
-      const auto other = pair.first == self ? pair.second : pair.first;
-      if (q.other >= 0 && other != field(q.other)) continue;
-      sign = pair.first == self ? 1.0 : -1.0;
+      const bool first = is_of(pair.first, q.material);
+      if (!first && !is_of(pair.second, q.material)) continue;
+      if (q.other >= 0 && !is_of(first ? pair.second : pair.first, q.other)) continue;
+      sign = first ? 1.0 : -1.0;
     }
     sum.force += sign * entry.force;
     sum.friction += entry.friction, sum.impact += entry.impact, sum.stored += entry.stored, sum.area += entry.area;

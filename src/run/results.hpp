@@ -3,6 +3,7 @@
 
 #include "output/history.hpp"
 #include "output/vtk.hpp"
+#include "run/block_results.hpp"
 #include "run/tracers.hpp"
 #include "solver/measures.hpp"
 #include "solver/step.hpp"
@@ -38,6 +39,7 @@ class Results {
   void write_events();
   /// Energies at the start, for the residual; kept for restart.
   double initial_energy = 0.0;
+  std::optional<BlockResults> blocks;
 
  private:
   /// Of what history `k` asks for: all, a material or a particle.

@@ -52,6 +52,7 @@ class Simulation {
     if (!resume_time) write_atomically(options_.folder / "model.path", source_of(model_));
     Results<Dim> results(model_, system_, stepper_, options_.folder, resume_time);
     results.initial_energy = state.initial_energy;
+    if (results.blocks) results.blocks->initial_energy = state.initial_block_energy;
     Provenance provenance(options_.folder / "provenance.json", options_.command_line, model_.file, threads(), facts());
     dt_ = resume_time ? state.dt : step_size_.first().size;
     const double begin_time = system_.time;
@@ -63,8 +64,9 @@ class Simulation {
     auto reported = begin;
 
     const auto save = [&] {
-      save_state({archive_.count(), history_.count(), checkpoints_.count(), results.initial_energy, dt_}, system_,
-                 stepper_)
+      save_state({archive_.count(), history_.count(), checkpoints_.count(), results.initial_energy, dt_,
+                  results.blocks ? results.blocks->initial_energy : 0.0},
+                 system_, stepper_)
           .save(checkpoint);
       stepper_.contact().forget();
     };
@@ -168,15 +170,10 @@ class Simulation {
   }
 
   std::map<std::string, std::string> facts() const {
-    std::map<std::string, std::string> out{{"title", model_.title}};
+    std::map<std::string, std::string> out = unit_facts(model_);
+    out["title"] = model_.title;
     for (const auto& body : system_.bodies) out["particles of " + body.name] = std::to_string(body.particles.size());
-    using D = Dimension;
-    for (const auto& [name, dimension] :
-         {std::pair("length", D::length), std::pair("time", D::time), std::pair("velocity", D::velocity),
-          std::pair("stress", D::stress), std::pair("force", D::force), std::pair("mass", D::mass)})
-      out["unit of " + std::string(name)] = model_.units.name(dimension);
-    out["units"] = model_.units.name(Dimension::length) + ", " + model_.units.name(Dimension::mass) + ", " +
-                   model_.units.name(Dimension::time);
+    if (system_.blocks) out["blocks"] = std::to_string(system_.blocks->block_count());
     return out;
   }
 
@@ -250,8 +247,9 @@ void prepare_folder(const RunOptions& options, const std::vector<const char*>& p
   std::filesystem::remove_all(folder / "joints", error);
   std::filesystem::remove_all(folder / "blocks", error);
   std::filesystem::remove_all(folder / "contacts", error);
-  for (const char* file : {"run.pvd", "grid.pvd", "cracks.pvd", "joints.pvd", "blocks.pvd", "contacts.pvd",
-                           "events.csv", "tips.csv", "history.csv", "energy.csv", "checkpoint.bin", "provenance.json"})
+  for (const char* file :
+       {"run.pvd", "grid.pvd", "cracks.pvd", "joints.pvd", "blocks.pvd", "contacts.pvd", "events.csv", "tips.csv",
+        "block_events.csv", "block_energy.csv", "history.csv", "energy.csv", "checkpoint.bin", "provenance.json"})
     std::filesystem::remove(folder / file, error);
   for (const char* part : parts) {
     std::filesystem::create_directories(folder / part, error);
@@ -260,6 +258,17 @@ void prepare_folder(const RunOptions& options, const std::vector<const char*>& p
 }
 
 }  // namespace
+
+std::map<std::string, std::string> unit_facts(const Model& model) {
+  std::map<std::string, std::string> out;
+  using D = Dimension;
+  for (const auto& [name, dimension] :
+       {std::pair("length", D::length), std::pair("time", D::time), std::pair("velocity", D::velocity),
+        std::pair("stress", D::stress), std::pair("force", D::force), std::pair("mass", D::mass)})
+    out["unit of " + std::string(name)] = model.units.name(dimension);
+  out["units"] = model.units.name(D::length) + ", " + model.units.name(D::mass) + ", " + model.units.name(D::time);
+  return out;
+}
 
 void refuse_used_folder(const RunOptions& options) {
   const auto& folder = options.folder;
@@ -273,12 +282,13 @@ void refuse_used_folder(const RunOptions& options) {
 
 Outcome run(const Model& model, const RunOptions& options) {
   set_threads(options.threads);
-  if (model.blocks) {
+  if (model.only_blocks()) {
     Assembly blocks = assemble(model);
     prepare_folder(options, {"blocks", "contacts"});
     return run_blocks(model, blocks, options);
   }
-  const std::vector<const char*> of_particles{"particles", "grid", "cracks", "joints"};
+  std::vector<const char*> of_particles{"particles", "grid", "cracks", "joints"};
+  if (model.blocks) of_particles.insert(of_particles.end(), {"blocks", "contacts"});
   if (model.dimension() == 2) {
     Simulation<2> simulation(model, options);
     prepare_folder(options, of_particles);

@@ -4,6 +4,7 @@
 #include "model/model.hpp"
 
 #include <filesystem>
+#include <map>
 #include <string>
 
 namespace tribo {
@@ -22,6 +23,9 @@ enum class Outcome {
   finished,
   stopped  ///< at a limit or by a signal; a checkpoint was written
 };
+
+/// The units of a model's results, for its record.
+std::map<std::string, std::string> unit_facts(const Model& model);
 
 /// Throws FileError if the folder holds results that may not be replaced.
 void refuse_used_folder(const RunOptions& options);

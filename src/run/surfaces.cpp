@@ -87,6 +87,7 @@ void Results<Dim>::write_tips() {
 
 template <int Dim>
 void Results<Dim>::write_events() {
+  if (blocks) blocks->write_events();
   for (const PlacedEvent& e : stepper_.joints().take_events()) {
     const auto text = [](double x) { return number_text(x); };
     events_->add(e.time,

@@ -1,5 +1,6 @@
 #include "solver/build.hpp"
 
+#include "solver/block_points.hpp"
 #include "solver/crack_build.hpp"
 #include "solver/interface_build.hpp"
 #include "solver/transfer.hpp"
@@ -142,6 +143,27 @@ Body<Dim> make_body(const Model& model, int material, const std::vector<const Se
   return body;
 }
 
+// Every block is a rigid body with a velocity field of its own.
+template <int Dim>
+void add_blocks(const Model& model, System<Dim>& system, const Transfers<Dim>& transfers, std::int64_t next_id) {
+  const BlocksSpec& spec = *model.blocks;
+  system.blocks = std::make_unique<Assembly>(model.blocks, Dim, model.analysis == Analysis::plane_stress,
+                                             model.body_force.gravity, model.time.max_step);
+  system.blocks->pushes.resize(system.blocks->bodies.size());
+  for (std::size_t k = 0; k < system.blocks->block_count(); ++k) {
+    const auto& group = spec.groups[static_cast<std::size_t>(system.blocks->bodies[k].group)];
+    const auto seeds = block_points(system.blocks->shapes[k], system.blocks->motion[k].x, group.material, group.density,
+                                    Dim == 2, spec.thickness, system.lattice.spacing.minCoeff());
+    std::vector<const Seed*> all;
+    for (const Seed& seed : seeds) all.push_back(&seed);
+    auto body = make_body<Dim>(model, group.material, all, next_id, transfers);
+    next_id += static_cast<std::int64_t>(all.size());
+    body.block = static_cast<std::int64_t>(k);
+    body.name = group.name.empty() ? "block " + std::to_string(k + 1) : group.name;
+    system.rigids.push_back(std::move(body));
+  }
+}
+
 // With cracks each field of bodies has others beyond them.
 template <int Dim>
 void add_sides(System<Dim>& system) {
@@ -171,6 +193,11 @@ void assign_fields(const Model& model, System<Dim>& system) {
   for (auto* list : {&system.bodies, &system.rigids})
     for (auto& body : *list) {
       const MaterialSpec& spec = model.materials[static_cast<std::size_t>(body.material)];
+      if (body.block >= 0) {
+        body.field = system.fields.size();
+        system.fields.emplace_back(system.lattice).rigid_contact = true;
+        continue;
+      }
       if (spec.law->rigid() && !spec.touches()) {
         body.field = Body<Dim>::no_field;
         continue;
@@ -215,6 +242,7 @@ System<Dim> build_system(const Model& model, const std::vector<Seed>& seeds) {
             "particles of '" + body.name + "' are larger than a cell; uGIMP needs at least one per cell and axis");
     (body.law->rigid() ? system.rigids : system.bodies).push_back(std::move(body));
   }
+  if (model.blocks) add_blocks(model, system, *transfers, next_id);
   assign_fields(model, system);
   if (!model.cracks.empty()) add_cracks(model, system, transfers->stencil_width());
   add_interfaces(model, system);

@@ -26,6 +26,14 @@ struct PairLedger {
   double area = 0.0;          ///< of the faces that touch now                                     [length^2]
 };
 
+/// What a field of prescribed velocity got from all others in the last step, and what those weigh at the nodes where
+/// they touch it. Moments about the origin of space.
+struct RigidShare {
+  Vec3 impulse = Vec3::Zero(), moment = Vec3::Zero();
+  double mass = 0.0, second = 0.0;  ///< sums of m and m |x|^2
+  Vec3 first = Vec3::Zero();        ///< of m x
+};
+
 template <int Dim>
 class Contact {
  public:
@@ -88,6 +96,8 @@ class Contact {
   double rigid_work = 0.0;
   /// Momentum they gave to the deformable bodies so far.
   Vec3 rigid_impulse = Vec3::Zero();
+  /// By field; empty without contact.
+  const std::vector<RigidShare>& rigid_shares() const { return rigid_shares_; }
   /// Fills the particle columns that show contact: state (0 open, 1 stick, 2 slip), traction, normal.
   void show();
   std::size_t node_count() const { return nodes_.size(); }
@@ -208,6 +218,7 @@ class Contact {
 
   // contact_impulses.cpp
   void remember();
+  void book_rigid(const MeetingNode& node, const ContactPair& pair);
   template <class F>
   void each_pair_near(const CloudPoint<Dim>& p, std::size_t field, F&& f) const;
 
@@ -244,6 +255,7 @@ class Contact {
   std::vector<int> shared_at_;  ///< per lattice block: number of the shared block, or -1
   std::vector<Scratch> scratch_;
   std::map<std::pair<std::size_t, std::size_t>, PairLedger> ledger_;
+  std::vector<RigidShare> rigid_shares_;
   double h_ = 0.0;
 };
 

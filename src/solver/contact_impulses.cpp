@@ -180,6 +180,7 @@ void Contact<Dim>::book(double dt) {
   if (!active_) return;
   const auto lap = watch.lap();
   for (auto& [fields, entry] : ledger_) entry.force.setZero(), entry.stored = entry.area = 0.0;
+  rigid_shares_.assign(field_count_, {});
   if (cracks_.active()) cracks_.begin_memory();
   for (const auto& node : nodes_)
     for (std::size_t p = node.first_pair; p < node.end_pair; ++p) {
@@ -203,18 +204,30 @@ void Contact<Dim>::book(double dt) {
         entry.interface += all;
       else
         entry.impact += normal, entry.friction += all - normal, pair.friction = (all - normal) / node.share;
-      const auto velocity = [&](const ContactMember& m) {
-        return Vec3(Eigen::Map<const Vec3>(system_.fields[m.field].nodes[static_cast<std::size_t>(m.at)].velocity));
-      };
-      for (const auto& [side, sign] : {std::pair{&a, -1.0}, std::pair{&b, 1.0}}) {
-        if (side->inverse_mass > 0.0) continue;
-        const Vec3 impulse = sign * node.share * pair.impulse;
-        rigid_work += impulse.dot(velocity(*side));
-        rigid_impulse += impulse;
-      }
+      book_rigid(node, pair);
     }
   if (cracks_.active()) cracks_.end_memory();
   if (remembers_) remember();
+}
+
+// An impulse between nodes acts at the common face.
+template <int Dim>
+void Contact<Dim>::book_rigid(const MeetingNode& node, const ContactPair& pair) {
+  for (const auto& [side, other, sign] : {std::tuple{pair.a, pair.b, -1.0}, std::tuple{pair.b, pair.a, 1.0}}) {
+    const ContactMember& rigid = members_[side];
+    if (rigid.inverse_mass > 0.0) continue;
+    const Node& at = system_.fields[rigid.field].nodes[static_cast<std::size_t>(rigid.at)];
+    const Vec3 impulse = sign * node.share * pair.impulse;  // on the other
+    rigid_work += impulse.dot(Eigen::Map<const Vec3>(at.velocity));
+    rigid_impulse += impulse;
+    Vec3 x = Vec3::Zero();
+    x.head<Dim>() = system_.lattice.position(node.index);
+    if (node.by_faces) x += pair.face * pair.meeting.normal;
+    RigidShare& share = rigid_shares_[rigid.field];
+    const double mass = node.share * members_[other].mass;
+    share.impulse -= impulse, share.moment -= x.cross(impulse);
+    share.mass += mass, share.first += mass * x, share.second += mass * x.squaredNorm();
+  }
 }
 
 template <int Dim>

@@ -108,8 +108,10 @@ void Stepper<Dim>::account_loads(double dt) {
 
 template <int Dim>
 void Stepper<Dim>::follow_rigid(double dt) {
+  blocks_.set_particles();
   for (std::size_t r = 0; r < system_.rigids.size(); ++r) {
     auto& body = system_.rigids[r];
+    if (body.block >= 0) continue;
     const MaterialSpec& spec = model_.materials[static_cast<std::size_t>(body.material)];
     const auto v = body.particles.v();
     for (std::size_t i = 0; i < body.particles.size(); ++i) {
@@ -138,8 +140,9 @@ void Stepper<Dim>::follow_rigid(double dt) {
 
 template <int Dim>
 void Stepper<Dim>::move_rigid(double dt) {
-  rigid_travel_ = 0.0;
+  rigid_travel_ = blocks_.move(dt);
   for (auto& body : system_.rigids) {
+    if (body.block >= 0) continue;
     const auto x = body.particles.x(), v = body.particles.v();
     for (std::size_t i = 0; i < body.particles.size(); ++i)
       for (std::size_t d = 0; d < Dim; ++d) {

@@ -70,6 +70,7 @@ void Stepper<Dim>::advance(double dt) {
   }
 
   contact_.book(dt);
+  blocks_.take(contact_.rigid_shares(), dt);
   load_tips(dt);
   heat_.conduct(dt, contact_, conditions_);
 
@@ -105,6 +106,7 @@ Stepper<Dim>::Stepper(const Model& model, System<Dim>& system)
       cracks_(model, system, *transfers_),
       contact_(model, system, *transfers_, cracks_),
       joints_(model, system, cracks_),
+      blocks_(system),
       fracture_(model, system, cracks_, transfers_->stencil_width()),
       heat_(model, system, *transfers_),
       b_bar_(model.scheme, system, *transfers_, conditions_) {
@@ -162,7 +164,8 @@ void Stepper<Dim>::allocate() {
     const auto nodes = static_cast<std::size_t>(field.map.node_count());
     field.nodes.resize(nodes);
     field.rigid.resize(system_.rigids.size());
-    for (auto& layer : field.rigid) layer.resize(nodes);
+    for (std::size_t r = 0; r < system_.rigids.size(); ++r)
+      if (system_.rigids[r].field == Body<Dim>::no_field) field.rigid[r].resize(nodes);
     if (filtering) field.filter.resize(nodes), field.increment.resize(nodes);
     conditions_[f].locate(field.map);
   }
@@ -191,6 +194,7 @@ void Stepper<Dim>::scatter(Scatter what, bool from_start) {
     if (body.field != Body<Dim>::no_field) {
       auto& field = system_.fields[body.field];
       transfers_->scatter(body, Target<Dim>(field.map, field.nodes), Scatter::momentum, from_start, false);
+      blocks_.set_nodes(body);
     }
 }
 

@@ -7,6 +7,7 @@
 #include "solver/fracture.hpp"
 #include "solver/heat.hpp"
 #include "solver/joints.hpp"
+#include "solver/rigid_blocks.hpp"
 #include "solver/transfer.hpp"
 
 namespace tribo {
@@ -107,6 +108,7 @@ class Stepper {
   Cracks<Dim> cracks_;
   Contact<Dim> contact_;
   Joints<Dim> joints_;
+  RigidBlocks<Dim> blocks_;
   Fracture<Dim> fracture_;
   HeatConduction<Dim> heat_;
   BBar<Dim> b_bar_;

@@ -1,6 +1,7 @@
 /// What a step works on.
 #pragma once
 
+#include "blocks/assembly.hpp"
 #include "grid/nodes.hpp"
 #include "materials/material.hpp"
 #include "model/model.hpp"
@@ -57,6 +58,7 @@ struct Body {
   int material = 0;       ///< index into Model::materials
   std::size_t field = 0;  ///< of rigid bodies: only if others touch them, else `no_field`
   static constexpr std::size_t no_field = static_cast<std::size_t>(-1);
+  std::int64_t block = -1;                                          ///< which of System::blocks it shows to the grid
   std::array<std::size_t, 3> across{no_field, no_field, no_field};  ///< fields of the sides 1, 2, 3
   std::vector<std::int32_t> cut;                                    ///< per bin: which of `cut_bins`, or -1; or empty
   std::vector<CutBin> cut_bins;
@@ -125,6 +127,7 @@ struct System {
   std::vector<Crack<Dim>> cracks;
   std::vector<JointSurface<Dim>> joints;
   std::vector<Body<Dim>> rigids;  ///< particles that prescribe velocities: `velocity` follows the material's functions
+  std::unique_ptr<Assembly> blocks;  ///< rigid blocks in the grid, each with one of `rigids`; or null
   double time = 0.0;
   std::int64_t step = 0;
   double drift = 0.0;  ///< largest distance any particle may have moved since the last sort [cells]

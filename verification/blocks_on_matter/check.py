@@ -1,0 +1,54 @@
+import math
+
+import numpy as np
+
+import verify
+
+g, slope = 9.81, math.radians(30)
+mass = 2500 * 0.5
+press, pull = mass * g * math.cos(slope), mass * g * math.sin(slope)
+
+
+def turned(degrees):
+    """Entities that turn bed, block and gravity by an angle against the grid."""
+    c, s = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
+    gx, gy = g * math.sin(slope), -g * math.cos(slope)
+    return dict(c=repr(c), s=repr(s), angle=repr(degrees), gx=repr(c * gx - s * gy), gy=repr(s * gx + c * gy),
+                along_x=repr(c * gx), along_y=repr(s * gx))
+
+
+def along(got, kind, degrees):
+    """Components of a history along and against the bed."""
+    c, s = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
+    x, y = got[kind.format("x")], got[kind.format("y")]
+    return c * x + s * y, c * y - s * x
+
+
+def slide(case, degrees, mu):
+    name = f"{degrees} degrees, mu = {mu}"
+    got = verify.history(case.run(f"bed{degrees}_{mu}", "bed.xml", dict(turned(degrees), mu=str(mu))))
+    t = got["time"]
+    speed, _ = along(got, "vel{}:boulder", degrees)
+    tangential, normal = along(got, "contact{}:boulder", degrees)
+    rest = (t > 0.35) & (t < 0.4)
+    case.check(f"{name}: weight carried / weight", normal[rest].mean() / press, 1, 5e-3)
+    late = t > 0.6
+    if mu < math.tan(slope):
+        rate = np.polyfit(t[late], speed[late], 1)[0]
+        case.check(f"{name}: acceleration [m/s^2]", rate, g * (math.sin(slope) - mu * math.cos(slope)), 5e-3)
+        case.check(f"{name}: friction / (mu weight)", -tangential[late].mean() / (mu * press), 1, 5e-3)
+    else:
+        way, _ = along(got, "disp{}:boulder", degrees)
+        case.check(f"{name}: creeps by [m]", abs(way[late][-1] - way[late][0]), 0, 1e-5, "at most")
+    out = verify.table(f"{case.scratch}/bed{degrees}_{mu}.out/block_energy.csv")
+    case.check(f"{name}: residual of the block's energy / work of gravity",
+               np.abs(out["residual"]).max() / np.abs(out["potential"]).max(), 0, 1e-6, "at most")
+
+
+def run(case):
+    slide(case, 0, 0.3)
+    if case.quick:
+        return
+    slide(case, 0, 0.7)
+    slide(case, 17, 0.3)
+    slide(case, 17, 0.7)
