@@ -282,7 +282,7 @@ void Assembly::check_contacts() {
     smallest = std::min(smallest, plane_ ? std::sqrt(bodies[k].volume / thickness_) : std::cbrt(bodies[k].volume));
   if (!moved(checked_at_, 0.01 * smallest)) return;
   remember(checked_at_);
-  const double much = 0.02 * smallest;
+  const double much = (spec_->touch ? 0.1 : 0.02) * smallest;  // pairs are looked for after a twentieth
 
   // Pairs that have contacts, and how deep these overlap; none that is bonded is looked at.
   std::map<Pair, double> known;
