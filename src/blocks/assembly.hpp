@@ -58,6 +58,7 @@ struct BlockWork {
   double outer = 0.0;     ///< done by pressures, loads and pushes
   double boundary = 0.0;  ///< by what prescribes its motion
   double damped = 0.0;    ///< taken out by local damping
+  double stepping = 0.0;  ///< see BlockLedger
 };
 
 /// How a contact follows its bodies.
@@ -116,7 +117,11 @@ struct BlockLedger {
   double kinetic = 0.0, strain = 0.0, potential = 0.0;
   double slip = 0.0, dashpot = 0.0, damping = 0.0, released = 0.0;  ///< lost, positive
   double outer_work = 0.0, boundary_work = 0.0;                     ///< put in
-  double content() const { return kinetic + strain + potential + slip + dashpot + damping + released; }
+  /// The kinetic energy is m v- v+/2, of the velocities half a step before and after, which leapfrog keeps to
+  /// round-off. Where the step changes, and at the start, it jumps by (h- - h+) F (v+ - v-)/4; this is the sum of the
+  /// jumps.
+  double stepping = 0.0;
+  double content() const { return kinetic + strain + potential + slip + dashpot + damping + released - stepping; }
 };
 
 class Assembly {
@@ -305,7 +310,7 @@ void Assembly::each_column(F&& f) {
   pass("blocks.forces", [&](auto&& g) {
     for (auto& b : forces)
       for (Vec3* v : {&b.all, &b.moment, &b.outer, &b.outer_moment, &b.damping, &b.damping_moment}) vec(g, *v);
-    for (auto& b : work) g(b.outer), g(b.boundary), g(b.damped);
+    for (auto& b : work) g(b.outer), g(b.boundary), g(b.damped), g(b.stepping);
     for (auto& b : pushes) vec(g, b.force), vec(g, b.moment);
     for (auto& s : stress) vec(g, s);
   });

@@ -147,45 +147,65 @@ void Assembly::find_pairs() {
   take_pairs(pairs);
 }
 
+namespace {
+
+using Polygon = std::vector<Vec3>;
+
+// What of a polygon lies where n . x <= limit; `spare` is a place to work in.
+void cut(Polygon& polygon, const Vec3& n, double limit, Polygon& spare) {
+  spare.clear();
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const Vec3 &p = polygon[k], &q = polygon[(k + 1) % polygon.size()];
+    const double u = n.dot(p) - limit, v = n.dot(q) - limit;
+    if (u <= 0) spare.push_back(p);
+    if ((u <= 0) != (v <= 0)) spare.push_back(p + u / (u - v) * (q - p));
+  }
+  polygon.swap(spare);
+}
+
+void place_corners(const BlockShape& shape, const BlockMotion& m, Polygon& to) {
+  to.clear();
+  for (const Vec3& x : shape.corners) to.push_back(m.x + m.R * x);
+}
+
+// Outward normal of the edge that begins at a corner; corners go round counter-clockwise.
+Vec3 edge_normal(const Polygon& corners, std::size_t k) {
+  const Vec3 along = corners[(k + 1) % corners.size()] - corners[k];
+  return Vec3(along[1], -along[0], 0).normalized();
+}
+
+}  // namespace
+
 // The half of the common polygon on one side along the face, n the direction of the least overlap. Its mean depth is
 // the gap, so that springs k_n A add up to k_n times the common area.
 Assembly::Overlap Assembly::overlap_of(const BlockContact& c) const {
-  const BlockShape a = placed(c.a), b = placed(c.b);
+  thread_local Polygon a, b, common, spare;  // kept from step to step
+  place_corners(shapes[c.a], motion[c.a], a), place_corners(shapes[c.b], motion[c.b], b);
   Overlap out;
   double depth = std::numeric_limits<double>::infinity();
   for (const auto& [s, o, sign] : {std::tuple{&a, &b, 1.0}, std::tuple{&b, &a, -1.0}})
-    for (std::size_t f = 0; f < s->faces.size(); ++f) {
-      const Vec3 n = face_geometry(s->face(f), true, 1.0).normal;
-      const double here = n.dot(s->corners[s->faces[f][0]]);
+    for (std::size_t k = 0; k < s->size(); ++k) {
+      const Vec3 n = edge_normal(*s, k);
+      const double here = n.dot((*s)[k]);
       double least = std::numeric_limits<double>::infinity();
-      for (const Vec3& x : o->corners) least = std::min(least, n.dot(x) - here);
+      for (const Vec3& x : *o) least = std::min(least, n.dot(x) - here);
       if (-least < depth) depth = -least, out.n = sign * n;
     }
   out.gap = -depth;
   out.at = 0.5 * (motion[c.a].x + motion[c.b].x);
   if (depth <= 0) return out;
-  const auto cut = [](const std::vector<Vec3>& polygon, const Vec3& n, double limit) {
-    std::vector<Vec3> kept;
-    for (std::size_t k = 0; k < polygon.size(); ++k) {
-      const Vec3 &p = polygon[k], &q = polygon[(k + 1) % polygon.size()];
-      const double u = n.dot(p) - limit, v = n.dot(q) - limit;
-      if (u <= 0) kept.push_back(p);
-      if ((u <= 0) != (v <= 0)) kept.push_back(p + u / (u - v) * (q - p));
-    }
-    return kept;
-  };
   out.gap = 0;
-  std::vector<Vec3> common = a.corners;
-  for (std::size_t f = 0; f < b.faces.size() && common.size() > 2; ++f) {
-    const Vec3 n = face_geometry(b.face(f), true, 1.0).normal;
-    common = cut(common, n, n.dot(b.corners[b.faces[f][0]]));
+  common = a;
+  for (std::size_t k = 0; k < b.size() && common.size() > 2; ++k) {
+    const Vec3 n = edge_normal(b, k);
+    cut(common, n, n.dot(b[k]), spare);
   }
   if (common.size() < 3) return out;
   const Vec3 t(out.n[1], -out.n[0], 0);
   double low = std::numeric_limits<double>::infinity(), high = -low;
   for (const Vec3& x : common) low = std::min(low, t.dot(x)), high = std::max(high, t.dot(x));
-  const double middle = 0.5 * (low + high);
-  common = c.on_a > 0 ? cut(common, -t, -middle) : cut(common, t, middle);
+  const double middle = 0.5 * (low + high), side = c.on_a > 0 ? -1.0 : 1.0;
+  cut(common, side * t, side * middle, spare);
   if (common.size() < 3 || !(high > low)) return out;
   double area = 0;
   Vec3 first = Vec3::Zero();

@@ -111,11 +111,17 @@ void Assembly::move_bodies(double dt) {
         if (body.held & (8 << d)) m.w[d] = now[static_cast<std::size_t>(d) + 3];
       }
     }
-    if (!pushes.empty())
-      for (int d = 0; d < 3; ++d) {
-        if (!(body.held & (1 << d))) work[k].outer += 0.5 * dt * push.force[d] * (old_v[d] + m.v[d]);
-        if (!(body.held & (8 << d))) work[k].outer += 0.5 * dt * push.moment[d] * (old_w[d] + m.w[d]);
+    for (int d = 0; d < 3 && (!pushes.empty() || dt != last_step_); ++d) {
+      const double jump = 0.25 * (last_step_ - dt);
+      if (!(body.held & (1 << d))) {
+        work[k].outer += 0.5 * dt * push.force[d] * (old_v[d] + m.v[d]);
+        work[k].stepping += jump * (f.all[d] + f.damping[d]) * (m.v[d] - old_v[d]);
       }
+      if (!(body.held & (8 << d))) {
+        work[k].outer += 0.5 * dt * push.moment[d] * (old_w[d] + m.w[d]);
+        work[k].stepping += jump * (f.moment[d] + f.damping_moment[d]) * (m.w[d] - old_w[d]);
+      }
+    }
     m.x += dt * m.v;
     const double angle = dt * m.w.norm();
     if (angle == 0) return;

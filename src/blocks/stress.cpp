@@ -93,6 +93,7 @@ BlockLedger Assembly::ledger() const {
     }
     out.potential -= body.weight * gravity_.dot(m.x - body.start);
     out.outer_work += work[k].outer, out.boundary_work += work[k].boundary, out.damping += work[k].damped;
+    out.stepping += work[k].stepping;
   }
   for (std::size_t k = 0; k < joints.size(); ++k) {
     const Joint& j = joints[k];

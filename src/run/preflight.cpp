@@ -41,6 +41,7 @@ class Sheet {
     line("units: " + model_.units.name(Dimension::length) + ", " + model_.units.name(Dimension::mass) + ", " +
          model_.units.name(Dimension::time) + "; stress " + model_.units.name(Dimension::stress));
     bodies();
+    rigid_blocks();
     gaps();
     stiffness();
     interfaces();
@@ -74,6 +75,23 @@ class Sheet {
                      name(piece.material).c_str(), 100 * *placed.error()));
       }
       line(text + thickness(placed.piece));
+    }
+  }
+
+  void rigid_blocks() {
+    if (!system_.blocks) return;
+    const Assembly& blocks = *system_.blocks;
+    const double parts = std::max(1.0, std::ceil(step_.size / blocks.critical_step() * (1 - 1e-12)));
+    line(format("rigid blocks: %zu, contacts between them %zu, bonds %zu; %.0f of their steps in one of the grid",
+                blocks.block_count(), blocks.contacts.size(), blocks.bonds(), parts));
+    for (const auto& body : system_.rigids) {
+      if (body.block < 0) continue;
+      const BlockBody& block = blocks.bodies[static_cast<std::size_t>(body.block)];
+      const double cells =
+          Dim == 2 ? std::sqrt(block.volume / model_.blocks->thickness) / h_ : std::cbrt(block.volume) / h_;
+      if (cells < 3)
+        advice_.push_back(format("'%s' is %.2g cells across: contact sees blocks of three cells and more well",
+                                 body.name.c_str(), cells));
     }
   }
 
