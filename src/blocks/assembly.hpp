@@ -65,6 +65,7 @@ struct BlockWork {
 enum class ContactKind : std::uint8_t {
   facet,   ///< a pair of faces that moves with the blocks
   ball,    ///< between two balls
+  beside,  ///< between a ball and a body with faces, at whatever point of these is nearest
   overlap  ///< half of what two polygons share, found anew in every step
 };
 
@@ -236,6 +237,7 @@ class Assembly {
   void retire_faces();
   Overlap overlap_of(const BlockContact& c) const;
   void overlap_increment(std::size_t contact, double dt, JointIncrement& d);
+  void beside_increment(std::size_t contact, double dt, JointIncrement& d);
   void take_pairs(const std::vector<std::pair<std::uint32_t, std::uint32_t>>& pairs);
   std::pair<BlockContact, JointSite> ball_contact(std::uint32_t a, std::uint32_t b) const;
   bool moved(std::span<const Vec3> since, double distance) const;

@@ -368,6 +368,14 @@ void Assembly::finish(double max_step) {
       const double stiff = (plane_ ? 6 : 12) * std::max(j.kn, j.ks) * j.area, r = shapes[k].radius;
       hold[k] = std::max(hold[k], stiff), turned_hold[k] = std::max(turned_hold[k], stiff * r * r);
     }
+  if (spec_->touch && !plane_ && !balls_.empty()) {  // some balls on a polyhedron
+    double stiffest = 0;
+    for (const auto k : balls_) stiffest = std::max(stiffest, hold[k] / 12);
+    for (std::size_t k = 0; k < blocks_; ++k)
+      if (!shapes[k].ball())
+        hold[k] = std::max(hold[k], 6 * stiffest),
+        turned_hold[k] = std::max(turned_hold[k], 6 * stiffest * reach_[k] * reach_[k]);
+  }
   if (spec_->touch && plane_)  // other polygons on half of its edges
     for (std::size_t k = 0; k < blocks_; ++k) {
       if (shapes[k].ball()) continue;

@@ -1,4 +1,4 @@
-/// Contacts that come about: balls and polygons that meet, and the check that no other blocks do.
+/// Contacts that come about: balls that meet anything, polygons that meet, and the check that no other blocks do.
 
 #include "base/error.hpp"
 #include "blocks/assembly.hpp"
@@ -67,7 +67,8 @@ bool Assembly::moved(std::span<const Vec3> since, double distance) const {
 }
 
 std::pair<BlockContact, JointSite> Assembly::ball_contact(std::uint32_t a, std::uint32_t b) const {
-  const double ra = shapes[a].radius, rb = shapes[b].radius, r = std::min(ra, rb);
+  const double ra = shapes[a].radius, rb = shapes[b].radius;
+  const double r = ra > 0 && rb > 0 ? std::min(ra, rb) : std::max(ra, rb);  // of the smaller ball, or of the only one
   const Vec3 apart = motion[b].x - motion[a].x;
   BlockContact c;
   c.a = a, c.b = b, c.na[0] = ra, c.nb[0] = rb;
@@ -137,10 +138,10 @@ void Assembly::find_pairs() {
   }
   std::vector<Pair> pairs;
   each_near_pair(boxes, [&](std::uint32_t a, std::uint32_t b) {
-    const bool balls = at[a].ball() && at[b].ball(), polygons = plane_ && !at[a].ball() && !at[b].ball();
-    if ((!balls && !polygons) || lasting.count({a, b}) || (bodies[a].held == 63 && bodies[b].held == 63)) return;
+    const bool faces = !at[a].ball() && !at[b].ball();
+    if ((faces && !plane_) || lasting.count({a, b}) || (bodies[a].held == 63 && bodies[b].held == 63)) return;
     if (overlap_depth(at[a], at[b], plane_) < -skin_) return;
-    for (int k = 0; k < (balls ? 1 : 2); ++k) pairs.emplace_back(a, b);
+    for (int k = 0; k < (faces ? 2 : 1); ++k) pairs.emplace_back(a, b);
   });
   std::sort(pairs.begin(), pairs.end());
   remember(found_at_);
@@ -233,6 +234,28 @@ void Assembly::overlap_increment(std::size_t k, double dt, JointIncrement& d) {
   if (o.length > 0) j.area = o.length * thickness_, j.radius = 0.5 * o.length;
 }
 
+void Assembly::beside_increment(std::size_t k, double dt, JointIncrement& d) {
+  BlockContact& c = contacts[k];
+  const BlockMotion &a = motion[c.a], &b = motion[c.b];
+  const bool first = shapes[c.a].ball();
+  const BlockMotion &ball = first ? a : b, &body = first ? b : a;
+  const NearestPoint near = nearest_point(shapes[first ? c.b : c.a], body.R.transpose() * (ball.x - body.x), plane_);
+  const Vec3 out = body.R * near.out, n = first ? Vec3(-out) : out;
+  d.gap = near.distance - shapes[first ? c.a : c.b].radius;
+  const Vec3 at = body.x + body.R * near.at + 0.5 * d.gap * out;
+  given[k].at = at;
+  const Vec3 apart = dt * (b.v + b.w.cross(at - b.x) - a.v - a.w.cross(at - a.x)), turn = dt * (b.w - a.w);
+  JointAxes& axes = c.axes;
+  if (plane_) {
+    axes.n = n, axes.s = Vec3::UnitZ(), axes.t = Vec3(n[1], -n[0], 0);
+    d.shear = {0.0, apart.dot(axes.t)}, d.twist = 0.0, d.bend = {turn[2], 0.0};
+  } else {
+    axes.follow(n, 0.5 * dt * (a.w + b.w).dot((axes.n + n).normalized()));
+    d.shear = axes.tangent(apart), d.twist = turn.dot(n), d.bend = axes.tangent(turn);
+  }
+  d.normal = apart.dot(n), d.dt = dt, d.mass = c.mass;
+}
+
 // Contacts of the pairs after the lasting ones; those that were there go on.
 void Assembly::take_pairs(const std::vector<Pair>& pairs) {
   struct Old {
@@ -257,9 +280,10 @@ void Assembly::take_pairs(const std::vector<Pair>& pairs) {
   };
   for (const Pair& p : pairs) {
     for (; at < old.size() && old[at].pair < p; ++at) let_go(old[at]);
-    const bool ball = shapes[p.first].ball();
+    const bool ball = shapes[p.first].ball() && shapes[p.second].ball(),
+               faces = !shapes[p.first].ball() && !shapes[p.second].ball();
     auto [c, site] = ball_contact(p.first, p.second);
-    if (!ball) {  // its area is what they will share
+    if (faces) {  // its area is what they will share
       c.on_a = &p > pairs.data() && *(&p - 1) == p ? 1.0 : 0.0;
       c.pa = c.pb = Vec3::Zero();
       site.radius = 0, site.gap = skin_;
@@ -268,7 +292,8 @@ void Assembly::take_pairs(const std::vector<Pair>& pairs) {
     const bool free_a = (bodies[c.a].held & 7) != 7, free_b = (bodies[c.b].held & 7) != 7;
     const double ma = bodies[c.a].mass, mb = bodies[c.b].mass;
     c.mass = free_a && free_b ? ma * mb / (ma + mb) : free_a ? ma : free_b ? mb : 0.0;
-    add_contact(c, site, *spec_->touch, ball ? ContactKind::ball : ContactKind::overlap, {}, Vec3::Zero());
+    const auto kind = ball ? ContactKind::ball : faces ? ContactKind::overlap : ContactKind::beside;
+    add_contact(c, site, *spec_->touch, kind, {}, Vec3::Zero());
     if (!running) continue;
     given.emplace_back(), dashpot_work.push_back(0), broke.push_back(0);
     if (at < old.size() && old[at].pair == p) {
@@ -328,13 +353,13 @@ void Assembly::check_contacts() {
     const auto found = known.find({a, b});
     const double deep = much + (found == known.end() ? 0.0 : found->second);
     if (std::isinf(deep) || overlap_depth(at[a], at[b], plane_) <= deep) return;
-    const bool balls = at[a].ball() && at[b].ball();
+    const bool found_anew = plane_ || at[a].ball() || at[b].ball();
     throw SimulationError("the blocks " + std::to_string(a + 1) + " and " + std::to_string(b + 1) + " met at " +
                           place(motion[b].x) + ", time " + std::to_string(time) +
-                          (balls || (plane_ && !at[a].ball() && !at[b].ball())
+                          (found_anew
                                ? "; blocks that meet need 'touchname' of <Blocks>"
-                               : " with faces that did not touch at the start; finding such contacts is built for "
-                                 "polygons, and for balls: end the run before"));
+                               : " with faces that did not touch at the start; polyhedra do not find each other, "
+                                 "balls and polygons do: end the run before"));
   });
   for (const ContactGroup& g : groups)
     for (std::size_t k = g.begin; k < g.end; ++k) {

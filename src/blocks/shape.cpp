@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <stdexcept>
 
@@ -134,6 +135,43 @@ FaceGeometry face_geometry(std::span<const Vec3> corners, bool plane, double thi
     out.centre += part / out.area * ((corners[k] - corners[0]) + (corners[k + 1] - corners[0])) / 3;
   }
   out.centre += corners[0];
+  return out;
+}
+
+namespace {
+
+Vec3 nearest_on_edge(const Vec3& a, const Vec3& b, const Vec3& x) {
+  const Vec3 along = b - a;
+  return a + std::clamp((x - a).dot(along) / along.squaredNorm(), 0.0, 1.0) * along;
+}
+
+}  // namespace
+
+NearestPoint nearest_point(const BlockShape& shape, const Vec3& x, bool plane) {
+  NearestPoint out;
+  double highest = -std::numeric_limits<double>::infinity(), nearest = std::numeric_limits<double>::infinity();
+  Vec3 above = Vec3::UnitX(), at = Vec3::Zero();  // of the face that x is highest above; the nearest point
+  const auto take = [&](const Vec3& point) {
+    const double square = (x - point).squaredNorm();
+    if (square < nearest) nearest = square, at = point;
+  };
+  for (const auto& face : shape.faces) {
+    const std::size_t n = face.size();
+    const auto corner = [&](std::size_t k) -> const Vec3& { return shape.corners[face[k % n]]; };
+    const Vec3 along = corner(1) - corner(0);
+    const Vec3 normal =
+        plane ? Vec3(along[1], -along[0], 0).normalized() : along.cross(corner(2) - corner(1)).normalized();
+    const double height = normal.dot(x - corner(0));
+    if (height > highest) highest = height, above = normal;
+    if (height <= 0) continue;
+    bool over = !plane;  // x lies over the face itself
+    for (std::size_t k = 0; k < n && over; ++k)
+      over = normal.dot((corner(k + 1) - corner(k)).cross(x - corner(k))) >= 0;
+    if (over) take(x - height * normal);
+    for (std::size_t k = 0; k < (plane ? 1 : n) && !over; ++k) take(nearest_on_edge(corner(k), corner(k + 1), x));
+  }
+  if (highest <= 0 || !(nearest > 0)) return {x - highest * above, above, highest};
+  out.at = at, out.distance = std::sqrt(nearest), out.out = (x - at) / out.distance;
   return out;
 }
 

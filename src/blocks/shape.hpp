@@ -74,6 +74,14 @@ Tessellation voronoi(std::span<const Vec3> nuclei, const Vec3& low, const Vec3& 
 void join_faces(std::span<const std::int64_t> group, bool plane, double thickness, double tolerance,
                 std::vector<BlockFacet>& facets);
 
+/// The point of the surface of a convex body with faces that is nearest to x, the outward direction from there to x,
+/// and the distance, negative inside.
+struct NearestPoint {
+  Vec3 at = Vec3::Zero(), out = Vec3::UnitX();
+  double distance = 0.0;
+};
+NearestPoint nearest_point(const BlockShape& shape, const Vec3& x, bool plane);
+
 /// How deep two blocks overlap, negative: how far they are apart along the best axis (for polyhedra at most the true
 /// distance).
 double overlap_depth(const BlockShape& a, const BlockShape& b, bool plane);

@@ -141,8 +141,8 @@ void Assembly::increments(const Batch& batch, double dt, JointIncrement* to) {
   const ContactGroup& group = groups[batch.group];
   const bool ball = group.kind == ContactKind::ball;
   for (std::size_t k = batch.begin; k < batch.end; ++k, ++to) {
-    if (group.kind == ContactKind::overlap) {
-      overlap_increment(k, dt, *to);
+    if (group.kind == ContactKind::overlap || group.kind == ContactKind::beside) {
+      group.kind == ContactKind::overlap ? overlap_increment(k, dt, *to) : beside_increment(k, dt, *to);
       continue;
     }
     BlockContact& c = contacts[k];

@@ -4,6 +4,9 @@
 
 #include <catch2/catch.hpp>
 
+#include <numbers>
+#include <random>
+
 using namespace tribo;
 using namespace tribo::test;
 
@@ -82,4 +85,76 @@ TEST_CASE("a block slides from one block to the next", "[blocks]") {
   for (int k = 0; k * dt < 1.5; ++k) body.advance(dt), body.check_contacts();
   CHECK(body.motion[2].x[0] - 1.0 == Approx(9 / (2 * 0.3 * 10)).epsilon(0.03));
   CHECK(body.motion[2].v.norm() < 1e-2);
+}
+
+TEST_CASE("the nearest point of a block's surface", "[blocks]") {
+  const auto check = [](const BlockShape& shape, bool plane) {
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> some(-1.5, 1.5);
+    for (int k = 0; k < 200; ++k) {
+      const Vec3 x(some(random), some(random), plane ? 0.0 : some(random));
+      const NearestPoint near = nearest_point(shape, x, plane);
+      CHECK((near.at + near.distance * near.out - x).norm() < 1e-13);
+      CHECK(near.out.norm() == Approx(1).epsilon(1e-14));
+      double inside = -1e300;  // the highest face under x
+      for (std::size_t f = 0; f < shape.faces.size(); ++f) {
+        const FaceGeometry g = face_geometry(shape.face(f), plane, 1.0);
+        inside = std::max(inside, g.normal.dot(x - g.centre));
+        CHECK(g.normal.dot(near.at - g.centre) < 1e-13);  // the point lies in the body
+      }
+      CHECK((near.distance > 0) == (inside > 0));
+      // In a convex body that and this is enough: no other point of it is nearer.
+      for (const Vec3& corner : shape.corners) CHECK(near.out.dot(corner - near.at) * (near.distance > 0) < 1e-13);
+      if (inside <= 0) CHECK(near.distance == Approx(inside).margin(1e-13));
+    }
+  };
+  check(polygon_block({{-1, -0.5, 0}, {0.8, -0.7, 0}, {0.9, 0.4, 0}, {-0.2, 1, 0}}), true);
+  check(brick_block(Vec3(-0.5, -0.6, -0.7), Vec3(0.5, 0.4, 0.3), false), false);
+}
+
+namespace {
+
+/// A ball of radius 1 at rest on a slab, in gravity that is inclined by an angle.
+std::shared_ptr<BlocksSpec> ball_on_slab(bool plane, const std::string& friction) {
+  auto spec = std::make_shared<BlocksSpec>();
+  BlockGroup slab, ball;
+  slab.shape = BlockGroup::Shape::brick;
+  slab.low = Vec3(-5, -1, plane ? 0 : -5), slab.high = Vec3(50, 0, plane ? 0 : 5), slab.density = 1000;
+  ball.shape = BlockGroup::Shape::ball;
+  ball.points = {Vec3(0, 1, 0)}, ball.radius = 1, ball.density = 1000;
+  spec->groups = {slab, ball};
+  spec->law = spec->touch = joint_law(
+      "SpringNetwork",
+      {{"kn", "1e9"}, {"ks", "1e9"}, {"fric", friction}, {"dp_nratio", "0.3"}, {"dp_sratio", "0.3"}, {"dp_mode", "3"}});
+  BlockHold hold;
+  hold.where = plane ? around(-60, 60, -1, -0.1) : box(Vec3(-60, -1, -60), Vec3(60, -0.1, 60));
+  hold.velocity = {constant(0), constant(0), constant(0)}, hold.spin = {constant(0), constant(0), constant(0)};
+  if (plane) hold.velocity[2].reset(), hold.spin[0].reset(), hold.spin[1].reset();
+  spec->holds.push_back(hold);
+  return spec;
+}
+
+}  // namespace
+
+TEST_CASE("a ball rolls down a slab, and slides where friction is too little", "[blocks]") {
+  // On 30 degrees it rolls with g sin/(1 + I/(m r^2)) if mu is at least tan(30)/(1 + m r^2/I).
+  const double angle = std::numbers::pi / 6, g = 10;
+  const Vec3 gravity(g * std::sin(angle), -g * std::cos(angle), 0);
+  for (const bool plane : {true, false})
+    for (const bool slides : {false, true}) {
+      INFO((plane ? "disc" : "ball") << (slides ? ", slides" : ", rolls"));
+      Assembly blocks(ball_on_slab(plane, slides ? "0.08" : "0.8"), plane ? 2 : 3, false, gravity, 1e-3);
+      const double dt = blocks.critical_step();
+      while (blocks.time < 0.5) blocks.advance(dt);
+      const double begin = blocks.time, v = blocks.motion[1].v[0], w = blocks.motion[1].w[2];
+      while (blocks.time < 1.5) blocks.advance(dt);
+      const double span = blocks.time - begin;
+      const double inertia = plane ? 0.5 : 0.4;
+      const double mu = 0.08;
+      const double exact = slides ? g * (std::sin(angle) - mu * std::cos(angle)) : g * std::sin(angle) / (1 + inertia);
+      const double turns = slides ? mu * g * std::cos(angle) / inertia : exact;
+      CHECK((blocks.motion[1].v[0] - v) / span == Approx(exact).epsilon(1e-3));
+      CHECK((blocks.motion[1].w[2] - w) / span == Approx(-turns).epsilon(1e-3));
+      CHECK(std::abs(blocks.motion[1].v[2]) < 1e-9);
+    }
 }
