@@ -244,14 +244,14 @@ void Assembly::beside_increment(std::size_t k, double dt, JointIncrement& d) {
   d.gap = near.distance - shapes[first ? c.a : c.b].radius;
   const Vec3 at = body.x + body.R * near.at + 0.5 * d.gap * out;
   given[k].at = at;
-  const Vec3 apart = dt * (b.v + b.w.cross(at - b.x) - a.v - a.w.cross(at - a.x)), turn = dt * (b.w - a.w);
+  const Vec3 apart = dt * (b.v + b.w.cross(at - b.x) - a.v - a.w.cross(at - a.x)), turned = dt * (b.w - a.w);
   JointAxes& axes = c.axes;
   if (plane_) {
     axes.n = n, axes.s = Vec3::UnitZ(), axes.t = Vec3(n[1], -n[0], 0);
-    d.shear = {0.0, apart.dot(axes.t)}, d.twist = 0.0, d.bend = {turn[2], 0.0};
+    d.shear = {0.0, apart.dot(axes.t)}, d.twist = 0.0, d.bend = {turned[2], 0.0};
   } else {
     axes.follow(n, 0.5 * dt * (a.w + b.w).dot((axes.n + n).normalized()));
-    d.shear = axes.tangent(apart), d.twist = turn.dot(n), d.bend = axes.tangent(turn);
+    d.shear = axes.tangent(apart), d.twist = turned.dot(n), d.bend = axes.tangent(turned);
   }
   d.normal = apart.dot(n), d.dt = dt, d.mass = c.mass;
 }
