@@ -89,8 +89,8 @@ template <int Dim>
 double RigidBlocks<Dim>::move(double dt) {
   if (!active()) return 0.0;
   Assembly& blocks = *system_.blocks;
-  std::vector<Mat3> before;
-  for (const BlockMotion& m : blocks.motion) before.push_back(m.R);
+  before_.clear();
+  for (const BlockMotion& m : blocks.motion) before_.push_back(m.R);
   const int parts = std::max(1, static_cast<int>(std::ceil(dt / blocks.critical_step() * (1 - 1e-12))));
   for (int part = 0; part < parts; ++part) blocks.advance(dt / parts);
   if (!blocks.sound())
@@ -99,7 +99,7 @@ double RigidBlocks<Dim>::move(double dt) {
   double travel = 0.0;
   each_block(system_, [&](Body<Dim>& body, std::size_t k) {
     const BlockMotion& m = blocks.motion[k];
-    const Mat3 turned = m.R * before[k].transpose();
+    const Mat3 turned = m.R * before_[k].transpose();
     const auto x = body.particles.x(), origin = body.particles.vector(*body.origin);
     const auto F = body.particles.F();
     for (std::size_t i = 0; i < body.particles.size(); ++i) {

@@ -28,6 +28,7 @@ class RigidBlocks {
   void check_weight(const Body<Dim>& body, const RigidShare& share) const;
 
   System<Dim>& system_;
+  std::vector<Mat3> before_;  ///< scratch: rotations at the start of the step
 };
 
 }  // namespace tribo

@@ -213,7 +213,7 @@ class Canvas {
   std::array<std::array<int, 2>, 2> around(const std::vector<Vec3>& at, double reach) const {
     Vec3 low = at[0], high = at[0];
     for (const Vec3& x : at) low = low.cwiseMin(x), high = high.cwiseMax(x);
-    const auto inside = [](double v, int size) { return std::clamp(static_cast<int>(v), 0, size); };
+    const auto inside = [](double v, int size) { return static_cast<int>(std::clamp(v, 0.0, double(size))); };
     return {{{inside(low[0] - reach, width_), inside(low[1] - reach, height_)},
              {inside(high[0] + reach + 1, width_), inside(high[1] + reach + 1, height_)}}};
   }
