@@ -126,7 +126,7 @@ def growth(case):
 def penny(case):
     out = case.run("penny", "penny.xml")
     got = faces(out)
-    quarter = (got["points"][:, 0] > 0) & (got["points"][:, 1] > 0)  # the rest of the disc lies beyond the planes of symmetry
+    quarter = (got["points"][:, 0] > 1e-6) & (got["points"][:, 1] > 1e-6)  # the rest lies on or beyond the planes of symmetry
     r2 = (got["points"][quarter, :2] ** 2).sum(axis=1)
     near = (r2 > 0.25) & (r2 < 0.8)
     opening = got["opening"][quarter, 2]
