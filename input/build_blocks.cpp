@@ -79,6 +79,7 @@ int Builder::block_material(const Statement& s) {
   const int found = material(s);
   if (found < 0 || found >= static_cast<int>(model_.materials.size())) return -1;
   const MaterialSpec& spec = model_.materials[static_cast<std::size_t>(found)];
+  if (has(s, "matname") && spec.name != word(s, "matname")) return -1;  // said already
   const bool moves =
       std::any_of(spec.rigid_velocity.begin(), spec.rigid_velocity.end(), [](const auto& v) { return v.has_value(); });
   must(spec.law && spec.law->rigid() && spec.touches(), s.origin,
