@@ -1,6 +1,7 @@
 #include "view/picture.hpp"
 
 #include "base/error.hpp"
+#include "view/canvas.hpp"
 #include "view/chart.hpp"
 #include "view/colours.hpp"
 
@@ -9,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <memory>
 #include <set>
 
@@ -24,17 +24,6 @@ struct Destroy {
 };
 using Surface = std::unique_ptr<cairo_surface_t, Destroy>;
 using Pen = std::unique_ptr<cairo_t, Destroy>;
-
-/// What is drawn where, in pixels.
-struct Sheet {
-  double left, top, width, height;  // of the particles
-  double scale;                     // pixels per length
-  double u0, v1;                    // projected coordinates of the upper left corner
-  int picture_width, picture_height;
-
-  double x(double u) const { return left + (u - u0) * scale; }
-  double y(double v) const { return top + (v1 - v) * scale; }
-};
 
 constexpr double least_width = 170;
 constexpr double margin_left = 64, margin_right = 118, margin_top = 36, margin_bottom = 44;
@@ -64,195 +53,6 @@ Sheet lay_out(const Camera& camera, const Box& box, int width, bool axes) {
   l.picture_width += l.picture_width % 2, l.picture_height += l.picture_height % 2;
   return l;
 }
-
-/// Particles as squares (flat) or balls (space) on a canvas four times as fine as the picture.
-class Canvas {
- public:
-  Canvas(const Sheet& layout) : layout_(layout) {
-    width_ = fine * static_cast<int>(std::ceil(layout.width)),
-    height_ = fine * static_cast<int>(std::ceil(layout.height));
-    depth_.assign(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_), -1e30F);
-    colour_.assign(depth_.size(), Colour{255, 255, 255});
-  }
-
-  void particle(const Vec3& at, double radius, const Colour& colour, bool ball) {
-    const double s = fine * layout_.scale, r = std::max(radius * s, 0.75 * fine);
-    const double u = (at[0] - layout_.u0) * s, v = (layout_.v1 - at[1]) * s;
-    const int x0 = std::max(0, static_cast<int>(std::floor(u - r))), x1 = std::min(width_, static_cast<int>(u + r) + 1);
-    const int y0 = std::max(0, static_cast<int>(std::floor(v - r))),
-              y1 = std::min(height_, static_cast<int>(v + r) + 1);
-    for (int y = y0; y < y1; ++y)
-      for (int x = x0; x < x1; ++x) {
-        const double a = (x + 0.5 - u) / r, b = (y + 0.5 - v) / r, square = a * a + b * b;
-        const std::size_t pixel = index(x, y);
-        if (!ball) {
-          if (std::abs(a) <= 1 && std::abs(b) <= 1) colour_[pixel] = colour, depth_[pixel] = 0;
-          continue;
-        }
-        if (square > 1) continue;
-        const double height = std::sqrt(1 - square);
-        const auto depth = static_cast<float>(at[2] + radius * height);
-        if (depth <= depth_[pixel]) continue;
-        depth_[pixel] = depth;
-        // light from above the left shoulder
-        const double light = 0.45 + 0.55 * std::max(0.0, -0.35 * a - 0.5 * b + 0.79 * height);
-        for (std::size_t c = 0; c < 3; ++c)
-          colour_[pixel][c] = static_cast<std::uint8_t>(std::min(255.0, light * colour[c] + 8));
-      }
-  }
-
-  /// A convex polygon with darker edges; in space lighter where it faces the light.
-  void polygon(const std::vector<Vec3>& corners, const Colour& fill, bool space) {
-    Vec3 n = Vec3::Zero();
-    for (std::size_t k = 1; k + 1 < corners.size(); ++k)
-      n += (corners[k] - corners[0]).cross(corners[k + 1] - corners[0]);
-    if (!(std::abs(n[2]) > 1e-12 * n.norm())) return;  // seen from the side
-    n.normalize();
-    if (n[2] < 0) n = -n;
-    const double light = space ? 0.45 + 0.55 * std::max(0.0, n.dot(Vec3(-0.35, 0.5, 0.79))) : 1.0;
-    const auto shaded = [&](double part) {
-      Colour c;
-      for (std::size_t k = 0; k < 3; ++k) c[k] = static_cast<std::uint8_t>(std::min(255.0, part * light * fill[k]));
-      return c;
-    };
-    const Colour inside = shaded(1.0), edge = shaded(0.45);
-    std::vector<Vec3> at;
-    for (const Vec3& x : corners) at.push_back(on_canvas(x));
-    const auto [low, high] = around(at, 0.0);
-    for (int y = low[1]; y < high[1]; ++y)
-      for (int x = low[0]; x < high[0]; ++x) {
-        const Eigen::Vector2d p(x + 0.5, y + 0.5);
-        int left = 0, right = 0;
-        double nearest = 1e30;
-        for (std::size_t k = 0; k < at.size(); ++k) {
-          const Eigen::Vector2d a = at[k].head<2>(), along = at[(k + 1) % at.size()].head<2>() - a;
-          const double distance = (along[0] * (p[1] - a[1]) - along[1] * (p[0] - a[0])) / std::max(along.norm(), 1e-9);
-          (distance >= 0 ? left : right)++;
-          nearest = std::min(nearest, std::abs(distance));
-        }
-        if (left > 0 && right > 0) continue;
-        const double s = fine * layout_.scale;
-        const auto depth =
-            static_cast<float>(corners[0][2] - (n[0] * (p[0] - at[0][0]) - n[1] * (p[1] - at[0][1])) / (s * n[2]));
-        if (depth < depth_[index(x, y)]) continue;
-        depth_[index(x, y)] = depth, colour_[index(x, y)] = nearest < 0.6 * fine ? edge : inside;
-      }
-  }
-
-  /// A stroke `width` pixels wide, on top of what lies no more than `lift` in front of it.
-  void stroke(const Vec3& from, const Vec3& to, double width, const Colour& colour, double lift) {
-    const Vec3 a = on_canvas(from), b = on_canvas(to);
-    const double reach = 0.5 * fine * width;
-    const Eigen::Vector2d along = (b - a).head<2>();
-    const auto [low, high] = around({a, b}, reach);
-    for (int y = low[1]; y < high[1]; ++y)
-      for (int x = low[0]; x < high[0]; ++x) {
-        const Eigen::Vector2d p = Eigen::Vector2d(x + 0.5, y + 0.5) - a.head<2>();
-        const double t = std::clamp(p.dot(along) / std::max(along.squaredNorm(), 1e-9), 0.0, 1.0);
-        if ((p - t * along).norm() > reach) continue;
-        const auto depth = static_cast<float>(a[2] + t * (b[2] - a[2]) + lift);
-        if (depth < depth_[index(x, y)]) continue;
-        depth_[index(x, y)] = depth, colour_[index(x, y)] = colour;
-      }
-  }
-
-  /// Fills gaps up to twice a length wide between particles with the colour of the nearest: where bodies stretch,
-  /// squares no longer touch. Edges stay where they are, as what was added there is taken away again.
-  void close_gaps(double length) {
-    const double reach = length * fine * layout_.scale;
-    if (reach < 1) return;
-    const auto drawn = [&](std::size_t pixel) { return depth_[pixel] > -1e29F; };
-    const auto nearest = offsets_to(drawn);
-    std::vector<bool> wide(colour_.size());
-    for (std::size_t k = 0; k < wide.size(); ++k) wide[k] = nearest[k].length() <= reach;
-    const auto outside = offsets_to([&](std::size_t pixel) { return !wide[pixel]; });
-    for (int y = 0; y < height_; ++y)
-      for (int x = 0; x < width_; ++x) {
-        const auto k = index(x, y);
-        if (drawn(k) || !wide[k] || outside[k].length() <= reach) continue;
-        colour_[k] = colour_[index(x + nearest[k].x, y + nearest[k].y)];
-      }
-  }
-
-  void copy_to(cairo_surface_t* surface) const {
-    cairo_surface_flush(surface);
-    unsigned char* data = cairo_image_surface_get_data(surface);
-    const int stride = cairo_image_surface_get_stride(surface);
-    for (int y = 0; y < height_ / fine; ++y)
-      for (int x = 0; x < width_ / fine; ++x) {
-        const int to_x = static_cast<int>(layout_.left) + x, to_y = static_cast<int>(layout_.top) + y;
-        if (to_x >= layout_.picture_width || to_y >= layout_.picture_height) continue;
-        std::array<int, 3> sum{};
-        for (int j = 0; j < fine; ++j)
-          for (int i = 0; i < fine; ++i) {
-            const Colour& c = colour_[static_cast<std::size_t>(fine * y + j) * static_cast<std::size_t>(width_) +
-                                      static_cast<std::size_t>(fine * x + i)];
-            for (std::size_t k = 0; k < 3; ++k) sum[k] += c[k];
-          }
-        auto* pixel = reinterpret_cast<std::uint32_t*>(data + static_cast<std::ptrdiff_t>(to_y) * stride) + to_x;
-        const auto mean = [&](std::size_t k) { return static_cast<std::uint32_t>(sum[k] / (fine * fine)); };
-        *pixel = 0xFF000000U | mean(0) << 16U | mean(1) << 8U | mean(2);
-      }
-    cairo_surface_mark_dirty(surface);
-  }
-
- private:
-  static constexpr int fine = 2;
-
-  struct Offset {
-    int x = 1 << 14, y = 1 << 14;
-    double length() const { return std::hypot(x, y); }
-    long square() const { return static_cast<long>(x) * x + static_cast<long>(y) * y; }
-  };
-  // Pixels from the upper left corner, and the depth as it is.
-  Vec3 on_canvas(const Vec3& x) const {
-    const double s = fine * layout_.scale;
-    return {(x[0] - layout_.u0) * s, (layout_.v1 - x[1]) * s, x[2]};
-  }
-  // The pixels that points may touch.
-  std::array<std::array<int, 2>, 2> around(const std::vector<Vec3>& at, double reach) const {
-    Vec3 low = at[0], high = at[0];
-    for (const Vec3& x : at) low = low.cwiseMin(x), high = high.cwiseMax(x);
-    const auto inside = [](double v, int size) { return static_cast<int>(std::clamp(v, 0.0, double(size))); };
-    return {{{inside(low[0] - reach, width_), inside(low[1] - reach, height_)},
-             {inside(high[0] + reach + 1, width_), inside(high[1] + reach + 1, height_)}}};
-  }
-  std::size_t index(int x, int y) const {
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
-  }
-
-  // From every pixel to the nearest that `is`, by two sweeps (Danielsson, Comput. Graph. Image Process. 14 (1980)
-  // 227-248).
-  template <class Is>
-  std::vector<Offset> offsets_to(Is&& is) const {
-    std::vector<Offset> offsets(colour_.size());
-    for (std::size_t k = 0; k < offsets.size(); ++k)
-      if (is(k)) offsets[k] = {0, 0};
-    const auto look = [&](int x, int y, int dx, int dy) {
-      if (x + dx < 0 || x + dx >= width_ || y + dy < 0 || y + dy >= height_) return;
-      const Offset& there = offsets[index(x + dx, y + dy)];
-      const Offset candidate{there.x + dx, there.y + dy};
-      Offset& here = offsets[index(x, y)];
-      if (candidate.square() < here.square()) here = candidate;
-    };
-    for (int y = 0; y < height_; ++y) {
-      for (int x = 0; x < width_; ++x)
-        for (const auto& [dx, dy] : {std::pair(-1, 0), {0, -1}, {-1, -1}, {1, -1}}) look(x, y, dx, dy);
-      for (int x = width_; x-- > 0;) look(x, y, 1, 0);
-    }
-    for (int y = height_; y-- > 0;) {
-      for (int x = width_; x-- > 0;)
-        for (const auto& [dx, dy] : {std::pair(1, 0), {0, 1}, {1, 1}, {-1, 1}}) look(x, y, dx, dy);
-      for (int x = 0; x < width_; ++x) look(x, y, -1, 0);
-    }
-    return offsets;
-  }
-
-  Sheet layout_;
-  int width_ = 0, height_ = 0;
-  std::vector<float> depth_;
-  std::vector<Colour> colour_;
-};
 
 enum class Anchor { left, middle, right };
 
