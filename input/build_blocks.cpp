@@ -58,9 +58,10 @@ void Builder::blocks_in_grid(const BlocksSpec& spec) {
   must(!spec.quasi_static, s.origin, "'quasistatic' is for blocks alone: matter in a grid needs the true masses");
   must(!has(s, "thickness") || spec.thickness == model_.grid.thickness, s.origin,
        "the thickness is that of the grid here; leave 'thickness' out");
-  for (const auto& f : model_.body_force.function)
-    must(!f, root_.child("Gravity")->origin,
-         "gravity that is a function does not act on blocks; use <BodyXForce>, <BodyYForce>, <BodyZForce>");
+  if (const auto* g = root_.child("Gravity"))
+    for (const auto& f : model_.body_force.function)
+      must(!f, g->origin,
+           "gravity that is a function does not act on blocks; use <BodyXForce>, <BodyYForce>, <BodyZForce>");
   for (const auto& [pair, joint] : model_.contact.joints)
     for (const auto& group : spec.groups)
       must(group.material != pair.first && group.material != pair.second, joint.origin,
