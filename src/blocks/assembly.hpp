@@ -5,6 +5,7 @@
 #pragma once
 
 #include "base/aligned.hpp"
+#include "blocks/overlap.hpp"
 #include "blocks/shape.hpp"
 #include "contact/joint_geometry.hpp"
 #include "contact/joint_law.hpp"
@@ -66,7 +67,7 @@ enum class ContactKind : std::uint8_t {
   facet,   ///< a pair of faces that moves with the blocks
   ball,    ///< between two balls
   beside,  ///< between a ball and a body with faces, at whatever point of these is nearest
-  overlap  ///< half of what two polygons share, found anew in every step
+  overlap  ///< a part of what two polygons or polyhedra share, found anew in every step
 };
 
 struct BlockContact {
@@ -75,8 +76,8 @@ struct BlockContact {
   Vec3 na = Vec3::UnitX(), nb = Vec3::UnitX();  ///< normal from a to b as each sees it; of balls na[0], nb[0] radii
   JointAxes axes;
   double mass = 0.0;  ///< m_a m_b/(m_a + m_b)
-  double on_a = 0.5;  ///< where it is between its points: 1 at that of a, 0 of b; its normal is then the other's;
-                      ///< of an overlap: which half
+  double on_a = 0.5;  ///< where it is between its points: 1 at that of a, 0 of b; its normal is then the other's
+  std::uint32_t part = 0;  ///< of an overlap: which part
 };
 
 /// What a contact gives to its bodies: on b, the opposite on a.
@@ -159,7 +160,7 @@ class Assembly {
   /// All places and velocities are numbers.
   bool sound() const;
   /// Throws SimulationError if blocks press into one another that have no contact, or carry a force across faces that
-  /// slid past each other: such contacts of polygons and polyhedra are not found anew. Looks only if blocks moved.
+  /// slid past each other: without a law for blocks that meet contacts are not found anew. Looks only if blocks moved.
   void check_contacts();
   double platen_area(std::size_t platen) const { return platen_area_[platen]; }
   /// Largest force on a free block over the mean force of contacts.
@@ -225,30 +226,32 @@ class Assembly {
   void finish(double max_step);
   void connect();
 
-  /// One half of what two polygons share, or how far they are apart.
-  struct Overlap {
-    Vec3 n = Vec3::UnitX(), at = Vec3::Zero();
-    double gap = 0.0, length = 0.0;
-  };
-
   // detect.cpp
   void join_balls();
-  void find_pairs();
-  void retire_faces();
-  Overlap overlap_of(const BlockContact& c) const;
-  void overlap_increment(std::size_t contact, double dt, JointIncrement& d);
-  void beside_increment(std::size_t contact, double dt, JointIncrement& d);
+  void find_pairs(double dt);
+  void retire_faces(double dt);
   void take_pairs(const std::vector<std::pair<std::uint32_t, std::uint32_t>>& pairs);
   std::pair<BlockContact, JointSite> ball_contact(std::uint32_t a, std::uint32_t b) const;
   bool moved(std::span<const Vec3> since, double distance) const;
   std::array<Vec3, 3> marks(std::size_t body) const;
   void remember(std::vector<Vec3>& places) const;
-  BlockShape placed(std::size_t body) const;
+  std::vector<Bounds> bounds(double margin) const;
+  JointAxes axes_between(std::uint32_t a, std::uint32_t b) const;
+  double gap_between(std::uint32_t a, std::uint32_t b, double enough) const;
+
+  // meeting.cpp
+  void place(std::size_t body, PlacedBlock& to) const;
+  template <bool Plane>
+  void move_contact(std::size_t contact, const Vec3& n, const Vec3& at, double dt, JointIncrement& d);
+  void overlap_increments(const Batch& batch, double dt, JointIncrement* to);
+  void beside_increments(const Batch& batch, double dt, JointIncrement* to);
 
   // step.cpp
   void move_bodies(double dt);
   void meet(const Batch& batch, double dt);
   void increments(const Batch& batch, double dt, JointIncrement* to);
+  template <ContactKind Kind, bool Plane>
+  void follow_all(const Batch& batch, double dt, JointIncrement* to);
   void apply_law(std::size_t batch, std::span<JointIncrement> d);
   void iterate_stress(double dt);
   void give(std::size_t contact);
@@ -282,6 +285,7 @@ class Assembly {
   std::vector<double> platen_area_;
   std::vector<BlockEvent> events_;
   std::vector<std::uint32_t> balls_;
+  std::vector<std::vector<BlockEdge>> edges_;  // of every block in three dimensions; else empty
   std::size_t lasting_ = 0;    // contacts from the start on; those found later follow
   double skin_ = 0.0;          // pairs of blocks nearer than this are contacts
   std::vector<double> reach_;  // of blocks from their centres

@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "blocks/assembly.hpp"
+#include "blocks/near_pairs.hpp"
 #include "blocks/platen_law.hpp"
 
 #include <Eigen/Eigenvalues>
@@ -49,7 +50,7 @@ std::string short_number(double x) {
   std::snprintf(text, sizeof text, "%.4g", x);
   return text;
 }
-std::string place(const Vec3& x) {
+std::string place_text(const Vec3& x) {
   return "(" + short_number(x[0]) + ", " + short_number(x[1]) + (x[2] == 0 ? "" : ", " + short_number(x[2])) + ")";
 }
 
@@ -192,6 +193,8 @@ Assembly::Assembly(std::shared_ptr<const BlocksSpec> spec, int dimension, bool p
   for (const BlockShape& s : shapes)
     for (const Vec3& x : s.corners) size = std::max(size, x.norm() + s.radius);
   join_faces(group, plane_, thickness_, 1e-6 * size, facets);
+  if (!plane_)
+    for (const BlockShape& s : shapes) edges_.push_back(edges_of(s));
   refuse_overlaps(1e-6 * size);
 
   std::vector<bool> used(spec_->joints.size(), false);
@@ -206,7 +209,7 @@ Assembly::Assembly(std::shared_ptr<const BlocksSpec> spec, int dimension, bool p
     while (k < spec_->joints.size() && !spec_->joints[k].where->contains(f.geometry.centre)) ++k;
     if (k < used.size()) used[k] = true;
     if (k == spec_->joints.size() && !spec_->law)
-      fail(spec_->origin, "blocks touch at " + place(f.geometry.centre) + ", but <Blocks> has no 'law' for that");
+      fail(spec_->origin, "blocks touch at " + place_text(f.geometry.centre) + ", but <Blocks> has no 'law' for that");
     by_joint.emplace_back(k, &f);
   }
   for (std::size_t k = 0; k < used.size(); ++k)
@@ -225,36 +228,18 @@ Assembly::Assembly(std::shared_ptr<const BlocksSpec> spec, int dimension, bool p
   add_platens(free);
   add_pressures(free);
   lasting_ = contacts.size();
-  if (spec_->touch) find_pairs();
+  if (spec_->touch) find_pairs(0.0);
   finish(max_step);
 }
 
 void Assembly::refuse_overlaps(double tolerance) const {
-  std::vector<std::size_t> order(blocks_);
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::vector<Bounds> boxes(blocks_);
-  for (std::size_t k = 0; k < blocks_; ++k) {
-    boxes[k] = {Vec3::Constant(1e300), Vec3::Constant(-1e300)};
-    const Vec3 r = Vec3::Constant(shapes[k].radius);
-    for (const Vec3& x : shapes[k].corners) {
-      boxes[k].low = boxes[k].low.cwiseMin(motion[k].x + x - r);
-      boxes[k].high = boxes[k].high.cwiseMax(motion[k].x + x + r);
-    }
-  }
-  std::sort(order.begin(), order.end(),
-            [&](std::size_t i, std::size_t j) { return boxes[i].low[0] < boxes[j].low[0]; });
-  for (std::size_t i = 0; i < blocks_; ++i)
-    for (std::size_t j = i + 1; j < blocks_ && boxes[order[j]].low[0] < boxes[order[i]].high[0]; ++j) {
-      const std::size_t a = std::min(order[i], order[j]), b = std::max(order[i], order[j]);
-      if (bodies[a].group == bodies[b].group) continue;
-      if ((boxes[a].low.array() >= boxes[b].high.array()).head(plane_ ? 2 : 3).any() ||
-          (boxes[b].low.array() >= boxes[a].high.array()).head(plane_ ? 2 : 3).any())
-        continue;
-      const double depth = overlap_depth(placed(a), placed(b), plane_);
-      if (depth > tolerance)
-        fail(spec_->groups[static_cast<std::size_t>(bodies[b].group)].origin,
-             "this block overlaps the one at " + place(motion[a].x) + " by " + short_number(depth));
-    }
+  each_near_pair(bounds(0.0), [&](std::uint32_t a, std::uint32_t b) {
+    if (bodies[a].group == bodies[b].group) return;
+    const double gap = gap_between(a, b, -tolerance);
+    if (gap < -tolerance)
+      fail(spec_->groups[static_cast<std::size_t>(bodies[b].group)].origin,
+           "this block overlaps the one at " + place_text(motion[a].x) + " by " + short_number(-gap));
+  });
 }
 
 void Assembly::add_holds_and_loads() {
@@ -270,7 +255,7 @@ void Assembly::add_holds_and_loads() {
       if (!hold.where->contains(motion[k].x)) continue;
       found = true;
       if (bodies[k].hold >= 0)
-        fail(hold.origin, "the block at " + place(motion[k].x) + " is held already by another element");
+        fail(hold.origin, "the block at " + place_text(motion[k].x) + " is held already by another element");
       bodies[k].hold = static_cast<std::int32_t>(h), bodies[k].held |= given_motion.held;
       bodies[k].share = 0;  // what holds it is not among the forces on its faces
     }
@@ -295,7 +280,7 @@ std::vector<const BlockFacet*> selected(const std::vector<BlockFacet>& free, con
   for (const BlockFacet& f : free)
     if (where.contains(f.geometry.centre)) {
       if (f.covered)
-        fail(origin, "the face around " + place(f.geometry.centre) +
+        fail(origin, "the face around " + place_text(f.geometry.centre) +
                          " is covered in part by another block; cut its block so that the rest is a face of its own");
       out.push_back(&f);
     }
@@ -376,13 +361,14 @@ void Assembly::finish(double max_step) {
         hold[k] = std::max(hold[k], 6 * stiffest),
         turned_hold[k] = std::max(turned_hold[k], 6 * stiffest * reach_[k] * reach_[k]);
   }
-  if (spec_->touch && plane_)  // other polygons on half of its edges
+  if (spec_->touch)  // other blocks with faces on half of its surface
     for (std::size_t k = 0; k < blocks_; ++k) {
       if (shapes[k].ball()) continue;
       JointSite site;
       for (std::size_t f = 0; f < shapes[k].faces.size(); ++f)
-        site.area += 0.5 * face_geometry(shapes[k].face(f), true, thickness_).area;
-      site.thickness = thickness_, site.distance = std::sqrt(bodies[k].volume / thickness_);
+        site.area += 0.5 * face_geometry(shapes[k].face(f), plane_, thickness_).area;
+      site.plane = plane_, site.thickness = thickness_;
+      site.distance = plane_ ? std::sqrt(bodies[k].volume / thickness_) : std::cbrt(bodies[k].volume);
       const Joint j = spec_->touch->start(site);
       const double stiff = std::max(j.kn, j.ks) * site.area;
       hold[k] = std::max(hold[k], stiff), turned_hold[k] = std::max(turned_hold[k], stiff * reach_[k] * reach_[k]);

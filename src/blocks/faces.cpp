@@ -1,10 +1,9 @@
-/// Which faces of blocks lie against one another, and whether blocks overlap.
+/// Which faces of blocks lie against one another.
 
 #include "blocks/shape.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace tribo {
 namespace {
@@ -40,24 +39,6 @@ std::vector<Vec3> common_polygon(const std::vector<Vec3>& mine, const std::vecto
     out.swap(cut);
   }
   return out.size() > 2 ? out : std::vector<Vec3>{};
-}
-
-struct Range {
-  double low = std::numeric_limits<double>::infinity(), high = -low;
-};
-Range range(const BlockShape& s, const Vec3& axis) {
-  Range r;
-  for (const Vec3& x : s.corners) r.low = std::min(r.low, axis.dot(x)), r.high = std::max(r.high, axis.dot(x));
-  r.low -= s.radius, r.high += s.radius;
-  return r;
-}
-
-std::vector<Vec3> edges(const BlockShape& s) {
-  std::vector<Vec3> out;
-  for (const auto& face : s.faces)
-    for (std::size_t k = 0; k < face.size(); ++k)
-      if (const auto a = face[k], b = face[(k + 1) % face.size()]; a < b) out.push_back(s.corners[b] - s.corners[a]);
-  return out;
 }
 
 }  // namespace
@@ -115,28 +96,6 @@ void join_faces(std::span<const std::int64_t> group, bool plane, double thicknes
   std::sort(found.begin(), found.end(),
             [](const BlockFacet& x, const BlockFacet& y) { return x.a < y.a || (x.a == y.a && x.b < y.b); });
   for (auto& f : found) facets.push_back(std::move(f));
-}
-
-double overlap_depth(const BlockShape& a, const BlockShape& b, bool plane) {
-  double depth = std::numeric_limits<double>::infinity();
-  const auto along = [&](const Vec3& axis) {
-    const double size = axis.norm();
-    if (size < 1e-12) return;
-    const Range r = range(a, axis / size), s = range(b, axis / size);
-    depth = std::min(depth, std::min(r.high - s.low, s.high - r.low));
-  };
-  for (const BlockShape* s : {&a, &b})
-    for (std::size_t f = 0; f < s->faces.size(); ++f) along(face_geometry(s->face(f), plane, 1.0).normal);
-  for (const auto& [ball, other] : {std::pair{&a, &b}, std::pair{&b, &a}})
-    if (ball->ball())
-      for (const Vec3& x : other->corners) along(x - ball->corners[0]);
-  if (!plane)
-    for (const Vec3& u : edges(a))
-      for (const Vec3& v : edges(b)) {
-        const Vec3 axis = u.cross(v);
-        if (axis.norm() > 1e-9 * u.norm() * v.norm()) along(axis);
-      }
-  return depth;
 }
 
 }  // namespace tribo

@@ -82,8 +82,4 @@ struct NearestPoint {
 };
 NearestPoint nearest_point(const BlockShape& shape, const Vec3& x, bool plane);
 
-/// How deep two blocks overlap, negative: how far they are apart along the best axis (for polyhedra at most the true
-/// distance).
-double overlap_depth(const BlockShape& a, const BlockShape& b, bool plane);
-
 }  // namespace tribo

@@ -2,7 +2,7 @@
 /// so that sums do not depend on the number of threads.
 
 #include "base/parallel.hpp"
-#include "blocks/assembly.hpp"
+#include "blocks/kinematics.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,10 +11,11 @@ namespace tribo {
 namespace {
 
 /// The increment of a contact whose bodies have moved; updates its axes and place.
-template <ContactKind Kind>
+template <ContactKind Kind, bool Plane>
 void follow(BlockContact& c, const BlockMotion& a, const BlockMotion& b, const Vec3& shift, const Vec3& shift_velocity,
-            bool plane, double dt, Vec3& at, JointIncrement& d) {
+            double dt, Vec3& at, JointIncrement& d) {
   const Vec3 xb = b.x + shift;
+  const ContactFrame before{c.axes, at};
   Vec3 n;
   if constexpr (Kind == ContactKind::ball) {
     const Vec3 apart = xb - a.x;
@@ -28,18 +29,12 @@ void follow(BlockContact& c, const BlockMotion& a, const BlockMotion& b, const V
     d.gap = (pb - pa).dot(n);
     at = c.on_a * pa + (1 - c.on_a) * pb;
   }
-  const Vec3 apart = dt * (b.v + shift_velocity + b.w.cross(at - xb) - a.v - a.w.cross(at - a.x));
-  const Vec3 turn = dt * (b.w - a.w);
-  JointAxes& axes = c.axes;
-  if (plane) {
-    axes.n = n, axes.s = Vec3::UnitZ(), axes.t = Vec3(n[1], -n[0], 0);
-    d.shear = {0.0, apart.dot(axes.t)}, d.twist = 0.0, d.bend = {turn[2], 0.0};
-  } else {
-    if (n != axes.n || a.w != b.w || !a.w.isZero(0.0))
-      axes.follow(n, 0.5 * dt * (a.w + b.w).dot((axes.n + n).normalized()));
-    d.shear = axes.tangent(apart), d.twist = turn.dot(n), d.bend = axes.tangent(turn);
-  }
-  d.normal = apart.dot(n), d.dt = dt, d.mass = c.mass;
+  if constexpr (Plane)
+    c.axes = plane_axes(n);
+  else if (n != c.axes.n || a.w != b.w || !a.w.isZero(0.0))
+    c.axes.follow(n, 0.5 * dt * (a.w + b.w).dot((c.axes.n + n).normalized()));
+  count_increment<Plane>(a, b, shift, shift_velocity, before, {c.axes, at}, dt, d);
+  d.mass = c.mass;
 }
 
 double lessening(double alpha, double force, double velocity) {
@@ -50,7 +45,7 @@ double lessening(double alpha, double force, double velocity) {
 
 void Assembly::advance(double dt) {
   move_bodies(dt);
-  if (spec_->touch && moved(found_at_, 0.25 * skin_)) find_pairs();
+  if (spec_->touch && moved(found_at_, 0.25 * skin_)) find_pairs(dt);
   const auto batch_count = static_cast<std::ptrdiff_t>(batches_.size());
   if (iterations_ > 0 && poisson_) iterate_stress(dt);
   parallel_for(batch_count, [&](std::ptrdiff_t k) { meet(batches_[static_cast<std::size_t>(k)], dt); });
@@ -123,13 +118,12 @@ void Assembly::move_bodies(double dt) {
       }
     }
     m.x += dt * m.v;
-    const double angle = dt * m.w.norm();
-    if (angle == 0) return;
-    const Vec3 axis = m.w * (dt / angle * std::sin(0.5 * angle));
+    if (m.w.isZero(0.0)) return;
+    // By R_new - R_old = dt w x (R_old + R_new)/2, whose angle is 2 atan(dt |w|/2)
+    const Vec3 half = 0.5 * dt * m.w;
     auto& q = turn[k];
-    const Eigen::Quaterniond next = (Eigen::Quaterniond(std::cos(0.5 * angle), axis[0], axis[1], axis[2]) *
-                                     Eigen::Quaterniond(q[0], q[1], q[2], q[3]))
-                                        .normalized();
+    const Eigen::Quaterniond next =
+        (Eigen::Quaterniond(1, half[0], half[1], half[2]) * Eigen::Quaterniond(q[0], q[1], q[2], q[3])).normalized();
     q = {next.w(), next.x(), next.y(), next.z()};
     m.R = next.toRotationMatrix();
   });
@@ -138,20 +132,27 @@ void Assembly::move_bodies(double dt) {
 }
 
 void Assembly::increments(const Batch& batch, double dt, JointIncrement* to) {
-  const ContactGroup& group = groups[batch.group];
-  const bool ball = group.kind == ContactKind::ball;
+  switch (groups[batch.group].kind) {
+    case ContactKind::overlap:
+      return overlap_increments(batch, dt, to);
+    case ContactKind::beside:
+      return beside_increments(batch, dt, to);
+    case ContactKind::ball:
+      return plane_ ? follow_all<ContactKind::ball, true>(batch, dt, to)
+                    : follow_all<ContactKind::ball, false>(batch, dt, to);
+    case ContactKind::facet:
+      return plane_ ? follow_all<ContactKind::facet, true>(batch, dt, to)
+                    : follow_all<ContactKind::facet, false>(batch, dt, to);
+  }
+}
+
+template <ContactKind Kind, bool Plane>
+void Assembly::follow_all(const Batch& batch, double dt, JointIncrement* to) {
+  Vec3 by = Vec3::Zero(), speed = Vec3::Zero();
   for (std::size_t k = batch.begin; k < batch.end; ++k, ++to) {
-    if (group.kind == ContactKind::overlap || group.kind == ContactKind::beside) {
-      group.kind == ContactKind::overlap ? overlap_increment(k, dt, *to) : beside_increment(k, dt, *to);
-      continue;
-    }
     BlockContact& c = contacts[k];
-    const Vec3 by = shift.empty() ? Vec3(Vec3::Zero()) : shift[k];
-    const Vec3 speed = shift.empty() ? Vec3(Vec3::Zero()) : Vec3(box_rate * by);
-    if (ball)
-      follow<ContactKind::ball>(c, motion[c.a], motion[c.b], by, speed, plane_, dt, given[k].at, *to);
-    else
-      follow<ContactKind::facet>(c, motion[c.a], motion[c.b], by, speed, plane_, dt, given[k].at, *to);
+    if (!shift.empty()) by = shift[k], speed = box_rate * by;
+    follow<Kind, Plane>(c, motion[c.a], motion[c.b], by, speed, dt, given[k].at, *to);
   }
 }
 

@@ -87,6 +87,63 @@ TEST_CASE("a block slides from one block to the next", "[blocks]") {
   CHECK(body.motion[2].v.norm() < 1e-2);
 }
 
+TEST_CASE("polyhedra that meet part again with their momentum", "[blocks]") {
+  const auto pair = [](const Vec3& turned) {
+    auto spec = std::make_shared<BlocksSpec>();
+    spec->groups = {brick({0, 0, 0}, {1, 1, 1}, {1, 0, 0}), brick({1.5, 0.1, -0.2}, {2.5, 1.1, 0.8})};
+    spec->touch = rubbing("0.2", "0");
+    auto body = std::make_unique<Assembly>(spec, 3, true, Vec3::Zero(), 1.0);
+    if (!turned.isZero(0.0)) {
+      const Eigen::Quaterniond q(Eigen::AngleAxisd(turned.norm(), turned.normalized()));
+      body->motion[1].R = q.toRotationMatrix(), body->turn[1] = {q.w(), q.x(), q.y(), q.z()};
+    }
+    return body;
+  };
+  for (const Vec3& turned : {Vec3(0, 0, 0), Vec3(0.5, 0.7, 0.3), Vec3(0, 0, 0.785)}) {
+    const auto body = pair(turned);
+    const double dt = body->critical_step();
+    const auto spin = [&] {
+      Vec3 sum = Vec3::Zero();
+      for (std::size_t k = 0; k < 2; ++k) {
+        const BlockMotion& m = body->motion[k];
+        sum += body->bodies[k].inertia[0] * m.w + body->bodies[k].mass * (m.x - 0.5 * dt * m.v).cross(m.v);
+      }
+      return sum;
+    };
+    const auto drift = [&] { return Vec3(body->motion[0].v + body->motion[1].v - Vec3::UnitX()).norm(); };
+    body->advance(dt);
+    const Vec3 turning = spin();
+    const double energy = body->ledger().kinetic;
+    for (int k = 0; k * dt < 1; ++k) body->advance(dt), body->check_contacts();
+    CHECK(drift() < 1e-12);
+    CHECK((spin() - turning).norm() < 1e-9 * turning.norm());
+    CHECK(body->active() == 0);
+    CHECK(body->motion[1].v[0] > 0.3);
+    const BlockLedger l = body->ledger();
+    CHECK(l.kinetic + l.slip == Approx(energy).epsilon(0.02));
+    CHECK(std::abs(l.content() - energy) < 1e-4 * energy);
+  }
+}
+
+TEST_CASE("a box that falls on a floor rests on its springs, and slides off it as it should", "[blocks]") {
+  auto spec = std::make_shared<BlocksSpec>();
+  spec->groups = {brick({-2, -1, -2}, {2, 0, 2}), brick({0, 0.05, 0}, {1, 1.05, 1}),
+                  brick({-2, 0, -1.5}, {-1, 1, -0.5}, {2, 0, 0})};
+  spec->holds = {standing(-2, 2, -1, -0.1)};
+  spec->law = spec->touch = rubbing("0.5", "0.5"), spec->corners = true;
+  Assembly body(spec, 3, true, Vec3(0, -10, 0), 1.0);
+  const double dt = body.critical_step();
+  for (int k = 0; k * dt < 2; ++k) body.advance(dt), body.check_contacts();
+  CHECK(body.motion[1].x[1] - 0.5 == Approx(-2000 * 10 / 1e8).epsilon(1e-3));
+  CHECK(body.turned(1).norm() < 1e-6);
+  // What the dashpots of four corners carry while it settles is without friction: c y/m, c = 4 sqrt(m k/4), y = m g/k
+  const double speed = 2 + 0.5 * 10 * 2 * std::sqrt(2000 / 1e8);
+  CHECK(body.motion[2].x[0] + 1.5 == Approx(speed * speed / (2 * 0.5 * 10)).epsilon(5e-3));
+  CHECK(std::abs(body.motion[2].x[2] + 1) < 1e-9);
+  const BlockLedger l = body.ledger();
+  CHECK(std::abs(l.content() - 0.5 * 2000 * 4) < 1e-5 * l.slip);
+}
+
 TEST_CASE("the nearest point of a block's surface", "[blocks]") {
   const auto check = [](const BlockShape& shape, bool plane) {
     std::mt19937 random(3);

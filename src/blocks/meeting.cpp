@@ -1,0 +1,84 @@
+/// What the bodies of contacts found on the way do: polygons and polyhedra that overlap, balls beside faces.
+
+#include "blocks/kinematics.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace tribo {
+
+void Assembly::place(std::size_t k, PlacedBlock& to) const {
+  to.place(shapes[k], edges_.empty() ? std::span<const BlockEdge>{} : edges_[k], motion[k].x, motion[k].R, plane_);
+}
+
+// Moves a contact to a place and normal, and counts what its bodies do there. Without a force before, nothing but the
+// end of the step matters; the normal of an overlap may have jumped.
+template <bool Plane>
+void Assembly::move_contact(std::size_t k, const Vec3& n, const Vec3& at, double dt, JointIncrement& d) {
+  BlockContact& c = contacts[k];
+  const BlockMotion &a = motion[c.a], &b = motion[c.b];
+  const ContactFrame before{c.axes, given[k].at};
+  if constexpr (Plane)
+    c.axes = plane_axes(n);
+  else
+    c.axes.follow(n, 0.5 * dt * (a.w + b.w).dot((c.axes.n + n).normalized()));
+  const ContactFrame now{c.axes, at};
+  const bool lasts = !given[k].all.isZero(0.0) && before.axes.n.dot(n) > 0.9;
+  count_increment<Plane>(a, b, Vec3::Zero(), Vec3::Zero(), lasts ? before : now, now, dt, d);
+  given[k].at = at, d.mass = c.mass;
+}
+
+void Assembly::overlap_increments(const Batch& batch, double dt, JointIncrement* d) {
+  thread_local PlacedBlock a, b;
+  std::array<SharedPart, 4> of_pair;
+  const std::span<SharedPart> parts(of_pair.data(), shared_parts(plane_));
+  Separation apart;
+  bool shared = false;
+  for (std::size_t k = batch.begin; k < batch.end; ++k, ++d) {
+    BlockContact& c = contacts[k];
+    if (k == batch.begin || c.part == 0) {
+      place(c.a, a), place(c.b, b);
+      apart = separation(a, b, plane_, plane_ ? 1e300 : 0.0);
+      shared = false;
+    }
+    const Vec3 middle = 0.5 * (a.centre + b.centre);
+    if (apart.gap >= 0) {
+      plane_ ? move_contact<true>(k, apart.n, middle, dt, *d) : move_contact<false>(k, apart.n, middle, dt, *d);
+      d->gap = apart.gap;
+      continue;
+    }
+    if (!shared) {  // cut along the axes of this step, which all parts of a pair have
+      JointAxes axes = c.axes;
+      if (plane_)
+        axes = plane_axes(apart.n);
+      else
+        axes.follow(apart.n, 0.5 * dt * (motion[c.a].w + motion[c.b].w).dot((axes.n + apart.n).normalized()));
+      share(a, b, axes, plane_, parts);
+      shared = true;
+    }
+    const SharedPart& part = parts[c.part];
+    plane_ ? move_contact<true>(k, apart.n, part.at, dt, *d) : move_contact<false>(k, apart.n, part.at, dt, *d);
+    d->gap = part.area > 0 ? -part.volume / part.area : 0.0;
+    if (!(part.area > 0)) continue;
+    Joint& j = joints[k];
+    j.area = plane_ ? part.area * thickness_ : part.area;
+    j.radius = plane_ ? 0.5 * part.area : std::sqrt(part.area / std::numbers::pi);
+  }
+}
+
+void Assembly::beside_increments(const Batch& batch, double dt, JointIncrement* d) {
+  for (std::size_t k = batch.begin; k < batch.end; ++k, ++d) {
+    const BlockContact& c = contacts[k];
+    const bool first = shapes[c.a].ball();
+    const std::uint32_t ball = first ? c.a : c.b, body = first ? c.b : c.a;
+    const BlockMotion& m = motion[body];
+    const NearestPoint near = nearest_point(shapes[body], m.R.transpose() * (motion[ball].x - m.x), plane_);
+    const Vec3 out = m.R * near.out, n = first ? Vec3(-out) : out;
+    const double gap = near.distance - shapes[ball].radius;
+    const Vec3 at = m.x + m.R * near.at + 0.5 * gap * out;
+    plane_ ? move_contact<true>(k, n, at, dt, *d) : move_contact<false>(k, n, at, dt, *d);
+    d->gap = gap;
+  }
+}
+
+}  // namespace tribo
