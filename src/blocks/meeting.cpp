@@ -32,7 +32,7 @@ void Assembly::overlap_increments(const Batch& batch, double dt, JointIncrement*
   thread_local PlacedBlock a, b;
   std::array<SharedPart, 4> of_pair;
   const std::span<SharedPart> parts(of_pair.data(), shared_parts(plane_));
-  Separation apart;
+  BlockGap apart;
   bool shared = false;
   for (std::size_t k = batch.begin; k < batch.end; ++k, ++d) {
     BlockContact& c = contacts[k];

@@ -70,7 +70,7 @@ void PlacedBlock::place(const BlockShape& what, std::span<const BlockEdge> its_e
 
 namespace {
 
-void separate_by_faces(const PlacedBlock& a, const PlacedBlock& b, double sign, double enough, Separation& best) {
+void separate_by_faces(const PlacedBlock& a, const PlacedBlock& b, double sign, double enough, BlockGap& best) {
   for (std::size_t f = 0; f < a.normals.size() && !(best.gap > enough); ++f) {
     double least = infinity;
     for (const Vec3& x : b.corners) least = std::min(least, a.normals[f].dot(x));
@@ -78,9 +78,9 @@ void separate_by_faces(const PlacedBlock& a, const PlacedBlock& b, double sign, 
   }
 }
 
-void separate_by_edges(const PlacedBlock& a, const PlacedBlock& b, double enough, Separation& best) {
+void separate_by_edges(const PlacedBlock& a, const PlacedBlock& b, double enough, BlockGap& best) {
   if (best.gap < 0) best.gap *= 0.95;
-  const Separation faces = best;
+  const BlockGap faces = best;
   thread_local std::vector<double> along;  // edge of a times the normals of b
   for (const BlockEdge& i : a.edges) {
     const Vec3 &p = a.corners[i.from], u = a.corners[i.to] - p;
@@ -106,8 +106,8 @@ void separate_by_edges(const PlacedBlock& a, const PlacedBlock& b, double enough
 
 }  // namespace
 
-Separation separation(const PlacedBlock& a, const PlacedBlock& b, bool plane, double enough) {
-  Separation best{-infinity, Vec3::UnitX()};
+BlockGap separation(const PlacedBlock& a, const PlacedBlock& b, bool plane, double enough) {
+  BlockGap best{-infinity, Vec3::UnitX()};
   separate_by_faces(a, b, 1.0, enough, best);
   separate_by_faces(b, a, -1.0, enough, best);
   if (!plane && !(best.gap > enough)) separate_by_edges(a, b, enough, best);

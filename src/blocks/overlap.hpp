@@ -31,14 +31,14 @@ struct PlacedBlock {
 
 /// Distance along the direction that separates two blocks best, negative: by how much they overlap along the direction
 /// of the least overlap; n points from a to b. Between edges it is at most the true distance.
-struct Separation {
+struct BlockGap {
   double gap = 0.0;
   Vec3 n = Vec3::UnitX();
 };
 /// Stops looking at the first direction along which they are further apart than `enough`. Directions: normals of faces,
 /// and of pairs of edges whose arcs on the sphere of normals cross (Gregorius, Game Developers Conference 2013). Between
 /// overlapping blocks a pair of edges must be better by a twentieth, so that faces stay faces.
-Separation separation(const PlacedBlock& a, const PlacedBlock& b, bool plane, double enough);
+BlockGap separation(const PlacedBlock& a, const PlacedBlock& b, bool plane, double enough);
 
 /// A part of what two blocks share. Its mean depth volume/area is the overlap of springs k A there: parts add up to
 /// k times the common volume, and its moment.

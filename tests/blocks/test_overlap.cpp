@@ -1,4 +1,4 @@
-/// Separation and common parts of convex blocks.
+/// BlockGap and common parts of convex blocks.
 
 #include "blocks/block_cases.hpp"
 #include "blocks/overlap.hpp"
@@ -78,7 +78,7 @@ TEST_CASE("blocks are apart along faces, edges and corners", "[blocks]") {
   for (const bool plane : {true, false}) {
     const Placed a(cube(0.5, plane), Vec3::Zero(), Mat3::Identity(), plane),
         b(cube(0.5, plane), Vec3(0.9, 0.2, 0), Mat3::Identity(), plane);
-    const Separation s = separation(a.block, b.block, plane, 1e300);
+    const BlockGap s = separation(a.block, b.block, plane, 1e300);
     CHECK(s.gap == Approx(-0.1));
     CHECK((s.n - Vec3::UnitX()).norm() < 1e-14);
     CHECK((separation(b.block, a.block, plane, 1e300).n + Vec3::UnitX()).norm() < 1e-14);
@@ -88,7 +88,7 @@ TEST_CASE("blocks are apart along faces, edges and corners", "[blocks]") {
   // two crossed edges
   const Placed a(cube(0.5, false), Vec3::Zero(), turned(M_PI / 4, Vec3::UnitZ()), false),
       b(cube(0.5, false), Vec3(std::sqrt(2) - 0.01, 0, 0), turned(M_PI / 4, Vec3::UnitY()), false);
-  const Separation s = separation(a.block, b.block, false, 1e300);
+  const BlockGap s = separation(a.block, b.block, false, 1e300);
   CHECK(s.gap == Approx(-0.01));
   CHECK((s.n - Vec3::UnitX()).norm() < 1e-12);
 }
@@ -127,7 +127,7 @@ TEST_CASE("what two blocks share adds up to its volume and moment", "[blocks]") 
   const Mat3 R = Eigen::Quaterniond::FromTwoVectors(diagonal, -Vec3::UnitZ()).toRotationMatrix();
   const Placed floor(brick_block({-2, -2, -1}, {2, 2, 0}, false), Vec3::Zero(), Mat3::Identity(), false),
       corner(cube(0.5, false), Vec3(0.1, 0.2, std::sqrt(0.75) - h), R, false);
-  const Separation s = separation(floor.block, corner.block, false, 1e300);
+  const BlockGap s = separation(floor.block, corner.block, false, 1e300);
   CHECK(s.gap == Approx(-h));
   CHECK((s.n - Vec3::UnitZ()).norm() < 1e-12);
   const Sum sum = all_shared(floor, corner, s.n, false);
