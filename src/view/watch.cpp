@@ -8,6 +8,7 @@
 #include <httplib.h>
 #include <signal.h>
 
+#include <algorithm>
 #include <cstring>
 #include <nlohmann/json.hpp>
 
@@ -33,6 +34,66 @@ pid_t process_of(const Json& record) {
 
 void answer(httplib::Response& response, const Json& json) { response.set_content(json.dump(), "application/json"); }
 
+/// Numbers of four bytes each.
+struct Numbers {
+  std::string bytes;
+
+  template <class T>
+  void add(T value) {
+    static_assert(sizeof value == 4);
+    char raw[sizeof value];
+    std::memcpy(raw, &value, sizeof value);
+    bytes.append(raw, sizeof value);
+  }
+  template <class Iterator>
+  void floats(Iterator begin, Iterator end) {
+    for (; begin != end; ++begin) add(static_cast<float>(*begin));
+  }
+  void places(const std::vector<std::array<double, 3>>& list) {
+    for (const auto& x : list) floats(x.begin(), x.end());
+  }
+  void cells(const CellFrame& frame) {
+    for (const auto& cell : frame.cells) {
+      add(static_cast<std::uint32_t>(cell.size()));
+      for (const std::uint32_t k : cell) add(k);
+    }
+  }
+};
+
+// Faces of contacts whose bond broke: 1 in tension, 2 in shear.
+CellFrame broken(const CellFrame& contacts, double how) {
+  CellFrame out;
+  const auto* broke = contacts.field("broke");
+  for (std::size_t c = 0; broke && c < contacts.count(); ++c) {
+    if (broke->values[c] != how) continue;
+    out.cells.emplace_back();
+    for (const auto k : contacts.cells[c]) {
+      out.cells.back().push_back(static_cast<std::uint32_t>(out.position.size()));
+      out.position.push_back(contacts.position[k]);
+    }
+  }
+  return out;
+}
+
+// What particles or blocks can be coloured by.
+std::vector<std::string> field_names(const Scene& scene) {
+  std::vector<std::string> out;
+  const auto take = [&](const std::vector<ParticleFrame::Field>& fields) {
+    for (const auto& f : fields) {
+      std::vector<std::string> names;
+      if (f.components <= 3) names.push_back(f.name);
+      if (f.components == 3)
+        for (const char* c : {".x", ".y", ".z"}) names.push_back(f.name + c);
+      if (f.components == 6)
+        for (const char* c : {".xx", ".yy", ".zz", ".xy", ".yz", ".xz"}) names.push_back(f.name + c);
+      for (const auto& name : names)
+        if (std::find(out.begin(), out.end(), name) == out.end()) out.push_back(name);
+    }
+  };
+  take(scene.particles.fields), take(scene.blocks.fields);
+  return out;
+}
+
 /// What the page asks for.
 class Answers {
  public:
@@ -47,37 +108,39 @@ class Answers {
     return state;
   }
 
-  // A line of JSON, then positions and values as 32-bit floats.
+  // A line of JSON, then what it counts as 32-bit numbers: places and values of particles, places of the corners of
+  // blocks, their values, and for each block the number of its corners and which; the same of faces whose bonds broke.
   std::string frame(std::size_t k, const std::string& field) const {
-    const ParticleFrame frame = read(k);
-    const Shade shade = shade_of(frame, field);
-    const auto box = box_of(frame);
-    Json head{{"time", frame.time},
-              {"count", frame.position.size()},
-              {"spacing", spacing_of(frame.position)},
-              {"range", range_of(shade.values)},
-              {"integers", shade.integers},
-              {"flat", box[1][2] - box[0][2] <= 0}};
-    for (const auto& f : frame.fields) {
-      head["fields"].push_back(f.name);
-      if (f.components > 3) head["fields"].erase(head["fields"].size() - 1);
-      if (f.components == 3)
-        for (const char* c : {".x", ".y", ".z"}) head["fields"].push_back(f.name + c);
-      if (f.components == 6)
-        for (const char* c : {".xx", ".yy", ".zz", ".xy", ".yz", ".xz"}) head["fields"].push_back(f.name + c);
-    }
-    std::string out = head.dump();
-    out += std::string((4 - (out.size() + 1) % 4) % 4, ' ') + "\n";  // floats begin at a multiple of four
-    const auto add = [&](double v) {
-      const auto single = static_cast<float>(v);
-      char bytes[sizeof single];
-      std::memcpy(bytes, &single, sizeof single);
-      out.append(bytes, sizeof single);
+    const Scene scene = run_.scene(entry(k));
+    const Shade shade = shade_of(scene, field);
+    const auto box = box_of(scene);
+    const CellFrame &blocks = scene.blocks, torn = broken(scene.contacts, 1), sheared = broken(scene.contacts, 2);
+    const auto count = static_cast<std::ptrdiff_t>(scene.particles.count());
+    Numbers body;
+    body.places(scene.particles.position);
+    body.floats(shade.values.begin(), shade.values.begin() + count);
+    body.places(blocks.position);
+    body.floats(shade.values.begin() + count, shade.values.end());
+    body.cells(blocks);
+    for (const CellFrame* faces : {&torn, &sheared}) body.places(faces->position), body.cells(*faces);
+    const auto sizes = [](const CellFrame& f) {
+      std::size_t length = f.count();
+      for (const auto& c : f.cells) length += c.size();
+      return Json{{"corners", f.position.size()}, {"cells", f.count()}, {"length", length}};
     };
-    for (const auto& x : frame.position)
-      for (const double v : x) add(v);
-    for (const double v : shade.values) add(v);
-    return out;
+    const Json head{{"time", scene.time},
+                    {"count", count},
+                    {"blocks", sizes(blocks)},
+                    {"torn", sizes(torn)},
+                    {"sheared", sizes(sheared)},
+                    {"spacing", spacing_of(scene.particles.position)},
+                    {"range", range_of(shade.values)},
+                    {"integers", shade.integers},
+                    {"flat", box[1][2] - box[0][2] <= 0},
+                    {"fields", field_names(scene)}};
+    std::string out = head.dump();
+    out += std::string((4 - (out.size() + 1) % 4) % 4, ' ') + "\n";  // numbers begin at a multiple of four
+    return out + body.bytes;
   }
 
   std::string image(std::size_t k, const std::string& field) const {
@@ -101,16 +164,12 @@ class Answers {
     if (k >= frames.size()) throw FileError("there is no such file yet");
     return frames[k];
   }
-  ParticleFrame read(std::size_t k) const { return read_particles(entry(k).file); }
   const RunFolder& run_;
 };
 
 }  // namespace
 
 void watch(const RunFolder& run, const WatchOptions& options) {
-  if (!run.has_particles())
-    throw FileError("the live page shows particles, and '" + run.path().string() +
-                    "' holds a run of blocks alone; see it with 'tribo render' and 'tribo report'");
   const Answers answers(run);
   httplib::Server server;
   // Names of other machines that lead here are refused, so that no page from elsewhere reads a run through a browser.

@@ -62,7 +62,7 @@ TEST_CASE("the energies of blocks that break and slide add up", "[blocks]") {
     CHECK(now.slip > 0);
     CHECK(now.dashpot > 0);
     const double put_in = std::abs(now.outer_work) + std::abs(now.boundary_work) + std::abs(now.potential);
-    CHECK(std::abs(now.content() - before - now.outer_work - now.boundary_work) < 2e-3 * put_in);
+    CHECK(std::abs(now.content() - before - now.outer_work - now.boundary_work) < 1e-6 * put_in);
   }
 }
 

@@ -31,7 +31,7 @@ def tension(case):
     case.check("60 cells, tension: stress at the end / strength", abs(stress[-1]) / 5e6, 0, 0.1, "at most")
     e = verify.energy(out)
     case.check("60 cells, tension: energy that is not accounted for / work",
-               np.abs(e["residual"]).max() / np.abs(e["boundary_work"]).max(), 0, 1e-3, "at most")
+               np.abs(e["residual"]).max() / np.abs(e["boundary_work"]).max(), 0, 1e-6, "at most")
 
 
 def run(case):

@@ -49,7 +49,7 @@ def tension(case, label, nu, cells=None, **more):
     case.check(f"{label}: strength / tensile strength", load.stress.max() / 5e6, 1, 2e-2)
     case.check(f"{label}: bonds broken in shear at the peak", load.shear[load.stress.argmax()], 0, 0, "absolute")
     case.check(f"{label}: E [GPa]", load.modulus(0.92e-4 if not cells else 0.85e-4) * 1e-9, 50, 1e-3)
-    case.check(f"{label}: energy that is not accounted for / work", load.audit, 0, 1e-3, "at most")
+    case.check(f"{label}: energy that is not accounted for / work", load.audit, 0, 1e-6, "at most")
     return load
 
 
@@ -60,7 +60,7 @@ def compression(case, label, nu, p, cells=None, ten="1e12"):
     fast = -0.95 * (expected - nu * p) / 50e9 * length
     load = Load(case, label, **size, **(cells or {}), bond=bond(nu, ten), speed=two_speeds(fast, True, -1.5e-5), pressure=repr(p), end="1.1")
     case.check(f"{label}: first bond that shears [MPa]", load.first(2) * 1e-6, expected * 1e-6, 2e-2 if not cells else 1e-2)
-    case.check(f"{label}: energy that is not accounted for / work", load.audit, 0, 1e-3, "at most")
+    case.check(f"{label}: energy that is not accounted for / work", load.audit, 0, 1e-6, "at most")
     return load
 
 
