@@ -606,7 +606,7 @@ std::vector<ElementSpec> make() {
        std::vector<AttributeSpec>{
            text("lawname", "name of the joint law of contacts that no <Joint> names, and of the platens' stiffness"),
            text("law", "or its number"),
-           text("touchname", "name of the joint law of balls, or polygons, that meet later; without it they must not"),
+           text("touchname", "name of the joint law of blocks that meet later; without it they must not"),
            points,
            number("thickness", "of a plane model (default 1)"),
            number("damping",

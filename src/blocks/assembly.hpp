@@ -52,6 +52,7 @@ struct BlockForces {
 /// What the matter in a grid does to a block during a step; moment about the centre.
 struct BlockPush {
   Vec3 force = Vec3::Zero(), moment = Vec3::Zero();
+  Mat3 spread = Mat3::Zero();  ///< sum of force (place - centre)^T
 };
 
 /// Sums over time of work on one block [energy].
@@ -152,6 +153,8 @@ class Assembly {
   /// Force of the blocks on a platen.
   Vec3 platen_force(std::size_t platen) const;
   Vec3 platen_displacement(std::size_t platen) const;
+  /// The point of a block's surface nearest to x.
+  Vec3 nearest_on(std::size_t body, const Vec3& x) const;
   /// On a block, from contacts, pressures, loads and pushes.
   Vec3 contact_force(std::size_t body) const {
     const Vec3 all = forces[body].all - bodies[body].weight * gravity_;
@@ -317,7 +320,7 @@ void Assembly::each_column(F&& f) {
     for (auto& b : forces)
       for (Vec3* v : {&b.all, &b.moment, &b.outer, &b.outer_moment, &b.damping, &b.damping_moment}) vec(g, *v);
     for (auto& b : work) g(b.outer), g(b.boundary), g(b.damped), g(b.stepping);
-    for (auto& b : pushes) vec(g, b.force), vec(g, b.moment);
+    for (auto& b : pushes) vec(g, b.force), vec(g, b.moment), vec(g, b.spread);
     for (auto& s : stress) vec(g, s);
   });
   pass("contacts.joints", [&](auto&& g) {

@@ -11,6 +11,12 @@ void Assembly::place(std::size_t k, PlacedBlock& to) const {
   to.place(shapes[k], edges_.empty() ? std::span<const BlockEdge>{} : edges_[k], motion[k].x, motion[k].R, plane_);
 }
 
+Vec3 Assembly::nearest_on(std::size_t k, const Vec3& x) const {
+  const BlockMotion& m = motion[k];
+  if (shapes[k].ball()) return m.x + shapes[k].radius * (x - m.x).normalized();
+  return m.x + m.R * nearest_point(shapes[k], m.R.transpose() * (x - m.x), plane_).at;
+}
+
 // Moves a contact to a place and normal, and counts what its bodies do there. Without a force before, nothing but the
 // end of the step matters; the normal of an overlap may have jumped.
 template <bool Plane>

@@ -8,7 +8,7 @@
 
 namespace tribo {
 
-// sigma = 1/V sum f (x - x_ref), forces of springs and pressures without dashpots.
+// sigma = 1/V sum f (x - x_ref), forces of springs, pressures and the grid, without dashpots.
 Mat3 Assembly::stress_of(std::size_t k) const {
   const BlockBody& body = bodies[k];
   if (!(body.volume > 0)) return Mat3::Zero();
@@ -24,6 +24,7 @@ Mat3 Assembly::stress_of(std::size_t k) const {
       const ContactForce& f = pressed_force_[pressed_of_[e]];
       sum += f.all * (f.at - centre).transpose();
     }
+  if (!pushes.empty()) sum += pushes[k].spread - pushes[k].force * (centre - motion[k].x).transpose();
   return (0.5 / body.volume) * (sum + sum.transpose());
 }
 

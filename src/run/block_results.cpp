@@ -126,11 +126,9 @@ void BlockResults::write_blocks(std::int64_t number) {
       out.fields.vector("velocity", m.v);
       out.fields.vector("rotation", blocks_.turned(k));
       out.fields.vector("spin", m.w);
-      if (!model_.blocks->in_grid) {  // else the grid's forces would be missing in it
-        out.fields.tensor("stress", stress);
-        out.fields.number("pressure", -stress.trace() / 3);
-        out.fields.number("von_mises", std::sqrt(1.5) * (stress - stress.trace() / 3 * Mat3::Identity()).norm());
-      }
+      out.fields.tensor("stress", stress);
+      out.fields.number("pressure", -stress.trace() / 3);
+      out.fields.number("von_mises", std::sqrt(1.5) * (stress - stress.trace() / 3 * Mat3::Identity()).norm());
       out.fields.number("kinetic_energy", kinetic);
       out.fields.number("strain_energy", strain[k]);
     }

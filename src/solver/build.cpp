@@ -196,6 +196,7 @@ void assign_fields(const Model& model, System<Dim>& system) {
       if (body.block >= 0) {
         body.field = system.fields.size();
         system.fields.emplace_back(system.lattice).rigid_contact = true;
+        system.fields.back().block = body.block;
         continue;
       }
       if (spec.law->rigid() && !spec.touches()) {

@@ -226,6 +226,8 @@ void Contact<Dim>::book_rigid(const MeetingNode& node, const ContactPair& pair) 
     RigidShare& share = rigid_shares_[rigid.field];
     const double mass = node.share * members_[other].mass;
     share.impulse -= impulse, share.moment -= x.cross(impulse);
+    if (const auto k = system_.fields[rigid.field].block; k >= 0)
+      share.spread -= impulse * system_.blocks->nearest_on(static_cast<std::size_t>(k), x).transpose();
     share.mass += mass, share.first += mass * x, share.second += mass * x.squaredNorm();
   }
 }

@@ -61,7 +61,9 @@ void RigidBlocks<Dim>::take(const std::vector<RigidShare>& shares, double dt) {
     if (shares.empty()) return;
     const RigidShare& share = shares[body.field];
     push.force = share.impulse / dt;
-    push.moment = (share.moment - system_.blocks->motion[k].x.cross(share.impulse)) / dt;
+    const Vec3& centre = system_.blocks->motion[k].x;
+    push.moment = (share.moment - centre.cross(share.impulse)) / dt;
+    push.spread = (share.spread - share.impulse * centre.transpose()) / dt;
     check_weight(body, share);
   });
 }

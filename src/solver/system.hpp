@@ -43,6 +43,7 @@ struct Field {
   NodeLayer heat;                ///< conduction, see heat.hpp; empty without
   NodeLayer cells;               ///< B-bar: volume and mean of the volumetric part in a cell; empty without
   bool rigid_contact = false;    ///< the field of a rigid body that others touch: its velocity is prescribed
+  std::int64_t block = -1;       ///< the rigid block whose field it is
   std::size_t home = 0;          ///< the field of the same bodies on the nodes' own side of cracks
   int side = 0;                  ///< as in CutBin
 };

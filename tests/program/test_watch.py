@@ -58,6 +58,21 @@ with tempfile.TemporaryDirectory() as folder:
     check(len([f for f in os.listdir("film") if f.endswith(".png")]) == frames, "a picture for every file")
     check(os.path.exists("film.mp4") == bool(shutil.which("ffmpeg")), "a film if ffmpeg is there")
 
+    blocks = subprocess.run([tribo, "run", "--quiet", "-o", "blocks", source + "/input/examples/direct_tension.xml"])
+    check(blocks.returncode == 0, "a run of blocks")
+    server = subprocess.Popen([tribo, "watch", "blocks"], stdout=subprocess.PIPE, text=True)
+    try:
+        address = server.stdout.readline().split()[1]
+        frame = get(f"frame/{len(json.loads(get('state'))['times']) - 1}?field=stress.yy")
+        head = json.loads(frame[: frame.index(b"\n")])
+        sizes = [head[part] for part in ("blocks", "torn", "sheared")]
+        expected = sum(3 * s["corners"] + s["length"] for s in sizes) + head["blocks"]["cells"] + 4 * head["count"]
+        check(len(frame) - frame.index(b"\n") - 1 == 4 * expected, "the length of a frame of blocks")
+        check(head["count"] == 0 and head["blocks"]["cells"] > 10 and head["torn"]["cells"] > 0, "blocks and torn bonds")
+        check(head["range"][1] > 0 and head["flat"], "the stress of blocks")
+    finally:
+        server.kill()
+
     run = subprocess.Popen([tribo, "run", "--quiet", "-o", "long", "long.xml"], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     while not os.path.exists("long/run.pvd"):
         check(run.poll() is None, "the long run goes on")

@@ -24,14 +24,27 @@ def along(got, kind, degrees):
     return c * x + s * y, c * y - s * x
 
 
+def stress_against_the_bed(out, degrees):
+    """Normal stress of the block across the bed, at rest."""
+    import vtp
+
+    c, s = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
+    path = [path for time, path in vtp.collection(out, "blocks") if abs(time - 0.4) < 1e-3][0]
+    xx, yy, _, xy = vtp.read(path)["stress"][0][:4]
+    return s * s * xx + c * c * yy - 2 * s * c * xy
+
+
 def slide(case, degrees, mu):
     name = f"{degrees} degrees, mu = {mu}"
-    got = verify.history(case.run(f"bed{degrees}_{mu}", "bed.xml", dict(turned(degrees), mu=str(mu))))
+    folder = case.run(f"bed{degrees}_{mu}", "bed.xml", dict(turned(degrees), mu=str(mu)))
+    got = verify.history(folder)
     t = got["time"]
     speed, _ = along(got, "vel{}:boulder", degrees)
     tangential, normal = along(got, "contact{}:boulder", degrees)
     rest = (t > 0.35) & (t < 0.4)
     case.check(f"{name}: weight carried / weight", normal[rest].mean() / press, 1, 5e-3)
+    case.check(f"{name}: stress of the block across the bed / -weight height/(2 volume)",
+               stress_against_the_bed(folder, degrees) / (-press * 0.25 / 0.5), 1, 2e-2)
     late = t > 0.6
     if mu < math.tan(slope):
         rate = np.polyfit(t[late], speed[late], 1)[0]
