@@ -246,6 +246,7 @@ class Assembly {
   void place(std::size_t body, PlacedBlock& to) const;
   template <bool Plane>
   void move_contact(std::size_t contact, const Vec3& n, const Vec3& at, double dt, JointIncrement& d);
+  void resize(Joint& joint, double area, const JointIncrement& d) const;
   void overlap_increments(const Batch& batch, double dt, JointIncrement* to);
   void beside_increments(const Batch& batch, double dt, JointIncrement* to);
 

@@ -17,8 +17,17 @@ Vec3 Assembly::nearest_on(std::size_t k, const Vec3& x) const {
   return m.x + m.R * nearest_point(shapes[k], m.R.transpose() * (x - m.x), plane_).at;
 }
 
-// Moves a contact to a place and normal, and counts what its bodies do there. Without a force before, nothing but the
-// end of the step matters; the normal of an overlap may have jumped.
+namespace {
+
+// What old forces do in half a step of these increments.
+double half_work(const Joint& j, const JointIncrement& d) {
+  return 0.5 * (j.Fn * d.normal - j.Fs.dot(d.shear) - j.Mt * d.twist - j.Mb.dot(d.bend));
+}
+
+}  // namespace
+
+// Moves a contact to a place and normal, and counts what its bodies do there. An overlap may jump to another face: then
+// the old forces act in the first half of the step where they were, the new ones in the other half.
 template <bool Plane>
 void Assembly::move_contact(std::size_t k, const Vec3& n, const Vec3& at, double dt, JointIncrement& d) {
   BlockContact& c = contacts[k];
@@ -29,9 +38,26 @@ void Assembly::move_contact(std::size_t k, const Vec3& n, const Vec3& at, double
   else
     c.axes.follow(n, 0.5 * dt * (a.w + b.w).dot((c.axes.n + n).normalized()));
   const ContactFrame now{c.axes, at};
-  const bool lasts = !given[k].all.isZero(0.0) && before.axes.n.dot(n) > 0.9;
-  count_increment<Plane>(a, b, Vec3::Zero(), Vec3::Zero(), lasts ? before : now, now, dt, d);
+  Joint& j = joints[k];
+  const double reach = plane_ ? j.area / thickness_ : std::sqrt(j.area);
+  const bool jumps = before.axes.n.dot(n) < 1 - 1e-5 || (at - before.at).norm() > 0.02 * reach;
+  count_increment<Plane>(a, b, Vec3::Zero(), Vec3::Zero(), jumps ? now : before, now, dt, d);
+  if (jumps && !given[k].all.isZero(0.0)) {
+    JointIncrement old;
+    count_increment<Plane>(a, b, Vec3::Zero(), Vec3::Zero(), before, before, dt, old);
+    j.work += half_work(j, old) - half_work(j, d);
+    dashpot_work[k] += 0.5 * (j.dashpot_normal * (old.normal - d.normal) - j.dashpot_shear.dot(old.shear - d.shear));
+  }
   given[k].at = at, d.mass = c.mass;
+}
+
+// What leaves a contact takes its share of the shear along. In this step the whole of it acts still.
+void Assembly::resize(Joint& j, double area, const JointIncrement& d) const {
+  if (const double kept = area / j.area; kept < 1) {
+    j.work -= 0.5 * (1 - kept) * (j.Fs.dot(d.shear) + j.Mt * d.twist + j.Mb.dot(d.bend));
+    j.Fs *= kept, j.Mt *= kept, j.Mb *= kept;
+  }
+  j.area = area, j.radius = plane_ ? 0.5 * area / thickness_ : std::sqrt(area / std::numbers::pi);
 }
 
 void Assembly::overlap_increments(const Batch& batch, double dt, JointIncrement* d) {
@@ -65,10 +91,7 @@ void Assembly::overlap_increments(const Batch& batch, double dt, JointIncrement*
     const SharedPart& part = parts[c.part];
     plane_ ? move_contact<true>(k, apart.n, part.at, dt, *d) : move_contact<false>(k, apart.n, part.at, dt, *d);
     d->gap = part.area > 0 ? -part.volume / part.area : 0.0;
-    if (!(part.area > 0)) continue;
-    Joint& j = joints[k];
-    j.area = plane_ ? part.area * thickness_ : part.area;
-    j.radius = plane_ ? 0.5 * part.area : std::sqrt(part.area / std::numbers::pi);
+    if (part.area > 0) resize(joints[k], plane_ ? part.area * thickness_ : part.area, *d);
   }
 }
 

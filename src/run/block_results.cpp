@@ -245,6 +245,9 @@ double BlockResults::of_group(const std::string& name, std::size_t group) const 
       case 't':
         sum += blocks_.turned(k)[axis];
         break;
+      case 's':
+        sum += m.w[axis];
+        break;
       default:
         sum += blocks_.contact_force(k)[axis];
     }

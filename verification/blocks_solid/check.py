@@ -1,3 +1,5 @@
+import math
+
 import numpy as np
 
 import verify
@@ -34,7 +36,19 @@ def tension(case):
                np.abs(e["residual"]).max() / np.abs(e["boundary_work"]).max(), 0, 1e-6, "at most")
 
 
+def land(case):
+    h = verify.history(case.run("land", "land.xml"))
+    m, speed, turned = 2500, 2, math.radians(30)
+    r = 0.5 * (math.sin(turned) - math.cos(turned))
+    impulse = 2 * m * speed / (1 + 6 * r * r)
+    case.check("cube on an edge: velocity afterwards [m/s]", h["vely:cube"][-1], impulse / m - speed, 5e-3)
+    case.check("cube on an edge: spin afterwards [rad/s]", h["spinz:cube"][-1], 6 * r * impulse / m, 5e-3)
+    case.check("cube on an edge: velocity along the floor [m/s]", abs(h["velx:cube"][-1]), 0, 1e-9, "at most")
+    case.check("cube on an edge: spin about the other axes [rad/s]", abs(h["spinx:cube"][-1]), 0, 1e-9, "at most")
+
+
 def run(case):
+    land(case)
     even(case, 0)
     if case.quick:
         return
