@@ -1,17 +1,12 @@
 /// Assemblies of rigid blocks.
 
-#include "base/csv.hpp"
 #include "base/text.hpp"
 #include "contact/joint_law.hpp"
-#include "geometry/strewn.hpp"
 #include "input/builder.hpp"
 #include "materials/material.hpp"
 #include "model/quantities.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <numeric>
-#include <set>
 
 namespace tribo {
 namespace {
@@ -266,74 +261,6 @@ BlockGroup Builder::block_group(const Statement& s) {
   for (const auto& pt : s.children) point(pt);
   nuclei(s, g);
   return g;
-}
-
-void Builder::nuclei(const Statement& s, BlockGroup& g) {
-  const bool solid = model_.dimension() == 3;
-  const auto dimension = static_cast<std::size_t>(model_.dimension());
-  const int ways =
-      (g.points.empty() ? 0 : 1) + (has(s, "file") ? 1 : 0) + (has(s, "hexagons") ? 1 : 0) + (has(s, "random") ? 1 : 0);
-  must(ways == 1, s.origin, "give the nuclei of <Voronoi> as <pt>s, by 'file', 'hexagons' or 'random'");
-  for (const char* name : {"seed", "apart"})
-    must(has(s, "random") || !has(s, name), s.origin, "'" + std::string(name) + "' belongs to 'random'");
-  if (has(s, "random")) {
-    const double count = number(s, "random", Dimension::none), apart = number(s, "apart", Dimension::none, 0.6),
-                 seed = number(s, "seed", Dimension::none, 1);
-    const bool sound = count >= 1 && count <= 1e7 && apart >= 0 && apart <= 0.8 && seed >= 0;
-    must(sound, s.origin, "'random' is a number of nuclei, 'apart' in [0, 0.8], 'seed' not negative");
-    if (!sound || !(g.high - g.low).head(model_.dimension()).cwiseSign().isOnes()) return;
-    try {
-      g.points = strewn_points(static_cast<std::size_t>(count), g.low, g.high, !solid, apart,
-                               static_cast<std::uint64_t>(seed));
-    } catch (const std::runtime_error& error) {
-      problems_.add(s.origin, error.what());
-    }
-    g.point_origins.assign(g.points.size(), s.origin);
-  }
-  if (has(s, "hexagons")) {
-    const double spacing = number(s, "hexagons", Dimension::length), across = spacing * std::sqrt(3.0) / 2;
-    must(spacing > 0 && !solid, s.origin, "'hexagons' is a positive distance, in plane models");
-    if (!(spacing > 0) || solid) return;
-    // From the lower left corner on; what sticks out at the other ends is cut off.
-    for (int i = 0; (i + 0.5) * across < (1 - 1e-9) * (g.high[0] - g.low[0]); ++i)
-      for (int j = 0; (j + (i % 2 ? 0.75 : 0.25)) * spacing < (1 - 1e-9) * (g.high[1] - g.low[1]); ++j)
-        g.points.emplace_back(g.low[0] + (i + 0.5) * across, g.low[1] + (j + (i % 2 ? 0.75 : 0.25)) * spacing, 0.0);
-    g.point_origins.assign(g.points.size(), s.origin);
-  }
-  if (const Attribute* file = s.attribute("file"))
-    if (const auto text = content_of(folder_ / file->text, file->origin)) {
-      const Origin begin{std::make_shared<const std::string>((folder_ / file->text).string()), 1, 1};
-      bool first = true;
-      for (const auto& row : read_csv(*text, begin)) {
-        std::array<double, 3> x{};
-        bool good = row.cells.size() == dimension;
-        for (std::size_t d = 0; good && d < dimension; ++d) {
-          const auto value = to_number(row.cells[d].text);
-          good = value.has_value(), x[d] = value.value_or(0) * model_.units.factor(Dimension::length);
-        }
-        if (!good && !first)
-          problems_.add(row.origin, "a nucleus needs " + std::to_string(dimension) + " numbers, separated by commas");
-        if (good) g.points.emplace_back(x[0], x[1], x[2]), g.point_origins.push_back(row.origin);
-        first = false;  // may be a head
-      }
-    }
-  must(!g.points.empty(), s.origin, "<Voronoi> has no nuclei");
-
-  std::vector<std::size_t> order(g.points.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return g.points[a][0] < g.points[b][0]; });
-  const double same = 1e-9 * (g.high - g.low).norm();
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const Vec3& x = g.points[order[i]];
-    for (Eigen::Index d = 0; d < model_.dimension(); ++d)
-      if (!(x[d] > g.low[d] && x[d] < g.high[d])) {
-        problems_.add(g.point_origins[order[i]], "this nucleus does not lie within the box of <Voronoi>");
-        break;
-      }
-    for (std::size_t j = i + 1; j < order.size() && g.points[order[j]][0] - x[0] <= same; ++j)
-      must((g.points[order[j]] - x).norm() > same, g.point_origins[std::max(order[i], order[j])],
-           "this nucleus coincides with the one at " + g.point_origins[std::min(order[i], order[j])].text());
-  }
 }
 
 void Builder::block_histories(BlocksSpec& spec) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/schema.hpp"
+#include "geometry/strewn.hpp"
 #include "input/read.hpp"
 #include "model/blocks.hpp"
 #include "model/model.hpp"
@@ -112,6 +113,10 @@ class Builder {
   }
   BlockGroup block_group(const Statement& s);
   void nuclei(const Statement& s, BlockGroup& group);
+  void strewn_nuclei(const Statement& s, BlockGroup& group);
+  void lattice_nuclei(const Statement& s, const std::string& kind, PointLattice lattice, BlockGroup& group);
+  void nuclei_of_file(const Attribute& file, BlockGroup& group);
+  void check_nuclei(const BlockGroup& group);
   std::shared_ptr<const JointLaw> joint_of(const Statement& s);
   RegionPtr shapes_of(const Statement& s);
   std::optional<TimeFunction> time_function(const Statement& s, const char* attribute, Dimension dimension,

@@ -622,6 +622,9 @@ std::vector<ElementSpec> make() {
        block_box +
            std::vector{text("file", "table with columns x, y, z of the nuclei"),
                        number("hexagons", "distance between the flat tops of regular hexagons, instead"),
+                       number("cubes", "edge of cubes, in two dimensions squares, instead"),
+                       number("octahedra",
+                              "distance between opposite squares of truncated octahedra, in space, instead"),
                        {"random", T::integer, "number of nuclei strewn at random, instead"},
                        {"seed", T::integer, "of them: another number, another specimen (default 1)"},
                        number("apart",

@@ -76,8 +76,8 @@ struct BlockContact {
   Vec3 pa = Vec3::Zero(), pb = Vec3::Zero();    ///< the point on each face, from the centre, in body axes
   Vec3 na = Vec3::UnitX(), nb = Vec3::UnitX();  ///< normal from a to b as each sees it; of balls na[0], nb[0] radii
   JointAxes axes;
-  double mass = 0.0;  ///< m_a m_b/(m_a + m_b)
-  double on_a = 0.5;  ///< where it is between its points: 1 at that of a, 0 of b; its normal is then the other's
+  double mass = 0.0;       ///< m_a m_b/(m_a + m_b)
+  double on_a = 0.5;       ///< where it is between its points: 1 at that of a, 0 of b; its normal is then the other's
   std::uint32_t part = 0;  ///< of an overlap: which part
 };
 
@@ -290,9 +290,9 @@ class Assembly {
   std::vector<BlockEvent> events_;
   std::vector<std::uint32_t> balls_;
   std::vector<std::vector<BlockEdge>> edges_;  // of every block in three dimensions; else empty
-  std::size_t lasting_ = 0;    // contacts from the start on; those found later follow
-  double skin_ = 0.0;          // pairs of blocks nearer than this are contacts
-  std::vector<double> reach_;  // of blocks from their centres
+  std::size_t lasting_ = 0;                    // contacts from the start on; those found later follow
+  double skin_ = 0.0;                          // pairs of blocks nearer than this are contacts
+  std::vector<double> reach_;                  // of blocks from their centres
   std::vector<Vec3> found_at_, checked_at_;
   BlockLedger gone_;                          // of contacts that are no more
   double last_step_ = 0.0, time_rest_ = 0.0;  // what rounding left out of `time`

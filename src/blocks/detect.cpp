@@ -26,7 +26,8 @@ std::string place_text(const Vec3& x) {
 
 // How far two blocks are apart, negative: overlap; some gap above `enough` if they are further apart than that.
 double Assembly::gap_between(std::uint32_t a, std::uint32_t b, double enough) const {
-  if (shapes[a].ball() && shapes[b].ball()) return (motion[b].x - motion[a].x).norm() - shapes[a].radius - shapes[b].radius;
+  if (shapes[a].ball() && shapes[b].ball())
+    return (motion[b].x - motion[a].x).norm() - shapes[a].radius - shapes[b].radius;
   if (shapes[a].ball() || shapes[b].ball()) {
     const std::uint32_t ball = shapes[a].ball() ? a : b, body = shapes[a].ball() ? b : a;
     const BlockMotion& m = motion[body];
@@ -123,8 +124,8 @@ void Assembly::join_balls() {
     }
 }
 
-// Pairs of blocks whose faces, all without bond, slid or parted leave themselves to what is found anew. In the step that
-// has begun the forces of its start act still.
+// Pairs of blocks whose faces, all without bond, slid or parted leave themselves to what is found anew. In the step
+// that has begun the forces of its start act still.
 void Assembly::retire_faces(double dt) {
   std::set<Pair> leave, stay;
   const auto each_face = [&](auto&& f) {

@@ -36,8 +36,8 @@ struct BlockGap {
   Vec3 n = Vec3::UnitX();
 };
 /// Stops looking at the first direction along which they are further apart than `enough`. Directions: normals of faces,
-/// and of pairs of edges whose arcs on the sphere of normals cross (Gregorius, Game Developers Conference 2013). Between
-/// overlapping blocks a pair of edges must be better by a twentieth, so that faces stay faces.
+/// and of pairs of edges whose arcs on the sphere of normals cross (Gregorius, Game Developers Conference 2013).
+/// Between overlapping blocks a pair of edges must be better by a twentieth, so that faces stay faces.
 BlockGap separation(const PlacedBlock& a, const PlacedBlock& b, bool plane, double enough);
 
 /// A part of what two blocks share. Its mean depth volume/area is the overlap of springs k A there: parts add up to

@@ -71,4 +71,23 @@ std::vector<Vec3> strewn_points(std::size_t count, const Vec3& low, const Vec3& 
   return out;
 }
 
+std::vector<Vec3> lattice_points(PointLattice lattice, double spacing, const Vec3& low, const Vec3& high, bool plane) {
+  Vec3 cell = Vec3::Ones();
+  std::vector<Vec3> basis{Vec3::Constant(0.5)};  // of a cell
+  if (lattice == PointLattice::hexagons)
+    cell[0] = std::sqrt(3.0), basis = {{0.25, 0.25, 0}, {0.75, 0.75, 0}};
+  else if (lattice == PointLattice::octahedra)
+    basis = {Vec3::Constant(0.25), Vec3::Constant(0.75)};
+  std::vector<Vec3> out;
+  const Vec3 size = ((high - low) / spacing).cwiseQuotient(cell) * (1 - 1e-9);
+  for (int i = 0; i < size[0]; ++i)
+    for (const Vec3& at : basis)
+      for (int j = 0; i + at[0] < size[0] && j + at[1] < size[1]; ++j)
+        for (int k = 0; plane ? k == 0 : k + at[2] < size[2]; ++k) {
+          const Vec3 x = low + spacing * cell.cwiseProduct(Vec3(i, j, k) + at);
+          out.emplace_back(x[0], x[1], plane ? 0.0 : x[2]);
+        }
+  return out;
+}
+
 }  // namespace tribo

@@ -1,4 +1,4 @@
-/// Points at random, but not too near to each other.
+/// Points that fill a box: at random, but not too near to each other, or on a lattice.
 #pragma once
 
 #include "base/types.hpp"
@@ -13,5 +13,14 @@ namespace tribo {
 /// there is no room: 0.8 is about the limit.
 std::vector<Vec3> strewn_points(std::size_t count, const Vec3& low, const Vec3& high, bool plane, double apart,
                                 std::uint64_t seed);
+
+/// By the shapes of the cells around its points.
+enum class PointLattice {
+  cubes,     ///< edge; squares in the plane
+  hexagons,  ///< between flat tops; in the plane
+  octahedra  ///< truncated ones, between opposite squares: a body-centred cubic lattice
+};
+/// The points of a lattice in a box, from its low corner on; what sticks out at the other ends is left out.
+std::vector<Vec3> lattice_points(PointLattice lattice, double spacing, const Vec3& low, const Vec3& high, bool plane);
 
 }  // namespace tribo

@@ -30,7 +30,7 @@ struct PairLedger {
 /// they touch it. Moments about the origin of space.
 struct RigidShare {
   Vec3 impulse = Vec3::Zero(), moment = Vec3::Zero();
-  Mat3 spread = Mat3::Zero();  ///< of blocks: sum of impulse x^T, x on their surface
+  Mat3 spread = Mat3::Zero();       ///< of blocks: sum of impulse x^T, x on their surface
   double mass = 0.0, second = 0.0;  ///< sums of m and m |x|^2
   Vec3 first = Vec3::Zero();        ///< of m x
 };

@@ -22,13 +22,9 @@ struct Placed {
   }
 };
 
-BlockShape cube(double half, bool plane) {
-  return brick_block(Vec3::Constant(-half), Vec3::Constant(half), plane);
-}
+BlockShape cube(double half, bool plane) { return brick_block(Vec3::Constant(-half), Vec3::Constant(half), plane); }
 
-Mat3 turned(double angle, const Vec3& axis) {
-  return Eigen::AngleAxisd(angle, axis.normalized()).toRotationMatrix();
-}
+Mat3 turned(double angle, const Vec3& axis) { return Eigen::AngleAxisd(angle, axis.normalized()).toRotationMatrix(); }
 
 /// By all faces and all pairs of edges.
 double largest_gap(const Placed& a, const Placed& b, bool edges) {
@@ -82,7 +78,8 @@ TEST_CASE("blocks are apart along faces, edges and corners", "[blocks]") {
     CHECK(s.gap == Approx(-0.1));
     CHECK((s.n - Vec3::UnitX()).norm() < 1e-14);
     CHECK((separation(b.block, a.block, plane, 1e300).n + Vec3::UnitX()).norm() < 1e-14);
-    const Placed corner(cube(0.5, plane), Vec3(0.5 + std::sqrt(0.5) + 0.25, 0, 0), turned(M_PI / 4, Vec3::UnitZ()), plane);
+    const Placed corner(cube(0.5, plane), Vec3(0.5 + std::sqrt(0.5) + 0.25, 0, 0), turned(M_PI / 4, Vec3::UnitZ()),
+                        plane);
     CHECK(separation(a.block, corner.block, plane, 1e300).gap == Approx(0.25));
   }
   // two crossed edges
@@ -99,9 +96,10 @@ TEST_CASE("the largest separation is found among all faces and edges", "[blocks]
   const auto vector = [&] { return Vec3(number(), number(), number()); };
   int by_edges = 0;
   for (int k = 0; k < 400; ++k) {
-    const Placed a(brick_block({-0.5, -0.3, -0.2}, {0.5, 0.3, 0.2}, false), Vec3::Zero(), turned(6 * number(), vector()),
-                   false),
-        b(brick_block({-0.4, -0.4, -0.1}, {0.4, 0.4, 0.1}, false), 1.6 * vector(), turned(6 * number(), vector()), false);
+    const Placed a(brick_block({-0.5, -0.3, -0.2}, {0.5, 0.3, 0.2}, false), Vec3::Zero(),
+                   turned(6 * number(), vector()), false),
+        b(brick_block({-0.4, -0.4, -0.1}, {0.4, 0.4, 0.1}, false), 1.6 * vector(), turned(6 * number(), vector()),
+          false);
     const double found = separation(a.block, b.block, false, 1e300).gap, faces = largest_gap(a, b, false),
                  all = largest_gap(a, b, true);
     INFO("pair " << k);

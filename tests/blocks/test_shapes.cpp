@@ -1,6 +1,7 @@
 /// Shapes, faces that lie against one another, cells with walls.
 
 #include "blocks/block_cases.hpp"
+#include "geometry/strewn.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -52,6 +53,23 @@ TEST_CASE("Voronoi cells fill their box and close", "[blocks]") {
   const std::vector<Vec3> twins{{0.5, 0.5, 0}, {0.2, 0.2, 0}, {0.5, 0.5, 0}};
   CHECK_THROWS_WITH(voronoi(twins, Vec3::Zero(), Vec3(1, 1, 0), true, 1.0), Catch::Contains("coincide"));
   CHECK_THROWS_WITH(voronoi(twins, Vec3::Zero(), Vec3(0.4, 1, 0), true, 1.0), Catch::Contains("within the box"));
+}
+
+TEST_CASE("cells of lattices are cubes and truncated octahedra", "[blocks]") {
+  const Vec3 low = Vec3::Zero(), high = Vec3::Constant(1);
+  for (const auto& [lattice, faces, volume] :
+       {std::tuple{PointLattice::cubes, 6, 1.0 / 64}, std::tuple{PointLattice::octahedra, 14, 1.0 / 128}}) {
+    const auto points = lattice_points(lattice, 0.25, low, high, false);
+    const Tessellation cells = voronoi(points, low, high, false, 1.0);
+    std::size_t whole = 0;
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      if ((points[k] - low).minCoeff() < 0.26 || (high - points[k]).minCoeff() < 0.26) continue;
+      ++whole;
+      CHECK(static_cast<int>(cells.shapes[k].faces.size()) == faces);
+      CHECK(mass_properties(cells.shapes[k], false, 1.0).volume == Approx(volume));
+    }
+    CHECK(whole >= 8);
+  }
 }
 
 TEST_CASE("faces of blocks that lie against one another are found, and what they share", "[blocks]") {

@@ -29,3 +29,19 @@ TEST_CASE("Strewn points keep their distance, lie inside, and are the same for a
   CHECK(strewn_points(50, low, high, true, 0.0, 1).size() == 50);
   CHECK_THROWS_AS(strewn_points(500, low, high, true, 1.05, 1), std::runtime_error);
 }
+
+TEST_CASE("lattices fill a box from its low corner on", "[geometry]") {
+  const Vec3 low(1, -1, 2), high = low + Vec3(1, 0.6, 0.4);
+  const auto cubes = lattice_points(PointLattice::cubes, 0.2, low, high, false);
+  CHECK(cubes.size() == 5 * 3 * 2);
+  CHECK((cubes.front() - low - Vec3::Constant(0.1)).norm() < 1e-14);
+  CHECK(lattice_points(PointLattice::cubes, 0.2, low, high, true).size() == 5 * 3);
+  const auto octahedra = lattice_points(PointLattice::octahedra, 0.2, low, high, false);
+  CHECK(octahedra.size() == 2 * 5 * 3 * 2);
+  CHECK((octahedra.front() - low - Vec3::Constant(0.05)).norm() < 1e-14);
+  const auto hexagons = lattice_points(PointLattice::hexagons, 0.2, low, high, true);
+  CHECK(hexagons.size() == 6 * 3);
+  CHECK((hexagons[3] - hexagons[0] - Vec3(0.1 * std::sqrt(3), 0.1, 0)).norm() < 1e-14);
+  for (const auto* list : {&cubes, &octahedra, &hexagons})
+    for (const Vec3& x : *list) CHECK(((x - low).head<2>().minCoeff() > 0 && (high - x).head<2>().minCoeff() > 0));
+}
