@@ -13,6 +13,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -176,8 +177,8 @@ class Assembly {
   double bytes() const;
 
   /// Calls f(name, vector of numbers) for all that changes with time; what f writes into it goes back.
-  template <class F>
-  void each_column(F&& f);
+  using Column = std::function<void(const char* name, std::vector<double>& numbers)>;
+  void each_column(const Column& f);
   /// Pairs of blocks that may touch, found since the start, a b a b ...; set them before the columns when a state is
   /// restored.
   std::vector<std::int64_t> found_pairs() const;
@@ -228,6 +229,16 @@ class Assembly {
   void add_holds_and_loads();
   void finish(double max_step);
   void connect();
+
+  // masses.cpp
+  struct Stiffness {
+    double straight = 0.0, turning = 0.0;
+  };
+  std::vector<Stiffness> stiffness_around() const;
+  void expect_neighbours(std::vector<Stiffness>& around) const;
+  void choose_masses(const std::vector<Stiffness>& around, double max_step, double nu);
+  void set_step(const std::vector<Stiffness>& around, double max_step, double nu);
+  double mass_between(std::uint32_t a, std::uint32_t b) const;
 
   // detect.cpp
   void join_balls();
@@ -297,59 +308,5 @@ class Assembly {
   BlockLedger gone_;                          // of contacts that are no more
   double last_step_ = 0.0, time_rest_ = 0.0;  // what rounding left out of `time`
 };
-
-template <class F>
-void Assembly::each_column(F&& f) {
-  std::vector<double> column;
-  const auto pass = [&](const char* name, auto&& each) {
-    column.clear();
-    each([&](double& v) { column.push_back(v); });
-    f(name, column);
-    std::size_t k = 0;
-    each([&](double& v) { v = column[k++]; });
-  };
-  const auto vec = [](auto& g, auto& m) {
-    for (double* v = m.data(); v != m.data() + m.size(); ++v) g(*v);
-  };
-  pass("blocks.motion", [&](auto&& g) {
-    for (std::size_t k = 0; k < motion.size(); ++k) {
-      vec(g, motion[k].x), vec(g, motion[k].v), vec(g, motion[k].w), vec(g, motion[k].R);
-      for (double& q : turn[k]) g(q);
-    }
-  });
-  pass("blocks.forces", [&](auto&& g) {
-    for (auto& b : forces)
-      for (Vec3* v : {&b.all, &b.moment, &b.outer, &b.outer_moment, &b.damping, &b.damping_moment}) vec(g, *v);
-    for (auto& b : work) g(b.outer), g(b.boundary), g(b.damped), g(b.stepping);
-    for (auto& b : pushes) vec(g, b.force), vec(g, b.moment), vec(g, b.spread);
-    for (auto& s : stress) vec(g, s);
-  });
-  pass("contacts.joints", [&](auto&& g) {
-    for (auto& j : joints) each_number(j, g);
-    for (double& v : dashpot_work) g(v);
-    for (double& v : broke) g(v);
-  });
-  pass("contacts.places", [&](auto&& g) {
-    for (std::size_t k = 0; k < contacts.size(); ++k) {
-      for (Vec3* v : {&contacts[k].axes.n, &contacts[k].axes.s, &contacts[k].axes.t, &given[k].at, &given[k].elastic,
-                      &given[k].all, &given[k].moment})
-        vec(g, *v);
-      if (!shift.empty()) vec(g, shift[k]);
-    }
-    for (auto& p : pressed_force_) vec(g, p.at), vec(g, p.all);
-  });
-  pass("blocks.found", [&](auto&& g) {
-    for (auto* list : {&found_at_, &checked_at_})
-      for (Vec3& x : *list) vec(g, x);
-    for (double* v : {&gone_.slip, &gone_.dashpot, &gone_.released}) g(*v);
-  });
-  pass("blocks.counters", [&](auto&& g) {
-    double steps = static_cast<double>(step), tension = static_cast<double>(broken[0]),
-           shear = static_cast<double>(broken[1]);
-    for (double* v : {&time, &time_rest_, &last_step_, &steps, &tension, &shear}) g(*v);
-    step = static_cast<std::int64_t>(steps);
-    broken = {static_cast<std::int64_t>(tension), static_cast<std::int64_t>(shear)};
-  });
-}
 
 }  // namespace tribo

@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <limits>
 #include <numeric>
 
 namespace tribo {
@@ -330,71 +329,12 @@ void Assembly::finish(double max_step) {
   double nu = 0;
   for (const ContactGroup& g : groups) nu = std::max(nu, g.law->poisson());
   poisson_ = std::any_of(groups.begin(), groups.end(), [](const ContactGroup& g) { return g.law->poisson() != 0; });
+  auto around = stiffness_around();
+  if (spec_->touch) expect_neighbours(around);
+  if (spec_->quasi_static) choose_masses(around, max_step, nu);
+  set_step(around, max_step, nu);
+  for (BlockContact& c : contacts) c.mass = mass_between(c.a, c.b);
 
-  // What holds every body, and the largest stable step that follows
-  std::vector<double> hold(bodies.size(), 0.0), turned_hold(bodies.size(), 0.0);
-  for (std::size_t k = 0; k < contacts.size(); ++k) {
-    const Joint& j = joints[k];
-    const BlockContact& c = contacts[k];
-    const double stiff = std::max(j.kn, j.ks) * j.area;
-    const double turning =
-        std::max({j.twist_stiffness, j.bend_stiffness[0], j.bend_stiffness[1]}) + std::abs(j.bend_stiffness[2]);
-    for (const auto& [body, arm] : {std::pair{c.a, c.pa}, std::pair{c.b, c.pb}}) {
-      hold[body] += stiff;
-      turned_hold[body] += stiff * arm.squaredNorm() + turning;
-    }
-  }
-  if (spec_->touch)  // as many neighbours of its size as fit around a ball
-    for (const auto k : balls_) {
-      const auto [c, site] = ball_contact(k, k);
-      JointSite twin = site;
-      twin.distance = 2 * shapes[k].radius, twin.gap = 0;
-      const Joint j = spec_->touch->start(twin);
-      const double stiff = (plane_ ? 6 : 12) * std::max(j.kn, j.ks) * j.area, r = shapes[k].radius;
-      hold[k] = std::max(hold[k], stiff), turned_hold[k] = std::max(turned_hold[k], stiff * r * r);
-    }
-  if (spec_->touch && !plane_ && !balls_.empty()) {  // some balls on a polyhedron
-    double stiffest = 0;
-    for (const auto k : balls_) stiffest = std::max(stiffest, hold[k] / 12);
-    for (std::size_t k = 0; k < blocks_; ++k)
-      if (!shapes[k].ball())
-        hold[k] = std::max(hold[k], 6 * stiffest),
-        turned_hold[k] = std::max(turned_hold[k], 6 * stiffest * reach_[k] * reach_[k]);
-  }
-  if (spec_->touch)  // other blocks with faces on half of its surface
-    for (std::size_t k = 0; k < blocks_; ++k) {
-      if (shapes[k].ball()) continue;
-      JointSite site;
-      for (std::size_t f = 0; f < shapes[k].faces.size(); ++f)
-        site.area += 0.5 * face_geometry(shapes[k].face(f), plane_, thickness_).area;
-      site.plane = plane_, site.thickness = thickness_;
-      site.distance = plane_ ? std::sqrt(bodies[k].volume / thickness_) : std::cbrt(bodies[k].volume);
-      const Joint j = spec_->touch->start(site);
-      const double stiff = std::max(j.kn, j.ks) * site.area;
-      hold[k] = std::max(hold[k], stiff), turned_hold[k] = std::max(turned_hold[k], stiff * reach_[k] * reach_[k]);
-    }
-  double step_size = std::numeric_limits<double>::infinity();
-  for (std::size_t k = 0; k < blocks_; ++k) {
-    BlockBody& body = bodies[k];
-    if (spec_->quasi_static && hold[k] > 0) {
-      body.mass = 4 * hold[k] * max_step * max_step / (1 - 2 * nu);
-      body.inertia = Vec3::Constant(4 * turned_hold[k] * max_step * max_step / (1 - 2 * nu));
-      body.axes = Mat3::Identity(), body.sphere = true;
-    }
-    if (hold[k] > 0 && (body.held & 7) != 7) step_size = std::min(step_size, std::sqrt(body.mass / hold[k]));
-    if (turned_hold[k] > 0 && (body.held & 56) != 56)
-      step_size = std::min(step_size, std::sqrt(body.inertia.minCoeff() / turned_hold[k]));
-  }
-  const double stiffer = !poisson_       ? 1.0
-                         : plane_stress_ ? std::sqrt(1 - nu * nu)
-                                         : std::sqrt((1 + nu) * (1 - 2 * nu) / (1 - nu));
-  critical_step_ = spec_->quasi_static ? max_step : std::min(max_step, spec_->step_share * stiffer * step_size);
-
-  for (BlockContact& c : contacts) {
-    const bool a = (bodies[c.a].held & 7) != 7, b = (bodies[c.b].held & 7) != 7;
-    const double ma = bodies[c.a].mass, mb = bodies[c.b].mass;
-    c.mass = a && b ? ma * mb / (ma + mb) : a ? ma : b ? mb : 0.0;
-  }
   if (!reach_.empty()) remember(checked_at_);
   forces.assign(bodies.size(), {}), work.assign(bodies.size(), {}), stress.assign(bodies.size(), Mat3::Zero());
   given.assign(contacts.size(), {}), dashpot_work.assign(contacts.size(), 0.0);

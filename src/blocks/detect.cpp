@@ -209,9 +209,7 @@ void Assembly::take_pairs(const std::vector<Pair>& pairs) {
       site.area = 0.01 * (plane_ ? std::sqrt(volume * thickness_) : std::pow(volume, 2.0 / 3));
       c.axes = axes_between(c.a, c.b);
     }
-    const bool free_a = (bodies[c.a].held & 7) != 7, free_b = (bodies[c.b].held & 7) != 7;
-    const double ma = bodies[c.a].mass, mb = bodies[c.b].mass;
-    c.mass = free_a && free_b ? ma * mb / (ma + mb) : free_a ? ma : free_b ? mb : 0.0;
+    c.mass = mass_between(c.a, c.b);
     const auto kind = ball ? ContactKind::ball : faces ? ContactKind::overlap : ContactKind::beside;
     add_contact(c, site, *spec_->touch, kind, {}, Vec3::Zero());
     if (!running) continue;

@@ -1,0 +1,91 @@
+/// Stiffness around blocks, masses of quasi-static runs, and the largest stable step.
+
+#include "blocks/assembly.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace tribo {
+
+// Sums over the contacts of every body.
+std::vector<Assembly::Stiffness> Assembly::stiffness_around() const {
+  std::vector<Stiffness> out(bodies.size());
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
+    const Joint& j = joints[k];
+    const BlockContact& c = contacts[k];
+    const double stiff = std::max(j.kn, j.ks) * j.area;
+    const double turning =
+        std::max({j.twist_stiffness, j.bend_stiffness[0], j.bend_stiffness[1]}) + std::abs(j.bend_stiffness[2]);
+    for (const auto& [body, arm] : {std::pair{c.a, c.pa}, std::pair{c.b, c.pb}}) {
+      out[body].straight += stiff;
+      out[body].turning += stiff * arm.squaredNorm() + turning;
+    }
+  }
+  return out;
+}
+
+// What may come about later: around a ball as many of its size as there is room for, some of the stiffest balls on a
+// block with faces, other blocks on half of its surface.
+void Assembly::expect_neighbours(std::vector<Stiffness>& around) const {
+  const auto at_least = [&](std::size_t k, double stiff) {
+    around[k].straight = std::max(around[k].straight, stiff);
+    around[k].turning = std::max(around[k].turning, stiff * reach_[k] * reach_[k]);
+  };
+  double stiffest_ball = 0;
+  for (const auto k : balls_) {
+    JointSite twin = ball_contact(k, k).second;
+    twin.distance = 2 * shapes[k].radius, twin.gap = 0;
+    const Joint j = spec_->touch->start(twin);
+    const double stiff = std::max(j.kn, j.ks) * j.area;
+    at_least(k, (plane_ ? 6 : 12) * stiff);
+    stiffest_ball = std::max(stiffest_ball, stiff);
+  }
+  for (std::size_t k = 0; k < blocks_; ++k) {
+    if (shapes[k].ball()) continue;
+    JointSite site;
+    for (std::size_t f = 0; f < shapes[k].faces.size(); ++f)
+      site.area += 0.5 * face_geometry(shapes[k].face(f), plane_, thickness_).area;
+    site.plane = plane_, site.thickness = thickness_;
+    site.distance = plane_ ? std::sqrt(bodies[k].volume / thickness_) : std::cbrt(bodies[k].volume);
+    const Joint j = spec_->touch->start(site);
+    at_least(k, std::max({std::max(j.kn, j.ks) * site.area, (plane_ ? 3 : 6) * stiffest_ball}));
+  }
+}
+
+// So that max_step is 1/2 sqrt(m (1 - 2 nu)/k) of every block.
+void Assembly::choose_masses(const std::vector<Stiffness>& around, double max_step, double nu) {
+  const double per_stiffness = 4 * max_step * max_step / (1 - 2 * nu);
+  for (std::size_t k = 0; k < blocks_; ++k) {
+    if (!(around[k].straight > 0)) continue;
+    BlockBody& body = bodies[k];
+    body.mass = per_stiffness * around[k].straight;
+    body.inertia = Vec3::Constant(per_stiffness * around[k].turning);
+    body.axes = Mat3::Identity(), body.sphere = true;
+  }
+}
+
+void Assembly::set_step(const std::vector<Stiffness>& around, double max_step, double nu) {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < blocks_; ++k) {
+    const BlockBody& body = bodies[k];
+    if (around[k].straight > 0 && (body.held & 7) != 7)
+      least = std::min(least, std::sqrt(body.mass / around[k].straight));
+    if (around[k].turning > 0 && (body.held & 56) != 56)
+      least = std::min(least, std::sqrt(body.inertia.minCoeff() / around[k].turning));
+  }
+  // The fictitious stress makes the whole stiffer than its springs
+  const double stiffer = !poisson_       ? 1.0
+                         : plane_stress_ ? std::sqrt(1 - nu * nu)
+                                         : std::sqrt((1 + nu) * (1 - 2 * nu) / (1 - nu));
+  critical_step_ = spec_->quasi_static ? max_step : std::min(max_step, spec_->step_share * stiffer * least);
+}
+
+// m_a m_b/(m_a + m_b); of a body that is held: infinitely heavy.
+double Assembly::mass_between(std::uint32_t a, std::uint32_t b) const {
+  const bool free_a = (bodies[a].held & 7) != 7, free_b = (bodies[b].held & 7) != 7;
+  const double ma = bodies[a].mass, mb = bodies[b].mass;
+  return free_a && free_b ? ma * mb / (ma + mb) : free_a ? ma : free_b ? mb : 0.0;
+}
+
+}  // namespace tribo
