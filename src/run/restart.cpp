@@ -1,5 +1,7 @@
 #include "run/restart.hpp"
 
+#include "blocks/assembly.hpp"
+
 namespace tribo {
 namespace {
 

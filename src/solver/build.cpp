@@ -1,5 +1,6 @@
 #include "solver/build.hpp"
 
+#include "blocks/assembly.hpp"
 #include "solver/block_points.hpp"
 #include "solver/crack_build.hpp"
 #include "solver/interface_build.hpp"
@@ -147,7 +148,7 @@ Body<Dim> make_body(const Model& model, int material, const std::vector<const Se
 template <int Dim>
 void add_blocks(const Model& model, System<Dim>& system, const Transfers<Dim>& transfers, std::int64_t next_id) {
   const BlocksSpec& spec = *model.blocks;
-  system.blocks = std::make_unique<Assembly>(model.blocks, Dim, model.analysis == Analysis::plane_stress,
+  system.blocks = std::make_shared<Assembly>(model.blocks, Dim, model.analysis == Analysis::plane_stress,
                                              model.body_force.gravity, model.time.max_step);
   system.blocks->pushes.resize(system.blocks->bodies.size());
   for (std::size_t k = 0; k < system.blocks->block_count(); ++k) {

@@ -1,6 +1,7 @@
 /// What contact does to nodes, ledger and particles.
 
 #include "base/parallel.hpp"
+#include "blocks/assembly.hpp"
 #include "solver/contact.hpp"
 
 #include <algorithm>

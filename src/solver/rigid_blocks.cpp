@@ -1,6 +1,7 @@
 #include "solver/rigid_blocks.hpp"
 
 #include "base/parallel.hpp"
+#include "blocks/assembly.hpp"
 #include "solver/loops.hpp"
 
 #include <algorithm>

@@ -1,7 +1,6 @@
 /// What a step works on.
 #pragma once
 
-#include "blocks/assembly.hpp"
 #include "grid/nodes.hpp"
 #include "materials/material.hpp"
 #include "model/model.hpp"
@@ -16,6 +15,8 @@
 #include <vector>
 
 namespace tribo {
+
+class Assembly;
 
 /// Which of its fields a particle of a cut bin gives to and takes from, node by node of its stencil, x fastest: 0 what
 /// lies on the node's own side of all cracks, 1 across its first crack, 2 across its second, 3 across both.
@@ -128,7 +129,7 @@ struct System {
   std::vector<Crack<Dim>> cracks;
   std::vector<JointSurface<Dim>> joints;
   std::vector<Body<Dim>> rigids;  ///< particles that prescribe velocities: `velocity` follows the material's functions
-  std::unique_ptr<Assembly> blocks;  ///< rigid blocks in the grid, each with one of `rigids`; or null
+  std::shared_ptr<Assembly> blocks;  ///< rigid blocks in the grid, each with one of `rigids`; or null
   double time = 0.0;
   std::int64_t step = 0;
   double drift = 0.0;  ///< largest distance any particle may have moved since the last sort [cells]

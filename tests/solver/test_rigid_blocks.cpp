@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "base/parallel.hpp"
+#include "blocks/assembly.hpp"
 #include "input/read.hpp"
 #include "run/restart.hpp"
 #include "solver/block_points.hpp"
