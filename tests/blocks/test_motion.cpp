@@ -48,6 +48,34 @@ std::shared_ptr<BlocksSpec> rough_load(bool plane) {
   return spec;
 }
 
+/// Bricks that stand on a floor and on each other, one that falls askew on them, and a ball.
+std::shared_ptr<BlocksSpec> heap() {
+  auto spec = std::make_shared<BlocksSpec>();
+  const auto brick = [&](const Vec3& low, const Vec3& high) {
+    BlockGroup g;
+    g.low = low, g.high = high, g.density = 2000;
+    spec->groups.push_back(g);
+  };
+  brick({-2, -1, -2}, {2, 0, 2});
+  brick({0, 0, 0}, {0.4, 0.5, 0.3});
+  brick({0, 0.5, 0}, {0.4, 1, 0.3});
+  brick({0.1, 1.1, 0.1}, {0.3, 1.3, 0.7});
+  spec->groups.back().spin = Vec3(2, 1, 3), spec->groups.back().velocity = Vec3(0.5, 0, 0);
+  BlockGroup ball;
+  ball.shape = BlockGroup::Shape::ball, ball.points = {{-0.5, 0.3, 0.1}}, ball.radius = 0.2, ball.density = 2000;
+  ball.velocity = Vec3(3, 0, 0);
+  spec->groups.push_back(ball);
+  BlockHold floor;
+  floor.where = around(-2, 2, -1, -0.1);
+  for (auto* list : {&floor.velocity, &floor.spin})
+    for (auto& v : *list) v = constant(0);
+  spec->holds = {floor};
+  spec->corners = true;
+  spec->law = spec->touch =
+      joint_law("SpringNetwork", {{"kn", "1e8"}, {"ks", "1e8"}, {"fric", "0.5"}, {"dp_nratio", "0.2"}});
+  return spec;
+}
+
 }  // namespace
 
 TEST_CASE("the energies of blocks that break and slide add up", "[blocks]") {
@@ -67,24 +95,31 @@ TEST_CASE("the energies of blocks that break and slide add up", "[blocks]") {
 }
 
 TEST_CASE("blocks move with the same bits on any number of threads and after a restart", "[blocks]") {
-  for (const bool plane : {true, false}) {
+  const std::vector<std::pair<std::shared_ptr<BlocksSpec>, int>> models{
+      {rough_load(true), 2}, {rough_load(false), 3}, {heap(), 3}};
+  for (const auto& [spec, dimension] : models) {
+    const Vec3 gravity(0, dimension == 3 && spec->touch ? -10 : -1e5, 0);
     std::vector<std::vector<double>> ends;
     for (const int count : {1, 2}) {
       set_threads(count);
-      Assembly body(rough_load(plane), plane ? 2 : 3, true, Vec3(0, -1e5, 0), 1.0);
+      Assembly body(spec, dimension, true, gravity, 1.0);
       const double dt = body.critical_step();
-      for (int k = 0; k < 100; ++k) body.advance(dt);
+      const int steps = spec->touch ? static_cast<int>(0.4 / dt) : 100;
+      for (int k = 0; k < steps; ++k) body.advance(dt);
+      const auto pairs = body.found_pairs();
       std::vector<std::vector<double>> saved;
       body.each_column([&](const char*, std::vector<double>& column) { saved.push_back(column); });
-      for (int k = 0; k < 100; ++k) body.advance(dt);
+      for (int k = 0; k < steps; ++k) body.advance(dt);
+      if (spec->touch) CHECK(body.found_pairs() != pairs);
       ends.push_back(state(body));
-      Assembly again(rough_load(plane), plane ? 2 : 3, true, Vec3(0, -1e5, 0), 1.0);
+      Assembly again(spec, dimension, true, gravity, 1.0);
+      again.set_found_pairs(pairs);
       std::size_t k = 0;
       again.each_column([&](const char*, std::vector<double>& column) {
         REQUIRE(column.size() == saved[k].size());
         column = saved[k++];
       });
-      for (int i = 0; i < 100; ++i) again.advance(dt);
+      for (int i = 0; i < steps; ++i) again.advance(dt);
       ends.push_back(state(again));
     }
     set_threads(1);
