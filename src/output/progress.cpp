@@ -4,15 +4,17 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <utility>
 
 namespace tribo {
 
-Progress::Progress(bool quiet, double start, double end, std::int64_t particles)
+Progress::Progress(bool quiet, double start, double end, std::int64_t count, std::string kind)
     : quiet_(quiet),
       terminal_(::isatty(STDERR_FILENO) == 1),
       start_(start),
       end_(end),
-      particles_(particles),
+      count_(count),
+      kind_(std::move(kind)),
       begin_(Clock::now()),
       last_(begin_) {}
 
@@ -37,10 +39,9 @@ void Progress::step(double time, std::int64_t step, double dt) {
 void Progress::line(double time, std::int64_t step, double dt, bool last) {
   const double since = std::chrono::duration<double>(Clock::now() - begin_).count();
   const double part = std::clamp((time - start_) / (end_ - start_), 1e-12, 1.0);
-  const double speed =
-      static_cast<double>(particles_) * static_cast<double>(step - first_step_) / std::max(since, 1e-9);
-  std::fprintf(stderr, "%s%5.1f %%  time %.6g  step %lld  dt %.3g  %.3g M particle-steps/s  %.0f s left%s",
-               terminal_ ? "\r" : "", 100 * part, time, static_cast<long long>(step), dt, 1e-6 * speed,
+  const double speed = static_cast<double>(count_) * static_cast<double>(step - first_step_) / std::max(since, 1e-9);
+  std::fprintf(stderr, "%s%5.1f %%  time %.6g  step %lld  dt %.3g  %.3g M %s-steps/s  %.0f s left%s",
+               terminal_ ? "\r" : "", 100 * part, time, static_cast<long long>(step), dt, 1e-6 * speed, kind_.c_str(),
                since * (1 - part) / part, last ? "\n" : "   ");
   std::fflush(stderr);
 }

@@ -3,13 +3,15 @@
 
 #include <chrono>
 #include <cstdint>
+#include <string>
 
 namespace tribo {
 
 /// One updating line on a terminal, a line per tenth of the run elsewhere, nothing if quiet.
 class Progress {
  public:
-  Progress(bool quiet, double start, double end, std::int64_t particles);
+  /// `count` things of a `kind`, `particle`, move in every step.
+  Progress(bool quiet, double start, double end, std::int64_t count, std::string kind);
   /// Call once per step; looks at the clock now and then only.
   void step(double time, std::int64_t step, double dt);
   void finish(double time, std::int64_t step);
@@ -20,8 +22,9 @@ class Progress {
 
   bool quiet_, terminal_;
   double start_, end_;
-  std::int64_t particles_, first_step_ = -1, next_look_ = 0;
+  std::int64_t count_, first_step_ = -1, next_look_ = 0;
   int tenth_ = 0;
+  std::string kind_;
   Clock::time_point begin_, last_;
 };
 

@@ -118,7 +118,8 @@ Outcome run_blocks(const Model& model, Assembly& blocks, const RunOptions& optio
   if (!resume_time) write(false);
   report("running", "");
 
-  Progress progress(options.quiet, blocks.time, model.time.end, static_cast<std::int64_t>(blocks.block_count()));
+  Progress progress(options.quiet, blocks.time, model.time.end, static_cast<std::int64_t>(blocks.block_count()),
+                    "block");
   auto reported = begin;
   try {
     while (blocks.step < steps.count) {

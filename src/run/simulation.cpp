@@ -79,7 +79,7 @@ class Simulation {
     };
     if (!resume_time) write(false);
 
-    Progress progress(options_.quiet, system_.time, model_.time.end, particle_count(system_));
+    Progress progress(options_.quiet, system_.time, model_.time.end, particle_count(system_), "particle");
     const std::int64_t first_step = system_.step;
     try {
       while (system_.time < model_.time.end * (1 - 1e-12)) {
