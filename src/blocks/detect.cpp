@@ -1,7 +1,7 @@
 /// Contacts that come about: which blocks meet, and the check that none does without a contact.
 
 #include "base/error.hpp"
-#include "blocks/assembly.hpp"
+#include "blocks/kinematics.hpp"
 #include "blocks/near_pairs.hpp"
 
 #include <algorithm>
@@ -147,7 +147,7 @@ void Assembly::retire_faces(double dt) {
     if (leave.count(pair) == 0 || stay.count(pair) > 0) return;
     JointIncrement d;
     increments({g, k, k + 1}, dt, &d);
-    j.work += 0.5 * (j.Fn * d.normal - j.Fs.dot(d.shear) - j.Mt * d.twist - j.Mb.dot(d.bend));
+    j.work += half_work(j, d);
     dashpot_work[k] += 0.5 * (j.dashpot_normal * d.normal - j.dashpot_shear.dot(d.shear));
     j.area = j.Fn = j.Mt = j.strain = j.dashpot_normal = j.poisson_normal = 0;
     j.Fs = j.Mb = j.dashpot_shear = j.poisson_shear = {};

@@ -14,6 +14,20 @@ struct ContactFrame {
 /// Axes in the plane of a normal there.
 inline JointAxes plane_axes(const Vec3& n) { return {n, Vec3::UnitZ(), Vec3(n[1], -n[0], 0)}; }
 
+/// Axes carried along to a new normal; the tangents turn with both bodies on average.
+template <bool Plane>
+JointAxes carried(JointAxes axes, const Vec3& n, const BlockMotion& a, const BlockMotion& b, double dt) {
+  if constexpr (Plane) return plane_axes(n);
+  if (n != axes.n || a.w != b.w || !a.w.isZero(0.0))
+    axes.follow(n, 0.5 * dt * (a.w + b.w).dot((axes.n + n).normalized()));
+  return axes;
+}
+
+/// Work on a joint in half a step of these increments, by the forces it has.
+inline double half_work(const Joint& j, const JointIncrement& d) {
+  return 0.5 * (j.Fn * d.normal - j.Fs.dot(d.shear) - j.Mt * d.twist - j.Mb.dot(d.bend));
+}
+
 /// Displacement and rotation of body b, after its shift, against body a: with the mean of the lever arms before and
 /// after the step, along the mean of the axes. With rotations by dt w x (R_before + R_after)/2, as the bodies make
 /// them, a pair that moves as one body does exactly nothing, and the work of a contact is, to the third order of a

@@ -17,15 +17,6 @@ Vec3 Assembly::nearest_on(std::size_t k, const Vec3& x) const {
   return m.x + m.R * nearest_point(shapes[k], m.R.transpose() * (x - m.x), plane_).at;
 }
 
-namespace {
-
-// What old forces do in half a step of these increments.
-double half_work(const Joint& j, const JointIncrement& d) {
-  return 0.5 * (j.Fn * d.normal - j.Fs.dot(d.shear) - j.Mt * d.twist - j.Mb.dot(d.bend));
-}
-
-}  // namespace
-
 // Moves a contact to a place and normal, and counts what its bodies do there. An overlap may jump to another face: then
 // the old forces act in the first half of the step where they were, the new ones in the other half.
 template <bool Plane>
@@ -33,10 +24,7 @@ void Assembly::move_contact(std::size_t k, const Vec3& n, const Vec3& at, double
   BlockContact& c = contacts[k];
   const BlockMotion &a = motion[c.a], &b = motion[c.b];
   const ContactFrame before{c.axes, given[k].at};
-  if constexpr (Plane)
-    c.axes = plane_axes(n);
-  else
-    c.axes.follow(n, 0.5 * dt * (a.w + b.w).dot((c.axes.n + n).normalized()));
+  c.axes = carried<Plane>(c.axes, n, a, b, dt);
   const ContactFrame now{c.axes, at};
   Joint& j = joints[k];
   const double reach = plane_ ? j.area / thickness_ : std::sqrt(j.area);
@@ -80,12 +68,8 @@ void Assembly::overlap_increments(const Batch& batch, double dt, JointIncrement*
       continue;
     }
     if (!shared) {  // cut along the axes of this step, which all parts of a pair have
-      JointAxes axes = c.axes;
-      if (plane_)
-        axes = plane_axes(apart.n);
-      else
-        axes.follow(apart.n, 0.5 * dt * (motion[c.a].w + motion[c.b].w).dot((axes.n + apart.n).normalized()));
-      share(a, b, axes, plane_, parts);
+      const auto& carry = plane_ ? carried<true> : carried<false>;
+      share(a, b, carry(c.axes, apart.n, motion[c.a], motion[c.b], dt), plane_, parts);
       shared = true;
     }
     const SharedPart& part = parts[c.part];

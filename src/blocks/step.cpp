@@ -29,10 +29,7 @@ void follow(BlockContact& c, const BlockMotion& a, const BlockMotion& b, const V
     d.gap = (pb - pa).dot(n);
     at = c.on_a * pa + (1 - c.on_a) * pb;
   }
-  if constexpr (Plane)
-    c.axes = plane_axes(n);
-  else if (n != c.axes.n || a.w != b.w || !a.w.isZero(0.0))
-    c.axes.follow(n, 0.5 * dt * (a.w + b.w).dot((c.axes.n + n).normalized()));
+  c.axes = carried<Plane>(c.axes, n, a, b, dt);
   count_increment<Plane>(a, b, shift, shift_velocity, before, {c.axes, at}, dt, d);
   d.mass = c.mass;
 }
