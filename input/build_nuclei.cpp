@@ -50,7 +50,8 @@ void Builder::lattice_nuclei(const Statement& s, const std::string& kind, PointL
   must(fits, s.origin, "'" + kind + "' belongs to " + (plane ? "three dimensions" : "plane models"));
   must(spacing > 0, s.origin, "'" + kind + "' is a positive distance");
   if (!fits || !(spacing > 0)) return;
-  const double many = ((g.high - g.low) / spacing).head(model_.dimension()).prod();
+  double many = 1;
+  for (Eigen::Index d = 0; d < model_.dimension(); ++d) many *= (g.high[d] - g.low[d]) / spacing;
   must(many < 1e7, s.origin, "'" + kind + "' makes " + std::to_string(many) + " blocks; at most 1e7 are allowed");
   if (many < 1e7) g.points = lattice_points(lattice, spacing, g.low, g.high, plane);
   g.point_origins.assign(g.points.size(), s.origin);
