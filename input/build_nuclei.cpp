@@ -24,7 +24,7 @@ void Builder::nuclei(const Statement& s, BlockGroup& g) {
     if (has(s, kind)) lattice_nuclei(s, kind, lattice, g);
   const Attribute* file = s.attribute("file");
   if (file) nuclei_of_file(*file, g);
-  must(!g.points.empty(), s.origin, "<Voronoi> has no nuclei");
+  if (file) must(!g.points.empty(), file->origin, "this table has no nuclei");
   if (file || ways == 0) check_nuclei(g);
 }
 
@@ -45,8 +45,8 @@ void Builder::strewn_nuclei(const Statement& s, BlockGroup& g) {
 
 void Builder::lattice_nuclei(const Statement& s, const std::string& kind, PointLattice lattice, BlockGroup& g) {
   const double spacing = number(s, kind, Dimension::length);
-  const bool plane = model_.dimension() == 2, fits = lattice == PointLattice::cubes ||
-                                                     plane == (lattice == PointLattice::hexagons);
+  const bool plane = model_.dimension() == 2,
+             fits = lattice == PointLattice::cubes || plane == (lattice == PointLattice::hexagons);
   must(fits, s.origin, "'" + kind + "' belongs to " + (plane ? "three dimensions" : "plane models"));
   must(spacing > 0, s.origin, "'" + kind + "' is a positive distance");
   if (!fits || !(spacing > 0)) return;

@@ -132,7 +132,7 @@ Outcome run_blocks(const Model& model, Assembly& blocks, const RunOptions& optio
       blocks.advance(steps.size);
       results.write_events();
       write(blocks.step == steps.count);
-      if (blocks.step % 64 == 0) {
+      if (blocks.step % 64 == 0 || blocks.step == steps.count) {
         if (!blocks.sound())
           throw SimulationError("the motion of the blocks grew without bound at time " + std::to_string(blocks.time) +
                                 "; damp it, or make the step smaller ('step' of <Blocks>)");
