@@ -620,16 +620,16 @@ std::vector<ElementSpec> make() {
   add({"Voronoi", "Blocks", "blocks that fill a box: cells of the <pt>s in it, of a file, of a lattice, or random",
        T::none,
        block_box +
-           std::vector{text("file", "table with columns x, y, z of the nuclei"),
-                       number("hexagons", "distance between the flat tops of regular hexagons, instead"),
-                       number("cubes", "edge of cubes, in two dimensions squares, instead"),
-                       number("octahedra",
-                              "distance between opposite squares of truncated octahedra, in space, instead"),
-                       {"random", T::integer, "number of nuclei strewn at random, instead"},
-                       {"seed", T::integer, "of them: another number, another specimen (default 1)"},
-                       number("apart",
-                              "least distance between two of them, of the edge of the square or cube that is one's "
-                              "due: 0 to 0.8 (default 0.6)")} +
+           std::vector{
+               text("file", "table with columns x, y, z of the nuclei"),
+               number("hexagons", "distance between the flat tops of regular hexagons, instead"),
+               number("cubes", "edge of cubes, in two dimensions squares, instead"),
+               number("octahedra", "distance between opposite squares of truncated octahedra, in space, instead"),
+               {"random", T::integer, "number of nuclei strewn at random, instead"},
+               {"seed", T::integer, "of them: another number, another specimen (default 1)"},
+               number("apart",
+                      "least distance between two of them, of the edge of the square or cube that is one's "
+                      "due: 0 to 0.8 (default 0.6)")} +
            of_blocks});
   add({"BoxBlock", "Blocks", "a rectangle or box as one block", T::none,
        block_box + std::vector{number("angle", "turned about z around the origin [degrees]")} + of_blocks});
