@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// What rigid blocks cost: steps of bonded Voronoi cells in a periodic box, sheared slowly. Contact updates per second
 /// and core: a contact's increment, law and forces, and its share of the motion of the blocks.
 ///

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// What contact costs: whole steps of two bodies that meet across the whole grid, against one body of the same
 /// particles. Two halves of a square of 160 x 160 or a cube of 32^3 cells (unless told),
 /// pressed together and sliding.

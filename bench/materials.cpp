@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Time per point and step of every law: items per second is points per second.
 
 #include "material_point.hpp"

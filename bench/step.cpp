@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Whole-step speed of cases (a) and (b): a square of 160x160 cells with 4 points each and a cube of 32^3 cells with 8,
 /// linear elastic, moving and shearing. Reports CPU time per particle-step of one core, and memory per particle.
 ///

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Friction with adhesion: cohesion while sliding, bonds that break under shear and tension, speed-dependent friction.
 ///
 ///   in contact      S = Sa + (mu + k v) N,   or with v_half   mu(v) = (mu_s v_half + mu v)/(v_half + v)
@@ -50,7 +51,7 @@ struct AdhesiveFriction final : ContactLaw {
   }
 
   // Sliding impulse S A dt for the pressure impulse N, or a value above `stick` if the faces stick.
-  double slide(const Meeting& m, double stick, double N, double mu) const {
+  double slide(const ContactState& m, double stick, double N, double mu) const {
     const double cohesion = shear_strength * m.area * m.dt;
     const double k = speed_coefficient / m.mass;
     if (half_speed > 0) {
@@ -65,7 +66,7 @@ struct AdhesiveFriction final : ContactLaw {
     return (cohesion + (mu + k * stick) * N) / denominator;
   }
 
-  Answer answer(const Meeting& m) const override {
+  ContactResponse response(const ContactState& m) const override {
     const Contact c = resolve(m, {displacement_only, contact_stiffness});
     const bool adheres = shear_strength > 0 && normal_strength > 0;
     if (c.touching) {
@@ -73,17 +74,17 @@ struct AdhesiveFriction final : ContactLaw {
       const double mu = StaticFriction{static_coefficient, coefficient, weakening}.coefficient(m);
       const double at_rest = half_speed > 0 ? static_coefficient : mu;
       const bool holds = c.stick <= shear_strength * m.area * m.dt + at_rest * N;
-      Answer out = rub(m, c, slide(m, c.stick, N, mu), holds);
+      ContactResponse out = rub(m, c, slide(m, c.stick, N, mu), holds);
       if (adheres && (m.bond == Bond::none || rebond > 0)) out.bond = Bond::whole;
       return out;
     }
-    if (!adheres || m.bond != Bond::whole) return {Vec3::Zero(), Touch::open, m.bond, 0.0};
+    if (!adheres || m.bond != Bond::whole) return {Vec3::Zero(), ContactStatus::open, m.bond, 0.0};
     const double pull = std::max(0.0, m.mass * m.velocity.dot(m.normal));
     const double strength = m.area * m.dt;
     const double load =
         std::pow(c.stick / (shear_strength * strength), 2) + std::pow(pull / (normal_strength * strength), 2);
-    if (!(load < 1)) return {Vec3::Zero(), Touch::open, Bond::broken, 0.0};
-    return {m.mass * m.velocity, Touch::stick, Bond::whole, 0.0};
+    if (!(load < 1)) return {Vec3::Zero(), ContactStatus::open, Bond::broken, 0.0};
+    return {m.mass * m.velocity, ContactStatus::stick, Bond::whole, 0.0};
   }
   bool remembers() const override {
     return (static_coefficient > 0 && half_speed == 0) || (shear_strength > 0 && normal_strength > 0);

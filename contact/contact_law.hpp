@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The interface between the engine and the laws of contact: two velocity fields that meet at a node.
 ///
 /// Conventions. a and b are the two sides, n the unit normal from a to b, "relative" always b minus a. The impulse J
@@ -14,13 +15,13 @@
 namespace tribo {
 
 /// What the faces did; kept by the particles near them and shown in the output.
-enum class Touch { open, stick, slip };
+enum class ContactStatus { open, stick, slip };
 
 /// Whether an adhesive bond joins the faces.
 enum class Bond { none, whole, broken };
 
 /// Two fields at one node, as far as their law may know.
-struct Meeting {
+struct ContactState {
   double mass = 0.0;  ///< reduced mass                                                        [mass]
   double dt = 0.0;    ///< step                                                                [time]
   double area = 0.0;  ///< of the faces at this node                                           [length^2]
@@ -34,9 +35,9 @@ struct Meeting {
   Bond bond = Bond::none;
 };
 
-struct Answer {
+struct ContactResponse {
   Vec3 impulse = Vec3::Zero();  ///< on a                                                      [mass velocity]
-  Touch touch = Touch::open;
+  ContactStatus status = ContactStatus::open;
   Bond bond = Bond::none;
   double stored = 0.0;  ///< energy in the interface at the end of the step                    [energy]
 };
@@ -49,7 +50,7 @@ class ContactLaw {
   virtual ~ContactLaw() = default;
 
   /// Must not create kinetic energy unless it takes it from `stored`; must give the mirrored answer for mirrored sides.
-  virtual Answer answer(const Meeting& meeting) const = 0;
+  virtual ContactResponse response(const ContactState& state) const = 0;
 
   /// The law reads normal and gap.
   virtual bool looks_at_faces() const { return true; }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Dry friction.
 ///
 ///   S <= mu N,  sliding opposes the relative velocity at the end of the step; with a static coefficient faces that
@@ -39,9 +40,9 @@ struct CoulombFriction final : ContactLaw {
                    "<coeffStatic> has no meaning with a negative <coeff>, which forbids sliding");
   }
 
-  Answer answer(const Meeting& m) const override {
+  ContactResponse response(const ContactState& m) const override {
     const Contact c = resolve(m, {displacement_only, contact_stiffness});
-    if (!c.touching) return {Vec3::Zero(), Touch::open, m.bond, 0.0};
+    if (!c.touching) return {Vec3::Zero(), ContactStatus::open, m.bond, 0.0};
     const double mu = StaticFriction{static_coefficient, coefficient, weakening}.coefficient(m);
     return rub(m, c, mu * c.pressure(), coefficient < 0);
   }

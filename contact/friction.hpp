@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// What the frictional laws share: when faces touch, and what it takes to make them stick.
 #pragma once
 
@@ -18,7 +19,7 @@ struct TouchRule {
 /// breaking would cost no energy; the distance gives it a length that the grid resolves. Default: 0.01 cells.
 struct StaticFriction {
   double fixed = -1.0, sliding = 0.0, distance = -1.0;
-  double coefficient(const Meeting& m) const {
+  double coefficient(const ContactState& m) const {
     if (!(fixed > 0)) return sliding;
     const double way = distance >= 0 ? distance : 0.01 * m.cell;
     return m.slip < way ? fixed + (sliding - fixed) * m.slip / way : sliding;
@@ -36,7 +37,7 @@ struct Contact {
 
 /// Signorini's condition at the end of the step: 0 <= -J_n, 0 <= g + dt v_n, one of them zero. Faces that are apart
 /// may close their gap but not pass each other; the impulse never adds energy.
-inline double normal_impulse(const Meeting& m, const TouchRule& rule) {
+inline double normal_impulse(const ContactState& m, const TouchRule& rule) {
   const double v = m.velocity.dot(m.normal);
   if (rule.compliance_stiffness >= 0) {
     const double start = m.start.dot(m.normal);
@@ -50,7 +51,7 @@ inline double normal_impulse(const Meeting& m, const TouchRule& rule) {
   return hold < -rule.displacement_only * m.area * m.dt ? hold : std::min(0.0, hold);
 }
 
-inline Contact resolve(const Meeting& m, const TouchRule& rule) {
+inline Contact resolve(const ContactState& m, const TouchRule& rule) {
   Contact c;
   c.normal = normal_impulse(m, rule);
   c.touching = c.normal != 0.0;
@@ -62,10 +63,10 @@ inline Contact resolve(const Meeting& m, const TouchRule& rule) {
 }
 
 /// Answer for a tangential impulse `slide` of the law: the smaller of it and what sticks.
-inline Answer rub(const Meeting& m, const Contact& c, double slide, bool hold) {
-  Answer out;
+inline ContactResponse rub(const ContactState& m, const Contact& c, double slide, bool hold) {
+  ContactResponse out;
   const bool sticks = hold || c.stick <= slide;
-  out.touch = sticks ? Touch::stick : Touch::slip;
+  out.status = sticks ? ContactStatus::stick : ContactStatus::slip;
   out.impulse = c.normal * m.normal + (sticks ? c.stick : std::max(0.0, slide)) * c.direction;
   out.bond = m.bond;
   return out;

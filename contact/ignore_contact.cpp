@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// No contact law: the two materials move as one at the nodes they share, as with a single velocity field.
 
 #include "contact/contact_law.hpp"
@@ -12,10 +13,10 @@ struct IgnoreContact final : ContactLaw {
   static std::array<Parameter<IgnoreContact>, 0> parameters() { return {}; }
   void prepare(const Statement&, Problems&) {}
 
-  Answer answer(const Meeting& m) const override {
-    Answer out;
+  ContactResponse response(const ContactState& m) const override {
+    ContactResponse out;
     out.impulse = m.mass * m.velocity;
-    out.touch = Touch::stick;
+    out.status = ContactStatus::stick;
     out.bond = m.bond;
     return out;
   }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// One step of a relative motion held by a spring: m d'' = f - k d.
 ///
 /// The particles move with the velocities of the step's end, so openings belong to the ends of steps and velocities to

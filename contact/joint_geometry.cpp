@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "contact/joint_geometry.hpp"
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Geometry that hosts of joints share: axes that move along, moments of faces, forces of the fictitious stress.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Joints: surfaces that remember. Laws of rock joints and of bonds between blocks, one code for every host: cracks and
 /// interfaces in the grid, faces of rigid blocks, a point that is driven along a path.
 ///

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// What the joint laws share: tables, dashpots, areas, words of the input.
 #pragma once
 

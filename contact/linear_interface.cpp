@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Imperfect interface: tractions proportional to the opening displacements.
 ///
 ///   T_N = Dnt d_N open, Dnc d_N closed,  T_S = Dt d_S;  a negative stiffness joins that direction perfectly
@@ -36,7 +37,7 @@ struct LinearInterface final : ContactLaw {
     double impulse, stored;
   };
 
-  static Spring spring(const Meeting& m, double stiffness, double d0, double v0, double v_free) {
+  static Spring spring(const ContactState& m, double stiffness, double d0, double v0, double v_free) {
     if (stiffness < 0) return {m.mass * v_free, 0.0};
     const double k = stiffness * m.area;
     const double J = interface_impulse(m.mass, k, d0, v0, v_free, m.dt);
@@ -45,7 +46,7 @@ struct LinearInterface final : ContactLaw {
   }
 
   // The side on which the step begins rules it. A perfect side is a stop that the motion of the other cannot pass.
-  Spring normal(const Meeting& m) const {
+  Spring normal(const ContactState& m) const {
     const double d0 = m.opening.dot(m.normal), v0 = m.start.dot(m.normal), v = m.velocity.dot(m.normal);
     if (closed < 0 && open >= 0) {
       const double d = std::max(d0, 0.0), stop = m.mass * (v + d / m.dt);
@@ -64,9 +65,9 @@ struct LinearInterface final : ContactLaw {
     return s;
   }
 
-  Answer answer(const Meeting& m) const override {
+  ContactResponse response(const ContactState& m) const override {
     const Spring n = normal(m);
-    Answer out{n.impulse * m.normal, Touch::stick, m.bond, n.stored};
+    ContactResponse out{n.impulse * m.normal, ContactStatus::stick, m.bond, n.stored};
     const auto along = [&](const Vec3& x) { return Vec3(x - x.dot(m.normal) * m.normal); };
     const Vec3 d = along(m.opening), v0 = along(m.start), v = along(m.velocity);
     for (int i = 0; i < 3; ++i) {  // isotropic, so any axes serve

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// A liquid on a wall: shear traction proportional to viscosity and slip speed.
 ///
 ///   S = k eta(k v) v     Navier's slip length is 1/k; k = 0 slips freely, k -> infinity sticks
@@ -30,7 +31,7 @@ struct LiquidContact final : ContactLaw {
 
   // x = v / v_stick solves x (1 + F eta(k v_stick x)) = 1 with F = k A dt / m: a bracket [0, 1] that closes by
   // the Illinois rule; monotone as long as the shear stress grows with the rate.
-  double slip_share(const Meeting& m, double speed) const {
+  double slip_share(const ContactState& m, double speed) const {
     const double F = coefficient * m.area * m.dt / m.mass;
     const auto residual = [&](double x) { return x * (1 + F * viscosity(coefficient * speed * x)) - 1; };
     double low = 0, high = 1, f_low = -1, f_high = residual(1.0);
@@ -52,11 +53,11 @@ struct LiquidContact final : ContactLaw {
     return 0.5 * (low + high);
   }
 
-  Answer answer(const Meeting& m) const override {
+  ContactResponse response(const ContactState& m) const override {
     const Contact c = resolve(m, {displacement_only, contact_stiffness});
-    if (!c.touching) return {Vec3::Zero(), Touch::open, m.bond, 0.0};
+    if (!c.touching) return {Vec3::Zero(), ContactStatus::open, m.bond, 0.0};
     const double slip = slip_share(m, c.stick / m.mass);
-    return {c.normal * m.normal + (1 - slip) * c.stick * c.direction, Touch::slip, m.bond, 0.0};
+    return {c.normal * m.normal + (1 - slip) * c.stick * c.direction, ContactStatus::slip, m.bond, 0.0};
   }
   bool uses_area() const override { return true; }
   int liquid() const override { return static_cast<int>(liquid_phase); }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Rock joint: elastic, then Mohr-Coulomb slip with weakening, dilation, pore pressure, healing and dashpots.
 ///
 ///   F_n += k_n A d_n,  F_s -= k_s A d_s;     N = F_n + A P <= A sigma_c,   |F_s| <= (1-w) F_P + w F_R

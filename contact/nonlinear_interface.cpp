@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Imperfect interface with nonlinear traction laws: linear, or with a peak after which it softens.
 ///
 ///   Morse      T(d) = 2 D_e a e^(-a d) (1 - e^(-a d)),  D_e = 8 peak^2/D, a = D/(4 peak)
@@ -97,7 +98,7 @@ struct NonlinearInterface final : ContactLaw {
   // Impulse of one direction: J = A dt T(d0 + beta dt v1), v1 = v_free - J/m; explicit (beta = 0) unless the spring is
   // stiff for the step, else by Newton's method in a bracket.
   template <class F>
-  static double impulse(const Meeting& m, const F& law, double d0, double v_free) {
+  static double impulse(const ContactState& m, const F& law, double d0, double v_free) {
     const Pull start = law(d0);
     const double beta = implicit_weight(m.dt * std::sqrt(std::max(start.slope, 0.0) * m.area / m.mass));
     const double strength = m.area * m.dt;
@@ -122,8 +123,8 @@ struct NonlinearInterface final : ContactLaw {
     return J;
   }
 
-  Answer answer(const Meeting& m) const override {
-    Answer out{Vec3::Zero(), Touch::stick, m.bond, 0.0};
+  ContactResponse response(const ContactState& m) const override {
+    ContactResponse out{Vec3::Zero(), ContactStatus::stick, m.bond, 0.0};
     const double d0 = m.opening.dot(m.normal), v = m.velocity.dot(m.normal);
     double J = m.mass * v;
     if (open >= 0 || closed >= 0) {

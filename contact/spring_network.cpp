@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Bond of a spring network: normal, shear, twist and bending springs whose strengths may soften, then friction.
 ///
 ///   bonded     F_n += k_n A d_n + F^f,  F_s -= k_s A d_s,  M -= K theta;  F^f the force of the fictitious stress

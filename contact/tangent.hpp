@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Components in the plane of a contact.
 #pragma once
 

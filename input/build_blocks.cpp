@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Assemblies of rigid blocks.
 
 #include "base/text.hpp"

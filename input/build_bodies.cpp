@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// MaterialPoints: bodies, holes, pictures, single particles; and the shapes that conditions share.
 
 #include "input/builder.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// GridBCs, ParticleBCs, Thermal and Gravity.
 
 #include "input/builder.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Contact between materials: normals, gaps, and which law acts between which.
 
 #include "contact/contact_law.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Cracks: their lines or surfaces, and the laws between their faces.
 
 #include "contact/contact_law.hpp"

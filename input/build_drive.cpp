@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// A law driven at a point: which one, and along which path.
 
 #include "contact/contact_law.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Tips of cracks: what is computed there, and when they grow.
 
 #include "input/builder.hpp"

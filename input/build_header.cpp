@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Header, MPMHeader, Mesh and CustomTasks.
 
 #include "input/builder.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Materials: numbers, names, laws.
 
 #include "contact/contact_law.hpp"

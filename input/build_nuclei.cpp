@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Nuclei of Voronoi cells: given, from a file, on a lattice, strewn.
 
 #include "base/csv.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// What a run writes: particle and grid files, columns of the histories.
 
 #include "base/text.hpp"

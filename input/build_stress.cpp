@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Stress at the start, from a table of points.
 
 #include "base/csv.hpp"

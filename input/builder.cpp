@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "input/builder.hpp"
 
 #include "input/dialect.hpp"

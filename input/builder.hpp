@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Turns a checked tree of statements into a Model. Problems are collected; values that could not be read are replaced
 /// by harmless ones so that the rest can still be checked.
 #pragma once

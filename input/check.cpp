@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// A tree of statements against the table of keywords.
 
 #include "base/expression.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Children of <Material> that belong to no law.
 #pragma once
 

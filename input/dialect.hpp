@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The keywords of command files: one table that reading, error texts, the XSD and the manual follow from.
 #pragma once
 

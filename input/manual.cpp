@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "input/manual.hpp"
 
 #include "base/error.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// What every name means: elements, properties, commands, quantities. Made of the tables that the program itself uses.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Command files -> Model.
 #pragma once
 

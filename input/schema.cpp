@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The table of keywords as an XML schema and as text.
 
 #include "base/text.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Values that the command line gives to variables of scripts and entities of XML files.
 #pragma once
 

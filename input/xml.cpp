@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "input/xml.hpp"
 
 #include <tinyxml2.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// XML text -> statements. The only place that knows TinyXML-2 is xml.cpp.
 #pragma once
 

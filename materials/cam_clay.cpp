@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Modified Cam-Clay: a critical state model of clay.
 ///
 ///   q^2 + M^2 p (p - pc) <= 0,  associated flow;   p, pc > 0 in compression here

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Plasticity after Drucker and Prager: a cone around the hydrostatic axis in place of Mohr and Coulomb's pyramid.
 ///
 ///   q + A p <= B,   flow along q + A_psi p;   the apex p = B/A takes what the cone cannot

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "materials/elastic.hpp"
 
 namespace tribo {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// What hypoelastic laws share: Hooke's law, the objective rotation and the elastic step of a batch.
 #pragma once
 

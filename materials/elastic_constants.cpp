@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "materials/elastic_constants.hpp"
 
 namespace tribo {

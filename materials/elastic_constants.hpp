@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Isotropic elastic constants as users give them: one pair of several.
 #pragma once
 

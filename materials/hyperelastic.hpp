@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// What isotropic hyperelastic laws share: volumetric energies and the batch over points.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Ideal gas that is compressed without exchange of heat, or at constant temperature.
 ///
 ///   p = P0 J^-gamma;   gamma = 1: isothermal. The stress is the gauge pressure, -(p - P0) 1, unless `absolute` is 1.

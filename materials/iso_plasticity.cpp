@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Isotropic plasticity after von Mises with the hardening laws of the dialect.
 ///
 ///   q <= sigma_y(e, e'),   e the accumulated plastic strain, e' its rate

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Brittle solid: elastic until a crack starts, then softening on the plane of that crack until its faces are free.
 ///
 ///   T   the stress without damage (Jaumann rate),  n the normal of the crack, which turns with the material

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Isotropic linear elasticity in rate form, for large rotations and small strains.
 ///
 ///   sigma(t+dt) = Q sigma Q^T + Q^(1/2) (C : D dt) Q^(1/2)T      D = sym(L), Q = exp(W dt), W = skew(L)

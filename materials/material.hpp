@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The interface between the engine and the laws of materials, and the adapter for laws written for one point.
 ///
 /// A law is always three-dimensional; two-dimensional analyses are motions without out-of-plane shear.
@@ -27,6 +28,9 @@ struct HistoryVariable {
   Dimension dimension = Dimension::none;
   double initial = 0.0;
 };
+
+/// The most history variables that a law may have; the engine passes pointers to their columns in arrays of this size.
+inline constexpr std::size_t most_history_variables = 64;
 
 /// A history variable of this name begins with the angle of the body's material axes about z [rad].
 inline constexpr std::string_view material_angle = "material_angle";

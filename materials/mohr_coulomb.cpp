@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Mohr-Coulomb plasticity and viscoplasticity over batches of points.
 ///
 /// Trial stress by elastic_step (Jaumann rate), return to the pyramid in principal space (mohr_coulomb_return.hpp),

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Loops over a run of points that Mohr-Coulomb's law takes at once: who is beyond yield, and the returns of
 /// mohr_coulomb_planes.hpp applied to the stresses and the history.
 #pragma once

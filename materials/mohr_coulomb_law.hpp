@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Parameters of the Mohr-Coulomb law and what one point does with a principal trial stress.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Returns to the faces, edges and corners of the pyramid without branches, for loops over points of constant strength.
 /// The same stresses as Pyramid::nearest, which searches among all sets of planes.
 #pragma once

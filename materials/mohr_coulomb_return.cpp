@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "materials/mohr_coulomb_return.hpp"
 
 namespace tribo {

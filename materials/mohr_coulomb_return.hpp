@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Return of trial stresses to the Mohr-Coulomb pyramid with a tension cut-off, in principal stress space.
 ///
 /// Tension positive, S1 <= S2 <= S3. Yield planes and their plastic potentials (non-associated, dilation psi):

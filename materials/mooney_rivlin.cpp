@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Compressible Mooney-Rivlin rubber with uncoupled volumetric energy.
 ///
 ///   W = G1/2 (J^(-2/3) I1 - 3) + G2/2 (J^(-4/3) I2 - 3) + U(J)

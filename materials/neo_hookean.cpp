@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Compressible neo-Hookean solid.
 ///
 ///   W = G/2 (I1 - 3) - G ln J + U(J)        sigma = G/J (b - 1) + U'(J) 1

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Orthotropic elastic solid: wood, rolled sheet, laminates. See orthotropic.hpp for the law.
 
 #include "materials/orthotropic.hpp"

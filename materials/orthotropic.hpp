@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// What elastic laws with material axes share: stiffness along the axes, stress and energy.
 ///
 ///   sigma = F A S A^T F^T / J,     S = C : E,     E = (A^T F^T F A - 1)/2

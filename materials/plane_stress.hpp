@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The out-of-plane strain rate of plane stress, for laws that cannot solve for it in closed form.
 #pragma once
 

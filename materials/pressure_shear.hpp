@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// What plastic laws share whose yield depends on mean stress and von Mises stress only: the return leaves the
 /// direction of the deviator.
 #pragma once

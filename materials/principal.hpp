@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Principal values and axes of a symmetric tensor in closed form, exact to round-off also for equal values.
 #pragma once
 

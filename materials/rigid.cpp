@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Rigid particles that prescribe grid velocities in chosen directions (boundary conditions that move).
 
 #include "materials/rigid_material.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Rigid bodies with prescribed motion that other materials touch by contact laws.
 
 #include "materials/rigid_material.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Materials whose particles move as prescribed and carry no stress.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Weakly compressible liquid with a viscosity that may depend on the shear rate.
 ///
 ///   p = C K (exp((1 - J)/C) - 1),  C = 0.0894 (Tait);    sigma = -p 1 + 2 eta(g) dev D,  g = sqrt(2 dev D : dev D)

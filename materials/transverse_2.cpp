@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Transversely isotropic elastic solid with the axial direction along y. See orthotropic.hpp.
 
 #include "materials/orthotropic.hpp"

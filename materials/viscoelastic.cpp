@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Linear viscoelastic solid: a spring and Maxwell elements in parallel for shear, elastic in volume.
 ///
 ///   G(t) = G0 + sum_k Gk exp(-t/tau_k)                s' = 2 G0 e + sum_k s_k,   s_k' + s_k/tau_k = 2 Gk e'

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Shear stress of the simple-shear example against the closed form.
 
 sigma_xy = G rate t until c cos(phi), then c cos(phi) + G rate eta (1 - exp(-(t - t_y) / eta)), small strain; the run turns the

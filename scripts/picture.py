@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: MIT
 """Pictures of the particles of a run: picture.py FOLDER FIELD OUTPUT.png [TIME ...]
 
 FIELD is the name of a scalar, or of a vector for its length. Without times: start, middle and end.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Reads the particle files of a run (.vtp, appended raw, zlib) without any package but numpy."""
 
 import re

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// What the program's commands do. Each returns the exit code and throws what main turns into one.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// What makes a shell complete the program's commands.
 #pragma once
 

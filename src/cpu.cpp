@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Before anything else runs: an older CPU gets a sentence instead of an illegal instruction, and an installed package
 /// hands over to the build for the newest instruction set this CPU has. Compiled for any x86-64.
 

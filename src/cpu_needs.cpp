@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// What the compiler was allowed to use: a constant, made with the flags of all other code.
 
 extern const unsigned tribo_cpu_needs;

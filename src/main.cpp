@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The program: arguments in, exit code out. The only place that catches.
 
 #include "base/error.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Before anything else runs: threads that have done their share shall spin for a moment only, then sleep. Left alone,
 /// libgomp lets them spin for milliseconds; where other programs want the same cores, that costs a thread its turn at
 /// every barrier, and runs crawl.

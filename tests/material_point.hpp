@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// One material point of any law, driven by velocity gradients or by a mixture of these and stresses.
 #pragma once
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Runs verification cases: a command file in, numbers against a reference out.
 
     scripts/verify            all cases; writes docs/verification.md and docs/figures

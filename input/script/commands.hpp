@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The commands of scripts: one table that the translator, error texts and the manual follow from.
 #pragma once
 

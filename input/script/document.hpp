@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The command file that a script's commands build, piece by piece.
 #pragma once
 

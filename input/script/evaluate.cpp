@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "input/script/evaluate.hpp"
 
 #include "base/expression.hpp"

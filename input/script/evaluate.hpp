@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Expressions of scripts: numbers and texts, variables, functions.
 #pragma once
 

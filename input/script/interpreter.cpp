@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "input/script/interpreter.hpp"
 
 #include "base/schema.hpp"

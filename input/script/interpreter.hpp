@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Runs a script: variables, choices, loops and subroutines; every other command goes to a receiver.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "input/script/program.hpp"
 
 #include "base/expression_text.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The lines of a script as a tree of commands, loops, choices and subroutines, before anything runs.
 #pragma once
 

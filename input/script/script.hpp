@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Scripted commands -> statements.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "input/script/text_functions.hpp"
 
 #include "base/text.hpp"

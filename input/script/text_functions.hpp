@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Functions of texts in scripts: length, words, replace, ...
 #pragma once
 

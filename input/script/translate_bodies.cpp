@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Materials, bodies, shapes and conditions.
 
 #include "base/schema.hpp"

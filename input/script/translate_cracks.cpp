@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Cracks and their growth.
 
 #include "base/schema.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// How to solve, what to write, the grid, gravity, tasks.
 
 #include "base/schema.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "input/script/translator.hpp"
 
 #include "base/text.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The commands of scripts as elements of command files.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// What a variable of a script holds, and the places where it may be kept.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "input/script/write_xml.hpp"
 
 #include "base/text.hpp"

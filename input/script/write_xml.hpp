@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Statements -> XML, for people to read.
 #pragma once
 

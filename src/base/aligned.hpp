@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Arrays aligned to cache lines; large ones lie in large pages where the system has them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Name -> maker and manual page, for materials and contact laws. Generated lists, no static objects, no macros.
 #pragma once
 

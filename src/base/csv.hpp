@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Tables of comma-separated cells, with the place of each.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// What can go wrong, and where it was written.
 #pragma once
 

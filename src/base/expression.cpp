@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "base/expression.hpp"
 
 #include "base/expression_text.hpp"

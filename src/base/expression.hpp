@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Functions of time and position written by the user: `sin(2*pi*t)*x^2`.
 #pragma once
 

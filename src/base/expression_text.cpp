@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "base/expression_text.hpp"
 
 #include "base/expression.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The grammar of expressions: what `Expression` accepts, before muParser compiles it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The only file that names OpenMP.
 #pragma once
 

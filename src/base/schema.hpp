@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// One table per law names its parameters. Reading, ranges, units, defaults and the manual follow from it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Short vectors for the transfers between particles and nodes: a node is one Wide, (mass, momentum | -, force).
 ///
 /// GCC/Clang vector extensions, so the same source serves any instruction set. A Wide is two halves also with AVX-512:

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// What the user wrote, in either language, with the place of every word.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// How long something took, added up over many times.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "base/strain.hpp"
 
 #include <Eigen/Eigenvalues>

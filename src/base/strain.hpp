@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Strain and rotation of a deformation gradient F = V R.
 #pragma once
 

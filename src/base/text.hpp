@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Small things that are done to text.
 #pragma once
 

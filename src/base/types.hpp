@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Vectors, matrices and how tensors are laid out in particle columns.
 #pragma once
 

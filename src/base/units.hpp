@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Units of the input. Inside, everything is in one consistent system of length, mass and time.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Rigid blocks and the contacts between them: the data, and one step of it.
 ///
 /// Every quantity is a vector in space; in two dimensions z components of places and velocities are zero and only the
@@ -290,11 +291,11 @@ class Assembly {
   std::vector<ContactForce> pressed_force_;  // per pressed face: `at` and `all`
   std::vector<double> pressure_now_;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> loaded_;  // body, load; sorted by body
-  struct Given {
+  struct ScatterTerms {
     std::array<const TimeFunction*, 6> of{};
     int held = 0;
   };
-  std::vector<Given> given_motions_;  // of holds, then of platens
+  std::vector<ScatterTerms> given_motions_;  // of holds, then of platens
   std::vector<std::array<double, 6>> given_now_;
   std::vector<std::shared_ptr<const JointLaw>> own_laws_;  // of platens
   std::vector<double> platen_area_;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// From the description of an assembly to blocks, contacts and masses.
 
 #include "base/error.hpp"
@@ -244,7 +245,7 @@ void Assembly::refuse_overlaps(double tolerance) const {
 void Assembly::add_holds_and_loads() {
   for (std::size_t h = 0; h < spec_->holds.size(); ++h) {
     const BlockHold& hold = spec_->holds[h];
-    Given given_motion;
+    ScatterTerms given_motion;
     for (std::size_t d = 0; d < 3; ++d) {
       if (hold.velocity[d]) given_motion.of[d] = &*hold.velocity[d], given_motion.held |= 1 << d;
       if (hold.spin[d]) given_motion.of[d + 3] = &*hold.spin[d], given_motion.held |= 8 << d;
@@ -297,7 +298,7 @@ void Assembly::add_platens(const std::vector<BlockFacet>& free) {
     own_laws_.push_back(std::make_shared<PlatenLaw>(spec_->law, platen.modulus, platen.rough));
     BlockBody body;
     body.held = 63, body.hold = static_cast<std::int32_t>(given_motions_.size());
-    Given given_motion;
+    ScatterTerms given_motion;
     for (std::size_t d = 0; d < 3; ++d)
       if (platen.velocity[d]) given_motion.of[d] = &*platen.velocity[d];
     given_motions_.push_back(given_motion);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Contacts that come about: which blocks meet, and the check that none does without a contact.
 
 #include "base/error.hpp"

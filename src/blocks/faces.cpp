@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Which faces of blocks lie against one another.
 
 #include "blocks/shape.hpp"

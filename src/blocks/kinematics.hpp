@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// What two bodies do at a contact during a step.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Stiffness around blocks, masses of quasi-static runs, and the largest stable step.
 
 #include "blocks/assembly.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// What the bodies of contacts found on the way do: polygons and polyhedra that overlap, balls beside faces.
 
 #include "blocks/kinematics.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Which boxes overlap.
 #pragma once
 

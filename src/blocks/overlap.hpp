@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Two convex blocks that press into one another: how far they are apart, along which direction, and what they share.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// What holds a platen to the faces of blocks: springs that never break.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "blocks/shape.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Shapes of rigid blocks: convex polygons and polyhedra, discs and balls.
 #pragma once
 

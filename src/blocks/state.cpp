@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// What of an assembly changes with time, for checkpoints.
 
 #include "blocks/assembly.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// One step of the blocks: leapfrog, contacts in batches, forces gathered by every block in the order of its contacts,
 /// so that sums do not depend on the number of threads.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Stresses of blocks, the fictitious stress that follows from them, and what is measured of an assembly.
 
 #include "base/parallel.hpp"

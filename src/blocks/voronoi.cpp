@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Voronoi cells in the plane: a box cut by the half-planes that are nearer to one nucleus than to another.
 
 #include "blocks/shape.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "blocks/voronoi_3d.hpp"
 
 #include <voro++/voro++.hh>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Voronoi cells in space, by Voro++.
 #pragma once
 

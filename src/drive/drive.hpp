@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// One law at one point, driven along a path: what an engineer does in a laboratory, before any model.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// A contact law along a path.
 ///
 /// The faces have the reduced mass m per area. Something drives them in every step so that they would have the relative
@@ -16,27 +17,27 @@ namespace {
 
 /// Two faces: axis 0 is the normal.
 struct Pair {
-  Meeting meeting;               // its velocity is that of the step's end
+  ContactState state;            // its velocity is that of the step's end
   Vec3 traction = Vec3::Zero();  // N, St1, St2 [stress]
-  Touch touch = Touch::open;
+  ContactStatus status = ContactStatus::open;
   double stored = 0.0, dissipated = 0.0;  // [energy/area]
 };
 
 Pair advanced(const ContactLaw& law, const Pair& from, const Vec3& without, double dt) {
   Pair to = from;
-  Meeting& m = to.meeting;
-  m.dt = dt, m.start = from.meeting.velocity, m.velocity = without;
-  const Answer answer = law.answer(m);
-  m.velocity = without - answer.impulse / m.mass;
+  ContactState& m = to.state;
+  m.dt = dt, m.start = from.state.velocity, m.velocity = without;
+  const ContactResponse response = law.response(m);
+  m.velocity = without - response.impulse / m.mass;
   m.gap += dt * m.velocity[0];
   m.opening += dt * m.velocity;
-  m.bond = answer.bond;
+  m.bond = response.bond;
   // as the particles beside a face remember it
-  m.slip = answer.touch == Touch::slip ? m.slip + dt * std::hypot(m.velocity[1], m.velocity[2]) : 0.0;
-  to.traction = Vec3(0.0 - answer.impulse[0], answer.impulse[1], answer.impulse[2]) / dt;
-  to.touch = answer.touch;
-  to.dissipated += answer.impulse.dot(m.velocity) - (answer.stored - from.stored);
-  to.stored = answer.stored;
+  m.slip = response.status == ContactStatus::slip ? m.slip + dt * std::hypot(m.velocity[1], m.velocity[2]) : 0.0;
+  to.traction = Vec3(0.0 - response.impulse[0], response.impulse[1], response.impulse[2]) / dt;
+  to.status = response.status;
+  to.dissipated += response.impulse.dot(m.velocity) - (response.stored - from.stored);
+  to.stored = response.stored;
   return to;
 }
 
@@ -70,11 +71,11 @@ void follow(const ContactDrive& what, const PathRow& row, const Control& control
         const bool traction = control.by_traction[static_cast<std::size_t>(k)];
         // both as velocities
         miss_of[k] = traction ? (next.traction[k] - control.target[k]) * row.dt / what.mass
-                              : next.meeting.velocity[k] - control.target[k];
+                              : next.state.velocity[k] - control.target[k];
       }
       return miss_of;
     };
-    double scale = std::max(pair.meeting.velocity.norm(), 1e-300);
+    double scale = std::max(pair.state.velocity.norm(), 1e-300);
     for (Eigen::Index k = 0; k < 3; ++k)
       scale = std::max(scale, std::abs(control.target[k]) *
                                   (control.by_traction[static_cast<std::size_t>(k)] ? row.dt / what.mass : 1.0));
@@ -97,10 +98,10 @@ void follow(const ContactDrive& what, const PathRow& row, const Control& control
                             "prescribe a velocity instead, or a larger N");
     pair = next;
     time += row.dt;
-    const Meeting& m = pair.meeting;
+    const ContactState& m = pair.state;
     out.rows.push_back({time, pair.traction[0], pair.traction[1], pair.traction[2], m.velocity[0], m.velocity[1],
                         m.velocity[2], m.gap, m.opening[0], m.opening[1], m.opening[2], m.slip,
-                        static_cast<double>(pair.touch), static_cast<double>(m.bond), pair.stored, pair.dissipated});
+                        static_cast<double>(pair.status), static_cast<double>(m.bond), pair.stored, pair.dissipated});
   }
 }
 
@@ -117,13 +118,13 @@ Table drive(const ContactDrive& what) {
   for (const auto& row : what.path) controls.emplace_back(row, problems);
   problems.raise();
   Pair pair;
-  pair.meeting.mass = what.mass, pair.meeting.area = 1.0, pair.meeting.gap = what.gap, pair.meeting.cell = what.cell;
+  pair.state.mass = what.mass, pair.state.area = 1.0, pair.state.gap = what.gap, pair.state.cell = what.cell;
   // as in a run: faces that touch at the start are bonded if their law bonds
-  pair.meeting.bond = what.gap == 0 && what.law->remembers() ? Bond::whole : Bond::none;
+  pair.state.bond = what.gap == 0 && what.law->remembers() ? Bond::whole : Bond::none;
   Table out;
   out.names = {"time", "N",   "St1", "St2",  "vn",    "vt1",  "vt2",    "gap",
                "dn",   "dt1", "dt2", "slip", "touch", "bond", "stored", "dissipated"};
-  out.rows.push_back({0, 0, 0, 0, 0, 0, 0, what.gap, 0, 0, 0, 0, 0, static_cast<double>(pair.meeting.bond), 0, 0});
+  out.rows.push_back({0, 0, 0, 0, 0, 0, 0, what.gap, 0, 0, 0, 0, 0, static_cast<double>(pair.state.bond), 0, 0});
   double time = 0.0;
   for (std::size_t k = 0; k < what.path.size(); ++k) follow(what, what.path[k], controls[k], pair, out, time);
   return out;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// A joint law along a path: at one contact, between a machine and the ground.
 ///
 /// The increments of the path move body 2, or the far ends of the machine's springs. A spring of stiffness K carries

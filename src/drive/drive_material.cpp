@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// A bulk law along a path.
 
 #include "base/error.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "drive/path.hpp"
 
 #include "base/csv.hpp"

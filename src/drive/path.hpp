@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Paths along which a law is driven: rows of a table, and the standard tests of laboratories.
 #pragma once
 

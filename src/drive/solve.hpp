@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Finding the inputs that make a law answer as prescribed.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "drive/drive.hpp"
 #include "output/number.hpp"
 

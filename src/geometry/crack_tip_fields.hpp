@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Fields around the tip of a crack in an isotropic elastic plane.
 #pragma once
 

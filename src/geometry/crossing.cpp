@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "geometry/crossing.hpp"
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Does the straight way between two points cross a piece of a surface, and from which side? Exact for any doubles.
 ///
 /// Degenerate places (a point on the surface, a way through a corner, ways along an edge) do not exist: the answers are

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Ellipses with semi-axes along x and y about the origin.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// A whole file in memory, read with checks.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Closed intervals and boxes that forgive rounding.
 #pragma once
 

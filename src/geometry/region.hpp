@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Shapes that bodies are cut from and that conditions select with.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Values known at scattered points.
 #pragma once
 

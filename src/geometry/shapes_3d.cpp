@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "geometry/ellipse.hpp"
 #include "geometry/interval.hpp"
 #include "geometry/region.hpp"

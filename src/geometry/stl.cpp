@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "base/error.hpp"
 #include "base/schema.hpp"
 #include "geometry/file.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Points that fill a box: at random, but not too near to each other, or on a lattice.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "geometry/surface.hpp"
 
 #include "geometry/interval.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// A closed triangulated surface: corners that are one, edges that belong to exactly two facets.
 #pragma once
 

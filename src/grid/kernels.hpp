@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Shape functions along one axis; products of them make the stencils. Distances in cells.
 ///
 /// `at(r, l, w, g)`: r the position minus the lowest node of the stencil, l the half width of the particle's domain, w

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The regular lattice of nodes and its division into blocks.
 #pragma once
 

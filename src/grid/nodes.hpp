@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Nodes of one velocity field, kept in blocks that exist only where particles are.
 #pragma once
 

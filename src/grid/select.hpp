@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Which nodes of the lattice lie in a shape.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Assemblies of rigid blocks as the user described them, in consistent units.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The model: everything a run needs to know, in consistent units. Readers write it, the engine reads it; they never
 /// meet.
 ///

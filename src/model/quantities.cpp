@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "model/quantities.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Names of what can be asked for: columns of history.csv and fields of the particle files. The one list that the
 /// reader, the manual and the output share.
 #pragma once

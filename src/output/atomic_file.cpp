@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "output/atomic_file.hpp"
 
 #include "base/error.hpp"

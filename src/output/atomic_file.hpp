@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Files that are never half-written.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Named arrays in one file, for stopping and resuming to the bit.
 #pragma once
 

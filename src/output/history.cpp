@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "output/history.hpp"
 
 #include "base/error.hpp"

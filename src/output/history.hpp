@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Time histories as CSV.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "output/progress.hpp"
 
 #include <unistd.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// What the terminal shows while a run goes on.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "output/provenance.hpp"
 
 #include "output/atomic_file.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Where a result comes from: provenance.json beside it.
 #pragma once
 

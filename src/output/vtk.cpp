@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "output/vtk.hpp"
 
 #include "base/error.hpp"

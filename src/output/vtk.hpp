@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Files for ParaView. The only place that knows VTK is vtk.cpp.
 #pragma once
 

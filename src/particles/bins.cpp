@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "particles/bins.hpp"
 
 #include "base/parallel.hpp"

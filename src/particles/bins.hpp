@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Particles of a body sorted by block of cells, and the order in which blocks may be worked on at the same time.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "particles/geostatic.hpp"
 
 #include "base/error.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Stress at rest under the weight of the ground.
 #pragma once
 

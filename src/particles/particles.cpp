@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "particles/particles.hpp"
 
 #include "base/parallel.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Particles of one body: one array per component, registered by name for sorting, output and restart alike.
 #pragma once
 

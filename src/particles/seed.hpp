@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Particles before the run: what the shapes of the model become.
 #pragma once
 

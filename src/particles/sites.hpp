@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Sites where material points may be placed.
 #pragma once
 

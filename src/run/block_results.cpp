@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "run/block_results.hpp"
 
 #include "base/text.hpp"

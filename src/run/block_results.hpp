@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// What a run of blocks writes.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Runs of models of rigid blocks.
 #pragma once
 

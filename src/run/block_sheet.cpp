@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The sheet before a run of blocks.
 
 #include "base/parallel.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// When to write, and how large the steps are.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Columns of output files.
 #pragma once
 

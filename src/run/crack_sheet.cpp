@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "run/crack_sheet.hpp"
 
 #include "base/text.hpp"

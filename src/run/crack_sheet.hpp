@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: MIT
 /// What the pre-flight sheet says of cracks and of joints between materials.
 #pragma once
 
-#include "solver/system.hpp"
+#include "solver/state/system.hpp"
 
 #include <string>
 #include <vector>

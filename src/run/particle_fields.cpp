@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: MIT
 #include "run/particle_fields.hpp"
 
 #include "base/strain.hpp"
-#include "solver/measures.hpp"
+#include "solver/transfer/material_points.hpp"
 
 #include <cmath>
 #include <map>

@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: MIT
 /// The fields of the particle files, by the names in model/quantities.cpp.
 #pragma once
 
 #include "output/vtk.hpp"
-#include "solver/system.hpp"
+#include "solver/state/system.hpp"
 
 #include <deque>
 

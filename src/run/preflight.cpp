@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "run/preflight.hpp"
 
 #include "base/parallel.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// What a run would be, before it runs.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "run/restart.hpp"
 
 #include "blocks/assembly.hpp"
@@ -23,7 +24,7 @@ void each_column(Crack<Dim>& crack, F&& f) {
   };
   vectors("x", crack.x), vectors("lower", crack.face[0]), vectors("upper", crack.face[1]);
   vectors("traction", crack.traction);
-  f("gap", crack.gap), f("slip", crack.slip), f("bond", crack.bond), f("touch", crack.touch);
+  f("gap", crack.gap), f("slip", crack.slip), f("bond", crack.bond), f("touch", crack.status);
   std::vector<double> tips;
   const auto each_number = [&](auto&& g) {
     for (CrackTip& tip : crack.tips)
@@ -124,13 +125,13 @@ CheckpointWriter save_state(const RunState& state, System<Dim>& system, Stepper<
   CheckpointWriter out;
   out.put("dimension", std::int64_t{Dim});
   out.put("counters", std::array<std::int64_t, 5>{state.archive, state.history, state.checkpoint, system.step,
-                                                  stepper.pushed_back});
+                                                  stepper.particle_sort().returned});
   out.put("clock", std::array{system.time, system.drift, system.sorted ? 1.0 : 0.0, state.initial_energy, state.dt,
-                              stepper.next_filter, stepper.joints().stable_step()});
-  const Ledger& l = stepper.ledger();
+                              stepper.filter().next, stepper.joints().stable_step()});
+  const EnergyLedger& l = stepper.ledger();
   out.put("ledger",
-          std::array{l.external_work, l.damping_work, l.rigid_work, stepper.grid_damping, stepper.particle_damping,
-                     stepper.grid_feedback, stepper.particle_feedback, l.impulse[0], l.impulse[1], l.impulse[2]});
+          std::array{l.external_work, l.damping_work, l.rigid_work, stepper.damping().grid, stepper.damping().particle,
+                     stepper.damping().grid_feedback, stepper.damping().particle_feedback, l.impulse[0], l.impulse[1], l.impulse[2]});
   for (std::size_t f = 0; f < system.fields.size(); ++f) {
     const auto& c = stepper.conditions(f);
     out.put("conditions" + std::to_string(f), std::array{c.work(), c.impulse()[0], c.impulse()[1], c.impulse()[2]});
@@ -168,13 +169,13 @@ RunState load_state(const Checkpoint& checkpoint, System<Dim>& system, Stepper<D
   const auto counters = checkpoint.integers("counters");
   const auto clock = checkpoint.doubles("clock"), ledger = checkpoint.doubles("ledger");
   state.archive = counters.at(0), state.history = counters.at(1), state.checkpoint = counters.at(2);
-  system.step = counters.at(3), stepper.pushed_back = static_cast<long>(counters.at(4));
+  system.step = counters.at(3), stepper.particle_sort().returned = static_cast<long>(counters.at(4));
   system.time = clock.at(0), system.drift = clock.at(1), system.sorted = clock.at(2) != 0.0;
-  state.initial_energy = clock.at(3), state.dt = clock.at(4), stepper.next_filter = clock.at(5);
+  state.initial_energy = clock.at(3), state.dt = clock.at(4), stepper.filter().next = clock.at(5);
   stepper.joints().set_stable_step(clock.at(6));
   stepper.ledger() = {ledger.at(0), ledger.at(1), ledger.at(2), {ledger.at(7), ledger.at(8), ledger.at(9)}};
-  stepper.grid_damping = ledger.at(3), stepper.particle_damping = ledger.at(4);
-  stepper.grid_feedback = ledger.at(5), stepper.particle_feedback = ledger.at(6);
+  stepper.damping().grid = ledger.at(3), stepper.damping().particle = ledger.at(4);
+  stepper.damping().grid_feedback = ledger.at(5), stepper.damping().particle_feedback = ledger.at(6);
   for (std::size_t f = 0; f < system.fields.size(); ++f) {
     const auto values = checkpoint.doubles("conditions" + std::to_string(f));
     stepper.conditions(f).set_work(values.at(0));
@@ -215,7 +216,7 @@ RunState load_state(const Checkpoint& checkpoint, System<Dim>& system, Stepper<D
       std::copy(values.begin(), values.end(), column.data.begin());
     }
   });
-  if (system.sorted) stepper.allocate();
+  if (system.sorted) stepper.locate_nodes();
   return state;
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The state of a run as a checkpoint, complete to the bit.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "run/results.hpp"
 
 #include "base/text.hpp"
@@ -231,8 +232,8 @@ double Results<Dim>::quantity(const HistoryQuantity& q, const Measures& m, const
   if (name == "mass") return m.mass;
   if (name == "volume") return m.volume;
   if (name == "particles") return static_cast<double>(m.particles);
-  if (name == "alpha") return stepper_.grid_damping;
-  if (name == "palpha") return stepper_.particle_damping;
+  if (name == "alpha") return stepper_.damping().grid;
+  if (name == "palpha") return stepper_.damping().particle;
   if (name == "step number") return static_cast<double>(system_.step);
   if (name == "time step") return dt;
   throw std::logic_error("no such quantity: " + q.name);
@@ -242,7 +243,7 @@ double Results<Dim>::quantity(const HistoryQuantity& q, const Measures& m, const
 template <int Dim>
 Vec3 Results<Dim>::reaction(const HistoryQuantity& q) const {
   Vec3 sum = Vec3::Zero();
-  const auto& rigid = stepper_.rigid_reactions();
+  const auto& rigid = stepper_.rigid_bodies().reactions();
   for (std::size_t r = 0; r < rigid.size(); ++r)
     if (q.material >= 0 ? system_.rigids[r].material == q.material : q.condition_id == 0) sum += rigid[r];
   if (q.material >= 0) return sum;
@@ -252,7 +253,7 @@ Vec3 Results<Dim>::reaction(const HistoryQuantity& q) const {
       if (q.condition_id == 0 || model_.node_conditions[c].id == q.condition_id) sum += conditions.reactions()[c];
     for (int axis = 0; axis < Dim; ++axis)
       for (int side = 0; side < 2; ++side)
-        if (q.condition_id == symmetry_plane_id(axis, side)) sum[axis] += conditions.plane_reaction(axis, side);
+        if (q.condition_id == symmetry_plane_id(axis, side)) sum[axis] += stepper_.exchange(f).plane_reaction(axis, side);
   }
   return sum;
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "run/safety.hpp"
 
 #include "materials/material.hpp"

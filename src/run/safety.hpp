@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Factor of safety by reduction of strength: the largest number by which all strengths may be divided while the model
 /// still holds. Zienkiewicz, Humpheson & Lewis, Geotechnique 25 (1975) 671-689; Griffiths & Lane, Geotechnique 49
 /// (1999) 387-403.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Signals that ask a run to stop or to write a checkpoint.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "run/simulation.hpp"
 
 #include "base/parallel.hpp"
@@ -96,7 +97,7 @@ class Simulation {
         }
         dt_ = step_size_.next(dt_);
         const double step = step_size_.up_to_end(std::min(dt_, stepper_.joints().stable_step()));
-        update_damping(step);
+        stepper_.damping().update(step, [&] { return measure(system_).kinetic; });
         stepper_.advance(step);
         results.write_events();
         write(false);
@@ -127,7 +128,7 @@ class Simulation {
       while (system_.time < time * (1 - 1e-12)) {
         dt_ = step_size_.next(dt_);
         const double step = step_size_.up_to_end(std::min(dt_, stepper_.joints().stable_step()));
-        update_damping(step);
+        stepper_.damping().update(step, [&] { return measure(system_).kinetic; });
         stepper_.advance(step);
       }
     };
@@ -157,10 +158,10 @@ class Simulation {
                     {"nodes", w.grid.seconds()},
                     {"nodes to particles, stress", w.gather.seconds()},
                     {"contact", contact},
-                    {"filter (XPIC, FMPM)", w.filter.seconds()},
+                    {"filter (XPIC, FMPM)", stepper_.filter().watch.seconds()},
                     {"output", output_watch_.seconds()}};
-    double named = contact;
-    for (const Stopwatch* watch : {&w.sort, &w.scatter, &w.grid, &w.gather, &w.filter}) named += watch->seconds();
+    double named = contact + stepper_.filter().watch.seconds();
+    for (const Stopwatch* watch : {&w.sort, &w.scatter, &w.grid, &w.gather}) named += watch->seconds();
     p.seconds_of["loads, heat, rest of the step"] = std::max(0.0, w.all.seconds() - named);
     return p;
   }
@@ -176,25 +177,6 @@ class Simulation {
     if (system_.blocks) out["blocks"] = std::to_string(system_.blocks->block_count());
     return out;
   }
-
-  void update_damping(double dt) {
-    const Damping& d = model_.damping;
-    Variables at;
-    at.t = system_.time / d.function_time, at.dt = dt / d.function_time;
-    const auto follow = [&](const std::optional<Expression>& constant, const std::optional<double>& gain, double& alpha,
-                            double& feedback) {
-      if (gain) {
-        const double target = d.target_energy ? (*d.target_energy)(at) : 0.0;
-        feedback = std::max(0.0, feedback + dt * *gain * (kinetic_energy() - target));
-        if (d.max_alpha > 0) feedback = std::min(feedback, d.max_alpha);
-      }
-      alpha = (constant ? (*constant)(at) : 0.0) + feedback;
-    };
-    follow(d.grid, d.grid_gain, stepper_.grid_damping, stepper_.grid_feedback);
-    follow(d.particle, d.particle_gain, stepper_.particle_damping, stepper_.particle_feedback);
-  }
-
-  double kinetic_energy() { return measure(system_).kinetic; }
 
   double largest_displacement() {
     double most = 0.0;

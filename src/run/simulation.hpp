@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// A run from the model to the last file.
 #pragma once
 

@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: MIT
 /// How large the steps are, and why.
 #pragma once
 
 #include "model/model.hpp"
-#include "solver/system.hpp"
+#include "solver/state/system.hpp"
 
 #include <algorithm>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Files of cracks and joints.
 
 #include "output/number.hpp"
@@ -25,7 +26,7 @@ void Results<Dim>::write_cracks(std::int64_t number) {
       out.vector("opening", apart);
       out.number("gap", crack.gap[k]);
       out.number("slip", (apart - apart.dot(normals[k]) * normals[k]).norm());
-      out.number("state", crack.touch[k]);
+      out.number("state", crack.status[k]);
       out.vector("traction", crack.traction[k]);
       if (!model_.fracture) continue;
       const auto tip =

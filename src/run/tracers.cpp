@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "run/tracers.hpp"
 
 #include "base/error.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The particles that histories of a point follow.
 #pragma once
 

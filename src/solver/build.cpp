@@ -1,16 +1,18 @@
+// SPDX-License-Identifier: MIT
 #include "solver/build.hpp"
 
 #include "blocks/assembly.hpp"
-#include "solver/block_points.hpp"
-#include "solver/crack_build.hpp"
-#include "solver/interface_build.hpp"
-#include "solver/transfer.hpp"
+#include "solver/cracks/crack_build.hpp"
+#include "solver/joints/joint_build.hpp"
+#include "solver/rigid/block_points.hpp"
+#include "solver/transfer/transfer.hpp"
 
 #include "contact/contact_law.hpp"
 
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <stdexcept>
 
 namespace tribo {
 namespace {
@@ -133,6 +135,9 @@ Body<Dim> make_body(const Model& model, int material, const std::vector<const Se
     return (s->half_size.template head<Dim>() - body.uniform_half_size).norm() > 1e-12 * body.uniform_half_size.norm();
   });
   if (mixed) body.half_size = body.particles.add_vector("half_size", Dimension::length);
+  if (spec.law->history().size() > most_history_variables)
+    throw std::logic_error("the law of '" + spec.name + "' has more than " + std::to_string(most_history_variables) +
+                           " history variables");
   body.history = body.particles.columns().size();
   for (const auto& variable : spec.law->history())
     body.particles.add(variable.name, variable.dimension, variable.initial);

@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: MIT
 /// From the model to what a step works on.
 #pragma once
 
 #include "particles/seed.hpp"
-#include "solver/system.hpp"
+#include "solver/state/system.hpp"
 
 namespace tribo {
 

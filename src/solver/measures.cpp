@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: MIT
 #include "solver/measures.hpp"
 
 #include "base/parallel.hpp"
 #include "base/strain.hpp"
-#include "solver/motion.hpp"
+#include "solver/transfer/material_points.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -77,7 +78,7 @@ Measures measure_range(Body<Dim>& body, std::uint32_t first, int count, bool str
     m.least_volume_ratio = std::min(m.least_volume_ratio, volume * density / mass);
     m.dissipated += dissipated_energy(body, i);
   }
-  std::array<double*, 64> history{};
+  HistoryPointers history{};
   const auto points = points_of(body, first, count, history);
   m.stored = body.law->stored_energy(points);
   m.largest_wave_speed = std::sqrt(body.law->wave_modulus(points) / density);
@@ -101,20 +102,6 @@ Measures sum(Body<Dim>& body, bool strain) {
 }
 
 }  // namespace
-
-template <int Dim>
-double stored_energy(Body<Dim>& body, std::size_t particle) {
-  std::array<double*, 64> history{};
-  return body.law->stored_energy(points_of(body, static_cast<std::uint32_t>(particle), 1, history));
-}
-
-template <int Dim>
-double dissipated_energy(Body<Dim>& body, std::size_t particle) {
-  const int k = body.law->dissipation_index();
-  if (k < 0) return 0.0;
-  return body.history_columns[static_cast<std::size_t>(k)][particle] * body.particles.mass()[particle] /
-         body.law->density();
-}
 
 template <int Dim>
 Measures measure(Body<Dim>& body, bool strain) {
@@ -145,9 +132,5 @@ template Measures measure_particle<2>(Body<2>&, std::size_t, bool);
 template Measures measure_particle<3>(Body<3>&, std::size_t, bool);
 template Measures measure<2>(System<2>&, bool);
 template Measures measure<3>(System<3>&, bool);
-template double stored_energy<2>(Body<2>&, std::size_t);
-template double stored_energy<3>(Body<3>&, std::size_t);
-template double dissipated_energy<2>(Body<2>&, std::size_t);
-template double dissipated_energy<3>(Body<3>&, std::size_t);
 
 }  // namespace tribo

@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: MIT
 /// Sums over all particles, always added up in the same order: energies, momenta, means.
 #pragma once
 
-#include "solver/system.hpp"
+#include "solver/state/system.hpp"
 
 namespace tribo {
 
@@ -37,11 +38,5 @@ Measures measure_particle(Body<Dim>& body, std::size_t particle, bool strain);
 /// Sum over bodies; means weighted by mass or volume.
 template <int Dim>
 Measures measure(System<Dim>& system, bool strain = false);
-
-/// Of one particle [energy].
-template <int Dim>
-double stored_energy(Body<Dim>& body, std::size_t particle);
-template <int Dim>
-double dissipated_energy(Body<Dim>& body, std::size_t particle);
 
 }  // namespace tribo

@@ -1,97 +1,89 @@
+// SPDX-License-Identifier: MIT
 #include "solver/step.hpp"
 
-#include "base/parallel.hpp"
-#include "solver/crossings.hpp"
-#include "solver/loaded.hpp"
-#include "solver/loops.hpp"
-#include "solver/periodic.hpp"
-
-#include <cmath>
+#include "grid/loops.hpp"
+#include "solver/boundary/periodic.hpp"
+#include "solver/cell_crossings.hpp"
+#include "solver/diagnose.hpp"
+#include "solver/step_start.hpp"
 
 namespace tribo {
 
-// The step. Notation: w_Ip weights, S the gather (sum over nodes), S+ the scatter divided by nodal mass.
+// Notation: w_Ip is the weight of node I at particle p; S gathers from nodes to particles; S+ scatters to the nodes and
+// divides by the nodal mass.
 template <int Dim>
 void Stepper<Dim>::advance(double dt) {
   const UpdateOrder order = model_.scheme.order;
+  const bool stress_last = order == UpdateOrder::usl;
   const bool again = model_.scheme.extrapolate_again && order != UpdateOrder::usf;
   const auto lap = watches_.all.lap();
-  if (!system_.sorted || system_.drift >= 1.0 - 1e-6) sort();
+  begin_step();
 
-  filtering_ = filter_now();
+  // 1. Particles to nodes: mass and momentum; the forces too if the stress is updated last.
+  loads_.apply(dt);
+  rigid_blocks_.set_particles();
+  rigid_bodies_.set_velocities(dt);
+  scatter(stress_last ? Scatter::momentum_and_force : Scatter::momentum);
+  if (stress_last) tractions_.apply();
+  sum_images(ImageValues::vectors);
+  joints_.find();
 
-  // 1. Particles to nodes: mass and momentum; if stress comes last, forces in the same sweep
-  remember_domains();
-  cracks_.find();
-  clear();
-  apply_loads(dt);
-  for (auto& conditions : conditions_) conditions.begin_step();
-  follow_rigid(dt);
-  if (order == UpdateOrder::usl) {
-    scatter(Scatter::momentum_and_force);
-    apply_tractions();
-    if (contact_.keeps_start()) {
-      divide_by_mass();
-      joints_.find();
-      contact_.find(conditions_, joints_);
-      contact_.meet(dt, Contact<Dim>::Pass::start);
-      accelerate(dt, Known::velocity_and_folded_force);
-    } else {
-      accelerate(dt, Known::momentum);
-      contact_.find(conditions_, joints_);
-    }
-  } else {
-    // 2. Stress first (or half of it): strain from the extrapolated velocities, made to obey contact
-    scatter(Scatter::momentum);
+  if (!stress_last) {
+    // 2. Strain and stress first, or half of them, from extrapolated velocities that obey contact and conditions.
     divide_by_mass();
-    joints_.find();
-    contact_.find(conditions_, joints_);
+    find_contact();
     contact_.meet(dt, Contact<Dim>::Pass::start);
     impose(system_.time, dt);
-    extend();
-    if (filtering_) filter(0.0, false);
+    copy_images();
+    if (filter_.active()) filter_.filter(0.0, false);
     strain(order == UpdateOrder::usf ? dt : 0.5 * dt, false);
     if (!contact_.keeps_start()) contact_.part();
     scatter(Scatter::force);
-    apply_tractions();
-    accelerate(dt, Known::velocity);
-  }
-
-  // 3. The nodes now have  m a = f,  v += dt a; contact and prescribed velocities correct both
-  contact_.meet(dt, Contact<Dim>::Pass::update);
-  impose_update(dt, order != UpdateOrder::usl);
-  account_tractions(dt);
-  account_body_force(dt);
-
-  // 4. XPIC and FMPM: sharper velocities than the lumped mass gives
-  if (filtering_) {
-    filter(dt, false);
-    use_filtered(dt);
-  }
-
-  contact_.book(dt);
-  blocks_.take(contact_.rigid_shares(), dt);
-  load_tips(dt);
-  heat_.conduct(dt, contact_, conditions_);
-
-  // 5. Nodes to particles: velocity, position; stress last unless it waits for better velocities
-  if (again) remember_positions();
-  const double after = order == UpdateOrder::usl ? dt : order == UpdateOrder::usavg ? 0.5 * dt : 0.0;
-  move(dt, again ? 0.0 : after);
-
-  account_loads(0.5 * dt);
-
-  // 6. "+" variants: strain from the velocities of the moved particles, with the weights of the step's start
-  if (again) {
-    clear();
-    scatter(Scatter::momentum, true);
+    tractions_.apply();
+    sum_images(ImageValues::forces);
+    update_momentum(dt, Known::velocity);
+  } else if (contact_.keeps_start()) {
     divide_by_mass();
+    find_contact();
     contact_.meet(dt, Contact<Dim>::Pass::start);
-    impose(system_.time + dt, dt);
-    extend();
-    if (filtering_) filter(0.0, true);
-    strain(after, true);
+    update_momentum(dt, Known::velocity);
+  } else {
+    update_momentum(dt, Known::momentum);
   }
+
+  // 3. m a = f, v += dt a hold at the nodes now; joints, contact and prescribed velocities correct both.
+  add_joint_forces(dt);
+  if (stress_last && !contact_.keeps_start()) find_contact();
+  contact_.meet(dt, Contact<Dim>::Pass::update);
+  impose_update(dt, !stress_last);
+  tractions_.record(dt);
+  body_forces_.record(dt);
+
+  // 4. XPIC and FMPM sharpen the velocities.
+  if (filter_.active()) {
+    filter_.filter(dt, false);
+    filter_.use(dt);
+  }
+
+  // 5. What contact did goes to ledgers, rigid blocks and crack tips; heat is conducted.
+  contact_.book(dt);
+  rigid_blocks_.take(contact_.rigid_shares(), dt);
+  measure_crack_tips(dt);
+  heat_.conduct(dt, contact_, exchanges_);
+
+  // 6. Joints, cracks and particles follow the nodes; the stress is updated last unless it waits for better velocities.
+  copy_images();
+  joints_.follow(dt);
+  record_joints();
+  const double strain_dt = stress_last ? dt : order == UpdateOrder::usavg ? 0.5 * dt : 0.0;
+  if (again) keep_start_positions(system_);
+  cracks_.move(dt);
+  joints_.settle(dt);
+  move_particles(dt, again ? 0.0 : strain_dt);
+  loads_.record(0.5 * dt);
+
+  // 7. "+" variants: strain from the velocities of the moved particles, with the weights of the step's start.
+  if (again) strain_again(dt, strain_dt);
 
   system_.time += dt;
   ++system_.step;
@@ -103,53 +95,48 @@ Stepper<Dim>::Stepper(const Model& model, System<Dim>& system)
     : model_(model),
       system_(system),
       transfers_(make_transfers<Dim>(model.scheme)),
+      sort_(model, system),
       cracks_(model, system, *transfers_),
-      contact_(model, system, *transfers_, cracks_),
+      crack_tips_(model, system, cracks_, transfers_->stencil_width()),
       joints_(model, system, cracks_),
-      blocks_(system),
-      fracture_(model, system, cracks_, transfers_->stencil_width()),
+      contact_(model, system, *transfers_, cracks_),
+      loads_(model, system, ledger_),
+      tractions_(model, system, exchanges_, cracks_, ledger_),
+      body_forces_(model, system, exchanges_, ledger_),
+      damping_(model, system, exchanges_, ledger_),
+      rigid_bodies_(model, system, *transfers_, exchanges_, ledger_),
+      rigid_blocks_(system),
       heat_(model, system, *transfers_),
-      b_bar_(model.scheme, system, *transfers_, conditions_) {
-  for (std::size_t f = 0; f < system.fields.size(); ++f) conditions_.emplace_back(model, system.lattice);
-  load_share_ = find_loaded(model, system);
+      b_bar_(model.scheme, system, *transfers_, exchanges_),
+      filter_(model, system, *transfers_, exchanges_, conditions_, contact_) {
+  for (std::size_t f = 0; f < system.fields.size(); ++f) {
+    exchanges_.push_back(make_exchange<Dim>(model.grid, system.lattice));
+    conditions_.emplace_back(model, system.lattice);
+  }
+}
+
+template <int Dim>
+void Stepper<Dim>::begin_step() {
+  if (sort_.is_due()) sort();
+  filter_.begin_step();
+  keep_start_domains(system_);
+  cracks_.find();
+  for (auto& field : system_.fields) {
+    const auto lap = watches_.grid.lap();
+    zero(field.nodes);
+  }
+  for (auto& exchange : exchanges_) exchange->begin_step();
 }
 
 template <int Dim>
 void Stepper<Dim>::sort() {
   const auto lap = watches_.sort.lap();
-  for (auto* bodies : {&system_.bodies, &system_.rigids})
-    for (auto& body : *bodies) {
-      bring_home(model_.grid, system_.lattice, body);
-      if (body.bins.sort(system_.lattice, body.particles) >= 0) {
-        push_back(body);
-        if (body.bins.sort(system_.lattice, body.particles) >= 0) stop_at_bad_particle();
-      }
-    }
-  allocate();
-  system_.drift = 0.0;
-  system_.sorted = true;
-}
-
-// Particles that left the grid return to its edge and lose the velocity that took them out, as often as the model
-// allows.
-template <int Dim>
-void Stepper<Dim>::push_back(Body<Dim>& body) {
-  if (!model_.leave_limit) stop_at_bad_particle();
-  const auto x = body.particles.x(), v = body.particles.v();
-  for (std::size_t i = 0; i < body.particles.size(); ++i)
-    for (std::size_t d = 0; d < Dim; ++d) {
-      const auto axis = static_cast<Eigen::Index>(d);
-      const double inside = std::clamp(x[d][i], system_.lattice.low[axis], system_.lattice.high[axis]);
-      if (x[d][i] == inside || !std::isfinite(x[d][i])) continue;
-      if (++pushed_back > *model_.leave_limit) stop_at_bad_particle();
-      x[d][i] = inside;
-      v[d][i] = 0.0;
-    }
+  sort_.sort();
+  locate_nodes();
 }
 
 template <int Dim>
-void Stepper<Dim>::allocate() {
-  const bool filtering = model_.scheme.transfer == Transfer::xpic || model_.scheme.transfer == Transfer::fmpm;
+void Stepper<Dim>::locate_nodes() {
   cracks_.locate();
   for (std::size_t f = 0; f < system_.fields.size(); ++f) {
     auto& field = system_.fields[f];
@@ -166,19 +153,14 @@ void Stepper<Dim>::allocate() {
     field.rigid.resize(system_.rigids.size());
     for (std::size_t r = 0; r < system_.rigids.size(); ++r)
       if (system_.rigids[r].field == Body<Dim>::no_field) field.rigid[r].resize(nodes);
-    if (filtering) field.filter.resize(nodes), field.increment.resize(nodes);
+    exchanges_[f]->locate(field.map);
     conditions_[f].locate(field.map);
   }
+  filter_.locate();
   contact_.locate();
   heat_.locate();
   b_bar_.locate();
   for (auto& body : system_.bodies) body.refresh();
-}
-
-template <int Dim>
-void Stepper<Dim>::clear() {
-  const auto lap = watches_.grid.lap();
-  for (auto& field : system_.fields) zero(field.nodes);
 }
 
 template <int Dim>
@@ -194,43 +176,49 @@ void Stepper<Dim>::scatter(Scatter what, bool from_start) {
     if (body.field != Body<Dim>::no_field) {
       auto& field = system_.fields[body.field];
       transfers_->scatter(body, Target<Dim>(field.map, field.nodes), Scatter::momentum, from_start, false);
-      blocks_.set_nodes(body);
+      rigid_blocks_.set_nodes(body);
     }
+}
+
+template <int Dim>
+void Stepper<Dim>::sum_images(ImageValues values) {
+  const auto lap = watches_.grid.lap();
+  for (std::size_t f = 0; f < system_.fields.size(); ++f) {
+    exchanges_[f]->add_plane_reactions(system_.fields[f].nodes);
+    exchanges_[f]->sum_images(system_.fields[f].nodes, values);
+  }
+}
+
+template <int Dim>
+void Stepper<Dim>::copy_images() {
+  for (std::size_t f = 0; f < system_.fields.size(); ++f) exchanges_[f]->copy_images(system_.fields[f].nodes);
 }
 
 template <int Dim>
 void Stepper<Dim>::divide_by_mass() {
   const auto lap = watches_.grid.lap();
-  for (std::size_t f = 0; f < system_.fields.size(); ++f) {
-    auto& nodes = system_.fields[f].nodes;
-    conditions_[f].count_plane_forces(nodes);
-    conditions_[f].fold(nodes);
-    each_node(nodes, [](Node& node) {
+  for (auto& field : system_.fields)
+    each_node(field.nodes, [](Node& node) {
       if (!(node.mass > 0)) return;
       const double inverse = 1.0 / node.mass;
       for (double& v : node.velocity) v *= inverse;
     });
-  }
 }
 
 template <int Dim>
-void Stepper<Dim>::extend() {
-  for (std::size_t f = 0; f < system_.fields.size(); ++f) conditions_[f].extend(system_.fields[f].nodes);
+void Stepper<Dim>::find_contact() {
+  contact_.find(exchanges_, joints_);
 }
 
 template <int Dim>
-void Stepper<Dim>::accelerate(double dt, Known known) {
+void Stepper<Dim>::update_momentum(double dt, Known known) {
   const auto lap = watches_.grid.lap();
   const bool from_momentum = known == Known::momentum;
   for (std::size_t f = 0; f < system_.fields.size(); ++f) {
     auto& nodes = system_.fields[f].nodes;
     const bool free = !system_.fields[f].rigid_contact;
     const Vec3 gravity = free ? model_.body_force.gravity : Vec3(Vec3::Zero());
-    const double damping = free ? grid_damping : 0.0;
-    if (known != Known::velocity_and_folded_force) {
-      conditions_[f].count_plane_forces(nodes);
-      conditions_[f].fold(nodes, from_momentum ? Fold::everything : Fold::forces);
-    }
+    const double damping = free ? damping_.grid : 0.0;
     each_node(nodes, [&](Node& node) {
       if (!(node.mass > 0)) return;
       const double inverse = 1.0 / node.mass;
@@ -242,218 +230,35 @@ void Stepper<Dim>::accelerate(double dt, Known known) {
       }
     });
     if (!free) continue;
-    apply_body_force(f, dt);
-    if (damping != 0.0) account_damping(f, dt);
-    conditions_[f].stay_on_planes(nodes);
+    body_forces_.apply(f, dt);
+    if (damping != 0.0) damping_.record_grid(f, dt);
+    exchanges_[f]->hold_planes(nodes);
   }
-  push_joints(dt, from_momentum);
   for (const auto& body : system_.bodies) ledger_.impulse += dt * body.total_mass * model_.body_force.gravity;
 }
 
-// What joints carry since the last step.
+// The forces that the joints carry since the last step.
 template <int Dim>
-void Stepper<Dim>::push_joints(double dt, bool find) {
+void Stepper<Dim>::add_joint_forces(double dt) {
   if (!joints_.active()) return;
-  if (find) joints_.find();
   joints_.push(dt);
-  for (std::size_t f = 0; f < system_.fields.size(); ++f) conditions_[f].stay_on_planes(system_.fields[f].nodes);
-}
-
-// What joints between bodies do belongs to contact in the histories.
-template <int Dim>
-void Stepper<Dim>::book_joints() {
-  joints_.each_pair([&](std::size_t one, std::size_t two, const Vec3& force, double area) {
-    PairLedger& entry = contact_.ledger()[{std::min(one, two), std::max(one, two)}];
-    entry.force += one < two ? force : Vec3(-force), entry.area += area;
-  });
-  const auto [work, impulse] = joints_.take_rigid();
-  contact_.rigid_work += work, contact_.rigid_impulse += impulse;
-}
-
-// Accelerations that the user gave as functions of position and time.
-template <int Dim>
-void Stepper<Dim>::apply_body_force(std::size_t f, double dt) {
-  const BodyForce& force = model_.body_force;
-  if (!force.function[0] && !force.function[1] && !force.function[2]) return;
-  const auto& field = system_.fields[f];
-  sum_over_nodes(f, [&](std::int64_t n, Node& node) {
-    const Vec3 a = body_force_at(system_.lattice.position(field.map.node_at(n)), dt);
-    for (int d = 0; d < Dim; ++d) node.acceleration[d] += a[d], node.velocity[d] += dt * a[d];
-    return Exchange(Exchange::Zero());
-  });
-}
-
-template <int Dim>
-Vec3 Stepper<Dim>::body_force_at(const Vec<Dim>& place, double dt) const {
-  const BodyForce& force = model_.body_force;
-  Vec3 x = Vec3::Zero(), a = Vec3::Zero();
-  x.head<Dim>() = place;
-  auto at = Variables::at(x, system_.time / force.function_time);
-  at.dt = dt / force.function_time;
-  for (int d = 0; d < Dim; ++d)
-    if (const auto& function = force.function[static_cast<std::size_t>(d)]) a[d] = (*function)(at);
-  return a;
-}
-
-// What drives the tips of cracks.
-template <int Dim>
-void Stepper<Dim>::load_tips(double dt) {
-  if constexpr (Dim == 2) {
-    if (!fracture_.active()) return;
-    fracture_.measure([&](const Vec<2>& x, const Vec<2>& v) {
-      return Vec<2>((model_.body_force.gravity + body_force_at(x, dt)).template head<2>() - grid_damping * v);
-    });
-  }
-}
-
-// Particles near a new tip may lie in bins that no crack cut before.
-template <int Dim>
-void Stepper<Dim>::grow_cracks() {
-  if constexpr (Dim == 2) {
-    if (fracture_.active() && fracture_.grow()) system_.sorted = false;
-  }
-}
-
-// With the velocities at mid step.
-template <int Dim>
-void Stepper<Dim>::account_body_force(double dt) {
-  const BodyForce& force = model_.body_force;
-  if (!force.function[0] && !force.function[1] && !force.function[2]) return;
-  for (std::size_t f = 0; f < system_.fields.size(); ++f) {
-    const auto& field = system_.fields[f];
-    if (field.rigid_contact) continue;
-    const Exchange sum = sum_over_nodes(f, [&](std::int64_t n, const Node& node) {
-      const Vec3 a = body_force_at(system_.lattice.position(field.map.node_at(n)), dt);
-      Exchange power = Exchange::Zero();
-      for (int d = 0; d < Dim; ++d) {
-        power[0] += node.mass * a[d] * (node.velocity[d] - 0.5 * dt * node.acceleration[d]);
-        power[1 + d] += node.mass * a[d];
-      }
-      return Exchange(dt * power);
-    });
-    ledger_.external_work += sum[0];
-    ledger_.impulse += sum.tail<3>();
-  }
-}
-
-template <int Dim>
-void Stepper<Dim>::account_damping(std::size_t f, double dt) {
-  const Exchange sum = sum_over_nodes(f, [&](std::int64_t, const Node& node) {
-    Exchange taken = Exchange::Zero();
-    for (int d = 0; d < Dim; ++d) {
-      const double old = node.velocity[d] - dt * node.acceleration[d];
-      taken[0] += old * (node.velocity[d] + old) * 0.5;
-      taken[1 + d] += old;
-    }
-    return Exchange(dt * grid_damping * node.mass * taken);
-  });
-  ledger_.damping_work += sum[0];
-  ledger_.impulse -= sum.tail<3>();
-}
-
-// The body's share of what damping takes from the field; exact if all bodies of a field are damped alike.
-template <int Dim>
-void Stepper<Dim>::account_particle_damping(const Body<Dim>& body, double rate, double dt) {
-  double field_mass = 0.0;
-  for (const auto& other : system_.bodies)
-    if (other.field == body.field) field_mass += other.total_mass;
-  const Exchange sum = sum_over_nodes(body.field, [&](std::int64_t, const Node& node) {
-    Exchange momentum = Exchange::Zero();
-    for (int d = 0; d < Dim; ++d) momentum[1 + d] = node.mass * node.velocity[d];
-    return momentum;
-  });
-  ledger_.impulse -= rate * dt * body.total_mass / field_mass * sum.tail<3>();
-}
-
-// Sum of f over the nodes with mass, in the order of the blocks for any number of threads.
-template <int Dim>
-template <class F>
-typename Stepper<Dim>::Exchange Stepper<Dim>::sum_over_nodes(std::size_t f, F&& term) {
-  auto& field = system_.fields[f];
-  exchanges_.assign(field.map.active().size(), Exchange::Zero());
-  parallel_for(static_cast<std::ptrdiff_t>(exchanges_.size()), [&](std::ptrdiff_t block) {
-    Exchange sum = Exchange::Zero();
-    for (std::int64_t n = block * block_nodes<Dim>; n < (block + 1) * block_nodes<Dim>; ++n) {
-      Node& node = field.nodes[static_cast<std::size_t>(n)];
-      if (node.mass > 0) sum += conditions_[f].share(n) * term(n, node);
-    }
-    exchanges_[static_cast<std::size_t>(block)] = sum;
-  });
-  Exchange total = Exchange::Zero();
-  for (const Exchange& part : exchanges_) total += part;
-  return total;
+  for (std::size_t f = 0; f < system_.fields.size(); ++f) exchanges_[f]->hold_planes(system_.fields[f].nodes);
 }
 
 template <int Dim>
 void Stepper<Dim>::impose(double time, double dt) {
   const auto lap = watches_.grid.lap();
   for (std::size_t f = 0; f < conditions_.size(); ++f) conditions_[f].impose(system_.fields[f].nodes, time, dt);
-  impose_rigid(dt, false, false);
+  rigid_bodies_.impose();
 }
 
 template <int Dim>
 void Stepper<Dim>::impose_update(double dt, bool after_impose) {
   const auto lap = watches_.grid.lap();
   for (std::size_t f = 0; f < conditions_.size(); ++f)
-    conditions_[f].impose_update(system_.fields[f].nodes, system_.time, dt, after_impose, system_.step == 0);
-  impose_rigid(dt, true, after_impose);
-}
-
-template <int Dim>
-void Stepper<Dim>::move(double dt, double strain_dt) {
-  const auto lap = watches_.gather.lap();
-  Gather what = gather_options();
-  what.move = true;
-  what.dt = dt;
-  what.strain_dt = strain_dt;
-  switch (model_.scheme.transfer) {
-    case Transfer::flip:
-      what.flip = 1.0;
-      break;
-    case Transfer::blend:
-      what.flip = model_.scheme.flip_fraction;
-      break;
-    case Transfer::pic:
-    case Transfer::apic:
-      what.flip = 0.0;
-      break;
-    case Transfer::xpic:
-    case Transfer::fmpm:
-      what.flip = filtering_ ? 0.0 : 1.0;
-      break;
-  }
-  double travel = 0.0;
-  extend();
-  joints_.follow(dt);
-  book_joints();
-  cracks_.move(dt);
-  joints_.settle(dt);
-  b_bar_.average_rates(what, &Field<Dim>::nodes);
-  for (auto& body : system_.bodies) {
-    what.damping = body.particle_damping + particle_damping;
-    if (what.damping != 0.0) account_particle_damping(body, what.damping, dt);
-    const auto result = transfers_->gather(body, Target<Dim>(body, system_.fields, &Field<Dim>::nodes), what);
-    travel = std::max(travel, result.travel);
-    if (!result.valid) stop_at_bad_particle();
-  }
-  move_rigid(dt);
-  for (auto& body : system_.bodies) count_crossings(body, system_.lattice);
-  system_.drift += std::max(travel, rigid_travel_);
-  contact_.moved(std::max(travel, rigid_travel_));
-}
-
-template <int Dim>
-void Stepper<Dim>::strain(double dt, bool from_start) {
-  if (!(dt > 0)) return;
-  const auto lap = watches_.gather.lap();
-  Gather what = gather_options();
-  what.strain_dt = dt;
-  what.from_start = from_start;
-  const auto layer = filtering_ ? &Field<Dim>::filter : &Field<Dim>::nodes;
-  b_bar_.average_rates(what, layer);
-  for (auto& body : system_.bodies) {
-    if (!transfers_->gather(body, Target<Dim>(body, system_.fields, layer), what).valid) stop_at_bad_particle();
-  }
+    conditions_[f].impose_update(system_.fields[f].nodes, *exchanges_[f], system_.time, dt, after_impose,
+                                 system_.step == 0);
+  rigid_bodies_.impose_update(dt, after_impose);
 }
 
 template <int Dim>
@@ -465,57 +270,100 @@ Gather Stepper<Dim>::gather_options() const {
   return what;
 }
 
-// CPDI keeps the weights of a step although stress-first schemes change F within it.
 template <int Dim>
-void Stepper<Dim>::remember_domains() {
-  for (auto* bodies : {&system_.bodies, &system_.rigids})
-    for (auto& body : *bodies) {
-      if (!body.domain) continue;
-      const auto F = body.particles.F();
-      for (std::size_t k = 0; k < Dim * Dim; ++k)
-        std::copy_n(F[k], body.particles.size(), body.particles.column(*body.domain + k));
-    }
+void Stepper<Dim>::strain(double dt, bool from_start) {
+  if (!(dt > 0)) return;
+  const auto lap = watches_.gather.lap();
+  Gather what = gather_options();
+  what.strain_dt = dt;
+  what.from_start = from_start;
+  const auto layer = filter_.active() ? &Field<Dim>::filter : &Field<Dim>::nodes;
+  b_bar_.average_rates(what, layer);
+  for (auto& body : system_.bodies) {
+    if (!transfers_->gather(body, Target<Dim>(body, system_.fields, layer), what).valid) stop_at_bad_particle(system_);
+  }
 }
 
 template <int Dim>
-void Stepper<Dim>::remember_positions() {
-  const auto remember = [](Body<Dim>& body) {
-    const auto from = body.particles.x();
-    const auto to = body.particles.vector(*body.start);
-    for (std::size_t d = 0; d < Dim; ++d) std::copy_n(from[d], body.particles.size(), to[d]);
-  };
-  for (auto* bodies : {&system_.bodies, &system_.rigids})
-    for (auto& body : *bodies) remember(body);
+void Stepper<Dim>::strain_again(double dt, double strain_dt) {
+  for (auto& field : system_.fields) zero(field.nodes);
+  scatter(Scatter::momentum, true);
+  sum_images(ImageValues::vectors);
+  divide_by_mass();
+  contact_.meet(dt, Contact<Dim>::Pass::start);
+  impose(system_.time + dt, dt);
+  copy_images();
+  if (filter_.active()) filter_.filter(0.0, true);
+  strain(strain_dt, true);
+}
+
+// Forces, areas and work of joints between bodies belong to contact in the histories.
+template <int Dim>
+void Stepper<Dim>::record_joints() {
+  joints_.each_pair([&](std::size_t one, std::size_t two, const Vec3& force, double area) {
+    PairLedger& entry = contact_.ledger()[{std::min(one, two), std::max(one, two)}];
+    entry.force += one < two ? force : Vec3(-force), entry.area += area;
+  });
+  const auto [work, impulse] = joints_.take_rigid();
+  contact_.rigid_work += work, contact_.rigid_impulse += impulse;
 }
 
 template <int Dim>
-void Stepper<Dim>::stop_at_bad_particle() const {
-  const auto when = " in step " + std::to_string(system_.step + 1) + " at time " + std::to_string(system_.time);
-  for (const auto* bodies : {&system_.bodies, &system_.rigids})
-    for (const auto& body : *bodies)
-      for (std::size_t i = 0; i < body.particles.size(); ++i) {
-        const Vec<Dim> x = body.particles.position(i), v = body.particles.velocity(i);
-        const bool finite = x.allFinite() && v.allFinite();
-        const bool inside = finite && (x.array() >= system_.lattice.low.array()).all() &&
-                            (x.array() <= system_.lattice.high.array()).all();
-        const double volume = body.particles.volume()[i];
-        const bool crushed = finite && volume <= 0;
-        if (inside && volume > 0) continue;
-        std::string at;
-        for (int d = 0; d < Dim; ++d) at += (d ? ", " : "") + std::to_string(x[d]);
-        const std::string who =
-            "particle " + std::to_string(body.particles.id[i]) + " of '" + body.name + "' at (" + at + ")";
-        if (finite && volume > 0)
-          throw SimulationError(
-              who + " left the grid" + when +
-              ": it moves too far, or the run became unstable. Enlarge <Grid>, check the conditions that should "
-              "hold it, or return such particles with <LeaveLimit>.");
-        throw SimulationError(
-            who + (crushed ? " was compressed to no volume" : " has a velocity or strain that is not a number") + when +
-            ": usually the step is too large for the present stiffness. Try a smaller <TimeFactor>, adaptive steps "
-            "(custom task AdjustTimeStep), or more particles per cell.");
-      }
-  throw SimulationError("a value on the grid is not a number" + when + "; try a smaller <TimeFactor>");
+void Stepper<Dim>::measure_crack_tips(double dt) {
+  if constexpr (Dim == 2) {
+    if (!crack_tips_.active()) return;
+    crack_tips_.measure([&](const Vec<2>& x, const Vec<2>& v) {
+      return Vec<2>((model_.body_force.gravity + body_forces_.at(x, dt)).template head<2>() - damping_.grid * v);
+    });
+  }
+}
+
+// Particles near a new tip may lie in bins that no crack cut before, so the particles must be sorted.
+template <int Dim>
+void Stepper<Dim>::grow_cracks() {
+  if constexpr (Dim == 2) {
+    if (crack_tips_.active() && crack_tips_.grow()) system_.sorted = false;
+  }
+}
+
+// Share of FLIP in the update of the particle velocities.
+double flip_share(const Scheme& scheme, bool filtered) {
+  switch (scheme.transfer) {
+    case Transfer::flip:
+      return 1.0;
+    case Transfer::blend:
+      return scheme.flip_fraction;
+    case Transfer::pic:
+    case Transfer::apic:
+      return 0.0;
+    case Transfer::xpic:
+    case Transfer::fmpm:
+      return filtered ? 0.0 : 1.0;
+  }
+  return 1.0;
+}
+
+template <int Dim>
+void Stepper<Dim>::move_particles(double dt, double strain_dt) {
+  const auto lap = watches_.gather.lap();
+  Gather what = gather_options();
+  what.move = true;
+  what.dt = dt;
+  what.strain_dt = strain_dt;
+  what.flip = flip_share(model_.scheme, filter_.active());
+  b_bar_.average_rates(what, &Field<Dim>::nodes);
+  double travel = 0.0;
+  for (auto& body : system_.bodies) {
+    what.damping = body.particle_damping + damping_.particle;
+    if (what.damping != 0.0) damping_.record_particles(body, what.damping, dt);
+    const auto result = transfers_->gather(body, Target<Dim>(body, system_.fields, &Field<Dim>::nodes), what);
+    travel = std::max(travel, result.travel);
+    if (!result.valid) stop_at_bad_particle(system_);
+  }
+  travel = std::max({travel, rigid_blocks_.move(dt), rigid_bodies_.move(dt)});
+  for (auto& body : system_.bodies) count_crossings(body, system_.lattice);
+  system_.drift += travel;
+  contact_.moved(travel);
 }
 
 template class Stepper<2>;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "view/camera.hpp"
 
 #include "base/error.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Points in space -> points on the picture.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Pixels of a picture before its words: what is nearer hides what is farther.
 #pragma once
 

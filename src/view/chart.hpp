@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Curves as SVG.
 #pragma once
 

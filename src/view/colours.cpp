@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "view/colours.hpp"
 
 #include <algorithm>

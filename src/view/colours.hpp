@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Numbers as colours.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "view/page.hpp"
 
 // The files between two labels of their own each

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Files of the page of `tribo watch`, inside the program.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "view/picture.hpp"
 
 #include "base/error.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Pictures of particles and blocks, drawn without a screen.
 #pragma once
 

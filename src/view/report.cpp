@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "view/report.hpp"
 
 #include "base/text.hpp"

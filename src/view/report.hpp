@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// One HTML file about a run that needs nothing else.
 #pragma once
 

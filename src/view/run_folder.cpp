@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "view/run_folder.hpp"
 
 #include "base/error.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// What a run left in its folder, for those who show it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "view/watch.hpp"
 
 #include "base/error.hpp"

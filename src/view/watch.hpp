@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// A page on this machine that shows a run while it goes on.
 #pragma once
 

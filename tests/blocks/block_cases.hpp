@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// What tests of blocks share: laws, nuclei, descriptions.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Contacts that come about while blocks move.
 
 #include "blocks/block_cases.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Networks of springs over Voronoi cells as elastic bodies: Bolander and Saito, Eng. Fract. Mech. 61 (1998) 569-591;
 /// fictitious stress: Asahina et al., Int. J. Rock Mech. Min. Sci. 75 (2015) 189-201.
 

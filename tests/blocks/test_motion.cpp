@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Energies, threads, rotation, friction of moving blocks.
 
 #include "base/parallel.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// BlockGap and common parts of convex blocks.
 
 #include "blocks/block_cases.hpp"

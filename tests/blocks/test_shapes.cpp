@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Shapes, faces that lie against one another, cells with walls.
 
 #include "blocks/block_cases.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Beams and specimens between platens against beam theory and elasticity; stability of the fictitious stress.
 
 #include "blocks/block_cases.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Laws from a few words, and meetings to ask them about.
 #pragma once
 
@@ -25,29 +26,29 @@ inline std::unique_ptr<ContactLaw> make_law(const char* type,
 }
 
 /// ma = 2, mb = 3, va = (1, -0.5), vb = (-1, 0.7), n = (0.8, 0.6), A = 0.25, dt = 1e-3.
-inline Meeting plain_meeting() {
-  Meeting m;
+inline ContactState plain_meeting() {
+  ContactState m;
   m.mass = 1.2, m.dt = 1e-3, m.area = 0.25;
   m.normal = Vec3(0.8, 0.6, 0);
   m.velocity = Vec3(-2, 1.2, 0);
   return m;
 }
 
-inline Meeting mirrored(Meeting m) {
+inline ContactState mirrored(ContactState m) {
   m.normal *= -1, m.velocity *= -1, m.start *= -1, m.opening *= -1;
   return m;
 }
 
 /// Change of kinetic energy by an impulse.
-inline double energy_change(const Meeting& m, const Vec3& impulse) {
+inline double energy_change(const ContactState& m, const Vec3& impulse) {
   return -impulse.dot(m.velocity - 0.5 * impulse / m.mass);
 }
 
-inline Meeting random_meeting(std::mt19937& random) {
+inline ContactState random_meeting(std::mt19937& random) {
   std::normal_distribution<double> normal;
   std::uniform_real_distribution<double> some(0, 1);
   const auto vector = [&] { return Vec3(normal(random), normal(random), normal(random)); };
-  Meeting m;
+  ContactState m;
   m.mass = 0.1 + some(random), m.dt = 0.01 + 0.1 * some(random), m.area = some(random);
   m.gap = 0.05 * normal(random);
   m.normal = vector().normalized();

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// One contact between two bodies under a joint law, moved by hand.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The area of a face at a node: sum_p V_p grad w_Ip is the integral of the weight over the surface.
 
 #include "contact/contact_cases.hpp"

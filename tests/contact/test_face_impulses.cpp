@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: MIT
 #include "contact/contact_cases.hpp"
-#include "solver/face_impulses.hpp"
+#include "solver/contact/face_solver.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -14,7 +15,7 @@ struct Meet {
   std::vector<std::array<ContactMember, 2>> members;
   std::vector<ContactPair> pairs;
   std::vector<Index<2>> places;
-  FaceImpulses<2> faces{system};
+  FaceSolver<2> faces{system};
 
   Meet(const ContactLaw& law, double height, bool rigid, unsigned seed) {
     std::mt19937 random(seed);
@@ -47,7 +48,7 @@ struct Meet {
         }
         ContactPair pair;
         pair.a = 0, pair.b = 1, pair.law = &law;
-        pair.meeting.normal = Vec3::UnitY(), pair.meeting.area = 1;
+        pair.state.normal = Vec3::UnitY(), pair.state.area = 1;
         pair.face = height - j;
         members.push_back(both), pairs.push_back(pair), places.push_back(place);
       }

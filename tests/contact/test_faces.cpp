@@ -1,4 +1,5 @@
-#include "solver/faces.hpp"
+// SPDX-License-Identifier: MIT
+#include "solver/contact/face_geometry.hpp"
 
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
@@ -9,8 +10,8 @@ using namespace tribo;
 namespace {
 
 /// Particles of size h/2 in a block [from, to] turned about the origin, within `reach` of it.
-Side<2> block(double angle, const Vec<2>& from, const Vec<2>& to, double reach = 2.5) {
-  Side<2> side;
+ParticleSet<2> block(double angle, const Vec<2>& from, const Vec<2>& to, double reach = 2.5) {
+  ParticleSet<2> side;
   const Mat<2> turn = Eigen::Rotation2Dd(angle).toRotationMatrix();
   for (double x = from[0] + 0.25; x < to[0]; x += 0.5)
     for (double y = from[1] + 0.25; y < to[1]; y += 0.5)
@@ -18,8 +19,8 @@ Side<2> block(double angle, const Vec<2>& from, const Vec<2>& to, double reach =
   return side;
 }
 
-Side<3> box(const Mat<3>& turn, const Vec<3>& from, const Vec<3>& to) {
-  Side<3> side;
+ParticleSet<3> box(const Mat<3>& turn, const Vec<3>& from, const Vec<3>& to) {
+  ParticleSet<3> side;
   for (double x = from[0] + 0.25; x < to[0]; x += 0.5)
     for (double y = from[1] + 0.25; y < to[1]; y += 0.5)
       for (double z = from[2] + 0.25; z < to[2]; z += 0.5)
@@ -60,7 +61,7 @@ TEST_CASE("the shortest vector between clouds is that of their nearest corners",
   std::mt19937 random(4);
   std::uniform_real_distribution<double> unit(-1, 1);
   for (int n = 0; n < 200; ++n) {
-    Side<2> a, b;
+    ParticleSet<2> a, b;
     for (int k = 0; k < 6; ++k) {
       a.add({unit(random), unit(random)}, Mat<2>::Zero());
       b.add({unit(random) + 3, unit(random) + 1}, Mat<2>::Zero());
@@ -93,7 +94,7 @@ TEST_CASE("a corner that slides past another one does not meet it", "[contact]")
     auto floor = block(angle, {0, -3}, {3, 0});
     for (const double front : {-0.3, -0.01, 0.0, 0.03, 0.3, 0.6, 2.0}) {
       // A block on the same level whose front is about to pass, or has passed, the floor's corner; pressed in a little
-      Side<2> slider;
+      ParticleSet<2> slider;
       for (double x = front - 0.25; x > -3; x -= 0.5)
         for (double y = 0.249; y < 2.5; y += 0.5)
           slider.add(x * along + y * up, 0.25 * (Mat<2>() << along, up).finished());
@@ -134,16 +135,16 @@ TEST_CASE("a face is flat if it is plane, wherever it ends", "[contact]") {
     CHECK_FALSE(flat_face<2>(face, (up + 0.05 * Vec<2>(up[1], -up[0])).normalized(), 0.02));
     CHECK(flat_face<2>(end, up, 0.02));
   }
-  Side<2> arc;  // of a disc with a radius of 20
+  ParticleSet<2> arc;  // of a disc with a radius of 20
   for (double t = -2.25; t < 2.5; t += 0.5) arc.add(Vec<2>(t, -0.25 - t * t / 40), 0.25 * Mat<2>::Identity());
   CHECK_FALSE(flat_face<2>(arc, Vec<2>(0, 1), 0.02));
 }
 
 TEST_CASE("rounding of the particles' places does not turn the margin normal", "[contact]") {
   std::mt19937 random(7);
-  const auto disturbed = [&](const Side<2>& side, double noise) {
+  const auto disturbed = [&](const ParticleSet<2>& side, double noise) {
     std::uniform_real_distribution<double> unit(-noise, noise);
-    Side<2> out;
+    ParticleSet<2> out;
     for (std::size_t i = 0; i < side.size(); ++i) {
       const Vec<2> moved = side.centre(i) + Vec<2>(unit(random), unit(random));
       out.add(moved, side.half_axes(i));
@@ -162,7 +163,7 @@ TEST_CASE("rounding of the particles' places does not turn the margin normal", "
 TEST_CASE("round faces that lie in each other have the gap between their curves", "[contact]") {
   // Particles of size h/2 along arcs about (0, -radius): one body inside the circle, the other one outside.
   const auto arc = [](double radius, double from, double to) {
-    Side<2> side;
+    ParticleSet<2> side;
     for (double r = from + 0.25; r < to; r += 0.5)
       for (double along = -2.25 + 0.1; along < 2.5; along += 0.5) {
         const double angle = along / radius;
@@ -194,7 +195,7 @@ TEST_CASE("flat faces and stairs have no play", "[contact]") {
     CHECK(play_between<2>(below, above, up, 0.75, 0.06) == Approx(0).margin(1e-12));
   }
   // Stairs that fit into each other, seen along their slope
-  Side<2> lower, upper;
+  ParticleSet<2> lower, upper;
   for (double x = -2.75; x < 3; x += 0.5)
     for (double y = 0.25; y < 2; y += 0.5) {
       lower.add({x, x - y}, 0.25 * Mat<2>::Identity());

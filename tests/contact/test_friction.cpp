@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "contact/contact_cases.hpp"
 
 #include <catch2/catch.hpp>
@@ -7,7 +8,7 @@ using namespace tribo::test;
 
 namespace {
 
-void check_impulse(const Answer& got, double x, double y, double tolerance = 1e-13) {
+void check_impulse(const ContactResponse& got, double x, double y, double tolerance = 1e-13) {
   CHECK(got.impulse[0] == Approx(x).epsilon(0).margin(tolerance));
   CHECK(got.impulse[1] == Approx(y).epsilon(0).margin(tolerance));
   CHECK(got.impulse[2] == 0.0);
@@ -16,29 +17,29 @@ void check_impulse(const Answer& got, double x, double y, double tolerance = 1e-
 }  // namespace
 
 TEST_CASE("frictional laws give the impulses of a hand calculation", "[contact]") {
-  const Meeting m = plain_meeting();
-  const auto frictionless = make_law("61", {})->answer(m);
+  const ContactState m = plain_meeting();
+  const auto frictionless = make_law("61", {})->response(m);
   check_impulse(frictionless, -0.8448, -0.6336);
   CHECK(energy_change(m, frictionless.impulse) == Approx(-0.46464).epsilon(1e-13));
-  const auto stick = make_law("60", {})->answer(m);
+  const auto stick = make_law("60", {})->response(m);
   check_impulse(stick, -2.4, 1.44);
   CHECK(energy_change(m, stick.impulse) == Approx(-3.264).epsilon(1e-13));
-  const auto rubs = make_law("61", {{"coeff", "0.3"}})->answer(m);
+  const auto rubs = make_law("61", {{"coeff", "0.3"}})->response(m);
   check_impulse(rubs, -1.03488, -0.38016);
-  CHECK(rubs.touch == Touch::slip);
+  CHECK(rubs.status == ContactStatus::slip);
   CHECK(energy_change(m, rubs.impulse) == Approx(-1.1071104).epsilon(1e-13));
-  check_impulse(make_law("63", {{"coeff", "0.3"}, {"Sa", "800"}})->answer(m), -1.15488, -0.22016);
-  check_impulse(make_law("63", {{"coeff", "0.3"}, {"kmu", "0.05"}})->answer(m), -1.09241379, -0.303448276, 1e-8);
+  check_impulse(make_law("63", {{"coeff", "0.3"}, {"Sa", "800"}})->response(m), -1.15488, -0.22016);
+  check_impulse(make_law("63", {{"coeff", "0.3"}, {"kmu", "0.05"}})->response(m), -1.09241379, -0.303448276, 1e-8);
   auto liquid = make_law("64", {{"coeff", "2"}, {"LiquidPhase", "1"}});
   liquid->set_viscosity([](double) { return 1000.0; });
-  check_impulse(liquid->answer(m), -1.30221176, -0.0237176471, 1e-8);
+  check_impulse(liquid->response(m), -1.30221176, -0.0237176471, 1e-8);
 }
 
 TEST_CASE("friction falls smoothly from static to dynamic", "[contact]") {
-  Meeting m;
+  ContactState m;
   m.mass = 1.2, m.dt = 1, m.area = 1;
   m.velocity = Vec3(-2 / 1.2, 1.5 / 1.2, 0);
-  const auto got = make_law("63", {{"coeff", "0.3"}, {"coeffStatic", "0.5"}, {"vhalf", "0.2"}})->answer(m);
+  const auto got = make_law("63", {{"coeff", "0.3"}, {"coeffStatic", "0.5"}, {"vhalf", "0.2"}})->response(m);
   CHECK(got.impulse[1] == Approx(0.6915650514).epsilon(1e-9));
   const double v = (1.5 - got.impulse[1]) / 1.2;
   CHECK(got.impulse[1] == Approx(2 * (0.5 * 0.2 + 0.3 * v) / (0.2 + v)).epsilon(1e-12));
@@ -46,46 +47,46 @@ TEST_CASE("friction falls smoothly from static to dynamic", "[contact]") {
 
 TEST_CASE("faces may close their gap but not pass", "[contact]") {
   const auto law = make_law("61", {});
-  Meeting m = plain_meeting();  // closes with 0.88
+  ContactState m = plain_meeting();  // closes with 0.88
   m.gap = 0.88e-3 * 1.001;
-  CHECK(law->answer(m).touch == Touch::open);
-  CHECK(law->answer(m).impulse.norm() == 0.0);
+  CHECK(law->response(m).status == ContactStatus::open);
+  CHECK(law->response(m).impulse.norm() == 0.0);
   m.gap = 0.5e-3;
-  const auto part = law->answer(m);
+  const auto part = law->response(m);
   CHECK((m.velocity - part.impulse / m.mass).dot(m.normal) == Approx(-0.5).epsilon(1e-13));
   m.gap = -1;
-  CHECK(law->answer(m).impulse.dot(m.normal) == Approx(-1.2 * 0.88).epsilon(1e-13));
+  CHECK(law->response(m).impulse.dot(m.normal) == Approx(-1.2 * 0.88).epsilon(1e-13));
   m.velocity = Vec3(0.8, 0.6, 0);  // parting: no tension, even while overlapping
-  CHECK(law->answer(m).impulse.norm() == 0.0);
+  CHECK(law->response(m).impulse.norm() == 0.0);
 }
 
 TEST_CASE("contact may be held by overlap alone, or up to a tension", "[contact]") {
-  Meeting m = plain_meeting();
+  ContactState m = plain_meeting();
   m.velocity = Vec3(0.8, 0.6, 0), m.gap = -1e-3;  // parting with 1: tension 1.2/(0.25e-3) = 4800
-  CHECK(make_law("61", {{"displacementOnly", "1"}})->answer(m).impulse.dot(m.normal) == Approx(1.2));
-  CHECK(make_law("61", {{"displacementOnly", "-4801"}})->answer(m).impulse.dot(m.normal) == Approx(1.2));
-  CHECK(make_law("61", {{"displacementOnly", "-4799"}})->answer(m).impulse.norm() == 0.0);
+  CHECK(make_law("61", {{"displacementOnly", "1"}})->response(m).impulse.dot(m.normal) == Approx(1.2));
+  CHECK(make_law("61", {{"displacementOnly", "-4801"}})->response(m).impulse.dot(m.normal) == Approx(1.2));
+  CHECK(make_law("61", {{"displacementOnly", "-4799"}})->response(m).impulse.norm() == 0.0);
 }
 
 TEST_CASE("compliant faces push back with their stiffness", "[contact]") {
-  Meeting m = plain_meeting();
+  ContactState m = plain_meeting();
   m.gap = -0.01, m.velocity = m.start = Vec3(0, 0, 0);
   const auto law = make_law("61", {{"Dc", "1000"}});
   const double phi = 1e-3 * std::sqrt(1000 * 0.25 / 1.2);
-  CHECK(law->answer(m).impulse.dot(m.normal) ==
+  CHECK(law->response(m).impulse.dot(m.normal) ==
         Approx(-0.01 * 1000 * 0.25 * 1e-3 * (1 - phi * phi / 12)).epsilon(1e-6));
 }
 
 TEST_CASE("a negative coefficient sticks in contact and lets go", "[contact]") {
   const auto law = make_law("61", {{"coeff", "-1"}});
-  check_impulse(law->answer(plain_meeting()), -2.4, 1.44);
-  Meeting m = plain_meeting();
+  check_impulse(law->response(plain_meeting()), -2.4, 1.44);
+  ContactState m = plain_meeting();
   m.velocity = Vec3(0.8, 0.6, 0);
-  CHECK(law->answer(m).impulse.norm() == 0.0);
+  CHECK(law->response(m).impulse.norm() == 0.0);
 }
 
 TEST_CASE("static friction holds until faces slide, and falls along the way they slid", "[contact]") {
-  Meeting m;
+  ContactState m;
   m.mass = 1, m.dt = 1, m.area = 1, m.cell = 2;
   m.velocity = Vec3(-1, 10, 0);
   for (const char* type : {"61", "63"}) {
@@ -93,7 +94,7 @@ TEST_CASE("static friction holds until faces slide, and falls along the way they
     const auto given = make_law(type, {{"coeff", "0.3"}, {"coeffStatic", "0.7"}, {"weakening", "0.5"}});
     const auto friction = [&](const ContactLaw& of, double slip) {
       m.slip = slip;
-      return of.answer(m).impulse[1];
+      return of.response(m).impulse[1];
     };
     CHECK(friction(*law, 0) == Approx(0.7));
     CHECK(friction(*law, 0.005) == Approx(0.6));
@@ -101,7 +102,7 @@ TEST_CASE("static friction holds until faces slide, and falls along the way they
     CHECK(friction(*given, 0.25) == Approx(0.5));
     CHECK(law->remembers());
     m.slip = 0, m.velocity = Vec3(-1, 0.69, 0);
-    CHECK(law->answer(m).touch == Touch::stick);
+    CHECK(law->response(m).status == ContactStatus::stick);
     m.velocity = Vec3(-1, 10, 0);
   }
 }
@@ -109,7 +110,7 @@ TEST_CASE("static friction holds until faces slide, and falls along the way they
 TEST_CASE("bonds hold inside their envelope and break for good", "[contact]") {
   const auto law = make_law("63", {{"coeff", "0.3"}, {"Sa", "2"}, {"Na", "1"}});
   const auto forever = make_law("63", {{"coeff", "0.3"}, {"Sa", "2"}, {"Na", "1"}, {"rebond", "1"}});
-  Meeting m;
+  ContactState m;
   m.mass = 1, m.dt = 1, m.area = 1, m.gap = 1e-6, m.bond = Bond::whole;
   // failure of |T| under angles from the normal, in steps of 15 degrees: (T cos/Na)^2 + (T sin/Sa)^2 = 1
   const double strength[] = {1, 1.02610823, 1.10940039, 1.26491106, 1.51185789, 1.82501056, 2};
@@ -117,36 +118,36 @@ TEST_CASE("bonds hold inside their envelope and break for good", "[contact]") {
     const double angle = k * std::acos(-1.0) / 12;
     for (const double share : {0.9999, 1.0001}) {
       m.velocity = share * strength[k] * Vec3(std::cos(angle), std::sin(angle), 0);
-      const auto got = law->answer(m);
+      const auto got = law->response(m);
       CHECK((got.bond == Bond::whole) == (share < 1));
       CHECK(got.impulse.norm() == Approx(share < 1 ? m.velocity.norm() : 0.0));
     }
   }
   m.velocity = Vec3(0.1, 0, 0);
   m.bond = Bond::broken;
-  CHECK(law->answer(m).impulse.norm() == 0.0);
+  CHECK(law->response(m).impulse.norm() == 0.0);
   m.bond = Bond::none;
-  CHECK(law->answer(m).impulse.norm() == 0.0);
+  CHECK(law->response(m).impulse.norm() == 0.0);
   m.gap = 0, m.velocity = Vec3(-0.1, 0, 0);
-  CHECK(law->answer(m).bond == Bond::whole);  // faces that never touched bond when they do
+  CHECK(law->response(m).bond == Bond::whole);  // faces that never touched bond when they do
   m.bond = Bond::broken;
-  CHECK(law->answer(m).bond == Bond::broken);
-  CHECK(forever->answer(m).bond == Bond::whole);
+  CHECK(law->response(m).bond == Bond::broken);
+  CHECK(forever->response(m).bond == Bond::whole);
   // compression |N| = 1 with friction: slides at Sa + 0.3 N = 2.3
   m.bond = Bond::whole;
   for (const double slide : {2.2999, 2.3001}) {
     m.velocity = Vec3(-1, slide, 0);
-    CHECK((law->answer(m).touch == Touch::stick) == (slide < 2.3));
+    CHECK((law->response(m).status == ContactStatus::stick) == (slide < 2.3));
   }
 }
 
 TEST_CASE("slip of a liquid of any viscosity solves its equation; k = 0 is free, large k sticks", "[contact]") {
-  const Meeting m = plain_meeting();
+  const ContactState m = plain_meeting();
   const auto thinning = [](double rate) { return 50.0 / (1 + 0.3 * rate) + 1.0; };
   for (const char* k : {"1e-3", "1", "1e3", "1e6"}) {
     auto law = make_law("64", {{"coeff", k}, {"LiquidPhase", "1"}});
     law->set_viscosity(thinning);
-    const Vec3 J = law->answer(m).impulse;
+    const Vec3 J = law->response(m).impulse;
     const Vec3 t(-0.6, 0.8, 0);
     const double slip = (m.velocity - J / m.mass).dot(t), rate = std::stod(k) * slip;
     CHECK(J.dot(t) == Approx(rate * thinning(rate) * m.area * m.dt).epsilon(1e-11));
@@ -154,8 +155,8 @@ TEST_CASE("slip of a liquid of any viscosity solves its equation; k = 0 is free,
   auto free = make_law("64", {{"coeff", "0"}, {"LiquidPhase", "1"}}),
        sticky = make_law("64", {{"coeff", "1e15"}, {"LiquidPhase", "1"}});
   for (auto* law : {free.get(), sticky.get()}) law->set_viscosity([](double) { return 1.0; });
-  check_impulse(free->answer(m), -0.8448, -0.6336);
-  check_impulse(sticky->answer(m), -2.4, 1.44, 1e-10);
+  check_impulse(free->response(m), -0.8448, -0.6336);
+  check_impulse(sticky->response(m), -2.4, 1.44, 1e-10);
 }
 
 TEST_CASE("frictional laws dissipate, mirror, and are continuous in the velocity", "[contact]") {
@@ -172,13 +173,13 @@ TEST_CASE("frictional laws dissipate, mirror, and are continuous in the velocity
   laws.push_back(make_law("63", {{"coeff", "0.2"}, {"Sa", "30"}, {"Na", "20"}}));
   for (std::size_t k = 0; k < laws.size(); ++k)
     for (int n = 0; n < 2000; ++n) {
-      const Meeting m = random_meeting(random);
-      const Answer a = laws[k]->answer(m), b = laws[k]->answer(mirrored(m));
+      const ContactState m = random_meeting(random);
+      const ContactResponse a = laws[k]->response(m), b = laws[k]->response(mirrored(m));
       REQUIRE((a.impulse + b.impulse).norm() <= 1e-14 * (1 + a.impulse.norm()));
       REQUIRE(energy_change(m, a.impulse) <= 1e-14);
       if (k >= continuous) continue;
-      Meeting near = m;
+      ContactState near = m;
       near.velocity += Vec3(1e-9, -2e-9, 1e-9);
-      REQUIRE((laws[k]->answer(near).impulse - a.impulse).norm() < 1e-7);
+      REQUIRE((laws[k]->response(near).impulse - a.impulse).norm() < 1e-7);
     }
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "contact/contact_cases.hpp"
 #include "contact/interface.hpp"
 
@@ -58,7 +59,7 @@ TEST_CASE("the impulse of an interface is continuous in its stiffness and joins 
 
 TEST_CASE("a bilinear interface swings with half periods of its two stiffnesses and keeps its energy", "[contact]") {
   const auto law = make_law("62", {{"Dnt", "100"}, {"Dnc", "400"}, {"Dt", "0"}});
-  Meeting m;
+  ContactState m;
   m.mass = 1, m.dt = 1e-3, m.area = 1;
   double d = 0, v = 1, opened = 0, closed = 0, most = 0, least = 0;
   int sign = 1;
@@ -67,7 +68,7 @@ TEST_CASE("a bilinear interface swings with half periods of its two stiffnesses 
   for (int step = 1; step <= 47124; ++step) {  // 100 periods of 0.4712389
     m.opening = Vec3(d, 0, 0), m.start = m.velocity = Vec3(v, 0, 0);
     const double before = d;
-    v -= law->answer(m).impulse[0], d += m.dt * v;
+    v -= law->response(m).impulse[0], d += m.dt * v;
     if ((d > 0) != (sign > 0)) {
       const double t = (step - 1 + before / (before - d)) * m.dt;
       half.push_back(t - last), last = t, sign = -sign;
@@ -83,14 +84,14 @@ TEST_CASE("a bilinear interface swings with half periods of its two stiffnesses 
 }
 
 TEST_CASE("perfect directions stick; a perfect side is a stop", "[contact]") {
-  Meeting m = plain_meeting();
+  ContactState m = plain_meeting();
   m.opening = 1e-3 * m.normal, m.start = m.velocity;
-  CHECK((make_law("62", {})->answer(m).impulse - m.mass * m.velocity).norm() < 1e-15);
+  CHECK((make_law("62", {})->response(m).impulse - m.mass * m.velocity).norm() < 1e-15);
   const auto stop = make_law("62", {{"Dnt", "100"}, {"Dnc", "-1"}, {"Dt", "0"}});
   // closes with 0.88: open by 1e-3 it may close 1e-3 in this step, touching it may not close at all
   const auto end = [&](double opening) {
     m.opening = opening * m.normal;
-    return (m.velocity - stop->answer(m).impulse / m.mass).dot(m.normal);
+    return (m.velocity - stop->response(m).impulse / m.mass).dot(m.normal);
   };
   CHECK(end(0.5e-3) == Approx(-0.5).epsilon(1e-12));
   CHECK(end(0.0) == Approx(0.0).margin(1e-13));
@@ -110,8 +111,8 @@ TEST_CASE("interfaces mirror, and only give back what they stored", "[contact]")
       {{"Dnt", "20"}, {"Dt", "5"}, {"normal_shape", "1"}, {"Npeak", "1"}, {"tangential_shape", "1"}, {"Tpeak", "1"}}));
   for (auto& law : laws)
     for (int n = 0; n < 2000; ++n) {
-      const Meeting m = random_meeting(random);
-      const Answer a = law->answer(m), b = law->answer(mirrored(m));
+      const ContactState m = random_meeting(random);
+      const ContactResponse a = law->response(m), b = law->response(mirrored(m));
       REQUIRE((a.impulse + b.impulse).norm() <= 1e-13 * (1 + a.impulse.norm()));
       REQUIRE(a.stored == Approx(b.stored).epsilon(1e-12));
       REQUIRE(a.stored >= 0);
@@ -121,12 +122,12 @@ TEST_CASE("interfaces mirror, and only give back what they stored", "[contact]")
 TEST_CASE("a linear shape of the nonlinear interface agrees with the linear law to second order", "[contact]") {
   const auto linear = make_law("62", {{"Dn", "20"}, {"Dt", "5"}}),
              general = make_law("65", {{"Dn", "20"}, {"Dt", "5"}});
-  Meeting m = plain_meeting();
+  ContactState m = plain_meeting();
   m.opening = Vec3(1e-3, 2e-3, 0), m.start = Vec3(-1.9, 1.3, 0);
   double before = 0;
   for (const double dt : {0.04, 0.02, 0.01}) {
     m.dt = dt, m.velocity = m.start + dt * Vec3(3, -2, 0);
-    const double error = (linear->answer(m).impulse - general->answer(m).impulse).norm() / dt;
+    const double error = (linear->response(m).impulse - general->response(m).impulse).norm() / dt;
     if (before > 0) CHECK(before / error > 3.5);
     before = error;
   }
@@ -134,18 +135,18 @@ TEST_CASE("a linear shape of the nonlinear interface agrees with the linear law 
 
 TEST_CASE("Morse's law has its slope, its peak, and softens", "[contact]") {
   const auto law = make_law("65", {{"Dnt", "400"}, {"Dt", "0"}, {"normal_shape", "1"}, {"Npeak", "10"}});
-  Meeting m;
+  ContactState m;
   m.mass = 1e9, m.dt = 1e-6, m.area = 1;  // too heavy to move
   const auto traction = [&](double d) {
     m.opening = Vec3(d, 0, 0);
-    return law->answer(m).impulse[0] / m.dt;
+    return law->response(m).impulse[0] / m.dt;
   };
   CHECK(traction(1e-7) == Approx(400e-7).epsilon(1e-5));
   CHECK(traction(std::log(2.0) / 10) == Approx(10).epsilon(1e-6));
   CHECK(traction(0.2) < traction(0.1));
   CHECK(traction(-1e-3) == Approx(-0.4).epsilon(1e-6));
   m.opening = Vec3(100, 0, 0);
-  CHECK(law->answer(m).stored == Approx(8 * 100.0 / 400).epsilon(1e-9));  // the well's depth: what it costs to part
+  CHECK(law->response(m).stored == Approx(8 * 100.0 / 400).epsilon(1e-9));  // the well's depth: what it costs to part
 }
 
 TEST_CASE("the bilinear shape rises, falls straight, and ends", "[contact]") {
@@ -157,11 +158,11 @@ TEST_CASE("the bilinear shape rises, falls straight, and ends", "[contact]") {
                                    {"tangential_shape", "2"},
                                    {"Tpeak", "4"},
                                    {"Tbreak", "0.2"}});
-  Meeting m;
+  ContactState m;
   m.mass = 1e9, m.dt = 1e-6, m.area = 1;  // too heavy to move
   const auto traction = [&](double normal, double slip) {
     m.opening = Vec3(normal, slip, 0);
-    return Vec3(law->answer(m).impulse / m.dt);
+    return Vec3(law->response(m).impulse / m.dt);
   };
   CHECK(traction(0.02, 0)[0] == Approx(8).epsilon(1e-9));    // 400 * 0.02
   CHECK(traction(0.025, 0)[0] == Approx(10).epsilon(1e-9));  // the peak
@@ -171,5 +172,5 @@ TEST_CASE("the bilinear shape rises, falls straight, and ends", "[contact]") {
   CHECK(traction(0, 0.03)[1] == Approx(3).epsilon(1e-9));
   CHECK(traction(0, -0.12)[1] == Approx(-2).epsilon(1e-9));  // against the slip, half way down
   m.opening = Vec3(0.5, 0, 0);
-  CHECK(law->answer(m).stored == Approx(0.5 * 10 * 0.1).epsilon(1e-9));  // the triangle
+  CHECK(law->response(m).stored == Approx(0.5 * 10 * 0.1).epsilon(1e-9));  // the triangle
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The joint law Mohr against closed forms. A = 0.5, k_n = 2e9, k_s = 1e9 unless said otherwise.
 
 #include "contact/joint_cases.hpp"

@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: MIT
 #include "contact/contact_cases.hpp"
-#include "solver/pair_impulses.hpp"
+#include "solver/contact/node_solver.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -24,8 +25,8 @@ struct Row {
     for (const auto& [i, j, gap] : {std::tuple{0, 1, 0.0}, {0, 2, 1e9}, {1, 2, 0.0}}) {
       ContactPair pair;
       pair.a = static_cast<std::size_t>(i), pair.b = static_cast<std::size_t>(j), pair.law = &law;
-      pair.meeting.mass = 1 / (members[pair.a].inverse_mass + members[pair.b].inverse_mass);
-      pair.meeting.dt = 1e-3, pair.meeting.gap = gap, pair.meeting.area = 1;
+      pair.state.mass = 1 / (members[pair.a].inverse_mass + members[pair.b].inverse_mass);
+      pair.state.dt = 1e-3, pair.state.gap = gap, pair.state.area = 1;
       pairs.push_back(pair);
     }
   }
@@ -44,7 +45,7 @@ TEST_CASE("three bodies at a node exchange the impulses of least energy", "[cont
                      {{-1, 0, 1}, {-1, 0, 1}}};
   for (const auto& [start, end] : cases) {
     Row row(*law, start[0], start[1], start[2]);
-    solve_pairs(row.members, row.pairs, true, false);
+    solve_node(row.members, row.pairs, true, false);
     for (std::size_t k = 0; k < 3; ++k) CHECK(row.after(k) == Approx(end[k]).epsilon(0).margin(1e-12));
     const double before = start[0] + 2 * start[1] + 4 * start[2];
     CHECK(row.after(0) + 2 * row.after(1) + 4 * row.after(2) == Approx(before).margin(1e-14));
@@ -70,12 +71,12 @@ TEST_CASE("many bodies with any frictional laws keep momentum and never gain ene
       for (std::size_t b = a + 1; b < 4; ++b) {
         ContactPair pair;
         pair.a = a, pair.b = b, pair.law = laws[(a + b + static_cast<std::size_t>(n)) % 3];
-        pair.meeting.mass = 1 / (members[a].inverse_mass + members[b].inverse_mass);
-        pair.meeting.dt = 1e-3, pair.meeting.gap = -1e-3, pair.meeting.area = 1;
-        pair.meeting.normal = Vec3(normal(random), normal(random), normal(random)).normalized();
+        pair.state.mass = 1 / (members[a].inverse_mass + members[b].inverse_mass);
+        pair.state.dt = 1e-3, pair.state.gap = -1e-3, pair.state.area = 1;
+        pair.state.normal = Vec3(normal(random), normal(random), normal(random)).normalized();
         pairs.push_back(pair);
       }
-    solve_pairs(members, pairs, true, false);
+    solve_node(members, pairs, true, false);
     Vec3 after = Vec3::Zero();
     double energy_after = 0;
     for (std::size_t k = 0; k < 4; ++k) {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The joint law SpringNetwork against closed forms: a square face of 10 x 10 mm, E = 50 GPa, d = 10 mm.
 
 #include "contact/joint_cases.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "drive/drive.hpp"
 #include "input/read.hpp"
 #include "tests/scratch.hpp"

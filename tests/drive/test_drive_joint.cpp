@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Joint laws along paths: what the driver itself does; the laws have tests of their own.
 
 #include "input/read.hpp"

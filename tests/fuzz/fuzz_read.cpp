@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Any bytes must give a model or an InputError. Build with the preset `fuzz`, run `fuzz_read CORPUS_FOLDER`; the
 /// malformed files of the tests are a good start.
 

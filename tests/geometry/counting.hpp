@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Area or volume of a shape by counting lattice points, with a bound on the error.
 #pragma once
 

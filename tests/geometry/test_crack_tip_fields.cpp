@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "geometry/crack_tip_fields.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Crossings against integer arithmetic, in which no number is rounded.
 
 #include "geometry/crossing.hpp"

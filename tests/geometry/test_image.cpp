@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "base/error.hpp"
 #include "geometry/region.hpp"
 #include "tests/geometry/counting.hpp"

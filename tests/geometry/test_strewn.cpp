@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "geometry/strewn.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "grid/kernels.hpp"
 
 #include <catch2/catch.hpp>

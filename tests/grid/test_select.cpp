@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "grid/select.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// What `tribo check` says of a model.
 
 #include "input/read.hpp"

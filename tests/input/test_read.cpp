@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "input/dialect.hpp"
 #include "input/read.hpp"
 #include "materials/material.hpp"
@@ -15,7 +16,7 @@ using namespace tribo;
 
 namespace {
 
-const std::filesystem::path here = std::filesystem::path(__FILE__).parent_path();
+const std::filesystem::path here = std::filesystem::path(TRIBO_ROOT) / "tests/input";
 
 std::string text_of(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);

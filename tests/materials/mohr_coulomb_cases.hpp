@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// What the Mohr-Coulomb tests share: the law of the published simple-shear case and loops over steps.
 #pragma once
 

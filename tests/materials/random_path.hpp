@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Random strain paths for plastic laws.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Tables of reference numbers beside the tests: comma separated, lines that start with # are remarks.
 #pragma once
 
@@ -11,7 +12,7 @@
 namespace tribo::test {
 
 inline std::vector<std::vector<std::string>> read_table(const std::string& name) {
-  std::ifstream in(std::filesystem::path(__FILE__).parent_path() / "data" / name);
+  std::ifstream in(std::filesystem::path(TRIBO_ROOT) / "tests/materials/data" / name);
   if (!in) throw std::runtime_error("cannot read the table " + name);
   std::vector<std::vector<std::string>> rows;
   for (std::string line; std::getline(in, line);) {

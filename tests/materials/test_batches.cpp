@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Batches of any size do what their points would do alone.
 
 #include "material_point.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "materials/pressure_shear.hpp"
 #include "random_path.hpp"
 

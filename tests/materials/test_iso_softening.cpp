@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "random_path.hpp"
 #include "tests/material_point.hpp"
 

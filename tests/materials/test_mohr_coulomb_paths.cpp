@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Mohr-Coulomb under normal strains, prescribed stresses, random paths, softening of everything, and plane stress.
 
 #include "materials/mohr_coulomb_cases.hpp"

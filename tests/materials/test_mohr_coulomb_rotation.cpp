@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Simple shear with rotation: the Jaumann rate of the law, discrete and in the limit of small steps.
 
 #include "materials/mohr_coulomb_cases.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Simple shear without rotation: closed forms of Mohr-Coulomb viscoplasticity.
 // mu = 200 MPa, shear rate 1e-5/s; see materials/README.md for the formulae.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "materials/principal.hpp"
 
 #include <Eigen/Eigenvalues>

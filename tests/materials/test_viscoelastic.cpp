@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "material_point.hpp"
 
 #include <catch2/catch.hpp>

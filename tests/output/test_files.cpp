@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "base/error.hpp"
 #include "output/atomic_file.hpp"
 #include "output/checkpoint.hpp"

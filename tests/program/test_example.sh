@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
 # The benchmark of the README against its closed form. Usage: test_example.sh TRIBO PYTHON SOURCE_DIR
 set -euo pipefail
 work=$(mktemp -d)

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
 # The program as a user meets it: exit codes, threads, stop and resume. Usage: test_program.sh TRIBO SOURCE_DIR
 set -euo pipefail
 tribo=$1 source=$2

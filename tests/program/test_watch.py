@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: MIT
 """`tribo report`, `tribo render` and `tribo watch`, the page in headless Chromium. Usage: test_watch.py TRIBO SOURCE_DIR"""
 
 import json

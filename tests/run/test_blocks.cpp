@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Runs of blocks from command files to the last file.
 
 #include "input/read.hpp"

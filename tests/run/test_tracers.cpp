@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Histories of single particles.
 
 #include "../solver/cloud.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Random clouds of particles in a system, for tests of the transfers and the step without any input file.
 #pragma once
 

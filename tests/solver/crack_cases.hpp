@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Cracks for tests.
 #pragma once
 

@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: MIT
 /// Joint laws and means over joints, for tests of joints in the grid.
 #pragma once
 
 #include "contact/joint_cases.hpp"
-#include "solver/system.hpp"
+#include "solver/state/system.hpp"
 
 namespace tribo::test {
 

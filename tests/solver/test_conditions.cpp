@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "cloud.hpp"
 
 #include <catch2/catch.hpp>
@@ -17,10 +18,10 @@ std::vector<double> folded_weights(Kernel kernel, double x, bool symmetry, bool 
   auto system = build_system<2>(model, {s});
   settle(system);
   auto& field = system.fields[0];
-  Conditions<2> conditions(model, system.lattice);
-  conditions.locate(field.map);
+  const auto exchange = make_exchange<2>(model.grid, system.lattice);
+  exchange->locate(field.map);
   make_transfers<2>(model.scheme)->scatter(system.bodies[0], {field.map, field.nodes}, Scatter::momentum, false, false);
-  conditions.fold(field.nodes);
+  exchange->sum_images(field.nodes);
   std::vector<double> shares(5, 0.0);
   for (std::int64_t n = 0; n < field.map.node_count(); ++n) {
     const int i = field.map.node_at(n)[0] - Lattice<2>::padding;
@@ -68,8 +69,8 @@ TEST_CASE("linear fields pass a wall unchanged", "[conditions]") {
   auto system = build_system<2>(model, {s});
   settle(system);
   auto& field = system.fields[0];
-  Conditions<2> conditions(model, system.lattice);
-  conditions.locate(field.map);
+  const auto exchange = make_exchange<2>(model.grid, system.lattice);
+  exchange->locate(field.map);
   for (std::int64_t n = 0; n < field.map.node_count(); ++n) {
     const Vec<2> x = system.lattice.position(field.map.node_at(n));
     Node& node = field.nodes[static_cast<std::size_t>(n)];
@@ -77,7 +78,7 @@ TEST_CASE("linear fields pass a wall unchanged", "[conditions]") {
     node.velocity[0] = inside ? 1 + 2 * x[0] - x[1] : 1e9;  // what is beyond must not matter
     node.velocity[1] = inside ? 3 - x[0] : -1e9;
   }
-  conditions.extend(field.nodes);
+  exchange->copy_images(field.nodes);
   Gather what;
   what.move = true, what.flip = 0, what.dt = 1e-12;
   make_transfers<2>(model.scheme)->gather(system.bodies[0], {field.map, field.nodes}, what);

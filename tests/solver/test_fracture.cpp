@@ -1,11 +1,12 @@
+// SPDX-License-Identifier: MIT
 /// Loads of crack tips, and how cracks grow.
 
 #include "base/parallel.hpp"
 #include "cloud.hpp"
 #include "crack_cases.hpp"
 #include "geometry/crack_tip_fields.hpp"
-#include "solver/crack_build.hpp"
-#include "solver/fracture.hpp"
+#include "solver/cracks/crack_build.hpp"
+#include "solver/cracks/crack_tips.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -62,7 +63,7 @@ CrackTip measured(double angle, double K1, double K2, double turn = 0) {
   load(system, angle, K1, K2, turn);
   const auto transfers = make_transfers<2>(model.scheme);
   Cracks<2> cracks(model, system, *transfers);
-  Fracture<2> fracture(model, system, cracks, 3);
+  CrackTips<2> fracture(model, system, cracks, 3);
   fracture.measure([](const Vec<2>&, const Vec<2>&) { return Vec<2>(Vec<2>::Zero()); });
   return system.cracks[0].tips[0];
 }
@@ -117,7 +118,7 @@ struct Growing {
   bool grow(double K1, double K2, double J = 0) {
     const auto transfers = make_transfers<2>(model.scheme);
     Cracks<2> cracks(model, system, *transfers);
-    Fracture<2> fracture(model, system, cracks, 3);
+    CrackTips<2> fracture(model, system, cracks, 3);
     tip().K = {K1, K2}, tip().J = J;
     return fracture.grow();
   }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Conduction: heat is kept, flows from hot to cold, and knows planes, held nodes and fluxes.
 
 #include "cloud.hpp"

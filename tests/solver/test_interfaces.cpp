@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Joint laws between two materials.
 
 #include "base/parallel.hpp"
@@ -98,14 +99,14 @@ void patch(const std::vector<Block>& blocks, double angle, double tilt, double a
   stepper.advance(1e-6);
   stepper.contact().each_touching(
       [](const ContactPair& pair, const auto&, const auto&, double) { CHECK(pair.jointed); });
-  stepper.grid_damping = 20;  // critical: 2 sqrt(k A (1/m + 1/m))
+  stepper.damping().grid = 20;  // critical: 2 sqrt(k A (1/m + 1/m))
   for (int step = 0; step < 600; ++step) stepper.advance(2.5e-3);
   const JointSums sums = means(system, Vec3::UnitX());
   CHECK(sums.area == Approx(Dim == 2 ? 8 : 32).epsilon(1e-9));
   // What little moves on yet, nodes at the blocks' edges that hold next to no mass, is held by damping.
   const Measures upper = measure(system.bodies[1], false);
   const Vec<Dim> from = upper.centre.template head<Dim>() - Vec<Dim>::Constant(centre);
-  const double pull = a * upper.mass * from.dot(n) - stepper.grid_damping * upper.momentum.template head<Dim>().dot(n);
+  const double pull = a * upper.mass * from.dot(n) - stepper.damping().grid * upper.momentum.template head<Dim>().dot(n);
   CHECK(pull == Approx(a * upper.mass * 2).epsilon(3e-3));
   CHECK(sums.opening == Approx(pull / (k * sums.area)).epsilon(1e-3));
   CHECK(std::abs(sums.shear) < 1e-3 * std::abs(sums.opening));

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Joint laws on cracks in the grid.
 
 #include "base/parallel.hpp"

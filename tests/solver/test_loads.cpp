@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Tractions, body forces of particles, and the deformation that belongs to the motion.
 
 #include "cloud.hpp"

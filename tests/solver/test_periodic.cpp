@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "cloud.hpp"
 
 #include <catch2/catch.hpp>

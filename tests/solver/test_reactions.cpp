@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Forces of symmetry planes and rigid bodies on the material.
 
 #include "cloud.hpp"
@@ -62,12 +63,12 @@ TEST_CASE("a symmetry plane pushes back with what changes the momentum of the ha
     // gives back. That mass is below 2 % of the block's.
     const bool beyond = kernel == Kernel::quadratic_spline || kernel == Kernel::cubic_spline;
     const double margin = (beyond ? 2e-2 : 1e-9) * weight * 3;
-    CHECK(rate[0] == Approx(stepper.conditions(0).plane_reaction(0, 0) - 3 * weight).margin(margin));
-    CHECK(rate[1] == Approx(stepper.conditions(0).plane_reaction(1, 1) + 2 * weight).margin(margin));
+    CHECK(rate[0] == Approx(stepper.exchange(0).plane_reaction(0, 0) - 3 * weight).margin(margin));
+    CHECK(rate[1] == Approx(stepper.exchange(0).plane_reaction(1, 1) + 2 * weight).margin(margin));
   }
-  CHECK(stepper.conditions(0).plane_reaction(0, 0) > 0);  // what falls on it is held
-  CHECK(stepper.conditions(0).plane_reaction(1, 1) < 0);
-  CHECK(stepper.conditions(0).plane_reaction(0, 1) == 0);
+  CHECK(stepper.exchange(0).plane_reaction(0, 0) > 0);  // what falls on it is held
+  CHECK(stepper.exchange(0).plane_reaction(1, 1) < 0);
+  CHECK(stepper.exchange(0).plane_reaction(0, 1) == 0);
 }
 
 TEST_CASE("a rigid body without contact sets velocities and feels the force", "[reactions]") {
@@ -82,7 +83,7 @@ TEST_CASE("a rigid body without contact sets velocities and feels the force", "[
   Vec3 impulse = Vec3::Zero();
   for (int k = 0; k < 50; ++k) {
     stepper.advance(dt);
-    impulse += dt * stepper.rigid_reactions().at(0);
+    impulse += dt * stepper.rigid_bodies().reactions().at(0);
   }
   const Vec3 momentum = measure(system).momentum;
   CHECK(momentum[0] > 0);  // it is pulled along

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Rigid blocks among the matter in a grid.
 
 #include <catch2/catch.hpp>
@@ -6,8 +7,8 @@
 #include "blocks/assembly.hpp"
 #include "input/read.hpp"
 #include "run/restart.hpp"
-#include "solver/block_points.hpp"
 #include "solver/build.hpp"
+#include "solver/rigid/block_points.hpp"
 
 #include <filesystem>
 #include <numbers>

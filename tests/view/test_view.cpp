@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "base/error.hpp"
 #include "scratch.hpp"
 #include "view/chart.hpp"

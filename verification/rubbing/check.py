@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 from math import erfc, pi
 
 import numpy as np

@@ -1,1 +1,2 @@
+// SPDX-License-Identifier: MIT
 // Built without vtk.js: the page shows pictures.

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+/// Things listed by the cells of the lattice that their boxes touch.
+#pragma once
+
+#include "grid/lattice.hpp"
+
+#include <cmath>
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+namespace tribo {
+
+template <int Dim, class T>
+class CellTable {
+ public:
+  explicit CellTable(const Lattice<Dim>& lattice) : lattice_(lattice) {}
+
+  /// Lists a thing in all cells of a box; infinite boxes are not allowed.
+  void add(const Vec<Dim>& low, const Vec<Dim>& high, const T& thing) {
+    each_cell(low, high, [&](std::int64_t cell) { cells_[cell].push_back(thing); });
+  }
+  /// Calls f(thing) for all that is listed in the cells of a box, once for each of these cells.
+  template <class F>
+  void each(const Vec<Dim>& low, const Vec<Dim>& high, F&& f) const {
+    each_cell(low, high, [&](std::int64_t cell) {
+      const auto found = cells_.find(cell);
+      if (found == cells_.end()) return;
+      for (const T& thing : found->second) f(thing);
+    });
+  }
+
+ private:
+  template <class F>
+  void each_cell(const Vec<Dim>& low, const Vec<Dim>& high, F&& f) const {
+    Index<Dim> first, last;
+    for (std::size_t d = 0; d < Dim; ++d) {
+      const auto axis = static_cast<Eigen::Index>(d);
+      const auto cell = [&](double at) {
+        return static_cast<int>(std::floor((at - lattice_.origin[axis]) / lattice_.spacing[axis]));
+      };
+      first[d] = cell(low[axis]), last[d] = cell(high[axis]);
+    }
+    for (int z = Dim == 3 ? first[Dim - 1] : 0; z <= (Dim == 3 ? last[Dim - 1] : 0); ++z)
+      for (int y = first[1]; y <= last[1]; ++y)
+        for (int x = first[0]; x <= last[0]; ++x) {
+          constexpr std::int64_t row = std::int64_t{1} << 20;
+          f((z * row + y) * row + x);
+        }
+  }
+
+  const Lattice<Dim>& lattice_;
+  std::unordered_map<std::int64_t, std::vector<T>> cells_;
+};
+
+}  // namespace tribo

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+/// Loops over all nodes or particles, in parallel; no two calls may touch the same data.
+#pragma once
+
+#include "base/parallel.hpp"
+#include "grid/nodes.hpp"
+
+#include <algorithm>
+#include <cstring>
+
+namespace tribo {
+
+/// f(first, last) for pieces of 0 ... n - 1.
+inline void each_piece(std::size_t n, auto&& f) {
+  static constexpr std::size_t piece = 1024;
+  parallel_for(static_cast<std::ptrdiff_t>((n + piece - 1) / piece), [&](std::ptrdiff_t k) {
+    const std::size_t first = static_cast<std::size_t>(k) * piece;
+    f(first, std::min(n, first + piece));
+  });
+}
+
+/// f(i) for 0 ... n - 1.
+inline void each_index(std::size_t n, auto&& f) {
+  each_piece(n, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) f(i);
+  });
+}
+
+inline void each_node(NodeLayer& nodes, auto&& f) {
+  each_index(nodes.size(), [&](std::size_t i) { f(nodes[i]); });
+}
+
+inline void zero(NodeLayer& nodes) {
+  each_piece(nodes.size(), [&](std::size_t first, std::size_t last) {
+    std::memset(static_cast<void*>(nodes.data() + first), 0, sizeof(Node) * (last - first));
+  });
+}
+
+}  // namespace tribo

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: MIT
+#include "solver/contact/particle_cloud.hpp"
+
+#include "base/parallel.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace tribo {
+
+template <int Dim>
+ParticleCloud<Dim>::ParticleCloud(const Lattice<Dim>& lattice, double reach)
+    : lattice_(lattice),
+      reach_(reach),
+      per_length_(lattice.spacing.cwiseInverse()),
+      slot_(static_cast<std::size_t>(lattice.block_count()), -1) {
+  Index<Dim> cells;
+  int count = 1;
+  for (std::size_t d = 0; d < Dim; ++d) {
+    cells[d] = static_cast<int>(std::ceil(reach / lattice.spacing[static_cast<Eigen::Index>(d)] - 1e-9));
+    count *= 2 * cells[d];
+  }
+  for (int k = 0; k < count; ++k) {
+    Index<Dim> offset;
+    Vec<Dim> nearest;
+    int rest = k;
+    for (std::size_t d = 0; d < Dim; ++d) {
+      offset[d] = rest % (2 * cells[d]) - cells[d];
+      rest /= 2 * cells[d];
+      nearest[static_cast<Eigen::Index>(d)] = offset[d] < 0 ? offset[d] + 1 : offset[d];
+    }
+    if (nearest.cwiseProduct(lattice.spacing).norm() <= reach) offsets_.push_back(offset);
+  }
+  for (std::size_t k = 0; k < near_cells_.size(); ++k)
+    for (int cell = 0; cell < block_nodes<Dim>; ++cell) {
+      bool near = true;
+      std::size_t block = k;
+      int rest = cell;
+      for (int d = 0; d < Dim; ++d, block /= 3, rest /= block_edge<Dim>) {
+        const int at = (static_cast<int>(block % 3) - 1) * block_edge<Dim> + rest % block_edge<Dim>;
+        near = near && at >= -1 && at < block_edge<Dim> + 2;
+      }
+      if (near) near_cells_[k] |= std::uint64_t{1} << cell;
+    }
+}
+
+template <int Dim>
+void ParticleCloud<Dim>::begin() {
+  for (const auto block : blocks_) slot_[static_cast<std::size_t>(block)] = -1;
+  blocks_.clear();
+  mask_.clear();
+}
+
+template <int Dim>
+void ParticleCloud<Dim>::want(const Index<Dim>& node) {
+  each_cell(node, [&](std::int64_t block, int cell) {
+    int& s = slot_[static_cast<std::size_t>(block)];
+    if (s < 0) {
+      s = static_cast<int>(blocks_.size());
+      blocks_.push_back(block);
+      mask_.push_back(0);
+    }
+    mask_[static_cast<std::size_t>(s)] |= std::uint64_t{1} << cell;
+  });
+}
+
+// Whether a place lies in a wanted cell, and which.
+template <int Dim>
+bool ParticleCloud<Dim>::wanted(const Vec<Dim>& x, std::size_t& at) const {
+  Index<Dim> block;
+  int local = 0;
+  for (std::size_t d = Dim; d-- > 0;) {
+    const auto axis = static_cast<Eigen::Index>(d);
+    constexpr unsigned edge = block_edge<Dim>;
+    // below the lattice it is huge
+    const auto cell = static_cast<unsigned>(static_cast<int>((x[axis] - lattice_.origin[axis]) * per_length_[axis]));
+    if (cell >= static_cast<unsigned>(lattice_.blocks[d]) * edge) return false;
+    block[d] = static_cast<int>(cell / edge);
+    local = local * static_cast<int>(edge) + static_cast<int>(cell % edge);
+  }
+  const int s = slot_[static_cast<std::size_t>(lattice_.block_index(block))];
+  if (s < 0 || !(mask_[static_cast<std::size_t>(s)] >> local & 1)) return false;
+  at = static_cast<std::size_t>(s) * block_nodes<Dim> + static_cast<std::size_t>(local);
+  return true;
+}
+
+// Whether there are wanted cells where particles of a block's bin may be: in the block, one cell below or two above.
+template <int Dim>
+bool ParticleCloud<Dim>::any_wanted_near(std::int64_t bin_block) const {
+  const auto home = lattice_.block_at(bin_block);
+  Index<Dim> n = home;
+  for (std::size_t k = 0; k < near_cells_.size(); ++k) {
+    std::size_t rest = k;
+    bool inside = true;
+    for (std::size_t d = 0; d < Dim; ++d, rest /= 3) {
+      n[d] = home[d] + static_cast<int>(rest % 3) - 1;
+      inside = inside && n[d] >= 0 && n[d] < lattice_.blocks[d];
+    }
+    if (!inside) continue;
+    const int s = slot_[static_cast<std::size_t>(lattice_.block_index(n))];
+    if (s >= 0 && (mask_[static_cast<std::size_t>(s)] & near_cells_[k]) != 0) return true;
+  }
+  return false;
+}
+
+template <int Dim>
+void ParticleCloud<Dim>::collect(const std::vector<Body<Dim>*>& bodies) {
+  unsorted_.clear();
+  cell_of_.clear();
+  first_.assign(blocks_.size() * block_nodes<Dim> + 1, 0);
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    Body<Dim>& body = *bodies[b];
+    const auto x = body.particles.x();
+    for (const Bin& bin : body.bins.list()) {
+      if (!any_wanted_near(bin.block)) continue;
+      for (std::uint32_t i = bin.begin; i < bin.end; ++i) {
+        Vec<Dim> at;
+        for (std::size_t d = 0; d < Dim; ++d) at[static_cast<Eigen::Index>(d)] = x[d][i];
+        std::size_t cell = 0;
+        if (!wanted(at, cell)) continue;
+        unsorted_.push_back({static_cast<std::uint32_t>(body.field), static_cast<std::uint32_t>(b), i});
+        cell_of_.push_back(static_cast<std::uint32_t>(cell));
+        ++first_[cell + 1];
+      }
+    }
+  }
+  for (std::size_t c = 1; c < first_.size(); ++c) first_[c] += first_[c - 1];
+  labels_.resize(unsorted_.size());
+  for (std::size_t k = unsorted_.size(); k-- > 0;) labels_[--first_[cell_of_[k] + 1]] = unsorted_[k];
+  // first_[c + 1] now is the first of cell c; bring it back to first_[c]
+  for (std::size_t c = 0; c + 1 < first_.size(); ++c) first_[c] = first_[c + 1];
+  first_.back() = static_cast<std::uint32_t>(labels_.size());
+  for (auto& column : column_) column.resize(labels_.size());
+  domains_.clear();
+  for (auto* body : bodies) domains_.emplace_back(*body);
+  parallel_for(static_cast<std::ptrdiff_t>(labels_.size()), [&](std::ptrdiff_t k) {
+    const auto at = static_cast<std::size_t>(k);
+    const ParticleDomain<Dim> p = domains_[labels_[at].body](labels_[at].particle);
+    for (std::size_t c = 0; c < Dim; ++c) column_[c][at] = p.x.data()[c];
+    for (std::size_t c = Dim; c < columns; ++c) column_[c][at] = p.axes.data()[c - Dim];
+  });
+  group();
+}
+
+// Makes groups of the points of each cell, which come by bodies.
+template <int Dim>
+void ParticleCloud<Dim>::group() {
+  groups_.clear();
+  start_.resize(first_.size());
+  largest_ = 0.0;
+  for (std::size_t cell = 0; cell + 1 < first_.size(); ++cell) {
+    start_[cell] = static_cast<std::uint32_t>(groups_.size());
+    for (std::uint32_t p = first_[cell]; p < first_[cell + 1]; ++p) {
+      const ParticleDomain<Dim> point = this->point(p);
+      const Vec<Dim> half = point.axes.cwiseAbs().rowwise().sum();
+      if (p == first_[cell] || groups_.back().field != labels_[p].field)
+        groups_.push_back({labels_[p].field, p, p, point.x - half, point.x + half, Vec<Dim>::Zero()});
+      ParticleGroup<Dim>& group = groups_.back();
+      group.end = p + 1;
+      group.low = group.low.cwiseMin(point.x - half), group.high = group.high.cwiseMax(point.x + half);
+      group.sum += point.x;
+      largest_ = std::max(largest_, half.norm());
+    }
+  }
+  start_.back() = static_cast<std::uint32_t>(groups_.size());
+}
+
+template <int Dim>
+void ParticleCloud<Dim>::measure(const ParticleGroup<Dim>& group, const Vec<Dim>& centre, const Vec<Dim>& n,
+                                 double* __restrict out) const {
+  std::array<const double*, columns> from;
+  for (std::size_t c = 0; c < columns; ++c) from[c] = column_[c].data() + group.begin;
+  const double limit = reach_ * reach_;
+  const std::uint32_t count = group.end - group.begin;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    double reach = 0.0, square = 0.0;
+    for (std::size_t d = 0; d < Dim; ++d) {
+      const double x = from[d][i] - centre[static_cast<Eigen::Index>(d)];
+      reach += x * n[static_cast<Eigen::Index>(d)], square += x * x;
+    }
+    for (std::size_t k = 1; k <= Dim; ++k) {
+      double along = 0.0;
+      for (std::size_t d = 0; d < Dim; ++d) along += from[Dim * k + d][i] * n[static_cast<Eigen::Index>(d)];
+      reach += std::fabs(along);
+    }
+    out[i] = square <= limit ? reach : -std::numeric_limits<double>::infinity();
+  }
+}
+
+template class ParticleCloud<2>;
+template class ParticleCloud<3>;
+
+}  // namespace tribo

@@ -1,0 +1,353 @@
+// SPDX-License-Identifier: MIT
+/// The two faces of cracks: how they meet at nodes, what they remember, how they move.
+
+#include "base/parallel.hpp"
+#include "geometry/crossing.hpp"
+#include "solver/cracks/cracks.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tribo {
+namespace {
+
+/// Nearest point of a piece and the shares of its corners in it.
+std::array<double, 2> nearest_share(const std::array<Vec<2>, 2>& c, const Vec<2>& x) {
+  const Vec<2> along = c[1] - c[0];
+  const double t = std::clamp(along.dot(x - c[0]) / along.squaredNorm(), 0.0, 1.0);
+  return {1 - t, t};
+}
+// Ericson, Real-Time Collision Detection (2005), section 5.1.5.
+std::array<double, 3> nearest_share(const std::array<Vec3, 3>& c, const Vec3& x) {
+  const Vec3 ab = c[1] - c[0], ac = c[2] - c[0], ap = x - c[0], bp = x - c[1], cp = x - c[2];
+  const double d1 = ab.dot(ap), d2 = ac.dot(ap), d3 = ab.dot(bp), d4 = ac.dot(bp), d5 = ab.dot(cp), d6 = ac.dot(cp);
+  if (d1 <= 0 && d2 <= 0) return {1, 0, 0};
+  if (d3 >= 0 && d4 <= d3) return {0, 1, 0};
+  if (d6 >= 0 && d5 <= d6) return {0, 0, 1};
+  const double vc = d1 * d4 - d3 * d2, vb = d5 * d2 - d1 * d6, va = d3 * d6 - d5 * d4;
+  if (vc <= 0 && d1 >= 0 && d3 <= 0) return {1 - d1 / (d1 - d3), d1 / (d1 - d3), 0};
+  if (vb <= 0 && d2 >= 0 && d6 <= 0) return {1 - d2 / (d2 - d6), 0, d2 / (d2 - d6)};
+  if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) {
+    const double t = (d4 - d3) / ((d4 - d3) + (d5 - d6));
+    return {0, 1 - t, t};
+  }
+  const double sum = va + vb + vc;
+  return {va / sum, vb / sum, vc / sum};
+}
+
+// Points at which integrals over a piece are summed: shares of the corners; all have the same weight.
+constexpr std::array<std::array<double, 2>, 2> gauss2{
+    {{0.7886751345948129, 0.2113248654051871}, {0.2113248654051871, 0.7886751345948129}}};
+constexpr std::array<std::array<double, 3>, 3> gauss3{
+    {{2.0 / 3, 1.0 / 6, 1.0 / 6}, {1.0 / 6, 2.0 / 3, 1.0 / 6}, {1.0 / 6, 1.0 / 6, 2.0 / 3}}};
+template <int Dim>
+constexpr const auto& gauss() {
+  if constexpr (Dim == 2)
+    return gauss2;
+  else
+    return gauss3;
+}
+
+}  // namespace
+
+template <int Dim>
+auto Cracks<Dim>::nearest(std::uint32_t c, const Vec<Dim>& x) const -> Nearest {
+  Nearest out;
+  double least = std::numeric_limits<double>::infinity();
+  for (const PieceOf& p : near(x).pieces) {
+    if (p.crack != c) continue;
+    const auto& corners = p.corners;
+    const auto share = nearest_share(corners, x);
+    Vec<Dim> at = Vec<Dim>::Zero();
+    for (std::size_t k = 0; k < share.size(); ++k) at += share[k] * corners[k];
+    const double distance = (x - at).norm();
+    constexpr double same = 1e-9;  // cells: corners that pieces share
+    if (distance > least + same * system_.lattice.spacing.maxCoeff()) continue;
+    const Vec<Dim> area = p.area();
+    if (distance < least - same * system_.lattice.spacing.maxCoeff()) {
+      out = {&p, at, area.normalized(), share, 1};
+      least = distance;
+    } else {
+      out.normal += area.normalized();  // pieces that meet where they are nearest: their mean
+    }
+  }
+  if (!out.piece) return out;
+  out.normal.normalize();
+  const double ahead = out.normal.dot(x - out.at);
+  out.side = std::abs(ahead) > 1e-9 * system_.lattice.spacing.maxCoeff() ? (ahead > 0 ? 1 : -1)
+                                                                         : side_of(out.piece->corners, x);
+  return out;
+}
+
+template <int Dim>
+auto Cracks<Dim>::seen(std::uint32_t c, const Vec<Dim>& node, const Nearest& nearest) const -> Seen {
+  const Crack<Dim>& crack = system_.cracks[c];
+  Seen out;
+  const auto add = [&](const PieceOf& piece, const auto& share, double w) {
+    for (std::size_t k = 0; k < share.size(); ++k) {
+      const auto point = piece.points[k];
+      out.opening += w * share[k] * piece.opening(crack, point), out.gap += w * share[k] * crack.gap[point];
+      out.slip += w * share[k] * crack.slip[point], out.bond += w * share[k] * crack.bond[point];
+    }
+  };
+  const Vec<Dim> reach = 2 * system_.lattice.spacing;
+  for (const PieceOf& p : near(node).pieces) {
+    if (p.crack != c || ((p.low - reach).array() > node.array()).any() ||
+        ((p.high + reach).array() < node.array()).any())
+      continue;
+    const auto& corners = p.corners;
+    const double whole = crack.inside[p.piece] * p.area().norm() / static_cast<double>(gauss<Dim>().size());
+    for (std::size_t g = 0; g < gauss<Dim>().size(); ++g) {
+      // the corners of images stand in another order
+      auto share = gauss<Dim>()[g];
+      if (p.points != crack.pieces[p.piece]) std::swap(share[0], share[1]);
+      Vec<Dim> x = Vec<Dim>::Zero();
+      for (std::size_t k = 0; k < share.size(); ++k) x += share[k] * corners[k];
+      double w = around_.weight(x - node) * whole * carried_[c][p.piece * gauss<Dim>().size() + g];
+      if (!(w > 0)) continue;
+      if (system_.analysis == Analysis::axisymmetric)
+        w *= x[0];
+      else if constexpr (Dim == 2)
+        w *= model_.grid.thickness;
+      out.area += w;
+      add(p, share, w);
+    }
+  }
+  const double least = 1e-9 * std::pow(system_.lattice.spacing.maxCoeff(), Dim - 1);
+  if (out.area > least) {
+    out.opening /= out.area, out.gap /= out.area, out.slip /= out.area, out.bond /= out.area;
+  } else {
+    out = Seen{};
+    add(*nearest.piece, nearest.share, 1.0);
+  }
+  return out;
+}
+
+// Whether fields on both sides of a crack have mass at a node.
+template <int Dim>
+bool Cracks<Dim>::both_sides(std::uint32_t c, const Index<Dim>& n) const {
+  int bit = 1;
+  if (system_.cracks.size() > 1) {
+    const auto found = node_cracks_.find(flat(n));
+    if (found == node_cracks_.end()) return false;
+    const auto [first, second] = found->second;
+    if (first != static_cast<int>(c) && second != static_cast<int>(c)) return false;
+    bit = first == static_cast<int>(c) ? 1 : 2;
+  }
+  Vec<Dim> v;
+  const auto is = [&](int side) { return of_side(n, side, v) > 0; };
+  return (is(0) && is(bit)) || (is(3 - bit) && is(3));
+}
+
+// The share of a face that falls on nodes which only one side reaches goes to the others: no traction is lost.
+template <int Dim>
+void Cracks<Dim>::weigh() {
+  carried_.resize(system_.cracks.size());
+  constexpr std::size_t points = gauss<Dim>().size();
+  for (std::uint32_t c = 0; c < system_.cracks.size(); ++c) {
+    const Crack<Dim>& crack = system_.cracks[c];
+    carried_[c].assign(crack.pieces.size() * points, 0.0);
+    parallel_for(static_cast<std::ptrdiff_t>(crack.pieces.size()), [&](std::ptrdiff_t piece) {
+      const auto p = static_cast<std::size_t>(piece);
+      const auto corners = crack.corners(p);
+      for (std::size_t g = 0; g < points; ++g) {
+        Vec<Dim> x = Vec<Dim>::Zero();
+        for (std::size_t k = 0; k < corners.size(); ++k) x += gauss<Dim>()[g][k] * corners[k];
+        double all = 0.0, both = 0.0;
+        around_.each(x, [&](double w, const Index<Dim>& n) {
+          all += w;
+          if (both_sides(c, n)) both += w;
+        });
+        constexpr double enough = 0.25;  // else it lies at an end, outside of the bodies, or gapes
+        if (both > enough * all) carried_[c][p * points + g] = all / both;
+      }
+    });
+  }
+}
+
+template <int Dim>
+bool Cracks<Dim>::meet(ContactPair& pair, const Index<Dim>& node, int side_a, int side_b) const {
+  const int between = side_a ^ side_b;
+  std::uint32_t c = 0;
+  if (system_.cracks.size() > 1) {
+    const auto found = node_cracks_.find(flat(node));
+    if (found == node_cracks_.end()) return false;
+    const int number = found->second[between == 1 ? 0 : 1];
+    if (number < 0) return false;
+    c = static_cast<std::uint32_t>(number);
+  }
+  const Crack<Dim>& crack = system_.cracks[c];
+  pair.law = crack.law, pair.crack = static_cast<int>(c);
+  if (!pair.law) return false;
+  const Vec<Dim> x = system_.lattice.position(node);
+  const Nearest here = nearest(c, x);
+  if (!here.piece) return false;
+  // a is on the node's own side unless it is the field across
+  const int of_a = side_a & between ? -here.side : here.side;
+  const Seen faces = seen(c, x, here);
+  ContactState& m = pair.state;
+  m.normal.setZero(), m.opening.setZero();
+  m.normal.template head<Dim>() = -of_a * here.normal;
+  // Across, the faces are as far apart as they moved apart; what they slid may lie at an angle to the normal of now.
+  const Vec<Dim> along = faces.opening - faces.opening.dot(here.normal) * here.normal;
+  m.opening.template head<Dim>() = -of_a * (along + faces.gap * here.normal);
+  m.gap = faces.gap;
+  m.area = faces.area;
+  m.slip = faces.slip;
+  m.cell = system_.lattice.spacing.maxCoeff();
+  m.bond = faces.bond > 0.5 ? Bond::whole : faces.bond < -0.5 ? Bond::broken : Bond::none;
+  return true;
+}
+
+// Mass and velocity at a node of all that lies on one side there.
+template <int Dim>
+double Cracks<Dim>::of_side(Index<Dim> n, int side, Vec<Dim>& v) const {
+  const Vec<Dim> mirror = around_.fold(n);
+  double mass = 0.0;
+  Vec<Dim> momentum = Vec<Dim>::Zero();
+  for (const auto& field : system_.fields) {
+    if (field.side != side || field.rigid_contact) continue;
+    const auto at = field.map.node(n);
+    if (at < 0) continue;
+    const Node& node = field.nodes[static_cast<std::size_t>(at)];
+    if (!(node.mass > 0)) continue;
+    mass += node.mass;
+    momentum += node.mass * Eigen::Map<const Vec<Dim>>(node.velocity);
+  }
+  if (mass > 0) v = mirror.cwiseProduct(momentum) / mass;
+  return mass;
+}
+
+// Velocities of the two faces at a point. While they are near each other, their difference is that at the nodes which
+// both reach, where contact acts, too, and their mean that of all nodes, which is exact where velocities are linear.
+// Once they are farther apart each goes with the nodes around itself.
+template <int Dim>
+bool Cracks<Dim>::face_velocities(const Crack<Dim>& crack, std::size_t k, const Vec<Dim>& normal,
+                                  std::array<Vec<Dim>, 2>& v) const {
+  const Vec<Dim> aside = 1e-6 * system_.lattice.spacing.minCoeff() * normal;
+  const std::array<Vec<Dim>, 2> beside{crack.x[k] - aside, crack.x[k] + aside};
+  thread_local Sight sight;
+  look(crack.x[k], sight);
+  double heaviest = 0.0;
+  Vec<Dim> here;
+  around_.each(crack.x[k], [&](double, const Index<Dim>& n) {
+    for (const Vec<Dim>& at : beside) heaviest = std::max(heaviest, of_side(n, side(sight, at, n), here));
+  });
+  // nodes with next to no mass may fly away in one step
+  constexpr double light = 1e-3;
+  const auto share = [&](double mass) { return mass > 0 ? std::min(1.0, mass / (light * heaviest)) : 0.0; };
+  double all = 0.0, both = 0.0;
+  Vec<Dim> mean = Vec<Dim>::Zero(), apart = mean;
+  around_.each(crack.x[k], [&](double w, const Index<Dim>& n) {
+    std::array<Vec<Dim>, 2> of;
+    std::array<double, 2> part;
+    for (std::size_t f = 0; f < 2; ++f) {
+      of[f].setZero();
+      part[f] = share(of_side(n, side(sight, beside[f], n), of[f]));
+    }
+    const auto [less, more] = std::minmax(part[0], part[1]);
+    if (!(more > 0)) return;
+    all += w * more, mean += w * more * (part[0] * of[0] + part[1] * of[1]) / (part[0] + part[1]);
+    both += w * less, apart += w * less * (of[1] - of[0]);
+  });
+  constexpr double enough = 0.25;
+  if (both > enough * all) {
+    v = {mean / all - 0.5 * apart / both, mean / all + 0.5 * apart / both};
+    return true;
+  }
+  std::array<bool, 2> found{};
+  for (std::size_t f = 0; f < 2; ++f) {
+    double sum = 0.0;
+    v[f].setZero();
+    look(crack.face[f][k], sight);
+    around_.each(crack.face[f][k], [&](double w, const Index<Dim>& n) {
+      if (const double part = share(of_side(n, side(sight, beside[f], n), here)); part > 0)
+        sum += w * part, v[f] += w * part * here;
+    });
+    found[f] = sum > 0;
+    if (found[f]) v[f] /= sum;
+  }
+  if (found[0] != found[1]) v[found[0] ? 1 : 0] = v[found[0] ? 0 : 1];
+  return found[0] || found[1];
+}
+
+// Points outside of all bodies go with the nearest one that is inside.
+template <int Dim>
+void Cracks<Dim>::move(double dt) {
+  for (auto& crack : system_.cracks) {
+    const auto normals = crack.normals();
+    const std::size_t count = crack.x.size();
+    std::vector<std::array<Vec<Dim>, 2>> v(count);
+    std::vector<char> carried(count, 0);
+    parallel_for(static_cast<std::ptrdiff_t>(count), [&](std::ptrdiff_t point) {
+      const auto k = static_cast<std::size_t>(point);
+      if (!crack.led.empty() && crack.led[k])
+        carried[k] = 1, v[k] = crack.lead[k];
+      else
+        carried[k] = face_velocities(crack, k, normals[k], v[k]);
+    });
+    for (std::size_t k = 0; k < count; ++k) {
+      if (carried[k]) continue;
+      double least = std::numeric_limits<double>::infinity();
+      v[k].fill(Vec<Dim>::Zero());
+      for (std::size_t other = 0; other < count; ++other)
+        if (const double d = (crack.x[other] - crack.x[k]).squaredNorm(); carried[other] && d < least)
+          least = d, v[k].fill(0.5 * (v[other][0] + v[other][1]));
+    }
+    for (std::size_t k = 0; k < count; ++k) {
+      for (std::size_t f = 0; f < 2; ++f) crack.face[f][k] += dt * v[k][f];
+      crack.gap[k] += dt * (v[k][1] - v[k][0]).dot(normals[k]);
+      if (!crack.fixed) crack.x[k] = 0.5 * (crack.face[0][k] + crack.face[1][k]);
+    }
+  }
+}
+
+template <int Dim>
+void Cracks<Dim>::begin_memory() {
+  memory_.resize(system_.cracks.size());
+  for (std::size_t c = 0; c < memory_.size(); ++c) memory_[c].assign(system_.cracks[c].x.size(), {});
+}
+
+template <int Dim>
+void Cracks<Dim>::remember(const ContactPair& pair, const Index<Dim>& node) {
+  const Vec<Dim> x = system_.lattice.position(node);
+  const Vec3 v = pair.state.velocity - pair.impulse / pair.state.mass;
+  const Vec3 along = v - v.dot(pair.state.normal) * pair.state.normal;
+  for (const PieceOf& p : near(x).pieces) {
+    if (static_cast<int>(p.crack) != pair.crack) continue;
+    const double of_lower = pair.state.normal.template head<Dim>().dot(p.area()) > 0 ? 1.0 : -1.0;
+    for (std::size_t k = 0; k < p.points.size(); ++k) {
+      const double w = around_.weight(p.corners[k] - x);
+      if (!(w > 0)) continue;
+      Memory& m = memory_[p.crack][p.points[k]];
+      m.area += w * pair.state.area;
+      m.force += w * of_lower / pair.state.dt * p.mirror.cwiseProduct(pair.impulse.template head<Dim>());
+      (pair.response.status == ContactStatus::open   ? m.open
+       : pair.response.status == ContactStatus::slip ? m.slides
+                                                     : m.sticks) += w;
+      if (pair.response.status == ContactStatus::slip) m.way += w * pair.state.dt * along.norm();
+      if (pair.response.bond == Bond::whole) m.whole += w;
+      if (pair.response.bond == Bond::broken) m.broken += w;
+    }
+  }
+}
+
+template <int Dim>
+void Cracks<Dim>::end_memory() {
+  for (std::size_t c = 0; c < memory_.size(); ++c) {
+    Crack<Dim>& crack = system_.cracks[c];
+    for (std::size_t k = 0; k < crack.x.size(); ++k) {
+      const Memory& m = memory_[c][k];
+      const bool touches = m.slides + m.sticks > m.open, slides = touches && m.slides > m.sticks;
+      crack.status[k] = slides ? 2.0 : touches ? 1.0 : 0.0;
+      crack.slip[k] = slides ? crack.slip[k] + m.way / m.slides : 0.0;
+      if (m.whole + m.broken > 0) crack.bond[k] = m.broken > m.whole ? -1.0 : 1.0;
+      crack.traction[k] = m.area > 0 ? Vec<Dim>(m.force / m.area) : Vec<Dim>(Vec<Dim>::Zero());
+    }
+  }
+}
+
+template class Cracks<2>;
+template class Cracks<3>;
+
+}  // namespace tribo

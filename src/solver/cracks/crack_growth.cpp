@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+/// When and where tips of cracks grow.
+
+#include "geometry/crossing.hpp"
+#include "solver/cracks/crack_build.hpp"
+#include "solver/cracks/crack_tips.hpp"
+#include "solver/neighbours/body_occupancy.hpp"
+
+#include <cmath>
+
+namespace tribo {
+namespace {
+
+/// Angle at which the hoop stress is largest. Erdogan, Sih, J. Basic Eng. 85 (1963) 519-525.
+double hoop_angle(double K1, double K2) {
+  if (K2 == 0) return 0.0;
+  return 2 * std::atan((K1 - std::hypot(K1, std::sqrt(8.0) * K2)) / (4 * K2));
+}
+
+/// Of the mode 1 that has the same hoop stress there.
+double hoop_intensity(double K1, double K2, double angle) {
+  const double c = std::cos(0.5 * angle);
+  return c * (K1 * c * c - 1.5 * K2 * std::sin(angle));
+}
+
+/// The least strain energy density at a distance r, near the largest hoop stress: times 16 pi G r, and its angle. Sih,
+/// Int. J. Fracture 10 (1974) 305-321.
+std::pair<double, double> least_energy_density(double K1, double K2, double kappa) {
+  const auto density = [&](double a) {
+    const double c = std::cos(a), s = std::sin(a);
+    return (1 + c) * (kappa - c) * K1 * K1 + 2 * s * (2 * c - kappa + 1) * K1 * K2 +
+           ((kappa + 1) * (1 - c) + (1 + c) * (3 * c - 1)) * K2 * K2;
+  };
+  // golden section
+  double low = hoop_angle(K1, K2) - 0.7, high = low + 1.4;
+  constexpr double part = 0.3819660112501051;
+  for (int k = 0; k < 60; ++k) {
+    const double a = low + part * (high - low), b = high - part * (high - low);
+    (density(a) < density(b) ? high : low) = density(a) < density(b) ? b : a;
+  }
+  const double angle = 0.5 * (low + high);
+  return {density(angle), angle};
+}
+
+}  // namespace
+
+std::optional<double> CrackTips<2>::angle_of_growth(const Crack<2>& crack, const CrackTip& tip) const {
+  const MaterialSpec& material = model_.materials[static_cast<std::size_t>(system_.bodies[tip.body].material)];
+  const Toughness& toughness = material.toughness;
+  const auto [K1, K2] = tip.K;
+  double angle = hoop_angle(K1, K2);
+  switch (material.growth.when) {
+    case Growth::When::never:
+      return std::nullopt;
+    case Growth::When::hoop_stress:
+      if (!(hoop_intensity(K1, K2, angle) >= *toughness.KIc)) return std::nullopt;
+      break;
+    case Growth::When::energy_density: {
+      const double k = kappa(*moduli_[tip.body]);
+      const auto [density, where] = least_energy_density(K1, K2, k);
+      if (!(hoop_intensity(K1, K2, angle) > 0 && density >= 2 * (k - 1) * *toughness.KIc * *toughness.KIc))
+        return std::nullopt;
+      angle = where;
+      break;
+    }
+    case Growth::When::empirical:
+      if (!(std::pow(std::max(K1, 0.0) / *toughness.KIc, toughness.KIexp) +
+                std::pow(std::abs(K2) / *toughness.KIIc, toughness.KIIexp) >=
+            1))
+        return std::nullopt;
+      break;
+    case Growth::When::release_rate:
+      if (!(tip.J >= *toughness.JIc)) return std::nullopt;
+      angle = 0.0;
+      break;
+  }
+  const Vec<2> along = (crack.x[tip.point] - crack.x[tip.behind]).normalized(), up(-along[1], along[0]);
+  const Vec<2> apart = (tip.end == 1 ? 1 : -1) * crack.opening(tip.behind);
+  const double opens = apart.dot(up), slides = apart.dot(along);
+  switch (material.growth.way) {
+    case Growth::Way::of_criterion:
+      return angle;
+    case Growth::Way::straight_on:
+      return 0.0;
+    case Growth::Way::normal_to_opening:
+      return std::atan2(-slides, opens);
+    case Growth::Way::hoop_of_opening:
+      return hoop_angle(opens, slides);
+    case Growth::Way::as_at_start:
+      return std::atan2(tip.start.dot(up), tip.start.dot(along));
+  }
+  return std::nullopt;
+}
+
+bool CrackTips<2>::grow() {
+  bool grew = false;
+  for (std::size_t c = 0; c < system_.cracks.size(); ++c)
+    for (std::size_t t = 0; t < system_.cracks[c].tips.size(); ++t) {
+      CrackTip& tip = system_.cracks[c].tips[t];
+      if (!tip.lives || system_.time < tip.rest) continue;
+      const auto angle = angle_of_growth(system_.cracks[c], tip);
+      if (!angle) continue;
+      extend(c, tip, *angle);
+      grew = true;
+    }
+  return grew;
+}
+
+// By one hop; not faster than waves run along a surface.
+void CrackTips<2>::extend(std::size_t c, CrackTip& tip, double angle) {
+  Crack<2>& crack = system_.cracks[c];
+  const double hop = model_.fracture->hop * system_.lattice.smallest_spacing();
+  const Vec<2> from = crack.x[tip.point];
+  const Vec<2> ahead = Eigen::Rotation2Dd(angle) * (from - crack.x[tip.behind]).normalized();
+  double length = hop;
+  for (const auto& other : system_.cracks)
+    for (std::size_t p = 0; p < other.drawn_pieces; ++p) {
+      const auto [a, b] = other.pieces[p];
+      if (&other == &crack && (a == tip.point || b == tip.point)) continue;
+      const auto corners = other.corners(p);
+      if (crossing(corners, from, from + 1.1 * hop * ahead) == 0) continue;
+      // it ends just before the other crack
+      const Vec<2> area = Crack<2>::area(corners);
+      length = std::min(length, 0.99 * area.dot(corners[0] - from) / area.dot(ahead));
+      tip.lives = false;
+    }
+  grow_by(crack, tip, from + length * ahead);
+  const auto& law = *system_.bodies[tip.body].law;
+  const double shear_speed =
+      std::sqrt((moduli_[tip.body] ? moduli_[tip.body]->G : law.wave_modulus() / 3) / law.density());
+  constexpr double surface_waves = 0.9;  // of the speed of shear waves
+  tip.rest = system_.time + length / (surface_waves * shear_speed);
+
+  const Vec<2> reach = Vec<2>::Constant(8 * cell_);
+  const BodyOccupancy<2> matter(model_, system_, from - reach, from + reach);
+  // between particles that stretched there may be gaps
+  if (matter.at(crack.x[tip.point], 0.5)) return;
+  tip.lives = false;
+  go_on(crack, tip, cell_, beyond_);
+}
+
+}  // namespace tribo

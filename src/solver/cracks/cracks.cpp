@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: MIT
+#include "solver/cracks/cracks.hpp"
+
+#include "base/parallel.hpp"
+#include "geometry/crossing.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tribo {
+
+template <int Dim>
+Cracks<Dim>::Cracks(const Model& model, System<Dim>& system, const Transfers<Dim>& transfers)
+    : model_(model),
+      system_(system),
+      transfers_(transfers),
+      width_(transfers.stencil_width()),
+      around_(model, system.lattice),
+      list_of_(active() ? static_cast<std::size_t>(system_.lattice.block_count()) : 0, -1) {}
+
+namespace {
+
+// Calls f(block) for all blocks of a lattice that a box touches.
+template <int Dim, class F>
+void each_block(const Lattice<Dim>& lattice, const Vec<Dim>& low, const Vec<Dim>& high, F&& f) {
+  Index<Dim> first, last, b;
+  for (std::size_t d = 0; d < Dim; ++d) {
+    const auto axis = static_cast<Eigen::Index>(d);
+    const double edge = lattice.spacing[axis] * block_edge<Dim>;
+    const auto block = [&](double x) {
+      return static_cast<int>(std::clamp(std::floor((x - lattice.origin[axis]) / edge), 0.0, lattice.blocks[d] - 1.0));
+    };
+    first[d] = block(low[axis]), last[d] = block(high[axis]);
+  }
+  b = first;
+  for (int z = Dim == 3 ? first[Dim - 1] : 0; z <= (Dim == 3 ? last[Dim - 1] : 0); ++z)
+    for (b[1] = first[1]; b[1] <= last[1]; ++b[1])
+      for (b[0] = first[0]; b[0] <= last[0]; ++b[0]) {
+        if constexpr (Dim == 3) b[2] = z;
+        f(lattice.block_index(b));
+      }
+}
+
+}  // namespace
+
+// Calls f for a piece and, near symmetry planes, for its images and theirs: a crack that ends there goes on beyond.
+template <int Dim>
+template <class F>
+void Cracks<Dim>::each_image(const PieceOf& piece, F&& f) const {
+  std::vector<PieceOf> images{piece};
+  for (std::size_t k = 0; k < images.size(); ++k)
+    for (const SymmetryPlane& plane : around_.planes()) {
+      PieceOf image = images[k];
+      for (auto& corner : image.corners) corner[plane.axis] = 2 * plane.at - corner[plane.axis];
+      image.mirror[plane.axis] *= -1;
+      std::swap(image.corners[0], image.corners[1]), std::swap(image.points[0], image.points[1]);
+      image.low = image.high = image.corners[0];
+      for (const auto& corner : image.corners)
+        image.low = image.low.cwiseMin(corner), image.high = image.high.cwiseMax(corner);
+      const double h = system_.lattice.spacing[plane.axis];
+      const double beyond = plane.inward > 0 ? plane.at - image.high[plane.axis] : image.low[plane.axis] - plane.at;
+      const bool known = std::any_of(images.begin(), images.end(), [&](const PieceOf& other) {
+        return (other.low - image.low).norm() + (other.high - image.high).norm() < 1e-9 * h;
+      });
+      if (beyond >= -1e-9 * h && beyond <= (width_ + 1.0) * h && !known) images.push_back(image);
+    }
+  for (const PieceOf& image : images) f(image);
+}
+
+// A piece is listed at every block in which a way may begin or end that crosses it.
+template <int Dim>
+void Cracks<Dim>::list_piece(const PieceOf& piece) {
+  const Vec<Dim> reach = (width_ + 1.0) * system_.lattice.spacing;
+  each_block<Dim>(system_.lattice, piece.low - reach, piece.high + reach, [&](std::int64_t block) {
+    int& list = list_of_[static_cast<std::size_t>(block)];
+    if (list < 0) {
+      list = static_cast<int>(listed_.size());
+      listed_.push_back(block);
+      if (lists_.size() < listed_.size()) lists_.emplace_back();
+    }
+    List& here = lists_[static_cast<std::size_t>(list)];
+    if (here.cracks.empty() || here.cracks.back() != piece.crack) here.cracks.push_back(piece.crack);
+    if (here.cracks.size() > 64)
+      throw SimulationError("more than 64 cracks come near one block of cells; use a finer grid or fewer cracks");
+    here.pieces.push_back(piece);
+    here.pieces.back().bit = static_cast<std::uint32_t>(here.cracks.size()) - 1;
+  });
+}
+
+template <int Dim>
+void Cracks<Dim>::list_pieces() {
+  for (const auto block : listed_) list_of_[static_cast<std::size_t>(block)] = -1;
+  listed_.clear();
+  for (auto& list : lists_) list.pieces.clear(), list.cracks.clear();
+  for (std::uint32_t c = 0; c < system_.cracks.size(); ++c) {
+    const Crack<Dim>& crack = system_.cracks[c];
+    for (std::size_t p = 0; p < crack.pieces.size(); ++p) {
+      PieceOf piece{c, static_cast<std::uint32_t>(p), 0, crack.pieces[p], crack.corners(p), Vec<Dim>::Ones(), {}, {}};
+      piece.low = piece.high = piece.corners[0];
+      for (const auto& corner : piece.corners)
+        piece.low = piece.low.cwiseMin(corner), piece.high = piece.high.cwiseMax(corner);
+      each_image(piece, [&](const PieceOf& image) { list_piece(image); });
+    }
+  }
+}
+
+template <int Dim>
+auto Cracks<Dim>::near(const Vec<Dim>& x) const -> const List& {
+  const List* found = &none_;
+  each_block<Dim>(system_.lattice, x, x, [&](std::int64_t block) {
+    const int list = list_of_[static_cast<std::size_t>(block)];
+    if (list >= 0) found = &lists_[static_cast<std::size_t>(list)];
+  });
+  return *found;
+}
+
+// Particles and cracks move by less than a cell between two sorts.
+template <int Dim>
+void Cracks<Dim>::locate() {
+  if (!active()) return;
+  std::vector<char> cut(list_of_.size(), 0);
+  const Vec<Dim> reach = (width_ + 4.0) * system_.lattice.spacing;
+  for (const auto& crack : system_.cracks)
+    for (std::size_t p = 0; p < crack.pieces.size(); ++p) {
+      const auto corners = crack.corners(p);
+      Vec<Dim> low = corners[0], high = low;
+      for (const auto& corner : corners) low = low.cwiseMin(corner), high = high.cwiseMax(corner);
+      each_block<Dim>(system_.lattice, low - reach, high + reach,
+                      [&](std::int64_t block) { cut[static_cast<std::size_t>(block)] = 1; });
+    }
+  cut_.clear();
+  for (auto& body : system_.bodies) {
+    const auto& bins = body.bins.list();
+    body.cut.assign(bins.size(), -1);
+    std::size_t count = 0;
+    for (std::size_t b = 0; b < bins.size(); ++b) {
+      if (!cut[static_cast<std::size_t>(bins[b].block)]) continue;
+      body.cut[b] = static_cast<std::int32_t>(count++);
+      cut_.push_back({&body, b});
+    }
+    body.cut_bins.resize(count);
+  }
+}
+
+template <int Dim>
+void Cracks<Dim>::add_blocks(const Field<Dim>& field, std::vector<std::int64_t>& blocks) const {
+  for (const auto& cut : cut_)
+    if (cut.body->field == field.home) blocks.push_back(cut.body->bins.list()[cut.bin].block);
+}
+
+template <int Dim>
+void Cracks<Dim>::find() {
+  if (!active()) return;
+  list_pieces();
+  parallel_for(static_cast<std::ptrdiff_t>(cut_.size()), [&](std::ptrdiff_t k) {
+    const BinOf& at = cut_[static_cast<std::size_t>(k)];
+    auto& cut = at.body->cut_bins[static_cast<std::size_t>(at.body->cut[at.bin])];
+    find_bin(*at.body, at.body->bins.list()[at.bin], cut);
+  });
+  if (system_.cracks.size() > 1) number_node_cracks();
+}
+
+// Bits of the cracks that a way crosses an odd number of times.
+template <int Dim>
+std::uint64_t Cracks<Dim>::crossed(const std::vector<const PieceOf*>& pieces, const Vec<Dim>& from,
+                                   const Vec<Dim>& to) const {
+  std::uint64_t out = 0;
+  const Vec<Dim> low = from.cwiseMin(to), high = from.cwiseMax(to);
+  for (const PieceOf* p : pieces)
+    if ((p->low.array() <= high.array()).all() && (low.array() <= p->high.array()).all() &&
+        crossing(p->corners, from, to) != 0)
+      out ^= std::uint64_t{1} << p->bit;
+  return out;
+}
+
+// With one crack what is crossed is a side; with several, number_node_cracks finds out which.
+template <int Dim>
+void Cracks<Dim>::find_bin(Body<Dim>& body, const Bin& bin, CutBin& cut) {
+  const std::uint32_t count = bin.end - bin.begin;
+  cut.first.assign(count, -1);
+  cut.sides.clear(), cut.crossed.clear();
+  const bool several = system_.cracks.size() > 1;
+  const int list = list_of_[static_cast<std::size_t>(bin.block)];
+  if (list < 0) return;
+  thread_local std::vector<Index<Dim>> lowest;
+  thread_local std::vector<const PieceOf*> close;
+  transfers_.lowest_nodes(body, system_.lattice, bin, lowest);
+  const int nodes = Dim == 2 ? width_ * width_ : width_ * width_ * width_;
+  const Vec<Dim> span = (width_ - 1.0) * system_.lattice.spacing;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const Vec<Dim> x = body.particles.position(bin.begin + i), base = system_.lattice.position(lowest[i]);
+    const Vec<Dim> low = base.cwiseMin(x), high = (base + span).cwiseMax(x);
+    close.clear();
+    for (const PieceOf& p : lists_[static_cast<std::size_t>(list)].pieces)
+      if ((p.low.array() <= high.array()).all() && (low.array() <= p.high.array()).all()) close.push_back(&p);
+    if (close.empty()) continue;
+    const std::size_t first = cut.sides.size();
+    bool any = false;
+    for (int n = 0; n < nodes; ++n) {
+      Index<Dim> node = lowest[i];
+      node[0] += n % width_, node[1] += n / width_ % width_;
+      if constexpr (Dim == 3) node[2] += n / (width_ * width_);
+      const std::uint64_t bits = crossed(close, x, system_.lattice.position(node));
+      any = any || bits != 0;
+      cut.sides.push_back(bits != 0);
+      if (several) cut.crossed.push_back(bits);
+    }
+    if (any) {
+      cut.first[i] = static_cast<std::int32_t>(first);
+    } else {
+      cut.sides.resize(first);
+      if (several) cut.crossed.resize(first);
+    }
+  }
+}
+
+template <int Dim>
+std::int64_t Cracks<Dim>::flat(const Index<Dim>& node) const {
+  std::int64_t n = 0;
+  for (std::size_t d = Dim; d-- > 0;) n = n * system_.lattice.blocks[d] * block_edge<Dim> + node[d];
+  return n;
+}
+
+// Of the cracks that are seen from a node the two with the lowest numbers make its fields; others it does not feel.
+template <int Dim>
+void Cracks<Dim>::number_node_cracks() {
+  constexpr int none = -1;
+  node_cracks_.clear();
+  const int nodes = Dim == 2 ? width_ * width_ : width_ * width_ * width_;
+  std::vector<Index<Dim>> lowest;
+  const auto each = [&](auto&& f) {
+    for (const auto& at : cut_) {
+      auto& cut = at.body->cut_bins[static_cast<std::size_t>(at.body->cut[at.bin])];
+      if (cut.sides.empty()) continue;
+      const Bin& bin = at.body->bins.list()[at.bin];
+      const List& list = lists_[static_cast<std::size_t>(list_of_[static_cast<std::size_t>(bin.block)])];
+      transfers_.lowest_nodes(*at.body, system_.lattice, bin, lowest);
+      for (std::size_t i = 0; i < cut.first.size(); ++i)
+        for (int n = 0; cut.first[i] >= 0 && n < nodes; ++n) {
+          const auto k = static_cast<std::size_t>(cut.first[i] + n);
+          if (cut.sides[k] == 0) continue;
+          Index<Dim> node = lowest[i];
+          node[0] += n % width_, node[1] += n / width_ % width_;
+          if constexpr (Dim == 3) node[2] += n / (width_ * width_);
+          f(node, cut.crossed[k], list, cut.sides[k]);
+        }
+    }
+  };
+  each([&](const Index<Dim>& node, std::uint64_t bits, const List& list, std::uint8_t&) {
+    auto& [first, second] = node_cracks_.try_emplace(flat(node), std::array{none, none}).first->second;
+    for (std::size_t k = 0; k < list.cracks.size(); ++k) {
+      const int c = static_cast<int>(list.cracks[k]);
+      if (!(bits >> k & 1) || c == first || c == second) continue;
+      if (first == none || c < first)
+        second = first, first = c;
+      else if (second == none || c < second)
+        second = c;
+    }
+  });
+  each([&](const Index<Dim>& node, std::uint64_t bits, const List& list, std::uint8_t& side) {
+    side = static_cast<std::uint8_t>(to_sides(node, bits, list));
+  });
+}
+
+template <int Dim>
+int Cracks<Dim>::to_sides(const Index<Dim>& node, std::uint64_t crossed, const List& list) const {
+  if (system_.cracks.size() == 1 || crossed == 0) return crossed != 0 ? 1 : 0;
+  const auto found = node_cracks_.find(flat(node));
+  if (found == node_cracks_.end()) return 0;
+  int out = 0;
+  for (std::size_t k = 0; k < list.cracks.size(); ++k)
+    for (std::size_t n = 0; n < 2; ++n)
+      if (crossed >> k & 1 && found->second[n] == static_cast<int>(list.cracks[k])) out |= 1 << n;
+  return out;
+}
+
+template <int Dim>
+void Cracks<Dim>::look(const Vec<Dim>& x, Sight& sight) const {
+  sight.list = &near(x);
+  sight.close.clear();
+  const Vec<Dim> reach = 2.01 * system_.lattice.spacing;
+  const Vec<Dim> low = x - reach, high = x + reach;
+  for (const PieceOf& p : sight.list->pieces)
+    if ((p.low.array() <= high.array()).all() && (low.array() <= p.high.array()).all()) sight.close.push_back(&p);
+}
+
+template <int Dim>
+int Cracks<Dim>::side(const Sight& sight, const Vec<Dim>& x, const Index<Dim>& node) const {
+  return sight.close.empty() ? 0 : to_sides(node, crossed(sight.close, x, system_.lattice.position(node)), *sight.list);
+}
+
+template class Cracks<2>;
+template class Cracks<3>;
+
+}  // namespace tribo

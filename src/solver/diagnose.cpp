@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#include "solver/diagnose.hpp"
+
+namespace tribo {
+
+template <int Dim>
+void stop_at_bad_particle(const System<Dim>& system) {
+  const auto when = " in step " + std::to_string(system.step + 1) + " at time " + std::to_string(system.time);
+  for (const auto* bodies : {&system.bodies, &system.rigids})
+    for (const auto& body : *bodies)
+      for (std::size_t i = 0; i < body.particles.size(); ++i) {
+        const Vec<Dim> x = body.particles.position(i), v = body.particles.velocity(i);
+        const bool finite = x.allFinite() && v.allFinite();
+        const bool inside = finite && (x.array() >= system.lattice.low.array()).all() &&
+                            (x.array() <= system.lattice.high.array()).all();
+        const double volume = body.particles.volume()[i];
+        const bool crushed = finite && volume <= 0;
+        if (inside && volume > 0) continue;
+        std::string at;
+        for (int d = 0; d < Dim; ++d) at += (d ? ", " : "") + std::to_string(x[d]);
+        const std::string who =
+            "particle " + std::to_string(body.particles.id[i]) + " of '" + body.name + "' at (" + at + ")";
+        if (finite && volume > 0)
+          throw SimulationError(
+              who + " left the grid" + when +
+              ": it moves too far, or the run became unstable. Enlarge <Grid>, check the conditions that should "
+              "hold it, or return such particles with <LeaveLimit>.");
+        throw SimulationError(
+            who + (crushed ? " was compressed to no volume" : " has a velocity or strain that is not a number") + when +
+            ": usually the step is too large for the present stiffness. Try a smaller <TimeFactor>, adaptive steps "
+            "(custom task AdjustTimeStep), or more particles per cell.");
+      }
+  throw SimulationError("a value on the grid is not a number" + when + "; try a smaller <TimeFactor>");
+}
+
+template void stop_at_bad_particle(const System<2>&);
+template void stop_at_bad_particle(const System<3>&);
+
+}  // namespace tribo

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: MIT
+#include "solver/exchange/edge_exchange.hpp"
+
+#include "base/simd.hpp"
+
+#include <algorithm>
+
+namespace tribo {
+
+template <int Dim>
+std::unique_ptr<Exchange<Dim>> make_exchange(const GridSpec& grid, const Lattice<Dim>& lattice) {
+  auto edges = std::make_unique<EdgeExchange<Dim>>(grid, lattice);
+  if (edges->any()) return edges;
+  return std::make_unique<OpenExchange<Dim>>();
+}
+
+template <int Dim>
+EdgeExchange<Dim>::EdgeExchange(const GridSpec& grid, const Lattice<Dim>& lattice) {
+  Problems problems;
+  for (int axis = 0; axis < Dim; ++axis) {
+    const auto k = static_cast<std::size_t>(axis);
+    for (std::size_t side = 0; side < 2; ++side)
+      for (const Edge kind : {Edge::symmetry, Edge::wall}) {
+        const auto& at = (kind == Edge::symmetry ? grid.symmetry : grid.wall)[k][side];
+        if (!at) continue;
+        const int node = lattice.line(axis, *at);
+        if (node < 0)
+          problems.add(grid.origin, "the plane at " + std::to_string(*at) + " is not on a grid line; put it on one");
+        else
+          planes_.push_back({axis, node, side == 0 ? 1 : -1, kind});
+      }
+    if (grid.periodic[k]) planes_.push_back({axis, Lattice<Dim>::padding, grid.cells[k], Edge::period});
+  }
+  problems.raise();
+  reactions_.assign(planes_.size(), 0.0);
+}
+
+template <int Dim>
+void EdgeExchange<Dim>::locate(const BlockMap<Dim>& map) {
+  images_.assign(planes_.size(), {});
+  for (auto& list : mirror_nodes_) list.clear();
+  const bool symmetry =
+      std::any_of(planes_.begin(), planes_.end(), [](const Plane& p) { return p.kind == Edge::symmetry; });
+  ownership_.assign(symmetry ? static_cast<std::size_t>(map.node_count()) : 0, 1.0);
+  for (std::size_t p = 0; p < planes_.size(); ++p) {
+    const Plane& plane = planes_[p];
+    const auto axis = static_cast<std::size_t>(plane.axis);
+    for (std::int64_t at = 0; at < map.node_count(); ++at) {
+      const auto node = map.node_at(at);
+      if (plane.kind == Edge::symmetry && node[axis] == plane.node)
+        mirror_nodes_[axis].push_back({at, p}), ownership_[static_cast<std::size_t>(at)] *= 0.5;
+      const auto image = image_of(plane, at, node, map);
+      if (image && image->plane >= 0 && image->inside >= 0) images_[p].push_back(*image);
+    }
+  }
+}
+
+// Particles reach two nodes beyond a plane. They may cross a periodic edge between two sorts and then reach three
+// nodes.
+template <int Dim>
+auto EdgeExchange<Dim>::image_of(const Plane& plane, std::int64_t at, Index<Dim> node, const BlockMap<Dim>& map) const
+    -> std::optional<Image> {
+  int& n = node[static_cast<std::size_t>(plane.axis)];
+  Image image{at, -1, -1, 0};
+  if (plane.kind == Edge::period) {
+    const int period = plane.inward, from_low = n - plane.node;
+    if (from_low < -3 || (from_low >= 0 && from_low < period) || from_low > period + 3) return std::nullopt;
+    n = plane.node + (from_low % period + period) % period;
+    image.plane = image.inside = map.node(node);
+    return image;
+  }
+  image.depth = (plane.node - n) * plane.inward;
+  if (image.depth < 1 || image.depth > 2) return std::nullopt;
+  n = plane.node;
+  image.plane = map.node(node);
+  n += plane.inward * (plane.kind == Edge::symmetry ? image.depth : 1);
+  image.inside = map.node(node);
+  return image;
+}
+
+template <int Dim>
+void EdgeExchange<Dim>::sum_images(NodeLayer& nodes, ImageValues values) const {
+  const auto scattered = [&](const Node& node) {
+    const Wide all = Wide::load(node.data());
+    return values != ImageValues::forces ? all : Wide::join(Vec4{}, all.high());
+  };
+  const auto add = [](Node& to, const Wide& w) { (Wide::load(to.data()) + w).store(to.data()); };
+  for (std::size_t p = 0; p < planes_.size(); ++p) {
+    const Plane& plane = planes_[p];
+    if (values == ImageValues::cells && plane.kind != Edge::period) continue;
+    for (const Image& i : images_[p]) {
+      Node& image = nodes[static_cast<std::size_t>(i.image)];
+      Node& inside = nodes[static_cast<std::size_t>(i.inside)];
+      Node beyond{};
+      scattered(image).store(beyond.data());
+      if (plane.kind != Edge::wall) {
+        if (plane.kind == Edge::symmetry && values != ImageValues::scalars) {
+          beyond.velocity[plane.axis] = -beyond.velocity[plane.axis];
+          beyond.acceleration[plane.axis] = -beyond.acceleration[plane.axis];
+        }
+        add(inside, scattered(beyond));
+      } else {
+        add(nodes[static_cast<std::size_t>(i.plane)], (i.depth + 1.0) * scattered(beyond));
+        add(inside, -static_cast<double>(i.depth) * scattered(beyond));
+      }
+      if (values != ImageValues::forces)
+        Wide::zero().store(image.data());
+      else
+        store4(image.data() + 4, Vec4{});
+    }
+    // Nodes on planes are their own mirror images, once all images of their axis have been added.
+    if (p + 1 < planes_.size() && planes_[p + 1].axis == plane.axis) continue;
+    for (const OnPlane& on : mirror_nodes_[plane.axis]) {
+      Node& node = nodes[static_cast<std::size_t>(on.node)];
+      add(node, scattered(node));
+      if (values != ImageValues::scalars) node.velocity[plane.axis] = node.acceleration[plane.axis] = 0.0;
+    }
+  }
+}
+
+template <int Dim>
+void EdgeExchange<Dim>::copy_images(NodeLayer& nodes, ImageValues values) const {
+  for (std::size_t p = planes_.size(); p-- > 0;) {
+    const Plane& plane = planes_[p];
+    if (values == ImageValues::cells && plane.kind != Edge::period) continue;
+    for (const Image& i : images_[p]) {
+      Node& image = nodes[static_cast<std::size_t>(i.image)];
+      const Node& inside = nodes[static_cast<std::size_t>(i.inside)];
+      const double mass = image.mass;
+      if (plane.kind != Edge::wall) {
+        Wide::load(inside.data()).store(image.data());
+        if (plane.kind == Edge::symmetry && values != ImageValues::scalars) {
+          image.velocity[plane.axis] = -image.velocity[plane.axis];
+          image.acceleration[plane.axis] = -image.acceleration[plane.axis];
+        }
+      } else {
+        const Node& on = nodes[static_cast<std::size_t>(i.plane)];
+        ((i.depth + 1.0) * Wide::load(on.data()) + -static_cast<double>(i.depth) * Wide::load(inside.data()))
+            .store(image.data());
+      }
+      image.mass = mass;
+    }
+  }
+}
+
+template <int Dim>
+bool EdgeExchange<Dim>::is_image(const Index<Dim>& node) const {
+  return std::any_of(planes_.begin(), planes_.end(), [&](const Plane& plane) {
+    const int beyond = plane.node - node[static_cast<std::size_t>(plane.axis)];
+    return plane.kind == Edge::period ? beyond > 0 || -beyond >= plane.inward : beyond * plane.inward > 0;
+  });
+}
+
+template <int Dim>
+int EdgeExchange<Dim>::mirrored_axes(const Index<Dim>& node) const {
+  int axes = 0;
+  for (const Plane& plane : planes_)
+    if (plane.kind == Edge::symmetry && node[static_cast<std::size_t>(plane.axis)] == plane.node)
+      axes |= 1 << plane.axis;
+  return axes;
+}
+
+template <int Dim>
+void EdgeExchange<Dim>::begin_step() {
+  std::fill(reactions_.begin(), reactions_.end(), 0.0);
+}
+
+template <int Dim>
+void EdgeExchange<Dim>::add_plane_reactions(const NodeLayer& nodes) {
+  // A node inside receives the difference of its own force and the image's force; a node on the plane keeps none.
+  for (std::size_t p = 0; p < planes_.size(); ++p)
+    if (planes_[p].kind == Edge::symmetry)
+      for (const Image& i : images_[p])
+        reactions_[p] -= 2 * nodes[static_cast<std::size_t>(i.image)].acceleration[planes_[p].axis];
+  for (int axis = 0; axis < Dim; ++axis)
+    for (const OnPlane& on : mirror_nodes_[axis])
+      reactions_[on.plane] -= nodes[static_cast<std::size_t>(on.node)].acceleration[axis];
+}
+
+template <int Dim>
+void EdgeExchange<Dim>::hold_planes(NodeLayer& nodes) {
+  for (int axis = 0; axis < Dim; ++axis)
+    for (const OnPlane& on : mirror_nodes_[axis]) {
+      Node& node = nodes[static_cast<std::size_t>(on.node)];
+      reactions_[on.plane] -= ownership(on.node) * node.mass * node.acceleration[axis];
+      node.velocity[axis] = node.acceleration[axis] = 0.0;
+    }
+}
+
+template <int Dim>
+double EdgeExchange<Dim>::plane_reaction(int axis, int side) const {
+  for (std::size_t p = 0; p < planes_.size(); ++p)
+    if (planes_[p].kind == Edge::symmetry && planes_[p].axis == axis && planes_[p].inward == 1 - 2 * side)
+      return reactions_[p];
+  return 0.0;
+}
+
+template class OpenExchange<2>;
+template class OpenExchange<3>;
+template class EdgeExchange<2>;
+template class EdgeExchange<3>;
+template std::unique_ptr<Exchange<2>> make_exchange(const GridSpec&, const Lattice<2>&);
+template std::unique_ptr<Exchange<3>> make_exchange(const GridSpec&, const Lattice<3>&);
+
+}  // namespace tribo

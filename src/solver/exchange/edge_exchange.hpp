@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+/// Image nodes at the edges of the grid.
+#pragma once
+
+#include "solver/exchange/exchange.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace tribo {
+
+/// A grid whose edges have no images: every node stands for itself.
+template <int Dim>
+class OpenExchange final : public Exchange<Dim> {
+ public:
+  void locate(const BlockMap<Dim>&) override {}
+  void sum_images(NodeLayer&, ImageValues) const override {}
+  void copy_images(NodeLayer&, ImageValues) const override {}
+  double ownership(std::int64_t) const override { return 1.0; }
+  bool is_image(const Index<Dim>&) const override { return false; }
+  int mirrored_axes(const Index<Dim>&) const override { return 0; }
+  void begin_step() override {}
+  void add_plane_reactions(const NodeLayer&) override {}
+  void hold_planes(NodeLayer&) override {}
+  double plane_reaction(int, int) const override { return 0.0; }
+};
+
+/// Symmetry planes, walls and periodic edges. A symmetry plane adds the mirror image. A wall gives the
+/// boundary-modified shape functions, in which the node k beyond the wall stands for (k+1) v0 - k v1 of the first two
+/// nodes inside (Steffen, Kirby & Berzins, Int. J. Numer. Meth. Engng 76 (2008) 922-948); it is exact for linear
+/// fields. On a periodic axis the nodes from the lowest to the last but one stand for all nodes that are a whole number
+/// of periods away.
+template <int Dim>
+class EdgeExchange final : public Exchange<Dim> {
+ public:
+  /// Throws InputError for a plane that is not a grid line.
+  EdgeExchange(const GridSpec& grid, const Lattice<Dim>& lattice);
+
+  /// Whether there is any plane, wall or periodic edge.
+  bool any() const { return !planes_.empty(); }
+  void locate(const BlockMap<Dim>& map) override;
+  void sum_images(NodeLayer& nodes, ImageValues values) const override;
+  void copy_images(NodeLayer& nodes, ImageValues values) const override;
+  double ownership(std::int64_t node) const override {
+    return ownership_.empty() ? 1.0 : ownership_[static_cast<std::size_t>(node)];
+  }
+  bool is_image(const Index<Dim>& node) const override;
+  int mirrored_axes(const Index<Dim>& node) const override;
+  void begin_step() override;
+  void add_plane_reactions(const NodeLayer& nodes) override;
+  void hold_planes(NodeLayer& nodes) override;
+  double plane_reaction(int axis, int side) const override;
+
+ private:
+  enum class Edge { symmetry, wall, period };
+  struct Plane {
+    int axis, node, inward;  // inward: +1 at the low end, -1 at the high end; of a period its number of cells
+    Edge kind;
+  };
+  // An image node k beyond a plane, with its plane node and the node inside that it stands for in a mirror or a period,
+  // or the first node behind a wall.
+  struct Image {
+    std::int64_t image, plane, inside;
+    int depth;
+  };
+  struct OnPlane {
+    std::int64_t node;
+    std::size_t plane;
+  };
+
+  std::optional<Image> image_of(const Plane& plane, std::int64_t at, Index<Dim> node, const BlockMap<Dim>& map) const;
+
+  std::vector<Plane> planes_;
+  std::vector<std::vector<Image>> images_;  // per plane
+  std::vector<OnPlane> mirror_nodes_[3];    // nodes on symmetry planes, by axis
+  std::vector<double> ownership_;           // empty without symmetry planes
+  std::vector<double> reactions_;           // per plane
+};
+
+}  // namespace tribo

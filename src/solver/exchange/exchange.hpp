@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+/// Which nodes of a velocity field stand for each other, who owns a node, and how sums over nodes are formed.
+///
+/// A scatter also writes to nodes beyond symmetry planes, walls and periodic edges. These nodes are images: their
+/// values belong to nodes inside. After every scatter the values of the images are added to the nodes inside
+/// (sum_images); before every gather the images receive the values of the nodes inside (copy_images). All sums over
+/// nodes weight a node with its ownership, so that a node that several images or several machines hold counts once.
+#pragma once
+
+#include "solver/state/energy_ledger.hpp"
+#include "solver/state/system.hpp"
+
+#include <memory>
+#include <span>
+
+namespace tribo {
+
+/// What a layer of nodes holds, which decides how its images are treated.
+enum class ImageValues {
+  vectors,  ///< mass, momentum (or velocity) and force (or acceleration): components turn over in a mirror
+  forces,   ///< the same, but only the forces were scattered since the last sum
+  scalars,  ///< no component turns over in a mirror
+  cells     ///< values of cells, stored at their lowest node: only periodic edges have images
+};
+
+/// The exchange between the nodes of one velocity field.
+template <int Dim>
+class Exchange {
+ public:
+  virtual ~Exchange() = default;
+
+  /// Finds the images among the blocks that exist; to be called after every change of the field's map.
+  virtual void locate(const BlockMap<Dim>& map) = 0;
+  /// Adds the values of the images to the nodes that they stand for, and sets them to zero.
+  virtual void sum_images(NodeLayer& nodes, ImageValues values = ImageValues::vectors) const = 0;
+  /// Gives the images the values of the nodes that they stand for: the transpose of sum_images.
+  virtual void copy_images(NodeLayer& nodes, ImageValues values = ImageValues::vectors) const = 0;
+  /// The share with which a node (its position in the layers) counts in sums over nodes: a node on a symmetry plane
+  /// also carries the mass of its mirror image and counts one half for every such plane.
+  virtual double ownership(std::int64_t node) const = 0;
+  /// Whether this node is an image, so that sum_images empties it.
+  virtual bool is_image(const Index<Dim>& node) const = 0;
+  /// Bit d is set if a symmetry plane normal to axis d passes through this node.
+  virtual int mirrored_axes(const Index<Dim>& node) const = 0;
+
+  /// Forgets the reactions of the symmetry planes at the start of a step.
+  virtual void begin_step() = 0;
+  /// Adds the scattered forces that cross the symmetry planes to the reactions; to be called before sum_images.
+  virtual void add_plane_reactions(const NodeLayer& nodes) = 0;
+  /// Removes velocities and accelerations normal to symmetry planes at the nodes on them; what forces such as gravity
+  /// put there is added to the reactions.
+  virtual void hold_planes(NodeLayer& nodes) = 0;
+  /// Force of the symmetry plane at the low (0) or high (1) end of an axis on the material since begin_step() [force].
+  virtual double plane_reaction(int axis, int side) const = 0;
+
+  /// Total of sums that were formed block by block, added in the order of the blocks: the same for any number of
+  /// threads.
+  WorkAndImpulse total(std::span<const WorkAndImpulse> by_block) const {
+    WorkAndImpulse sum = WorkAndImpulse::Zero();
+    for (const WorkAndImpulse& part : by_block) sum += part;
+    return sum;
+  }
+};
+
+/// The exchange of a grid: OpenExchange if it has no plane, wall or periodic edge, else EdgeExchange. Throws InputError
+/// for a plane that is not a grid line.
+template <int Dim>
+std::unique_ptr<Exchange<Dim>> make_exchange(const GridSpec& grid, const Lattice<Dim>& lattice);
+
+/// The exchanges of all velocity fields, by number of the field.
+template <int Dim>
+using Exchanges = std::vector<std::unique_ptr<Exchange<Dim>>>;
+
+}  // namespace tribo

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+/// Sums over the nodes of a velocity field.
+#pragma once
+
+#include "base/parallel.hpp"
+#include "solver/exchange/exchange.hpp"
+
+#include <vector>
+
+namespace tribo {
+
+/// Forms sums over nodes block by block, so that the result does not depend on the number of threads.
+template <int Dim>
+class NodeSums {
+ public:
+  NodeSums(System<Dim>& system, const Exchanges<Dim>& exchanges) : system_(system), exchanges_(exchanges) {}
+
+  /// Sum of term(position in the layers, node), weighted by ownership, over the nodes of field f that have mass.
+  template <class F>
+  WorkAndImpulse operator()(std::size_t f, F&& term) {
+    auto& field = system_.fields[f];
+    by_block_.assign(field.map.active().size(), WorkAndImpulse::Zero());
+    parallel_for(static_cast<std::ptrdiff_t>(by_block_.size()), [&](std::ptrdiff_t block) {
+      WorkAndImpulse sum = WorkAndImpulse::Zero();
+      for (std::int64_t n = block * block_nodes<Dim>; n < (block + 1) * block_nodes<Dim>; ++n) {
+        Node& node = field.nodes[static_cast<std::size_t>(n)];
+        if (node.mass > 0) sum += exchanges_[f]->ownership(n) * term(n, node);
+      }
+      by_block_[static_cast<std::size_t>(block)] = sum;
+    });
+    return exchanges_[f]->total(by_block_);
+  }
+
+ private:
+  System<Dim>& system_;
+  const Exchanges<Dim>& exchanges_;
+  std::vector<WorkAndImpulse> by_block_;
+};
+
+}  // namespace tribo

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: MIT
+#include "solver/heat/heat.hpp"
+
+#include "grid/select.hpp"
+#include "solver/loads/face_points.hpp"
+#include "solver/loads/loaded.hpp"
+
+#include <cmath>
+
+namespace tribo {
+namespace {
+
+// On the nodes of the heat layer.
+double& capacity(Node& node) { return node.mass; }
+double& temperature(Node& node) { return node.velocity[0]; }
+double& power(Node& node) { return node.acceleration[0]; }  // into the node
+double& rate(Node& node) { return node.acceleration[0]; }   // dT/dt, once divided by the capacity
+
+}  // namespace
+
+template <int Dim>
+HeatConduction<Dim>::HeatConduction(const Model& model, System<Dim>& system, const Transfers<Dim>& transfers)
+    : model_(model), system_(system), transfers_(transfers), active_(model.heat.conduction) {
+  if (!active_) return;
+  Problems problems;
+  for (std::size_t c = 0; c < model.temperature_conditions.size(); ++c) {
+    const std::size_t before = held_.size();
+    each_node_in<Dim>(system.lattice, *model.temperature_conditions[c].where, [&](const Index<Dim>& node) {
+      held_.push_back({node, c});
+    });
+    if (held_.size() == before)
+      problems.add(model.temperature_conditions[c].origin, "this condition selects no node of the grid");
+  }
+  problems.raise();
+}
+
+template <int Dim>
+void HeatConduction<Dim>::locate() {
+  if (!active_) return;
+  for (auto& field : system_.fields) field.heat.resize(field.nodes.size());
+}
+
+template <int Dim>
+void HeatConduction<Dim>::conduct(double dt, const Contact<Dim>& contact, const Exchanges<Dim>& exchanges) {
+  if (!active_) return;
+  if (system_.step == 0) {  // no step before this one gave the particles a gradient
+    collect(0.0, contact, exchanges);
+    join(contact);
+    give(0.0, exchanges);
+  }
+  collect(dt, contact, exchanges);
+  join(contact);
+  hold(dt, exchanges);
+  give(dt, exchanges);
+  settle(dt, contact, exchanges);
+}
+
+template <int Dim>
+void HeatConduction<Dim>::scatter(Scatter what) {
+  for (auto& field : system_.fields) std::fill(field.heat.begin(), field.heat.end(), Node{});
+  for (auto& body : system_.bodies) {
+    transfers_.scatter(body, Target<Dim>(body, system_.fields, &Field<Dim>::heat), what, false, false);
+  }
+}
+
+// Temperatures of the nodes and, from the gradients of the particles and fluxes through their faces, their rates.
+template <int Dim>
+void HeatConduction<Dim>::collect(double dt, const Contact<Dim>& contact, const Exchanges<Dim>& exchanges) {
+  scatter(Scatter::heat);
+  each_loaded(model_, system_, ParticleCondition::Kind::heat_flux,
+              [&](const ParticleCondition& condition, Body<Dim>& body, std::size_t particle) {
+                flow_in(dt, condition, body, particle, exchanges);
+              });
+  if (model_.heat.contact_heating && dt > 0) rub(dt, contact, exchanges);
+  for (std::size_t f = 0; f < system_.fields.size(); ++f) {
+    auto& nodes = system_.fields[f].heat;
+    exchanges[f]->sum_images(nodes, ImageValues::scalars);
+    for (Node& node : nodes) {
+      if (!(capacity(node) > 0)) continue;
+      temperature(node) /= capacity(node);
+      rate(node) = power(node) / capacity(node);
+    }
+  }
+}
+
+template <int Dim>
+void HeatConduction<Dim>::flow_in(double dt, const ParticleCondition& condition, Body<Dim>& body, std::size_t particle,
+                                  const Exchanges<Dim>& exchanges) {
+  const auto face = ParticleFace<Dim>::of(system_, body, particle, condition.face);
+  Vec3 x = Vec3::Zero();
+  x.head<Dim>() = body.particles.position(particle);
+  const double whole = face.area * condition.value.at(system_.time, x);
+  auto& field = system_.fields[body.field];
+  for (const auto& at : face.points) {
+    const PointShares<Dim> to(model_.scheme.kernel, system_.fields, exchanges, at,
+                              [&](const Index<Dim>&) { return body.field; });
+    for (std::size_t k = 0; k < static_cast<std::size_t>(to.count); ++k)
+      power(field.heat[static_cast<std::size_t>(to.node[k])]) +=
+          to.share[k] * whole / static_cast<double>(face.points.size());
+  }
+  supplied += dt * whole;
+}
+
+// The work of sliding becomes heat where it is done, on the face; each side takes its share by capacity, which is no
+// matter as they have one temperature there. Rigid bodies take none.
+template <int Dim>
+void HeatConduction<Dim>::rub(double dt, const Contact<Dim>& contact, const Exchanges<Dim>& exchanges) {
+  contact.each_touching([&](const ContactPair& pair, const ContactMember& a, const ContactMember& b, double share) {
+    const double both = capacity(on(a)) + capacity(on(b));
+    if (pair.friction == 0.0 || !(both > 0)) return;
+    for (const ContactMember* side : {&a, &b}) {
+      const double part = capacity(on(*side)) / both;
+      if (!(part > 0)) continue;
+      auto& field = system_.fields[side->field];
+      const Vec<Dim> face =
+          system_.lattice.position(field.map.node_at(side->at)) + pair.face * pair.state.normal.template head<Dim>();
+      const PointShares<Dim> to(model_.scheme.kernel, system_.fields, exchanges, face,
+                                [&](const Index<Dim>&) { return side->field; });
+      for (std::size_t k = 0; k < static_cast<std::size_t>(to.count); ++k)
+        power(field.heat[static_cast<std::size_t>(to.node[k])]) += to.share[k] * share * part * pair.friction / dt;
+    }
+    from_contact += share * pair.friction;
+  });
+}
+
+// Where faces touch, both nodes take the mean temperature and the mean rate, weighted by their capacities. Means of
+// pairs converge to the mean of all where three bodies meet.
+template <int Dim>
+void HeatConduction<Dim>::join(const Contact<Dim>& contact) {
+  static constexpr int most_sweeps = 20;
+  static constexpr double tolerance = 1e-13;
+  for (int sweep = 0; sweep < most_sweeps; ++sweep) {
+    double change = 0.0;
+    contact.each_touching([&](const ContactPair&, const ContactMember& a, const ContactMember& b, double) {
+      Node &at_a = on(a), &at_b = on(b);
+      const double ca = capacity(at_a), cb = capacity(at_b);
+      if (!(ca > 0) || !(cb > 0)) return;
+      for (double& (*value)(Node&) : {temperature, rate}) {
+        double &va = value(at_a), &vb = value(at_b);
+        const double mean = (ca * va + cb * vb) / (ca + cb);
+        change = std::max(change, std::abs(va - vb) - tolerance * std::abs(mean));
+        va = vb = mean;
+      }
+    });
+    if (!(change > 0)) break;
+  }
+}
+
+// As with velocities, rates follow the prescribed values; only in the first step does the difference count that the
+// particles began with.
+template <int Dim>
+void HeatConduction<Dim>::hold(double dt, const Exchanges<Dim>& exchanges) {
+  for (const Held& held : held_) {
+    const auto& condition = model_.temperature_conditions[held.condition];
+    Vec3 x = Vec3::Zero();
+    x.head<Dim>() = system_.lattice.position(held.index);
+    const double wanted = condition.temperature.at(system_.time + dt, x, dt);
+    for (std::size_t f = 0; f < system_.fields.size(); ++f) {
+      const auto at = system_.fields[f].map.node(held.index);
+      if (at < 0) continue;
+      Node& node = system_.fields[f].heat[static_cast<std::size_t>(at)];
+      if (!(capacity(node) > 0)) continue;
+      const double before = system_.step == 0 ? temperature(node) : condition.temperature.at(system_.time, x, dt);
+      const double correction = (wanted - before) / dt - rate(node);
+      rate(node) += correction;
+      temperature(node) = wanted - dt * rate(node);
+      supplied += exchanges[f]->ownership(at) * dt * capacity(node) * correction;
+    }
+  }
+}
+
+// Rates to the particles, with the gradient of the temperatures at the end of the step.
+template <int Dim>
+void HeatConduction<Dim>::give(double dt, const Exchanges<Dim>& exchanges) {
+  Gather what;
+  what.heat = true;
+  what.dt = dt;
+  for (std::size_t f = 0; f < system_.fields.size(); ++f) {
+    auto& nodes = system_.fields[f].heat;
+    for (Node& node : nodes) temperature(node) += dt * rate(node);
+    exchanges[f]->copy_images(nodes, ImageValues::scalars);
+  }
+  for (auto& body : system_.bodies) {
+    if (!transfers_.gather(body, Target<Dim>(body, system_.fields, &Field<Dim>::heat), what).valid)
+      throw SimulationError("a temperature of '" + body.name + "' is not a number in step " +
+                            std::to_string(system_.step + 1) + " at time " + std::to_string(system_.time) +
+                            ": usually the step is too large for the conductivity. Try a smaller <TimeFactor>, and "
+                            "check Cv, kCond and the conditions.");
+  }
+}
+
+template <int Dim>
+void HeatConduction<Dim>::settle(double dt, const Contact<Dim>& contact, const Exchanges<Dim>& exchanges) {
+  static constexpr double least_share = 0.25;  // so that it costs little where steps are short
+  waited += dt;
+  const double h = system_.lattice.smallest_spacing();
+  double most = 0.0;
+  for (auto& body : system_.bodies) {
+    body.detail_share = std::min(1.0, waited * body.conductivity / (body.law->density() * body.heat_capacity * h * h));
+    most = std::max(most, body.detail_share);
+  }
+  if (most < least_share) return;
+  waited = 0.0;
+  scatter(Scatter::heat_detail);
+  for (std::size_t f = 0; f < system_.fields.size(); ++f) {
+    auto& nodes = system_.fields[f].heat;
+    exchanges[f]->sum_images(nodes, ImageValues::scalars);
+    for (Node& node : nodes)
+      if (capacity(node) > 0) temperature(node) /= capacity(node);
+  }
+  join(contact);
+  Gather what;
+  what.heat_detail = true;
+  for (std::size_t f = 0; f < system_.fields.size(); ++f)
+    exchanges[f]->copy_images(system_.fields[f].heat, ImageValues::scalars);
+  for (auto& body : system_.bodies) {
+    transfers_.gather(body, Target<Dim>(body, system_.fields, &Field<Dim>::heat), what);
+  }
+}
+
+template class HeatConduction<2>;
+template class HeatConduction<3>;
+
+}  // namespace tribo

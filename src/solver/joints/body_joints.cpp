@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+/// What joints between bodies have of their own: who feels them, and rigid bodies on one side.
+
+#include "solver/joints/joints.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tribo {
+namespace {
+
+template <int Dim>
+Index<Dim> block_of(const Lattice<Dim>& lattice, const Vec<Dim>& x) {
+  Index<Dim> block;
+  for (std::size_t d = 0; d < Dim; ++d) {
+    const auto axis = static_cast<Eigen::Index>(d);
+    const double at = (x[axis] - lattice.origin[axis]) / (lattice.spacing[axis] * block_edge<Dim>);
+    block[d] = static_cast<int>(std::clamp(std::floor(at), 0.0, lattice.blocks[d] - 1.0));
+  }
+  return block;
+}
+
+}  // namespace
+
+// Lists the points between bodies by blocks.
+template <int Dim>
+void Joints<Dim>::list_points() {
+  for (const auto block : listed_) points_[static_cast<std::size_t>(block)].clear();
+  listed_.clear();
+  for (std::size_t s = 0; s < system_.joints.size(); ++s) {
+    const JointSurface<Dim>& surface = system_.joints[s];
+    if (surface.crack != JointSurface<Dim>::none) continue;
+    for (std::size_t k = 0; k < surface.joints.size(); ++k) {
+      if (!holds(s, k)) continue;
+      const auto block = system_.lattice.block_index(block_of(system_.lattice, surface.x[k]));
+      auto& list = points_[static_cast<std::size_t>(block)];
+      if (list.empty()) listed_.push_back(block);
+      list.push_back({static_cast<std::uint32_t>(s), static_cast<std::uint32_t>(k)});
+    }
+  }
+}
+
+template <int Dim>
+auto Joints<Dim>::next(std::size_t a, std::size_t b, const Vec<Dim>& x) const -> Next {
+  Next out;
+  if (points_.empty()) return out;
+  const Vec<Dim> reach = Vec<Dim>::Constant(reach_);
+  const auto look = [&](const Index<Dim>& block) {
+    for (const PointOf& point : points_[static_cast<std::size_t>(system_.lattice.block_index(block))]) {
+      const JointSurface<Dim>& surface = system_.joints[point.surface];
+      const auto& [one, two] = surface.home;
+      if (!((one == a && two == b) || (one == b && two == a))) continue;
+      const Vec<Dim> from = x - surface.x[point.joint], n = surface.axes[point.joint].n.template head<Dim>();
+      if (!(from.cwiseAbs().maxCoeff() <= reach_)) continue;
+      const double distance = (from - from.dot(n) * n).norm();
+      if (distance < out.distance) out.distance = distance, out.normal = n;
+    }
+  };
+  const Index<Dim> low = block_of(system_.lattice, Vec<Dim>(x - reach)),
+                   high = block_of(system_.lattice, Vec<Dim>(x + reach));
+  Index<Dim> block = low;
+  for (int z = Dim == 3 ? low[Dim - 1] : 0; z <= (Dim == 3 ? high[Dim - 1] : 0); ++z)
+    for (block[1] = low[1]; block[1] <= high[1]; ++block[1])
+      for (block[0] = low[0]; block[0] <= high[0]; ++block[0]) {
+        if constexpr (Dim == 3) block[2] = z;
+        look(block);
+      }
+  return out;
+}
+
+// Joints push rigid bodies, too, which do not give way but keep their motion.
+template <int Dim>
+void Joints<Dim>::work_on_rigid(std::size_t s, const std::vector<Vec3>& before, double dt) {
+  const JointSurface<Dim>& surface = system_.joints[s];
+  for (std::size_t f = 0; f < 2; ++f)
+    for (std::size_t k = 0; k < surface.joints.size() && rigid(surface, f); ++k) {
+      if (!holds(s, k)) continue;
+      const double sign = f == 0 ? 1.0 : -1.0;  // what it gives is opposite to what acts on it
+      const Vec3 mean = 0.5 * (before[k] + surface.force(k));
+      Vec3 velocity = Vec3::Zero();
+      velocity.template head<Dim>() = surfaces_[s].motion[k][f].velocity;
+      rigid_.first += sign * dt * mean.dot(velocity), rigid_.second += sign * dt * before[k];
+    }
+}
+
+template void Joints<2>::list_points();
+template auto Joints<2>::next(std::size_t, std::size_t, const Vec<2>&) const -> Next;
+template void Joints<2>::work_on_rigid(std::size_t, const std::vector<Vec3>&, double);
+template void Joints<3>::list_points();
+template auto Joints<3>::next(std::size_t, std::size_t, const Vec<3>&) const -> Next;
+template void Joints<3>::work_on_rigid(std::size_t, const std::vector<Vec3>&, double);
+
+}  // namespace tribo

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: MIT
+#include "solver/joints/common_faces.hpp"
+
+#include "contact/joint_geometry.hpp"
+#include "solver/neighbours/body_occupancy.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tribo {
+namespace {
+
+constexpr double closest = 0.05;         // faces that touch are not farther apart [cells]
+constexpr double opposite = 0.866;       // cosine of the angle that their normals may differ by
+constexpr double most_of_a_point = 0.5;  // [cells]
+
+/// A side of a particle's domain: a stretch or a parallelogram.
+template <int Dim>
+struct DomainSide {
+  Vec<Dim> middle, normal;                   // outwards
+  Eigen::Matrix<double, Dim, Dim - 1> half;  // columns: half edges
+  double thickness = 1.0;
+
+  Vec<Dim> extent() const { return half.cwiseAbs().rowwise().sum(); }
+  double largest() const { return 2 * half.colwise().norm().maxCoeff(); }
+  /// How far a line along n through `at` goes until it meets the plane of the side.
+  double height(const Vec<Dim>& at, const Vec<Dim>& n) const { return (middle - at).dot(normal) / n.dot(normal); }
+};
+
+template <int Dim, class F>
+void each_side(const ParticleDomain<Dim>& domain, double thickness, F&& f) {
+  const Mat<Dim> normals = domain.axes.inverse().transpose().colwise().normalized();
+  for (int k = 0; k < Dim; ++k)
+    for (const double sign : {-1.0, 1.0}) {
+      DomainSide<Dim> side;
+      side.middle = domain.x + sign * domain.axes.col(k), side.normal = sign * normals.col(k);
+      for (int c = 0; c < Dim - 1; ++c) side.half.col(c) = domain.axes.col((k + 1 + c) % Dim);
+      side.thickness = thickness;
+      f(side);
+    }
+}
+
+/// Calls f(part) for equal parts of a side, none longer than `most`.
+template <int Dim, class F>
+void each_part(const DomainSide<Dim>& side, double most, F&& f) {
+  std::array<int, 2> count{1, 1};
+  for (int c = 0; c < Dim - 1; ++c)
+    count[static_cast<std::size_t>(c)] =
+        std::max(1, static_cast<int>(std::ceil(2 * side.half.col(c).norm() / most - 1e-6)));
+  for (int j = 0; j < count[1]; ++j)
+    for (int i = 0; i < count[0]; ++i) {
+      DomainSide<Dim> part = side;
+      const std::array<int, 2> at{i, j};
+      for (int c = 0; c < Dim - 1; ++c) {
+        const auto k = static_cast<std::size_t>(c);
+        part.middle += (2 * at[k] + 1 - count[k]) / static_cast<double>(count[k]) * side.half.col(c);
+        part.half.col(c) /= count[k];
+      }
+      f(part);
+    }
+}
+
+/// A place between two sides, anywhere along the normal, and the size of what they share around it.
+template <int Dim>
+using Shared = std::pair<Vec<Dim>, double>;
+
+std::vector<Shared<2>> in_common(const DomainSide<2>& a, const DomainSide<2>& b, const Vec<2>& n, double nothing) {
+  const Vec<2> t(-n[1], n[0]);
+  const auto reach = [&](const DomainSide<2>& side) { return std::abs(side.half.col(0).dot(t)); };
+  const double low = std::max(a.middle.dot(t) - reach(a), b.middle.dot(t) - reach(b)),
+               high = std::min(a.middle.dot(t) + reach(a), b.middle.dot(t) + reach(b));
+  if (high - low <= nothing) return {};
+  const Vec<2> middle = a.middle + (0.5 * (low + high) - a.middle.dot(t)) * t;
+  const double gauss = (high - low) / std::sqrt(12.0);
+  return {{middle - gauss * t, 0.5 * (high - low)}, {middle + gauss * t, 0.5 * (high - low)}};
+}
+
+using Polygon = std::vector<Tangent>;
+double cross(const Tangent& a, const Tangent& b) { return a.s * b.t - a.t * b.s; }
+
+/// What lies to the left of the way from p to q (Sutherland and Hodgman, Comm. ACM 17, 1974).
+Polygon left_of(const Polygon& polygon, const Tangent& p, const Tangent& q) {
+  Polygon out;
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const Tangent &from = polygon[k], &to = polygon[(k + 1) % polygon.size()];
+    const double at = cross(q - p, from - p), then = cross(q - p, to - p);
+    if (at >= 0) out.push_back(from);
+    if ((at > 0 && then < 0) || (at < 0 && then > 0)) out.push_back(from + at / (at - then) * (to - from));
+  }
+  return out;
+}
+
+std::vector<Shared<3>> in_common(const DomainSide<3>& a, const DomainSide<3>& b, const Vec3& n, double nothing) {
+  const JointAxes axes = JointAxes::of_normal(n);
+  const auto outline = [&](const DomainSide<3>& side) {
+    Tangent u = axes.tangent(side.half.col(0)), v = axes.tangent(side.half.col(1));
+    if (cross(u, v) < 0) std::swap(u, v);
+    const Tangent at = axes.tangent(side.middle - a.middle);
+    return Polygon{at - u - v, at + u - v, at + u + v, at - u + v};
+  };
+  Polygon common = outline(a);
+  const Polygon other = outline(b);
+  for (std::size_t k = 0; k < other.size(); ++k) common = left_of(common, other[k], other[(k + 1) % other.size()]);
+  if (common.size() < 3) return {};
+  const PolygonMoments found = polygon_moments(common);
+  if (found.area <= nothing * nothing) return {};
+  return {{a.middle + axes.vector(found.centroid), found.area}};
+}
+
+/// Thickness of a particle, all along the third direction in two dimensions.
+template <int Dim>
+double thickness(Body<Dim>& body, std::uint32_t i, const ParticleDomain<Dim>& domain) {
+  return Dim == 2 ? body.particles.volume()[i] / std::abs(4 * domain.axes.determinant()) : 1.0;
+}
+
+}  // namespace
+
+template <int Dim>
+std::vector<CommonFacePiece<Dim>> common_face_pieces(const Model& model, System<Dim>& system, Body<Dim>& a,
+                                                     Body<Dim>& b) {
+  const double h = system.lattice.spacing.maxCoeff(), near = closest * h;
+  const auto box = [&](Body<Dim>& body) {
+    Vec<Dim> low = Vec<Dim>::Constant(std::numeric_limits<double>::infinity()), high = -low;
+    for (std::size_t i = 0; i < body.particles.size(); ++i)
+      low = low.cwiseMin(body.particles.position(i)), high = high.cwiseMax(body.particles.position(i));
+    return std::pair(low, high);
+  };
+  const auto [low_a, high_a] = box(a);
+  const auto [low_b, high_b] = box(b);
+  const Vec<Dim> margin = Vec<Dim>::Constant(2 * h), low = low_a.cwiseMax(low_b) - margin,
+                 high = high_a.cwiseMin(high_b) + margin;
+  std::array<BodyOccupancy<Dim>, 2> matter{BodyOccupancy<Dim>(model, system.lattice, low, high),
+                                           BodyOccupancy<Dim>(model, system.lattice, low, high)};
+  matter[0].add(a), matter[1].add(b);
+
+  const auto each_near = [&](Body<Dim>& body, auto&& f) {
+    const DomainReader<Dim> domains(body);
+    for (std::uint32_t i = 0; i < body.particles.size(); ++i) {
+      const Vec<Dim> x = body.particles.position(i);
+      if ((x.array() < low.array()).any() || (x.array() > high.array()).any()) continue;
+      const ParticleDomain<Dim> domain = domains(i);
+      each_side<Dim>(domain, thickness(body, i, domain), f);
+    }
+  };
+  std::vector<DomainSide<Dim>> sides_b;
+  CellTable<Dim, std::uint32_t> table(system.lattice);
+  each_near(b, [&](const DomainSide<Dim>& side) {
+    table.add(side.middle - side.extent(), side.middle + side.extent(), static_cast<std::uint32_t>(sides_b.size()));
+    sides_b.push_back(side);
+  });
+
+  std::vector<CommonFacePiece<Dim>> out;
+  std::vector<std::uint32_t> candidates;
+  std::uint32_t number = 0;
+  const Vec<Dim> around = Vec<Dim>::Constant(near);
+  const auto meet = [&](const DomainSide<Dim>& one, const DomainSide<Dim>& two) {
+    if (-one.normal.dot(two.normal) < opposite) return;
+    const Vec<Dim> n = (one.normal - two.normal).normalized();
+    for (const auto& [at, size] : in_common(one, two, n, 1e-9 * h)) {
+      const double below = one.height(at, n), above = two.height(at, n);
+      if (std::abs(above - below) > near) continue;
+      CommonFacePiece<Dim> piece;
+      piece.x = at + 0.5 * (below + above) * n, piece.n = n;
+      // sides within a body, where two bodies lie over each other, are no faces
+      if (matter[0].at(piece.x + near * n) || matter[1].at(piece.x - near * n)) continue;
+      piece.area =
+          size * (model.analysis == Analysis::axisymmetric ? piece.x[0] : std::min(one.thickness, two.thickness));
+      piece.size = std::max(one.largest(), two.largest()), piece.side_of = number;
+      out.push_back(piece);
+    }
+  };
+  each_near(a, [&](const DomainSide<Dim>& side) {
+    candidates.clear();
+    table.each(side.middle - side.extent() - around, side.middle + side.extent() + around,
+               [&](std::uint32_t k) { candidates.push_back(k); });
+    if (candidates.empty()) return;
+    std::sort(candidates.begin(), candidates.end());
+    candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
+    each_part<Dim>(side, most_of_a_point * h, [&](const DomainSide<Dim>& part) {
+      for (const auto k : candidates) meet(part, sides_b[k]);
+      ++number;
+    });
+  });
+  return out;
+}
+
+template <int Dim>
+void level_steps(const Lattice<Dim>& lattice, std::vector<CommonFacePiece<Dim>>& pieces) {
+  const double h = lattice.spacing.maxCoeff();
+  const std::array radii{2.5 * h, 1.5 * h};
+  const std::vector<CommonFacePiece<Dim>> raw = pieces;
+  CellTable<Dim, std::uint32_t> table(lattice);
+  for (std::uint32_t k = 0; k < raw.size(); ++k) table.add(raw[k].x, raw[k].x, k);
+  for (CommonFacePiece<Dim>& piece : pieces) {
+    const auto each_around = [&](double radius, auto&& f) {
+      const Vec<Dim> reach = Vec<Dim>::Constant(radius);
+      table.each(piece.x - reach, piece.x + reach, [&](std::uint32_t k) {
+        const double share = (raw[k].x - piece.x).squaredNorm() / (radius * radius);
+        if (share < 1) f(raw[k], (1 - share) * (1 - share) * raw[k].area);
+      });
+    };
+    const CommonFacePiece<Dim> own = piece;
+    bool stepped = false;
+    each_around(radii[0], [&](const auto& other, double) { stepped = stepped || other.n.dot(own.n) < opposite; });
+    for (std::size_t r = 0; stepped && r < radii.size(); ++r) {
+      Vec<Dim> n = Vec<Dim>::Zero(), centre = n;
+      double total = 0.0, highest = 0.0;
+      each_around(radii[r], [&](const auto& other, double weight) {
+        n += weight * other.n, centre += weight * other.x, total += weight;
+      });
+      if (!(n.norm() > 0)) continue;
+      n.normalize(), centre /= total;
+      each_around(radii[r],
+                  [&](const auto& other, double) { highest = std::max(highest, std::abs((other.x - centre).dot(n))); });
+      // the steps of a stair, and round faces of a radius of five cells; a corner's legs are higher
+      if (highest > 0.5 * own.size + 0.1 * h) continue;
+      piece.n = n, piece.x = own.x - (own.x - centre).dot(n) * n;
+      piece.area = own.area * std::max(0.0, own.n.dot(n));
+      break;
+    }
+  }
+  std::erase_if(pieces, [](const CommonFacePiece<Dim>& piece) { return !(piece.area > 0); });
+}
+
+template std::vector<CommonFacePiece<2>> common_face_pieces(const Model&, System<2>&, Body<2>&, Body<2>&);
+template std::vector<CommonFacePiece<3>> common_face_pieces(const Model&, System<3>&, Body<3>&, Body<3>&);
+template void level_steps(const Lattice<2>&, std::vector<CommonFacePiece<2>>&);
+template void level_steps(const Lattice<3>&, std::vector<CommonFacePiece<3>>&);
+
+}  // namespace tribo

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#include "solver/joints/joint_build.hpp"
+
+#include "solver/joints/common_faces.hpp"
+
+namespace tribo {
+namespace {
+
+template <int Dim>
+Body<Dim>& body_of(const Model& model, System<Dim>& system, int material, const Origin& origin) {
+  for (auto* list : {&system.bodies, &system.rigids})
+    for (auto& body : *list)
+      if (body.material == material && body.field != Body<Dim>::no_field) return body;
+  throw InputError(origin, "a joint law needs bodies of both materials; there is none of '" +
+                               model.materials[static_cast<std::size_t>(material)].name + "'");
+}
+
+/// Makes a joint of the pieces first to end - 1.
+template <int Dim>
+void add_joint(const std::vector<CommonFacePiece<Dim>>& pieces, std::size_t first, std::size_t end, double thickness,
+               JointSurface<Dim>& surface) {
+  double area = 0.0;
+  Vec<Dim> x = Vec<Dim>::Zero(), n = x;
+  for (std::size_t k = first; k < end; ++k)
+    area += pieces[k].area, x += pieces[k].area * pieces[k].x, n += pieces[k].area * pieces[k].n;
+  Vec3 normal = Vec3::Zero();
+  normal.template head<Dim>() = n.normalized();
+  const JointAxes axes = JointAxes::of_normal(normal);
+  JointSite site;
+  site.area = area, site.plane = Dim == 2, site.thickness = thickness;
+  const auto number = static_cast<std::uint32_t>(surface.joints.size());
+  surface.x.push_back(x / area), surface.axes.push_back(axes), surface.joints.push_back(surface.law->start(site));
+  for (std::size_t k = first; k < end; ++k) {
+    Vec3 apart = Vec3::Zero();
+    apart.template head<Dim>() = pieces[k].x - surface.x.back();
+    const Tangent along = axes.tangent(apart);
+    JointSample<Dim> sample;
+    sample.joint[0] = number, sample.part[0] = pieces[k].area / area;
+    sample.local = Vec3(apart.dot(axes.n), along.s, along.t);
+    surface.samples.push_back(sample);
+  }
+}
+
+}  // namespace
+
+template <int Dim>
+void add_interfaces(const Model& model, System<Dim>& system) {
+  for (const auto& [pair, joint] : model.contact.joints) {
+    const auto& [first, second] = joint.materials;
+    Body<Dim>&one = body_of(model, system, first, joint.origin), &two = body_of(model, system, second, joint.origin);
+    const std::string both = "'" + one.name + "' and '" + two.name + "'";
+    if (one.field == two.field)
+      throw InputError(joint.origin, both + " share one velocity field; nothing acts between them");
+    if (one.law->rigid() && two.law->rigid())
+      throw InputError(joint.origin, both + " are rigid; a joint needs a body on one side that can move");
+    auto pieces = common_face_pieces(model, system, one, two);
+    level_steps(system.lattice, pieces);
+    if (pieces.empty())
+      throw InputError(joint.origin,
+                       both +
+                           " touch nowhere at the start, and a joint law joins faces that touch then: let them end on "
+                           "the same line, without a gap and without lying over each other, or "
+                           "take a contact law");
+    JointSurface<Dim> surface;
+    surface.law = joint.law.get();
+    surface.home = {one.field, two.field}, surface.material = {first, second};
+    for (std::size_t begin = 0, end = 0; begin < pieces.size(); begin = end) {
+      while (end < pieces.size() && pieces[end].side_of == pieces[begin].side_of) ++end;
+      add_joint(pieces, begin, end, model.grid.thickness, surface);
+    }
+    surface.mass.fill(std::vector<double>(surface.samples.size(), 0.0));
+    system.joints.push_back(std::move(surface));
+  }
+}
+
+template void add_interfaces(const Model&, System<2>&);
+template void add_interfaces(const Model&, System<3>&);
+
+}  // namespace tribo

@@ -1,0 +1,358 @@
+// SPDX-License-Identifier: MIT
+#include "solver/joints/joints.hpp"
+
+#include "base/parallel.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace tribo {
+
+template <int Dim>
+Joints<Dim>::Joints(const Model& model, System<Dim>& system, const Cracks<Dim>& cracks)
+    : system_(system), cracks_(cracks), around_(model, system.lattice), surfaces_(system.joints.size()) {
+  // Particles give to nodes from so far away, with domains of up to a cell.
+  const double cells = model.scheme.kernel == Kernel::cubic_spline ? 2.0 : 1.5;
+  reach_ = (cells + 0.5) * system.lattice.spacing.maxCoeff();
+  for (const auto& surface : system.joints)
+    if (surface.crack == JointSurface<Dim>::none)
+      points_.resize(static_cast<std::size_t>(system.lattice.block_count()));
+}
+
+// Weights of a fit of a linear velocity to what the nodes on one side have, by least squares: rigid motion opens
+// nothing. They are the shape functions where those reproduce linear velocities already; nodes with little
+// mass count less, so that little force acts on them.
+template <int Dim>
+double Joints<Dim>::find_side(const JointSurface<Dim>& surface, const Vec<Dim>& x, const Vec<Dim>& n, std::size_t side,
+                              std::vector<Share>& out) const {
+  constexpr int size = Dim + 1;
+  using Basis = Eigen::Matrix<double, size, 1>;
+  using Moments = Eigen::Matrix<double, size, size>;
+  constexpr double stiffening = 1e-5;  // of slopes that the nodes do not tell
+  constexpr double light = 0.1;        // nodes with less than this share of the mean mass count less
+  const double h = system_.lattice.spacing.maxCoeff();
+  const bool of_crack = surface.crack != JointSurface<Dim>::none;
+  const Vec<Dim> beside = of_crack ? Vec<Dim>(x + (side == 0 ? -1e-6 : 1e-6) * h * n) : x;
+  const auto basis = [&](const Vec<Dim>& distance) {
+    Basis p;
+    p[0] = 1.0, p.template tail<Dim>() = distance / h;
+    return p;
+  };
+  out.clear();
+  thread_local typename Cracks<Dim>::Sight sight;
+  if (cracks_.active()) cracks_.look(x, sight);
+  double shapes = 0.0, mass = 0.0;
+  thread_local std::vector<Basis> at;
+  thread_local std::vector<double> masses;
+  at.clear(), masses.clear();
+  around_.each(x, [&](double weight, const Index<Dim>& node) {
+    Index<Dim> inside = node;
+    const Vec<Dim> mirror = around_.fold(inside);
+    const int across = cracks_.active() ? cracks_.side(sight, beside, node) : 0;
+    const Basis p = basis(system_.lattice.position(node) - x);
+    const double images = std::exp2(around_.planes_through(inside));  // such a node holds their mass, too
+    const std::size_t first = out.size();
+    double total = 0.0;
+    for (std::size_t f = 0; f < system_.fields.size(); ++f) {
+      const Field<Dim>& field = system_.fields[f];
+      if (field.side != across || (of_crack ? field.rigid_contact : field.home != surface.home[side])) continue;
+      const auto position = field.map.node(inside);
+      if (position < 0) continue;
+      const double m = field.nodes[static_cast<std::size_t>(position)].mass;
+      if (!(m > 0)) continue;
+      total += m;
+      out.push_back({static_cast<std::uint32_t>(f), position, weight * m, images, Vec<Dim>::Zero(), mirror});
+      at.push_back(p);
+    }
+    if (out.size() == first) return;
+    shapes += weight, mass += weight * total;
+    masses.resize(out.size(), total);
+    for (std::size_t i = first; i < out.size(); ++i) out[i].weight /= total;
+  });
+  if (!(mass > 0)) return 0.0;
+  Moments moments = Moments::Zero();
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    out[i].weight *= std::min(1.0, std::sqrt(masses[i] * shapes / (light * mass)));
+    moments += out[i].weight * at[i] * at[i].transpose();
+  }
+  for (int d = 1; d < size; ++d) moments(d, d) += stiffening * moments(0, 0);
+  const Moments inverse = moments.inverse();
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    const Basis fit = out[i].weight * (inverse * at[i]);
+    out[i].weight = fit[0], out[i].slope = fit.template tail<Dim>() / h;
+  }
+  return mass;
+}
+
+// Where a sample is now, and the normal there.
+template <int Dim>
+std::pair<Vec<Dim>, Vec<Dim>> Joints<Dim>::place(const JointSurface<Dim>& surface, std::size_t s) const {
+  const JointSample<Dim>& sample = surface.samples[s];
+  if (surface.crack == JointSurface<Dim>::none) {
+    const JointAxes& axes = surface.axes[sample.joint[0]];
+    const Vec3 beside = sample.local[0] * axes.n + axes.vector({sample.local[1], sample.local[2]});
+    return {surface.x[sample.joint[0]] + beside.template head<Dim>(), axes.n.template head<Dim>()};
+  }
+  const Crack<Dim>& crack = system_.cracks[surface.crack];
+  typename JointSample<Dim>::Corners corners;
+  Vec<Dim> x = Vec<Dim>::Zero();
+  for (std::size_t k = 0; k < corners.size(); ++k)
+    corners[k] = crack.x[sample.point[k]], x += sample.share[k] * corners[k];
+  return {x, Crack<Dim>::area(corners).normalized()};
+}
+
+template <int Dim>
+void Joints<Dim>::find() {
+  if (!active()) return;
+  for (std::size_t s = 0; s < system_.joints.size(); ++s) {
+    JointSurface<Dim>& surface = system_.joints[s];
+    Surface& mine = surfaces_[s];
+    mine.samples.resize(surface.samples.size());
+    parallel_for(static_cast<std::ptrdiff_t>(mine.samples.size()), [&](std::ptrdiff_t sample) {
+      const auto k = static_cast<std::size_t>(sample);
+      Reach& reach = mine.samples[k];
+      if (surface.mass[0][k] == surface.gone) {
+        for (auto& side : reach.side) side.clear();
+        return;
+      }
+      const auto [x, n] = place(surface, k);
+      double inverse = 0.0;
+      for (std::size_t f = 0; f < 2; ++f) {
+        const double mass = find_side(surface, x, n, f, reach.side[f]);
+        double& first = surface.mass[f][k];
+        if (first == 0) first = mass;
+        constexpr double enough = 0.05;  // else the body has gone
+        if (mass < enough * first) reach.side[f].clear();
+        for (const Share& share : reach.side[f])
+          inverse += share.images * share.weight * share.weight * inverse_mass(share);
+      }
+      if (surface.crack == JointSurface<Dim>::none && !reach.whole())
+        surface.mass[0][k] = surface.mass[1][k] = surface.gone;
+      reach.mass = inverse > 0 ? 1 / inverse : 0.0;
+    });
+    mine.held.assign(surface.joints.size(), 0.0);
+    each_part(s, [&](Reach&, std::uint32_t joint, double part) { mine.held[joint] += part; });
+  }
+  list_points();
+  find_stable_step();
+}
+
+// Calls f(reach, joint, part) for the samples that have both faces.
+template <int Dim>
+template <class F>
+void Joints<Dim>::each_part(std::size_t s, F&& f) {
+  const auto& samples = system_.joints[s].samples;
+  for (std::size_t k = 0; k < samples.size(); ++k) {
+    Reach& reach = surfaces_[s].samples[k];
+    if (!reach.whole()) continue;
+    for (std::size_t c = 0; c < samples[k].part.size(); ++c)
+      if (samples[k].part[c] > 0) f(reach, samples[k].joint[c], samples[k].part[c]);
+  }
+}
+
+// Leapfrog is stable if the largest eigenvalue of M^-1/2 K M^-1/2 is below 4/dt^2; sums of rows bound it (Gershgorin).
+template <int Dim>
+void Joints<Dim>::find_stable_step() {
+  stiffness_.resize(system_.fields.size());
+  const auto each_share = [&](const Reach& reach, auto&& f) {
+    for (const auto& side : reach.side)
+      for (const Share& share : side) f(share);
+  };
+  const auto stiffness = [&](const Share& share) -> double& {
+    return stiffness_[share.field][static_cast<std::size_t>(share.node)];
+  };
+  for (auto& mine : surfaces_)
+    for (const Reach& reach : mine.samples)
+      each_share(reach, [&](const Share& share) {
+        stiffness_[share.field].resize(system_.fields[share.field].nodes.size());
+        stiffness(share) = 0.0;
+      });
+  const auto scaled = [&](const Share& share) {
+    return std::abs(share.weight) * std::sqrt(share.images * inverse_mass(share));
+  };
+  double largest = 0.0;
+  for (std::size_t s = 0; s < surfaces_.size(); ++s) {
+    auto& joints = system_.joints[s].joints;
+    row_.assign(joints.size(), 0.0);
+    each_part(s, [&](Reach& reach, std::uint32_t joint, double part) {
+      each_share(reach, [&](const Share& share) { row_[joint] += part * scaled(share); });
+    });
+    each_part(s, [&](Reach& reach, std::uint32_t joint, double part) {
+      const Joint& j = joints[joint];
+      const double pull = std::max(j.kn, j.ks) * j.area * row_[joint] * part;
+      each_share(reach, [&](const Share& share) {
+        double& sum = stiffness(share);
+        sum += pull * scaled(share);
+        largest = std::max(largest, sum);
+      });
+    });
+  }
+  constexpr double share_of_limit = 0.5;
+  stable_step_ = largest > 0 ? share_of_limit * 2 / std::sqrt(largest) : std::numeric_limits<double>::infinity();
+}
+
+template <int Dim>
+void Joints<Dim>::push(double dt) {
+  for (std::size_t s = 0; s < system_.joints.size(); ++s) {
+    const JointSurface<Dim>& surface = system_.joints[s];
+    each_part(s, [&](Reach& reach, std::uint32_t joint, double part) {
+      if (!holds(s, joint)) return;
+      const Vec<Dim> force = part / surfaces_[s].held[joint] * surface.force(joint).template head<Dim>();
+      for (std::size_t f = 0; f < 2; ++f)
+        for (const Share& share : reach.side[f]) {
+          Node& at = node(share);
+          const double shared = (f == 0 ? -1.0 : 1.0) * share.images * share.weight * inverse_mass(share);
+          const Vec<Dim> a = shared * share.mirror.cwiseProduct(force);
+          for (int d = 0; d < Dim; ++d) at.acceleration[d] += a[d], at.velocity[d] += dt * a[d];
+        }
+    });
+  }
+}
+
+// Velocity and its gradient, as the nodes of one side have it.
+template <int Dim>
+auto Joints<Dim>::motion(const std::vector<Share>& shares) const -> Motion {
+  Motion out;
+  for (const Share& share : shares) {
+    const Vec<Dim> v = share.mirror.cwiseProduct(Eigen::Map<const Vec<Dim>>(node(share).velocity));
+    out.velocity += share.weight * v;
+    out.gradient += v * share.slope.transpose();
+  }
+  return out;
+}
+
+template <int Dim>
+void Joints<Dim>::follow(double dt) {
+  for (std::size_t s = 0; s < system_.joints.size(); ++s) {
+    JointSurface<Dim>& surface = system_.joints[s];
+    Surface& mine = surfaces_[s];
+    const std::size_t count = surface.joints.size();
+    mine.motion.assign(count, {});
+    increments_.assign(count, {});
+    for (Reach& reach : mine.samples)
+      for (std::size_t f = 0; f < 2; ++f) reach.motion[f] = motion(reach.side[f]);
+    each_part(s, [&](Reach& reach, std::uint32_t joint, double part) {
+      const double share = part / mine.held[joint];
+      for (std::size_t f = 0; f < 2; ++f) {
+        mine.motion[joint][f].velocity += share * reach.motion[f].velocity;
+        mine.motion[joint][f].gradient += share * reach.motion[f].gradient;
+      }
+      increments_[joint].mass += share * reach.mass;
+    });
+    for (std::size_t k = 0; k < count; ++k) {
+      Vec3 apart = Vec3::Zero();
+      apart.template head<Dim>() = mine.motion[k][1].velocity - mine.motion[k][0].velocity;
+      JointIncrement& d = increments_[k];
+      d.normal = dt * apart.dot(surface.axes[k].n), d.shear = dt * surface.axes[k].tangent(apart);
+      d.gap = surface.joints[k].gap + d.normal, d.dt = dt;
+    }
+    std::vector<Vec3> before;
+    if (rigid(surface, 0) || rigid(surface, 1))
+      for (std::size_t k = 0; k < count; ++k) before.push_back(surface.force(k));
+    // in runs of neighbours that have both faces
+    for (std::size_t first = 0, end = 0; first < count; first = end + 1) {
+      for (end = first; end < count && holds(s, end);) ++end;
+      update(surface, s, first, end, dt);
+      if (end < count) let_go(surface.joints[end]);
+    }
+    if (surface.crack != JointSurface<Dim>::none) lead(s);
+    if (!before.empty()) work_on_rigid(s, before, dt);
+  }
+}
+
+template <int Dim>
+void Joints<Dim>::update(JointSurface<Dim>& surface, std::size_t s, std::size_t first, std::size_t end, double dt) {
+  happened_.clear();
+  surface.law->update({surface.joints.data() + first, end - first}, {increments_.data() + first, end - first},
+                      happened_);
+  for (JointEvent& event : happened_) {
+    event.contact += first;
+    Vec3 x = Vec3::Zero();
+    x.template head<Dim>() = surface.x[event.contact];
+    events_.push_back({system_.time + dt, s, x, event});
+  }
+}
+
+// A face has gone, and what the joint carried with it.
+template <int Dim>
+void Joints<Dim>::let_go(Joint& joint) {
+  joint.Fn = joint.dashpot_normal = joint.strain = 0.0;
+  joint.Fs = joint.dashpot_shear = Tangent{};
+}
+
+// The faces of the crack go with the joints.
+template <int Dim>
+void Joints<Dim>::lead(std::size_t s) {
+  const JointSurface<Dim>& surface = system_.joints[s];
+  Crack<Dim>& crack = system_.cracks[surface.crack];
+  crack.led.assign(crack.x.size(), 0);
+  crack.lead.resize(crack.x.size());
+  for (std::size_t k = 0; k < surface.joints.size(); ++k) {
+    if (!holds(s, k)) continue;
+    crack.led[surface.point[k]] = 1;
+    for (std::size_t f = 0; f < 2; ++f) crack.lead[surface.point[k]][f] = surfaces_[s].motion[k][f].velocity;
+  }
+}
+
+// Points of cracks are where these are; points between bodies go with the mean of both, and their normals turn with
+// the faces.
+template <int Dim>
+void Joints<Dim>::settle(double dt) {
+  for (std::size_t s = 0; s < system_.joints.size(); ++s) {
+    JointSurface<Dim>& surface = system_.joints[s];
+    std::vector<Vec<Dim>> normals;
+    if (surface.crack != JointSurface<Dim>::none) normals = system_.cracks[surface.crack].normals();
+    for (std::size_t k = 0; k < surface.joints.size(); ++k) {
+      const auto& [below, above] = surfaces_[s].motion[k];
+      const Mat<Dim> rate = 0.5 * (below.gradient + above.gradient);
+      const Vec<Dim> old = surface.axes[k].n.template head<Dim>();
+      Vec3 normal = Vec3::Zero();
+      if (normals.empty()) {
+        surface.x[k] += 0.5 * dt * (below.velocity + above.velocity);
+        normal.template head<Dim>() = old - dt * (rate.transpose() * old);
+      } else {
+        surface.x[k] = system_.cracks[surface.crack].x[surface.point[k]];
+        normal.template head<Dim>() = normals[surface.point[k]];
+      }
+      double spin = 0.0;
+      if constexpr (Dim == 3) {
+        const Vec3 vorticity(rate(2, 1) - rate(1, 2), rate(0, 2) - rate(2, 0), rate(1, 0) - rate(0, 1));
+        spin = 0.5 * dt * vorticity.dot(normal);
+      }
+      surface.axes[k].follow(normal.normalized(), spin);
+    }
+    if (!normals.empty()) show(surface);
+  }
+}
+
+template <int Dim>
+void Joints<Dim>::show(const JointSurface<Dim>& surface) {
+  Crack<Dim>& crack = system_.cracks[surface.crack];
+  for (std::size_t k = 0; k < surface.joints.size(); ++k) {
+    const std::size_t point = surface.point[k];
+    const Joint& joint = surface.joints[k];
+    crack.traction[point] = -surface.force(k).template head<Dim>() / joint.area;
+    crack.slip[point] = joint.slip;
+    crack.status[point] = joint.away ? 0.0 : joint.slips ? 2.0 : 1.0;
+  }
+}
+
+template <int Dim>
+auto Joints<Dim>::energies() const -> Energies {
+  Energies out;
+  for (const auto& surface : system_.joints)
+    for (const Joint& joint : surface.joints)
+      out.stored += joint.strain, out.lost += joint.released() - joint.slid - joint.damped;
+  return out;
+}
+
+template <int Dim>
+std::vector<PlacedEvent> Joints<Dim>::take_events() {
+  return std::exchange(events_, {});
+}
+
+template class Joints<2>;
+template class Joints<3>;
+
+}  // namespace tribo

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#include "solver/loads/damping.hpp"
+
+namespace tribo {
+
+template <int Dim>
+void VelocityDamping<Dim>::record_grid(std::size_t f, double dt) {
+  const WorkAndImpulse sum = sum_(f, [&](std::int64_t, const Node& node) {
+    WorkAndImpulse taken = WorkAndImpulse::Zero();
+    for (int d = 0; d < Dim; ++d) {
+      const double old = node.velocity[d] - dt * node.acceleration[d];
+      taken[0] += old * (node.velocity[d] + old) * 0.5;
+      taken[1 + d] += old;
+    }
+    return WorkAndImpulse(dt * grid * node.mass * taken);
+  });
+  ledger_.damping_work += sum[0];
+  ledger_.impulse -= sum.tail<3>();
+}
+
+template <int Dim>
+void VelocityDamping<Dim>::record_particles(const Body<Dim>& body, double rate, double dt) {
+  double field_mass = 0.0;
+  for (const auto& other : system_.bodies)
+    if (other.field == body.field) field_mass += other.total_mass;
+  const WorkAndImpulse sum = sum_(body.field, [&](std::int64_t, const Node& node) {
+    WorkAndImpulse momentum = WorkAndImpulse::Zero();
+    for (int d = 0; d < Dim; ++d) momentum[1 + d] = node.mass * node.velocity[d];
+    return momentum;
+  });
+  ledger_.impulse -= rate * dt * body.total_mass / field_mass * sum.tail<3>();
+}
+
+template class VelocityDamping<2>;
+template class VelocityDamping<3>;
+
+}  // namespace tribo

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+/// Damping of velocities on the grid and on the particles.
+#pragma once
+
+#include "solver/exchange/node_sums.hpp"
+
+namespace tribo {
+
+/// The coefficients of damping, with feedback from the kinetic energy, and what damping takes out of the bodies.
+template <int Dim>
+class VelocityDamping {
+ public:
+  VelocityDamping(const Model& model, System<Dim>& system, const Exchanges<Dim>& exchanges, EnergyLedger& ledger)
+      : damping_(model.damping), system_(system), sum_(system, exchanges), ledger_(ledger) {}
+
+  /// Follows the functions of time, and the feedback if there is any, before a step of dt. `kinetic_energy()` is called
+  /// only with feedback.
+  template <class Kinetic>
+  void update(double dt, Kinetic&& kinetic_energy) {
+    Variables at;
+    at.t = system_.time / damping_.function_time, at.dt = dt / damping_.function_time;
+    const auto follow = [&](const std::optional<Expression>& constant, const std::optional<double>& gain, double& alpha,
+                            double& feedback) {
+      if (gain) {
+        const double target = damping_.target_energy ? (*damping_.target_energy)(at) : 0.0;
+        feedback = std::max(0.0, feedback + dt * *gain * (kinetic_energy() - target));
+        if (damping_.max_alpha > 0) feedback = std::min(feedback, damping_.max_alpha);
+      }
+      alpha = (constant ? (*constant)(at) : 0.0) + feedback;
+    };
+    follow(damping_.grid, damping_.grid_gain, grid, grid_feedback);
+    follow(damping_.particle, damping_.particle_gain, particle, particle_feedback);
+  }
+
+  /// Adds what grid damping took out of field f in the momentum update to the ledger.
+  void record_grid(std::size_t f, double dt);
+  /// Adds the impulse of particle damping on a body to the ledger: the body's share of what the field loses, which is
+  /// exact if all bodies of a field are damped alike.
+  void record_particles(const Body<Dim>& body, double rate, double dt);
+
+  double grid = 0.0, particle = 0.0;                    ///< present coefficients                     [1/time]
+  double grid_feedback = 0.0, particle_feedback = 0.0;  ///< the part of them built up by feedback    [1/time]
+
+ private:
+  const Damping& damping_;
+  System<Dim>& system_;
+  NodeSums<Dim> sum_;
+  EnergyLedger& ledger_;
+};
+
+}  // namespace tribo

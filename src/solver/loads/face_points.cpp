@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+#include "solver/loads/face_points.hpp"
+
+#include "grid/kernels.hpp"
+
+#include <cmath>
+#include <utility>
+
+namespace tribo {
+namespace {
+
+Vec3 face_normal(int face) {
+  switch (face) {
+    case 1:
+      return -Vec3::UnitY();
+    case 2:
+      return Vec3::UnitX();
+    case 3:
+      return Vec3::UnitY();
+    case 4:
+      return -Vec3::UnitX();
+    case 5:
+      return -Vec3::UnitZ();
+    default:
+      return Vec3::UnitZ();
+  }
+}
+
+}  // namespace
+
+template <int Dim>
+ParticleFace<Dim> ParticleFace<Dim>::of(const System<Dim>& system, Body<Dim>& body, std::size_t i, int face) {
+  auto& particles = body.particles;
+  ParticleFace out;
+  out.normal = face_normal(face);
+  int axis = 0;
+  while (out.normal[axis] == 0.0) ++axis;
+  Vec<Dim> half = body.uniform_half_size;
+  if (body.half_size)
+    for (int d = 0; d < Dim; ++d) half[d] = particles.column(*body.half_size + static_cast<std::size_t>(d))[i];
+  out.area = particles.mass()[i] / body.law->density() / (2 * half[axis]);
+  if (system.analysis == Analysis::axisymmetric && axis == 0) {  // a face at another radius than the particle
+    const double r = particles.column(*body.origin)[i];
+    out.area *= (r + out.normal[0] * half[0]) / r;
+  }
+  for (std::size_t point = 0; point < count; ++point) {
+    Vec<Dim> at = Vec<Dim>::Zero();
+    for (int d = 0, tangent = 0; d < Dim; ++d)
+      at[d] = d == axis ? out.normal[d] * half[d] : (point >> tangent++ & 1 ? 1.0 : -1.0) * half[d] / std::sqrt(3.0);
+    if (body.domain) {  // CPDI: the face has deformed with the particle
+      const auto F = particles.F();
+      at = (load_full<Dim>(F, static_cast<int>(i)).template topLeftCorner<Dim, Dim>() * at).eval();
+    }
+    out.points[point] = at + particles.position(i);
+  }
+  return out;
+}
+
+template <int Dim>
+void PointShares<Dim>::spread(Kernel kernel, const Lattice<Dim>& lattice, const Vec<Dim>& x) {
+  if (kernel == Kernel::quadratic_spline)
+    spread<QuadraticKernel>(lattice, x);
+  else if (kernel == Kernel::cubic_spline)
+    spread<CubicKernel>(lattice, x);
+  else
+    spread<LinearKernel>(lattice, x);
+}
+
+template <int Dim>
+template <class K>
+void PointShares<Dim>::spread(const Lattice<Dim>& lattice, const Vec<Dim>& x) {
+  Index<Dim> base;
+  double w[Dim][K::width], g[K::width];
+  count = 1;
+  for (int d = 0; d < Dim; ++d, count *= K::width) {
+    const double s = (x[d] - lattice.origin[d]) / lattice.spacing[d], from = std::floor(s - K::shift);
+    base[static_cast<std::size_t>(d)] = static_cast<int>(from);
+    K::at(s - from, 0.0, w[d], g);
+  }
+  for (int k = 0; k < count; ++k) {
+    Index<Dim>& n = index_[static_cast<std::size_t>(k)] = base;
+    double& weight = share[static_cast<std::size_t>(k)] = 1.0;
+    for (int d = 0, rest = k; d < Dim; ++d, rest /= K::width) {
+      n[static_cast<std::size_t>(d)] += rest % K::width;
+      weight *= w[d][rest % K::width];
+    }
+  }
+}
+
+// A surface reaches nodes that its particles hardly reach. The strain that a force on such a node makes in them goes as
+// share/mass times the node's weight there, which goes as the root of the mass (quadratic splines): shares that
+// go as that root keep it bounded. The bound leaves alone the nodes of edges that lie on grid lines, where the exact
+// share balances a uniform stress.
+template <int Dim>
+void PointShares<Dim>::keep_heavy(const std::vector<Field<Dim>>& fields, const Exchanges<Dim>& exchanges) {
+  constexpr double light = 1e-3;  // of the mean mass
+  const int around = std::exchange(count, 0);
+  std::array<double, most> masses;
+  std::array<bool, most> folds;
+  double sum = 0.0, mass = 0.0;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(around); ++k) {
+    const Field<Dim>& of = fields[field[k]];
+    const auto at = of.map.node(index_[k]);
+    if (at < 0) continue;
+    const double here = of.nodes[static_cast<std::size_t>(at)].mass;
+    const bool folded = exchanges[field[k]]->is_image(index_[k]);
+    if (!(here > 0 || folded)) continue;
+    const auto kept = static_cast<std::size_t>(count++);
+    field[kept] = field[k], node[kept] = at, share[kept] = share[k], masses[kept] = here, folds[kept] = folded;
+    sum += share[kept], mass += share[kept] * here;
+  }
+  const double bound = sum > 0 ? light * mass / sum : 0.0;
+  sum = 0.0;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k) {
+    if (masses[k] < bound && !folds[k]) share[k] *= std::sqrt(masses[k] / bound);
+    sum += share[k];
+  }
+  for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k) share[k] = sum > 0 ? share[k] / sum : 0.0;
+}
+
+template struct ParticleFace<2>;
+template struct ParticleFace<3>;
+template struct PointShares<2>;
+template struct PointShares<3>;
+
+}  // namespace tribo

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+/// Which particles carry loads, tractions and heat fluxes.
+#pragma once
+
+#include "solver/state/system.hpp"
+
+#include <algorithm>
+#include <vector>
+
+namespace tribo {
+
+/// Marks the particles every condition acts on (column `load_set`); returns per condition the factor of its value, 1 or
+/// one over the number of particles found for net loads. Throws InputError for a condition without particles.
+template <int Dim>
+std::vector<double> find_loaded(const Model& model, System<Dim>& system);
+
+/// Calls f(condition, body, particle) for every marked particle and each of its conditions of one kind, in order.
+template <int Dim, class F>
+void each_loaded(const Model& model, System<Dim>& system, ParticleCondition::Kind kind, F&& f) {
+  const auto& conditions = model.particle_conditions;
+  if (std::none_of(conditions.begin(), conditions.end(), [&](const auto& c) { return c.kind == kind; })) return;
+  for (auto& body : system.bodies) {
+    if (!body.load_set) continue;
+    const double* set = body.particles.column(*body.load_set);
+    for (std::size_t i = 0; i < body.particles.size(); ++i) {
+      if (set[i] == 0.0) continue;
+      for (std::size_t c = 0; c < conditions.size(); ++c)
+        if (conditions[c].kind == kind && (static_cast<std::uint64_t>(set[i]) >> c & 1U)) f(conditions[c], body, i);
+    }
+  }
+}
+
+}  // namespace tribo

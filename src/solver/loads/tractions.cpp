@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#include "solver/loads/tractions.hpp"
+
+#include "solver/loads/face_points.hpp"
+
+#include <cmath>
+
+namespace tribo {
+
+template <int Dim>
+void Tractions<Dim>::apply(const ParticleCondition& condition, Body<Dim>& body, std::size_t i) {
+  const auto face = ParticleFace<Dim>::of(system_, body, i, condition.face);
+  const Vec3 direction = condition.direction == 10   ? face.normal
+                         : condition.direction == 11 ? Vec3(face.normal.cross(Vec3::UnitZ()) * -1.0)
+                                                     : Vec3(Mat3::Identity().col(condition.direction));
+  Vec3 x = Vec3::Zero(), v = Vec3::Zero();
+  x.head<Dim>() = body.particles.position(i);
+  v.head<Dim>() = body.particles.velocity(i);
+  const double density = body.law->density();
+  const double traction = condition.value.style == Style::silent  // absorbs plane waves, Lysmer & Kuhlemeyer (1969)
+                              ? -std::sqrt(density * body.law->wave_modulus()) * v.dot(direction)
+                              : condition.value.at(system_.time, x);
+  const Vec3 force = face.area * traction / static_cast<double>(face.points.size()) * direction;
+  thread_local typename Cracks<Dim>::Sight sight;
+  for (const auto& at : face.points) {
+    if (cracks_.active()) cracks_.look(at, sight);
+    // the side that the face is on, which may not be its particle's
+    const auto field_at = [&](const Index<Dim>& node) {
+      const int side = cracks_.active() ? cracks_.side(sight, at, node) : 0;
+      return side == 0 ? body.field : body.across[static_cast<std::size_t>(side) - 1];
+    };
+    const PointShares<Dim> to(model_.scheme.kernel, system_.fields, exchanges_, at, field_at);
+    for (std::size_t k = 0; k < static_cast<std::size_t>(to.count); ++k) {
+      Node& node = system_.fields[to.field[k]].nodes[static_cast<std::size_t>(to.node[k])];
+      for (int d = 0; d < Dim; ++d) node.acceleration[d] += to.share[k] * force[d];
+      forces_.push_back({to.field[k], to.node[k], to.share[k] * force.head<Dim>()});
+    }
+  }
+}
+
+template <int Dim>
+void Tractions<Dim>::apply() {
+  forces_.clear();
+  each_loaded(model_, system_, ParticleCondition::Kind::traction,
+              [&](const ParticleCondition& condition, Body<Dim>& body, std::size_t particle) {
+                apply(condition, body, particle);
+              });
+}
+
+// With the velocities at mid step.
+template <int Dim>
+void Tractions<Dim>::record(double dt) {
+  for (const NodalForce& applied : forces_) {
+    const Node& node = system_.fields[applied.field].nodes[static_cast<std::size_t>(applied.node)];
+    for (int d = 0; d < Dim; ++d)
+      ledger_.external_work += dt * applied.force[d] * (node.velocity[d] - 0.5 * dt * node.acceleration[d]);
+    ledger_.impulse.template head<Dim>() += dt * applied.force;
+  }
+}
+
+template class Tractions<2>;
+template class Tractions<3>;
+
+}  // namespace tribo

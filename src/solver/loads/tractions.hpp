@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+/// Tractions on the faces of particles.
+#pragma once
+
+#include "solver/cracks/cracks.hpp"
+#include "solver/loads/loaded.hpp"
+#include "solver/state/energy_ledger.hpp"
+
+namespace tribo {
+
+template <int Dim>
+class Tractions {
+ public:
+  Tractions(const Model& model, System<Dim>& system, const Exchanges<Dim>& exchanges, const Cracks<Dim>& cracks,
+            EnergyLedger& ledger)
+      : model_(model), system_(system), exchanges_(exchanges), cracks_(cracks), ledger_(ledger) {}
+
+  /// Adds the forces of all tractions to the nodes, which hold forces at this moment of the step.
+  void apply();
+  /// Adds work and impulse of the step to the ledger, with the velocities at mid step.
+  void record(double dt);
+
+ private:
+  void apply(const ParticleCondition& condition, Body<Dim>& body, std::size_t particle);
+
+  struct NodalForce {
+    std::size_t field;
+    std::int64_t node;
+    Vec<Dim> force;
+  };
+
+  const Model& model_;
+  System<Dim>& system_;
+  const Exchanges<Dim>& exchanges_;
+  const Cracks<Dim>& cracks_;
+  EnergyLedger& ledger_;
+  std::vector<NodalForce> forces_;  // in this step
+};
+
+}  // namespace tribo

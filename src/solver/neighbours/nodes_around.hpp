@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+/// The nodes around a point, and what stands for those beyond symmetry planes.
+#pragma once
+
+#include "grid/lattice.hpp"
+#include "model/model.hpp"
+
+#include <cmath>
+#include <vector>
+
+namespace tribo {
+
+/// A symmetry plane of the grid.
+struct SymmetryPlane {
+  int axis;
+  double at;         ///< position on the axis                                                 [length]
+  int node, inward;  ///< its grid line; +1 at the low end, -1 at the high end
+};
+
+template <int Dim>
+class NodesAround {
+ public:
+  NodesAround(const Model& model, const Lattice<Dim>& lattice) : kernel_(model.scheme.kernel), lattice_(lattice) {
+    for (int axis = 0; axis < Dim; ++axis)
+      for (std::size_t end = 0; end < 2; ++end)
+        if (const auto& at = model.grid.symmetry[static_cast<std::size_t>(axis)][end])
+          planes_.push_back({axis, *at, lattice.line(axis, *at), end == 0 ? 1 : -1});
+  }
+
+  const std::vector<SymmetryPlane>& planes() const { return planes_; }
+
+  /// Of a node's shape function at a point; uGIMP and CPDI interpolate with hats.
+  double weight(const Vec<Dim>& distance) const {
+    double w = 1.0;
+    for (int d = 0; d < Dim; ++d) w *= shape(std::abs(distance[d]) / lattice_.spacing[d]);
+    return w;
+  }
+
+  /// Calls f(weight, node) for the nodes around a point; false if some lie outside of the lattice.
+  template <class F>
+  bool each(const Vec<Dim>& x, F&& f) const {
+    Index<Dim> low, high;
+    for (std::size_t d = 0; d < Dim; ++d) {
+      const auto axis = static_cast<Eigen::Index>(d);
+      const double s = (x[axis] - lattice_.origin[axis]) / lattice_.spacing[axis];
+      low[d] = static_cast<int>(std::ceil(s - reach())), high[d] = static_cast<int>(std::floor(s + reach()));
+      if (low[d] < 0 || high[d] >= lattice_.blocks[d] * block_edge<Dim>) return false;
+    }
+    Index<Dim> n = low;
+    for (int z = Dim == 3 ? low[Dim - 1] : 0; z <= (Dim == 3 ? high[Dim - 1] : 0); ++z)
+      for (n[1] = low[1]; n[1] <= high[1]; ++n[1])
+        for (n[0] = low[0]; n[0] <= high[0]; ++n[0]) {
+          if constexpr (Dim == 3) n[2] = z;
+          if (const double w = weight(x - lattice_.position(n)); w > 0) f(w, n);
+        }
+    return true;
+  }
+
+  /// Takes a node beyond symmetry planes to the one inside that it is the image of; factors of vectors: -1 along the
+  /// axes of the planes.
+  Vec<Dim> fold(Index<Dim>& node) const {
+    Vec<Dim> mirror = Vec<Dim>::Ones();
+    for (const SymmetryPlane& plane : planes_) {
+      int& at = node[static_cast<std::size_t>(plane.axis)];
+      if ((plane.node - at) * plane.inward > 0) at = 2 * plane.node - at, mirror[plane.axis] *= -1;
+    }
+    return mirror;
+  }
+  /// Number of symmetry planes through a node.
+  int planes_through(const Index<Dim>& node) const {
+    int count = 0;
+    for (const SymmetryPlane& plane : planes_) count += node[static_cast<std::size_t>(plane.axis)] == plane.node;
+    return count;
+  }
+
+ private:
+  double reach() const {
+    return kernel_ == Kernel::cubic_spline ? 2.0 : kernel_ == Kernel::quadratic_spline ? 1.5 : 1.0;
+  }
+  double shape(double s) const {
+    if (kernel_ == Kernel::quadratic_spline)
+      return s <= 0.5 ? 0.75 - s * s : s < 1.5 ? 0.5 * (1.5 - s) * (1.5 - s) : 0.0;
+    if (kernel_ == Kernel::cubic_spline)
+      return s <= 1 ? 2.0 / 3 - s * s * (1 - 0.5 * s) : s < 2 ? (2 - s) * (2 - s) * (2 - s) / 6 : 0.0;
+    return std::max(0.0, 1 - s);
+  }
+
+  Kernel kernel_;
+  const Lattice<Dim>& lattice_;
+  std::vector<SymmetryPlane> planes_;
+};
+
+}  // namespace tribo

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#include "solver/particle_sort.hpp"
+
+#include "solver/boundary/periodic.hpp"
+#include "solver/diagnose.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tribo {
+
+template <int Dim>
+void ParticleSort<Dim>::sort() {
+  for (auto* bodies : {&system_.bodies, &system_.rigids})
+    for (auto& body : *bodies) {
+      bring_home(model_.grid, system_.lattice, body);
+      if (body.bins.sort(system_.lattice, body.particles) >= 0) {
+        return_to_grid(body);
+        if (body.bins.sort(system_.lattice, body.particles) >= 0) stop_at_bad_particle(system_);
+      }
+    }
+  system_.drift = 0.0;
+  system_.sorted = true;
+}
+
+// Particles that left the grid return to its edge and lose the velocity component that took them out.
+template <int Dim>
+void ParticleSort<Dim>::return_to_grid(Body<Dim>& body) {
+  if (!model_.leave_limit) stop_at_bad_particle(system_);
+  const auto x = body.particles.x(), v = body.particles.v();
+  for (std::size_t i = 0; i < body.particles.size(); ++i)
+    for (std::size_t d = 0; d < Dim; ++d) {
+      const auto axis = static_cast<Eigen::Index>(d);
+      const double inside = std::clamp(x[d][i], system_.lattice.low[axis], system_.lattice.high[axis]);
+      if (x[d][i] == inside || !std::isfinite(x[d][i])) continue;
+      if (++returned > *model_.leave_limit) stop_at_bad_particle(system_);
+      x[d][i] = inside;
+      v[d][i] = 0.0;
+    }
+}
+
+template class ParticleSort<2>;
+template class ParticleSort<3>;
+
+}  // namespace tribo

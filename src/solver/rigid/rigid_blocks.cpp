@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+#include "solver/rigid/rigid_blocks.hpp"
+
+#include "base/parallel.hpp"
+#include "blocks/assembly.hpp"
+#include "grid/loops.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tribo {
+namespace {
+
+/// Calls f(body, number of its block) for the bodies that show blocks to the grid.
+template <int Dim, class F>
+void each_block(System<Dim>& system, F&& f) {
+  for (auto& body : system.rigids)
+    if (body.block >= 0) f(body, static_cast<std::size_t>(body.block));
+}
+
+template <int Dim>
+Vec3 in_space(const Vec<Dim>& x) {
+  Vec3 out = Vec3::Zero();
+  out.head<Dim>() = x;
+  return out;
+}
+
+}  // namespace
+
+template <int Dim>
+void RigidBlocks<Dim>::set_particles() {
+  if (!active()) return;
+  each_block(system_, [&](Body<Dim>& body, std::size_t k) {
+    const BlockMotion& m = system_.blocks->motion[k];
+    const auto v = body.particles.v();
+    for (std::size_t i = 0; i < body.particles.size(); ++i) {
+      const Vec3 of = m.v + m.w.cross(in_space<Dim>(body.particles.position(i)) - m.x);
+      for (std::size_t d = 0; d < Dim; ++d) v[d][i] = of[static_cast<Eigen::Index>(d)];
+    }
+  });
+}
+
+template <int Dim>
+void RigidBlocks<Dim>::set_nodes(const Body<Dim>& body) {
+  if (body.block < 0) return;
+  const BlockMotion& m = system_.blocks->motion[static_cast<std::size_t>(body.block)];
+  Field<Dim>& field = system_.fields[body.field];
+  for (std::size_t n = 0; n < field.nodes.size(); ++n) {
+    Node& node = field.nodes[n];
+    if (!(node.mass > 0)) continue;
+    const Vec3 x = in_space<Dim>(system_.lattice.position(field.map.node_at(static_cast<std::int64_t>(n))));
+    const Vec3 momentum = node.mass * (m.v + m.w.cross(x - m.x));
+    for (int d = 0; d < Dim; ++d) node.velocity[d] = momentum[d];
+  }
+}
+
+template <int Dim>
+void RigidBlocks<Dim>::take(const std::vector<RigidShare>& shares, double dt) {
+  if (!active()) return;
+  each_block(system_, [&](Body<Dim>& body, std::size_t k) {
+    BlockPush& push = system_.blocks->pushes[k];
+    push = {};
+    if (shares.empty()) return;
+    const RigidShare& share = shares[body.field];
+    push.force = share.impulse / dt;
+    const Vec3& centre = system_.blocks->motion[k].x;
+    push.moment = (share.moment - centre.cross(share.impulse)) / dt;
+    push.spread = (share.spread - share.impulse * centre.transpose()) / dt;
+    check_weight(body, share);
+  });
+}
+
+// Nodes of mass m stop at the velocity that the block had: an explicit exchange that is stable as long as
+// sum m (1/M + r^2/I) < 2 over the nodes it touches, r from the block's centre. The left side bounds the largest
+// eigenvalue of what the matter adds to the block's inertia.
+template <int Dim>
+void RigidBlocks<Dim>::check_weight(const Body<Dim>& body, const RigidShare& share) const {
+  const auto k = static_cast<std::size_t>(body.block);
+  const BlockBody& block = system_.blocks->bodies[k];
+  const Vec3& c = system_.blocks->motion[k].x;
+  const double around = share.second - 2 * c.dot(share.first) + c.squaredNorm() * share.mass;
+  const double inertia = Dim == 2 ? block.inertia[2] : block.inertia.minCoeff();
+  const double against =
+      ((block.held & 7) == 7 ? 0.0 : share.mass / block.mass) + ((block.held & 56) == 56 ? 0.0 : around / inertia);
+  if (against < 2) return;
+  throw SimulationError("the matter at the nodes that '" + body.name + "' touches is too heavy for it in step " +
+                        std::to_string(system_.step + 1) + " at time " + std::to_string(system_.time) +
+                        ": the exchange of momentum would be unstable. Blocks must be some cells thick: take smaller "
+                        "cells, or model this one as a stiff material.");
+}
+
+template <int Dim>
+double RigidBlocks<Dim>::move(double dt) {
+  if (!active()) return 0.0;
+  Assembly& blocks = *system_.blocks;
+  before_.clear();
+  for (const BlockMotion& m : blocks.motion) before_.push_back(m.R);
+  const int parts = std::max(1, static_cast<int>(std::ceil(dt / blocks.critical_step() * (1 - 1e-12))));
+  for (int part = 0; part < parts; ++part) blocks.advance(dt / parts);
+  if (!blocks.sound())
+    throw SimulationError("the motion of the blocks grew without bound at time " + std::to_string(blocks.time));
+  if (system_.step % 64 == 0) blocks.check_contacts();
+  double travel = 0.0;
+  each_block(system_, [&](Body<Dim>& body, std::size_t k) {
+    const BlockMotion& m = blocks.motion[k];
+    const Mat3 turned = m.R * before_[k].transpose();
+    const auto x = body.particles.x(), origin = body.particles.vector(*body.origin);
+    const auto F = body.particles.F();
+    for (std::size_t i = 0; i < body.particles.size(); ++i) {
+      Vec<Dim> start;
+      for (std::size_t d = 0; d < Dim; ++d) start[static_cast<Eigen::Index>(d)] = origin[d][i];
+      const Vec3 now = m.x + m.R * (in_space<Dim>(start) - blocks.bodies[k].start);
+      for (std::size_t d = 0; d < Dim; ++d) {
+        const auto axis = static_cast<Eigen::Index>(d);
+        travel = std::max(travel, std::abs(now[axis] - x[d][i]) / system_.lattice.spacing[axis]);
+        x[d][i] = now[axis];
+      }
+      store_full<Dim>(turned * load_full<Dim>(F, static_cast<int>(i)), F, static_cast<int>(i));
+    }
+  });
+  return travel;
+}
+
+template class RigidBlocks<2>;
+template class RigidBlocks<3>;
+
+}  // namespace tribo

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+/// Copies of particle columns as they are at the start of a step.
+#pragma once
+
+#include "solver/state/system.hpp"
+
+#include <algorithm>
+
+namespace tribo {
+
+/// CPDI keeps the weights of a step although stress-first schemes change F within it.
+template <int Dim>
+void keep_start_domains(System<Dim>& system) {
+  for (auto* bodies : {&system.bodies, &system.rigids})
+    for (auto& body : *bodies) {
+      if (!body.domain) continue;
+      const auto F = body.particles.F();
+      for (std::size_t k = 0; k < Dim * Dim; ++k)
+        std::copy_n(F[k], body.particles.size(), body.particles.column(*body.domain + k));
+    }
+}
+
+/// The "+" schemes strain the moved particles with the weights at their positions before the motion.
+template <int Dim>
+void keep_start_positions(System<Dim>& system) {
+  for (auto* bodies : {&system.bodies, &system.rigids})
+    for (auto& body : *bodies) {
+      const auto from = body.particles.x();
+      const auto to = body.particles.vector(*body.start);
+      for (std::size_t d = 0; d < Dim; ++d) std::copy_n(from[d], body.particles.size(), to[d]);
+    }
+}
+
+}  // namespace tribo

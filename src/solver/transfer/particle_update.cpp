@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: MIT
+#include "solver/transfer/particle_update.hpp"
+
+#include "solver/transfer/material_points.hpp"
+
+#include <cmath>
+
+namespace tribo {
+namespace {
+
+// Stores the first `left` lanes.
+void store_some(double* to, Lanes v, int left) {
+  if (left >= lane_count)
+    store_lanes(to, v);
+  else
+    for (int k = 0; k < left; ++k) to[k] = v[k];
+}
+
+template <int Dim>
+void move(Body<Dim>& body, const Lattice<Dim>& lattice, std::uint32_t first, int count, const Gather& what,
+          const GatherSums<Dim>& got, GatherResult& result) {
+  const auto xs = body.particles.x();
+  const auto vs = body.particles.v();
+  const double dt = what.dt, flip = what.flip, pic = 1.0 - what.flip, damping = what.damping * what.dt;
+  double travel = result.travel, poison = 0.0;
+  for (int d = 0; d < Dim; ++d) {
+    double* __restrict x = xs[static_cast<std::size_t>(d)] + first;
+    double* __restrict v = vs[static_cast<std::size_t>(d)] + first;
+    const double* __restrict sv = got.velocity[d];
+    const double* __restrict sa = got.acceleration[d];
+    const double inverse = 1.0 / lattice.spacing[d];
+    double far = 0.0;
+#pragma omp simd reduction(max : far) reduction(+ : poison)
+    for (int i = 0; i < count; ++i) {
+      const double old = v[i];
+      const double now = flip * (old + dt * sa[i]) + pic * sv[i] - damping * sv[i];
+      const double dx = dt * sv[i];
+      v[i] = now;
+      x[i] += dx;
+      const double cells = std::fabs(dx) * inverse;
+      far = cells > far ? cells : far;
+      poison += 0.0 * (now + dx);  // NaN if anything is
+    }
+    travel = far > travel ? far : travel;
+  }
+  result.travel = travel;
+  if (!(poison == 0.0)) result.valid = false;
+}
+
+template <int Dim>
+void warm(Body<Dim>& body, std::uint32_t first, int count, double dt, const GatherSums<Dim>& got,
+          GatherResult& result) {
+  double* temperature = body.particles.column(*body.temperature) + first;
+  double* detail = body.particles.column(*body.temperature + 1 + Dim) + first;
+  double poison = 0.0;
+  for (int i = 0; i < count; ++i) {
+    temperature[i] += dt * got.acceleration[0][i];
+    detail[i] = temperature[i] - got.velocity[0][i];
+    poison += 0.0 * temperature[i];
+  }
+  for (std::size_t d = 0; d < Dim; ++d)
+    std::copy_n(got.L[d], count, body.particles.column(*body.temperature + 1 + d) + first);
+  if (!(poison == 0.0)) result.valid = false;
+}
+
+// What the law has dissipated since the last step becomes heat where it was done.
+template <int Dim>
+void warm_by_work(Body<Dim>& body, std::uint32_t first, int count) {
+  const double* work = body.history_columns[static_cast<std::size_t>(body.law->dissipation_index())] + first;
+  double* heated = body.particles.column(*body.heated) + first;
+  double* temperature = body.particles.column(*body.temperature) + first;
+  const double per_work = body.taylor_quinney / (body.law->density() * body.heat_capacity);
+  for (int i = 0; i < count; ++i) {
+    temperature[i] += per_work * (work[i] - heated[i]);
+    heated[i] = work[i];
+  }
+}
+
+template <int Dim>
+void drop_detail(Body<Dim>& body, std::uint32_t first, int count, const GatherSums<Dim>& got) {
+  double* temperature = body.particles.column(*body.temperature) + first;
+  const double* detail = body.particles.column(*body.temperature + 1 + Dim) + first;
+  for (int i = 0; i < count; ++i) temperature[i] -= body.detail_share * detail[i] - got.velocity[0][i];
+}
+
+template <int Dim>
+void out_of_plane(Body<Dim>& body, std::uint32_t first, int count, const Gather& what, GatherSums<Dim>& got) {
+  if constexpr (Dim == 2) {
+    if (what.axisymmetric) {
+      const double* r = (what.from_start ? body.particles.vector(*body.start) : body.particles.x())[0] + first;
+      for (int i = 0; i < count; ++i) got.L[4][i] = got.velocity[0][i] / r[i];
+    } else {
+      std::fill_n(got.L[4], count, 0.0);
+    }
+  }
+}
+
+// The rates of extension along the axes in which the volume may change.
+template <int Dim>
+struct Diagonal {
+  std::array<double*, 3> rate;
+  int count;
+
+  Diagonal(GatherSums<Dim>& got, bool axisymmetric) : rate{got.L[0], got.L[Dim + 1], nullptr}, count(2) {
+    if (Dim == 3 || axisymmetric) rate[2] = got.L[Layout<Dim>::full - 1], count = 3;
+  }
+  double sum(int i) const {
+    double s = 0.0;
+    for (int d = 0; d < count; ++d) s += rate[static_cast<std::size_t>(d)][i];
+    return s;
+  }
+};
+
+template <int Dim>
+void take_mean_rate(Body<Dim>& body, std::uint32_t first, int count, const Gather& what, GatherSums<Dim>& got) {
+  const Diagonal<Dim> rate(got, what.axisymmetric);
+  const double* mean = body.particles.column(*body.volumetric) + first;
+  for (int i = 0; i < count; ++i) {
+    const double change = (mean[i] - rate.sum(i)) / rate.count;
+    for (int d = 0; d < rate.count; ++d) rate.rate[static_cast<std::size_t>(d)][i] += change;
+  }
+}
+
+// F <- f F and V <- det(f) V over a time step. With `second` = 0, f = 1 + L dt is the motion x += dt v(x) itself; with
+// 1 it is the inverse of 1 - L dt, to second order: the motion that led to where L is known; 1/2 gives exp(L dt). The
+// law sees the constant rate that leads to f, log(f)/dt, to second order: rotations do not strain it.
+void deform(Particles<2>& particles, std::uint32_t first, int count, double dt, double second, GatherSums<2>& got) {
+  const auto F = particles.F();
+  double* __restrict volume = particles.volume() + first;
+  const bool keep = particles.has_deformation();
+  const auto at_first = [&](std::size_t k) { return keep ? F[k] + first : nullptr; };
+  double* __restrict xx = at_first(0);
+  double* __restrict xy = at_first(1);
+  double* __restrict yx = at_first(2);
+  double* __restrict yy = at_first(3);
+  double* __restrict zz = at_first(4);
+  auto& L = got.L;
+  const auto apply = [&](int i, double a, double b, double c, double d, double e) {
+    volume[i] *= (a * d - b * c) * e;
+    if (!keep) return;
+    const double f0 = xx[i], f1 = xy[i], f2 = yx[i], f3 = yy[i];
+    xx[i] = a * f0 + b * f2, xy[i] = a * f1 + b * f3;
+    yx[i] = c * f0 + d * f2, yy[i] = c * f1 + d * f3;
+    zz[i] *= e;
+  };
+  const double rate = (second - 0.5) / dt;
+#pragma omp simd
+  for (int i = 0; i < count; ++i) {
+    const double a = dt * L[0][i], b = dt * L[1][i], c = dt * L[2][i], d = dt * L[3][i], e = dt * L[4][i];
+    const double aa = a * a + b * c, bb = b * (a + d), cc = c * (a + d), dd = d * d + b * c, ee = e * e;
+    apply(i, 1 + a + second * aa, b + second * bb, c + second * cc, 1 + d + second * dd, 1 + e + second * ee);
+    L[0][i] += rate * aa, L[1][i] += rate * bb, L[2][i] += rate * cc, L[3][i] += rate * dd, L[4][i] += rate * ee;
+  }
+}
+
+void deform(Particles<3>& particles, std::uint32_t first, int count, double dt, double second, GatherSums<3>& got) {
+  const auto F = particles.F();
+  double* volume = particles.volume() + first;
+  const double rate = (second - 0.5) / dt;
+  for (int i = 0; i < count; i += lane_count) {
+    Lanes l[9], m[9];
+    for (int k = 0; k < 9; ++k) l[k] = dt * load_lanes(got.L[k] + i);
+    for (int r = 0; r < 9; r += 3)
+      for (int c = 0; c < 3; ++c) {
+        const Lanes square = l[r] * l[c] + l[r + 1] * l[3 + c] + l[r + 2] * l[6 + c];
+        m[r + c] = l[r + c] + second * square;
+        store_lanes(got.L[r + c] + i, load_lanes(got.L[r + c] + i) + rate * square);
+      }
+    m[0] += 1.0, m[4] += 1.0, m[8] += 1.0;
+    const Lanes det =
+        m[0] * (m[4] * m[8] - m[5] * m[7]) - m[1] * (m[3] * m[8] - m[5] * m[6]) + m[2] * (m[3] * m[7] - m[4] * m[6]);
+    store_some(volume + i, load_lanes(volume + i) * det, count - i);
+    for (std::size_t c = 0; c < 3 && F[0]; ++c) {
+      double *x = F[c] + first + i, *y = F[3 + c] + first + i, *z = F[6 + c] + first + i;
+      const Lanes a = load_lanes(x), b = load_lanes(y), e = load_lanes(z);
+      store_some(x, m[0] * a + m[1] * b + m[2] * e, count - i);
+      store_some(y, m[3] * a + m[4] * b + m[5] * e, count - i);
+      store_some(z, m[6] * a + m[7] * b + m[8] * e, count - i);
+    }
+  }
+}
+
+}  // namespace
+
+template <int Dim>
+void update_particles(Body<Dim>& body, const Lattice<Dim>& lattice, std::uint32_t first, int count, const Gather& what,
+                      GatherSums<Dim>& got, GatherResult& result) {
+  if (what.filtered) {
+    const auto to = body.particles.vector(*body.filtered);
+    for (int d = 0; d < Dim; ++d) std::copy_n(got.velocity[d], count, to[static_cast<std::size_t>(d)] + first);
+    return;
+  }
+  if (what.heat) {
+    warm(body, first, count, what.dt, got, result);
+    return;
+  }
+  if (what.heat_detail) {
+    drop_detail(body, first, count, got);
+    return;
+  }
+  if (what.volumetric) {
+    std::copy_n(got.velocity[0], count, body.particles.column(*body.volumetric) + first);
+    return;
+  }
+  if (what.strain_dt > 0 || what.volume_rate) out_of_plane(body, first, count, what, got);
+  if (what.volume_rate) {
+    const Diagonal<Dim> rate(got, what.axisymmetric);
+    double* to = body.particles.column(*body.volumetric) + first;
+    for (int i = 0; i < count; ++i) to[i] = rate.sum(i);
+    return;
+  }
+  if (what.strain_dt > 0) {
+    if (what.b_bar) take_mean_rate(body, first, count, what, got);
+    // The nodes of a step's end moved the particles; those of its start are reached by the motion of the step before.
+    const double second = what.exponential ? 0.5 : what.move || what.from_start ? 0.0 : 1.0;
+    deform(body.particles, first, count, what.strain_dt, second, got);
+    const double* volume = body.particles.volume() + first;
+    double bad = 0.0;
+#pragma omp simd reduction(+ : bad)
+    for (int i = 0; i < count; ++i) bad += volume[i] > 0 ? 0.0 : 1.0;
+    if (bad > 0) {  // the caller finds the particle; no law has to cope with it
+      result.valid = false;
+      return;
+    }
+    HistoryPointers history{};
+    auto points = points_of(body, first, count, history);
+    points.dt = what.strain_dt;
+    points.plane_stress = what.plane_stress;
+    for (std::size_t k = 0; k < points.L.size(); ++k) points.L[k] = got.L[k];
+    body.law->update(points);
+    if (body.heated) warm_by_work(body, first, count);
+  }
+  if (what.move) {
+    move(body, lattice, first, count, what, got, result);
+    if (body.affine)
+      for (std::size_t k = 0; k < Dim * Dim; ++k)
+        std::copy_n(got.affine[k], count, body.particles.column(*body.affine + k) + first);
+  }
+}
+
+template void update_particles<2>(Body<2>&, const Lattice<2>&, std::uint32_t, int, const Gather&, GatherSums<2>&,
+                                  GatherResult&);
+template void update_particles<3>(Body<3>&, const Lattice<3>&, std::uint32_t, int, const Gather&, GatherSums<3>&,
+                                  GatherResult&);
+
+}  // namespace tribo

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+/// What a batch of particles gives to the nodes, ready for vector sums; the same for every kernel.
+#pragma once
+
+#include "base/simd.hpp"
+#include "solver/transfer/stencils.hpp"
+#include "solver/transfer/transfer.hpp"
+
+namespace tribo {
+
+/// Brings eight particles closer that a later batch needs: a bin reads more columns than the hardware prefetcher
+/// follows. Called now and then while the present batch is summed, so that the loads never queue up.
+inline void fetch_ahead(const std::vector<const double*>& columns, std::uint32_t later) {
+  for (const double* column : columns) __builtin_prefetch(column + later);
+}
+
+/// Per particle: the vectors that multiply the weight and its slopes.
+template <int Dim>
+struct ScatterTerms {
+  alignas(64) double whole[batch_lanes][8];        ///< times w: (m, m v | 0, f)
+  alignas(64) double pull[Dim][batch_lanes][4];    ///< times dw/dx_d: -V sigma e_d
+  alignas(64) double affine[Dim][batch_lanes][4];  ///< times w (x_I - x)_d: m C e_d; of heat m c dT/dx_d
+
+  /// Fills `whole`, and `pull` if forces are scattered.
+  template <bool Force>
+  void prepare(Body<Dim>& body, std::uint32_t first, int count, Scatter what, bool axisymmetric) {
+    if (what == Scatter::volume) {
+      prepare_volume(body, first, count, axisymmetric);
+      return;
+    }
+    if (what == Scatter::heat) {
+      prepare_heat(body, first, count);
+      return;
+    }
+    if (what == Scatter::heat_detail) {
+      prepare_detail(body, first, count);
+      return;
+    }
+    if (what == Scatter::volumetric) {
+      prepare_volumetric(body, first, count);
+      return;
+    }
+    const double* m = body.particles.mass() + first;
+    const auto v = what == Scatter::filtered ? body.particles.vector(*body.filtered) : body.particles.v();
+    const bool momentum = what != Scatter::force;
+    for (int i = 0; i < count; i += 4) {
+      const Vec4 mass = momentum ? load4(m + i) : Vec4{};
+      Vec4 a = mass, b = mass * load4(v[0] + first + i), c = mass * load4(v[1] + first + i), d{};
+      if constexpr (Dim == 3) d = mass * load4(v[2] + first + i);
+      transpose4(a, b, c, d);
+      store4(whole[i], a), store4(whole[i + 1], b), store4(whole[i + 2], c), store4(whole[i + 3], d);
+      for (int k = 0; k < 4; ++k) store4(whole[i + k] + 4, Vec4{});
+    }
+    if constexpr (Force) prepare_force(body, first, count, axisymmetric);
+  }
+
+ private:
+  // Volumes pull like a unit tension, so that the force is the gradient of the volume.
+  void prepare_volume(Body<Dim>& body, std::uint32_t first, int count, bool axisymmetric) {
+    const double* volume = body.particles.volume() + first;
+    const auto x = body.particles.x();
+    const auto origin = body.particles.vector(*body.origin);
+    for (int i = 0; i < count; ++i) {
+      const double v = volume[i];
+      const auto p = first + static_cast<std::uint32_t>(i);
+      for (double& w : whole[i]) w = 0.0;
+      whole[i][0] = v;
+      for (std::size_t d = 0; d < Dim; ++d) {
+        whole[i][1 + d] = v * (body.volume_of_displacement ? x[d][p] - origin[d][p] : x[d][p]);
+        for (double& w : pull[d][i]) w = 0.0;
+        pull[d][i][1 + d] = v;
+      }
+      if (axisymmetric) whole[i][5] = v / x[0][p];
+    }
+  }
+
+  // Conduction, -k grad T, takes the place of the stress. The gradient also carries a particle's temperature to the
+  // nodes, so that a linear field comes out right at surfaces and contact, too.
+  void prepare_heat(Body<Dim>& body, std::uint32_t first, int count) {
+    const double* m = body.particles.mass() + first;
+    const double* volume = body.particles.volume() + first;
+    const double* temperature = body.particles.column(*body.temperature) + first;
+    const auto gradient = body.particles.vector(*body.temperature + 1);
+    for (int i = 0; i < count; ++i) {
+      const double capacity = m[i] * body.heat_capacity;
+      for (double& w : whole[i]) w = 0.0;
+      whole[i][0] = capacity, whole[i][1] = capacity * temperature[i];
+      for (std::size_t d = 0; d < Dim; ++d) {
+        const double slope = gradient[d][first + static_cast<std::uint32_t>(i)];
+        for (double& w : affine[d][i]) w = 0.0;
+        affine[d][i][1] = capacity * slope;
+        for (double& w : pull[d][i]) w = 0.0;
+        pull[d][i][1] = -volume[i] * body.conductivity * slope;
+      }
+    }
+  }
+
+  void prepare_detail(Body<Dim>& body, std::uint32_t first, int count) {
+    const double* m = body.particles.mass() + first;
+    const double* detail = body.particles.column(*body.temperature + 1 + Dim) + first;
+    for (int i = 0; i < count; ++i) {
+      const double capacity = m[i] * body.heat_capacity;
+      for (double& w : whole[i]) w = 0.0;
+      whole[i][0] = capacity, whole[i][1] = capacity * body.detail_share * detail[i];
+    }
+  }
+
+  void prepare_volumetric(Body<Dim>& body, std::uint32_t first, int count) {
+    const double* volume = body.particles.volume() + first;
+    const double* part = body.particles.column(*body.volumetric) + first;
+    for (int i = 0; i < count; ++i) {
+      for (double& w : whole[i]) w = 0.0;
+      whole[i][0] = volume[i], whole[i][1] = volume[i] * part[i];
+    }
+  }
+
+  void prepare_force(Body<Dim>& body, std::uint32_t first, int count, bool axisymmetric) {
+    const auto s = body.particles.stress();
+    const double* volume = body.particles.volume() + first;
+    const double* mean = body.volumetric ? body.particles.column(*body.volumetric) + first : nullptr;
+    for (int i = 0; i < count; i += 4) {
+      const Vec4 k = -load4(volume + i);
+      const Vec4 more = mean ? k * load4(mean + i) : Vec4{};
+      const auto stress = [&](std::size_t c) { return k * load4(s[c] + first + i); };
+      const Vec4 xy = stress(3);
+      if constexpr (Dim == 2) {
+        spread(pull[0], i, stress(0) + more, xy, Vec4{});
+        spread(pull[1], i, xy, stress(1) + more, Vec4{});
+      } else {
+        const Vec4 yz = stress(4), xz = stress(5);
+        spread(pull[0], i, stress(0) + more, xy, xz);
+        spread(pull[1], i, xy, stress(1) + more, yz);
+        spread(pull[2], i, xz, yz, stress(2) + more);
+      }
+    }
+    if (body.load) {
+      const auto f = body.particles.vector(*body.load);
+      for (int i = 0; i < count; ++i)
+        for (std::size_t d = 0; d < Dim; ++d) whole[i][5 + d] += f[d][first + static_cast<std::uint32_t>(i)];
+    }
+    if (axisymmetric) {  // hoop stress pulls inwards
+      const double* r = body.particles.x()[0] + first;
+      for (int i = 0; i < count; ++i)
+        whole[i][5] -= volume[i] * (s[2][first + static_cast<std::uint32_t>(i)] + (mean ? mean[i] : 0.0)) / r[i];
+    }
+  }
+
+  static void spread(double (*to)[4], int i, Vec4 x, Vec4 y, Vec4 z) {
+    Vec4 none{};
+    transpose4(none, x, y, z);
+    store4(to[i], none), store4(to[i + 1], x), store4(to[i + 2], y), store4(to[i + 3], z);
+  }
+};
+
+}  // namespace tribo
