@@ -106,7 +106,8 @@ void patch(const std::vector<Block>& blocks, double angle, double tilt, double a
   // What little moves on yet, nodes at the blocks' edges that hold next to no mass, is held by damping.
   const Measures upper = measure(system.bodies[1], false);
   const Vec<Dim> from = upper.centre.template head<Dim>() - Vec<Dim>::Constant(centre);
-  const double pull = a * upper.mass * from.dot(n) - stepper.damping().grid * upper.momentum.template head<Dim>().dot(n);
+  const double pull =
+      a * upper.mass * from.dot(n) - stepper.damping().grid * upper.momentum.template head<Dim>().dot(n);
   CHECK(pull == Approx(a * upper.mass * 2).epsilon(3e-3));
   CHECK(sums.opening == Approx(pull / (k * sums.area)).epsilon(1e-3));
   CHECK(std::abs(sums.shear) < 1e-3 * std::abs(sums.opening));
@@ -260,7 +261,7 @@ TEST_CASE("a joint on a rigid body holds, and its work is known", "[joints][inte
   Problems problems;
   Statement statement;
   model.materials[0].law = materials().find("RigidContact")->make(statement, {}, Units{}, problems);
-  model.materials[0].rigid_directions = 8;
+  model.materials[0].rigid_contact = true;
   model.materials[0].rigid_velocity[0].emplace("0.01", Origin{});
   model.materials[0].rigid_velocity[1].emplace("0.02", Origin{});
   auto system = build_system<2>(model, turned<2>(model, halves, 17 * degree));
