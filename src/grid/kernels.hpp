@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-/// Shape functions along one axis; products of them make the stencils. Distances in cells.
+/// Shape functions along one axis; their products are the shape functions of the grid. Distances are in cells.
 ///
-/// `at(r, l, w, g)`: r the position minus the lowest node of the stencil, l the half width of the particle's domain, w
-/// and g weights and slopes of the `width` nodes from there. T is a double or a short vector of doubles (several
-/// particles).
+/// `at(r, l, w, g)`: r is the position relative to the lowest node of the stencil, l the half width of the particle
+/// domain, w and g the weights and gradients of the `width` nodes of the stencil. T is a double or a short vector of
+/// doubles (several particles).
 #pragma once
 
 namespace tribo {
 
-/// Hat functions. Weights 1 - |s|.
+/// Linear shape functions (hats), 1 - |s|.
 struct LinearKernel {
   static constexpr int width = 2;
   static constexpr double shift = 0.0;  ///< base = floor(position in cells - shift)
@@ -60,7 +60,8 @@ struct GimpKernel {
   template <class T>
   static void at(T r, T l, T* w, T* g) {
     const T s = r - 1.0;  // from the middle node, in [-1/2, 1/2)
-    // Within l of the middle node the domain covers two cells and the weights are parabolas; else they are hats.
+    // Within l of the middle node the domain overlaps two cells and the weights are parabolas; otherwise they are
+    // linear.
     const T inner = 0.25 / l, below = l - s, above = l + s;
     const auto both = below > 0 && above > 0;
     const T left = s < 0 ? -s : T{}, right = s < 0 ? T{} : s;
@@ -73,7 +74,7 @@ struct GimpKernel {
   }
 };
 
-/// One for the cell's lowest node, on the stencil of another kernel: sums over cells instead of nodes.
+/// Weight 1 at the lowest node of the cell, with the stencil of another kernel, for sums over cells instead of nodes.
 template <class Kernel>
 struct CellKernel {
   static constexpr int width = Kernel::width;
