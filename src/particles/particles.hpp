@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Particles of one body: one array per component, registered by name for sorting, output and restart alike.
+/// Particles of one body: one array per component, registered by name for sorting, output and restart.
 #pragma once
 
 #include "base/aligned.hpp"
@@ -21,17 +21,17 @@ class Particles {
   using Symmetric = std::array<double*, Layout<Dim>::symmetric>;
   using Vector = std::array<double*, static_cast<std::size_t>(Dim)>;
 
-  /// One array of doubles and what it is called; tensors and vectors are several columns `stress_xx`, ...
+  /// A named array of doubles. Vectors and tensors consist of several columns `stress_xx`, ...
   struct Column {
     std::string name;
     Dimension dimension;
     AlignedVector<double> data;
   };
 
-  /// Lanes that may be read (not written) beyond the last particle.
+  /// Number of entries that may be read (not written) beyond the last particle.
   static constexpr std::size_t padding = 16;
 
-  /// `with_deformation`: keep F; else F() gives null pointers.
+  /// `with_deformation`: store F; otherwise F() gives null pointers.
   explicit Particles(std::size_t count, bool with_deformation = true) : count_(count), id(count) {
     x_ = add_vector("position", Dimension::length);
     v_ = add_vector("velocity", Dimension::velocity);
@@ -43,7 +43,7 @@ class Particles {
 
   std::size_t size() const { return count_; }
 
-  /// Registers a column; returns its number. All particles start with `initial`.
+  /// Adds a column and returns its index. All particles start with the value `initial`.
   std::size_t add(std::string name, Dimension dimension, double initial = 0.0) {
     columns_.push_back({std::move(name), dimension, AlignedVector<double>(count_ + padding, initial)});
     return columns_.size() - 1;
@@ -80,7 +80,7 @@ class Particles {
   Vec<Dim> position(std::size_t i) const { return gather_vector(x_, i); }
   Vec<Dim> velocity(std::size_t i) const { return gather_vector(v_, i); }
 
-  /// particle i becomes the former particle order[i].
+  /// Permutes the particles: particle i becomes the former particle order[i].
   void reorder(std::span<const std::uint32_t> order);
 
  private:
@@ -106,7 +106,7 @@ class Particles {
   std::size_t x_ = 0, v_ = 0, mass_ = 0, volume_ = 0, F_ = 0, stress_ = 0;
 
  public:
-  std::vector<std::int64_t> id;  ///< given at the start, kept for life
+  std::vector<std::int64_t> id;  ///< assigned at the start, never changed
 };
 
 }  // namespace tribo
