@@ -16,7 +16,7 @@ namespace tribo {
 std::vector<Vec3> random_points(std::size_t count, const Vec3& low, const Vec3& high, bool plane, double apart,
                                 std::uint64_t seed);
 
-/// Lattices, named by the Voronoi cells of their points. The spacing is
+/// Lattices, named by the Voronoi cells of their points. The comments define the spacing.
 enum class PointLattice {
   cubes,     ///< the edge length; squares in the plane
   hexagons,  ///< the distance between opposite sides of a hexagon; plane only
