@@ -88,7 +88,7 @@ TEST_CASE("regression finds flat faces roughly", "[contact]") {
   }
 }
 
-TEST_CASE("a corner that slides past another one does not meet it", "[contact]") {
+TEST_CASE("a corner that slides past another one has no contact with it", "[contact]") {
   for (const double angle : {0.0, 0.4}) {
     const Vec<2> along(std::cos(angle), std::sin(angle)), up(-along[1], along[0]);
     auto floor = block(angle, {0, -3}, {3, 0});
@@ -188,7 +188,7 @@ TEST_CASE("round faces that lie in each other have the gap between their curves"
   }
 }
 
-TEST_CASE("flat faces and stairs have no play", "[contact]") {
+TEST_CASE("flat faces and stepped faces have no gap correction", "[contact]") {
   const Vec<2> up(0, 1);
   for (const double end : {0.0, 0.4, 3.0}) {
     auto below = block(0, {-3, -3}, {end, 0}), above = block(0, {-2.9, 0.1}, {3, 3});

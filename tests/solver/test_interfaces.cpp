@@ -173,7 +173,7 @@ TEST_CASE("joint areas with radius and thickness", "[joints][interfaces]") {
   CHECK(area(1) == Approx((14 * 14 - 6 * 6) / 2.0));  // per radian
 }
 
-TEST_CASE("a stair of particles has the area and the normal of the face it stands for", "[joints][interfaces]") {
+TEST_CASE("a stepped face of particles has the area and the normal of its mean plane", "[joints][interfaces]") {
   const double angle = GENERATE(10.0, 17.0, 30.0, 45.0) * degree;
   const Model model = jointed_pair<2>(joint({{"stiffness-normal", "1"}}));
   std::vector<Seed> seeds = lattice_seeds<2>(model, 4, 16);
@@ -232,7 +232,7 @@ TEST_CASE("two jointed materials that turn do not load their joint", "[joints][i
   }
 }
 
-TEST_CASE("beyond their joint two bodies meet by the contact law of the others", "[joints][interfaces]") {
+TEST_CASE("beyond their joint two bodies interact by the default contact law", "[joints][interfaces]") {
   // a short block is pressed on a long one and slides along it without friction
   Model model = jointed_pair<2>(joint({{"stiffness-normal", "2e5"}, {"stiffness-shear", "1e5"}}));
   model.body_force.gravity = Vec3(0, -1, 0);
