@@ -142,7 +142,7 @@ CheckpointWriter save_state(const RunState& state, System<Dim>& system, Stepper<
     pairs.insert(pairs.end(), {static_cast<double>(fields.first), static_cast<double>(fields.second), entry.friction,
                                entry.impact, entry.interface, entry.stored});
   out.put("contact", std::span<const double>(pairs));
-  out.put("heat", std::array{stepper.heat().supplied, stepper.heat().from_contact, stepper.heat().waited});
+  out.put("heat", std::array{stepper.heat().supplied, stepper.heat().from_contact, stepper.heat().time_since_reduction});
   for (std::size_t c = 0; c < system.cracks.size(); ++c)
     out.put("crack" + std::to_string(c) + ".shape", std::span<const double>(shape_of(system.cracks[c])));
   each_surface(system, [&](const std::string& name, std::vector<double>& column) {
@@ -192,7 +192,7 @@ RunState load_state(const Checkpoint& checkpoint, System<Dim>& system, Stepper<D
   }
   const auto heat = checkpoint.doubles("heat");
   stepper.heat().supplied = heat.at(0), stepper.heat().from_contact = heat.at(1);
-  stepper.heat().waited = heat.at(2);
+  stepper.heat().time_since_reduction = heat.at(2);
   for (std::size_t c = 0; c < system.cracks.size(); ++c)
     give_shape(system.cracks[c], checkpoint.doubles("crack" + std::to_string(c) + ".shape"));
   each_surface(system, [&](const std::string& name, std::vector<double>& column) {

@@ -2,19 +2,12 @@
 #include "solver/contact/contact.hpp"
 
 #include "base/parallel.hpp"
+#include "grid/kernels.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace tribo {
-namespace {
-
-// How far from a node particles matter for its faces [cells].
-double reach_of(Kernel kernel) {
-  return kernel == Kernel::cubic_spline ? 3.0 : kernel == Kernel::quadratic_spline ? 2.5 : 2.0;
-}
-
-}  // namespace
 template <int Dim>
 Contact<Dim>::Contact(const Model& model, System<Dim>& system, const Transfers<Dim>& transfers, Cracks<Dim>& cracks)
     : model_(model),
@@ -22,7 +15,7 @@ Contact<Dim>::Contact(const Model& model, System<Dim>& system, const Transfers<D
       transfers_(transfers),
       cracks_(cracks),
       field_count_(system.fields.size()),
-      cloud_(system.lattice, reach_of(model.scheme.kernel) * system.lattice.spacing.maxCoeff()),
+      cloud_(system.lattice, (reach_of(model.scheme.kernel) + 1.0) * system.lattice.spacing.maxCoeff()),
       face_solver_(system),
       h_(system.lattice.spacing.maxCoeff()) {
   const std::size_t n = field_count_;
@@ -144,13 +137,13 @@ void Contact<Dim>::list_pairs(ContactNode& node) {
 template <int Dim>
 void Contact<Dim>::meet_cracks() {
   if (!cracks_.active()) return;
-  cracks_.weigh();
+  cracks_.find_carrying_nodes();
   parallel_for(static_cast<std::ptrdiff_t>(nodes_.size()), [&](std::ptrdiff_t k) {
     const ContactNode& node = nodes_[static_cast<std::size_t>(k)];
     for (ContactPair& pair : pairs_of(node)) {
       if (pair.crack < 0) continue;
       const auto side = [&](std::size_t member) { return system_.fields[members_[member].field].side; };
-      pair.apart = !cracks_.meet(pair, node.index, side(pair.a), side(pair.b));
+      pair.apart = !cracks_.find_faces(pair, node.index, side(pair.a), side(pair.b));
       for (int d = 0; d < Dim; ++d)
         if (node.mirrored >> d & 1) pair.state.normal[d] = 0.0;
       pair.apart = pair.apart || !(pair.state.normal.norm() > 1e-6);
@@ -184,7 +177,7 @@ void Contact<Dim>::scatter_volumes(const Exchanges<Dim>& exchanges) {
   for (std::size_t f = 0; f < field_count_; ++f) {
     auto& field = system_.fields[f];
     field.volumes.resize(field.nodes.size());
-    std::fill(field.volumes.begin(), field.volumes.end(), Node{});
+    std::fill(field.volumes.begin(), field.volumes.end(), VolumeNode{});
   }
   for (auto* body : bodies_) {
     transfers_.scatter(*body, Target<Dim>(*body, system_.fields, &Field<Dim>::volumes), Scatter::volume, false,

@@ -54,7 +54,7 @@ void Contact<Dim>::leave_to_joints(const Joints<Dim>& joints) {
     for (std::size_t p = node.first_pair; p < node.end_pair; ++p) {
       ContactPair& pair = pairs_[p];
       if (pair.crack >= 0) continue;
-      const auto joint = joints.next(system_.fields[members_[pair.a].field].home,
+      const auto joint = joints.nearest_joint(system_.fields[members_[pair.a].field].home,
                                      system_.fields[members_[pair.b].field].home, system_.lattice.position(node.index));
       const Faces& face = faces_[face_of_[p]];
       const bool beyond = !pair.apart && pair.law->looks_at_faces() && joint.distance > face.beside + h_ &&

@@ -275,8 +275,8 @@ double play_between(ParticleSet<Dim>& a, ParticleSet<Dim>& b, const Vec<Dim>& n,
     const Vec<Dim> between = 0.5 * (f.sideways + g.sideways);
     gap = std::min(gap, g.height(n, between) - f.height(n, between));
   };
-  for (const auto& facet : of_a) look(facet, opposite(facet, of_b));
-  for (const auto& facet : of_b) look(opposite(facet, of_a), facet);
+  for (const auto& facet : of_a) find_nearby(facet, opposite(facet, of_b));
+  for (const auto& facet : of_b) find_nearby(opposite(facet, of_a), facet);
   const double play = gap + face_position<Dim>(a, n, band) + face_position<Dim>(b, -n, band);
   if (!(play > 0 && play < most)) return 0.0;
   // Only if they bend the same way: what a plane seems to have is but the ends of particles beyond the band.

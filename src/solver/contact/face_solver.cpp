@@ -178,7 +178,7 @@ void FaceSolver<Dim>::part() {
 template <int Dim>
 void FaceSolver<Dim>::refine(bool update) {
   const auto increment = [&](const Point& p) {
-    return Eigen::Map<Vec3>(system_.fields[p.field].filter[static_cast<std::size_t>(p.at)].velocity);
+    return Eigen::Map<Vec3>(system_.fields[p.field].filter[static_cast<std::size_t>(p.at)].increment);
   };
   for (Row& row : rows_) row.trial += sum(row, [&](const Point& p) { return Vec3(increment(p)); });
   for (Point& p : points_) increment(p) -= p.change;

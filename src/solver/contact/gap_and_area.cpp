@@ -55,8 +55,8 @@ double Contact<Dim>::face_between(const ContactPair& pair, double of_a, double o
 template <int Dim>
 double Contact<Dim>::area(const ContactNode& node, const ContactPair& pair, Scratch& s, const Vec<Dim>& n) const {
   const auto slope = [&](const ContactMember& m) {
-    const Node& v = system_.fields[m.field].volumes[static_cast<std::size_t>(m.at)];
-    return std::abs(Eigen::Map<const Vec<Dim>>(v.acceleration).dot(n));
+    const VolumeNode& v = system_.fields[m.field].volumes[static_cast<std::size_t>(m.at)];
+    return std::abs(Eigen::Map<const Vec<Dim>>(v.gradient).dot(n));
   };
   const double of_a = slope(members_[pair.a]), of_b = slope(members_[pair.b]);
   if (needs_areas_) {
@@ -91,8 +91,8 @@ double Contact<Dim>::separation(const ContactNode& node, const ContactPair& pair
   }
   // Mean position (or displacement) of the particles at the node, along the normal
   const auto mean = [&](const ContactMember& m) {
-    const Node& v = system_.fields[m.field].volumes[static_cast<std::size_t>(m.at)];
-    return Vec<Dim>(Eigen::Map<const Vec<Dim>>(v.velocity) / v.mass);
+    const VolumeNode& v = system_.fields[m.field].volumes[static_cast<std::size_t>(m.at)];
+    return Vec<Dim>(Eigen::Map<const Vec<Dim>>(v.moment) / v.volume);
   };
   const Vec<Dim> xa = mean(members_[pair.a]), xb = mean(members_[pair.b]);
   if (c.separation == Separation::displacements) return (xb - xa).dot(n);
@@ -144,7 +144,7 @@ Vec3 Contact<Dim>::opening(const ContactNode& node, Scratch& s, const Vec<Dim>& 
       const double w = weight(p.x - centre);
       if (!(w > 0)) return;
       auto& body = *bodies_[label.body];
-      const auto origin = body.particles.vector(*body.origin);
+      const auto origin = body.particles[body.origin];
       Vec<Dim> u = p.x;
       for (std::size_t d = 0; d < Dim; ++d) u[static_cast<Eigen::Index>(d)] -= origin[d][label.particle];
       if (body.particles.has_deformation()) {
@@ -154,7 +154,7 @@ Vec3 Contact<Dim>::opening(const ContactNode& node, Scratch& s, const Vec<Dim>& 
           Mat<Dim> first;
           for (std::size_t k = 0; k < Dim * Dim; ++k)
             first(static_cast<int>(k) / Dim, static_cast<int>(k) % Dim) =
-                body.particles.column(*body.first_inverse + k)[label.particle];
+                body.particles[body.first_inverse][k][label.particle];
           since_start *= first;
         }
         u += (Mat<Dim>::Identity() - since_start.inverse()) * (at - p.x).dot(n) * n;
@@ -175,10 +175,10 @@ void Contact<Dim>::recall(const ContactNode& node, ContactPair& pair, const Scra
   double total = 0.0, slip = 0.0, whole = 0.0, broken = 0.0;
   const auto recollect = [&](const ParticleDomain<Dim>& p, const ParticleLabel& label) {
     auto& body = *bodies_[label.body];
-    if (!body.contact_memory) return;
+    if (!body.contact_slip) return;
     const double w = weight(p.x - centre);
-    const double bond = body.particles.column(*body.contact_memory + 1)[label.particle];
-    total += w, slip += w * body.particles.column(*body.contact_memory)[label.particle];
+    const double bond = body.particles[body.contact_bond][label.particle];
+    total += w, slip += w * body.particles[body.contact_slip][label.particle];
     whole += bond > 0 ? w : 0.0, broken += bond < 0 ? w : 0.0;
   };
   for (const auto& groups : s.groups) each_point_of(groups, centre, recollect);

@@ -55,7 +55,7 @@ void Contact<Dim>::remember() {
   parallel_for(static_cast<std::ptrdiff_t>(cloud_.size()), [&](std::ptrdiff_t k) {
     const ParticleLabel& label = cloud_.label(static_cast<std::size_t>(k));
     auto& body = *bodies_[label.body];
-    if (!body.contact_memory) return;
+    if (!body.contact_slip) return;
     double touching = 0.0, sliding = 0.0, way = 0.0, whole = 0.0, broken = 0.0;
     each_pair_near(
         cloud_.point(static_cast<std::size_t>(k)), label.field, [&](const ContactPair& pair, double w, double) {
@@ -68,25 +68,27 @@ void Contact<Dim>::remember() {
           if (pair.response.bond == Bond::whole) whole += w;
           if (pair.response.bond == Bond::broken) broken += w;
         });
-    double& slip = body.particles.column(*body.contact_memory)[label.particle];
+    double& slip = body.particles[body.contact_slip][label.particle];
     slip = sliding > 0.5 * touching ? slip + way / sliding : 0.0;
-    if (whole + broken > 0)
-      body.particles.column(*body.contact_memory + 1)[label.particle] = broken > whole ? -1.0 : 1.0;
+    if (whole + broken > 0) body.particles[body.contact_bond][label.particle] = broken > whole ? -1.0 : 1.0;
   });
 }
 
 template <int Dim>
 void Contact<Dim>::show() {
   for (auto* body : bodies_)
-    if (body->contact_view)
-      for (std::size_t k = 0; k < 1 + 2 * Dim; ++k)
-        std::fill_n(body->particles.column(*body->contact_view + k), body->particles.size(), 0.0);
+    if (body->contact_state) {
+      const std::size_t count = body->particles.size();
+      std::fill_n(body->particles[body->contact_state], count, 0.0);
+      for (const auto& vector : {body->contact_traction, body->contact_normal})
+        for (double* component : body->particles[vector]) std::fill_n(component, count, 0.0);
+    }
   for (ContactNode& node : nodes_) node.stale = node.bodies;
   collect();
   for (std::size_t k = 0; k < cloud_.size(); ++k) {
     const ParticleLabel& label = cloud_.label(k);
     auto& body = *bodies_[label.body];
-    if (!body.contact_view) continue;
+    if (!body.contact_state) continue;
     double slip = 0.0, stick = 0.0, total = 0.0;
     Vec<Dim> traction = Vec<Dim>::Zero(), normal = Vec<Dim>::Zero();
     each_pair_near(cloud_.point(k), label.field, [&](const ContactPair& pair, double w, double side) {
@@ -99,12 +101,12 @@ void Contact<Dim>::show() {
       traction += side * w / pair.state.dt * pair.booked.template head<Dim>();
     });
     if (slip + stick == 0.0) continue;
-    body.particles.column(*body.contact_view)[label.particle] = slip > stick ? 2.0 : 1.0;
+    body.particles[body.contact_state][label.particle] = slip > stick ? 2.0 : 1.0;
     if (total > 0) traction /= total;
     if (normal.norm() > 0) normal.normalize();
     for (std::size_t d = 0; d < Dim; ++d) {
-      body.particles.column(*body.contact_view + 1 + d)[label.particle] = traction[static_cast<Eigen::Index>(d)];
-      body.particles.column(*body.contact_view + 1 + Dim + d)[label.particle] = normal[static_cast<Eigen::Index>(d)];
+      body.particles[body.contact_traction][d][label.particle] = traction[static_cast<Eigen::Index>(d)];
+      body.particles[body.contact_normal][d][label.particle] = normal[static_cast<Eigen::Index>(d)];
     }
   }
 }
@@ -160,7 +162,7 @@ void Contact<Dim>::refine(bool update) {
     if (node.by_faces) return;
     const auto pairs = pairs_of(node);
     const auto increment = [&](const ContactMember& m) {
-      return Eigen::Map<Vec3>(system_.fields[m.field].filter[static_cast<std::size_t>(m.at)].velocity);
+      return Eigen::Map<Vec3>(system_.fields[m.field].filter[static_cast<std::size_t>(m.at)].increment);
     };
     // The increment becomes the change that contact makes of it: new velocity minus old.
     for (std::size_t i = node.first_member; i < node.end_member; ++i) {
@@ -183,11 +185,11 @@ void Contact<Dim>::book(double dt) {
   const auto lap = watch.lap();
   for (auto& [fields, entry] : ledger_) entry.force.setZero(), entry.stored = entry.area = 0.0;
   rigid_shares_.assign(field_count_, {});
-  if (cracks_.active()) cracks_.begin_memory();
+  if (cracks_.active()) cracks_.begin_record();
   for (const auto& node : nodes_)
     for (std::size_t p = node.first_pair; p < node.end_pair; ++p) {
       ContactPair& pair = pairs_[p];
-      if (pair.crack >= 0 && !pair.apart) cracks_.remember(pair, node.index);
+      if (pair.crack >= 0 && !pair.apart) cracks_.record(pair, node.index);
       pair.booked = pair.impulse, pair.shown = pair.response.status, pair.friction = 0.0;
       if (pair.response.status == ContactStatus::open) continue;
       const ContactMember &a = members_[pair.a], &b = members_[pair.b];
@@ -208,7 +210,7 @@ void Contact<Dim>::book(double dt) {
         entry.impact += normal, entry.friction += all - normal, pair.friction = (all - normal) / node.share;
       book_rigid(node, pair);
     }
-  if (cracks_.active()) cracks_.end_memory();
+  if (cracks_.active()) cracks_.end_record();
   if (remembers_) remember();
 }
 

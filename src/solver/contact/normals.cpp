@@ -17,11 +17,11 @@ constexpr double front_depth = 0.4;
 template <int Dim>
 Vec<Dim> Contact<Dim>::gradient_normal(const ContactMember& a, const ContactMember& b) const {
   const auto outward = [&](const ContactMember& m) {
-    const Node& node = system_.fields[m.field].volumes[static_cast<std::size_t>(m.at)];
-    return Vec<Dim>(Eigen::Map<const Vec<Dim>>(node.acceleration));
+    const VolumeNode& node = system_.fields[m.field].volumes[static_cast<std::size_t>(m.at)];
+    return Vec<Dim>(Eigen::Map<const Vec<Dim>>(node.gradient));
   };
   const auto volume = [&](const ContactMember& m) {
-    return system_.fields[m.field].volumes[static_cast<std::size_t>(m.at)].mass;
+    return system_.fields[m.field].volumes[static_cast<std::size_t>(m.at)].volume;
   };
   const Vec<Dim> ga = outward(a), gb = outward(b);
   const double bias = model_.contact.rigid_bias;
