@@ -71,11 +71,11 @@ void add_optional_columns(Body<Dim>& body, const Model& model, bool starts_defor
            std::any_of(contact.pair_laws.begin(), contact.pair_laws.end(),
                        [&](const auto& p) { return is(*p.second); });
   };
-  if (starts_deformed && any_law([](const ContactLaw& law) { return law.interface(); })) {
+  if (starts_deformed && any_law([](const ContactLaw& law) { return law.is_interface(); })) {
     body.first_inverse = particles.columns().size();
     for (int k = 0; k < Dim * Dim; ++k) particles.add("first_inverse_" + std::to_string(k), Dimension::none);
   }
-  if (any_law([](const ContactLaw& law) { return law.remembers(); })) {
+  if (any_law([](const ContactLaw& law) { return law.has_memory(); })) {
     body.contact_memory = particles.add("contact_slip", Dimension::length);
     particles.add("contact_bond", Dimension::none);
   }

@@ -42,7 +42,7 @@ class HeatConduction {
     Index<Dim> index;
     std::size_t condition;
   };
-  Node& on(const ContactMember& m) { return system_.fields[m.field].heat[static_cast<std::size_t>(m.at)]; }
+  Node& on(const ContactMember& m) { return system_.fields[m.field].heat[static_cast<std::size_t>(m.node)]; }
   void collect(double dt, const Contact<Dim>& contact, const Exchanges<Dim>& exchanges);
   void flow_in(double dt, const ParticleCondition& condition, Body<Dim>& body, std::size_t particle,
                const Exchanges<Dim>& exchanges);
