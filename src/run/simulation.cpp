@@ -69,7 +69,7 @@ class Simulation {
                   results.blocks ? results.blocks->initial_energy : 0.0},
                  system_, stepper_)
           .save(checkpoint);
-      stepper_.contact().forget();
+      stepper_.contact().clear_cache();
     };
     const auto write = [&](bool all) {
       const auto lap = output_watch_.lap();

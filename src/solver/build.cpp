@@ -61,9 +61,9 @@ void add_optional_columns(Body<Dim>& body, const Model& model, bool starts_defor
            std::any_of(contact.pair_laws.begin(), contact.pair_laws.end(),
                        [&](const auto& p) { return is(*p.second); });
   };
-  if (starts_deformed && any_law([](const ContactLaw& law) { return law.interface(); }))
+  if (starts_deformed && any_law([](const ContactLaw& law) { return law.is_interface(); }))
     body.first_inverse = particles.add_matrix("first_inverse", Dimension::none);
-  if (any_law([](const ContactLaw& law) { return law.remembers(); })) {
+  if (any_law([](const ContactLaw& law) { return law.has_memory(); })) {
     body.contact_slip = particles.add("contact_slip", Dimension::length);
     body.contact_bond = particles.add("contact_bond", Dimension::none);
   }

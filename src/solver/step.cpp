@@ -32,20 +32,20 @@ void Stepper<Dim>::advance(double dt) {
     // 2. Strain and stress first, or half of them, from extrapolated velocities that obey contact and conditions.
     divide_by_mass();
     find_contact();
-    contact_.meet(dt, Contact<Dim>::Pass::start);
+    contact_.apply(dt, ContactPass::predictor);
     impose(system_.time, dt);
     copy_images();
     if (filter_.active()) filter_.filter(0.0, false);
     strain(order == UpdateOrder::usf ? dt : 0.5 * dt, false);
-    if (!contact_.keeps_start()) contact_.part();
+    if (!contact_.keeps_start_impulses()) contact_.remove_start_impulses();
     scatter(Scatter::force);
     tractions_.apply();
     sum_images(ImageValues::forces);
     update_momentum(dt, Known::velocity);
-  } else if (contact_.keeps_start()) {
+  } else if (contact_.keeps_start_impulses()) {
     divide_by_mass();
     find_contact();
-    contact_.meet(dt, Contact<Dim>::Pass::start);
+    contact_.apply(dt, ContactPass::predictor);
     update_momentum(dt, Known::velocity);
   } else {
     update_momentum(dt, Known::momentum);
@@ -53,8 +53,8 @@ void Stepper<Dim>::advance(double dt) {
 
   // 3. m a = f, v += dt a hold at the nodes now; joints, contact and prescribed velocities correct both.
   add_joint_forces(dt);
-  if (stress_last && !contact_.keeps_start()) find_contact();
-  contact_.meet(dt, Contact<Dim>::Pass::update);
+  if (stress_last && !contact_.keeps_start_impulses()) find_contact();
+  contact_.apply(dt, ContactPass::corrector);
   impose_update(dt, !stress_last);
   tractions_.record(dt);
   body_forces_.record(dt);
@@ -66,8 +66,8 @@ void Stepper<Dim>::advance(double dt) {
   }
 
   // 5. What contact did goes to ledgers, rigid blocks and crack tips; heat is conducted.
-  contact_.book(dt);
-  rigid_blocks_.take_contact_forces(contact_.rigid_shares(), dt);
+  contact_.record(dt);
+  rigid_blocks_.take_contact_forces(contact_.ledger().rigid_exchanges(), dt);
   measure_crack_tips(dt);
   heat_.conduct(dt, contact_, exchanges_);
 
@@ -293,7 +293,7 @@ void Stepper<Dim>::strain_again(double dt, double strain_dt) {
   scatter(Scatter::momentum, true);
   sum_images(ImageValues::vectors);
   divide_by_mass();
-  contact_.meet(dt, Contact<Dim>::Pass::start);
+  contact_.apply(dt, ContactPass::predictor);
   impose(system_.time + dt, dt);
   copy_images();
   if (filter_.active()) filter_.filter(0.0, true);
@@ -304,11 +304,11 @@ void Stepper<Dim>::strain_again(double dt, double strain_dt) {
 template <int Dim>
 void Stepper<Dim>::record_joints() {
   joints_.each_pair([&](std::size_t one, std::size_t two, const Vec3& force, double area) {
-    PairLedger& entry = contact_.ledger()[{std::min(one, two), std::max(one, two)}];
+    PairLedger& entry = contact_.ledger().pairs[{std::min(one, two), std::max(one, two)}];
     entry.force += one < two ? force : Vec3(-force), entry.area += area;
   });
   const auto [work, impulse] = joints_.take_rigid_exchange();
-  contact_.rigid_work += work, contact_.rigid_impulse += impulse;
+  contact_.ledger().rigid_work += work, contact_.ledger().rigid_impulse += impulse;
 }
 
 template <int Dim>
@@ -366,7 +366,7 @@ void Stepper<Dim>::move_particles(double dt, double strain_dt) {
   travel = std::max({travel, rigid_blocks_.move(dt), rigid_bodies_.move(dt)});
   for (auto& body : system_.bodies) count_crossings(body, system_.lattice);
   system_.drift += travel;
-  contact_.moved(travel);
+  contact_.add_travel(travel);
 }
 
 template class Stepper<2>;

@@ -72,7 +72,7 @@ void VelocityFilter<Dim>::filter(double dt, bool from_start) {
         for (int d = 0; d < 3; ++d) filter.increment[d] -= scattered.momentum[d] / node.mass;
       });
     });
-    contact_.refine(dt > 0);
+    contact_.constrain_increments(dt > 0 ? ContactPass::corrector : ContactPass::predictor);
     each_field([&](std::size_t f, Field<Dim>& field) {
       conditions_[f].release(field.filter);
       each(field, [](const Node&, FilterNode& filter, const Node&) {

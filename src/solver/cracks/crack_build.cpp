@@ -170,7 +170,7 @@ void add_cracks(const Model& model, System<Dim>& system, int width) {
     Crack<Dim> crack;
     crack.law = spec.law.get(), crack.fixed = spec.fixed;
     // faces that touch at the start are bonded if their law bonds
-    crack.whole_bond = crack.law && crack.law->remembers() ? 1.0 : 0.0;
+    crack.whole_bond = crack.law && crack.law->has_memory() ? 1.0 : 0.0;
     for (const Vec3& x : spec.points) crack.add_point(crack.x.size(), x.template head<Dim>());
     for (const auto& piece : spec.pieces) {
       typename Crack<Dim>::Piece corners;

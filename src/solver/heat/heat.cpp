@@ -95,21 +95,21 @@ void HeatConduction<Dim>::add_flux(double dt, const ParticleCondition& condition
 // matter as they have one temperature there. Rigid bodies take none.
 template <int Dim>
 void HeatConduction<Dim>::add_friction_heat(double dt, const Contact<Dim>& contact, const Exchanges<Dim>& exchanges) {
-  contact.each_touching([&](const ContactPair& pair, const ContactMember& a, const ContactMember& b, double share) {
+  contact.each_closed_pair([&](const ContactPair& pair, const ContactMember& a, const ContactMember& b, double share) {
     const double both = node_of(a).capacity + node_of(b).capacity;
-    if (pair.friction == 0.0 || !(both > 0)) return;
+    if (pair.friction_work == 0.0 || !(both > 0)) return;
     for (const ContactMember* side : {&a, &b}) {
       const double part = node_of(*side).capacity / both;
       if (!(part > 0)) continue;
       auto& field = system_.fields[side->field];
-      const Vec<Dim> face =
-          system_.lattice.position(field.map.node_at(side->at)) + pair.face * pair.state.normal.template head<Dim>();
+      const Vec<Dim> face = system_.lattice.position(field.map.node_at(side->node)) +
+                            pair.face_position * pair.state.normal.template head<Dim>();
       const PointShares<Dim> to(model_.scheme.kernel, system_.fields, exchanges, face,
                                 [&](const Index<Dim>&) { return side->field; });
       for (std::size_t k = 0; k < static_cast<std::size_t>(to.count); ++k)
-        field.heat[static_cast<std::size_t>(to.node[k])].power += to.share[k] * share * part * pair.friction / dt;
+        field.heat[static_cast<std::size_t>(to.node[k])].power += to.share[k] * share * part * pair.friction_work / dt;
     }
-    from_contact += share * pair.friction;
+    from_contact += share * pair.friction_work;
   });
 }
 
@@ -121,7 +121,7 @@ void HeatConduction<Dim>::equalize_contact(const Contact<Dim>& contact) {
   static constexpr double tolerance = 1e-13;
   for (int sweep = 0; sweep < most_sweeps; ++sweep) {
     double change = 0.0;
-    contact.each_touching([&](const ContactPair&, const ContactMember& a, const ContactMember& b, double) {
+    contact.each_closed_pair([&](const ContactPair&, const ContactMember& a, const ContactMember& b, double) {
       HeatNode &at_a = node_of(a), &at_b = node_of(b);
       const double ca = at_a.capacity, cb = at_b.capacity;
       if (!(ca > 0) || !(cb > 0)) return;

@@ -42,7 +42,7 @@ class HeatConduction {
     Index<Dim> index;
     std::size_t condition;
   };
-  HeatNode& node_of(const ContactMember& m) { return system_.fields[m.field].heat[static_cast<std::size_t>(m.at)]; }
+  HeatNode& node_of(const ContactMember& m) { return system_.fields[m.field].heat[static_cast<std::size_t>(m.node)]; }
   void find_rates(double dt, const Contact<Dim>& contact, const Exchanges<Dim>& exchanges);
   void add_flux(double dt, const ParticleCondition& condition, Body<Dim>& body, std::size_t particle,
                const Exchanges<Dim>& exchanges);
