@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
-/// Shape functions along one axis; products of them make the stencils. Distances in cells.
+/// Shape functions along one axis; their products are the shape functions of the grid. Distances are in cells.
 ///
 /// Each kernel has
 /// - `width`: number of nodes of the stencil along the axis; `shift`: the lowest node is floor(position - shift);
 /// - `sized`: whether the size of the particle's domain counts;
-/// - `at(r, l, w, g)`: weights w and slopes g of the `width` nodes of the stencil, for the position r minus the lowest
-/// node
+/// - `at(r, l, w, g)`: weights w and slopes g of the `width` nodes of the stencil, for the position r minus the lowest node
 ///   and the half width l of the particle's domain. T is a double or a short vector of doubles (several particles);
-/// - `Point`: the kernel that interpolates at points without a domain, with `reach`, the distance within which it is
-/// not
+/// - `Point`: the kernel that interpolates at points without a domain, with `reach`, the distance within which it is not
 ///   zero, and `value(s)`, its value for a node at the distance s >= 0.
 ///
 /// The list of all kernels is in model/shape_functions.hpp.
@@ -20,7 +18,7 @@
 
 namespace tribo {
 
-/// Hat functions. Weights 1 - |s|.
+/// Linear shape functions (hats), 1 - |s|.
 struct LinearKernel {
   static constexpr int width = 2;
   static constexpr double shift = 0.0;
@@ -84,7 +82,8 @@ struct GimpKernel {
   template <class T>
   static void at(T r, T l, T* w, T* g) {
     const T s = r - 1.0;  // from the middle node, in [-1/2, 1/2)
-    // Within l of the middle node the domain covers two cells and the weights are parabolas; else they are hats.
+    // Within l of the middle node the domain overlaps two cells and the weights are parabolas; otherwise they are
+    // linear.
     const T inner = 0.25 / l, below = l - s, above = l + s;
     const auto both = below > 0 && above > 0;
     const T left = s < 0 ? -s : T{}, right = s < 0 ? T{} : s;
@@ -102,7 +101,7 @@ struct CpdiCornerKernel {
   using Point = LinearKernel;
 };
 
-/// One for the cell's lowest node, on the stencil of another kernel: sums over cells instead of nodes.
+/// Weight 1 at the lowest node of the cell, with the stencil of another kernel, for sums over cells instead of nodes.
 template <class Kernel>
 struct CellKernel {
   static constexpr int width = Kernel::width;

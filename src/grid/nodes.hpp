@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Nodes of one velocity field, kept in blocks that exist only where particles are.
+/// Nodes of one velocity field, stored in blocks that exist only near particles.
 #pragma once
 
 #include "base/aligned.hpp"
@@ -100,10 +100,10 @@ class NodeNumbers {
   double* numbers_ = nullptr;
 };
 
-/// Nodes lighter than this share of the field's heaviest node do not exist (round-off of the weights).
+/// A node whose mass is below this fraction of the largest nodal mass counts as empty (round-off of the weights).
 inline constexpr double least_mass_ratio = 1e-14;
 
-/// Which blocks exist, in lexicographic order: the sparse part of the grid, shared by all layers of node data.
+/// The existing blocks in lexicographic order: the sparse structure of the grid, shared by all layers of nodal data.
 template <int Dim>
 class BlockMap {
  public:
@@ -114,7 +114,7 @@ class BlockMap {
 
   const Lattice<Dim>& lattice() const { return lattice_; }
 
-  /// Makes exactly the given blocks (lattice block indices) and their neighbours exist.
+  /// Makes the given blocks (lattice block indices) and their neighbours exist, and no others.
   void rebuild(std::span<const std::int64_t> occupied) {
     for (const auto b : active_) slot_[static_cast<std::size_t>(b)] = -1;
     active_.clear();
@@ -128,11 +128,11 @@ class BlockMap {
     for (std::size_t k = 0; k < active_.size(); ++k) slot_[static_cast<std::size_t>(active_[k])] = static_cast<int>(k);
   }
 
-  /// Lattice indices of the blocks that exist; their position in this list is their slot.
+  /// Lattice indices of the existing blocks. The position in this list is the slot of a block.
   const std::vector<std::int64_t>& active() const { return active_; }
   int slot(std::int64_t block) const { return slot_[static_cast<std::size_t>(block)]; }
 
-  /// Slots of a block and its neighbours, x fastest, the block itself in the middle.
+  /// Slots of a block and its neighbours, x fastest; the block itself is in the middle.
   std::array<int, neighbour_count> neighbours(std::int64_t block) const {
     std::array<int, neighbour_count> out{};
     std::size_t k = 0;
@@ -140,7 +140,7 @@ class BlockMap {
     return out;
   }
 
-  /// Position of a node in the layers, or -1 if its block does not exist.
+  /// Position of a node in the layers of nodal data, or -1 if its block does not exist.
   std::int64_t node(const Index<Dim>& n) const {
     Index<Dim> block;
     std::int64_t local = 0;
@@ -153,7 +153,7 @@ class BlockMap {
     return s < 0 ? -1 : static_cast<std::int64_t>(s) * block_nodes<Dim> + local;
   }
 
-  /// Lattice index of the node at a position in the layers.
+  /// Lattice index of the node at a position in the layers of nodal data.
   Index<Dim> node_at(std::int64_t position) const {
     auto n = lattice_.block_at(active_[static_cast<std::size_t>(position / block_nodes<Dim>)]);
     auto local = static_cast<int>(position % block_nodes<Dim>);

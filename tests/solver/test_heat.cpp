@@ -133,7 +133,7 @@ TEST_CASE("what held nodes and fluxes supply is the heat gained", "[heat]") {
     ParticleCondition c;
     c.kind = ParticleCondition::Kind::heat_flux;
     c.where = rectangle(8, 16, 15.5, 16);
-    c.face = 3;
+    c.face = DomainFace::high_y;
     c.value.value = 7;
     model.particle_conditions.push_back(c);
     auto system = build_system<2>(model, lattice_seeds<2>(model, 8, 16));

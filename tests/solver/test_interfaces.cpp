@@ -261,7 +261,7 @@ TEST_CASE("a joint on a rigid body holds, and its work is known", "[joints][inte
   Problems problems;
   Statement statement;
   model.materials[0].law = materials().find("RigidContact")->make(statement, {}, Units{}, problems);
-  model.materials[0].rigid_directions = 8;
+  model.materials[0].rigid_contact = true;
   model.materials[0].rigid_velocity[0].emplace("0.01", Origin{});
   model.materials[0].rigid_velocity[1].emplace("0.02", Origin{});
   auto system = build_system<2>(model, turned<2>(model, halves, 17 * degree));

@@ -16,7 +16,7 @@ int add_rigid(Model& model, double velocity, int mirrored = 0) {
   spec.name = "grip";
   Problems problems;
   spec.law = materials().find("Rigid")->make({}, {}, Units{}, problems);
-  spec.rigid_directions = 1;
+  spec.sets_velocity = {true, false, false};
   spec.rigid_velocity[0] = Expression(velocity);
   spec.mirrored = mirrored;
   model.materials.push_back(spec);

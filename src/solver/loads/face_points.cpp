@@ -9,27 +9,28 @@
 namespace tribo {
 namespace {
 
-Vec3 face_normal(int face) {
+Vec3 face_normal(DomainFace face) {
   switch (face) {
-    case 1:
+    case DomainFace::low_y:
       return -Vec3::UnitY();
-    case 2:
+    case DomainFace::high_x:
       return Vec3::UnitX();
-    case 3:
+    case DomainFace::high_y:
       return Vec3::UnitY();
-    case 4:
+    case DomainFace::low_x:
       return -Vec3::UnitX();
-    case 5:
+    case DomainFace::low_z:
       return -Vec3::UnitZ();
-    default:
-      return Vec3::UnitZ();
+    case DomainFace::high_z:
+      break;
   }
+  return Vec3::UnitZ();
 }
 
 }  // namespace
 
 template <int Dim>
-ParticleFace<Dim> ParticleFace<Dim>::of(const System<Dim>& system, Body<Dim>& body, std::size_t i, int face) {
+ParticleFace<Dim> ParticleFace<Dim>::of(const System<Dim>& system, Body<Dim>& body, std::size_t i, DomainFace face) {
   auto& particles = body.particles;
   ParticleFace out;
   out.normal = face_normal(face);

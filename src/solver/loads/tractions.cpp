@@ -10,9 +10,10 @@ namespace tribo {
 template <int Dim>
 void Tractions<Dim>::apply(const ParticleCondition& condition, Body<Dim>& body, std::size_t i) {
   const auto face = ParticleFace<Dim>::of(system_, body, i, condition.face);
-  const Vec3 direction = condition.direction == 10   ? face.normal
-                         : condition.direction == 11 ? Vec3(face.normal.cross(Vec3::UnitZ()) * -1.0)
-                                                     : Vec3(Mat3::Identity().col(condition.direction));
+  const Vec3 direction = condition.direction == LoadDirection::normal ? face.normal
+                         : condition.direction == LoadDirection::tangential
+                             ? Vec3(face.normal.cross(Vec3::UnitZ()) * -1.0)
+                             : Vec3(Mat3::Identity().col(static_cast<int>(condition.direction)));
   Vec3 x = Vec3::Zero(), v = Vec3::Zero();
   x.head<Dim>() = body.particles.position(i);
   v.head<Dim>() = body.particles.velocity(i);

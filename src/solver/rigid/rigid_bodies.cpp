@@ -74,14 +74,14 @@ template <class F>
 void RigidBodies<Dim>::each_prescribed(F&& f) {
   for (std::size_t r = 0; r < system_.rigids.size(); ++r) {
     if (system_.rigids[r].field != Body<Dim>::no_field) continue;
-    const int directions = model_.materials[static_cast<std::size_t>(system_.rigids[r].material)].rigid_directions;
+    const auto& sets = model_.materials[static_cast<std::size_t>(system_.rigids[r].material)].sets_velocity;
     for (std::size_t k = 0; k < system_.fields.size(); ++k) {
       Field<Dim>& field = system_.fields[k];
       for (std::size_t n = 0; n < field.nodes.size(); ++n) {
         PrescribedNode& rigid = field.rigid[r][n];
         if (!(rigid.mass > 0) || !(field.nodes[n].mass > 0)) continue;
         for (int d = 0; d < Dim; ++d) {
-          if (!(directions >> d & 1)) continue;
+          if (!sets[static_cast<std::size_t>(d)]) continue;
           const double prescribed = rigid.momentum[d] / rigid.mass;
           const double* image = mirror_image(field, r, n, d);
           f(k, r, n, field.nodes[n], rigid, d, image ? 2 * prescribed - *image : prescribed);
