@@ -44,14 +44,7 @@ void Builder::mpm_header() {
   scheme.extrapolate_again = !h.child("SkipPostExtrapolation");
   if (const auto* g = h.child("GIMP")) {
     const std::string type = word(*g, "type", "uGIMP");
-    const auto is = [&](std::initializer_list<std::string_view> names) {
-      return std::find(names.begin(), names.end(), type) != names.end();
-    };
-    scheme.kernel = is({"Classic", "Dirac", "linear", "0"}) ? Kernel::linear
-                    : is({"lCPDI", "CPDI", "2"})            ? Kernel::cpdi
-                    : is({"B2SPLINE", "quadratic", "6"})    ? Kernel::quadratic_spline
-                    : is({"B3SPLINE", "cubic"})             ? Kernel::cubic_spline
-                                                            : Kernel::gimp;
+    scheme.kernel = kernel_of(type).value_or(Kernel::gimp);
   }
   if (const auto* t = h.child("Transfer")) {
     const std::string type = word(*t, "type");

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "input/dialect.hpp"
 
+#include "model/shape_functions.hpp"
+
 namespace tribo {
 namespace {
 
@@ -117,8 +119,7 @@ std::vector<ElementSpec> make() {
        "MPMHeader",
        "shape functions; an empty element means uGIMP, an absent one means linear",
        T::none,
-       {{"type", T::choice, "",
-         "Classic Dirac linear 0 uGIMP GIMP 1 lCPDI CPDI 2 B2SPLINE quadratic 6 B3SPLINE cubic"}},
+       {{"type", T::choice, "", all_kernel_words()}},
        true});
   add({"Transfer",
        "MPMHeader",

@@ -26,13 +26,15 @@ inline void each_index(std::size_t n, auto&& f) {
   });
 }
 
-inline void each_node(NodeLayer& nodes, auto&& f) {
+template <class N>
+void each_node(AlignedVector<N>& nodes, auto&& f) {
   each_index(nodes.size(), [&](std::size_t i) { f(nodes[i]); });
 }
 
-inline void zero(NodeLayer& nodes) {
+template <class N>
+void zero(AlignedVector<N>& nodes) {
   each_piece(nodes.size(), [&](std::size_t first, std::size_t last) {
-    std::memset(static_cast<void*>(nodes.data() + first), 0, sizeof(Node) * (last - first));
+    std::memset(static_cast<void*>(nodes.data() + first), 0, sizeof(N) * (last - first));
   });
 }
 

@@ -12,17 +12,93 @@
 
 namespace tribo {
 
-/// A node, the size of a cache line. During the transfer to the grid `velocity` holds momentum and `acceleration`
-/// force.
+// Each kind of node fills one cache line with eight numbers: a weight, a vector, a spare number and a second vector.
+// The transfers and the exchange treat all kinds alike; the members say what the numbers are. Two names for one member
+// mean that the quantity is divided by the weight in the course of the step.
+
+/// Balance of mass and momentum.
 struct alignas(64) Node {
   double mass;
-  double velocity[3];  ///< momentum [mass velocity] before, velocity after division by the mass
+  union {
+    double momentum[3];  ///< before the division by the mass [mass velocity]
+    double velocity[3];
+  };
   double spare;
-  double acceleration[3];  ///< force before, acceleration after division by the mass
-  double* data() { return &mass; }
-  const double* data() const { return &mass; }
+  union {
+    double force[3];  ///< before the division by the mass
+    double acceleration[3];
+  };
 };
-static_assert(sizeof(Node) == 64);
+
+/// What the particles of a rigid body without a velocity field prescribe.
+struct alignas(64) PrescribedNode {
+  double mass;
+  double momentum[3];
+  double spare;
+  double change[3];  ///< by which the prescribed velocity changed that of the node before the strain update [velocity]
+};
+
+/// XPIC and FMPM: terms of the series of filtered velocities.
+struct alignas(64) FilterNode {
+  double mass;
+  union {
+    double increment[3];  ///< the present term of the series
+    double velocity[3];   ///< the sum of all terms, once the series is complete
+  };
+  double spare;
+  double sum[3];  ///< of the terms so far
+};
+
+/// Volume of the particles around a node, for the areas and normals of contact.
+struct alignas(64) VolumeNode {
+  double volume;
+  double moment[3];  ///< sum of w V x, or of w V times the displacement                     [length^4]
+  double spare;
+  double gradient[3];  ///< sum of V grad w                                                  [length^2]
+};
+
+/// Conduction of heat.
+struct alignas(64) HeatNode {
+  double capacity;  ///< sum of w m c                                                        [energy/temperature]
+  union {
+    double heat;  ///< before the division by the capacity                                   [energy]
+    double temperature;
+  };
+  double unused[3];
+  union {
+    double power;  ///< into the node, before the division by the capacity                   [power]
+    double rate;   ///< of the temperature                                                   [temperature/time]
+  };
+  double unused_too[2];
+};
+
+/// B-bar: mean over the particles of a cell, stored at the lowest node of the cell.
+struct alignas(64) CellNode {
+  double volume;
+  union {
+    double sum;  ///< of volume times value, before the division by the volume
+    double mean;
+  };
+  double unused[6];
+};
+
+/// The numbers of all nodes of a layer, whatever they are; refers to the layer.
+class NodeNumbers {
+ public:
+  static constexpr std::size_t per_node = 8;
+  static constexpr int first_vector = 1, second_vector = 5;  ///< where the two vectors begin
+
+  NodeNumbers() = default;
+  template <class N>
+  NodeNumbers(AlignedVector<N>& layer) : numbers_(reinterpret_cast<double*>(layer.data())) {
+    static_assert(sizeof(N) == per_node * sizeof(double) && alignof(N) == 64);
+  }
+  /// The eight numbers of a node.
+  double* operator[](std::size_t node) const { return numbers_ + per_node * node; }
+
+ private:
+  double* numbers_ = nullptr;
+};
 
 /// A node whose mass is below this fraction of the largest nodal mass counts as empty (round-off of the weights).
 inline constexpr double least_mass_ratio = 1e-14;

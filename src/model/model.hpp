@@ -10,6 +10,7 @@
 #include "geometry/region.hpp"
 #include "geometry/scattered.hpp"
 #include "model/blocks.hpp"
+#include "model/shape_functions.hpp"
 
 #include <algorithm>
 #include <array>
@@ -29,7 +30,6 @@ struct BlocksSpec;
 
 enum class Analysis { plane_strain, plane_stress, axisymmetric, solid };
 enum class UpdateOrder { usf, usl, usavg };
-enum class Kernel { linear, gimp, quadratic_spline, cubic_spline, cpdi };
 enum class Transfer { flip, pic, blend, xpic, fmpm, apic };
 
 struct Scheme {

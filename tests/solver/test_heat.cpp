@@ -18,8 +18,8 @@ Model heat_model(Kernel kernel) {
   return model;
 }
 
-double& temperature(Body<2>& body, std::size_t i) { return body.particles.column(*body.temperature)[i]; }
-double& temperature(Body<3>& body, std::size_t i) { return body.particles.column(*body.temperature)[i]; }
+double& temperature(Body<2>& body, std::size_t i) { return body.particles[body.temperature][i]; }
+double& temperature(Body<3>& body, std::size_t i) { return body.particles[body.temperature][i]; }
 
 template <int Dim>
 void set_temperature(Body<Dim>& body, const std::function<double(const Vec<Dim>&)>& f) {
