@@ -192,14 +192,14 @@ const std::vector<QuantityInfo>& particle_fields() {
 
 const QuantityInfo* find_particle_field(std::string_view name) {
   struct Alias {
-    std::string_view dialect, name;
+    std::string_view alternative, name;
   };
   static constexpr Alias aliases[] = {
       {"strainenergy", "strain_energy"}, {"plasticenergy", "plastic_energy"},    {"workenergy", "work_energy"},
       {"heatenergy", "heat_energy"},     {"elementcrossings", "cell_crossings"}, {"rotstrain", "rotation"},
       {"plasticstrain", "history"}};
   for (const Alias& a : aliases)
-    if (same(name, a.dialect)) return find(particle_fields(), a.name);
+    if (same(name, a.alternative)) return find(particle_fields(), a.name);
   // NairnMPM numbers the history variables of a material; Tribo writes all of them by name
   const bool numbered = name.size() > 7 && same(name.substr(0, 7), "history") &&
                         name.find_first_not_of("0123456789", 7) == std::string_view::npos;
