@@ -51,7 +51,7 @@ TEST_CASE("powers are evaluated from left to right and before a leading sign", "
   CHECK(value("5-+-+3") == 8.0);
   CHECK(value("+4") == 4.0);
   CHECK(value("sin(pi/2)^2") == Approx(1.0).epsilon(1e-15));
-  // products before a parenthesis, as the dialect has them
+  // products before a parenthesis, as in NairnMPM
   CHECK(value("2(x+1)", at) == 8.0);
   CHECK(value("-2.5(x-1)(x+1)", at) == -20.0);
   CHECK(value("2(x+1)^2", at) == 32.0);

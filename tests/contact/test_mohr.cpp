@@ -285,7 +285,7 @@ TEST_CASE("TM14: shear under constant load opens a dilating joint", "[mohr]") {
                                    {"dilation-zero", "5.005e-3"},
                                    {"stress-normal", "-1e6"}});
   for (int k = 0; k < 600; ++k) {
-    // the load opens it by what the dilation of the step before pressed it
+    // the load opens the joint by the compression caused by dilation in the preceding step
     const double lift = (-5e5 - j.joint.Fn) / kA;
     j.move(lift, {1e-5, 0});
   }

@@ -68,7 +68,7 @@ TEST_CASE("springs balance a joint, and a mass on it oscillates", "[drive][joint
       run("<Drive joint='rock' area='0.5' spring-shear='5e8'><Path>dt,steps,dss\n1,10,1e-5</Path></Drive>" + rock);
   CHECK(at(soft, 10, "uss") == Approx(5e-5).epsilon(1e-9));  // half in the spring, half in the joint
   CHECK(at(soft, 10, "Sss") == Approx(2.5e4).epsilon(1e-9));
-  // m = 1000 on k_s A = 5e8: a push of 1e4 swings between 0 and 4e-5
+  // m = 1000 on k_s A = 5e8: a force of 1e4 causes an oscillation between 0 and 4e-5
   const double period = 2 * std::numbers::pi * std::sqrt(1000 / 5e8);
   const Table swing = run("<Drive joint='rock' area='0.5' block='1000'><Path>dt,steps,Pn,Pss\n" +
                           number_text(period / 2000) + ",1000,-5e5,1e4</Path></Drive>" + rock);

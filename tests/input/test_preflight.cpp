@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// What `tribo check` says of a model.
+/// The summary printed by `tribo check`.
 
 #include "input/read.hpp"
 #include "run/preflight.hpp"

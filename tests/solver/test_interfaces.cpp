@@ -78,7 +78,7 @@ Vec<Dim> normal(double angle, double tilt) {
 }
 
 /// Pulls (a > 0) or presses two halves by accelerations a s along their normal, s from the interface, until they rest;
-/// the stress on the interface is a density 4^2/2 whatever the nodes, for lumped masses have the right first moments.
+/// the stress on the interface is a density 4^2/2 for any nodes, since lumped masses have the right first moments.
 template <int Dim>
 void patch(const std::vector<Block>& blocks, double angle, double tilt, double a,
            Kernel kernel = Kernel::quadratic_spline) {
@@ -250,7 +250,7 @@ TEST_CASE("beyond their joint two bodies interact by the default contact law", "
   for (int k = 0; k < 2200; ++k) stepper.advance(2.5e-3), deepest = std::min(deepest, lowest());
   // it slid by eleven cells; the joint's points went half that way, and the last of them is gone
   CHECK(measure(system.bodies[1], false).centre[0] > centre + 6.5);
-  CHECK(deepest > -0.1);  // twice the 3000/k it may swing down to on its joint
+  CHECK(deepest > -0.1);  // the oscillation on the joint has an amplitude of at most 3000/k
   CHECK(measure(system.bodies[1], false).momentum[0] == Approx(2 * 12e3).epsilon(0.02));
   for (const Joint& j : system.joints[0].joints) CHECK(j.Fn == 0);
 }
