@@ -43,7 +43,7 @@ bash -O extglob -c '
 printf 'resume render report\n--overwrite\nMohrCoulomb\n' | cmp - completed.txt || { cat completed.txt; fail "completion"; }
 expect 5 "$tribo" run missing.xml
 expect 2 "$tribo"
-grep -q "preflight\|pre-flight" err.txt || fail "no list of commands"
+grep -q "print a summary with checks" err.txt || fail "no list of commands"
 expect 2 "$tribo" runn "$deck"
 grep -q "there is no command 'runn' (did you mean 'run'?); valid: run, " err.txt || { cat err.txt; fail "runn"; }
 expect 2 "$tribo" "$deck"
