@@ -83,7 +83,7 @@ class CommandLine {
     auto* resume = add("resume", "continue a stopped run", resume_command);
     resume->add_option("DIR", a.folder, "folder of the run")->required();
     has_threads(resume), may_be_quiet(resume), has_wall(resume);
-    has_threads(reads_file("check", "read and build, print the pre-flight sheet, run nothing", check_command));
+    has_threads(reads_file("check", "read and build, print the pre-flight report, run nothing", check_command));
     auto* drive = reads_file("drive", "drive one law along the path of <Drive>, print a table", drive_command);
     writes_file(drive, "the table (default: NAME.csv here)"), may_be_quiet(drive);
     auto* safety = reads_file("safety", "find the factor of safety by reduction of all strengths", safety_command);

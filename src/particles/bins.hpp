@@ -16,6 +16,11 @@ struct Bin {
   std::uint32_t begin, end;
 };
 
+inline void archive(Archive& a, Bin& bin) {
+  auto& [block, begin, end] = bin;
+  a("block", block), a("begin", begin), a("end", end);
+}
+
 /// Particles lie in the bin of the block of their stencil's lowest node. Between sorts they may drift by less than one
 /// cell; every transfer allows for that. Blocks of one colour never write to the same node, so a scatter runs through
 /// the colours one after the other, in parallel within a colour: no atomics, and the same sums on any number of
@@ -29,8 +34,15 @@ class Bins {
   /// Sorts the particles. Returns the index of a particle outside the lattice's user grid (or not a number), or -1.
   std::int64_t sort(const Lattice<Dim>& lattice, Particles<Dim>& particles);
 
-  /// Takes over bins of a checkpoint; the particles must be in their order.
-  void restore(const Lattice<Dim>& lattice, std::vector<Bin> bins);
+  /// The particles must be in the order of the bins. Colours follow from the bins.
+  friend void archive(Archive& a, Bins& bins, const Lattice<Dim>& lattice) {
+    auto& [shift, colours_per_axis, list, colours, before] = bins;
+    a.enter("bins");
+    a.version(1);
+    a.resizable("list", list);
+    a.leave();
+    if (a.reading()) bins.paint(lattice);
+  }
 
   const std::vector<Bin>& list() const { return bins_; }
   /// Bins of one colour, as positions in list().

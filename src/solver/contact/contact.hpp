@@ -27,6 +27,13 @@ struct PairLedger {
   double area = 0.0;          ///< of the faces that touch now                                     [length^2]
 };
 
+inline void archive(Archive& a, PairLedger& pair) {
+  auto& [force, friction, impact, interface, stored, area] = pair;
+  a.version(1);
+  a("force", force), a("friction", friction), a("impact", impact);
+  a("interface", interface), a("stored", stored), a("area", area);
+}
+
 /// What a field of prescribed velocity got from all others in the last step, and what those weigh at the nodes where
 /// they touch it. Moments about the origin of space.
 struct RigidShare {
@@ -103,6 +110,13 @@ class Contact {
   /// Fills the particle columns that show contact: state (0 open, 1 stick, 2 slip), traction, normal.
   void show();
   std::size_t node_count() const { return nodes_.size(); }
+
+  /// The sums over the run. What is kept from step to step is not saved: see interruptible().
+  friend void archive(Archive& a, Contact& contact) {
+    a.version(1);
+    a.map("pairs", contact.ledger_);
+    a("rigid_work", contact.rigid_work), a("rigid_impulse", contact.rigid_impulse);
+  }
 
  private:
   struct ContactNode {

@@ -35,7 +35,13 @@ class HeatConduction {
 
   double supplied = 0.0;      ///< heat that came in through conditions so far    [energy]
   double from_contact = 0.0;  ///< heat from sliding contact so far               [energy]
-  double waited = 0.0;        ///< time since details last settled; kept for restart
+  double waited = 0.0;        ///< time since details last settled                [time]
+
+  friend void archive(Archive& a, HeatConduction& heat) {
+    auto& [supplied, from_contact, waited, model, system, transfers, active, held] = heat;
+    a.version(1);
+    a("supplied", supplied), a("from_contact", from_contact), a("waited", waited);
+  }
 
  private:
   struct Held {
