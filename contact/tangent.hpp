@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Components in the plane of a contact.
+/// Vectors in the tangent plane of a contact.
 #pragma once
 
 #include "base/archive.hpp"
@@ -8,7 +8,7 @@
 
 namespace tribo {
 
-/// Along the tangents s and t of a contact; of moments and rotations: about them.
+/// Components along the tangents s and t of a contact. Moments and rotations have components about them.
 struct Tangent {
   double s = 0.0, t = 0.0;
 

@@ -167,7 +167,7 @@ class Assembly {
   Vec3 platen_displacement(std::size_t platen) const;
   /// The point of a block's surface nearest to x.
   Vec3 nearest_on(std::size_t body, const Vec3& x) const;
-  /// On a block, from contacts, pressures, loads and grid_forces.
+  /// On a block, from contacts, pressures, loads and the grid.
   Vec3 contact_force(std::size_t body) const {
     const Vec3 all = forces[body].all - bodies[body].weight * gravity_;
     return grid_forces.empty() ? all : Vec3(all + grid_forces[body].force);

@@ -67,49 +67,50 @@ const std::vector<ParticleField>& particle_fields() {
   using Standard = ParticleField::Standard;
   using Needs = ParticleField::Needs;
   static const std::vector<ParticleField> list{
-      {"id", "-", "number given at the start, kept for life", Standard::yes, Needs::nothing,
+      {"id", "-", "number assigned at the start, never changed", Standard::yes, Needs::nothing,
        integer([](const P& p) { return p.id(); })},
       {"material", "-", "number of the material in the command file", Standard::yes, Needs::nothing,
        integer([](const P& p) { return p.material_number(); })},
       {"velocity", "velocity", "", Standard::yes, Needs::nothing, vector([](const P& p) { return p.velocity(); })},
-      {"displacement", "length", "since the start", Standard::yes, Needs::nothing,
+      {"displacement", "length", "displacement since the start", Standard::yes, Needs::nothing,
        vector([](const P& p) { return p.displacement(); })},
       {"mass", "mass", "", Standard::no, Needs::nothing, scalar([](const P& p) { return p.mass(); })},
-      {"volume", "length^3", "present volume", Standard::no, Needs::nothing,
+      {"volume", "length^3", "current volume", Standard::no, Needs::nothing,
        scalar([](const P& p) { return p.volume(); })},
       {"stress", "stress", "Cauchy stress, tension positive", Standard::yes, Needs::nothing,
        symmetric([](const P& p) { return p.stress(); })},
-      {"pressure", "stress", "minus a third of the trace", Standard::yes, Needs::nothing,
+      {"pressure", "stress", "minus a third of the trace of the stress", Standard::yes, Needs::nothing,
        scalar([](const P& p) { return -p.stress().trace() / 3.0; })},
       {"von_mises", "stress", "sqrt(3 J2)", Standard::yes, Needs::nothing,
        scalar([](const P& p) { return von_mises(p.stress()); })},
-      {"strain", "-", "Biot strain V - 1 with F = V R, in present axes", Standard::no, Needs::deformation,
+      {"strain", "-", "Biot strain V - 1 with F = V R, in the current configuration", Standard::no, Needs::deformation,
        symmetric([](const P& p) { return biot_strain(p.deformation_gradient()); })},
-      {"rotation", "rad", "axis of R times its angle", Standard::no, Needs::deformation,
+      {"rotation", "rad", "rotation vector of R: axis times angle", Standard::no, Needs::deformation,
        vector([](const P& p) { return rotation_of(p.deformation_gradient()); })},
       {"deformation_gradient", "-", "F", Standard::no, Needs::deformation,
        tensor([](const P& p) { return p.deformation_gradient(); })},
-      {"strain_energy", "energy", "stored elastically", Standard::no, Needs::nothing,
+      {"strain_energy", "energy", "elastically stored energy", Standard::no, Needs::nothing,
        scalar([](const P& p) { return p.stored_energy(); })},
-      {"plastic_energy", "energy", "dissipated by the material", Standard::no, Needs::nothing,
+      {"plastic_energy", "energy", "energy dissipated by the material law", Standard::no, Needs::nothing,
        scalar([](const P& p) { return p.dissipated_energy(); })},
-      {"work_energy", "energy", "stored and dissipated", Standard::no, Needs::nothing,
+      {"work_energy", "energy", "stored and dissipated energy", Standard::no, Needs::nothing,
        scalar([](const P& p) { return p.stored_energy() + p.dissipated_energy(); })},
       {"heat_energy", "energy", "mass times heat capacity times temperature", Standard::no, Needs::heat,
        scalar([](const P& p) { return p.temperature() * (p.mass() * p.heat_capacity()); })},
-      {"cell_crossings", "-", "how often the particle went to another cell of the grid", Standard::no, Needs::nothing,
-       scalar([](const P& p) { return p.cell_crossings(); })},
+      {"cell_crossings", "-", "number of times the particle has moved to another grid cell", Standard::no,
+       Needs::nothing, scalar([](const P& p) { return p.cell_crossings(); })},
       {"volume_ratio", "-", "J = V / V0", Standard::yes, Needs::nothing,
        scalar([](const P& p) { return p.volume() * p.density() / p.mass(); })},
       {"contact_state", "-", "0 open, 1 stick, 2 slip", Standard::yes, Needs::contact,
        scalar([](const P& p) { return p.contact_state(); })},
-      {"contact_traction", "stress", "of contact on the particle's face", Standard::yes, Needs::contact,
+      {"contact_traction", "stress", "contact traction on the particle's face", Standard::yes, Needs::contact,
        vector([](const P& p) { return p.contact_traction(); })},
-      {"contact_normal", "-", "of contact, out of the particle's body", Standard::yes, Needs::contact,
+      {"contact_normal", "-", "contact normal, outward from the particle's body", Standard::yes, Needs::contact,
        vector([](const P& p) { return p.contact_normal(); })},
-      {"temperature", "temperature", "if anything changes or feels it", Standard::yes, Needs::heat,
-       scalar([](const P& p) { return p.temperature(); })},
-      {"history", "-", "all variables the material keeps, by name", Standard::yes, Needs::nothing, history_variables()},
+      {"temperature", "temperature", "temperature, if any process changes it or depends on it", Standard::yes,
+       Needs::heat, scalar([](const P& p) { return p.temperature(); })},
+      {"history", "-", "all history variables of the material, by name", Standard::yes, Needs::nothing,
+       history_variables()},
   };
   return list;
 }
@@ -124,7 +125,7 @@ const ParticleField* find_particle_field(std::string_view name) {
       {"plasticstrain", "history"}};
   for (const Alias& a : aliases)
     if (same_name(name, a.dialect)) return find_name(particle_fields(), a.name);
-  // the dialect numbers the variables of a material, Tribo writes all by name
+  // NairnMPM numbers the history variables of a material; Tribo writes all of them by name
   const bool numbered = name.size() > 7 && same_name(name.substr(0, 7), "history") &&
                         name.find_first_not_of("0123456789", 7) == std::string_view::npos;
   return find_name(particle_fields(), numbered ? name.substr(0, 7) : name);

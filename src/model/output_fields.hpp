@@ -54,7 +54,8 @@ struct ParticleField {
 };
 
 const std::vector<ParticleField>& particle_fields();
-/// The entry of this name in any case, or of the dialect's name for it (`strainenergy`, `history3`), or null.
+/// The entry with this name, in any case, or with an alternative name of NairnMPM (`strainenergy`, `history3`); null if
+/// there is none.
 const ParticleField* find_particle_field(std::string_view name);
 /// The fields that are written if the command file names none.
 const std::vector<std::string>& standard_particle_fields();

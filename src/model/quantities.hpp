@@ -48,9 +48,10 @@ struct QuantityInfo {
   double (*value)(const HistorySource&);
 };
 
-/// By the names of the dialect and Tribo's own.
+/// Quantities of history.csv, with the names of NairnMPM and additional ones.
 const std::vector<QuantityInfo>& global_quantities();
-/// The entry of this name in any case, or of the dialect's name for it (`temp`, `sRR`), or null.
+/// The entry with this name, in any case, or with an alternative name of NairnMPM (`temp`, `sRR`); null if there is
+/// none.
 const QuantityInfo* find_global_quantity(std::string_view name);
 /// Whether a quantity is a mean strain, which needs the deformation gradient.
 bool is_strain(const QuantityInfo& quantity);

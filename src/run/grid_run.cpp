@@ -35,7 +35,7 @@ CheckpointWriter GridRun<Dim>::save(RunState run) {
   if (results_) run.initial_energy = results_->initial_energy;
   if (results_ && results_->blocks) run.initial_block_energy = results_->blocks->initial_energy;
   CheckpointWriter out = save_state(run, system_, stepper_);
-  stepper_.contact().forget();  // as in a run that continues from the checkpoint
+  stepper_.contact().clear_cache();  // as in a run that continues from the checkpoint
   return out;
 }
 
@@ -80,7 +80,7 @@ template <int Dim>
 double GridRun<Dim>::largest_displacement() {
   double most = 0.0;
   for (auto& body : system_.bodies) {
-    const auto x = body.particles.x(), origin = body.particles.vector(*body.origin);
+    const auto x = body.particles.x(), origin = body.particles[body.origin];
     for (std::size_t i = 0; i < body.particles.size(); ++i) {
       double square = 0.0;
       for (std::size_t d = 0; d < Dim; ++d) square += (x[d][i] - origin[d][i]) * (x[d][i] - origin[d][i]);

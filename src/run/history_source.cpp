@@ -37,7 +37,7 @@ template <int Dim>
 ContactSums RunHistorySource<Dim>::contact() const {
   const HistoryQuantity& q = quantity_;
   ContactSums sum;
-  for (const auto& [pair, entry] : stepper_.contact().ledger()) {
+  for (const auto& [pair, entry] : stepper_.contact().ledger().pairs) {
     double sign = 1.0;
     if (q.material >= 0) {
       const bool first = has_material(pair.first, q.material);

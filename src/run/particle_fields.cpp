@@ -23,8 +23,7 @@ class BodyParticle final : public ParticleState {
     return vector([&](std::size_t d) { return body_.particles.v()[d][i_]; });
   }
   Vec3 displacement() const override {
-    return vector(
-        [&](std::size_t d) { return body_.particles.x()[d][i_] - body_.particles.vector(*body_.origin)[d][i_]; });
+    return vector([&](std::size_t d) { return body_.particles.x()[d][i_] - body_.particles[body_.origin][d][i_]; });
   }
   double mass() const override { return body_.particles.mass()[i_]; }
   double volume() const override { return body_.particles.volume()[i_]; }
@@ -36,23 +35,23 @@ class BodyParticle final : public ParticleState {
   }
   double stored_energy() const override { return tribo::stored_energy(body_, i_); }
   double dissipated_energy() const override { return tribo::dissipated_energy(body_, i_); }
-  double cell_crossings() const override { return body_.crossings ? column(*body_.crossings) : 0.0; }
-  double temperature() const override { return body_.temperature ? column(*body_.temperature) : 0.0; }
+  double cell_crossings() const override { return value(body_.crossings); }
+  double temperature() const override { return value(body_.temperature); }
   double heat_capacity() const override { return body_.heat_capacity; }
-  double contact_state() const override { return column(*body_.contact_view); }
-  Vec3 contact_traction() const override { return contact_vector(1); }
-  Vec3 contact_normal() const override { return contact_vector(1 + Dim); }
+  double contact_state() const override { return value(body_.contact_state); }
+  Vec3 contact_traction() const override { return value(body_.contact_traction); }
+  Vec3 contact_normal() const override { return value(body_.contact_normal); }
 
  private:
-  double column(std::size_t k) const { return body_.particles.column(k)[i_]; }
+  double value(ScalarColumn c) const { return c ? body_.particles[c][i_] : 0.0; }
   template <class F>
   static Vec3 vector(F&& component) {
     Vec3 out = Vec3::Zero();
     for (std::size_t d = 0; d < Dim; ++d) out[static_cast<Eigen::Index>(d)] = component(d);
     return out;
   }
-  Vec3 contact_vector(std::size_t first) const {
-    return vector([&](std::size_t d) { return column(*body_.contact_view + first + d); });
+  Vec3 value(VectorColumn c) const {
+    return vector([&](std::size_t d) { return c ? body_.particles[c][d][i_] : 0.0; });
   }
 
   Body<Dim>& body_;

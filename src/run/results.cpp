@@ -65,7 +65,7 @@ Results<Dim>::Results(const Model& model, System<Dim>& system, Stepper<Dim>& ste
 
 template <int Dim>
 void Results<Dim>::write_particles(std::int64_t number) {
-  stepper_.contact().show();
+  stepper_.contact().fill_view();
   std::vector<Body<Dim>*> bodies;
   for (auto* list : {&system_.bodies, &system_.rigids})
     for (auto& body : *list)
@@ -101,12 +101,12 @@ RunEnergies Results<Dim>::energies(const Measures& all) const {
   l.external_work = stepper_.ledger().external_work;
   l.damping = stepper_.ledger().damping_work;
   l.boundary_work = stepper_.ledger().rigid_work;
-  const PairLedger contact = stepper_.contact().total();
+  const PairLedger contact = stepper_.contact().ledger().total();
   l.interface = contact.stored;
   l.contact = contact.friction + contact.impact + contact.interface - contact.stored;
   const auto joints = stepper_.joints().energies();
   l.interface += joints.stored, l.contact += joints.lost;
-  l.boundary_work += stepper_.contact().rigid_work;
+  l.boundary_work += stepper_.contact().ledger().rigid_work;
   for (std::size_t f = 0; f < system_.fields.size(); ++f) l.boundary_work += stepper_.conditions(f).work();
   return l;
 }
@@ -135,7 +135,7 @@ void Results<Dim>::write_history(double dt) {
 
   const double content = all.kinetic + all.stored + all.dissipated + l.potential + l.damping + l.contact + l.interface;
   if (system_.step == 0) initial_energy = content;
-  Vec3 impulse = stepper_.ledger().impulse + stepper_.contact().rigid_impulse;
+  Vec3 impulse = stepper_.ledger().impulse + stepper_.contact().ledger().rigid_impulse;
   for (std::size_t f = 0; f < system_.fields.size(); ++f) impulse += stepper_.conditions(f).impulse();
   std::vector<double> energies{system_.time,
                                all.kinetic,

@@ -82,7 +82,7 @@ TEST_CASE("every field of the table can be written", "[output]") {
   auto system = build_system<2>(model, layers_of(model));
   Stepper<2> stepper(model, system);
   stepper.advance(1e-6);
-  stepper.contact().show();
+  stepper.contact().fill_view();
   const ParticleFields<2> fields(model, {&system.bodies[0], &system.bodies[1]}, model.output.particle_fields);
   std::map<std::string, const OutputField*> by_name;
   for (const auto& field : fields.fields()) by_name[field.name] = &field;

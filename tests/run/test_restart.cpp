@@ -89,14 +89,14 @@ const std::string tasks =
 TEST_CASE("contact with heat, friction and bonds continues to the bit", "[restart]") {
   check_resume(
       {"verification/rubbing/case.xml", {}, 120},
-      {"stepper.heat.from_contact", "stepper.contact.pairs.friction", "stepper.system.body0.particles.position_x"});
+      {"stepper.heat.from_contact", "stepper.contact.ledger.pairs.friction", "stepper.system.body0.particles.position_x"});
   check_resume({"verification/rubbing/case.xml",
                 {{"<Material Type='CoulombFriction' Name='rough'><coeff>0.5</coeff></Material>",
                   "<Material Type='AdhesiveFriction' Name='rough'><coeff>0.1</coeff><coeffStatic>0.5</coeffStatic>"
                   "<Sa>1e3</Sa><Na>1e3</Na><rebond>1</rebond></Material>"}},
                 60},
-               {"stepper.contact.pairs.impact"});
-  check_resume({"verification/conduction/contact.xml", {}, 40}, {"stepper.heat.supplied", "stepper.heat.waited"});
+               {"stepper.contact.ledger.pairs.impact"});
+  check_resume({"verification/conduction/contact.xml", {}, 40}, {"stepper.heat.supplied", "stepper.heat.time_since_reduction"});
   check_resume({"verification/adiabatic/shear.xml", {}, 40}, {"stepper.conditions0.work"});
 }
 
@@ -135,7 +135,7 @@ TEST_CASE("filters by period, damping with feedback and returned particles conti
 
 TEST_CASE("blocks in the grid and blocks alone continue to the bit", "[restart]") {
   check_resume({"verification/blocks_on_matter/bed.xml", {}, 40},
-               {"blocks.motion.x", "blocks.grid_forces.force", "stepper.contact.rigid_impulse"});
+               {"blocks.motion.x", "blocks.grid_forces.force", "stepper.contact.ledger.rigid_impulse"});
   check_resume({"verification/blocks_stick_slip/case.xml", {}, 200}, {"blocks.motion.x", "blocks.joints.Fs.s"});
 }
 
