@@ -184,7 +184,7 @@ std::string manual_markdown() {
                   "prints one entry.\n",
               kind;
   for (const auto& e : manual()) {
-    const bool table = e.kind == "command" || e.kind == "history" || e.kind == "field";
+    const bool table = e.kind == "command" || e.kind == "history" || e.kind == "field" || e.kind == "grid field";
     if (e.kind != kind) {
       out += "\n## " + std::string(title(e.kind)) + "\n\n";
       if (table) out += e.kind == "command" ? "| command | followed by | |\n|-|-|-|\n" : "| name | unit | |\n|-|-|-|\n";
