@@ -65,7 +65,7 @@ class Contact {
   ContactLedger<Dim>& ledger() { return ledger_; }
   const ContactLedger<Dim>& ledger() const { return ledger_; }
   /// Calls f(pair, member a, member b, ownership of the node) for the pairs whose faces are closed: an impulse acted in
-  /// the last step, or the gap is next to nothing.
+  /// the last step, or the gap is less than 0.01 cells.
   template <class F>
   void each_closed_pair(F&& f) const {
     static constexpr double closed = 0.01;  // cells
