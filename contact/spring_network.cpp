@@ -150,7 +150,7 @@ struct SpringNetwork final : JointLaw {
       else if (value && current)
         current->push_back(*value);
       else
-        problems.add(s.text_origin, "<" + s.name + "> does not know '" + word + "'" + did_you_mean(word, words) +
+        problems.add(s.text_origin, "<" + s.name + "> has no argument '" + word + "'" + did_you_mean(word, words) +
                                         "; it is followed by " + join(words, " and ") + ", each with its number");
     }
     return out;

@@ -114,8 +114,8 @@ std::string plain(const std::string& name) {
 const char* title(const std::string& kind) {
   if (kind == "element") return "Elements of XML command files";
   if (kind == "material") return "Materials";
-  if (kind == "contact law") return "Laws of contact";
-  if (kind == "joint law") return "Laws of joints";
+  if (kind == "contact law") return "Contact laws";
+  if (kind == "joint law") return "Joint laws";
   if (kind == "command") return "Scripted commands";
   if (kind == "history") return "Quantities of history.csv";
   if (kind == "history of blocks") return "Quantities of history.csv in models of blocks";

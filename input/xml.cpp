@@ -66,10 +66,10 @@ class Scanner {
     return c;
   }
 
-  void copy_until(std::string_view end, const std::string& complaint) {
+  void copy_until(std::string_view end, const std::string& message) {
     const Origin begin = here();
     while (at_ < source_.size() && !starts(end)) expanded += advance();
-    if (at_ >= source_.size()) fail(begin, complaint);
+    if (at_ >= source_.size()) fail(begin, message);
     for (std::size_t k = 0; k < end.size(); ++k) expanded += advance();
   }
 
@@ -292,7 +292,7 @@ Statement read_xml(std::string_view text, const std::shared_ptr<const std::strin
   document.Parse(scanner.expanded.c_str(), scanner.expanded.size());
   if (document.Error()) {
     const int line = std::max(1, document.ErrorLineNum());
-    // The parser knows the line; take the first tag on it as the column
+    // The parser reports the line only; the first tag on it gives the column
     int column = 1;
     for (const auto& place : scanner.places)
       if (place.tag.line == line) {

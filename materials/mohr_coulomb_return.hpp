@@ -25,8 +25,8 @@ struct Strength {
 /// Result of a return: a stress on or inside the pyramid.
 struct Returned {
   Triple stress;
-  /// Plastic volume strain of the tension planes, the sum of their multipliers. It is unique also where four planes
-  /// meet.
+  /// Plastic volume strain of the tension planes, the sum of their multipliers. It is unique even at the
+  /// intersection of four planes.
   double opening = 0;
 };
 

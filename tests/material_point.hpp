@@ -96,7 +96,7 @@ class MaterialPoint {
     view([&](const MaterialPoints<Dim>& points) { return law_->update(points), 0.0; }, dt);
   }
 
-  // Presents the point as a batch of one and takes back what the law changed.
+  // Calls the law with the point as a batch of one and copies the results back.
   template <class Function>
   double view(Function&& f, double dt) {
     std::array<double, Layout<Dim>::full> l, d;

@@ -29,8 +29,9 @@ Piece trimmed(const Piece& piece);
 /// A text that contains a variable must be an expression.
 std::string argument(const Piece& piece, const Variables& variables);
 
-/// A condition: comparisons of expressions (= == is != > >= < <=) joined by && and ||, && first. Texts are equal by =
-/// and `is` whatever their case. A comparison without an operator is true if its value is a number that is not 0.
+/// A condition: comparisons of expressions (= == is != > >= < <=) joined by && and ||, && first. = and
+/// `is` compare texts without regard to case. A comparison without an operator is true if its value is a number that is
+/// not 0.
 bool condition(const Piece& piece, const Variables& variables);
 
 /// Parts between separators that are outside quotes, parentheses and brackets.

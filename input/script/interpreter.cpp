@@ -35,7 +35,7 @@ void Interpreter::run() {
   if (!problems_.empty()) throw InputError(std::move(problems_));
 }
 
-void Interpreter::complain(const InputError& error) {
+void Interpreter::report(const InputError& error) {
   std::string from;
   for (auto step = stack_.rbegin(); step != stack_.rend(); ++step) from += "; " + *step;
   for (const Problem& p : error.problems()) {
@@ -47,7 +47,7 @@ void Interpreter::complain(const InputError& error) {
 
 void Interpreter::count(const Origin& origin) {
   if (++commands_ <= most_commands) return;
-  complain({origin, "the script has run half a million commands: a loop that does not end?"});
+  report({origin, "the script has run half a million commands: a loop that does not end?"});
   throw Stopped{};
 }
 
@@ -86,7 +86,7 @@ Interpreter::Flow Interpreter::node(const Node& n) {
         return Flow::leave_sub;
     }
   } catch (const InputError& error) {
-    complain(error);
+    report(error);
   }
   return Flow::on;
 }
@@ -212,7 +212,7 @@ void Interpreter::command(const Node& n) {
     output_.clear();
   } else if (word == "stop") {
     const std::string message = joined(n);
-    complain({n.origin, message.empty() ? "the script stops here" : message});
+    report({n.origin, message.empty() ? "the script stops here" : message});
     throw Stopped{};
   } else if (word == "lines" || word == "words") {
     pieces_of_text(n, word == "words");

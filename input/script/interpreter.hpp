@@ -54,7 +54,7 @@ class Interpreter {
   void pieces_of_text(const Node& n, bool words);
   std::string joined(const Node& n) const;
   void count(const Origin& origin);
-  void complain(const InputError& error);
+  void report(const InputError& error);
 
   const Program& program_;
   Receiver receiver_;

@@ -200,8 +200,7 @@ void Translator::end_block(const Command& c) {
 }
 
 int Translator::dimension(const Command& c) const {
-  if (analysis_ == 0)
-    throw InputError(c.origin(), "'" + c.node.word + "' needs to know the 'Analysis', which must come before");
+  if (analysis_ == 0) throw InputError(c.origin(), "'" + c.node.word + "' needs a preceding 'Analysis'");
   return analysis_ == 12 ? 3 : 2;
 }
 

@@ -53,12 +53,12 @@ class Places {
 std::vector<Vec3> random_points(std::size_t count, const Vec3& low, const Vec3& high, bool plane, double apart,
                                 std::uint64_t seed) {
   const Vec3 size = high - low;
-  const double room = (plane ? size[0] * size[1] : size.prod()) / static_cast<double>(count);
-  const double distance = apart * (plane ? std::sqrt(room) : std::cbrt(room));
+  const double volume_per_point = (plane ? size[0] * size[1] : size.prod()) / static_cast<double>(count);
+  const double distance = apart * (plane ? std::sqrt(volume_per_point) : std::cbrt(volume_per_point));
   // The generator gives the same bits on every platform; the distributions of the standard library do not.
   std::mt19937_64 bits(seed);
   const auto some = [&] { return std::ldexp(static_cast<double>((bits() >> 11) | 1), -53); };
-  Places places(low, high, std::max(distance, 1e-3 * std::cbrt(room)), plane);
+  Places places(low, high, std::max(distance, 1e-3 * std::cbrt(volume_per_point)), plane);
   std::vector<Vec3> out;
   for (std::size_t tries = 0; out.size() < count; ++tries) {
     if (tries > 2000 * count)

@@ -18,7 +18,7 @@ double distance2(const Point& p, const Point& a, const Point& b) {
 }
 
 // Whether the closed segments a-b and c-d intersect.
-bool meet(const Point& a, const Point& b, const Point& c, const Point& d) {
+bool intersect(const Point& a, const Point& b, const Point& c, const Point& d) {
   const auto apart = [&](int k) {
     return std::max(a[k], b[k]) < std::min(c[k], d[k]) || std::max(c[k], d[k]) < std::min(a[k], b[k]);
   };
@@ -69,7 +69,7 @@ class Polygon final : public Region {
     const auto at = [&](std::size_t k) -> const Point& { return corners_[k % n]; };
     for (std::size_t i = 0; i < n; ++i)
       for (std::size_t j = i + 2; j < n; ++j)
-        if ((j + 1) % n != i && meet(at(i), at(i + 1), at(j), at(j + 1))) return false;
+        if ((j + 1) % n != i && intersect(at(i), at(i + 1), at(j), at(j + 1))) return false;
     return true;
   }
 

@@ -128,7 +128,7 @@ class Filler {
 
   std::string no_points(const Piece& piece) const {
     const Bounds b = piece.region->bounds();
-    if (!grid_.meets(b)) return "this body lies outside the grid";
+    if (!grid_.overlaps(b)) return "this body lies outside the grid";
     return "this body gets no material point: it is smaller than the distance of the points, or earlier bodies or "
            "holes "
            "cover it";

@@ -160,7 +160,7 @@ struct GridBox {
       if (a.high[k] <= b.low[k] || b.high[k] <= a.low[k]) return false;
     return true;
   }
-  bool meets(const Bounds& b) const { return overlap(b, {low, high}); }
+  bool overlaps(const Bounds& b) const { return overlap(b, {low, high}); }
   bool holds(const Bounds& b) const {
     const double slack = 1e-9 * cell.maxCoeff();
     for (int k = 0; k < (flat ? 2 : 3); ++k)

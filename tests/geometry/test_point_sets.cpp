@@ -8,7 +8,7 @@
 
 using namespace tribo;
 
-TEST_CASE("Strewn points keep their distance, lie inside, and are the same for a seed", "[geometry]") {
+TEST_CASE("random points keep their distance, lie inside, and are reproducible for a seed", "[geometry]") {
   const Vec3 low(1, 2, 3), high(3, 3, 5);
   for (const bool plane : {true, false}) {
     const std::size_t count = 300;

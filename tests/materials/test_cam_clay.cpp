@@ -80,7 +80,7 @@ TEST_CASE("random paths of clay stay within yield and dissipate", "[materials]")
   CHECK(least >= 0);
 }
 
-TEST_CASE("what is wrong with a clay is told", "[materials]") {
+TEST_CASE("invalid properties of a clay are reported", "[materials]") {
   using Catch::Contains;
   CHECK_THROWS_WITH(make({}), Contains("one of <G> and <nu>"));
   CHECK_THROWS_WITH(

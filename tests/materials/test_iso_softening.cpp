@@ -61,7 +61,7 @@ std::string complaint(const Properties& properties) {
 
 }  // namespace
 
-TEST_CASE("a crack that opens follows its softening law and takes its fracture energy", "[materials]") {
+TEST_CASE("an opening crack follows its softening law and dissipates its fracture energy", "[materials]") {
   const bool exponential = GENERATE(false, true);
   const auto law = make_material("50", with(brittle, {{"SofteningI", exponential ? "Exponential" : "Linear"}}));
   MaterialPoint<3> point(*law);
@@ -81,7 +81,7 @@ TEST_CASE("a crack that opens follows its softening law and takes its fracture e
   CHECK(point.stress(1, 1) == Approx(60 * end - 60 * point.history_value("crack_opening")).margin(1e-9));
 }
 
-TEST_CASE("what a crack of any mode dissipates is its fracture energy", "[materials]") {
+TEST_CASE("a crack of any mode mix dissipates its fracture energy", "[materials]") {
   const bool exponential = GENERATE(false, true);
   const double pull = GENERATE(1.0, 0.3, 0.0, -0.5);
   INFO("exponential " << exponential << ", pulled by " << pull);
@@ -128,7 +128,7 @@ TEST_CASE("a closed crack is as stiff as before and slides freely once broken", 
   CHECK(point.history_value("crack_opening") == 0);
 }
 
-TEST_CASE("an unloaded crack returns to where it came from, and damage stays", "[materials]") {
+TEST_CASE("an unloaded crack closes and keeps its damage", "[materials]") {
   const auto law = make_material("50", brittle);
   MaterialPoint<3> point(*law);
   for (int k = 0; k < 50; ++k) point.step(stretch(0.01), 1.0);
@@ -187,7 +187,7 @@ TEST_CASE("random paths of a cracking solid only lose energy", "[materials]") {
   CHECK(least >= 0);
 }
 
-TEST_CASE("what is wrong with a cracking solid is told", "[materials]") {
+TEST_CASE("invalid properties of a cracking solid are reported", "[materials]") {
   using Catch::Contains;
   const Properties base{{"rho", "1"}, {"E", "100"}, {"nu", "0.3"}, {"sigmac", "2"}, {"I-Gc", "1"}};
   CHECK(complaint(base).empty());

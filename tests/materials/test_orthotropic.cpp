@@ -122,7 +122,7 @@ TEST_CASE("the axis of a transversely isotropic solid is z or y", "[materials]")
   CHECK(along_z->wave_modulus() < 11.5);
 }
 
-TEST_CASE("waves never run faster than an orthotropic solid says", "[materials]") {
+TEST_CASE("no wave is faster than the wave modulus of an orthotropic solid", "[materials]") {
   const auto law = make_material("4", wood);
   for (const double stretch : {0.9, 1.0, 1.1}) {
     MaterialPoint<3> point(*law);

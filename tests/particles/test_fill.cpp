@@ -67,7 +67,7 @@ long count(const std::vector<Seed>& seeds, int piece) {
 
 }  // namespace
 
-TEST_CASE("points sit at the fractions (2k-1)/(2n) of a cell, cell by cell and x fastest", "[fill]") {
+TEST_CASE("points lie at the fractions (2k-1)/(2n) of a cell, cell by cell and x fastest", "[fill]") {
   auto model = plane();
   model.grid.thickness = 3;
   model.pieces.push_back(body(rectangle(1, 3, 2, 3)));

@@ -51,7 +51,7 @@ std::shared_ptr<const ContactLaw> smooth() { return make_law("CoulombFriction", 
 
 }  // namespace
 
-TEST_CASE("CR0b: a crack whose faces stick is no crack", "[cracks]") {
+TEST_CASE("CR0b: a crack whose faces stick has no effect", "[cracks]") {
   const Kernel kernel =
       GENERATE(Kernel::linear, Kernel::gimp, Kernel::quadratic_spline, Kernel::cubic_spline, Kernel::cpdi);
   const Transfer transfer = GENERATE(Transfer::flip, Transfer::apic, Transfer::fmpm, Transfer::xpic);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Conduction: heat is kept, flows from hot to cold, and knows planes, held nodes and fluxes.
+/// Conduction: heat is conserved and flows from hot to cold; symmetry planes, prescribed temperatures and fluxes.
 
 #include "cloud.hpp"
 
@@ -39,7 +39,7 @@ TEMPLATE_TEST_CASE_SIG("conduction keeps the heat, whatever the temperatures", "
   const Kernel kernel = GENERATE(from_range(all_kernels));
   INFO(name(kernel));
   Model model = heat_model<Dim>(kernel);
-  model.materials[0].conductivity = 5e4;  // details settle several times
+  model.materials[0].conductivity = 5e4;  // small-scale differences are smoothed several times
   auto system = build_system<Dim>(model, lattice_seeds<Dim>(model, 8, 12, 2, kernel == Kernel::cpdi ? 0.0 : 0.2));
   std::mt19937 random(3);
   std::uniform_real_distribution<double> any(0, 100);

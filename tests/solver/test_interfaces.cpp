@@ -79,7 +79,7 @@ Vec<Dim> normal(double angle, double tilt) {
 }
 
 /// Pulls (a > 0) or presses two halves by accelerations a s along their normal, s from the interface, until they rest;
-/// the stress on the interface is a density 4^2/2 whatever the nodes, for lumped masses have the right first moments.
+/// the stress on the interface is a density 4^2/2 for any nodes, since lumped masses have the right first moments.
 template <int Dim>
 void patch(const std::vector<Block>& blocks, double angle, double tilt, double a,
            Kernel kernel = Kernel::quadratic_spline) {
@@ -174,7 +174,7 @@ TEST_CASE("joint areas with radius and thickness", "[joints][interfaces]") {
   CHECK(area(1) == Approx((14 * 14 - 6 * 6) / 2.0));  // per radian
 }
 
-TEST_CASE("a stair of particles has the area and the normal of the face it stands for", "[joints][interfaces]") {
+TEST_CASE("a stepped face of particles has the area and the normal of its mean plane", "[joints][interfaces]") {
   const double angle = GENERATE(10.0, 17.0, 30.0, 45.0) * degree;
   const Model model = jointed_pair<2>(joint({{"stiffness-normal", "1"}}));
   std::vector<Seed> seeds = lattice_seeds<2>(model, 4, 16);
@@ -232,7 +232,7 @@ TEST_CASE("two jointed materials that turn do not load their joint", "[joints][i
   }
 }
 
-TEST_CASE("beyond their joint two bodies meet by the contact law of the others", "[joints][interfaces]") {
+TEST_CASE("beyond their joint two bodies interact by the default contact law", "[joints][interfaces]") {
   // a short block is pressed on a long one and slides along it without friction
   Model model = jointed_pair<2>(joint({{"stiffness-normal", "2e5"}, {"stiffness-shear", "1e5"}}));
   model.body_force.gravity = Vec3(0, -1, 0);
@@ -251,7 +251,7 @@ TEST_CASE("beyond their joint two bodies meet by the contact law of the others",
   for (int k = 0; k < 2200; ++k) stepper.advance(2.5e-3), deepest = std::min(deepest, lowest());
   // it slid by eleven cells; the joint's points went half that way, and the last of them is gone
   CHECK(measure(system.bodies[1], false).centre[0] > centre + 6.5);
-  CHECK(deepest > -0.1);  // twice the 3000/k it may swing down to on its joint
+  CHECK(deepest > -0.1);  // the oscillation on the joint has an amplitude of at most 3000/k
   CHECK(measure(system.bodies[1], false).momentum[0] == Approx(2 * 12e3).epsilon(0.02));
   for (const Joint& j : system.joints[0].joints) CHECK(j.Fn == 0);
 }

@@ -108,7 +108,7 @@ TEST_CASE("a jointed block that turns does not load its joint", "[joints]") {
   CHECK(n[0] == Approx(-std::sin(0.5)).epsilon(1e-3));
 }
 
-TEST_CASE("a joint of two parts lets go when its strength is reached, and tells where", "[joints]") {
+TEST_CASE("a joint of two parts fails when its strength is reached, and reports where", "[joints]") {
   Model model = jointed<2>(
       Kernel::quadratic_spline, Transfer::apic,
       joint({{"stiffness-normal", "2e5"}, {"stiffness-shear", "2e5"}, {"tension", "50"}, {"cohesion", "1e3"}}));

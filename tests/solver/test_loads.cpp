@@ -119,7 +119,7 @@ TEST_CASE("body forces of particles know where these started", "[loads]") {
   CHECK(std::abs(p[1]) < 1e-9);
 }
 
-TEST_CASE("deformation follows the particles: a rotation by chords strains nothing", "[loads]") {
+TEST_CASE("deformation follows the particles: a finite rotation per step causes no strain", "[loads]") {
   // Velocities of a half step turn every particle exactly by its angle: x1 = R x0. F must be R, stress stay zero.
   Model model = grid_model<2>(Kernel::gimp, Transfer::pic);
   auto system = build_system<2>(model, lattice_seeds<2>(model, 8, 16));

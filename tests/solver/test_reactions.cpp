@@ -132,7 +132,7 @@ TEST_CASE("crossings of cells are counted", "[reactions]") {
   }
 }
 
-TEST_CASE("quantities have the names of the dialect, too", "[reactions]") {
+TEST_CASE("quantities can be given by the names of NairnMPM", "[reactions]") {
   CHECK(find_global_quantity("temp")->name == "Temperature");
   CHECK(find_global_quantity("sRR")->name == "sxx");
   CHECK(find_global_quantity("sZZ")->name == "syy");

@@ -17,7 +17,7 @@ using namespace tribo;
 
 namespace {
 
-/// An elastic cube between -1 and 1 floats in a box, and whatever block is given.
+/// A free elastic cube between -1 and 1 in a box, with the given blocks.
 std::string floating(int dimension, const std::string& block, const std::string& more = "") {
   const std::string z = dimension == 3 ? " zmin='-4' zmax='4'" : "",
                     depth = dimension == 3 ? "<Depth cellsize='0.25'/>" : "";
