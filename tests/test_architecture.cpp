@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// Who may include whom. The rules keep the dependencies one-way.
 
+#include "root.hpp"
+
 #include <catch2/catch.hpp>
 
 #include <filesystem>
@@ -81,7 +83,7 @@ const Rule* rule_of(std::string folder) {
 // Calls f(path from the root, line) for every line of every C++ file of the library.
 template <class F>
 void each_line(F&& f) {
-  const std::filesystem::path root(TRIBO_ROOT);
+  const std::filesystem::path root = tribo::test::source_root();
   for (const char* top : {"src", "materials", "contact", "input"})
     for (const auto& entry : std::filesystem::recursive_directory_iterator(root / top)) {
       const auto extension = entry.path().extension();
