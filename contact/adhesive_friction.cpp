@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
-/// Friction with adhesion: cohesion while sliding, bonds that break under shear and tension, speed-dependent friction.
+/// Friction with cohesion, with bonds that break under shear and tension, and with a coefficient that depends on speed.
 ///
-///   in contact      S = Sa + (mu + k v) N,   or with v_half   mu(v) = (mu_s v_half + mu v)/(v_half + v)
-///   not in contact  faces that bonded hold while (S/Sa)^2 + (N/Na)^2 < 1; once broken they stay apart
+///   in contact      sliding at the shear traction S = Sa + (mu + k v) N,
+///                   or with v_half at S = Sa + (mu(v) + k v) N,  mu(v) = (mu_s v_half + mu v)/(v_half + v)
+///   not in contact  bonded faces hold while (S/Sa)^2 + (N/Na)^2 < 1; the bond of faces that separate is broken
 ///
-/// v is the sliding speed at the end of the step, v = (S_stick - S) A dt/m, so each case is a scalar equation for S.
+/// N is the pressure in contact and the tension out of contact, S the shear traction, and v the sliding speed at the
+/// end of the step, v = (S_stick - S) A dt/m. So each case is a scalar equation for S, which is solved in closed form.
 /// Nairn, "Modeling imperfect interfaces in the material point method using multimaterial methods", CMES 92 (2013)
 /// 271-299; speed dependence: Nairn, Bardenhagen & Smith, Comput. Part. Mech. 5 (2018) 285-296.
 
@@ -50,31 +52,35 @@ struct AdhesiveFriction final : ContactLaw {
       problems.add(statement.child("vhalf")->origin, "<vhalf> needs <coeffStatic>, the friction at rest");
   }
 
-  // Sliding impulse S A dt for the pressure impulse N, or a value above `stick` if the faces stick.
+  // The tangential impulse S A dt of sliding faces for the compressive impulse N, or a value above `stick` if they
+  // stick.
   double slide(const ContactState& m, double stick, double N, double mu) const {
     const double cohesion = shear_strength * m.area * m.dt;
     const double k = speed_coefficient / m.mass;
     if (half_speed > 0) {
-      // (s - S + kappa)(S - C - mu N - k N (s - S)) = kappa N (mu_s - mu), kappa = v_half m, s = stick
+      // Root of (s - S + kappa)(S - C - mu N - k N (s - S)) = kappa N (mu_s - mu), where kappa = v_half m, s = stick,
+      // and C is the cohesion; all as impulses.
       const double kappa = half_speed * m.mass, q = 1 + k * N;
       const double a0 = (cohesion + coefficient * N + k * N * stick) / q, D = stick + kappa;
       const double under = 0.25 * (D - a0) * (D - a0) - kappa * N * (static_coefficient - coefficient) / q;
       return under < 0 ? 2 * stick + 1 : 0.5 * (D + a0) - std::sqrt(under);
     }
     const double denominator = 1 + k * N;
-    if (denominator <= 0) return 2 * stick + 1;  // friction falls faster than the speed rises: no slow sliding
+    if (denominator <= 0)
+      return 2 * stick +
+             1;  // friction decreases faster than the sliding speed rises, so stable sliding is not possible
     return (cohesion + (mu + k * stick) * N) / denominator;
   }
 
   ContactResponse response(const ContactState& m) const override {
-    const Contact c = resolve(m, {displacement_only, contact_stiffness});
+    const NormalContact c = resolve_contact(m, {displacement_only, contact_stiffness});
     const bool adheres = shear_strength > 0 && normal_strength > 0;
-    if (c.touching) {
+    if (c.closed) {
       const double N = c.pressure();
-      const double mu = StaticFriction{static_coefficient, coefficient, weakening}.coefficient(m);
+      const double mu = SlipWeakening{static_coefficient, coefficient, weakening}.coefficient(m);
       const double at_rest = half_speed > 0 ? static_coefficient : mu;
       const bool holds = c.stick <= shear_strength * m.area * m.dt + at_rest * N;
-      ContactResponse out = rub(m, c, slide(m, c.stick, N, mu), holds);
+      ContactResponse out = frictional_response(m, c, slide(m, c.stick, N, mu), holds);
       if (adheres && (m.bond == Bond::none || rebond > 0)) out.bond = Bond::whole;
       return out;
     }
@@ -86,7 +92,7 @@ struct AdhesiveFriction final : ContactLaw {
     if (!(load < 1)) return {Vec3::Zero(), ContactStatus::open, Bond::broken, 0.0};
     return {m.mass * m.velocity, ContactStatus::stick, Bond::whole, 0.0};
   }
-  bool remembers() const override {
+  bool has_memory() const override {
     return (static_coefficient > 0 && half_speed == 0) || (shear_strength > 0 && normal_strength > 0);
   }
   bool uses_area() const override { return true; }

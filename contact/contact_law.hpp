@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-/// The interface between the engine and the laws of contact: two velocity fields that meet at a node.
+/// The interface of contact laws: the impulse that two velocity fields exchange at a grid node in one step.
 ///
-/// Conventions. a and b are the two sides, n the unit normal from a to b, "relative" always b minus a. The impulse J
-/// acts on a, -J on b; J . n > 0 pulls them together (tension). m is the reduced mass m_a m_b / (m_a + m_b), so that
-/// J = m v ends the relative velocity v: the faces stick. Tractions are impulses over area and step.
+/// Conventions. The two sides are a and b, and n is the unit normal from a to b. Relative quantities are those of b
+/// minus those of a. The impulse J acts on a, and -J on b; J . n > 0 is tension. The reduced mass is m = m_a m_b / (m_a
+/// + m_b), so that J = m v removes the relative velocity v, which means that the faces stick. A traction is an impulse
+/// divided by the contact area and the step.
 #pragma once
 
 #include "base/catalogue.hpp"
@@ -14,60 +15,64 @@
 
 namespace tribo {
 
-/// What the faces did; kept by the particles near them and shown in the output.
+/// State of a contact: without an impulse, without sliding, or sliding.
 enum class ContactStatus { open, stick, slip };
 
-/// Whether an adhesive bond joins the faces.
+/// State of the adhesive bond between two faces: never bonded, bonded, or broken.
 enum class Bond { none, whole, broken };
 
-/// Two fields at one node, as far as their law may know.
+/// State of a pair of fields at a node, which its law reads.
 struct ContactState {
-  double mass = 0.0;  ///< reduced mass                                                        [mass]
-  double dt = 0.0;    ///< step                                                                [time]
-  double area = 0.0;  ///< of the faces at this node                                           [length^2]
-  double gap = 0.0;   ///< between the faces at the start of the step, negative: overlap       [length]
-  Vec3 normal = Vec3::UnitX();
-  Vec3 velocity = Vec3::Zero();  ///< relative, at the end of the step if the law did nothing  [velocity]
-  Vec3 start = Vec3::Zero();     ///< relative velocity at the start of the step               [velocity]
-  Vec3 opening = Vec3::Zero();   ///< relative displacement since the faces were together      [length]
-  double slip = 0.0;             ///< way the faces slid since they last stuck                 [length]
-  double cell = 1.0;             ///< size of the grid's cells                                 [length]
-  Bond bond = Bond::none;
+  double mass = 0.0;             ///< reduced mass                                                  [mass]
+  double dt = 0.0;               ///< step                                                          [time]
+  double area = 0.0;             ///< share of the node in the contact area                         [length^2]
+  double gap = 0.0;              ///< between the faces at the start of the step; negative: overlap  [length]
+  Vec3 normal = Vec3::UnitX();   ///< unit normal from a to b
+  Vec3 velocity = Vec3::Zero();  ///< relative, at the end of the step without the impulse          [velocity]
+  Vec3 start = Vec3::Zero();     ///< relative velocity at the start of the step                    [velocity]
+  Vec3 opening = Vec3::Zero();   ///< relative displacement since the faces coincided               [length]
+  double slip = 0.0;             ///< length of sliding since the faces last stuck                  [length]
+  double cell = 1.0;             ///< cell size of the grid                                         [length]
+  Bond bond = Bond::none;        ///< at the start of the step
 };
 
+/// Result of a contact law for one step.
 struct ContactResponse {
-  Vec3 impulse = Vec3::Zero();  ///< on a                                                      [mass velocity]
-  ContactStatus status = ContactStatus::open;
-  Bond bond = Bond::none;
-  double stored = 0.0;  ///< energy in the interface at the end of the step                    [energy]
+  Vec3 impulse = Vec3::Zero();                 ///< on a                                            [mass velocity]
+  ContactStatus status = ContactStatus::open;  ///< in this step
+  Bond bond = Bond::none;                      ///< at the end of the step
+  double stored = 0.0;                         ///< energy in the interface at the end of the step  [energy]
 };
 
-/// Viscosity over shear rate [stress time](1/time); from a liquid's material.
+/// Viscosity [stress time] of a liquid as a function of its shear rate [1/time].
 using Viscosity = std::function<double(double rate)>;
 
+/// A contact law. It has no state of its own: what it depends on is in the ContactState.
 class ContactLaw {
  public:
   virtual ~ContactLaw() = default;
 
-  /// Must not create kinetic energy unless it takes it from `stored`; must give the mirrored answer for mirrored sides.
+  /// The impulse and the new state for one step. A law must not add kinetic energy, except what it takes from `stored`.
+  /// If a and b are exchanged, the impulse must change its sign only.
   virtual ContactResponse response(const ContactState& state) const = 0;
 
-  /// The law reads normal and gap.
-  virtual bool looks_at_faces() const { return true; }
-  /// Imperfect interfaces act only in the momentum update, on displacements.
-  virtual bool interface() const { return false; }
-  /// The law reads `slip` or `bond`, which the particles then keep.
-  virtual bool remembers() const { return false; }
+  /// The law reads normal and gap, so that it needs a face.
+  virtual bool uses_face() const { return true; }
+  /// The law is an imperfect interface: it reads `opening`, and acts in the corrector only.
+  virtual bool is_interface() const { return false; }
+  /// The law reads `slip` or `bond`, which the particles then store.
+  virtual bool has_memory() const { return false; }
   /// The law reads `area`.
   virtual bool uses_area() const { return false; }
-  /// Stiffness of an interface, the largest of its directions [stress/length]; 0 for laws without.
+  /// The largest stiffness of an interface over its directions [stress/length]; 0 for other laws. It limits the step.
   virtual double stiffness() const { return 0.0; }
-  /// Number of the liquid whose viscosity the law needs, or 0; it is given before the run.
+  /// Number of the material whose viscosity the law needs, or 0. The viscosity is set before the run.
   virtual int liquid() const { return 0; }
+  /// Sets that viscosity.
   virtual void set_viscosity(const Viscosity&) {}
 };
 
-/// Catalogue entry of a law, see material_law: `Law` has name, summary, number, parameters() and prepare().
+/// Catalogue entry of a law. `Law` has name, summary, number, parameters() and prepare(), see material_law.
 template <class Law>
 Catalogue<ContactLaw>::Item contact_law(const std::vector<std::string>& aliases = {}) {
   return catalogue_item<ContactLaw, Law, Law>(aliases);

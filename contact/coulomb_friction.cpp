@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
-/// Dry friction.
+/// Coulomb friction.
 ///
-///   S <= mu N,  sliding opposes the relative velocity at the end of the step; with a static coefficient faces that
-///   stick begin to slide at mu_s N, and mu falls along a short way to the dynamic one until they stick again
+///   S <= mu N
 ///
-/// Negative coefficient: faces in contact do not slide, and separate freely.
+/// S is the shear traction, which opposes the relative velocity at the end of the step, and N the pressure. With a
+/// static coefficient mu_s, faces that stick begin to slide at S = mu_s N. The coefficient then decreases to the
+/// dynamic one within the weakening distance, see SlipWeakening, and is mu_s again once they stick. With a negative
+/// coefficient faces in contact do not slide, but separate freely.
 
 #include "contact/friction.hpp"
 
@@ -41,12 +43,12 @@ struct CoulombFriction final : ContactLaw {
   }
 
   ContactResponse response(const ContactState& m) const override {
-    const Contact c = resolve(m, {displacement_only, contact_stiffness});
-    if (!c.touching) return {Vec3::Zero(), ContactStatus::open, m.bond, 0.0};
-    const double mu = StaticFriction{static_coefficient, coefficient, weakening}.coefficient(m);
-    return rub(m, c, mu * c.pressure(), coefficient < 0);
+    const NormalContact c = resolve_contact(m, {displacement_only, contact_stiffness});
+    if (!c.closed) return {Vec3::Zero(), ContactStatus::open, m.bond, 0.0};
+    const double mu = SlipWeakening{static_coefficient, coefficient, weakening}.coefficient(m);
+    return frictional_response(m, c, mu * c.pressure(), coefficient < 0);
   }
-  bool remembers() const override { return static_coefficient > 0; }
+  bool has_memory() const override { return static_coefficient > 0; }
   bool uses_area() const override { return contact_stiffness >= 0 || displacement_only < 0; }
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// What the frictional laws share: when faces touch, and what it takes to make them stick.
+/// Normal contact, and the limit of tangential impulses, for all frictional laws.
 #pragma once
 
 #include "contact/contact_law.hpp"
@@ -7,37 +7,46 @@
 
 namespace tribo {
 
-/// The parameters every frictional law has.
-struct TouchRule {
-  double displacement_only = 0.0;  ///< 0: faces touch under compression; > 0: whenever they overlap; < 0: also under
-                                   ///< tension up to minus this
-  double compliance_stiffness = -1.0;  ///< Dc, normal stiffness of faces in contact; negative: rigid [stress/length]
+/// The parameters of normal contact.
+struct NormalContactRule {
+  /// 0: overlapping faces are in contact under compression; > 0: whenever they overlap; < 0: also under a tension of at
+  /// most minus this value [stress].
+  double displacement_only = 0.0;
+  /// Normal stiffness Dc of faces in contact; negative: rigid [stress/length].
+  double compliance_stiffness = -1.0;
 };
 
-/// Coefficient between static and dynamic: it falls along the way the faces have slid, linearly within a weakening
-/// distance. Friction that dropped at once would let slip run along a strong face like a crack from any corner, as
-/// breaking would cost no energy; the distance gives it a length that the grid resolves. Default: 0.01 cells.
-struct StaticFriction {
-  double fixed = -1.0, sliding = 0.0, distance = -1.0;
+/// Slip-weakening friction: the coefficient decreases linearly from the static to the dynamic value while the faces
+/// slide by the weakening distance. If it dropped at once, the onset of sliding would dissipate no energy beyond
+/// dynamic friction, and slip would start at stress concentrations at any load above the dynamic one and propagate
+/// along the face; the distance sets a length that the grid can resolve.
+struct SlipWeakening {
+  double static_coefficient = -1.0;  ///< not positive: always the dynamic coefficient
+  double dynamic_coefficient = 0.0;
+  double distance = -1.0;  ///< weakening distance [length]; negative: 0.01 cells
+  /// The coefficient for the slip of the state.
   double coefficient(const ContactState& m) const {
-    if (!(fixed > 0)) return sliding;
-    const double way = distance >= 0 ? distance : 0.01 * m.cell;
-    return m.slip < way ? fixed + (sliding - fixed) * m.slip / way : sliding;
+    if (!(static_coefficient > 0)) return dynamic_coefficient;
+    const double length = distance >= 0 ? distance : 0.01 * m.cell;
+    return m.slip < length ? static_coefficient + (dynamic_coefficient - static_coefficient) * m.slip / length
+                           : dynamic_coefficient;
   }
 };
 
-/// Tangential and normal part of a meeting.
-struct Contact {
-  double normal;   ///< J . n of the contact; 0 if open
-  bool touching;   ///< faces are in contact
-  Vec3 direction;  ///< of the relative sliding; zero if there is none
-  double stick;    ///< impulse along `direction` that ends the sliding, >= 0
-  double pressure() const { return normal < 0 ? -normal : 0.0; }  ///< compressive impulse N A dt >= 0
+/// The normal impulse of a pair, and its tangential motion.
+struct NormalContact {
+  double normal;   ///< J . n; 0 if open                                                      [mass velocity]
+  bool closed;     ///< the faces are in contact
+  Vec3 direction;  ///< unit vector along the tangential relative velocity; zero if that is zero
+  double stick;    ///< impulse along `direction` that stops the sliding, >= 0                [mass velocity]
+  /// Compressive impulse N A dt >= 0, where N is the pressure [mass velocity].
+  double pressure() const { return normal < 0 ? -normal : 0.0; }
 };
 
-/// Signorini's condition at the end of the step: 0 <= -J_n, 0 <= g + dt v_n, one of them zero. Faces that are apart
-/// may close their gap but not pass each other; the impulse never adds energy.
-inline double normal_impulse(const ContactState& m, const TouchRule& rule) {
+/// The normal impulse J_n = J . n [mass velocity] by Signorini's condition at the end of the step: -J_n >= 0,
+/// g + dt v_n >= 0, and one of them is zero, where g is the gap at the start and v_n the normal velocity after contact.
+/// Open faces may close their gap but not penetrate; the impulse never adds energy.
+inline double normal_impulse(const ContactState& m, const NormalContactRule& rule) {
   const double v = m.velocity.dot(m.normal);
   if (rule.compliance_stiffness >= 0) {
     const double start = m.start.dot(m.normal);
@@ -51,10 +60,11 @@ inline double normal_impulse(const ContactState& m, const TouchRule& rule) {
   return hold < -rule.displacement_only * m.area * m.dt ? hold : std::min(0.0, hold);
 }
 
-inline Contact resolve(const ContactState& m, const TouchRule& rule) {
-  Contact c;
+/// Solves the normal contact of a state, and resolves its tangential motion.
+inline NormalContact resolve_contact(const ContactState& m, const NormalContactRule& rule) {
+  NormalContact c;
   c.normal = normal_impulse(m, rule);
-  c.touching = c.normal != 0.0;
+  c.closed = c.normal != 0.0;
   const Vec3 slide = m.velocity - m.velocity.dot(m.normal) * m.normal;
   const double speed = slide.norm();
   c.direction = speed > 0 ? Vec3(slide / speed) : Vec3(Vec3::Zero());
@@ -62,8 +72,9 @@ inline Contact resolve(const ContactState& m, const TouchRule& rule) {
   return c;
 }
 
-/// Answer for a tangential impulse `slide` of the law: the smaller of it and what sticks.
-inline ContactResponse rub(const ContactState& m, const Contact& c, double slide, bool hold) {
+/// Response with the smaller one of the tangential impulse `slide` that the law allows while sliding [mass velocity],
+/// and the one that makes the faces stick. `hold`: the faces stick in any case.
+inline ContactResponse frictional_response(const ContactState& m, const NormalContact& c, double slide, bool hold) {
   ContactResponse out;
   const bool sticks = hold || c.stick <= slide;
   out.status = sticks ? ContactStatus::stick : ContactStatus::slip;
@@ -72,7 +83,7 @@ inline ContactResponse rub(const ContactState& m, const Contact& c, double slide
   return out;
 }
 
-/// The two parameters of TouchRule for the table of a law with a member `rule`-like doubles.
+/// Table entry of the parameter displacement_only of NormalContactRule.
 template <class Law>
 Parameter<Law> displacement_only_parameter(double Law::*member) {
   return {"displacementOnly",
@@ -82,6 +93,7 @@ Parameter<Law> displacement_only_parameter(double Law::*member) {
           "1: in contact whenever faces overlap; 0: only under compression; negative: up to that tension",
           0.0};
 }
+/// Table entry of the weakening distance of SlipWeakening.
 template <class Law>
 Parameter<Law> weakening_parameter(double Law::*member) {
   return {"weakening",
@@ -91,6 +103,7 @@ Parameter<Law> weakening_parameter(double Law::*member) {
           "way of sliding along which friction falls from static to dynamic; negative: 0.01 cells",
           -1.0};
 }
+/// Table entry of the parameter compliance_stiffness of NormalContactRule.
 template <class Law>
 Parameter<Law> contact_stiffness_parameter(double Law::*member) {
   return {"Dc",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// No contact law: the two materials move as one at the nodes they share, as with a single velocity field.
+/// No contact law: at common nodes the two materials have one velocity, as with a single velocity field.
 
 #include "contact/contact_law.hpp"
 
@@ -20,7 +20,7 @@ struct IgnoreContact final : ContactLaw {
     out.bond = m.bond;
     return out;
   }
-  bool looks_at_faces() const override { return false; }
+  bool uses_face() const override { return false; }
 };
 
 }  // namespace

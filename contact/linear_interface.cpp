@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-/// Imperfect interface: tractions proportional to the opening displacements.
+/// Linear imperfect interface: tractions are proportional to the opening displacement d.
 ///
-///   T_N = Dnt d_N open, Dnc d_N closed,  T_S = Dt d_S;  a negative stiffness joins that direction perfectly
+///   T_N = Dnt d_N for d_N > 0,  T_N = Dnc d_N for d_N < 0,  T_S = Dt d_S
 ///
-/// Each direction is one step of a relative motion on a spring, see interface.hpp.
-/// Hashin, J. Mech. Phys. Solids 50 (2002) 2509-2537; in MPM: Nairn, CMES 92 (2013) 271-299.
+/// N and S denote the normal and the tangential direction. A negative stiffness means perfect bonding in that
+/// direction. Each direction takes one step of a relative motion against a spring, see interface.hpp. Hashin, J. Mech.
+/// Phys. Solids 50 (2002) 2509-2537; in MPM: Nairn, CMES 92 (2013) 271-299.
 
 #include "contact/contact_law.hpp"
 #include "contact/interface.hpp"
@@ -33,6 +34,7 @@ struct LinearInterface final : ContactLaw {
 
   double stiffness() const override { return std::max({open, closed, tangential, 0.0}); }
 
+  // Impulse of one direction and the energy stored at the end of the step.
   struct Spring {
     double impulse, stored;
   };
@@ -45,7 +47,8 @@ struct LinearInterface final : ContactLaw {
     return {J, 0.5 * k * d * d};
   }
 
-  // The side on which the step begins rules it. A perfect side is a stop that the motion of the other cannot pass.
+  // If the step begins open, the stiffness of the open interface applies to the whole step; the same holds if it begins
+  // closed. If the other one of the two states is perfectly bonded, the motion stops at zero opening.
   Spring normal(const ContactState& m) const {
     const double d0 = m.opening.dot(m.normal), v0 = m.start.dot(m.normal), v = m.velocity.dot(m.normal);
     if (closed < 0 && open >= 0) {
@@ -70,13 +73,13 @@ struct LinearInterface final : ContactLaw {
     ContactResponse out{n.impulse * m.normal, ContactStatus::stick, m.bond, n.stored};
     const auto along = [&](const Vec3& x) { return Vec3(x - x.dot(m.normal) * m.normal); };
     const Vec3 d = along(m.opening), v0 = along(m.start), v = along(m.velocity);
-    for (int i = 0; i < 3; ++i) {  // isotropic, so any axes serve
+    for (int i = 0; i < 3; ++i) {  // isotropic, so components along any axes can be used
       const Spring t = spring(m, tangential, d[i], v0[i], v[i]);
       out.impulse[i] += t.impulse, out.stored += t.stored;
     }
     return out;
   }
-  bool interface() const override { return true; }
+  bool is_interface() const override { return true; }
   bool uses_area() const override { return true; }
 };
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-/// A liquid on a wall: shear traction proportional to viscosity and slip speed.
+/// A liquid at a wall with Navier's slip condition: the shear traction is proportional to viscosity and slip speed.
 ///
-///   S = k eta(k v) v     Navier's slip length is 1/k; k = 0 slips freely, k -> infinity sticks
+///   S = k eta(k v) v
 ///
-/// v is the slip speed at the end of the step; for a constant viscosity S = S_stick c/(c + m), c = k eta A dt.
+/// The slip length is 1/k: k = 0 gives free slip, and k -> infinity no slip. v is the slip speed at the end of the
+/// step, and eta the viscosity at the shear rate k v. For a constant viscosity S = S_stick c/(c + m) with c = k eta A
+/// dt.
 
 #include "contact/friction.hpp"
 
@@ -29,8 +31,9 @@ struct LiquidContact final : ContactLaw {
   }
   void prepare(const Statement&, Problems&) {}
 
-  // x = v / v_stick solves x (1 + F eta(k v_stick x)) = 1 with F = k A dt / m: a bracket [0, 1] that closes by
-  // the Illinois rule; monotone as long as the shear stress grows with the rate.
+  // The ratio x of the slip speed to the tangential speed v without contact is the root of x (1 + F eta(k v x)) = 1
+  // with F = k A dt / m. It is found in the bracket [0, 1] by the Illinois algorithm. The left side is monotonic if the
+  // shear stress grows with the shear rate.
   double slip_share(const ContactState& m, double speed) const {
     const double F = coefficient * m.area * m.dt / m.mass;
     const auto residual = [&](double x) { return x * (1 + F * viscosity(coefficient * speed * x)) - 1; };
@@ -54,8 +57,8 @@ struct LiquidContact final : ContactLaw {
   }
 
   ContactResponse response(const ContactState& m) const override {
-    const Contact c = resolve(m, {displacement_only, contact_stiffness});
-    if (!c.touching) return {Vec3::Zero(), ContactStatus::open, m.bond, 0.0};
+    const NormalContact c = resolve_contact(m, {displacement_only, contact_stiffness});
+    if (!c.closed) return {Vec3::Zero(), ContactStatus::open, m.bond, 0.0};
     const double slip = slip_share(m, c.stick / m.mass);
     return {c.normal * m.normal + (1 - slip) * c.stick * c.direction, ContactStatus::slip, m.bond, 0.0};
   }

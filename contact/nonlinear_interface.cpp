@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
-/// Imperfect interface with nonlinear traction laws: linear, or with a peak after which it softens.
+/// Nonlinear imperfect interface: each direction has a linear traction law, or one with a peak and softening.
 ///
+///   linear     T(d) = D d
 ///   Morse      T(d) = 2 D_e a e^(-a d) (1 - e^(-a d)),  D_e = 8 peak^2/D, a = D/(4 peak)
-///   bilinear   T(d) = D d up to peak, then straight down to zero at the opening `break`
+///   bilinear   T(d) = D d up to the peak, then linearly down to zero at the opening `break`
 ///
-/// Morse's has the slope D at zero and its largest traction at d = ln 2/a. All are elastic: what softened comes back
-/// when the interface closes. The traction is that of the opening at the start of the step (leapfrog, second order), or
-/// an implicit one where the spring is stiff for the step, see interface.hpp. The tangential law acts along the
-/// tangential opening.
+/// The Morse law has the slope D at d = 0 and its peak at d = ln 2/a. All laws are elastic: the traction depends on the
+/// present opening only, also after softening. The traction of a step is that of the opening at its start (leapfrog,
+/// second order), or implicit if the stiffness is large for the step, see interface.hpp. The tangential law acts along
+/// the tangential opening.
 
 #include "contact/contact_law.hpp"
 #include "contact/interface.hpp"
@@ -21,9 +22,9 @@ struct NonlinearInterface final : ContactLaw {
   static constexpr int number = 65;
 
   double open = -1, closed = -1, tangential = -1;
-  /// One direction beyond its stiffness at the start.
+  /// The traction law of one direction, besides its initial stiffness.
   struct Shape {
-    double kind = 0, peak = 0, last = 0;  ///< kind: 0 linear, 1 Morse, 2 bilinear
+    double kind = 0, peak = 0, last = 0;  ///< kind: 0 linear, 1 Morse, 2 bilinear; last: `break`
   };
   double normal_kind = 0, tangential_kind = 0, normal_peak = 0, tangential_peak = 0, normal_break = 0,
          tangential_break = 0;
@@ -71,7 +72,7 @@ struct NonlinearInterface final : ContactLaw {
       must(!(shape.last > 0), "<" + N + "break> has a meaning for the bilinear shape only");
   }
 
-  /// Traction, its slope, and the energy per area up to an opening.
+  /// Traction at an opening, its derivative, and the energy per area.
   struct Pull {
     double traction, slope, energy;
   };
@@ -95,8 +96,8 @@ struct NonlinearInterface final : ContactLaw {
   Pull normal_law(double d) const { return d < 0 ? linear(closed, d) : pull(open, normal_shape(), d); }
   Pull tangential_law(double d) const { return pull(tangential, tangential_shape(), d); }
 
-  // Impulse of one direction: J = A dt T(d0 + beta dt v1), v1 = v_free - J/m; explicit (beta = 0) unless the spring is
-  // stiff for the step, else by Newton's method in a bracket.
+  // Impulse of one direction: J = A dt T(d0 + beta dt v1) with v1 = v_free - J/m. It is explicit (beta = 0) unless the
+  // spring is stiff for the step; then the equation is solved by Newton's method safeguarded by bisection.
   template <class F>
   static double impulse(const ContactState& m, const F& law, double d0, double v_free) {
     const Pull start = law(d0);
@@ -106,7 +107,7 @@ struct NonlinearInterface final : ContactLaw {
     if (beta == 0.0) return J;
     const auto opening = [&](double impulse) { return d0 + beta * m.dt * (v_free - impulse / m.mass); };
     const auto residual = [&](double impulse) { return impulse - strength * law(opening(impulse)).traction; };
-    // Between no impulse and the one that leads back to zero opening the residual changes its sign.
+    // The residual changes its sign between a zero impulse and the impulse that leads to zero opening.
     const double back = m.mass * (v_free + d0 / (beta * m.dt));
     double low = std::min(0.0, back), high = std::max(0.0, back);
     const bool rising = residual(high) > 0;
@@ -130,7 +131,7 @@ struct NonlinearInterface final : ContactLaw {
     if (open >= 0 || closed >= 0) {
       const auto springs = [&](double d) { return (d >= 0 ? open : closed) < 0 ? Pull{0, 0, 0} : normal_law(d); };
       J = impulse(m, springs, d0, v);
-      // A perfect side is a stop that the motion of the other side cannot pass.
+      // If one side is perfectly bonded, the motion stops at zero opening.
       if (closed < 0) J = std::min(J, m.mass * (v + std::max(d0, 0.0) / m.dt));
       if (open < 0) J = std::max(J, m.mass * (v + std::min(d0, 0.0) / m.dt));
       out.stored += m.area * springs(d0 + m.dt * (v - J / m.mass)).energy;
@@ -155,7 +156,7 @@ struct NonlinearInterface final : ContactLaw {
     out.stored += m.area * law((d + m.dt * (w - T / m.mass * t)).norm()).energy;
     return out;
   }
-  bool interface() const override { return true; }
+  bool is_interface() const override { return true; }
   bool uses_area() const override { return true; }
 };
 

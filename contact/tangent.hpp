@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-/// Components in the plane of a contact.
+/// Vectors in the tangent plane of a contact.
 #pragma once
 
 #include <cmath>
 
 namespace tribo {
 
-/// Along the tangents s and t of a contact; of moments and rotations: about them.
+/// Components along the tangents s and t of a contact. Moments and rotations have components about them.
 struct Tangent {
   double s = 0.0, t = 0.0;
 

@@ -316,7 +316,7 @@ void Translator::style(Statement& s, const Command& c, std::size_t k, const char
 }
 
 void Translator::velocity(const Command& c) {
-  if (lower(c.text(1)) == "gradient") throw InputError(c.origin(1), "moving walls are not built; use a rigid material");
+  if (lower(c.text(1)) == "gradient") throw InputError(c.origin(1), "moving walls are not implemented; use a rigid material");
   Statement& s = condition(c, "DisBC");
   attribute(s, "dir", direction(c, 0, false), c.origin(0));
   style(s, c, 1, "vel");

@@ -5,6 +5,7 @@
 #include "base/text.hpp"
 #include "input/script/translator.hpp"
 #include "input/xml.hpp"
+#include "model/shape_functions.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -100,11 +101,8 @@ void Translator::method(const Command& c) {
   if (minus) document_.set("MPMHeader", "SkipPostExtrapolation", c.origin(0));
   const std::string shape = c.given(1) ? c.text(1) : "uGIMP";
   Statement& s = document_.set("MPMHeader", "GIMP", c.origin(1));
-  static const std::map<std::string, std::string> shapes{
-      {"ugimp", "uGIMP"},     {"gimp", "uGIMP"},    {"cpdi", "lCPDI"},       {"lcpdi", "lCPDI"},
-      {"classic", "Classic"}, {"dirac", "Classic"}, {"b2spline", "B2SPLINE"}};
-  const auto found = shapes.find(lower(shape));
-  attribute(s, "type", found == shapes.end() ? shape : found->second, c.origin(1));
+  const auto kernel = kernel_of(shape);
+  attribute(s, "type", kernel ? words_of(*kernel).front() : shape, c.origin(1));
 }
 
 void Translator::transfer(const Command& c) {

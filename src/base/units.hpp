@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Units of the input. Inside, everything is in one consistent system of length, mass and time.
+/// Units of the input. The solver uses one consistent system of length, mass and time.
 #pragma once
 
 #include <string>

@@ -120,7 +120,7 @@ Table drive(const ContactDrive& what) {
   Pair pair;
   pair.state.mass = what.mass, pair.state.area = 1.0, pair.state.gap = what.gap, pair.state.cell = what.cell;
   // as in a run: faces that touch at the start are bonded if their law bonds
-  pair.state.bond = what.gap == 0 && what.law->remembers() ? Bond::whole : Bond::none;
+  pair.state.bond = what.gap == 0 && what.law->has_memory() ? Bond::whole : Bond::none;
   Table out;
   out.names = {"time", "N",   "St1", "St2",  "vn",    "vt1",  "vt2",    "gap",
                "dn",   "dt1", "dt2", "slip", "touch", "bond", "stored", "dissipated"};

@@ -111,7 +111,6 @@ void ParticleFields<Dim>::vector(const std::string& name, F&& value) {
 template <int Dim>
 void ParticleFields<Dim>::add(const std::string& name) {
   using B = Body<Dim>&;
-  const auto column = [](Body<Dim>& body, std::size_t k, std::size_t i) { return body.particles.column(k)[i]; };
   if (name == "id") {
     integer(name, [](B body, std::size_t i) { return body.particles.id[i]; });
   } else if (name == "material") {
@@ -120,7 +119,7 @@ void ParticleFields<Dim>::add(const std::string& name) {
     vector(name, [](B body, std::size_t i, std::size_t d) { return body.particles.v()[d][i]; });
   } else if (name == "displacement") {
     vector(name, [](B body, std::size_t i, std::size_t d) {
-      return body.particles.x()[d][i] - body.particles.vector(*body.origin)[d][i];
+      return body.particles.x()[d][i] - body.particles[body.origin][d][i];
     });
   } else if (name == "mass") {
     scalar(name, [](B body, std::size_t i) { return body.particles.mass()[i]; });
@@ -157,21 +156,21 @@ void ParticleFields<Dim>::add(const std::string& name) {
   } else if (name == "work_energy") {
     scalar(name, [](B body, std::size_t i) { return stored_energy(body, i) + dissipated_energy(body, i); });
   } else if (name == "cell_crossings") {
-    scalar(name, [&](B body, std::size_t i) { return body.crossings ? column(body, *body.crossings, i) : 0.0; });
+    scalar(name, [&](B body, std::size_t i) { return body.crossings ? body.particles[body.crossings][i] : 0.0; });
   } else if (name == "temperature" || name == "heat_energy") {
     if (!model_.heat.kept) return;
     const bool energy = name == "heat_energy";
     scalar(name, [&](B body, std::size_t i) {
       if (!body.temperature) return 0.0;
-      return column(body, *body.temperature, i) * (energy ? body.particles.mass()[i] * body.heat_capacity : 1.0);
+      return body.particles[body.temperature][i] * (energy ? body.particles.mass()[i] * body.heat_capacity : 1.0);
     });
   } else if (name == "contact_state") {
-    if (model_.contact.active) scalar(name, [&](B body, std::size_t i) { return column(body, *body.contact_view, i); });
+    if (model_.contact.active) scalar(name, [&](B body, std::size_t i) { return body.particles[body.contact_state][i]; });
   } else if (name == "contact_traction" || name == "contact_normal") {
-    const std::size_t first = name == "contact_normal" ? 1 + Dim : 1;
+    const bool normal = name == "contact_normal";
     if (model_.contact.active)
       vector(name,
-             [&](B body, std::size_t i, std::size_t d) { return column(body, *body.contact_view + first + d, i); });
+             [&](B body, std::size_t i, std::size_t d) { return body.particles[normal ? body.contact_normal : body.contact_traction][d][i]; });
   } else if (name == "history") {
     add_history();
   } else {

@@ -129,20 +129,20 @@ CheckpointWriter save_state(const RunState& state, System<Dim>& system, Stepper<
   out.put("clock", std::array{system.time, system.drift, system.sorted ? 1.0 : 0.0, state.initial_energy, state.dt,
                               stepper.filter().next, stepper.joints().stable_step()});
   const EnergyLedger& l = stepper.ledger();
-  out.put("ledger",
-          std::array{l.external_work, l.damping_work, l.rigid_work, stepper.damping().grid, stepper.damping().particle,
-                     stepper.damping().grid_feedback, stepper.damping().particle_feedback, l.impulse[0], l.impulse[1], l.impulse[2]});
+  out.put("ledger", std::array{l.external_work, l.damping_work, l.rigid_work, stepper.damping().grid,
+                               stepper.damping().particle, stepper.damping().grid_feedback,
+                               stepper.damping().particle_feedback, l.impulse[0], l.impulse[1], l.impulse[2]});
   for (std::size_t f = 0; f < system.fields.size(); ++f) {
     const auto& c = stepper.conditions(f);
     out.put("conditions" + std::to_string(f), std::array{c.work(), c.impulse()[0], c.impulse()[1], c.impulse()[2]});
   }
-  const Vec3& rigid = stepper.contact().rigid_impulse;
-  std::vector<double> pairs{stepper.contact().rigid_work, rigid[0], rigid[1], rigid[2]};
-  for (const auto& [fields, entry] : stepper.contact().ledger())
+  const Vec3& rigid = stepper.contact().ledger().rigid_impulse;
+  std::vector<double> pairs{stepper.contact().ledger().rigid_work, rigid[0], rigid[1], rigid[2]};
+  for (const auto& [fields, entry] : stepper.contact().ledger().pairs)
     pairs.insert(pairs.end(), {static_cast<double>(fields.first), static_cast<double>(fields.second), entry.friction,
                                entry.impact, entry.interface, entry.stored});
   out.put("contact", std::span<const double>(pairs));
-  out.put("heat", std::array{stepper.heat().supplied, stepper.heat().from_contact, stepper.heat().waited});
+  out.put("heat", std::array{stepper.heat().supplied, stepper.heat().from_contact, stepper.heat().time_since_reduction});
   for (std::size_t c = 0; c < system.cracks.size(); ++c)
     out.put("crack" + std::to_string(c) + ".shape", std::span<const double>(shape_of(system.cracks[c])));
   each_surface(system, [&](const std::string& name, std::vector<double>& column) {
@@ -182,17 +182,17 @@ RunState load_state(const Checkpoint& checkpoint, System<Dim>& system, Stepper<D
     stepper.conditions(f).set_impulse({values.at(1), values.at(2), values.at(3)});
   }
   const auto pairs = checkpoint.doubles("contact");
-  stepper.contact().rigid_work = pairs.at(0);
-  stepper.contact().rigid_impulse = {pairs.at(1), pairs.at(2), pairs.at(3)};
+  stepper.contact().ledger().rigid_work = pairs.at(0);
+  stepper.contact().ledger().rigid_impulse = {pairs.at(1), pairs.at(2), pairs.at(3)};
   for (std::size_t k = 4; k + 5 < pairs.size(); k += 6) {
     auto& entry =
-        stepper.contact().ledger()[{static_cast<std::size_t>(pairs[k]), static_cast<std::size_t>(pairs[k + 1])}];
+        stepper.contact().ledger().pairs[{static_cast<std::size_t>(pairs[k]), static_cast<std::size_t>(pairs[k + 1])}];
     entry.friction = pairs[k + 2], entry.impact = pairs[k + 3], entry.interface = pairs[k + 4],
     entry.stored = pairs[k + 5];
   }
   const auto heat = checkpoint.doubles("heat");
   stepper.heat().supplied = heat.at(0), stepper.heat().from_contact = heat.at(1);
-  stepper.heat().waited = heat.at(2);
+  stepper.heat().time_since_reduction = heat.at(2);
   for (std::size_t c = 0; c < system.cracks.size(); ++c)
     give_shape(system.cracks[c], checkpoint.doubles("crack" + std::to_string(c) + ".shape"));
   each_surface(system, [&](const std::string& name, std::vector<double>& column) {

@@ -69,7 +69,7 @@ Results<Dim>::Results(const Model& model, System<Dim>& system, Stepper<Dim>& ste
 
 template <int Dim>
 void Results<Dim>::write_particles(std::int64_t number) {
-  stepper_.contact().show();
+  stepper_.contact().fill_view();
   std::vector<Body<Dim>*> bodies;
   for (auto* list : {&system_.bodies, &system_.rigids})
     for (auto& body : *list)
@@ -133,12 +133,12 @@ Ledgers Results<Dim>::ledgers(const Measures& all) const {
   l.external_work = stepper_.ledger().external_work;
   l.damping = stepper_.ledger().damping_work;
   l.boundary_work = stepper_.ledger().rigid_work;
-  const PairLedger contact = stepper_.contact().total();
+  const PairLedger contact = stepper_.contact().ledger().total();
   l.interface = contact.stored;
   l.contact = contact.friction + contact.impact + contact.interface - contact.stored;
   const auto joints = stepper_.joints().energies();
   l.interface += joints.stored, l.contact += joints.lost;
-  l.boundary_work += stepper_.contact().rigid_work;
+  l.boundary_work += stepper_.contact().ledger().rigid_work;
   for (std::size_t f = 0; f < system_.fields.size(); ++f) l.boundary_work += stepper_.conditions(f).work();
   return l;
 }
@@ -163,7 +163,7 @@ void Results<Dim>::write_history(double dt) {
 
   const double content = all.kinetic + all.stored + all.dissipated + l.potential + l.damping + l.contact + l.interface;
   if (system_.step == 0) initial_energy = content;
-  Vec3 impulse = stepper_.ledger().impulse + stepper_.contact().rigid_impulse;
+  Vec3 impulse = stepper_.ledger().impulse + stepper_.contact().ledger().rigid_impulse;
   for (std::size_t f = 0; f < system_.fields.size(); ++f) impulse += stepper_.conditions(f).impulse();
   std::vector<double> energies{system_.time,
                                all.kinetic,
@@ -253,7 +253,8 @@ Vec3 Results<Dim>::reaction(const HistoryQuantity& q) const {
       if (q.condition_id == 0 || model_.node_conditions[c].id == q.condition_id) sum += conditions.reactions()[c];
     for (int axis = 0; axis < Dim; ++axis)
       for (int side = 0; side < 2; ++side)
-        if (q.condition_id == symmetry_plane_id(axis, side)) sum[axis] += stepper_.exchange(f).plane_reaction(axis, side);
+        if (q.condition_id == symmetry_plane_id(axis, side))
+          sum[axis] += stepper_.exchange(f).plane_reaction(axis, side);
   }
   return sum;
 }
@@ -268,7 +269,7 @@ PairLedger Results<Dim>::contact_of(const HistoryQuantity& q) const {
     return false;
   };
   PairLedger sum;
-  for (const auto& [pair, entry] : stepper_.contact().ledger()) {
+  for (const auto& [pair, entry] : stepper_.contact().ledger().pairs) {
     double sign = 1.0;
     if (q.material >= 0) {
       const bool first = is_of(pair.first, q.material);

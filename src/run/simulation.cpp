@@ -69,7 +69,7 @@ class Simulation {
                   results.blocks ? results.blocks->initial_energy : 0.0},
                  system_, stepper_)
           .save(checkpoint);
-      stepper_.contact().forget();
+      stepper_.contact().clear_cache();
     };
     const auto write = [&](bool all) {
       const auto lap = output_watch_.lap();
@@ -181,7 +181,7 @@ class Simulation {
   double largest_displacement() {
     double most = 0.0;
     for (auto& body : system_.bodies) {
-      const auto x = body.particles.x(), origin = body.particles.vector(*body.origin);
+      const auto x = body.particles.x(), origin = body.particles[body.origin];
       for (std::size_t i = 0; i < body.particles.size(); ++i) {
         double square = 0.0;
         for (std::size_t d = 0; d < Dim; ++d) square += (x[d][i] - origin[d][i]) * (x[d][i] - origin[d][i]);

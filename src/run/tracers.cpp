@@ -16,7 +16,7 @@ Tracers<Dim>::Tracers(const Model& model, System<Dim>& system) {
     for (std::size_t b = 0; q.point && b < system.bodies.size(); ++b) {
       auto& body = system.bodies[b];
       if (q.material >= 0 && body.material != q.material) continue;
-      const auto start = body.particles.vector(*body.origin);
+      const auto start = body.particles[body.origin];
       for (std::size_t i = 0; i < body.particles.size(); ++i) {
         double distance = 0.0;
         for (std::size_t d = 0; d < Dim; ++d) {

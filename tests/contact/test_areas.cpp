@@ -88,5 +88,5 @@ TEST_CASE("a plate thinner than the kernel's reach has the area of its partner's
   auto system = build_system<2>(model, seeds);
   Stepper<2> stepper(model, system);
   stepper.advance(1e-4);
-  CHECK(stepper.contact().total().area == Approx(20).epsilon(0.02));
+  CHECK(stepper.contact().ledger().total().area == Approx(20).epsilon(0.02));
 }

@@ -9,15 +9,15 @@ using namespace tribo::test;
 
 namespace {
 
-/// Two fields that share the nodes around a level face; the lower one, a, may be rigid.
-struct Meet {
+/// Two fields that share the nodes around a horizontal face; the lower one, a, may be rigid.
+struct SharedNodes {
   System<2> system{Lattice<2>(Vec<2>(0, 0), Vec<2>(16, 16), {16, 16})};
   std::vector<std::array<ContactMember, 2>> members;
   std::vector<ContactPair> pairs;
   std::vector<Index<2>> places;
   FaceSolver<2> faces{system};
 
-  Meet(const ContactLaw& law, double height, bool rigid, unsigned seed) {
+  SharedNodes(const ContactLaw& law, double height, bool rigid, unsigned seed) {
     std::mt19937 random(seed);
     std::normal_distribution<double> normal;
     std::uniform_real_distribution<double> unit(0.01, 1);
@@ -42,14 +42,14 @@ struct Meet {
         const Index<2> place{pad + i, pad + j};
         std::array<ContactMember, 2> both;
         for (std::size_t f = 0; f < 2; ++f) {
-          both[f].field = f, both[f].at = system.fields[f].map.node(place);
-          both[f].mass = system.fields[f].nodes[static_cast<std::size_t>(both[f].at)].mass;
+          both[f].field = f, both[f].node = system.fields[f].map.node(place);
+          both[f].mass = system.fields[f].nodes[static_cast<std::size_t>(both[f].node)].mass;
           both[f].inverse_mass = system.fields[f].rigid_contact ? 0.0 : 1 / both[f].mass;
         }
         ContactPair pair;
         pair.a = 0, pair.b = 1, pair.law = &law;
         pair.state.normal = Vec3::UnitY(), pair.state.area = 1;
-        pair.face = height - j;
+        pair.face_position = height - j;
         members.push_back(both), pairs.push_back(pair), places.push_back(place);
       }
     faces.clear();
@@ -80,37 +80,37 @@ TEST_CASE("impulses on faces keep momentum, take energy and stop faces from pass
   for (unsigned seed = 0; seed < 20; ++seed)
     for (const double height : {8.0, 8.3, 7.6})
       for (const auto* law : {smooth.get(), rough.get()}) {
-        Meet meet(*law, height, false, seed);
-        const Vec3 momentum = meet.momentum();
-        const double energy = meet.energy();
-        meet.faces.meet(1e-3, false);
-        CHECK((meet.momentum() - momentum).norm() < 1e-12 * std::sqrt(2 * energy));
-        CHECK(meet.energy() < energy);
-        for (const auto& pair : meet.pairs) {
+        SharedNodes shared(*law, height, false, seed);
+        const Vec3 momentum = shared.momentum();
+        const double energy = shared.energy();
+        shared.faces.apply(1e-3, ContactPass::predictor);
+        CHECK((shared.momentum() - momentum).norm() < 1e-12 * std::sqrt(2 * energy));
+        CHECK(shared.energy() < energy);
+        for (const auto& pair : shared.pairs) {
           CHECK(pair.impulse[1] <= 0);  // pushes a down
-          CHECK(pair.after[1] > -0.02);
+          CHECK(pair.final_velocity[1] > -0.02);
           CHECK(std::abs(pair.impulse[0]) <= 0.4 * -pair.impulse[1] + 1e-12);
         }
-        meet.faces.part();
-        CHECK(meet.energy() == Approx(energy));
+        shared.faces.remove();
+        CHECK(shared.energy() == Approx(energy));
       }
 }
 
 TEST_CASE("next to a rigid face the mirror image of a node moves against it", "[contact]") {
   // A face on a grid line: linear strain along the normal must pass, only its mean is held.
   const auto law = make_law("60", {});
-  Meet meet(*law, 8.0, true, 1);
-  auto& field = meet.system.fields[1];
+  SharedNodes shared(*law, 8.0, true, 1);
+  auto& field = shared.system.fields[1];
   const auto at = [&](int i, int j) -> Node& {
     return field.nodes[static_cast<std::size_t>(field.map.node({Lattice<2>::padding + i, Lattice<2>::padding + j}))];
   };
   for (int i = 2; i < 14; ++i)
     for (int j = 7; j <= 13; ++j) at(i, j).velocity[0] = 0.0, at(i, j).velocity[1] = 0.3 + 0.1 * (j - 8);
-  meet.faces.meet(1e-3, false);
+  shared.faces.apply(1e-3, ContactPass::predictor);
   for (int i = 2; i < 14; ++i)
     for (int j = 7; j <= 13; ++j) CHECK(at(i, j).velocity[1] == Approx(0.3 + 0.1 * (j - 8)).margin(1e-14));
   for (int i = 2; i < 14; ++i)
     for (int j = 7; j <= 13; ++j) at(i, j).velocity[1] -= 0.2;
-  meet.faces.meet(1e-3, false);
-  for (const auto& pair : meet.pairs) CHECK(pair.after.norm() < 1e-6);
+  shared.faces.apply(1e-3, ContactPass::predictor);
+  for (const auto& pair : shared.pairs) CHECK(pair.final_velocity.norm() < 1e-6);
 }

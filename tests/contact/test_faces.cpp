@@ -57,7 +57,7 @@ TEST_CASE("the margin normal is exact in three dimensions", "[contact]") {
   }
 }
 
-TEST_CASE("the shortest vector between clouds is that of their nearest corners", "[contact]") {
+TEST_CASE("the shortest vector between particle sets is that of their nearest corners", "[contact]") {
   std::mt19937 random(4);
   std::uniform_real_distribution<double> unit(-1, 1);
   for (int n = 0; n < 200; ++n) {
@@ -74,7 +74,7 @@ TEST_CASE("the shortest vector between clouds is that of their nearest corners",
   }
 }
 
-TEST_CASE("clouds that overlap have no margin", "[contact]") {
+TEST_CASE("particle sets that overlap have no margin", "[contact]") {
   auto a = block(0, {-3, -3}, {3, 1.5}), b = block(0, {-3, -1.5}, {3, 3});
   CHECK_FALSE(margin_normal<2>(a, b, Vec<2>(0, 1), 1.0));
 }
@@ -88,7 +88,7 @@ TEST_CASE("regression finds flat faces roughly", "[contact]") {
   }
 }
 
-TEST_CASE("a corner that slides past another one does not meet it", "[contact]") {
+TEST_CASE("a corner that slides past another one is not stopped by it", "[contact]") {
   for (const double angle : {0.0, 0.4}) {
     const Vec<2> along(std::cos(angle), std::sin(angle)), up(-along[1], along[0]);
     auto floor = block(angle, {0, -3}, {3, 0});
@@ -100,7 +100,7 @@ TEST_CASE("a corner that slides past another one does not meet it", "[contact]")
           slider.add(x * along + y * up, 0.25 * (Mat<2>() << along, up).finished());
       const auto margin = margin_normal<2>(slider, floor, along, 1.0);
       REQUIRE(margin);
-      const auto n = facing_normal<2>(slider, floor, *margin, 1.0);
+      const auto n = corner_normal<2>(slider, floor, *margin, 1.0);
       if (front < 0.05) {
         CHECK_FALSE(n);
       } else {
@@ -111,7 +111,7 @@ TEST_CASE("a corner that slides past another one does not meet it", "[contact]")
     // and one that meets it head on
     auto wall = block(angle, {0.01, -3}, {3, 3});
     auto bar = block(angle, {-3, -1}, {0, 1});
-    const auto n = facing_normal<2>(bar, wall, *margin_normal<2>(bar, wall, up, 1.0), 1.0);
+    const auto n = corner_normal<2>(bar, wall, *margin_normal<2>(bar, wall, up, 1.0), 1.0);
     REQUIRE(n);
     CHECK((*n - along).norm() < 1e-6);
   }
@@ -121,23 +121,23 @@ TEST_CASE("a box above the edge of a box rests on it, and beside it falls past",
   const Mat<3> turn = Eigen::AngleAxisd(0.7, Vec<3>(1, -1, 2).normalized()).matrix();
   auto floor = box(turn, {-3, -3, -3}, {0, 3, 0});
   auto on = box(turn, {-0.5, -3, 0}, {3, 3, 3}), beside = box(turn, {0, -3, 0}, {3, 3, 3});
-  const auto n = facing_normal<3>(floor, on, *margin_normal<3>(floor, on, turn.col(0), 1.0), 1.0);
+  const auto n = corner_normal<3>(floor, on, *margin_normal<3>(floor, on, turn.col(0), 1.0), 1.0);
   REQUIRE(n);
   CHECK((*n - turn.col(2)).norm() < 1e-6);
-  CHECK_FALSE(facing_normal<3>(floor, beside, *margin_normal<3>(floor, beside, turn.col(0), 1.0), 1.0));
+  CHECK_FALSE(corner_normal<3>(floor, beside, *margin_normal<3>(floor, beside, turn.col(0), 1.0), 1.0));
 }
 
 TEST_CASE("a face is flat if it is plane, wherever it ends", "[contact]") {
   for (const double angle : {0.0, 0.3, 2.1}) {
     const Vec<2> up(-std::sin(angle), std::cos(angle));
     auto face = block(angle, {-3, -3}, {3, 0}), end = block(angle, {-3, -3}, {0.5, 0});
-    CHECK(flat_face<2>(face, up, 0.02));
-    CHECK_FALSE(flat_face<2>(face, (up + 0.05 * Vec<2>(up[1], -up[0])).normalized(), 0.02));
-    CHECK(flat_face<2>(end, up, 0.02));
+    CHECK(is_flat_face<2>(face, up, 0.02));
+    CHECK_FALSE(is_flat_face<2>(face, (up + 0.05 * Vec<2>(up[1], -up[0])).normalized(), 0.02));
+    CHECK(is_flat_face<2>(end, up, 0.02));
   }
   ParticleSet<2> arc;  // of a disc with a radius of 20
   for (double t = -2.25; t < 2.5; t += 0.5) arc.add(Vec<2>(t, -0.25 - t * t / 40), 0.25 * Mat<2>::Identity());
-  CHECK_FALSE(flat_face<2>(arc, Vec<2>(0, 1), 0.02));
+  CHECK_FALSE(is_flat_face<2>(arc, Vec<2>(0, 1), 0.02));
 }
 
 TEST_CASE("rounding of the particles' places does not turn the margin normal", "[contact]") {
@@ -177,22 +177,22 @@ TEST_CASE("round faces that lie in each other have the gap between their curves"
   for (const double radius : {10.0, 20.0, 40.0}) {
     auto inner = arc(radius, -2, 0), outer = arc(radius, 0.3, 2);
     const double sagitta = 0.25 * 0.25 / 2 / radius;  // of a particle's edge
-    const double play = play_between<2>(inner, outer, up, 0.75, 0.06);
-    const double gap = -face_position<2>(outer, -up, 0.75) - face_position<2>(inner, up, 0.75) + play;
+    const double correction = gap_correction<2>(inner, outer, up, 0.75, 0.06);
+    const double gap = -face_position<2>(outer, -up, 0.75) - face_position<2>(inner, up, 0.75) + correction;
     CHECK(gap == Approx(0.3).margin(2 * sagitta));
-    CHECK(play > 8 * sagitta);
+    CHECK(correction > 8 * sagitta);
     // A hollow face on a flat one touches where it stands out, a round one in its middle.
     auto below = block(0, {-3, -3}, {3, 0}), above = block(0, {-3, 0.3}, {3, 3});
-    CHECK(play_between<2>(below, outer, up, 0.75, 0.06) < 1e-12);
-    CHECK(play_between<2>(inner, above, up, 0.75, 0.06) < 1e-12);
+    CHECK(gap_correction<2>(below, outer, up, 0.75, 0.06) < 1e-12);
+    CHECK(gap_correction<2>(inner, above, up, 0.75, 0.06) < 1e-12);
   }
 }
 
-TEST_CASE("flat faces and stairs have no play", "[contact]") {
+TEST_CASE("flat faces and stairs have no gap correction", "[contact]") {
   const Vec<2> up(0, 1);
   for (const double end : {0.0, 0.4, 3.0}) {
     auto below = block(0, {-3, -3}, {end, 0}), above = block(0, {-2.9, 0.1}, {3, 3});
-    CHECK(play_between<2>(below, above, up, 0.75, 0.06) == Approx(0).margin(1e-12));
+    CHECK(gap_correction<2>(below, above, up, 0.75, 0.06) == Approx(0).margin(1e-12));
   }
   // Stairs that fit into each other, seen along their slope
   ParticleSet<2> lower, upper;
@@ -201,8 +201,8 @@ TEST_CASE("flat faces and stairs have no play", "[contact]") {
       lower.add({x, x - y}, 0.25 * Mat<2>::Identity());
       upper.add({x, x + y}, 0.25 * Mat<2>::Identity());
     }
-  CHECK(play_between<2>(lower, upper, Vec<2>(-1, 1).normalized(), 0.75, 0.06) == 0.0);
+  CHECK(gap_correction<2>(lower, upper, Vec<2>(-1, 1).normalized(), 0.75, 0.06) == 0.0);
   auto floor = box(Mat<3>::Identity(), {-3, -3, -3}, {3, 3, 0}),
        lid = box(Mat<3>::Identity(), {-2.9, -3, 0}, {3, 3, 3});
-  CHECK(play_between<3>(floor, lid, Vec<3>::UnitZ(), 0.75, 0.06) == Approx(0).margin(1e-12));
+  CHECK(gap_correction<3>(floor, lid, Vec<3>::UnitZ(), 0.75, 0.06) == Approx(0).margin(1e-12));
 }

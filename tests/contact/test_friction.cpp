@@ -100,7 +100,7 @@ TEST_CASE("static friction holds until faces slide, and falls along the way they
     CHECK(friction(*law, 0.005) == Approx(0.6));
     CHECK(friction(*law, 0.02) == Approx(0.3));
     CHECK(friction(*given, 0.25) == Approx(0.5));
-    CHECK(law->remembers());
+    CHECK(law->has_memory());
     m.slip = 0, m.velocity = Vec3(-1, 0.69, 0);
     CHECK(law->response(m).status == ContactStatus::stick);
     m.velocity = Vec3(-1, 10, 0);

@@ -168,6 +168,30 @@ TEST_CASE("TM8: a dilating joint that cannot open is pressed", "[mohr]") {
   CHECK(fading.joint.Fn == near(-571897.4682311857));
 }
 
+TEST_CASE("stress-shear is the traction on body 2, which a shear displacement along it reduces", "[mohr]") {
+  auto both = joint(base + Properties{{"stress-shear", "2e4 3e4"}, {"cohesion", "1e9"}});
+  CHECK(both.joint.Fs.s == near(0.5 * 2e4));
+  CHECK(both.joint.Fs.t == near(0.5 * 3e4));
+  both.shear(1e-5, -1e-5);
+  CHECK(both.joint.Fs.s == near(0.5 * 2e4 - sA * 1e-5));
+  CHECK(both.joint.Fs.t == near(0.5 * 3e4 + sA * 1e-5));
+  const auto one = joint(base + Properties{{"stress-shear", "3e4"}, {"cohesion", "1e9"}});
+  CHECK(one.joint.Fs.s == 0);
+  CHECK(one.joint.Fs.t == near(0.5 * 3e4));
+}
+
+TEST_CASE("a positive dilation presses a joint between fixed faces in either direction of shear", "[mohr]") {
+  const Properties held = base + Properties{{"friction", "30"},
+                                            {"friction-residual", "30"},
+                                            {"dilation", "10"},
+                                            {"dilation-residual", "10"},
+                                            {"stress-normal", "-1e6"}};
+  auto forth = joint(held), back = joint(held);
+  forth.slide(200, 1e-5), back.slide(200, -1e-5);
+  CHECK(forth.joint.Fn < -0.5e6);
+  CHECK(back.joint.Fn == forth.joint.Fn);
+}
+
 TEST_CASE("TM9: pore pressure takes strength, not force", "[mohr]") {
   const Properties wet = base + Properties{{"friction", "30"}, {"friction-residual", "30"}, {"pore-pressure", "4e5"}};
   auto j = joint(wet + Properties{{"stress-normal", "-1e6"}});
@@ -408,7 +432,8 @@ TEST_CASE("Mohr says what is wrong with its properties", "[mohr]") {
   CHECK(complaints("Mohr", {{"slip", "1"}}).find("is a result") != std::string::npos);
   CHECK(complaints("Mohr", {{"cohesoin", "1"}}).find("did you mean 'cohesion'") != std::string::npos);
   CHECK(complaints("Mohr", {{"bond", ""}}).find("is not a property") != std::string::npos);
-  CHECK(complaints("Mohr", {{"stress-normal", "1"}, {"force-normal", "1"}}).find("say the same") != std::string::npos);
+  CHECK(complaints("Mohr", {{"stress-normal", "1"}, {"force-normal", "1"}}).find("exclude each other") !=
+        std::string::npos);
   const auto warned = complaints("Mohr", {{"friction", "30"}, {"cohesion", "1"}});
   CHECK(warned.find("warning: <friction-residual> is not given") != std::string::npos);
   CHECK(complaints("Mohr", {{"friction", "30"}, {"friction-residual", "0"}}).empty());

@@ -19,7 +19,7 @@ struct Row {
     for (int k = 0; k < 3; ++k) {
       ContactMember m;
       m.mass = mass[k], m.inverse_mass = 1 / mass[k];
-      m.trial = Vec3(velocity[k], 0, 0);
+      m.trial_velocity = Vec3(velocity[k], 0, 0);
       members.push_back(m);
     }
     for (const auto& [i, j, gap] : {std::tuple{0, 1, 0.0}, {0, 2, 1e9}, {1, 2, 0.0}}) {
@@ -63,8 +63,8 @@ TEST_CASE("many bodies with any frictional laws keep momentum and never gain ene
     double energy = 0;
     for (auto& m : members) {
       m.mass = std::exp(normal(random)), m.inverse_mass = 1 / m.mass;
-      m.trial = m.start = Vec3(normal(random), normal(random), normal(random));
-      momentum += m.mass * m.trial, energy += 0.5 * m.mass * m.trial.squaredNorm();
+      m.trial_velocity = m.start_velocity = Vec3(normal(random), normal(random), normal(random));
+      momentum += m.mass * m.trial_velocity, energy += 0.5 * m.mass * m.trial_velocity.squaredNorm();
     }
     std::vector<ContactPair> pairs;
     for (std::size_t a = 0; a < 4; ++a)

@@ -377,7 +377,7 @@ TEST_CASE("SpringNetwork says what is wrong with its properties", "[spring_netwo
   CHECK(says({{"sn_fa", "90"}}, "must be in [0, 90)"));
   CHECK(says({{"sn_ten", "-1"}}, ">= 0"));
   CHECK(says({{"sn_tentab", "1 0, 0.5 0"}}, "not sorted"));
-  CHECK(says({{"sn_tendc", "1"}, {"sn_tentab", "1 0, 0 1"}}, "say the same"));
+  CHECK(says({{"sn_tendc", "1"}, {"sn_tentab", "1 0, 0 1"}}, "exclude each other"));
   CHECK(says({{"emod", "1"}}, "compute-stiffness"));
   CHECK(says({{"compute-stiffness", "emod 1 posson 0.2"}}, "did you mean 'poisson'"));
   CHECK(says({{"compute-stiffness", "emod 1"}, {"kn", "1"}}, "leave one of them out"));

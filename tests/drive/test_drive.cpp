@@ -183,7 +183,7 @@ TEST_CASE("what is wrong with a drive is told at its place", "[drive]") {
   tells("<Drive material='steel'><Path>dt,Lxx\n1,x</Path></Drive>" + steel, "'x' is no number");
   tells("<Drive material='steel'><Path>dt,Lxx,sxx\n1,1,1</Path></Drive>" + steel, "sxx and Lxx");
   tells("<Drive material='steel'><Path file='nowhere.csv'/></Drive>" + steel, "cannot read the file");
-  tells("<Drive material='steel' test='oedometer' strain='1' temp='3'/>" + steel, "does not feel its temperature");
+  tells("<Drive material='steel' test='oedometer' strain='1' temp='3'/>" + steel, "does not depend on temperature");
   tells("<Drive material='steel' test='oedometer' strain='1'/><Thermal><EnergyCoupling/></Thermal>" + steel, "<Cv>");
   tells("<Drive contact='rub' test='oedometer'/>" + rubbing, "belongs to materials");
   tells("<Drive contact='rub'><Path>dt,N,vn\n1,1,1</Path></Drive>" + rubbing, "vn and N");

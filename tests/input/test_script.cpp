@@ -134,7 +134,7 @@ TEST_CASE("wrong commands do not hide wrong names of materials and properties", 
   CHECK(std::count(text.begin(), text.end(), '\n') == 2);
   CHECK_THAT(
       complaint("Material \"gum\",\"Gum\",\"Isotropic\"\nalpha 1\ndelIc 1\nDone\nGridHorizz 3"),
-      Contains("<delIc> belongs to a criterion for the growth of cracks that is not built") && !Contains("<alpha>"));
+      Contains("<delIc> belongs to a criterion for the growth of cracks that is not implemented") && !Contains("<alpha>"));
   // what was not reached may be what is missing
   CHECK_THAT(complaint("GlobalArchive velx,\"gum\"\nStop"), !Contains("there is no material"));
   // its properties and regions are right

@@ -188,7 +188,7 @@ TEST_CASE("what is wrong with a cracking solid is told", "[materials]") {
   CHECK(complaint(base).empty());
   CHECK_THAT(complaint(with(base, {{"II-Gc", "1"}})), Contains("<II-Gc> needs <tauc>"));
   CHECK_THAT(complaint(with(base, {{"SofteningI", "Lineer"}})), Contains("did you mean 'Linear'"));
-  CHECK_THAT(complaint(with(base, {{"SofteningII", "Exponential"}})), Contains("must be as <SofteningI>"));
+  CHECK_THAT(complaint(with(base, {{"SofteningII", "Exponential"}})), Contains("must equal <SofteningI>"));
   CHECK_THAT(complaint(with(base, {{"Initiation", "Tresca"}})), Contains("valid: MaxPrinciple"));
   CHECK(make_material("50", base)->largest_cell() == Approx(2 * 1 * 134.6153846 / 4));
   CHECK(make_material("50", rock)->largest_cell() == Approx(2 * 0.25 * 40 / 1));

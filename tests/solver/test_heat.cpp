@@ -18,8 +18,8 @@ Model heat_model(Kernel kernel) {
   return model;
 }
 
-double& temperature(Body<2>& body, std::size_t i) { return body.particles.column(*body.temperature)[i]; }
-double& temperature(Body<3>& body, std::size_t i) { return body.particles.column(*body.temperature)[i]; }
+double& temperature(Body<2>& body, std::size_t i) { return body.particles[body.temperature][i]; }
+double& temperature(Body<3>& body, std::size_t i) { return body.particles[body.temperature][i]; }
 
 template <int Dim>
 void set_temperature(Body<Dim>& body, const std::function<double(const Vec<Dim>&)>& f) {
@@ -133,7 +133,7 @@ TEST_CASE("what held nodes and fluxes supply is the heat gained", "[heat]") {
     ParticleCondition c;
     c.kind = ParticleCondition::Kind::heat_flux;
     c.where = rectangle(8, 16, 15.5, 16);
-    c.face = 3;
+    c.face = DomainFace::high_y;
     c.value.value = 7;
     model.particle_conditions.push_back(c);
     auto system = build_system<2>(model, lattice_seeds<2>(model, 8, 16));

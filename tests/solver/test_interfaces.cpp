@@ -97,8 +97,8 @@ void patch(const std::vector<Block>& blocks, double angle, double tilt, double a
   auto system = build_system<Dim>(model, turned<Dim>(model, blocks, angle, tilt));
   Stepper<Dim> stepper(model, system);
   stepper.advance(1e-6);
-  stepper.contact().each_touching(
-      [](const ContactPair& pair, const auto&, const auto&, double) { CHECK(pair.jointed); });
+  stepper.contact().each_closed_pair(
+      [](const ContactPair& pair, const auto&, const auto&, double) { CHECK(pair.replaced_by_joint); });
   stepper.damping().grid = 20;  // critical: 2 sqrt(k A (1/m + 1/m))
   for (int step = 0; step < 600; ++step) stepper.advance(2.5e-3);
   const JointSums sums = means(system, Vec3::UnitX());
@@ -106,7 +106,8 @@ void patch(const std::vector<Block>& blocks, double angle, double tilt, double a
   // What little moves on yet, nodes at the blocks' edges that hold next to no mass, is held by damping.
   const Measures upper = measure(system.bodies[1], false);
   const Vec<Dim> from = upper.centre.template head<Dim>() - Vec<Dim>::Constant(centre);
-  const double pull = a * upper.mass * from.dot(n) - stepper.damping().grid * upper.momentum.template head<Dim>().dot(n);
+  const double pull =
+      a * upper.mass * from.dot(n) - stepper.damping().grid * upper.momentum.template head<Dim>().dot(n);
   CHECK(pull == Approx(a * upper.mass * 2).epsilon(3e-3));
   CHECK(sums.opening == Approx(pull / (k * sums.area)).epsilon(1e-3));
   CHECK(std::abs(sums.shear) < 1e-3 * std::abs(sums.opening));
@@ -213,8 +214,8 @@ TEST_CASE("two jointed materials that turn do not load their joint", "[joints][i
   for (auto& body : system.bodies) {
     set_velocity<2>(body, [&](const Vec<2>& x) { return Vec<2>(omega * Vec<2>(centre - x[1], x[0] - centre)); });
     for (std::size_t i = 0; i < body.particles.size(); ++i)  // the spin that APIC keeps
-      body.particles.column(*body.affine + 1)[i] = -0.25 * omega,
-                                           body.particles.column(*body.affine + 2)[i] = 0.25 * omega;
+      body.particles[body.affine][1][i] = -0.25 * omega,
+                                           body.particles[body.affine][2][i] = 0.25 * omega;
   }
   Stepper<2> stepper(model, system);
   const int steps = 4000;
@@ -260,15 +261,16 @@ TEST_CASE("a joint on a rigid body holds, and its work is known", "[joints][inte
   Problems problems;
   Statement statement;
   model.materials[0].law = materials().find("RigidContact")->make(statement, {}, Units{}, problems);
-  model.materials[0].rigid_directions = 8;
+  model.materials[0].rigid_contact = true;
   model.materials[0].rigid_velocity[0].emplace("0.01", Origin{});
   model.materials[0].rigid_velocity[1].emplace("0.02", Origin{});
   auto system = build_system<2>(model, turned<2>(model, halves, 17 * degree));
   Stepper<2> stepper(model, system);
   for (int k = 0; k < 400; ++k) stepper.advance(2.5e-3);
   const double content = measure(system).kinetic + measure(system).stored + stepper.joints().energies().stored;
-  CHECK(stepper.contact().rigid_work == Approx(content).epsilon(0.02));
-  CHECK((stepper.contact().rigid_impulse - measure(system).momentum).norm() < 1e-9 * measure(system).momentum.norm());
+  CHECK(stepper.contact().ledger().rigid_work == Approx(content).epsilon(0.02));
+  CHECK((stepper.contact().ledger().rigid_impulse - measure(system).momentum).norm() <
+        1e-9 * measure(system).momentum.norm());
   CHECK(measure(system).momentum[1] > 0);
 }
 
@@ -331,7 +333,7 @@ TEST_CASE("joints between materials: a run that is saved and loaded goes on to t
   Stepper<2> stepper(model, system);
   for (int k = 0; k < 150; ++k) stepper.advance(1e-3);
   save_state({}, system, stepper).save(file);
-  stepper.contact().forget();
+  stepper.contact().clear_cache();
   auto other = slipping(model);
   Stepper<2> resumed(model, other);
   load_state(Checkpoint(file), other, resumed);

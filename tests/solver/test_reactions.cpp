@@ -16,7 +16,7 @@ int add_rigid(Model& model, double velocity, int mirrored = 0) {
   spec.name = "grip";
   Problems problems;
   spec.law = materials().find("Rigid")->make({}, {}, Units{}, problems);
-  spec.rigid_directions = 1;
+  spec.sets_velocity = {true, false, false};
   spec.rigid_velocity[0] = Expression(velocity);
   spec.mirrored = mirrored;
   model.materials.push_back(spec);
@@ -125,7 +125,7 @@ TEST_CASE("crossings of cells are counted", "[reactions]") {
   for (int k = 0; k < 300; ++k) stepper.advance(0.01);  // three cells along both axes, at the same time
   const auto& body = system.bodies[0];
   for (std::size_t i = 0; i < body.particles.size(); ++i) {
-    const double count = system.bodies[0].particles.column(*body.crossings)[i];
+    const double count = system.bodies[0].particles[body.crossings][i];
     CHECK(count >= 3);
     CHECK(count <= 6);
   }

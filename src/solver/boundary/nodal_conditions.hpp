@@ -27,7 +27,7 @@ class NodalConditions {
   void impose_update(NodeLayer& nodes, const Exchange<Dim>& exchange, double time, double dt, bool after_impose,
                      bool first);
   /// Removes the prescribed components from the increments of a velocity filter.
-  void release(NodeLayer& nodes) const;
+  void release(AlignedVector<FilterNode>& nodes) const;
 
   /// Reaction force of the last step by condition [force].
   const std::vector<Vec3>& reactions() const { return reactions_; }

@@ -2,6 +2,8 @@
 #include "solver/contact/contact.hpp"
 
 #include "base/parallel.hpp"
+#include "grid/kernels.hpp"
+#include "solver/contact/contact_view.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,188 +11,215 @@
 namespace tribo {
 namespace {
 
-// How far from a node particles matter for its faces [cells].
-double reach_of(Kernel kernel) {
-  return kernel == Kernel::cubic_spline ? 3.0 : kernel == Kernel::quadratic_spline ? 2.5 : 2.0;
+// Particles at most this far from a node determine its faces [cells].
+double particle_reach(Kernel kernel) { return reach_of(kernel) + 1.0; }
+
+bool keeps_start_impulses(Transfer transfer) {
+  return transfer == Transfer::flip || transfer == Transfer::blend || transfer == Transfer::xpic;
+}
+
+template <int Dim>
+std::vector<Body<Dim>*> bodies_with_field(System<Dim>& system) {
+  std::vector<Body<Dim>*> bodies;
+  for (auto* list : {&system.bodies, &system.rigids})
+    for (auto& body : *list)
+      if (body.field < system.fields.size()) bodies.push_back(&body);
+  return bodies;
+}
+
+// Laws that read displacements, slip or bonds need all particles near the node in every step.
+template <int Dim>
+bool can_keep_faces(const Model& model, const ContactLaws<Dim>& laws) {
+  return !laws.any_is_interface() && !laws.any_has_memory() && model.contact.separation == Separation::edges;
 }
 
 }  // namespace
+
 template <int Dim>
 Contact<Dim>::Contact(const Model& model, System<Dim>& system, const Transfers<Dim>& transfers, Cracks<Dim>& cracks)
     : model_(model),
       system_(system),
-      transfers_(transfers),
       cracks_(cracks),
-      field_count_(system.fields.size()),
-      cloud_(system.lattice, reach_of(model.scheme.kernel) * system.lattice.spacing.maxCoeff()),
+      laws_(model, system),
+      active_(system.fields.size() > 1),
+      keeps_start_impulses_(active_ && tribo::keeps_start_impulses(model.scheme.transfer)),
+      bodies_(bodies_with_field(system)),
+      cloud_(system.lattice, particle_reach(model.scheme.kernel) * system.lattice.spacing.maxCoeff()),
+      search_(system, laws_),
+      volumes_(system, transfers),
+      finder_(model, system, cloud_, laws_, bodies_),
+      cache_(system, active_ && can_keep_faces(model, laws_)),
+      node_impulses_(system, search_.found()),
       face_solver_(system),
-      h_(system.lattice.spacing.maxCoeff()) {
-  const std::size_t n = field_count_;
-  active_ = n > 1;
-  if (!active_) return;
-  const Transfer transfer = model.scheme.transfer;
-  keeps_start_ = transfer == Transfer::flip || transfer == Transfer::blend || transfer == Transfer::xpic;
-
-  laws_.assign(n * n, nullptr);
-  for (auto* list : {&system.bodies, &system.rigids})
-    for (auto& a : *list) {
-      if (a.field < n) bodies_.push_back(&a);
-      for (auto* others : {&system.bodies, &system.rigids})
-        for (const auto& b : *others) {
-          if (a.field >= n || b.field >= n || a.field == b.field) continue;
-          const ContactLaw* law = model.contact.law(a.material, b.material);
-          laws_[a.field * n + b.field] = law;
-          remembers_ = remembers_ || law->remembers();
-          interfaces_ = interfaces_ || law->interface();
-          needs_areas_ = needs_areas_ || law->uses_area();
-        }
-    }
-  needs_areas_ = needs_areas_ || model.heat.contact_heating || model.contact.normals != NormalMethod::margin;
-  // Laws that look at displacements or memories want all particles near, in every step.
-  keeps_faces_ = !interfaces_ && !remembers_ && model.contact.separation == Separation::edges;
-  scratch_.resize(256);
-  near_.assign(static_cast<std::size_t>(system.lattice.block_count()), 0);
-  shared_at_.assign(near_.size(), -1);
-}
+      memory_(system, search_, cloud_, bodies_),
+      ledger_(system),
+      h_(system.lattice.spacing.maxCoeff()) {}
 
 template <int Dim>
 void Contact<Dim>::locate() {
   if (!active_) return;
-  for (const auto& s : shared_) shared_at_[static_cast<std::size_t>(s.block)] = -1;
-  shared_.clear();
-  std::map<std::int64_t, std::vector<std::pair<std::size_t, int>>> users;
-  for (std::size_t f = 0; f < field_count_; ++f) {
-    const auto& map = system_.fields[f].map;
-    for (std::size_t slot = 0; slot < map.active().size(); ++slot)
-      users[map.active()[slot]].emplace_back(f, static_cast<int>(slot));
-  }
-  for (auto& [block, slots] : users) {
-    if (slots.size() < 2) continue;
-    shared_at_[static_cast<std::size_t>(block)] = static_cast<int>(shared_.size());
-    shared_.push_back({block, std::move(slots)});
-  }
-  forget();
-  record_.assign(shared_.size() * block_nodes<Dim>, -1);
-  nodes_.clear();
-}
-
-// Nodes that carry two or more fields, not all rigid.
-template <int Dim>
-void Contact<Dim>::list_nodes(const Exchanges<Dim>& exchanges) {
-  std::fill(record_.begin(), record_.end(), -1);
-  nodes_.clear(), members_.clear(), pairs_.clear();
-  for (std::size_t s = 0; s < shared_.size(); ++s) {
-    const SharedBlock& shared = shared_[s];
-    for (int local = 0; local < block_nodes<Dim>; ++local) {
-      int count = 0;
-      for (const auto& [f, slot] : shared.slots) {
-        const auto at = static_cast<std::int64_t>(slot) * block_nodes<Dim> + local;
-        const double m = system_.fields[f].nodes[static_cast<std::size_t>(at)].mass;
-        if (m > 0) ++count;
-      }
-      if (count < 2) continue;
-      ContactNode node{};
-      node.index = system_.fields[shared.slots[0].first].map.node_at(
-          static_cast<std::int64_t>(shared.slots[0].second) * block_nodes<Dim> + local);
-      node.number = static_cast<std::int64_t>(s) * block_nodes<Dim> + local;
-      node.first_member = members_.size(), node.first_pair = pairs_.size();
-      bool deformable = false;
-      for (const auto& [f, slot] : shared.slots) {
-        const auto at = static_cast<std::int64_t>(slot) * block_nodes<Dim> + local;
-        const double m = system_.fields[f].nodes[static_cast<std::size_t>(at)].mass;
-        if (!(m > 0)) continue;
-        const bool rigid = system_.fields[f].rigid_contact;
-        deformable = deformable || !rigid;
-        ContactMember member;
-        member.field = f, member.at = at, member.mass = m, member.inverse_mass = rigid ? 0.0 : 1.0 / m;
-        members_.push_back(member);
-      }
-      node.end_member = members_.size();
-      if (node.end_member - node.first_member < 2 || !deformable) {
-        members_.resize(node.first_member);
-        continue;
-      }
-      const ContactMember& first = members_[node.first_member];
-      node.mirrored = exchanges[first.field]->mirrored_axes(node.index);
-      node.share = exchanges[first.field]->ownership(first.at);
-      list_pairs(node);
-      record_[s * block_nodes<Dim> + static_cast<std::size_t>(local)] = static_cast<int>(nodes_.size());
-      nodes_.push_back(node);
-    }
-  }
-}
-
-// Bodies on the same side of all cracks meet by the law of their materials, fields on the two sides of one crack by
-// its.
-template <int Dim>
-void Contact<Dim>::list_pairs(ContactNode& node) {
-  for (std::size_t a = node.first_member; a < node.end_member; ++a)
-    for (std::size_t b = a + 1; b < node.end_member; ++b) {
-      const ContactMember &of_a = members_[a], &of_b = members_[b];
-      const int between = system_.fields[of_a.field].side ^ system_.fields[of_b.field].side;
-      if (of_a.inverse_mass + of_b.inverse_mass == 0.0 || between == 3) continue;
-      ContactPair pair;
-      pair.a = a, pair.b = b;
-      pair.state.mass = 1.0 / (of_a.inverse_mass + of_b.inverse_mass);
-      if (between == 0)
-        pair.law = law_of(of_a.field, of_b.field), node.bodies = true;
-      else
-        pair.crack = 0;  // meet_cracks() finds out which
-      pairs_.push_back(pair);
-    }
-  node.end_pair = pairs_.size();
+  search_.locate();
+  cache_.clear();
 }
 
 template <int Dim>
-void Contact<Dim>::meet_cracks() {
+void Contact<Dim>::find(const Exchanges<Dim>& exchanges, const Joints<Dim>& joints) {
+  if (!active_) return;
+  const auto lap = watch.lap();
+  search_.find(exchanges);
+  find_crack_faces();
+  const bool reused = cache_.reuse(search_.found(), bodies_);
+  const auto& nodes = search_.found().nodes;
+  const auto stale = std::count_if(nodes.begin(), nodes.end(), [](const auto& node) { return node.needs_faces; });
+  if (!reused || 2 * static_cast<std::size_t>(stale) > nodes.size())
+    find_faces(exchanges, true);
+  else if (stale > 0)
+    find_faces(exchanges, false);
+  cache_.count_step();
+  leave_to_joints(joints);
+  set_up_face_solver();
+}
+
+// Fills the pairs of crack faces with the laws and states of their cracks.
+template <int Dim>
+void Contact<Dim>::find_crack_faces() {
   if (!cracks_.active()) return;
-  cracks_.weigh();
-  parallel_for(static_cast<std::ptrdiff_t>(nodes_.size()), [&](std::ptrdiff_t k) {
-    const ContactNode& node = nodes_[static_cast<std::size_t>(k)];
-    for (ContactPair& pair : pairs_of(node)) {
+  cracks_.find_carrying_nodes();
+  auto& contacts = search_.found();
+  parallel_for(static_cast<std::ptrdiff_t>(contacts.nodes.size()), [&](std::ptrdiff_t k) {
+    const ContactNode<Dim>& node = contacts.nodes[static_cast<std::size_t>(k)];
+    for (ContactPair& pair : contacts.pairs_of(node)) {
       if (pair.crack < 0) continue;
-      const auto side = [&](std::size_t member) { return system_.fields[members_[member].field].side; };
-      pair.apart = !cracks_.meet(pair, node.index, side(pair.a), side(pair.b));
+      const auto side = [&](std::size_t member) { return system_.fields[contacts.members[member].field].side; };
+      pair.has_no_face = !cracks_.find_faces(pair, node.index, side(pair.a), side(pair.b));
       for (int d = 0; d < Dim; ++d)
-        if (node.mirrored >> d & 1) pair.state.normal[d] = 0.0;
-      pair.apart = pair.apart || !(pair.state.normal.norm() > 1e-6);
-      if (!pair.apart) pair.state.normal.normalize();
+        if (node.mirrored_axes >> d & 1) pair.state.normal[d] = 0.0;
+      pair.has_no_face = pair.has_no_face || !(pair.state.normal.norm() > 1e-6);
+      if (!pair.has_no_face) pair.state.normal.normalize();
     }
   });
 }
 
-// Volume, and its gradient in place of the force, of the bodies near meeting nodes: sum_p V_p grad w_Ip is the
-// integral of the shape function over the surface times the outward normal.
+// Finds the faces at all nodes, or at those whose kept faces are no longer valid.
 template <int Dim>
-void Contact<Dim>::scatter_volumes(const Exchanges<Dim>& exchanges) {
-  std::fill(near_.begin(), near_.end(), 0);
-  const auto& lattice = system_.lattice;
-  for (const auto& node : nodes_) {
-    if (!node.bodies) continue;
-    // A stencil that reaches the node begins at most three nodes below it; one more for drift.
-    Index<Dim> low, high;
-    for (std::size_t d = 0; d < Dim; ++d) {
-      low[d] = std::max(0, (node.index[d] - 5) / block_edge<Dim>);
-      high[d] = std::min(lattice.blocks[d] - 1, (node.index[d] + 1) / block_edge<Dim>);
+void Contact<Dim>::find_faces(const Exchanges<Dim>& exchanges, bool all) {
+  auto& contacts = search_.found();
+  cache_.begin_search(contacts, all);
+  collect_particles();
+  const bool bodies =
+      std::any_of(contacts.nodes.begin(), contacts.nodes.end(), [](const auto& node) { return node.between_bodies; });
+  if (bodies && (all || finder_.needs_volumes())) volumes_.scatter(contacts, bodies_, exchanges);
+  if (near_.size() < static_cast<std::size_t>(threads())) near_.resize(static_cast<std::size_t>(threads()));
+  parallel_for(static_cast<std::ptrdiff_t>(contacts.nodes.size()), [&](std::ptrdiff_t k) {
+    const ContactNode<Dim>& node = contacts.nodes[static_cast<std::size_t>(k)];
+    if (!node.needs_faces) return;
+    NearParticles<Dim>& near = near_[static_cast<std::size_t>(thread_index())];
+    for (std::size_t p = node.first_pair; p < node.end_pair; ++p) {
+      ContactPair& pair = contacts.pairs[p];
+      ContactFace& face = cache_.new_face(p);
+      if (!finder_.find(node, contacts.members, pair, face, near)) continue;
+      if (cache_.enabled()) cache_.store(face, near);
+      if (pair.law->has_memory()) memory_.read(node, pair, near);
     }
-    Index<Dim> b = low;
-    for (int z = Dim == 3 ? low[Dim - 1] : 0; z <= (Dim == 3 ? high[Dim - 1] : 0); ++z)
-      for (b[1] = low[1]; b[1] <= high[1]; ++b[1])
-        for (b[0] = low[0]; b[0] <= high[0]; ++b[0]) {
-          if constexpr (Dim == 3) b[2] = z;
-          near_[static_cast<std::size_t>(lattice.block_index(b))] = 1;
-        }
+  });
+  cache_.end_search(cloud_);
+}
+
+// Collects the particles around the nodes whose faces must be found, at their present positions.
+template <int Dim>
+void Contact<Dim>::collect_particles() {
+  cloud_.clear();
+  for (const auto& node : search_.found().nodes)
+    if (node.needs_faces) cloud_.request(node.index);
+  cloud_.collect(bodies_);
+}
+
+// A joint between two bodies replaces the contact law at all nodes that its points act on. Exception: where the common
+// face continues by more than a cell beyond the last joint, the contact law acts. There the normal of the face must be
+// nearly that of the joint: two bodies that also approach each other beyond the end of their common face have another
+// normal, and joint and face are about equally far from the node.
+template <int Dim>
+void Contact<Dim>::leave_to_joints(const Joints<Dim>& joints) {
+  if (model_.contact.joints.empty()) return;
+  constexpr double min_cosine = 0.866;  // between the normals of the joint and of the face
+  auto& contacts = search_.found();
+  parallel_for(static_cast<std::ptrdiff_t>(contacts.nodes.size()), [&](std::ptrdiff_t k) {
+    const ContactNode<Dim>& node = contacts.nodes[static_cast<std::size_t>(k)];
+    for (std::size_t p = node.first_pair; p < node.end_pair; ++p) {
+      ContactPair& pair = contacts.pairs[p];
+      if (pair.crack >= 0) continue;
+      const auto home = [&](std::size_t member) { return system_.fields[contacts.members[member].field].home; };
+      const auto joint = joints.nearest_joint(home(pair.a), home(pair.b), system_.lattice.position(node.index));
+      const ContactFace& face = cache_.face(p);
+      const bool beyond = !pair.has_no_face && pair.law->uses_face() && joint.distance > face.offset_along_face + h_ &&
+                          std::abs(face.normal.template head<Dim>().dot(joint.normal)) > min_cosine;
+      pair.replaced_by_joint = std::isfinite(joint.distance) && !beyond;
+    }
+  });
+}
+
+// Adds the pairs whose impulses act on faces, and those that share a node with them, to the face solver.
+template <int Dim>
+void Contact<Dim>::set_up_face_solver() {
+  if (!model_.contact.at_faces) return;
+  face_solver_.clear();
+  const auto has_face = [](const ContactPair& pair) {
+    return !pair.has_no_face && !pair.replaced_by_joint && pair.crack < 0 && pair.law->uses_face();
+  };
+  auto& contacts = search_.found();
+  for (ContactNode<Dim>& node : contacts.nodes) {
+    const auto pairs = contacts.pairs_of(node);
+    node.solved_on_faces = std::any_of(pairs.begin(), pairs.end(), has_face);
+    if (!node.solved_on_faces) continue;
+    for (ContactPair& pair : pairs) face_solver_.add(pair, contacts.members, node.index, has_face(pair));
   }
-  for (std::size_t f = 0; f < field_count_; ++f) {
-    auto& field = system_.fields[f];
-    field.volumes.resize(field.nodes.size());
-    std::fill(field.volumes.begin(), field.volumes.end(), Node{});
+}
+
+template <int Dim>
+void Contact<Dim>::apply(double dt, Pass pass) {
+  if (!active_) return;
+  const auto lap = watch.lap();
+  node_impulses_.apply(dt, pass);
+  face_solver_.apply(dt, pass);
+}
+
+template <int Dim>
+void Contact<Dim>::remove_start_impulses() {
+  if (!active_) return;
+  const auto lap = watch.lap();
+  face_solver_.remove();
+  node_impulses_.remove();
+}
+
+template <int Dim>
+void Contact<Dim>::constrain_increments(Pass pass) {
+  if (!active_) return;
+  node_impulses_.constrain_increments(pass);
+  face_solver_.constrain_increments(pass);
+}
+
+template <int Dim>
+void Contact<Dim>::record(double dt) {
+  if (!active_) return;
+  const auto lap = watch.lap();
+  auto& contacts = search_.found();
+  if (cracks_.active()) {
+    cracks_.begin_record();
+    for (const auto& node : contacts.nodes)
+      for (const ContactPair& pair : contacts.pairs_of(node))
+        if (pair.crack >= 0 && !pair.has_no_face) cracks_.record(pair, node.index);
+    cracks_.end_record();
   }
-  for (auto* body : bodies_) {
-    transfers_.scatter(*body, Target<Dim>(*body, system_.fields, &Field<Dim>::volumes), Scatter::volume, false,
-                       system_.analysis == Analysis::axisymmetric, &near_);
-  }
-  for (std::size_t f = 0; f < field_count_; ++f) exchanges[f]->sum_images(system_.fields[f].volumes);
+  ledger_.record(contacts, dt);
+  if (laws_.any_has_memory()) memory_.update();
+}
+
+template <int Dim>
+void Contact<Dim>::fill_view() {
+  if (!active_) return;
+  for (auto& node : search_.found().nodes) node.needs_faces = node.between_bodies;
+  collect_particles();
+  fill_contact_view<Dim>(system_, search_, cloud_, bodies_);
 }
 
 template class Contact<2>;

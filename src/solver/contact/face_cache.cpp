@@ -1,253 +1,204 @@
 // SPDX-License-Identifier: MIT
-/// Finds where fields meet, and keeps normals and areas for as long as they serve.
+#include "solver/contact/face_cache.hpp"
 
 #include "base/parallel.hpp"
-#include "solver/contact/contact.hpp"
+#include "solver/contact/face_geometry.hpp"
+#include "solver/contact/face_tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace tribo {
 namespace {
 
-// Faces are found anew when a particle may have moved this far [cells], or after so many steps; flat ones look the
-// same from everywhere, and where they go on all around the node no edge comes near it.
-constexpr double most_travel = 0.01, most_flat_travel = 0.05;
-constexpr double inside = 1.25;  // that far around [cells]
-constexpr int most_kept_steps = 200;
-// Or when they turn: their relief changes by this much [cells].
-constexpr double most_change = 0.01;
-// Particles of flat faces reach equally far, but for this [cells]: within the reach of a node that is a curvature whose
-// normals turn by 1e-3 along most_beside, less than most_change shows.
-constexpr double even = 0.02;
-// Cosine of the angle between the normals of a joint and of the face that goes on beyond it.
-constexpr double same_normal = 0.866;
+using namespace face_tolerance;
+
+// Curved faces are valid for this travel, flat ones for more, as their normal and area do not depend on the place from
+// which they are seen. The longest valid are flat faces that extend to all sides of the node, because no edge comes
+// near it meanwhile [cells].
+constexpr double curved_travel = 0.01, flat_travel = 0.05;
+// A face extends to all sides of the node if it has particles at this distance along the face all around it [cells].
+constexpr double surrounding_radius = 1.25;
+// All faces are found anew after this number of steps.
+constexpr int max_steps = 200;
+// A flat face is found anew if its depth range changes by this much: it has turned or bent [cells].
+constexpr double max_depth_change = 0.01;
+// The particles of a flat face reach equally far within this length. A face with that deviation within the reach of a
+// node has a curvature for which the normal turns by 1e-3 along max_valid_travel; that changes the depth range by less
+// than max_depth_change [cells].
+constexpr double flatness = 0.02;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
 template <int Dim>
-void Contact<Dim>::find(const Exchanges<Dim>& exchanges, const Joints<Dim>& joints) {
-  if (!active_) return;
-  const auto lap = watch.lap();
-  list_nodes(exchanges);
-  meet_cracks();
-  const bool kept = keeps_faces_ && kept_steps_ > 0 && !worn() && reuse_faces();
-  const auto stale = std::count_if(nodes_.begin(), nodes_.end(), [](const ContactNode& node) { return node.stale; });
-  if (!kept || 2 * static_cast<std::size_t>(stale) > nodes_.size())
-    find_faces(exchanges, true);
-  else if (stale > 0)
-    find_faces(exchanges, false);
-  kept_steps_ = keeps_faces_ ? kept_steps_ + 1 : 0;
-  leave_to_joints(joints);
-  gather_faces();
-}
-
-// Joints act wherever nodes feel them, but where the face goes on beyond the last joint by more than a cell. Where two
-// bodies reach each other beyond the end of their common face the normal may be another, and joint and face are
-// about equally far.
-template <int Dim>
-void Contact<Dim>::leave_to_joints(const Joints<Dim>& joints) {
-  if (model_.contact.joints.empty()) return;
-  parallel_for(static_cast<std::ptrdiff_t>(nodes_.size()), [&](std::ptrdiff_t k) {
-    const ContactNode& node = nodes_[static_cast<std::size_t>(k)];
-    for (std::size_t p = node.first_pair; p < node.end_pair; ++p) {
-      ContactPair& pair = pairs_[p];
-      if (pair.crack >= 0) continue;
-      const auto joint = joints.next(system_.fields[members_[pair.a].field].home,
-                                     system_.fields[members_[pair.b].field].home, system_.lattice.position(node.index));
-      const Faces& face = faces_[face_of_[p]];
-      const bool beyond = !pair.apart && pair.law->looks_at_faces() && joint.distance > face.beside + h_ &&
-                          std::abs(face.normal.template head<Dim>().dot(joint.normal)) > same_normal;
-      pair.jointed = std::isfinite(joint.distance) && !beyond;
-    }
-  });
-}
-
-// Finds the faces at all nodes or at the stale ones.
-template <int Dim>
-void Contact<Dim>::find_faces(const Exchanges<Dim>& exchanges, bool all) {
-  if (all) {
-    moved_ = 0.0, kept_steps_ = 0;
-    for (ContactNode& node : nodes_) node.stale = node.bodies;
-    faces_.resize(pairs_.size());
-    face_of_.resize(pairs_.size());
-    std::iota(face_of_.begin(), face_of_.end(), std::size_t{0});
-    kept_.clear();
-  }
-  collect();
-  const bool bodies = std::any_of(nodes_.begin(), nodes_.end(), [](const ContactNode& node) { return node.bodies; });
-  if (bodies && (all || needs_areas_)) scatter_volumes(exchanges);
-  parallel_for(static_cast<std::ptrdiff_t>(nodes_.size()), [&](std::ptrdiff_t k) {
-    const ContactNode& node = nodes_[static_cast<std::size_t>(k)];
-    if (!node.stale) return;
-    Scratch& scratch = scratch_[static_cast<std::size_t>(thread_index()) % scratch_.size()];
-    for (std::size_t p = node.first_pair; p < node.end_pair; ++p) {
-      Faces& found = faces_[face_of_[p]];
-      found.found = moved_, found.serves = most_travel, found.just_found = true;
-      face(node, pairs_[p], found, scratch);
-    }
-  });
-  if (keeps_faces_) number_kept();
-}
-
-// The particles near the stale nodes, as they are now.
-template <int Dim>
-void Contact<Dim>::collect() {
-  cloud_.begin();
-  for (const auto& node : nodes_)
-    if (node.stale) cloud_.want(node.index);
-  cloud_.collect(bodies_);
+bool FaceCache<Dim>::is_expired() const {
+  return travel_ > max_valid_travel || steps_ >= max_steps;
 }
 
 template <int Dim>
-bool Contact<Dim>::worn() const {
-  return moved_ > most_beside || kept_steps_ >= most_kept_steps;
+void FaceCache<Dim>::begin_search(ContactNodes<Dim>& contacts, bool all) {
+  if (!all) return;
+  travel_ = 0.0, steps_ = 0;
+  for (auto& node : contacts.nodes) node.needs_faces = node.between_bodies;
+  faces_.resize(contacts.pairs.size());
+  face_of_.resize(contacts.pairs.size());
+  std::iota(face_of_.begin(), face_of_.end(), std::size_t{0});
+  particles_.clear();
 }
 
-// Gives every pair the faces found before, and tells which nodes need new ones; false if some pair is new.
 template <int Dim>
-bool Contact<Dim>::reuse_faces() {
-  const auto place = [](std::int64_t number, std::size_t a, std::size_t b) { return std::tuple(number, a, b); };
+ContactFace& FaceCache<Dim>::new_face(std::size_t pair) {
+  ContactFace& face = faces_[face_of_[pair]];
+  face.found_travel = travel_, face.valid_travel = curved_travel, face.just_found = true;
+  return face;
+}
+
+// Finds the kept face of each pair; false if a pair has none. Pairs and faces are both sorted by node and fields.
+template <int Dim>
+bool FaceCache<Dim>::assign_faces(const ContactNodes<Dim>& contacts) {
+  const auto key = [](std::int64_t number, std::size_t a, std::size_t b) { return std::tuple(number, a, b); };
   std::size_t f = 0;
-  face_of_.resize(pairs_.size());
-  for (const ContactNode& node : nodes_)
+  face_of_.resize(contacts.pairs.size());
+  for (const auto& node : contacts.nodes)
     for (std::size_t p = node.first_pair; p < node.end_pair; ++p) {
-      const auto wanted = place(node.number, members_[pairs_[p].a].field, members_[pairs_[p].b].field);
-      const auto at = [&] { return place(faces_[f].node, faces_[f].a, faces_[f].b); };
-      while (f < faces_.size() && at() < wanted) ++f;
-      if (f == faces_.size() || at() != wanted) return false;
+      const ContactPair& pair = contacts.pairs[p];
+      const auto wanted = key(node.number, contacts.members[pair.a].field, contacts.members[pair.b].field);
+      const auto present = [&] { return key(faces_[f].node, faces_[f].a, faces_[f].b); };
+      while (f < faces_.size() && present() < wanted) ++f;
+      if (f == faces_.size() || present() != wanted) return false;
       face_of_[p] = f;
     }
+  return true;
+}
+
+template <int Dim>
+bool FaceCache<Dim>::reuse(ContactNodes<Dim>& contacts, const std::vector<Body<Dim>*>& bodies) {
+  if (!enabled_ || empty() || is_expired() || !assign_faces(contacts)) return false;
   domains_.clear();
-  for (auto* body : bodies_) domains_.emplace_back(*body);
-  parallel_for(static_cast<std::ptrdiff_t>(kept_.size()), [&](std::ptrdiff_t k) {
-    Kept& kept = kept_[static_cast<std::size_t>(k)];
-    kept.point = domains_[kept.label.body](kept.label.particle);
+  for (auto* body : bodies) domains_.emplace_back(*body);
+  parallel_for(static_cast<std::ptrdiff_t>(particles_.size()), [&](std::ptrdiff_t k) {
+    CachedParticle& particle = particles_[static_cast<std::size_t>(k)];
+    particle.domain = domains_[particle.label.body](particle.label.particle);
   });
-  parallel_for(static_cast<std::ptrdiff_t>(nodes_.size()), [&](std::ptrdiff_t k) {
-    ContactNode& node = nodes_[static_cast<std::size_t>(k)];
-    node.stale = false;
+  parallel_for(static_cast<std::ptrdiff_t>(contacts.nodes.size()), [&](std::ptrdiff_t k) {
+    ContactNode<Dim>& node = contacts.nodes[static_cast<std::size_t>(k)];
+    node.needs_faces = false;
     for (std::size_t p = node.first_pair; p < node.end_pair; ++p)
-      node.stale = !reuse(node, pairs_[p], faces_[face_of_[p]]) || node.stale;
+      node.needs_faces = !update_pair(node, contacts, contacts.pairs[p], faces_[face_of_[p]]) || node.needs_faces;
   });
   return true;
 }
 
-// Gives a pair the faces found before, with the gap of now; false if they no longer serve.
+// Gives a pair its kept face with the present gap; false if the face is no longer valid.
 template <int Dim>
-bool Contact<Dim>::reuse(const ContactNode& node, ContactPair& pair, const Faces& face) const {
+bool FaceCache<Dim>::update_pair(const ContactNode<Dim>& node, const ContactNodes<Dim>& contacts, ContactPair& pair,
+                                 const ContactFace& face) const {
   if (pair.crack >= 0) return true;
-  pair.apart = face.apart;
-  if (!pair.law->looks_at_faces()) return true;
-  // All faces of a kind become old at the same time: it takes one search for all.
-  const auto age = [&](double travel) { return std::floor(travel / face.serves); };
-  if (age(moved_) > age(face.found)) return false;
-  if (face.apart) return true;
-  if (face.count[0] > Faces::most || face.count[1] > Faces::most) return false;
+  pair.has_no_face = face.missing;
+  if (!pair.law->uses_face()) return true;
+  // Faces expire at multiples of their valid travel, whenever they were found. Then all faces with the same valid
+  // travel expire in the same step, and one search finds all of them.
+  const auto period = [&](double travel) { return std::floor(travel / face.valid_travel); };
+  if (period(travel_) > period(face.found_travel)) return false;
+  if (face.missing) return true;
+  if (face.count[0] > ContactFace::max_particles || face.count[1] > ContactFace::max_particles) return false;
   pair.state.normal = face.normal, pair.state.area = face.area;
   const Vec<Dim> centre = system_.lattice.position(node.index), n = face.normal.template head<Dim>();
   std::array<double, 2> positions;
   for (std::size_t side = 0; side < 2; ++side) {
     const Vec<Dim> out = side == 0 ? n : Vec<Dim>(-n);
-    constexpr double infinity = std::numeric_limits<double>::infinity();
     double most = -infinity, least = infinity, position = -infinity, nearest = infinity, of_nearest = -infinity;
     for (std::size_t k = 0; k < face.count[side]; ++k) {
-      const ParticleDomain<Dim>& point = kept_[face.corners[side][k]].point;
-      const double reach = point.reach(centre, out);
+      const ParticleDomain<Dim>& domain = particles_[face.particles[side][k]].domain;
+      const double reach = domain.reach(centre, out);
       most = std::max(most, reach), least = std::min(least, reach);
       if (reach <= position) continue;
-      const Vec<Dim> x = point.x - centre;
-      const double sideways = x.squaredNorm() - x.dot(n) * x.dot(n);
-      if (sideways <= band * band * h_ * h_) position = reach;
-      if (sideways < nearest) nearest = sideways, of_nearest = reach;
+      const Vec<Dim> x = domain.x - centre;
+      const double offset_squared = x.squaredNorm() - x.dot(n) * x.dot(n);
+      if (offset_squared <= band * band * h_ * h_) position = reach;
+      if (offset_squared < nearest) nearest = offset_squared, of_nearest = reach;
     }
-    if (face.flat && std::abs(most - least - face.relief[side]) > most_change * h_) return false;
-    if (position == -infinity) position = of_nearest;  // the node lies beside the face
+    if (face.flat && std::abs(most - least - face.depth_range[side]) > max_depth_change * h_) return false;
+    if (position == -infinity) position = of_nearest;  // no particle lies in the band: see face_position
     positions[side] = position;
   }
-  pair.state.gap = face.play - positions[0] - positions[1];
-  pair.face = face_between(pair, positions[0], -positions[1]);
+  pair.state.gap = face.gap_correction - positions[0] - positions[1];
+  pair.face_position =
+      common_face_position(contacts.members[pair.a], contacts.members[pair.b], positions[0], -positions[1]);
   return true;
 }
 
-// Keeps whatever may become the outermost particle before the faces are found again.
 template <int Dim>
-void Contact<Dim>::keep(Faces& kept, Scratch& s, const Vec<Dim>& n) const {
-  kept.flat = s.wide && flat_face<Dim>(s.sides[0], n, even * h_) && flat_face<Dim>(s.sides[1], -n, even * h_);
-  if (kept.flat) {
-    const bool all_around =
-        goes_on<Dim>(s.sides[0], n, inside * h_, even * h_) && goes_on<Dim>(s.sides[1], -n, inside * h_, even * h_);
-    kept.serves = all_around ? most_beside : most_flat_travel;
+void FaceCache<Dim>::store(ContactFace& face, NearParticles<Dim>& near) const {
+  const Vec<Dim> n = face.normal.template head<Dim>();
+  face.flat = near.wide && is_flat_face<Dim>(near.sides[0], n, flatness * h_) &&
+              is_flat_face<Dim>(near.sides[1], -n, flatness * h_);
+  if (face.flat) {
+    const bool surrounds_node = surrounds_line<Dim>(near.sides[0], n, surrounding_radius * h_, flatness * h_) &&
+                                surrounds_line<Dim>(near.sides[1], -n, surrounding_radius * h_, flatness * h_);
+    face.valid_travel = surrounds_node ? max_valid_travel : flat_travel;
   }
   for (std::size_t side = 0; side < 2; ++side) {
-    ParticleSet<Dim>& of = s.sides[side];
-    double most = -std::numeric_limits<double>::infinity(), least = -most;
+    ParticleSet<Dim>& of = near.sides[side];
+    double most = -infinity, least = infinity;
     const Vec<Dim> out = side == 0 ? n : Vec<Dim>(-n);
-    each_at_face(of, out, band * h_, kept.serves * h_, kept_depth * h_, [&](std::size_t i) {
+    each_particle_at_face(of, out, band * h_, face.valid_travel * h_, cached_depth * h_, [&](std::size_t i) {
       most = std::max(most, of.reach[i]), least = std::min(least, of.reach[i]);
-      const std::size_t k = kept.count[side]++;
-      if (k < Faces::most) kept.corners[side][k] = static_cast<std::uint32_t>(of.which[i]);
+      const std::size_t k = face.count[side]++;
+      if (k < ContactFace::max_particles) face.particles[side][k] = static_cast<std::uint32_t>(of.numbers[i]);
     });
-    kept.relief[side] = most - least;
+    face.depth_range[side] = most - least;
   }
 }
 
-// Lists the particles that make the faces just found in the order of the cloud, which is nearly that in memory; faces
-// share them. Drops those that no face needs any more once they are many.
+// Calls f(number) for the particles of the faces that were found in this step, or of the others.
 template <int Dim>
-void Contact<Dim>::number_kept() {
+template <class F>
+void FaceCache<Dim>::each_particle_number(bool just_found, F&& f) {
+  for (ContactFace& face : faces_)
+    for (std::size_t side = 0; side < 2 && face.just_found == just_found; ++side)
+      for (std::size_t k = 0; k < std::min(face.count[side], ContactFace::max_particles); ++k)
+        f(face.particles[side][k]);
+}
+
+// Replaces the numbers 0 to count - 1 of the particles of these faces by new_number(old number), called in ascending
+// order for the numbers that occur.
+template <int Dim>
+template <class F>
+void FaceCache<Dim>::renumber(bool just_found, std::size_t count, F&& new_number) {
   constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
-  const auto each_corner = [this](bool new_ones, auto&& f) {
-    for (Faces& face : faces_)
-      for (std::size_t side = 0; side < 2 && face.just_found == new_ones; ++side)
-        for (std::size_t k = 0; k < std::min(face.count[side], Faces::most); ++k) f(face.corners[side][k]);
-  };
-  const auto renumber = [&](bool new_ones, std::size_t count, auto&& move) {
-    kept_number_.assign(count, none);
-    each_corner(new_ones, [&](std::uint32_t corner) { kept_number_[corner] = 0; });
-    for (std::size_t k = 0; k < count; ++k)
-      if (kept_number_[k] != none) kept_number_[k] = static_cast<std::uint32_t>(move(k));
-    each_corner(new_ones, [&](std::uint32_t& corner) { corner = kept_number_[corner]; });
-  };
-  const bool many = 4 * kept_.size() > 5 * needed_;
-  if (many) {
-    std::size_t used = 0;
-    renumber(false, kept_.size(), [&](std::size_t k) { return kept_[used] = kept_[k], used++; });
-    kept_.resize(used);
-  }
-  const bool first = kept_.empty();
-  renumber(true, cloud_.size(), [&](std::size_t k) {
-    kept_.push_back({cloud_.label(k), cloud_.point(k)});
-    return kept_.size() - 1;
-  });
-  if (many || first) needed_ = kept_.size();
-  for (Faces& face : faces_) face.just_found = false;
+  new_numbers_.assign(count, none);
+  each_particle_number(just_found, [&](std::uint32_t number) { new_numbers_[number] = 0; });
+  for (std::size_t k = 0; k < count; ++k)
+    if (new_numbers_[k] != none) new_numbers_[k] = static_cast<std::uint32_t>(new_number(k));
+  each_particle_number(just_found, [&](std::uint32_t& number) { number = new_numbers_[number]; });
 }
 
-// Hands the pairs whose impulses act on faces, and those that share a node with them, to their solver.
+// Faces share particles. They are listed in the order of the cloud, which is nearly that in memory. Particles that no
+// face needs any more are removed once there are many.
 template <int Dim>
-void Contact<Dim>::gather_faces() {
-  if (!model_.contact.at_faces) return;
-  face_solver_.clear();
-  const auto has_face = [](const ContactPair& pair) {
-    return !pair.apart && !pair.jointed && pair.crack < 0 && pair.law->looks_at_faces();
-  };
-  for (ContactNode& node : nodes_) {
-    const auto pairs = pairs_of(node);
-    node.by_faces = std::any_of(pairs.begin(), pairs.end(), has_face);
-    if (!node.by_faces) continue;
-    for (ContactPair& pair : pairs) face_solver_.add(pair, members_, node.index, has_face(pair));
+void FaceCache<Dim>::end_search(const ParticleCloud<Dim>& cloud) {
+  if (!enabled_) return;
+  const bool many_unused = 4 * particles_.size() > 5 * compact_size_;
+  if (many_unused) {
+    std::size_t used = 0;
+    renumber(false, particles_.size(), [&](std::size_t k) { return particles_[used] = particles_[k], used++; });
+    particles_.resize(used);
   }
+  const bool first = particles_.empty();
+  renumber(true, cloud.size(), [&](std::size_t k) {
+    particles_.push_back({cloud.label(k), cloud.domain(k)});
+    return particles_.size() - 1;
+  });
+  if (many_unused || first) compact_size_ = particles_.size();
+  for (ContactFace& face : faces_) face.just_found = false;
 }
 
-template void Contact<2>::find(const Exchanges<2>&, const Joints<2>&);
-template bool Contact<2>::worn() const;
-template void Contact<2>::collect();
-template void Contact<2>::keep(Faces&, Scratch&, const Vec<2>&) const;
-template void Contact<3>::find(const Exchanges<3>&, const Joints<3>&);
-template bool Contact<3>::worn() const;
-template void Contact<3>::collect();
-template void Contact<3>::keep(Faces&, Scratch&, const Vec<3>&) const;
+template class FaceCache<2>;
+template class FaceCache<3>;
 
 }  // namespace tribo

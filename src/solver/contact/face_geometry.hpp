@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// Where two clouds of particles face each other: normal and gap at a node.
+/// Normals, positions and shapes of the faces of two sets of particle domains near a node. All positions are relative
+/// to the node.
 #pragma once
 
 #include "solver/contact/particle_set.hpp"
@@ -11,7 +12,7 @@
 
 namespace tribo {
 
-/// Unit vectors across a unit vector that lie evenly around it.
+/// Unit vectors normal to the unit vector n, at equal angles around it.
 template <int Dim>
 std::array<Vec<Dim>, Dim> directions_around(const Vec<Dim>& n) {
   if constexpr (Dim == 2) {
@@ -24,60 +25,70 @@ std::array<Vec<Dim>, Dim> directions_around(const Vec<Dim>& n) {
   }
 }
 
-/// Shortest vector from the convex hull of a's domains to that of b's, domains scaled by `share`; nothing if they
-/// overlap. Wolfe, "Finding the nearest point in a polytope", Math. Programming 11 (1976) 128-149. `guess`: direction
-/// from a to b to begin with.
+/// Shortest vector from the convex hull of the domains of a to that of the domains of b [length], the domains scaled
+/// about their centres by `scale`; nothing if the hulls overlap. `guess`: estimate of the direction from a to b. Wolfe,
+/// "Finding the nearest point in a polytope", Math. Programming 11 (1976) 128-149.
 template <int Dim>
-std::optional<Vec<Dim>> shortest_vector(ParticleSet<Dim>& a, ParticleSet<Dim>& b, double share, const Vec<Dim>& guess);
+std::optional<Vec<Dim>> shortest_vector(ParticleSet<Dim>& a, ParticleSet<Dim>& b, double scale, const Vec<Dim>& guess);
 
-/// Unit normal of largest margin from a to b, or nothing if no plane parts the clouds. Its plane has all of a on one
-/// side and all of b on the other, as far from both as possible: exact for flat faces, their corners and edges.
+/// Unit normal, from a to b, of the plane that separates the two sets with the largest margin; nothing if no plane
+/// separates them. It is exact for flat faces, and for corners and edges opposite a flat face. `guess`: estimate of the
+/// normal; `length`: cell size [length].
 template <int Dim>
 std::optional<Vec<Dim>> margin_normal(ParticleSet<Dim>& a, ParticleSet<Dim>& b, const Vec<Dim>& guess, double length);
 
-/// The normal along which faces can press: `n`, unless it joins two corners (or edges) narrower than half a `length`.
-/// Then that of the particles' sides there with the largest gap and with faces opposite each other. A corner that
-/// slides past another one has none: touching in a point, they do not stop each other.
+/// The contact normal where two corners or edges may face each other. It is the normal of largest margin `n`, unless
+/// both sides are corners along n, that is narrower than half a cell. Then it is the normal of that side of the
+/// foremost particle domains for which the gap is largest and parts of both sets are opposite each other. Nothing if
+/// there is no such side: a corner that slides past another one touches it in a point only and is not stopped by it.
+/// `length`: cell size.
 template <int Dim>
-std::optional<Vec<Dim>> facing_normal(ParticleSet<Dim>& a, ParticleSet<Dim>& b, const Vec<Dim>& n, double length);
+std::optional<Vec<Dim>> corner_normal(ParticleSet<Dim>& a, ParticleSet<Dim>& b, const Vec<Dim>& n, double length);
 
-/// Whether the faces along n are wide: then facing_normal gives n. Quick, and true only if it is sure.
+/// Whether one of the two faces along n is certainly wide, so that corner_normal() gives n. A quick test: it may be
+/// false for wide faces. `length`: cell size.
 template <int Dim>
-bool wide_faces(ParticleSet<Dim>& a, ParticleSet<Dim>& b, const Vec<Dim>& n, double length);
+bool are_wide_faces(ParticleSet<Dim>& a, ParticleSet<Dim>& b, const Vec<Dim>& n, double length);
 
-/// Whether a side's foremost particles along `out` make a plane face, even to `even`, wherever it ends.
+/// Whether the foremost particles along the unit vector `out` form a plane face normal to `out`, up to deviations of
+/// `flatness` [length]. The face may end within the set.
 template <int Dim>
-bool flat_face(ParticleSet<Dim>& side, const Vec<Dim>& out, double even);
+bool is_flat_face(ParticleSet<Dim>& side, const Vec<Dim>& out, double flatness);
 
-/// Whether such a face goes on all around the node, `radius` away from the line through it along `out`.
+/// Whether a flat face has particles at the distance `radius` from the line through the node along `out` in all
+/// directions [length].
 template <int Dim>
-bool goes_on(ParticleSet<Dim>& side, const Vec<Dim>& out, double radius, double even);
+bool surrounds_line(ParticleSet<Dim>& side, const Vec<Dim>& out, double radius, double flatness);
 
-/// Logistic (or only linear) regression of the classes a = -1, b = 1. Nairn, Hammerquist & Smith, "New material point
+/// Unit normal from a to b by logistic (or only linear) regression of the classes a = -1, b = 1 on the positions of the
+/// particles; nothing if it is undetermined. `length`: cell size. Nairn, Hammerquist & Smith, "New material point
 /// method contact algorithms for improved accuracy, large-deformation problems, and proper null-space filtering",
 /// CMAME 362 (2020) 112859.
 template <int Dim>
 std::optional<Vec<Dim>> regression_normal(const ParticleSet<Dim>& a, const ParticleSet<Dim>& b, bool logistic,
                                           double length);
 
-/// Position of the face along n: of a, the largest reach, of b, the smallest (pass -n and negate). Only particles with
-/// a tangential distance from the node below `band` count; if there are none, those that come nearest.
+/// Position of the face of a set along the unit vector n, from the node: the largest reach of its domains [length]. For
+/// the second side of a pair pass -n and change the sign of the result. Only particles whose distance from the line
+/// through the node along n is at most `band` [length] count; if there are none, the nearest ones.
 template <int Dim>
 double face_position(ParticleSet<Dim>& side, const Vec<Dim>& n, double band);
 
-/// How much wider the gap between two faces is, where they lie opposite each other, than that between their positions:
-/// a hollow face stands out at the band's ends, but there a round one that lies in it stands back. 0 if the faces are
-/// not smooth: if that is more than `most`.
+/// Correction of the gap between curved faces, such as a shaft in its bearing: the smallest gap between domains
+/// opposite each other minus the gap between the face positions [length]. The face position of a concave face is that
+/// at the ends of the band, where a convex face that lies in it is farther back. 0 if the faces are not smooth, which
+/// is assumed if the correction would exceed `max` [length], and if their curvatures have different signs.
 template <int Dim>
-double play_between(ParticleSet<Dim>& a, ParticleSet<Dim>& b, const Vec<Dim>& n, double band, double most);
+double gap_correction(ParticleSet<Dim>& a, ParticleSet<Dim>& b, const Vec<Dim>& n, double band, double max);
 
-/// Calls f(i) for the particles that reach within `depth` of that face, also `beside` the band.
+/// Calls f(i) for the particles whose reach along n is at most `depth` less than the face position, in the band widened
+/// by `margin` [length].
 template <int Dim, class F>
-void each_at_face(ParticleSet<Dim>& side, const Vec<Dim>& n, double band, double beside, double depth, F&& f) {
-  const double face = face_position<Dim>(side, n, band);  // leaves `reach` and `sideways`
-  const double limit = side.band_limit(n, band + beside);
+void each_particle_at_face(ParticleSet<Dim>& side, const Vec<Dim>& n, double band, double margin, double depth, F&& f) {
+  const double face = face_position<Dim>(side, n, band);  // computes reach and offset_squared
+  const double limit = side.band_limit(n, band + margin);
   for (std::size_t i = 0; i < side.size(); ++i)
-    if (side.reach[i] >= face - depth && side.sideways[i] <= limit) f(i);
+    if (side.reach[i] >= face - depth && side.offset_squared[i] <= limit) f(i);
 }
 
 }  // namespace tribo

@@ -6,73 +6,77 @@
 namespace tribo {
 namespace {
 
-constexpr int first_sweeps = 5;  // in which all rows answer at once: those that share nodes share the pressure
-constexpr int most_sweeps = 50;
+// In Jacobi sweeps the laws of all pairs read the same velocities, so that pairs that share nodes also share the
+// pressure evenly. Gauss-Seidel sweeps alone would load the first ones most.
+constexpr int jacobi_sweeps = 5;
+constexpr int max_gauss_seidel_sweeps = 50;
 constexpr double tolerance = 1e-8;  // of the impulses, relative
 
 }  // namespace
 
 template <int Dim>
 void FaceSolver<Dim>::clear() {
-  number_.resize(system_.fields.size());
-  for (const Point& p : points_)
-    if (static_cast<std::size_t>(p.at) < number_[p.field].size()) number_[p.field][static_cast<std::size_t>(p.at)] = -1;
-  for (std::size_t f = 0; f < number_.size(); ++f) number_[f].resize(system_.fields[f].nodes.size(), -1);
-  rows_.clear(), terms_.clear(), points_.clear();
+  dof_of_.resize(system_.fields.size());
+  for (const NodalVelocity& p : dofs_)
+    if (static_cast<std::size_t>(p.node) < dof_of_[p.field].size())
+      dof_of_[p.field][static_cast<std::size_t>(p.node)] = -1;
+  for (std::size_t f = 0; f < dof_of_.size(); ++f) dof_of_[f].resize(system_.fields[f].nodes.size(), -1);
+  constraints_.clear(), terms_.clear(), dofs_.clear();
 }
 
 template <int Dim>
-std::size_t FaceSolver<Dim>::point(std::size_t field, std::int64_t at) {
-  int& number = number_[field][static_cast<std::size_t>(at)];
+std::size_t FaceSolver<Dim>::dof(std::size_t field, std::int64_t at) {
+  int& number = dof_of_[field][static_cast<std::size_t>(at)];
   if (number < 0) {
-    number = static_cast<int>(points_.size());
-    points_.push_back({field, at, 1.0 / system_.fields[field].nodes[static_cast<std::size_t>(at)].mass});
+    number = static_cast<int>(dofs_.size());
+    dofs_.push_back({field, at, 1.0 / system_.fields[field].nodes[static_cast<std::size_t>(at)].mass});
   }
   return static_cast<std::size_t>(number);
 }
 
 template <int Dim>
 void FaceSolver<Dim>::add(ContactPair& pair, std::span<const ContactMember> members, const Index<Dim>& index,
-                          bool mirrored) {
-  Row row{&pair, terms_.size(), 0};
+                          bool has_face) {
+  Constraint c{&pair, terms_.size(), 0};
   const ContactMember &a = members[pair.a], &b = members[pair.b];
   for (const auto* m : {&a, &b}) {
     const double sign = m == &a ? -1.0 : 1.0;
     if (m->inverse_mass == 0.0) {
-      const Node& node = system_.fields[m->field].nodes[static_cast<std::size_t>(m->at)];
-      row.rigid += sign * Eigen::Map<const Vec3>(node.velocity);
+      const Node& node = system_.fields[m->field].nodes[static_cast<std::size_t>(m->node)];
+      c.rigid_velocity += sign * Eigen::Map<const Vec3>(node.velocity);
       continue;
     }
-    terms_.push_back({point(m->field, m->at), sign});
-    if (mirrored) add_image(pair, *m, index);
+    terms_.push_back({dof(m->field, m->node), sign});
+    if (has_face) add_image(pair, *m, index);
   }
-  row.end = terms_.size();
-  double alone = 0.0, among = 0.0;
-  for (std::size_t t = row.first; t < row.end; ++t) {
-    const double inverse_mass = points_[terms_[t].point].inverse_mass;
-    among += std::abs(terms_[t].share) * inverse_mass;
-    for (std::size_t u = row.first; u < row.end; ++u)  // a node may be its own image
-      if (terms_[u].point == terms_[t].point) alone += terms_[t].share * terms_[u].share * inverse_mass;
+  c.end_term = terms_.size();
+  double effective = 0.0, lumped = 0.0;  // inverse masses
+  for (std::size_t t = c.first_term; t < c.end_term; ++t) {
+    const double inverse_mass = dofs_[terms_[t].dof].inverse_mass;
+    lumped += std::abs(terms_[t].weight) * inverse_mass;
+    for (std::size_t u = c.first_term; u < c.end_term; ++u)  // a node may be among the nodes of its own image
+      if (terms_[u].dof == terms_[t].dof) effective += terms_[t].weight * terms_[u].weight * inverse_mass;
   }
-  row.mass_alone = 1.0 / alone, row.mass_among = 1.0 / among;
-  rows_.push_back(row);
+  c.effective_mass = 1.0 / effective, c.lumped_mass = 1.0 / lumped;
+  constraints_.push_back(c);
 }
 
-// Gives half of the last term's share to the node's mirror image, between the nodes there.
+// Moves half of the weight of the last term to the mirror image of its node in the face. The velocity at the image is
+// interpolated linearly between the nodes of the cell that contains it.
 template <int Dim>
 void FaceSolver<Dim>::add_image(const ContactPair& pair, const ContactMember& member, const Index<Dim>& index) {
   const auto& field = system_.fields[member.field];
   Index<Dim> low;
-  Vec<Dim> part;
+  Vec<Dim> fraction;
   for (int d = 0; d < Dim; ++d) {
     const auto k = static_cast<std::size_t>(d);
-    double at = index[k] + 2 * pair.face * pair.state.normal[d] / field.map.lattice().spacing[d];
-    if (std::abs(at - std::round(at)) < 1e-9) at = std::round(at);  // a face along the grid, whatever round-off says
+    double at = index[k] + 2 * pair.face_position * pair.state.normal[d] / field.map.lattice().spacing[d];
+    if (std::abs(at - std::round(at)) < 1e-9) at = std::round(at);  // an image on a grid line, but for round-off
     low[k] = static_cast<int>(std::floor(at));
-    part[d] = at - std::floor(at);
+    fraction[d] = at - std::floor(at);
   }
   const std::size_t first = terms_.size();
-  const double half = 0.5 * terms_[first - 1].share;
+  const double half = 0.5 * terms_[first - 1].weight;
   double total = 0.0;
   for (int corner = 0; corner < 1 << Dim; ++corner) {
     Index<Dim> n = low;
@@ -80,110 +84,120 @@ void FaceSolver<Dim>::add_image(const ContactPair& pair, const ContactMember& me
     for (int d = 0; d < Dim; ++d) {
       const int up = corner >> d & 1;
       n[static_cast<std::size_t>(d)] += up;
-      w *= up != 0 ? part[d] : 1.0 - part[d];
+      w *= up != 0 ? fraction[d] : 1.0 - fraction[d];
     }
     const std::int64_t at = w > 0 ? field.map.node(n) : -1;
     if (at < 0 || !(field.nodes[static_cast<std::size_t>(at)].mass > 0)) continue;
-    terms_.push_back({point(member.field, at), w});
+    terms_.push_back({dof(member.field, at), w});
     total += w;
   }
   if (total == 0.0) return;
-  terms_[first - 1].share = half;
-  for (std::size_t t = first; t < terms_.size(); ++t) terms_[t].share *= half / total;
+  terms_[first - 1].weight = half;
+  for (std::size_t t = first; t < terms_.size(); ++t) terms_[t].weight *= half / total;
 }
 
 template <int Dim>
 template <class Value>
-Vec3 FaceSolver<Dim>::sum(const Row& row, Value&& value) const {
+Vec3 FaceSolver<Dim>::weighted_sum(const Constraint& c, Value&& value) const {
   Vec3 out = Vec3::Zero();
-  for (std::size_t t = row.first; t < row.end; ++t) out += terms_[t].share * value(points_[terms_[t].point]);
+  for (std::size_t t = c.first_term; t < c.end_term; ++t) out += terms_[t].weight * value(dofs_[terms_[t].dof]);
   return out;
 }
 
-// The law's answer to the velocity without the row's own impulse, if the impulse moves `mass`.
+// Computes the impulse of a pair by its law from the velocity without that impulse. `mass`: impulse over the change of
+// relative velocity that the law shall assume.
 template <int Dim>
-void FaceSolver<Dim>::ask(Row& row, double mass) {
-  ContactPair& pair = *row.pair;
+void FaceSolver<Dim>::update_impulse(Constraint& c, double mass) {
+  ContactPair& pair = *c.pair;
   ContactState& m = pair.state;
   m.mass = mass;
-  pair.after = row.trial + sum(row, [](const Point& p) { return p.change; });
-  m.velocity = pair.after + pair.impulse / mass;
+  pair.final_velocity = c.trial_velocity + weighted_sum(c, [](const NodalVelocity& p) { return p.change; });
+  m.velocity = pair.final_velocity + pair.impulse / mass;
   pair.response = pair.law->response(m);
-  row.more = pair.response.impulse - pair.impulse;
+  c.impulse_change = pair.response.impulse - pair.impulse;
   pair.impulse = pair.response.impulse;
 }
 
+// Applies an impulse of a pair to the nodes, with the weights that their velocities have in its relative velocity. As
+// the weights of one side sum to one, momentum is conserved.
 template <int Dim>
-void FaceSolver<Dim>::push(const Row& row, const Vec3& impulse) {
-  for (std::size_t t = row.first; t < row.end; ++t) {
-    Point& p = points_[terms_[t].point];
-    p.change -= terms_[t].share * p.inverse_mass * impulse;
+void FaceSolver<Dim>::distribute(const Constraint& c, const Vec3& impulse) {
+  for (std::size_t t = c.first_term; t < c.end_term; ++t) {
+    NodalVelocity& p = dofs_[terms_[t].dof];
+    p.change -= terms_[t].weight * p.inverse_mass * impulse;
   }
 }
 
-// Sweeps of Jacobi's kind, then projected Gauss-Seidel, forward and backward in turn.
+// Projected Jacobi sweeps, then projected Gauss-Seidel sweeps, forward and backward in turn.
 template <int Dim>
-void FaceSolver<Dim>::solve(bool update) {
-  const auto silent = [&](const Row& row) {
-    return row.pair->apart || row.pair->jointed || (!update && row.pair->law->interface());
+void FaceSolver<Dim>::solve(ContactPass pass) {
+  const auto is_inactive = [&](const Constraint& c) {
+    return c.pair->has_no_face || c.pair->replaced_by_joint ||
+           (pass == ContactPass::predictor && c.pair->law->is_interface());
   };
-  for (int sweep = 0; sweep < first_sweeps; ++sweep) {
-    for (Row& row : rows_)
-      if (!silent(row)) ask(row, row.mass_among);
-    for (Row& row : rows_)
-      if (!silent(row)) push(row, row.more);
+  for (int sweep = 0; sweep < jacobi_sweeps; ++sweep) {
+    for (Constraint& c : constraints_)
+      if (!is_inactive(c)) update_impulse(c, c.lumped_mass);
+    for (Constraint& c : constraints_)
+      if (!is_inactive(c)) distribute(c, c.impulse_change);
   }
-  for (int sweep = 0; sweep < most_sweeps; ++sweep) {
+  for (int sweep = 0; sweep < max_gauss_seidel_sweeps; ++sweep) {
     double change = 0.0, size = 0.0;
-    for (std::size_t k = 0; k < rows_.size(); ++k) {
-      Row& row = rows_[sweep % 2 == 0 ? k : rows_.size() - 1 - k];
-      if (silent(row)) continue;
-      ask(row, row.mass_alone);
-      push(row, row.more);
-      change += row.more.squaredNorm(), size += row.pair->impulse.squaredNorm();
+    for (std::size_t k = 0; k < constraints_.size(); ++k) {
+      Constraint& c = constraints_[sweep % 2 == 0 ? k : constraints_.size() - 1 - k];
+      if (is_inactive(c)) continue;
+      update_impulse(c, c.effective_mass);
+      distribute(c, c.impulse_change);
+      change += c.impulse_change.squaredNorm(), size += c.pair->impulse.squaredNorm();
     }
     if (change <= tolerance * tolerance * size) break;
   }
-  for (Row& row : rows_) row.pair->after = row.trial + sum(row, [](const Point& p) { return p.change; });
+  for (Constraint& c : constraints_)
+    c.pair->final_velocity = c.trial_velocity + weighted_sum(c, [](const NodalVelocity& p) { return p.change; });
 }
 
 template <int Dim>
-void FaceSolver<Dim>::meet(double dt, bool update) {
-  const auto node = [&](const Point& p) -> Node& {
-    return system_.fields[p.field].nodes[static_cast<std::size_t>(p.at)];
+void FaceSolver<Dim>::apply(double dt, ContactPass pass) {
+  const auto node = [&](const NodalVelocity& p) -> Node& {
+    return system_.fields[p.field].nodes[static_cast<std::size_t>(p.node)];
   };
-  for (Point& p : points_) p.change.setZero();
-  for (Row& row : rows_) {
-    row.trial = row.rigid + sum(row, [&](const Point& p) { return Vec3(Eigen::Map<const Vec3>(node(p).velocity)); });
-    ContactState& m = row.pair->state;
+  for (NodalVelocity& p : dofs_) p.change.setZero();
+  for (Constraint& c : constraints_) {
+    c.trial_velocity = c.rigid_velocity + weighted_sum(c, [&](const NodalVelocity& p) {
+                         return Vec3(Eigen::Map<const Vec3>(node(p).velocity));
+                       });
+    ContactState& m = c.pair->state;
     m.dt = dt;
-    m.start = row.trial;
-    if (update)
-      m.start -= dt * sum(row, [&](const Point& p) { return Vec3(Eigen::Map<const Vec3>(node(p).acceleration)); });
-    row.pair->impulse.setZero(), row.pair->response = {};
+    m.start = c.trial_velocity;
+    if (pass == ContactPass::corrector)
+      m.start -= dt * weighted_sum(c, [&](const NodalVelocity& p) {
+                   return Vec3(Eigen::Map<const Vec3>(node(p).acceleration));
+                 });
+    c.pair->impulse.setZero(), c.pair->response = {};
   }
-  solve(update);
-  for (const Point& p : points_) {
+  solve(pass);
+  for (const NodalVelocity& p : dofs_) {
     Eigen::Map<Vec3>(node(p).velocity) += p.change;
-    if (update) Eigen::Map<Vec3>(node(p).acceleration) += p.change / dt;
+    if (pass == ContactPass::corrector) Eigen::Map<Vec3>(node(p).acceleration) += p.change / dt;
   }
 }
 
 template <int Dim>
-void FaceSolver<Dim>::part() {
-  for (const Point& p : points_)
-    Eigen::Map<Vec3>(system_.fields[p.field].nodes[static_cast<std::size_t>(p.at)].velocity) -= p.change;
+void FaceSolver<Dim>::remove() {
+  for (const NodalVelocity& p : dofs_)
+    Eigen::Map<Vec3>(system_.fields[p.field].nodes[static_cast<std::size_t>(p.node)].velocity) -= p.change;
 }
 
 template <int Dim>
-void FaceSolver<Dim>::refine(bool update) {
-  const auto increment = [&](const Point& p) {
-    return Eigen::Map<Vec3>(system_.fields[p.field].filter[static_cast<std::size_t>(p.at)].velocity);
+void FaceSolver<Dim>::constrain_increments(ContactPass pass) {
+  const auto increment = [&](const NodalVelocity& p) {
+    return Eigen::Map<Vec3>(system_.fields[p.field].filter[static_cast<std::size_t>(p.node)].increment);
   };
-  for (Row& row : rows_) row.trial += sum(row, [&](const Point& p) { return Vec3(increment(p)); });
-  for (Point& p : points_) increment(p) -= p.change;
-  solve(update);
-  for (Point& p : points_) increment(p) += p.change;
+  for (Constraint& c : constraints_)
+    c.trial_velocity += weighted_sum(c, [&](const NodalVelocity& p) { return Vec3(increment(p)); });
+  for (NodalVelocity& p : dofs_) increment(p) -= p.change;
+  solve(pass);
+  for (NodalVelocity& p : dofs_) increment(p) += p.change;
 }
 
 template class FaceSolver<2>;

@@ -1,73 +1,81 @@
 // SPDX-License-Identifier: MIT
-/// Impulses that act on faces, not on single nodes.
+/// Contact impulses that act on faces between the nodes, not on single nodes.
 ///
-/// Where each node of two fields takes one velocity, two layers of nodes on both sides of the face move as one, and no
-/// strain can differ, or exist next to a rigid body, between them: the first cells carry a wrong stress (20 per cent
-/// RMS of a block between platens). Here what must not penetrate, or slide, is the velocity of each body at the face:
-/// the mean of the node and of its mirror image in the face. The impulse acts on both by the same shares, so that it
-/// never adds energy, wherever the face lies between the nodes. The price: all nodes are solved together, and the
-/// numerical damping of nodes that move as one is gone.
+/// If each node has one common velocity for the two fields in contact, the layers of nodes on both sides of the face
+/// move as one. Then no strain can differ between these layers, and none can exist next to a rigid body, so that the
+/// stress in the cells at the face is wrong (20 per cent RMS for a block between platens). Here the contact law acts on
+/// the velocity of each body at the face: the mean of the velocity of the node and of that at its mirror image in the
+/// face. The impulse acts on the node and on the nodes around the image with the same weights, so that it never adds
+/// energy, wherever the face lies between the nodes. In return, all nodes must be solved together, and the numerical
+/// damping of nodes that move as one is lost.
 #pragma once
 
 #include "grid/nodes.hpp"
-#include "solver/contact/node_solver.hpp"
+#include "solver/contact/contact_nodes.hpp"
 #include "solver/state/system.hpp"
 
 #include <vector>
 
 namespace tribo {
 
+/// Finds the impulses of all pairs that were added so that each obeys its law at its face.
 template <int Dim>
 class FaceSolver {
  public:
   explicit FaceSolver(System<Dim>& system) : system_(system) {}
 
-  /// Forgets all pairs, and the fields' old nodes.
+  /// Removes all pairs; to be called before the pairs of a step are added.
   void clear();
-  /// Adds a pair of the node at `index`; with `mirrored`, its face (pair.face, along the normal from the node) is
-  /// known.
-  void add(ContactPair& pair, std::span<const ContactMember> members, const Index<Dim>& index, bool mirrored);
+  /// Adds a pair of the contact node at `index`; pair.a and pair.b are positions in `members`. `has_face`: the face
+  /// position and the normal of the pair are known; else its law acts on the velocities of the node itself. The pair
+  /// must stay where it is in memory until clear().
+  void add(ContactPair& pair, std::span<const ContactMember> members, const Index<Dim>& index, bool has_face);
 
-  /// Applies the laws to the present velocities; accelerations follow if it is the `update` of the momentum.
-  void meet(double dt, bool update);
-  /// Takes the impulses back.
-  void part();
-  /// Applies the laws to velocities that a filter's increments changed; an increment becomes what contact made of it.
-  void refine(bool update);
+  /// Applies the laws to the present velocities. In the corrector the accelerations change accordingly. `dt`: step.
+  void apply(double dt, ContactPass pass);
+  /// Subtracts the velocity changes of the last apply().
+  void remove();
+  /// Applies the laws to the velocities that follow from the increments in Field::filter; an increment becomes the
+  /// change of velocity that contact then makes: see Contact::constrain_increments.
+  void constrain_increments(ContactPass pass);
 
  private:
-  // The relative velocity of a pair is a sum of shares of nodal velocities, and of the rigid body's.
+  // A nodal velocity with its weight in the relative velocity of a pair.
   struct Term {
-    std::size_t point;
-    double share;
+    std::size_t dof;  // position in dofs_
+    double weight;
   };
-  struct Row {
+  // A pair and its relative velocity at the face as a weighted sum of nodal velocities.
+  struct Constraint {
     ContactPair* pair;
-    std::size_t first, end;                           // terms
-    Vec3 rigid = Vec3::Zero(), trial = Vec3::Zero();  // velocity of the rigid one, and relative one without contact
-    double mass_alone = 0.0, mass_among = 0.0;        // that an impulse moves; the second shared with all other rows
-    Vec3 more = Vec3::Zero();                         // impulse of this sweep
+    std::size_t first_term, end_term;
+    Vec3 rigid_velocity = Vec3::Zero();  // contribution of a field with prescribed velocity
+    Vec3 trial_velocity = Vec3::Zero();  // relative velocity without contact
+    double effective_mass = 0.0;         // impulse over change of relative velocity if no other pair acts
+    double lumped_mass = 0.0;            // smaller: also stable if all pairs that share nodes act at once
+    Vec3 impulse_change = Vec3::Zero();  // of this sweep
   };
-  struct Point {
+  // The velocity of one field at one node.
+  struct NodalVelocity {
     std::size_t field;
-    std::int64_t at;
+    std::int64_t node;
     double inverse_mass;
-    Vec3 change = Vec3::Zero();  // of its velocity by contact
+    Vec3 change = Vec3::Zero();  // by contact
   };
 
-  std::size_t point(std::size_t field, std::int64_t at);
+  std::size_t dof(std::size_t field, std::int64_t node);
   void add_image(const ContactPair& pair, const ContactMember& member, const Index<Dim>& index);
   template <class Value>
-  Vec3 sum(const Row& row, Value&& value) const;
-  void ask(Row& row, double mass);
-  void push(const Row& row, const Vec3& impulse);
-  void solve(bool update);
+  Vec3 weighted_sum(const Constraint& c, Value&& value) const;
+  void update_impulse(Constraint& c, double mass);
+  void distribute(const Constraint& c, const Vec3& impulse);
+  void solve(ContactPass pass);
 
   System<Dim>& system_;
-  std::vector<Row> rows_;
+  std::vector<Constraint> constraints_;
   std::vector<Term> terms_;
-  std::vector<Point> points_;
-  std::vector<std::vector<int>> number_;  // per field and node: its point, or -1
+  std::vector<NodalVelocity> dofs_;
+  std::vector<std::vector<int>> dof_of_;  // per field and node: position in dofs_, or -1
 };
 
 }  // namespace tribo

@@ -4,14 +4,14 @@
 namespace tribo {
 namespace {
 
-constexpr int most_sweeps = 200;
+constexpr int max_sweeps = 200;
 constexpr double tolerance = 1e-14;  // of the impulses, relative
 
 }  // namespace
 
 Vec3 velocity_after(std::span<const ContactMember> members, std::span<const ContactPair> pairs, std::size_t member) {
   const ContactMember& m = members[member];
-  Vec3 v = m.trial;
+  Vec3 v = m.trial_velocity;
   for (const ContactPair& pair : pairs) {
     if (pair.a == member) v += m.inverse_mass * pair.impulse;
     if (pair.b == member) v -= m.inverse_mass * pair.impulse;
@@ -19,19 +19,21 @@ Vec3 velocity_after(std::span<const ContactMember> members, std::span<const Cont
   return v;
 }
 
-void solve_node(std::span<const ContactMember> members, std::span<ContactPair> pairs, bool interfaces, bool warm) {
-  if (!warm)
+void solve_node(std::span<const ContactMember> members, std::span<ContactPair> pairs, bool interfaces,
+                bool warm_start) {
+  if (!warm_start)
     for (ContactPair& pair : pairs) pair.impulse.setZero(), pair.response = {};
   const std::size_t count = pairs.size();
-  for (int sweep = 0; sweep < (count == 1 ? 1 : most_sweeps); ++sweep) {
+  for (int sweep = 0; sweep < (count == 1 ? 1 : max_sweeps); ++sweep) {
     double change = 0.0, size = 0.0;
     for (std::size_t k = 0; k < count; ++k) {
       ContactPair& pair = pairs[sweep % 2 == 0 ? k : count - 1 - k];
-      if (pair.apart || pair.jointed || (!interfaces && pair.law->interface())) continue;
+      if (pair.has_no_face || pair.replaced_by_joint || (!interfaces && pair.law->is_interface())) continue;
       ContactState& m = pair.state;
+      // The law reads the relative velocity without the impulse of its own pair.
       m.velocity =
           velocity_after(members, pairs, pair.b) - velocity_after(members, pairs, pair.a) + pair.impulse / m.mass;
-      m.start = members[pair.b].start - members[pair.a].start;
+      m.start = members[pair.b].start_velocity - members[pair.a].start_velocity;
       pair.response = pair.law->response(m);
       change += (pair.response.impulse - pair.impulse).squaredNorm();
       size +=

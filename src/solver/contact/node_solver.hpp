@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// The impulses of all pairs of fields that meet at one node.
+/// Contact impulses between all pairs of fields at one node.
 #pragma once
 
 #include "solver/state/contact_pair.hpp"
@@ -9,13 +9,19 @@
 
 namespace tribo {
 
-/// Velocity of a member after the impulses of the pairs.
+/// Velocity of a member after the impulses of all pairs of its node [velocity]. `member`: position in `members`, as are
+/// ContactPair::a and b.
 Vec3 velocity_after(std::span<const ContactMember> members, std::span<const ContactPair> pairs, std::size_t member);
 
-/// Finds impulses so that each pair obeys its law given those of all others: projected Gauss-Seidel in an order that is
-/// its own mirror image. One pair needs one sweep. Equal and opposite by construction, so momentum is kept to
-/// round-off; for frictionless laws the kinetic energy is the least that no overlap allows. `interfaces`: imperfect
-/// interfaces act, too; `warm`: begin with the present impulses.
-void solve_node(std::span<const ContactMember> members, std::span<ContactPair> pairs, bool interfaces, bool warm);
+/// Finds the impulses of the pairs of a node so that each pair obeys its law for the velocities that the impulses of
+/// all other pairs leave.
+///
+/// Projected Gauss-Seidel iteration whose sweeps run forward and backward in turn. A single pair needs one sweep. The
+/// impulses on the two members of a pair are equal and opposite, so momentum is conserved to round-off. With
+/// frictionless laws the result minimises the kinetic energy under the constraint that no gap closes further.
+///
+/// `members`: their trial and start velocities, masses. `pairs`: in, ContactState without velocities; out, impulse and
+/// response. `interfaces`: imperfect interfaces act, too. `warm_start`: begin with the present impulses, not with zero.
+void solve_node(std::span<const ContactMember> members, std::span<ContactPair> pairs, bool interfaces, bool warm_start);
 
 }  // namespace tribo

@@ -46,14 +46,14 @@ ParticleCloud<Dim>::ParticleCloud(const Lattice<Dim>& lattice, double reach)
 }
 
 template <int Dim>
-void ParticleCloud<Dim>::begin() {
+void ParticleCloud<Dim>::clear() {
   for (const auto block : blocks_) slot_[static_cast<std::size_t>(block)] = -1;
   blocks_.clear();
   mask_.clear();
 }
 
 template <int Dim>
-void ParticleCloud<Dim>::want(const Index<Dim>& node) {
+void ParticleCloud<Dim>::request(const Index<Dim>& node) {
   each_cell(node, [&](std::int64_t block, int cell) {
     int& s = slot_[static_cast<std::size_t>(block)];
     if (s < 0) {
@@ -65,15 +65,15 @@ void ParticleCloud<Dim>::want(const Index<Dim>& node) {
   });
 }
 
-// Whether a place lies in a wanted cell, and which.
+// Whether a point lies in a requested cell, and in which.
 template <int Dim>
-bool ParticleCloud<Dim>::wanted(const Vec<Dim>& x, std::size_t& at) const {
+bool ParticleCloud<Dim>::is_requested(const Vec<Dim>& x, std::size_t& at) const {
   Index<Dim> block;
   int local = 0;
   for (std::size_t d = Dim; d-- > 0;) {
     const auto axis = static_cast<Eigen::Index>(d);
     constexpr unsigned edge = block_edge<Dim>;
-    // below the lattice it is huge
+    // huge for cells below the lattice
     const auto cell = static_cast<unsigned>(static_cast<int>((x[axis] - lattice_.origin[axis]) * per_length_[axis]));
     if (cell >= static_cast<unsigned>(lattice_.blocks[d]) * edge) return false;
     block[d] = static_cast<int>(cell / edge);
@@ -85,9 +85,10 @@ bool ParticleCloud<Dim>::wanted(const Vec<Dim>& x, std::size_t& at) const {
   return true;
 }
 
-// Whether there are wanted cells where particles of a block's bin may be: in the block, one cell below or two above.
+// Whether some cell is requested that may contain particles of the bin of a block: the cells of the block, and due to
+// the drift of particles since the last sort those up to one cell below and two above.
 template <int Dim>
-bool ParticleCloud<Dim>::any_wanted_near(std::int64_t bin_block) const {
+bool ParticleCloud<Dim>::any_requested_near(std::int64_t bin_block) const {
   const auto home = lattice_.block_at(bin_block);
   Index<Dim> n = home;
   for (std::size_t k = 0; k < near_cells_.size(); ++k) {
@@ -113,12 +114,12 @@ void ParticleCloud<Dim>::collect(const std::vector<Body<Dim>*>& bodies) {
     Body<Dim>& body = *bodies[b];
     const auto x = body.particles.x();
     for (const Bin& bin : body.bins.list()) {
-      if (!any_wanted_near(bin.block)) continue;
+      if (!any_requested_near(bin.block)) continue;
       for (std::uint32_t i = bin.begin; i < bin.end; ++i) {
         Vec<Dim> at;
         for (std::size_t d = 0; d < Dim; ++d) at[static_cast<Eigen::Index>(d)] = x[d][i];
         std::size_t cell = 0;
-        if (!wanted(at, cell)) continue;
+        if (!is_requested(at, cell)) continue;
         unsorted_.push_back({static_cast<std::uint32_t>(body.field), static_cast<std::uint32_t>(b), i});
         cell_of_.push_back(static_cast<std::uint32_t>(cell));
         ++first_[cell + 1];
@@ -128,7 +129,7 @@ void ParticleCloud<Dim>::collect(const std::vector<Body<Dim>*>& bodies) {
   for (std::size_t c = 1; c < first_.size(); ++c) first_[c] += first_[c - 1];
   labels_.resize(unsorted_.size());
   for (std::size_t k = unsorted_.size(); k-- > 0;) labels_[--first_[cell_of_[k] + 1]] = unsorted_[k];
-  // first_[c + 1] now is the first of cell c; bring it back to first_[c]
+  // Now first_[c + 1] is the first particle of cell c; shift it to first_[c].
   for (std::size_t c = 0; c + 1 < first_.size(); ++c) first_[c] = first_[c + 1];
   first_.back() = static_cast<std::uint32_t>(labels_.size());
   for (auto& column : column_) column.resize(labels_.size());
@@ -138,39 +139,39 @@ void ParticleCloud<Dim>::collect(const std::vector<Body<Dim>*>& bodies) {
     const auto at = static_cast<std::size_t>(k);
     const ParticleDomain<Dim> p = domains_[labels_[at].body](labels_[at].particle);
     for (std::size_t c = 0; c < Dim; ++c) column_[c][at] = p.x.data()[c];
-    for (std::size_t c = Dim; c < columns; ++c) column_[c][at] = p.axes.data()[c - Dim];
+    for (std::size_t c = Dim; c < column_count; ++c) column_[c][at] = p.axes.data()[c - Dim];
   });
   group();
 }
 
-// Makes groups of the points of each cell, which come by bodies.
+// Groups the particles of each cell, which are ordered by body, by fields.
 template <int Dim>
 void ParticleCloud<Dim>::group() {
   groups_.clear();
   start_.resize(first_.size());
-  largest_ = 0.0;
+  max_extent_ = 0.0;
   for (std::size_t cell = 0; cell + 1 < first_.size(); ++cell) {
     start_[cell] = static_cast<std::uint32_t>(groups_.size());
     for (std::uint32_t p = first_[cell]; p < first_[cell + 1]; ++p) {
-      const ParticleDomain<Dim> point = this->point(p);
-      const Vec<Dim> half = point.axes.cwiseAbs().rowwise().sum();
+      const ParticleDomain<Dim> particle = domain(p);
+      const Vec<Dim> half = particle.axes.cwiseAbs().rowwise().sum();
       if (p == first_[cell] || groups_.back().field != labels_[p].field)
-        groups_.push_back({labels_[p].field, p, p, point.x - half, point.x + half, Vec<Dim>::Zero()});
+        groups_.push_back({labels_[p].field, p, p, particle.x - half, particle.x + half, Vec<Dim>::Zero()});
       ParticleGroup<Dim>& group = groups_.back();
       group.end = p + 1;
-      group.low = group.low.cwiseMin(point.x - half), group.high = group.high.cwiseMax(point.x + half);
-      group.sum += point.x;
-      largest_ = std::max(largest_, half.norm());
+      group.low = group.low.cwiseMin(particle.x - half), group.high = group.high.cwiseMax(particle.x + half);
+      group.sum += particle.x;
+      max_extent_ = std::max(max_extent_, half.norm());
     }
   }
   start_.back() = static_cast<std::uint32_t>(groups_.size());
 }
 
 template <int Dim>
-void ParticleCloud<Dim>::measure(const ParticleGroup<Dim>& group, const Vec<Dim>& centre, const Vec<Dim>& n,
-                                 double* __restrict out) const {
-  std::array<const double*, columns> from;
-  for (std::size_t c = 0; c < columns; ++c) from[c] = column_[c].data() + group.begin;
+void ParticleCloud<Dim>::compute_reach(const ParticleGroup<Dim>& group, const Vec<Dim>& centre, const Vec<Dim>& n,
+                                       double* __restrict out) const {
+  std::array<const double*, column_count> from;
+  for (std::size_t c = 0; c < column_count; ++c) from[c] = column_[c].data() + group.begin;
   const double limit = reach_ * reach_;
   const std::uint32_t count = group.end - group.begin;
   for (std::uint32_t i = 0; i < count; ++i) {

@@ -28,7 +28,7 @@ Vec3 in_space(const Vec<Dim>& x) {
 }  // namespace
 
 template <int Dim>
-void RigidBlocks<Dim>::set_particles() {
+void RigidBlocks<Dim>::set_particle_velocities() {
   if (!active()) return;
   each_block(system_, [&](Body<Dim>& body, std::size_t k) {
     const BlockMotion& m = system_.blocks->motion[k];
@@ -41,7 +41,7 @@ void RigidBlocks<Dim>::set_particles() {
 }
 
 template <int Dim>
-void RigidBlocks<Dim>::set_nodes(const Body<Dim>& body) {
+void RigidBlocks<Dim>::set_nodal_momentum(const Body<Dim>& body) {
   if (body.block < 0) return;
   const BlockMotion& m = system_.blocks->motion[static_cast<std::size_t>(body.block)];
   Field<Dim>& field = system_.fields[body.field];
@@ -50,23 +50,23 @@ void RigidBlocks<Dim>::set_nodes(const Body<Dim>& body) {
     if (!(node.mass > 0)) continue;
     const Vec3 x = in_space<Dim>(system_.lattice.position(field.map.node_at(static_cast<std::int64_t>(n))));
     const Vec3 momentum = node.mass * (m.v + m.w.cross(x - m.x));
-    for (int d = 0; d < Dim; ++d) node.velocity[d] = momentum[d];
+    for (int d = 0; d < Dim; ++d) node.momentum[d] = momentum[d];
   }
 }
 
 template <int Dim>
-void RigidBlocks<Dim>::take(const std::vector<RigidShare>& shares, double dt) {
+void RigidBlocks<Dim>::take_contact_forces(const std::vector<RigidExchange>& exchanges, double dt) {
   if (!active()) return;
   each_block(system_, [&](Body<Dim>& body, std::size_t k) {
     BlockPush& push = system_.blocks->pushes[k];
     push = {};
-    if (shares.empty()) return;
-    const RigidShare& share = shares[body.field];
-    push.force = share.impulse / dt;
+    if (exchanges.empty()) return;
+    const RigidExchange& exchange = exchanges[body.field];
+    push.force = exchange.impulse / dt;
     const Vec3& centre = system_.blocks->motion[k].x;
-    push.moment = (share.moment - centre.cross(share.impulse)) / dt;
-    push.spread = (share.spread - share.impulse * centre.transpose()) / dt;
-    check_weight(body, share);
+    push.moment = (exchange.moment - centre.cross(exchange.impulse)) / dt;
+    push.spread = (exchange.moment_tensor - exchange.impulse * centre.transpose()) / dt;
+    check_stability(body, exchange);
   });
 }
 
@@ -74,14 +74,14 @@ void RigidBlocks<Dim>::take(const std::vector<RigidShare>& shares, double dt) {
 // sum m (1/M + r^2/I) < 2 over the nodes it touches, r from the block's centre. The left side bounds the largest
 // eigenvalue of what the matter adds to the block's inertia.
 template <int Dim>
-void RigidBlocks<Dim>::check_weight(const Body<Dim>& body, const RigidShare& share) const {
+void RigidBlocks<Dim>::check_stability(const Body<Dim>& body, const RigidExchange& exchange) const {
   const auto k = static_cast<std::size_t>(body.block);
   const BlockBody& block = system_.blocks->bodies[k];
   const Vec3& c = system_.blocks->motion[k].x;
-  const double around = share.second - 2 * c.dot(share.first) + c.squaredNorm() * share.mass;
+  const double around = exchange.second_moment - 2 * c.dot(exchange.first_moment) + c.squaredNorm() * exchange.mass;
   const double inertia = Dim == 2 ? block.inertia[2] : block.inertia.minCoeff();
   const double against =
-      ((block.held & 7) == 7 ? 0.0 : share.mass / block.mass) + ((block.held & 56) == 56 ? 0.0 : around / inertia);
+      ((block.held & 7) == 7 ? 0.0 : exchange.mass / block.mass) + ((block.held & 56) == 56 ? 0.0 : around / inertia);
   if (against < 2) return;
   throw SimulationError("the matter at the nodes that '" + body.name + "' touches is too heavy for it in step " +
                         std::to_string(system_.step + 1) + " at time " + std::to_string(system_.time) +
@@ -104,7 +104,7 @@ double RigidBlocks<Dim>::move(double dt) {
   each_block(system_, [&](Body<Dim>& body, std::size_t k) {
     const BlockMotion& m = blocks.motion[k];
     const Mat3 turned = m.R * before_[k].transpose();
-    const auto x = body.particles.x(), origin = body.particles.vector(*body.origin);
+    const auto x = body.particles.x(), origin = body.particles[body.origin];
     const auto F = body.particles.F();
     for (std::size_t i = 0; i < body.particles.size(); ++i) {
       Vec<Dim> start;

@@ -40,8 +40,8 @@ struct Crack {
   std::vector<double> bond;                   ///< 1 whole, -1 broken, 0 none
   std::vector<double> status;                 ///< in the last step: 0 open, 1 stick, 2 slip
   std::vector<Vec<Dim>> traction;             ///< on the lower face in the last step                     [stress]
-  std::vector<char> led;                      ///< points whose faces joints lead in this step; empty: none
-  std::vector<std::array<Vec<Dim>, 2>> lead;  ///< their velocities
+  std::vector<char> is_led;                      ///< points whose faces joints lead in this step; empty: none
+  std::vector<std::array<Vec<Dim>, 2>> led_velocity;  ///< their velocities
   std::vector<CrackTip> tips;
   double whole_bond = 0.0;  ///< `bond` of new points
   bool fixed = false;       ///< x stays where it is
@@ -53,9 +53,9 @@ struct Crack {
     };
     insert(x, at), insert(face[0], at), insert(face[1], at), insert(traction, Vec<Dim>(Vec<Dim>::Zero()));
     insert(gap, 0.0), insert(slip, 0.0), insert(bond, whole_bond), insert(status, 0.0);
-    if (led.empty()) return;
+    if (is_led.empty()) return;
     const Vec<Dim> still = Vec<Dim>::Zero();
-    insert(led, char{0}), insert(lead, std::array{still, still});
+    insert(is_led, char{0}), insert(led_velocity, std::array{still, still});
   }
 
   std::array<Vec<Dim>, static_cast<std::size_t>(Dim)> corners(std::size_t piece) const {

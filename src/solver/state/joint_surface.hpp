@@ -37,9 +37,9 @@ struct JointSurface {
   std::vector<Vec<Dim>> x;  ///< halfway between the faces                       [length]
   std::vector<JointAxes> axes;
   std::vector<Joint> joints;
-  /// Around the faces at each sample at the start; 0: not known yet, `gone`: between bodies, once a face has left.
+  /// Around the faces at each sample at the start; 0: not known yet, `lost`: between bodies, once a face has left.
   std::array<std::vector<double>, 2> mass;
-  static constexpr double gone = -1.0;
+  static constexpr double lost = -1.0;
 
   /// On body 2, dashpots included.
   Vec3 force(std::size_t k) const {

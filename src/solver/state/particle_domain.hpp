@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Domains of particles, deformed with them.
+/// Domains of particles, which deform with the particles.
 #pragma once
 
 #include "solver/state/system.hpp"
@@ -9,13 +9,13 @@
 
 namespace tribo {
 
-/// A particle as a parallelepiped: centre and half axes, deformed with F.
+/// The domain of a particle: a parallelepiped (in two dimensions a parallelogram) that deforms with F.
 template <int Dim>
 struct ParticleDomain {
-  Vec<Dim> x;
-  Mat<Dim> axes;  ///< columns: half axes of the domain
+  Vec<Dim> x;     ///< centre                                                        [length]
+  Mat<Dim> axes;  ///< the columns are the half axes: vectors from the centre to the middles of sides  [length]
 
-  /// How far the domain reaches from `origin` along n.
+  /// The largest value of (y - origin) . n over all points y of the domain [length]. `n`: unit vector.
   double reach(const Vec<Dim>& origin, const Vec<Dim>& n) const {
     double r = (x - origin).dot(n);
     for (int k = 0; k < Dim; ++k) r += std::abs(axes.col(k).dot(n));
@@ -23,11 +23,13 @@ struct ParticleDomain {
   }
 };
 
-/// Reads the domains of a body's particles as they are now; to be made anew for every step.
+/// Reads the present domains of the particles of a body. It holds pointers to the columns of the particles, so it is
+/// valid until the columns move, that is until the next sort.
 template <int Dim>
 class DomainReader {
  public:
   explicit DomainReader(Body<Dim>& body);
+  /// The domain of particle i.
   ParticleDomain<Dim> operator()(std::uint32_t i) const {
     ParticleDomain<Dim> p;
     for (std::size_t d = 0; d < Dim; ++d) {
@@ -41,9 +43,10 @@ class DomainReader {
   }
 
  private:
-  std::array<const double*, Dim> x_{}, half_{};  // half_: null if all are alike
-  std::array<const double*, Dim * Dim> F_{};     // row by row; null if not kept
-  Vec<Dim> uniform_;
+  std::array<const double*, Dim> x_{};        // coordinates
+  std::array<const double*, Dim> half_{};     // initial half sizes; null if all particles have the same size
+  std::array<const double*, Dim * Dim> F_{};  // deformation gradient row by row; null if the body does not keep it
+  Vec<Dim> uniform_;                          // the initial half size of all particles if half_ is null
 };
 
 }  // namespace tribo

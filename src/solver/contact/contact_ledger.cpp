@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#include "solver/contact/contact_ledger.hpp"
+
+#include "blocks/assembly.hpp"
+#include "solver/contact/node_solver.hpp"
+
+namespace tribo {
+
+template <int Dim>
+auto ContactLedger<Dim>::key(const ContactNodes<Dim>& contacts, const ContactPair& pair) const -> Key {
+  const std::size_t field_count = system_.fields.size();
+  if (pair.crack >= 0) return {field_count + static_cast<std::size_t>(pair.crack), field_count};
+  return {system_.fields[contacts.members[pair.a].field].home, system_.fields[contacts.members[pair.b].field].home};
+}
+
+template <int Dim>
+void ContactLedger<Dim>::record(ContactNodes<Dim>& contacts, double dt) {
+  const auto& members = contacts.members;
+  for (auto& [fields, entry] : pairs) entry.force.setZero(), entry.stored = entry.area = 0.0;
+  rigid_exchanges_.assign(system_.fields.size(), {});
+  for (const auto& node : contacts.nodes)
+    for (std::size_t p = node.first_pair; p < node.end_pair; ++p) {
+      ContactPair& pair = contacts.pairs[p];
+      pair.update_impulse = pair.impulse, pair.update_status = pair.response.status, pair.friction_work = 0.0;
+      if (pair.response.status == ContactStatus::open) continue;
+      const ContactMember &a = members[pair.a], &b = members[pair.b];
+      auto& entry = pairs[key(contacts, pair)];
+      entry.force += node.ownership / dt * pair.impulse;
+      entry.stored += node.ownership * pair.response.stored;
+      entry.area += node.ownership * pair.state.area;
+      // The work of the impulse is its product with the mean of the relative velocities at the start and end of the
+      // step.
+      const Vec3 mean = 0.5 * node.ownership *
+                        (node.solved_on_faces ? Vec3(pair.state.start + pair.final_velocity)
+                                              : Vec3(b.start_velocity - a.start_velocity +
+                                                     velocity_after(members, contacts.pairs_of(node), pair.b) -
+                                                     velocity_after(members, contacts.pairs_of(node), pair.a)));
+      const double all = pair.impulse.dot(mean);
+      const double normal = pair.impulse.dot(pair.state.normal) * mean.dot(pair.state.normal);
+      if (pair.law->is_interface())
+        entry.interface += all;
+      else
+        entry.impact += normal, entry.friction += all - normal, pair.friction_work = (all - normal) / node.ownership;
+      record_rigid(contacts, node, pair);
+    }
+}
+
+// An impulse of a node acts at the node, one of a face at the face.
+template <int Dim>
+void ContactLedger<Dim>::record_rigid(const ContactNodes<Dim>& contacts, const ContactNode<Dim>& node,
+                                      const ContactPair& pair) {
+  for (const auto& [side, other, sign] : {std::tuple{pair.a, pair.b, -1.0}, std::tuple{pair.b, pair.a, 1.0}}) {
+    const ContactMember& rigid = contacts.members[side];
+    if (rigid.inverse_mass > 0.0) continue;
+    const Node& at = system_.fields[rigid.field].nodes[static_cast<std::size_t>(rigid.node)];
+    const Vec3 impulse = sign * node.ownership * pair.impulse;  // on the other field
+    rigid_work += impulse.dot(Eigen::Map<const Vec3>(at.velocity));
+    rigid_impulse += impulse;
+    Vec3 x = Vec3::Zero();
+    x.head<Dim>() = system_.lattice.position(node.index);
+    if (node.solved_on_faces) x += pair.face_position * pair.state.normal;
+    RigidExchange& exchange = rigid_exchanges_[rigid.field];
+    const double mass = node.ownership * contacts.members[other].mass;
+    exchange.impulse -= impulse, exchange.moment -= x.cross(impulse);
+    if (const auto k = system_.fields[rigid.field].block; k >= 0)
+      exchange.moment_tensor -= impulse * system_.blocks->nearest_on(static_cast<std::size_t>(k), x).transpose();
+    exchange.mass += mass, exchange.first_moment += mass * x, exchange.second_moment += mass * x.squaredNorm();
+  }
+}
+
+template <int Dim>
+PairLedger ContactLedger<Dim>::total() const {
+  PairLedger sum;
+  for (const auto& [fields, entry] : pairs) {
+    sum.friction += entry.friction, sum.impact += entry.impact, sum.interface += entry.interface;
+    sum.stored += entry.stored, sum.area += entry.area;
+  }
+  return sum;
+}
+
+template class ContactLedger<2>;
+template class ContactLedger<3>;
+
+}  // namespace tribo

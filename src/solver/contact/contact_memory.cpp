@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#include "solver/contact/contact_slip.hpp"
+
+#include "base/parallel.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tribo {
+
+template <int Dim>
+void ContactMemory<Dim>::read(const ContactNode<Dim>& node, ContactPair& pair, const NearParticles<Dim>& near) const {
+  const Vec<Dim> centre = system_.lattice.position(node.index);
+  double total = 0.0, slip = 0.0, whole = 0.0, broken = 0.0;
+  const auto add = [&](const ParticleDomain<Dim>& p, const ParticleLabel& label) {
+    auto& body = *bodies_[label.body];
+    if (!body.contact_slip) return;
+    const double w = particle_weight<Dim>(p.x - centre, system_.lattice.spacing);
+    const double bond = body.particles[body.contact_bond][label.particle];
+    total += w, slip += w * body.particles[body.contact_slip][label.particle];
+    whole += bond > 0 ? w : 0.0, broken += bond < 0 ? w : 0.0;
+  };
+  for (const auto& groups : near.groups) each_particle<Dim>(cloud_, groups, centre, add);
+  pair.state.slip = total > 0 ? slip / total : 0.0;
+  pair.state.cell = h_;
+  pair.state.bond = whole == 0 && broken == 0 ? Bond::none : broken > whole ? Bond::broken : Bond::whole;
+  constexpr double touching = 1e-6;  // cells
+  if (system_.step == 0 && std::abs(pair.state.gap) < touching * h_ && pair.state.bond == Bond::none)
+    pair.state.bond = Bond::whole;
+}
+
+template <int Dim>
+void ContactMemory<Dim>::update() const {
+  parallel_for(static_cast<std::ptrdiff_t>(cloud_.size()), [&](std::ptrdiff_t k) {
+    const ParticleLabel& label = cloud_.label(static_cast<std::size_t>(k));
+    auto& body = *bodies_[label.body];
+    if (!body.contact_slip) return;
+    double touching = 0.0, sliding = 0.0, way = 0.0, whole = 0.0, broken = 0.0;
+    each_pair_near(search_, system_.lattice, cloud_.domain(static_cast<std::size_t>(k)), label.field,
+                   [&](const ContactPair& pair, double w, double) {
+                     if (!pair.law->has_memory()) return;
+                     if (pair.response.status != ContactStatus::open) touching += w;
+                     if (pair.response.status == ContactStatus::slip) {
+                       const Vec3 v = pair.state.velocity - pair.impulse / pair.state.mass;
+                       sliding += w;
+                       way += w * pair.state.dt * (v - v.dot(pair.state.normal) * pair.state.normal).norm();
+                     }
+                     if (pair.response.bond == Bond::whole) whole += w;
+                     if (pair.response.bond == Bond::broken) broken += w;
+                   });
+    // Slip is the distance of sliding since the faces last stuck or separated.
+    double& slip = body.particles[body.contact_slip][label.particle];
+    slip = sliding > 0.5 * touching ? slip + way / sliding : 0.0;
+    if (whole + broken > 0)
+      body.particles[body.contact_bond][label.particle] = broken > whole ? -1.0 : 1.0;
+  });
+}
+
+template class ContactMemory<2>;
+template class ContactMemory<3>;
+
+}  // namespace tribo

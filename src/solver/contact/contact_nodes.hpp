@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+/// The contact nodes of a step, with their members and pairs.
+#pragma once
+
+#include "grid/nodes.hpp"
+#include "solver/state/contact_pair.hpp"
+
+#include <span>
+#include <vector>
+
+namespace tribo {
+
+/// The two times in a step at which contact acts on the nodal velocities.
+enum class ContactPass {
+  predictor,  ///< on the extrapolated velocities, before a strain update
+  corrector   ///< after the momentum update; its impulse is the contact impulse of the step
+};
+
+/// A grid node that carries two or more velocity fields, at least one of them deformable.
+template <int Dim>
+struct ContactNode {
+  Index<Dim> index{};                            ///< index in the lattice
+  std::int64_t number = 0;                       ///< among the nodes of all shared blocks, see ContactSearch
+  std::size_t first_member = 0, end_member = 0;  ///< range of ContactNodes::members
+  std::size_t first_pair = 0, end_pair = 0;      ///< range of ContactNodes::pairs
+  double ownership = 1.0;                        ///< weight of the node in sums over nodes, see Exchange::ownership
+  int mirrored_axes = 0;                         ///< bit d: a symmetry plane normal to axis d passes through it
+  bool solved_on_faces = false;                  ///< its impulses are found by FaceSolver, not by NodeImpulses
+  bool needs_faces = true;                       ///< its faces must be found from the particles in this step
+  bool between_bodies = false;                   ///< some pair is formed by two bodies, not by the faces of a crack
+};
+
+/// All contact nodes of a step. Members and pairs of a node are contiguous.
+template <int Dim>
+struct ContactNodes {
+  std::vector<ContactNode<Dim>> nodes;
+  std::vector<ContactMember> members;
+  std::vector<ContactPair> pairs;
+
+  std::span<ContactPair> pairs_of(const ContactNode<Dim>& node) {
+    return {pairs.data() + node.first_pair, node.end_pair - node.first_pair};
+  }
+  std::span<const ContactPair> pairs_of(const ContactNode<Dim>& node) const {
+    return {pairs.data() + node.first_pair, node.end_pair - node.first_pair};
+  }
+  void clear() { nodes.clear(), members.clear(), pairs.clear(); }
+};
+
+}  // namespace tribo

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+/// Search for the nodes at which velocity fields are in contact.
+#pragma once
+
+#include "solver/contact/contact_laws.hpp"
+#include "solver/contact/contact_nodes.hpp"
+#include "solver/exchange/exchange.hpp"
+
+#include <vector>
+
+namespace tribo {
+
+/// Finds the grid nodes that carry two or more velocity fields, and lists their members and pairs.
+///
+/// Only blocks that exist in the maps of two or more fields (shared blocks) can hold such nodes. They are found once
+/// per change of the maps (locate), the nodes in every step (find).
+template <int Dim>
+class ContactSearch {
+ public:
+  /// `laws`: of all pairs of fields; must outlive the search, as must `system`.
+  ContactSearch(const System<Dim>& system, const ContactLaws<Dim>& laws) : system_(system), laws_(laws) {}
+
+  /// Finds the shared blocks; to be called after every change of the fields' maps. Forgets all nodes.
+  void locate();
+  /// Finds the contact nodes from the present nodal masses. A node whose fields are all rigid is left out, as are pairs
+  /// of two rigid fields and pairs of fields that differ by the side of two cracks. A pair across a crack gets the
+  /// crack 0 and no law; Cracks then finds which crack it is. `exchanges`: one for each field.
+  void find(const Exchanges<Dim>& exchanges);
+
+  /// What was found.
+  ContactNodes<Dim>& found() { return found_; }
+  const ContactNodes<Dim>& found() const { return found_; }
+  /// The contact node at an index of the lattice; null if there is none.
+  const ContactNode<Dim>* node_at(const Index<Dim>& index) const;
+
+ private:
+  // A block of nodes that two or more fields have.
+  struct SharedBlock {
+    std::int64_t block;                              // in the lattice
+    std::vector<std::pair<std::size_t, int>> slots;  // field, and slot of the block in its map
+  };
+
+  bool list_members(const SharedBlock& shared, int local, ContactNode<Dim>& node);
+  void list_pairs(ContactNode<Dim>& node);
+
+  const System<Dim>& system_;
+  const ContactLaws<Dim>& laws_;
+  ContactNodes<Dim> found_;
+  std::vector<SharedBlock> shared_;
+  std::vector<int> shared_at_;  // per block of the lattice: its position in shared_, or -1
+  std::vector<int> node_of_;    // per shared block and node: its position in found_.nodes, or -1
+};
+
+}  // namespace tribo

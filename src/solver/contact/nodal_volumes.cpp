@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#include "solver/contact/nodal_volumes.hpp"
+
+#include <algorithm>
+
+namespace tribo {
+
+// Marks the blocks whose bins hold particles with a contact node in their stencil.
+template <int Dim>
+void NodalVolumes<Dim>::mark_blocks(const ContactNodes<Dim>& contacts) {
+  const auto& lattice = system_.lattice;
+  near_.assign(static_cast<std::size_t>(lattice.block_count()), 0);
+  for (const auto& node : contacts.nodes) {
+    if (!node.between_bodies) continue;
+    // A stencil that contains the node begins at most three nodes below it. One more cell is added for the drift of
+    // the particles since the last sort.
+    Index<Dim> low, high;
+    for (std::size_t d = 0; d < Dim; ++d) {
+      low[d] = std::max(0, (node.index[d] - 5) / block_edge<Dim>);
+      high[d] = std::min(lattice.blocks[d] - 1, (node.index[d] + 1) / block_edge<Dim>);
+    }
+    Index<Dim> b = low;
+    for (int z = Dim == 3 ? low[Dim - 1] : 0; z <= (Dim == 3 ? high[Dim - 1] : 0); ++z)
+      for (b[1] = low[1]; b[1] <= high[1]; ++b[1])
+        for (b[0] = low[0]; b[0] <= high[0]; ++b[0]) {
+          if constexpr (Dim == 3) b[2] = z;
+          near_[static_cast<std::size_t>(lattice.block_index(b))] = 1;
+        }
+  }
+}
+
+template <int Dim>
+void NodalVolumes<Dim>::scatter(const ContactNodes<Dim>& contacts, const std::vector<Body<Dim>*>& bodies,
+                                const Exchanges<Dim>& exchanges) {
+  mark_blocks(contacts);
+  for (auto& field : system_.fields) {
+    field.volumes.resize(field.nodes.size());
+    std::fill(field.volumes.begin(), field.volumes.end(), VolumeNode{});
+  }
+  for (auto* body : bodies)
+    transfers_.scatter(*body, Target<Dim>(*body, system_.fields, &Field<Dim>::volumes), Scatter::volume, false,
+                       system_.analysis == Analysis::axisymmetric, &near_);
+  for (std::size_t f = 0; f < system_.fields.size(); ++f) exchanges[f]->sum_images(system_.fields[f].volumes);
+}
+
+template class NodalVolumes<2>;
+template class NodalVolumes<3>;
+
+}  // namespace tribo

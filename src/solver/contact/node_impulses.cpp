@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#include "solver/contact/node_impulses.hpp"
+
+#include "base/parallel.hpp"
+#include "solver/contact/node_solver.hpp"
+
+namespace tribo {
+
+template <int Dim>
+void NodeImpulses<Dim>::apply(double dt, ContactPass pass) {
+  auto& [nodes, members, pairs] = contacts_;
+  parallel_for(static_cast<std::ptrdiff_t>(nodes.size()), [&](std::ptrdiff_t k) {
+    const ContactNode<Dim>& node = nodes[static_cast<std::size_t>(k)];
+    if (node.solved_on_faces) return;
+    for (std::size_t i = node.first_member; i < node.end_member; ++i) {
+      ContactMember& m = members[i];
+      const Node& at = system_.fields[m.field].nodes[static_cast<std::size_t>(m.node)];
+      m.trial_velocity = Eigen::Map<const Vec3>(at.velocity);
+      m.start_velocity = m.trial_velocity;
+      if (pass == ContactPass::corrector) m.start_velocity -= dt * Eigen::Map<const Vec3>(at.acceleration);
+    }
+    for (std::size_t p = node.first_pair; p < node.end_pair; ++p) pairs[p].state.dt = dt;
+    solve_node(members, contacts_.pairs_of(node), pass == ContactPass::corrector, false);
+    for (std::size_t p = node.first_pair; p < node.end_pair; ++p)
+      for (const auto& [i, sign] : {std::pair{pairs[p].a, 1.0}, std::pair{pairs[p].b, -1.0}}) {
+        Node& at = system_.fields[members[i].field].nodes[static_cast<std::size_t>(members[i].node)];
+        const Vec3 change = sign * members[i].inverse_mass * pairs[p].impulse;
+        Eigen::Map<Vec3>(at.velocity) += change;
+        if (pass == ContactPass::corrector) Eigen::Map<Vec3>(at.acceleration) += change / dt;
+      }
+  });
+}
+
+template <int Dim>
+void NodeImpulses<Dim>::remove() {
+  auto& [nodes, members, pairs] = contacts_;
+  parallel_for(static_cast<std::ptrdiff_t>(nodes.size()), [&](std::ptrdiff_t k) {
+    const ContactNode<Dim>& node = nodes[static_cast<std::size_t>(k)];
+    if (node.solved_on_faces) return;
+    for (std::size_t p = node.first_pair; p < node.end_pair; ++p)
+      for (const auto& [i, sign] : {std::pair{pairs[p].a, 1.0}, std::pair{pairs[p].b, -1.0}}) {
+        Node& at = system_.fields[members[i].field].nodes[static_cast<std::size_t>(members[i].node)];
+        Eigen::Map<Vec3>(at.velocity) -= sign * members[i].inverse_mass * pairs[p].impulse;
+      }
+  });
+}
+
+template <int Dim>
+void NodeImpulses<Dim>::constrain_increments(ContactPass pass) {
+  auto& [nodes, members, all_pairs] = contacts_;
+  parallel_for(static_cast<std::ptrdiff_t>(nodes.size()), [&](std::ptrdiff_t k) {
+    const ContactNode<Dim>& node = nodes[static_cast<std::size_t>(k)];
+    if (node.solved_on_faces) return;
+    const auto pairs = contacts_.pairs_of(node);
+    const auto increment = [&](const ContactMember& m) {
+      return Eigen::Map<Vec3>(system_.fields[m.field].filter[static_cast<std::size_t>(m.node)].increment);
+    };
+    // The increment becomes the velocity after contact with it minus the velocity after contact without it.
+    for (std::size_t i = node.first_member; i < node.end_member; ++i) {
+      ContactMember& m = members[i];
+      if (m.inverse_mass == 0.0) continue;
+      const Vec3 before = velocity_after(members, pairs, i);
+      m.trial_velocity += increment(m);
+      increment(m) = -before;
+    }
+    solve_node(members, pairs, pass == ContactPass::corrector, true);
+    for (std::size_t i = node.first_member; i < node.end_member; ++i)
+      if (members[i].inverse_mass > 0.0) increment(members[i]) += velocity_after(members, pairs, i);
+  });
+}
+
+template class NodeImpulses<2>;
+template class NodeImpulses<3>;
+
+}  // namespace tribo

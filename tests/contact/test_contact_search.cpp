@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: MIT
+/// The search for nodes that carry two or more velocity fields.
+
+#include "solver/contact/contact_search.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace tribo;
+
+namespace {
+
+/// Fields without particles on a grid of 16 x 16 unit cells from 0; masses are set node by node.
+struct Fields {
+  GridSpec grid;
+  Model model;
+  System<2> system{Lattice<2>(Vec<2>(0, 0), Vec<2>(16, 16), {16, 16})};
+  Exchanges<2> exchanges;
+
+  explicit Fields(std::size_t count) {
+    grid.high = {16, 16, 0}, grid.cells = {16, 16, 1};
+    for (std::size_t f = 0; f < count; ++f) {
+      auto& field = system.fields.emplace_back(system.lattice);
+      field.home = f;
+      field.map.rebuild(std::vector<std::int64_t>{system.lattice.block_index(block_of({8, 8}))});
+      field.nodes.resize(static_cast<std::size_t>(field.map.node_count()), Node{});
+    }
+  }
+  /// Index of the node at (i, j) in the lattice.
+  static Index<2> at(int i, int j) { return {Lattice<2>::padding + i, Lattice<2>::padding + j}; }
+  static Index<2> block_of(const Index<2>& cell) {
+    const Index<2> n = at(cell[0], cell[1]);
+    return {n[0] / block_edge<2>, n[1] / block_edge<2>};
+  }
+  void set_mass(std::size_t f, int i, int j, double mass) {
+    auto& field = system.fields[f];
+    field.nodes[static_cast<std::size_t>(field.map.node(at(i, j)))].mass = mass;
+  }
+  void make_exchanges() {
+    for (auto& field : system.fields) {
+      exchanges.push_back(make_exchange<2>(grid, system.lattice));
+      exchanges.back()->locate(field.map);
+    }
+  }
+};
+
+}  // namespace
+
+TEST_CASE("the contact search finds exactly the nodes that carry two or more fields", "[contact][search]") {
+  Fields fields(3);
+  fields.set_mass(0, 8, 8, 2.0), fields.set_mass(1, 8, 8, 3.0);
+  fields.set_mass(0, 9, 8, 1.0);
+  fields.set_mass(0, 7, 10, 1.0), fields.set_mass(1, 7, 10, 2.0), fields.set_mass(2, 7, 10, 4.0);
+  fields.set_mass(1, 3, 3, 1.0), fields.set_mass(2, 3, 4, 1.0);
+  fields.make_exchanges();
+  const ContactLaws<2> laws(fields.model, fields.system);
+  ContactSearch<2> search(fields.system, laws);
+  CHECK(search.node_at(Fields::at(8, 8)) == nullptr);  // before the first search
+  search.locate();
+  search.find(fields.exchanges);
+  const auto& found = search.found();
+  REQUIRE(found.nodes.size() == 2);
+  CHECK(found.members.size() == 5);
+  CHECK(found.pairs.size() == 4);
+
+  const ContactNode<2>* two = search.node_at(Fields::at(8, 8));
+  REQUIRE(two);
+  CHECK(two->index == Fields::at(8, 8));
+  CHECK(two->ownership == 1.0);
+  CHECK(two->mirrored_axes == 0);
+  CHECK(two->between_bodies);
+  REQUIRE(found.pairs_of(*two).size() == 1);
+  const ContactPair& pair = found.pairs_of(*two)[0];
+  const ContactMember &a = found.members[pair.a], &b = found.members[pair.b];
+  CHECK(a.field == 0);
+  CHECK(b.field == 1);
+  CHECK(a.mass == 2.0);
+  CHECK(b.inverse_mass == Approx(1.0 / 3));
+  CHECK(a.node == fields.system.fields[0].map.node(Fields::at(8, 8)));
+  CHECK(pair.state.mass == Approx(2.0 * 3.0 / 5.0));
+  CHECK(pair.crack == -1);
+
+  const ContactNode<2>* three = search.node_at(Fields::at(7, 10));
+  REQUIRE(three);
+  std::vector<std::pair<std::size_t, std::size_t>> pairs;
+  for (const ContactPair& p : found.pairs_of(*three))
+    pairs.emplace_back(found.members[p.a].field, found.members[p.b].field);
+  CHECK(pairs == std::vector<std::pair<std::size_t, std::size_t>>{{0, 1}, {0, 2}, {1, 2}});
+
+  for (const auto& [i, j] : {std::pair{9, 8}, {3, 3}, {3, 4}, {8, 9}})
+    CHECK(search.node_at(Fields::at(i, j)) == nullptr);
+  CHECK(search.node_at({-1, 5}) == nullptr);
+  CHECK(search.node_at({5, 1000000}) == nullptr);
+
+  // A new search forgets the old nodes.
+  fields.set_mass(1, 8, 8, 0.0);
+  search.find(fields.exchanges);
+  CHECK(search.found().nodes.size() == 1);
+  CHECK(search.node_at(Fields::at(8, 8)) == nullptr);
+  CHECK(search.node_at(Fields::at(7, 10)) == &search.found().nodes[0]);
+}
+
+TEST_CASE("rigid fields take part in contact with deformable ones only", "[contact][search]") {
+  Fields fields(3);
+  fields.system.fields[0].rigid_contact = fields.system.fields[2].rigid_contact = true;
+  for (std::size_t f = 0; f < 3; ++f) fields.set_mass(f, 8, 8, 2.0);
+  fields.set_mass(0, 8, 9, 1.0), fields.set_mass(2, 8, 9, 1.0);
+  fields.make_exchanges();
+  const ContactLaws<2> laws(fields.model, fields.system);
+  ContactSearch<2> search(fields.system, laws);
+  search.locate();
+  search.find(fields.exchanges);
+  const auto& found = search.found();
+  REQUIRE(found.nodes.size() == 1);  // not the node with rigid fields only
+  CHECK(search.node_at(Fields::at(8, 9)) == nullptr);
+  REQUIRE(found.members.size() == 3);
+  CHECK(found.members[0].inverse_mass == 0.0);
+  CHECK(found.members[1].inverse_mass == 0.5);
+  REQUIRE(found.pairs.size() == 2);  // not the pair of the two rigid fields
+  for (const ContactPair& pair : found.pairs) {
+    CHECK((pair.a == 1 || pair.b == 1));
+    CHECK(pair.state.mass == Approx(2.0));  // the mass of the deformable one
+  }
+}
+
+TEST_CASE("fields on two sides of one crack form a pair of crack faces, on two sides of two cracks none",
+          "[contact][search][cracks]") {
+  Fields fields(3);
+  for (std::size_t f = 0; f < 3; ++f) {
+    fields.system.fields[f].side = static_cast<int>(f);  // 0: own side, 1 and 2: across the first and second crack
+    fields.system.fields[f].home = 0;
+    fields.set_mass(f, 8, 8, 1.0);
+  }
+  fields.make_exchanges();
+  const ContactLaws<2> laws(fields.model, fields.system);
+  ContactSearch<2> search(fields.system, laws);
+  search.locate();
+  search.find(fields.exchanges);
+  const auto& found = search.found();
+  REQUIRE(found.nodes.size() == 1);
+  CHECK_FALSE(found.nodes[0].between_bodies);
+  REQUIRE(found.pairs.size() == 2);
+  for (const ContactPair& pair : found.pairs) {
+    CHECK(found.members[pair.a].field == 0);
+    CHECK(pair.crack == 0);
+    CHECK(pair.law == nullptr);
+  }
+}
+
+TEST_CASE("contact nodes on symmetry planes know their planes and their share of sums", "[contact][search]") {
+  Fields fields(2);
+  fields.grid.symmetry[0][0] = 8.0, fields.grid.symmetry[1][1] = 9.0;
+  for (std::size_t f = 0; f < 2; ++f)
+    for (const auto& [i, j] : {std::pair{8, 8}, {8, 9}, {9, 8}}) fields.set_mass(f, i, j, 1.0);
+  fields.make_exchanges();
+  const ContactLaws<2> laws(fields.model, fields.system);
+  ContactSearch<2> search(fields.system, laws);
+  search.locate();
+  search.find(fields.exchanges);
+  const auto check = [&](int i, int j, int axes, double ownership) {
+    const ContactNode<2>* node = search.node_at(Fields::at(i, j));
+    REQUIRE(node);
+    CHECK(node->mirrored_axes == axes);
+    CHECK(node->ownership == ownership);
+  };
+  check(9, 8, 0, 1.0), check(8, 8, 1, 0.5), check(8, 9, 3, 0.25);
+}
+
+TEST_CASE("the contact search follows a change of the fields' maps", "[contact][search]") {
+  Fields fields(2);
+  fields.set_mass(0, 8, 8, 1.0), fields.set_mass(1, 8, 8, 1.0);
+  fields.make_exchanges();
+  const ContactLaws<2> laws(fields.model, fields.system);
+  ContactSearch<2> search(fields.system, laws);
+  search.locate();
+  search.find(fields.exchanges);
+  REQUIRE(search.found().nodes.size() == 1);
+  auto& field = fields.system.fields[1];
+  field.map.rebuild(std::vector<std::int64_t>{});
+  field.nodes.clear();
+  search.locate();
+  search.find(fields.exchanges);
+  CHECK(search.found().nodes.empty());
+  CHECK(search.node_at(Fields::at(8, 8)) == nullptr);
+}

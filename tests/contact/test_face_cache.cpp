@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: MIT
+/// Faces that are kept from step to step, compared with faces that are found from all particles.
+
+#include "contact/contact_cases.hpp"
+#include "solver/cloud.hpp"
+#include "solver/contact/contact_search.hpp"
+#include "solver/contact/face_finder.hpp"
+#include "solver/contact/nodal_volumes.hpp"
+
+using namespace tribo;
+using namespace tribo::test;
+
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+
+/// A slab with a second body on it, on a grid of unit cells; both consist of four particles per cell.
+struct Bodies {
+  Model model = grid_model<2>(Kernel::quadratic_spline, Transfer::flip, UpdateOrder::usl, false, 40);
+  Mat<2> turn;
+  System<2> system;
+  std::unique_ptr<Transfers<2>> transfers;
+  Exchanges<2> exchanges;
+  ContactLaws<2> laws;
+  std::vector<Body<2>*> bodies;
+  ParticleCloud<2> cloud;
+  ContactSearch<2> search;
+  NodalVolumes<2> volumes;
+  FaceFinder<2> finder;
+
+  /// The slab is turned by `angle` and its face is plane; the lower face of the other body has the given radius of
+  /// curvature (convex; 0: plane) and touches the slab.
+  Bodies(double angle, double radius)
+      : turn(Eigen::Rotation2Dd(angle).toRotationMatrix()),
+        system(build(radius)),
+        transfers(make_transfers<2>(model.scheme)),
+        laws(model, system),
+        bodies{&system.bodies[0], &system.bodies[1]},
+        cloud(system.lattice, 2.5),
+        search(system, laws),
+        volumes(system, *transfers),
+        finder(model, system, cloud, laws, bodies) {
+    std::vector<std::int64_t> occupied;
+    for (auto& body : system.bodies) {
+      REQUIRE(body.bins.sort(system.lattice, body.particles) == -1);
+      body.refresh();
+      for (const Bin& bin : body.bins.list()) occupied.push_back(bin.block);
+    }
+    for (auto& field : system.fields) {
+      field.map.rebuild(occupied);
+      field.nodes.assign(static_cast<std::size_t>(field.map.node_count()), Node{});
+      exchanges.push_back(make_exchange<2>(model.grid, system.lattice));
+      exchanges.back()->locate(field.map);
+    }
+    search.locate();
+  }
+
+  System<2> build(double radius) {
+    model.materials.push_back(model.materials.front());
+    model.contact.active = true;
+    model.contact.default_law = make_law("61", {{"coeff", "0.3"}});
+    std::vector<Seed> seeds;
+    const auto add = [&](double x, double y, int material) {
+      Seed s;
+      s.x.head<2>() = Vec<2>(20.2, 20.15) + turn * Vec<2>(x, y);
+      s.half_size.head<2>().setConstant(0.25);
+      s.F.topLeftCorner<2, 2>() = turn;
+      s.volume = 0.25, s.mass = 250, s.material = material;
+      seeds.push_back(s);
+    };
+    for (double x = -11.75; x < 12; x += 0.5)
+      for (double y = -5.75; y < 0; y += 0.5) add(x, y, 0);
+    for (double x = -7.75; x < 8; x += 0.5)
+      for (double y = 0.25; y < 4; y += 0.5) add(x, y + (radius > 0 ? x * x / (2 * radius) : 0.0), 1);
+    return build_system<2>(model, seeds);
+  }
+
+  /// Moves the second body along and across the face of the slab, in cells.
+  void move(double along, double across) {
+    const Vec<2> by = turn * Vec<2>(along, across);
+    auto& particles = system.bodies[1].particles;
+    for (std::size_t d = 0; d < 2; ++d)
+      for (std::size_t i = 0; i < particles.size(); ++i) particles.x()[d][i] += by[static_cast<Eigen::Index>(d)];
+  }
+
+  /// Finds the contact nodes of the present positions.
+  void find_nodes() {
+    for (auto& field : system.fields) std::fill(field.nodes.begin(), field.nodes.end(), Node{});
+    for (auto& body : system.bodies)
+      transfers->scatter(body, Target<2>(body, system.fields, &Field<2>::nodes), Scatter::momentum, false, false);
+    search.find(exchanges);
+  }
+
+  /// Finds the faces of all nodes, or of those that need them.
+  void find_faces(ContactNodes<2>& contacts, FaceCache<2>& cache, bool all) {
+    cache.begin_search(contacts, all);
+    cloud.clear();
+    for (const auto& node : contacts.nodes)
+      if (node.needs_faces) cloud.request(node.index);
+    cloud.collect(bodies);
+    if (all) volumes.scatter(contacts, bodies, exchanges);
+    NearParticles<2> near;
+    for (const auto& node : contacts.nodes)
+      for (std::size_t p = node.first_pair; p < node.end_pair && node.needs_faces; ++p) {
+        ContactFace& face = cache.new_face(p);
+        if (finder.find(node, contacts.members, contacts.pairs[p], face, near) && cache.enabled())
+          cache.store(face, near);
+      }
+    cache.end_search(cloud);
+  }
+};
+
+/// The largest differences between faces that were kept and faces that were found, and how many were kept.
+struct Difference {
+  double normal = 0.0, gap = 0.0, area = 0.0;
+  std::size_t kept = 0, compared = 0;
+  int searches = 0;
+};
+
+/// Slides the second body by `steps` steps of 0.002 cells along the face and 1e-5 cells away from it. Only nodes at
+/// most `half_width` from its middle are compared.
+Difference slide(double angle, double radius, int steps, double half_width) {
+  Bodies b(angle, radius);
+  FaceCache<2> cache(b.system, true), none(b.system, false);
+  constexpr double step = 0.002;
+  Difference worst;
+  for (int k = 0; k < steps; ++k) {
+    b.find_nodes();
+    auto& contacts = b.search.found();
+    ContactNodes<2> fresh = contacts;
+    if (!cache.reuse(contacts, b.bodies)) {
+      b.find_faces(contacts, cache, true);
+      ++worst.searches;
+    } else {
+      for (const auto& node : contacts.nodes) worst.kept += node.needs_faces ? 0 : 1;
+      b.find_faces(contacts, cache, false);
+    }
+    cache.count_step();
+    b.find_faces(fresh, none, true);
+    REQUIRE(fresh.pairs.size() == contacts.pairs.size());
+    const Vec<2> middle = Vec<2>(20.2, 20.15) + b.turn * Vec<2>(k * step, 0);
+    for (const auto& node : contacts.nodes) {
+      const Vec<2> x = b.turn.transpose() * (b.system.lattice.position(node.index) - middle);
+      if (std::abs(x[0]) > half_width) continue;
+      REQUIRE(node.end_pair == node.first_pair + 1);
+      const ContactPair &kept = contacts.pairs[node.first_pair], &found = fresh.pairs[node.first_pair];
+      REQUIRE(kept.has_no_face == found.has_no_face);
+      if (found.has_no_face) continue;
+      ++worst.compared;
+      worst.normal = std::max(worst.normal, (kept.state.normal - found.state.normal).norm());
+      worst.gap = std::max(worst.gap, std::abs(kept.state.gap - found.state.gap));
+      worst.area = std::max(worst.area, std::abs(kept.state.area - found.state.area));
+    }
+    b.move(step, 1e-5);
+    cache.add_travel(step);
+  }
+  return worst;
+}
+
+}  // namespace
+
+TEST_CASE("kept faces of flat bodies equal those found from all particles", "[contact][faces]") {
+  for (const double degrees : {0.0, 17.0, 45.0}) {
+    INFO(degrees << " degrees");
+    const Difference d = slide(degrees * pi / 180, 0.0, 120, 5.0);
+    CHECK(d.compared > 1000);
+    CHECK(d.kept > 1000);    // they were kept
+    CHECK(d.searches <= 4);  // a search for all nodes after every 0.2 cells or fewer, and where nodes are new
+    CHECK(d.normal < 1e-7);
+    CHECK(d.gap < 1e-7);
+    CHECK(d.area < 0.02);
+    WARN(d.compared << " " << d.kept << " " << d.searches << " " << d.normal << " " << d.gap << " " << d.area);
+  }
+}
+
+TEST_CASE("kept faces of a curved body equal those found from all particles within a small travel",
+          "[contact][faces]") {
+  for (const double radius : {10.0, 20.0}) {
+    INFO("radius " << radius);
+    const Difference d = slide(0.0, radius, 40, 3.0);
+    CHECK(d.compared > 100);
+    CHECK(d.kept > 100);
+    WARN(d.compared << " " << d.kept << " " << d.searches << " " << d.normal << " " << d.gap << " " << d.area);
+  }
+}
