@@ -18,7 +18,7 @@ void Builder::nuclei(const Statement& s, BlockGroup& g) {
   for (const char* name : {"seed", "apart"})
     must(has(s, "random") || !has(s, name), s.origin, "'" + std::string(name) + "' belongs to 'random'");
   if (!(g.high - g.low).head(model_.dimension()).cwiseSign().isOnes()) return;
-  if (has(s, "random")) strewn_nuclei(s, g);
+  if (has(s, "random")) random_nuclei(s, g);
   for (const auto& [kind, lattice] : {std::pair{"hexagons", PointLattice::hexagons},
                                       {"cubes", PointLattice::cubes},
                                       {"octahedra", PointLattice::octahedra}})
@@ -29,14 +29,14 @@ void Builder::nuclei(const Statement& s, BlockGroup& g) {
   if (file || ways == 0) check_nuclei(g);
 }
 
-void Builder::strewn_nuclei(const Statement& s, BlockGroup& g) {
+void Builder::random_nuclei(const Statement& s, BlockGroup& g) {
   const double count = number(s, "random", Dimension::none), apart = number(s, "apart", Dimension::none, 0.6),
                seed = number(s, "seed", Dimension::none, 1);
   const bool sound = count >= 1 && count <= 1e7 && apart >= 0 && apart <= 0.8 && seed >= 0;
   must(sound, s.origin, "'random' must be a number of nuclei, 'apart' in [0, 0.8] and 'seed' not negative");
   if (!sound) return;
   try {
-    g.points = strewn_points(static_cast<std::size_t>(count), g.low, g.high, model_.dimension() == 2, apart,
+    g.points = random_points(static_cast<std::size_t>(count), g.low, g.high, model_.dimension() == 2, apart,
                              static_cast<std::uint64_t>(seed));
   } catch (const std::runtime_error& error) {
     problems_.add(s.origin, error.what());

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "base/schema.hpp"
-#include "geometry/strewn.hpp"
+#include "geometry/point_sets.hpp"
 #include "input/read.hpp"
 #include "model/blocks.hpp"
 #include "model/model.hpp"
@@ -116,7 +116,7 @@ class Builder {
   }
   BlockGroup block_group(const Statement& s);
   void nuclei(const Statement& s, BlockGroup& group);
-  void strewn_nuclei(const Statement& s, BlockGroup& group);
+  void random_nuclei(const Statement& s, BlockGroup& group);
   void lattice_nuclei(const Statement& s, const std::string& kind, PointLattice lattice, BlockGroup& group);
   void nuclei_of_file(const Attribute& file, BlockGroup& group);
   void check_nuclei(const BlockGroup& group);

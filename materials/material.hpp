@@ -55,45 +55,45 @@ struct MaterialPoints {
 
 /// Interface of all material laws.
 class Material {
-public:
-virtual ~Material() = default;
+ public:
+  virtual ~Material() = default;
 
-/// Advances stress and history of every point by one step.
-virtual void update(const MaterialPoints<2>& points) const = 0;
-virtual void update(const MaterialPoints<3>& points) const = 0;
+  /// Advances stress and history of every point by one step.
+  virtual void update(const MaterialPoints<2>& points) const = 0;
+  virtual void update(const MaterialPoints<3>& points) const = 0;
 
-/// Density in the reference state [mass/length^3].
-virtual double density() const = 0;
-/// Largest rho c^2 in the reference state [stress], for the first time step.
-virtual double wave_modulus() const = 0;
-/// Largest rho_0 c^2 of the batch in its present state [stress], for adaptive time steps; c is the spatial wave speed
-/// and rho_0 the reference density, so this is the spatial modulus times J. It is an upper bound. Laws that do not
-/// stiffen keep the default.
-virtual double wave_modulus(const MaterialPoints<2>&) const { return wave_modulus(); }
-virtual double wave_modulus(const MaterialPoints<3>&) const { return wave_modulus(); }
-/// Stored energy of the batch in its present state, summed over the points [energy].
-virtual double stored_energy(const MaterialPoints<2>&) const { return 0.0; }
-virtual double stored_energy(const MaterialPoints<3>&) const { return 0.0; }
-/// Index into history() of the dissipated energy per initial volume, or -1 if the law does not dissipate.
-virtual int dissipation_index() const { return -1; }
+  /// Density in the reference state [mass/length^3].
+  virtual double density() const = 0;
+  /// Largest rho c^2 in the reference state [stress], for the first time step.
+  virtual double wave_modulus() const = 0;
+  /// Largest rho_0 c^2 of the batch in its present state [stress], for adaptive time steps; c is the spatial wave speed
+  /// and rho_0 the reference density, so this is the spatial modulus times J. It is an upper bound. Laws that do not
+  /// stiffen keep the default.
+  virtual double wave_modulus(const MaterialPoints<2>&) const { return wave_modulus(); }
+  virtual double wave_modulus(const MaterialPoints<3>&) const { return wave_modulus(); }
+  /// Stored energy of the batch in its present state, summed over the points [energy].
+  virtual double stored_energy(const MaterialPoints<2>&) const { return 0.0; }
+  virtual double stored_energy(const MaterialPoints<3>&) const { return 0.0; }
+  /// Index into history() of the dissipated energy per initial volume, or -1 if the law does not dissipate.
+  virtual int dissipation_index() const { return -1; }
 
-virtual const std::vector<HistoryVariable>& history() const = 0;
-/// Whether the law uses the deformation gradient F. If false, the solver need not store it.
-virtual bool needs_deformation() const { return true; }
-/// Whether the stress depends on the temperature.
-virtual bool feels_temperature() const { return false; }
-/// Cell size from which on the law cannot be used [length].
-virtual double largest_cell() const { return std::numeric_limits<double>::infinity(); }
-/// Whether the material is a liquid with a viscosity [stress time] as a function of the shear rate [1/time].
-virtual bool liquid() const { return false; }
-virtual double viscosity(double) const { return 0.0; }
-/// Upper bound of the viscosity, for the time step [stress time].
-virtual double largest_viscosity() const { return 0.0; }
-/// Whether the material is rigid: prescribed motion, no stress.
-virtual bool rigid() const { return false; }
-/// The same law with its strength divided by `factor`: cohesion, tangent of the friction angle, tensile strength, yield
-/// stress. The dilation angle is kept, but not above the friction angle. Null for laws without strength.
-virtual std::shared_ptr<const Material> weakened([[maybe_unused]] double factor) const { return nullptr; }
+  virtual const std::vector<HistoryVariable>& history() const = 0;
+  /// Whether the law uses the deformation gradient F. If false, the solver need not store it.
+  virtual bool needs_deformation() const { return true; }
+  /// Whether the stress depends on the temperature.
+  virtual bool feels_temperature() const { return false; }
+  /// Cell size from which on the law cannot be used [length].
+  virtual double largest_cell() const { return std::numeric_limits<double>::infinity(); }
+  /// Whether the material is a liquid with a viscosity [stress time] as a function of the shear rate [1/time].
+  virtual bool liquid() const { return false; }
+  virtual double viscosity(double) const { return 0.0; }
+  /// Upper bound of the viscosity, for the time step [stress time].
+  virtual double largest_viscosity() const { return 0.0; }
+  /// Whether the material is rigid: prescribed motion, no stress.
+  virtual bool rigid() const { return false; }
+  /// The same law with its strength divided by `factor`: cohesion, tangent of the friction angle, tensile strength,
+  /// yield stress. The dilation angle is kept, but not above the friction angle. Null for laws without strength.
+  virtual std::shared_ptr<const Material> weakened([[maybe_unused]] double factor) const { return nullptr; }
 };
 
 /// Whether an initial stress is preserved by a step without motion. It is not if the law computes the stress from the

@@ -17,7 +17,7 @@ double distance2(const Point& p, const Point& a, const Point& b) {
   return (p - a - s * along).squaredNorm();
 }
 
-// True if the closed segments a-b and c-d have a point in common.
+// Whether the closed segments a-b and c-d intersect.
 bool meet(const Point& a, const Point& b, const Point& c, const Point& d) {
   const auto apart = [&](int k) {
     return std::max(a[k], b[k]) < std::min(c[k], d[k]) || std::max(c[k], d[k]) < std::min(a[k], b[k]);
@@ -61,8 +61,8 @@ class Polygon final : public Region {
     return 0.5 * sum;
   }
 
-  // The even-odd area equals the shoelace sum if edges that are no neighbours do not meet. Checked pair by pair up to a
-  // size where that is still quick; larger polygons have no exact measure.
+  // The area by the even-odd rule equals the shoelace sum if no two non-adjacent edges intersect. This is checked for
+  // all pairs of edges up to a size for which it is fast; larger polygons have no exact measure.
   bool simple() const {
     const std::size_t n = corners_.size();
     if (n > 2000) return false;

@@ -4,9 +4,11 @@
 /// Each kernel has
 /// - `width`: number of nodes of the stencil along the axis; `shift`: the lowest node is floor(position - shift);
 /// - `sized`: whether the size of the particle's domain counts;
-/// - `at(r, l, w, g)`: weights w and slopes g of the `width` nodes of the stencil, for the position r minus the lowest node
+/// - `at(r, l, w, g)`: weights w and slopes g of the `width` nodes of the stencil, for the position r minus the lowest
+/// node
 ///   and the half width l of the particle's domain. T is a double or a short vector of doubles (several particles);
-/// - `Point`: the kernel that interpolates at points without a domain, with `reach`, the distance within which it is not
+/// - `Point`: the kernel that interpolates at points without a domain, with `reach`, the distance within which it is
+/// not
 ///   zero, and `value(s)`, its value for a node at the distance s >= 0.
 ///
 /// The list of all kernels is in model/shape_functions.hpp.

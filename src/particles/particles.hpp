@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Particles of one body: one array per component, registered by name for sorting, output and restart alike.
+/// Particles of one body: one array per component, registered by name for sorting, output and restart.
 #pragma once
 
 #include "base/aligned.hpp"
@@ -40,17 +40,17 @@ class Particles {
   using Vector = std::array<double*, static_cast<std::size_t>(Dim)>;
   using Matrix = std::array<double*, static_cast<std::size_t>(Dim* Dim)>;
 
-  /// One array of doubles and what it is called; tensors and vectors are several columns `stress_xx`, ...
+  /// A named array of doubles. Vectors and tensors consist of several columns `stress_xx`, ...
   struct Column {
     std::string name;
     Dimension dimension;
     AlignedVector<double> data;
   };
 
-  /// Lanes that may be read (not written) beyond the last particle.
+  /// Number of entries that may be read (not written) beyond the last particle.
   static constexpr std::size_t padding = 16;
 
-  /// `with_deformation`: keep F; else F() gives null pointers.
+  /// `with_deformation`: store F; otherwise F() gives null pointers.
   explicit Particles(std::size_t count, bool with_deformation = true) : count_(count), id(count) {
     x_ = add_vector("position", Dimension::length);
     v_ = add_vector("velocity", Dimension::velocity);
@@ -144,7 +144,7 @@ class Particles {
   std::size_t F_ = 0, stress_ = 0;  // first columns of tensors in the layout of the analysis
 
  public:
-  std::vector<std::int64_t> id;  ///< given at the start, kept for life
+  std::vector<std::int64_t> id;  ///< assigned at the start, never changed
 };
 
 }  // namespace tribo

@@ -165,12 +165,14 @@ void ParticleFields<Dim>::add(const std::string& name) {
       return body.particles[body.temperature][i] * (energy ? body.particles.mass()[i] * body.heat_capacity : 1.0);
     });
   } else if (name == "contact_state") {
-    if (model_.contact.active) scalar(name, [&](B body, std::size_t i) { return body.particles[body.contact_state][i]; });
+    if (model_.contact.active)
+      scalar(name, [&](B body, std::size_t i) { return body.particles[body.contact_state][i]; });
   } else if (name == "contact_traction" || name == "contact_normal") {
     const bool normal = name == "contact_normal";
     if (model_.contact.active)
-      vector(name,
-             [&](B body, std::size_t i, std::size_t d) { return body.particles[normal ? body.contact_normal : body.contact_traction][d][i]; });
+      vector(name, [&](B body, std::size_t i, std::size_t d) {
+        return body.particles[normal ? body.contact_normal : body.contact_traction][d][i];
+      });
   } else if (name == "history") {
     add_history();
   } else {

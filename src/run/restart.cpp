@@ -142,7 +142,8 @@ CheckpointWriter save_state(const RunState& state, System<Dim>& system, Stepper<
     pairs.insert(pairs.end(), {static_cast<double>(fields.first), static_cast<double>(fields.second), entry.friction,
                                entry.impact, entry.interface, entry.stored});
   out.put("contact", std::span<const double>(pairs));
-  out.put("heat", std::array{stepper.heat().supplied, stepper.heat().from_contact, stepper.heat().time_since_reduction});
+  out.put("heat",
+          std::array{stepper.heat().supplied, stepper.heat().from_contact, stepper.heat().time_since_reduction});
   for (std::size_t c = 0; c < system.cracks.size(); ++c)
     out.put("crack" + std::to_string(c) + ".shape", std::span<const double>(shape_of(system.cracks[c])));
   each_surface(system, [&](const std::string& name, std::vector<double>& column) {

@@ -132,9 +132,9 @@ TEST_CASE("wrong commands do not hide wrong names of materials and properties", 
   CHECK_THAT(text, Contains("s:6:1: error: there is no command 'GridHorizz'"));
   CHECK_THAT(text, Contains("s:7:8: error: there is no material 'gun' (did you mean 'gum'?)"));
   CHECK(std::count(text.begin(), text.end(), '\n') == 2);
-  CHECK_THAT(
-      complaint("Material \"gum\",\"Gum\",\"Isotropic\"\nalpha 1\ndelIc 1\nDone\nGridHorizz 3"),
-      Contains("<delIc> belongs to a criterion for the growth of cracks that is not implemented") && !Contains("<alpha>"));
+  CHECK_THAT(complaint("Material \"gum\",\"Gum\",\"Isotropic\"\nalpha 1\ndelIc 1\nDone\nGridHorizz 3"),
+             Contains("<delIc> belongs to a criterion for the growth of cracks that is not implemented") &&
+                 !Contains("<alpha>"));
   // what was not reached may be what is missing
   CHECK_THAT(complaint("GlobalArchive velx,\"gum\"\nStop"), !Contains("there is no material"));
   // its properties and regions are right

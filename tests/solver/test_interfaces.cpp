@@ -214,8 +214,7 @@ TEST_CASE("two jointed materials that turn do not load their joint", "[joints][i
   for (auto& body : system.bodies) {
     set_velocity<2>(body, [&](const Vec<2>& x) { return Vec<2>(omega * Vec<2>(centre - x[1], x[0] - centre)); });
     for (std::size_t i = 0; i < body.particles.size(); ++i)  // the spin that APIC keeps
-      body.particles[body.affine][1][i] = -0.25 * omega,
-                                           body.particles[body.affine][2][i] = 0.25 * omega;
+      body.particles[body.affine][1][i] = -0.25 * omega, body.particles[body.affine][2][i] = 0.25 * omega;
   }
   Stepper<2> stepper(model, system);
   const int steps = 4000;

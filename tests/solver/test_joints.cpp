@@ -95,8 +95,7 @@ TEST_CASE("a jointed block that turns does not load its joint", "[joints]") {
   const double omega = 0.01;
   set_velocity<2>(body, [&](const Vec<2>& x) { return Vec<2>(omega * Vec<2>(-(x - centre)[1], (x - centre)[0])); });
   for (std::size_t i = 0; i < body.particles.size(); ++i)  // the spin that APIC keeps
-    body.particles[body.affine][1][i] = -0.25 * omega,
-                                         body.particles[body.affine][2][i] = 0.25 * omega;
+    body.particles[body.affine][1][i] = -0.25 * omega, body.particles[body.affine][2][i] = 0.25 * omega;
   Stepper<2> stepper(model, system);
   const int steps = 4000;
   for (int k = 0; k < steps; ++k) stepper.advance(0.5 / omega / steps);  // by half a radian

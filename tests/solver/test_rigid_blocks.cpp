@@ -69,8 +69,7 @@ Momentum momentum(Run<Dim>& run) {
     x.head<Dim>() = body.particles.position(i), v.head<Dim>() = body.particles.velocity(i);
     Mat3 B = Mat3::Zero();
     for (int r = 0; r < Dim; ++r)
-      for (int c = 0; c < Dim; ++c)
-        B(r, c) = body.particles[body.affine][static_cast<std::size_t>(Dim * r + c)][i];
+      for (int c = 0; c < Dim; ++c) B(r, c) = body.particles[body.affine][static_cast<std::size_t>(Dim * r + c)][i];
     out.linear += m * v;
     out.angular += m * (x.cross(v) + Vec3(B(2, 1) - B(1, 2), B(0, 2) - B(2, 0), B(1, 0) - B(0, 1)));
   }

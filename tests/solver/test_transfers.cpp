@@ -76,8 +76,7 @@ TEMPLATE_TEST_CASE_SIG("the scatter conserves mass and momentum and gives no net
                     [&](const Vec<Dim>&) -> Vec<Dim> { return Vec<Dim>::NullaryExpr([&] { return unit(random); }); });
   if (body.affine)
     for (std::size_t k = 0; k < Dim * Dim; ++k)
-      for (std::size_t i = 0; i < body.particles.size(); ++i)
-        body.particles[body.affine][k][i] = 0.1 * unit(random);
+      for (std::size_t i = 0; i < body.particles.size(); ++i) body.particles[body.affine][k][i] = 0.1 * unit(random);
   auto& field = system.fields[0];
   make_transfers<Dim>(model.scheme)->scatter(body, {field.map, field.nodes}, Scatter::momentum_and_force, false, false);
   double mass = 0, scale = 0;

@@ -4,7 +4,7 @@
 
 #include "base/stopwatch.hpp"
 #include "solver/contact/contact_ledger.hpp"
-#include "solver/contact/contact_slip.hpp"
+#include "solver/contact/contact_memory.hpp"
 #include "solver/contact/face_finder.hpp"
 #include "solver/contact/face_solver.hpp"
 #include "solver/contact/nodal_volumes.hpp"

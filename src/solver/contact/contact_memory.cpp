@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "solver/contact/contact_slip.hpp"
+#include "solver/contact/contact_memory.hpp"
 
 #include "base/parallel.hpp"
 
@@ -51,8 +51,7 @@ void ContactMemory<Dim>::update() const {
     // Slip is the distance of sliding since the faces last stuck or separated.
     double& slip = body.particles[body.contact_slip][label.particle];
     slip = sliding > 0.5 * touching ? slip + way / sliding : 0.0;
-    if (whole + broken > 0)
-      body.particles[body.contact_bond][label.particle] = broken > whole ? -1.0 : 1.0;
+    if (whole + broken > 0) body.particles[body.contact_bond][label.particle] = broken > whole ? -1.0 : 1.0;
   });
 }
 

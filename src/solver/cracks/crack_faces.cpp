@@ -231,7 +231,8 @@ bool Cracks<Dim>::face_velocities(const Crack<Dim>& crack, std::size_t k, const 
   double heaviest = 0.0;
   Vec<Dim> here;
   around_.each(crack.x[k], [&](double, const Index<Dim>& n) {
-    for (const Vec<Dim>& at : beside) heaviest = std::max(heaviest, velocity_on_side(n, side_of_node(nearby, at, n), here));
+    for (const Vec<Dim>& at : beside)
+      heaviest = std::max(heaviest, velocity_on_side(n, side_of_node(nearby, at, n), here));
   });
   // nodes with next to no mass may fly away in one step
   constexpr double light = 1e-3;

@@ -95,7 +95,8 @@ void Cracks<Dim>::register_pieces() {
   for (std::uint32_t c = 0; c < system_.cracks.size(); ++c) {
     const Crack<Dim>& crack = system_.cracks[c];
     for (std::size_t p = 0; p < crack.pieces.size(); ++p) {
-      PlacedPiece piece{c, static_cast<std::uint32_t>(p), 0, crack.pieces[p], crack.corners(p), Vec<Dim>::Ones(), {}, {}};
+      PlacedPiece piece{c, static_cast<std::uint32_t>(p), 0, crack.pieces[p], crack.corners(p), Vec<Dim>::Ones(), {},
+                        {}};
       piece.low = piece.high = piece.corners[0];
       for (const auto& corner : piece.corners)
         piece.low = piece.low.cwiseMin(corner), piece.high = piece.high.cwiseMax(corner);
@@ -286,7 +287,9 @@ void Cracks<Dim>::find_nearby(const Vec<Dim>& x, NearbyPieces& nearby) const {
 
 template <int Dim>
 int Cracks<Dim>::side_of_node(const NearbyPieces& nearby, const Vec<Dim>& x, const Index<Dim>& node) const {
-  return nearby.close.empty() ? 0 : side_from_crossings(node, crossed(nearby.close, x, system_.lattice.position(node)), *nearby.list);
+  return nearby.close.empty()
+             ? 0
+             : side_from_crossings(node, crossed(nearby.close, x, system_.lattice.position(node)), *nearby.list);
 }
 
 template class Cracks<2>;

@@ -75,7 +75,7 @@ void HeatConduction<Dim>::find_rates(double dt, const Contact<Dim>& contact, con
 
 template <int Dim>
 void HeatConduction<Dim>::add_flux(double dt, const ParticleCondition& condition, Body<Dim>& body, std::size_t particle,
-                                  const Exchanges<Dim>& exchanges) {
+                                   const Exchanges<Dim>& exchanges) {
   const auto face = ParticleFace<Dim>::of(system_, body, particle, condition.face);
   Vec3 x = Vec3::Zero();
   x.head<Dim>() = body.particles.position(particle);
@@ -186,7 +186,8 @@ void HeatConduction<Dim>::reduce_detail(double dt, const Contact<Dim>& contact, 
   const double h = system_.lattice.smallest_spacing();
   double most = 0.0;
   for (auto& body : system_.bodies) {
-    body.detail_share = std::min(1.0, time_since_reduction * body.conductivity / (body.law->density() * body.heat_capacity * h * h));
+    body.detail_share =
+        std::min(1.0, time_since_reduction * body.conductivity / (body.law->density() * body.heat_capacity * h * h));
     most = std::max(most, body.detail_share);
   }
   if (most < least_share) return;

@@ -33,9 +33,9 @@ class HeatConduction {
   /// of this step as heat if the model says so. Faces that touch have one temperature; faces apart exchange nothing.
   void conduct(double dt, const Contact<Dim>& contact, const Exchanges<Dim>& exchanges);
 
-  double supplied = 0.0;      ///< heat that came in through conditions so far    [energy]
-  double from_contact = 0.0;  ///< heat from sliding contact so far               [energy]
-  double time_since_reduction = 0.0;        ///< time since details last settled; kept for restart
+  double supplied = 0.0;              ///< heat that came in through conditions so far    [energy]
+  double from_contact = 0.0;          ///< heat from sliding contact so far               [energy]
+  double time_since_reduction = 0.0;  ///< time since details last settled; kept for restart
 
  private:
   struct PrescribedTemperature {
@@ -45,7 +45,7 @@ class HeatConduction {
   HeatNode& node_of(const ContactMember& m) { return system_.fields[m.field].heat[static_cast<std::size_t>(m.node)]; }
   void find_rates(double dt, const Contact<Dim>& contact, const Exchanges<Dim>& exchanges);
   void add_flux(double dt, const ParticleCondition& condition, Body<Dim>& body, std::size_t particle,
-               const Exchanges<Dim>& exchanges);
+                const Exchanges<Dim>& exchanges);
   void add_friction_heat(double dt, const Contact<Dim>& contact, const Exchanges<Dim>& exchanges);
   void equalize_contact(const Contact<Dim>& contact);
   void impose_temperatures(double dt, const Exchanges<Dim>& exchanges);

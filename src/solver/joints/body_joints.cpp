@@ -45,7 +45,7 @@ auto Joints<Dim>::nearest_joint(std::size_t a, std::size_t b, const Vec<Dim>& x)
   NearestJoint out;
   if (points_of_block_.empty()) return out;
   const Vec<Dim> reach = Vec<Dim>::Constant(reach_);
-  const auto look = [&](const Index<Dim>& block) {
+  const auto list_joints_of = [&](const Index<Dim>& block) {
     for (const PointOf& point : points_of_block_[static_cast<std::size_t>(system_.lattice.block_index(block))]) {
       const JointSurface<Dim>& surface = system_.joints[point.surface];
       const auto& [one, two] = surface.home;
@@ -63,7 +63,7 @@ auto Joints<Dim>::nearest_joint(std::size_t a, std::size_t b, const Vec<Dim>& x)
     for (block[1] = low[1]; block[1] <= high[1]; ++block[1])
       for (block[0] = low[0]; block[0] <= high[0]; ++block[0]) {
         if constexpr (Dim == 3) block[2] = z;
-        find_nearby(block);
+        list_joints_of(block);
       }
   return out;
 }

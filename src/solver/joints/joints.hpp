@@ -67,7 +67,8 @@ class Joints {
       Vec3 force = Vec3::Zero();
       double area = 0.0;
       for (std::size_t k = 0; k < surface.joints.size(); ++k)
-        if (is_supported(s, k)) force -= surface.force(k), area += surface.joints[k].away ? 0.0 : surface.joints[k].area;
+        if (is_supported(s, k))
+          force -= surface.force(k), area += surface.joints[k].away ? 0.0 : surface.joints[k].area;
       f(surface.home[0], surface.home[1], force, area);
     }
   }
@@ -97,7 +98,7 @@ class Joints {
   };
   struct Surface {
     std::vector<SampleNodes> samples;
-    std::vector<double> supported;                   ///< per joint: part of its surface that has both faces
+    std::vector<double> supported;              ///< per joint: part of its surface that has both faces
     std::vector<std::array<Motion, 2>> motion;  ///< per joint
   };
   Node& node(const NodeShare& share) const {
@@ -132,15 +133,15 @@ class Joints {
   std::vector<std::vector<double>> stiffness_;  ///< scratch: per field and node
   std::vector<double> row_;                     ///< scratch: per joint
   std::vector<JointIncrement> increments_;      ///< scratch
-  std::vector<JointEvent> new_events_;            ///< scratch
+  std::vector<JointEvent> new_events_;          ///< scratch
   std::vector<PlacedEvent> events_;
   std::pair<double, Vec3> rigid_{0.0, Vec3::Zero()};
   struct PointOf {
     std::uint32_t surface, joint;
   };
-  double reach_ = 0.0;                        ///< of the nodes that feel a point, along any axis [length]
+  double reach_ = 0.0;                                 ///< of the nodes that feel a point, along any axis [length]
   std::vector<std::vector<PointOf>> points_of_block_;  ///< per block: points between bodies that have both faces
-  std::vector<std::int64_t> listed_blocks_;          ///< blocks that have some
+  std::vector<std::int64_t> listed_blocks_;            ///< blocks that have some
   double stable_step_ = std::numeric_limits<double>::infinity();
 };
 

@@ -35,12 +35,12 @@ struct Crack {
   std::vector<Piece> pieces;
   std::vector<double> inside;                      ///< part of each piece that lay in bodies at the start
   std::size_t drawn_points = 0, drawn_pieces = 0;  ///< the others go on from where the crack leaves a body
-  std::vector<double> gap;                    ///< sum of what they parted along the normal                 [length]
-  std::vector<double> slip;                   ///< way slid since the faces last stuck                    [length]
-  std::vector<double> bond;                   ///< 1 whole, -1 broken, 0 none
-  std::vector<double> status;                 ///< in the last step: 0 open, 1 stick, 2 slip
-  std::vector<Vec<Dim>> traction;             ///< on the lower face in the last step                     [stress]
-  std::vector<char> is_led;                      ///< points whose faces joints lead in this step; empty: none
+  std::vector<double> gap;         ///< sum of what they parted along the normal                 [length]
+  std::vector<double> slip;        ///< way slid since the faces last stuck                    [length]
+  std::vector<double> bond;        ///< 1 whole, -1 broken, 0 none
+  std::vector<double> status;      ///< in the last step: 0 open, 1 stick, 2 slip
+  std::vector<Vec<Dim>> traction;  ///< on the lower face in the last step                     [stress]
+  std::vector<char> is_led;        ///< points whose faces joints lead in this step; empty: none
   std::vector<std::array<Vec<Dim>, 2>> led_velocity;  ///< their velocities
   std::vector<CrackTip> tips;
   double whole_bond = 0.0;  ///< `bond` of new points
