@@ -24,6 +24,11 @@ struct JointAxes {
   Vec3 vector(const Tangent& v) const { return v.s * s + v.t * t; }
 };
 
+inline void archive(Archive& a, JointAxes& axes) {
+  auto& [n, s, t] = axes;
+  a("n", n), a("s", s), a("t", t);
+}
+
 /// Area, centroid and second moments of a plane polygon about its centroid. The corners may run either way.
 /// I_s = int t^2, I_t = int s^2, I_st = int s t.
 struct PolygonMoments {

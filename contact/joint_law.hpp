@@ -136,52 +136,8 @@ class JointLaw {
   virtual double user_area() const = 0;
 };
 
-/// Calls f(double&) for every number of a contact, in a fixed order, to save and restore it.
-template <class F>
-void each_number(Joint& j, F&& f) {
-  for (double* x : {&j.area,
-                    &j.kn,
-                    &j.ks,
-                    &j.twist_stiffness,
-                    &j.radius,
-                    &j.inertia,
-                    &j.polar,
-                    &j.Fn,
-                    &j.Fs.s,
-                    &j.Fs.t,
-                    &j.Mt,
-                    &j.Mb.s,
-                    &j.Mb.t,
-                    &j.dashpot_normal,
-                    &j.dashpot_shear.s,
-                    &j.dashpot_shear.t,
-                    &j.poisson_normal,
-                    &j.poisson_shear.s,
-                    &j.poisson_shear.t,
-                    &j.opening,
-                    &j.shear.s,
-                    &j.shear.t,
-                    &j.gap,
-                    &j.rest_gap,
-                    &j.slip,
-                    &j.elongation,
-                    &j.onset,
-                    &j.strain,
-                    &j.slid,
-                    &j.damped,
-                    &j.work,
-                    &j.start})
-    f(*x);
-  for (double& x : j.bend_stiffness) f(x);
-  double state = j.state;
-  f(state);
-  j.state = static_cast<int>(state);
-  for (bool* b : {&j.slips, &j.bends, &j.twists, &j.shear_weak, &j.torn, &j.away}) {
-    double flag = *b ? 1.0 : 0.0;
-    f(flag);
-    *b = flag != 0;
-  }
-}
+/// The state of a joint; the version covers its tangents, too.
+void archive(Archive& a, Joint& joint);
 
 /// All joint laws; generated from contact/CMakeLists.txt.
 const Catalogue<JointLaw>& joint_laws();

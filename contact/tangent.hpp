@@ -2,6 +2,8 @@
 /// Vectors in the tangent plane of a contact.
 #pragma once
 
+#include "base/archive.hpp"
+
 #include <cmath>
 
 namespace tribo {
@@ -19,5 +21,10 @@ struct Tangent {
   double dot(const Tangent& o) const { return s * o.s + t * o.t; }
   double norm() const { return std::sqrt(dot(*this)); }
 };
+
+inline void archive(Archive& a, Tangent& tangent) {
+  auto& [s, t] = tangent;
+  a("s", s), a("t", t);
+}
 
 }  // namespace tribo

@@ -5,7 +5,7 @@
 #include "contact/joint_law.hpp"
 #include "input/builder.hpp"
 #include "materials/material.hpp"
-#include "model/quantities.hpp"
+#include "model/block_quantities.hpp"
 
 #include <algorithm>
 

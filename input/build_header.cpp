@@ -2,6 +2,7 @@
 /// Header, MPMHeader, Mesh and CustomTasks.
 
 #include "input/builder.hpp"
+#include "model/output_fields.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -297,9 +298,9 @@ void Builder::task(const Statement& schedule) {
   } else if (name == "VTKArchive") {
     for (const auto& p : schedule.children) {
       const std::string wanted = word(p, "name");
-      if (wanted == "mass" || wanted == "velocity") model_.output.grid_fields.push_back(wanted);
+      if (find_grid_field(wanted)) model_.output.grid_fields.push_back(wanted);
     }
-    known = {"mass", "velocity"};
+    for (const auto& field : grid_fields()) known.emplace_back(field.name);
   } else {
     problems_.add(schedule.attribute("name")->origin,
                   "the task '" + name + "' is not supported by Tribo" +

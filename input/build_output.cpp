@@ -4,6 +4,7 @@
 #include "base/text.hpp"
 #include "input/builder.hpp"
 #include "materials/material.hpp"
+#include "model/output_fields.hpp"
 #include "model/quantities.hpp"
 
 #include <algorithm>
@@ -15,7 +16,8 @@
 namespace tribo {
 namespace {
 
-std::vector<std::string> names_of(const std::vector<QuantityInfo>& list) {
+template <class Table>
+std::vector<std::string> names_of(const Table& list) {
   std::vector<std::string> out;
   for (const auto& q : list) out.emplace_back(q.name);
   return out;
@@ -125,11 +127,11 @@ void Builder::archive(const Statement& h) {
     std::istringstream fields(word(*o, "fields")), grid(word(*o, "grid"));
     for (std::string name; fields >> name;) add_field(name, o->attribute("fields")->origin);
     for (std::string name; grid >> name;) {
-      if (name == "mass" || name == "velocity")
+      if (find_grid_field(name))
         out.grid_fields.push_back(name);
       else
         problems_.add(o->attribute("grid")->origin,
-                      "'" + name + "' is no field of the grid files; valid: mass, velocity");
+                      "'" + name + "' is no field of the grid files; valid: " + join(names_of(grid_fields())));
     }
     out.checkpoint_interval = number(*o, "checkpoint", Dimension::time);
     must(out.checkpoint_interval >= 0, o->origin, "the time between checkpoints must not be negative");

@@ -9,6 +9,8 @@
 #include "input/dialect.hpp"
 #include "input/script/commands.hpp"
 #include "materials/material.hpp"
+#include "model/block_quantities.hpp"
+#include "model/output_fields.hpp"
 #include "model/quantities.hpp"
 
 #include <algorithm>
@@ -100,6 +102,8 @@ std::vector<ManualEntry> make() {
     out.push_back({"history of blocks", std::string(q.name), std::string(q.unit), std::string(q.meaning)});
   for (const auto& q : particle_fields())
     out.push_back({"field", std::string(q.name), std::string(q.unit), std::string(q.meaning)});
+  for (const auto& q : grid_fields())
+    out.push_back({"grid field", std::string(q.name), std::string(q.unit), std::string(q.meaning)});
   return out;
 }
 
@@ -115,6 +119,7 @@ const char* title(const std::string& kind) {
   if (kind == "command") return "Scripted commands";
   if (kind == "history") return "Quantities of history.csv";
   if (kind == "history of blocks") return "Quantities of history.csv in models of blocks";
+  if (kind == "grid field") return "Fields of the grid files";
   return "Fields of the particle files";
 }
 
@@ -179,7 +184,7 @@ std::string manual_markdown() {
                   "prints one entry.\n",
               kind;
   for (const auto& e : manual()) {
-    const bool table = e.kind == "command" || e.kind == "history" || e.kind == "field";
+    const bool table = e.kind == "command" || e.kind == "history" || e.kind == "field" || e.kind == "grid field";
     if (e.kind != kind) {
       out += "\n## " + std::string(title(e.kind)) + "\n\n";
       if (table) out += e.kind == "command" ? "| command | followed by | |\n|-|-|-|\n" : "| name | unit | |\n|-|-|-|\n";

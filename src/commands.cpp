@@ -96,7 +96,7 @@ int safety_command(const Arguments& a) {
   options.folder = a.output.empty() ? default_folder(a.file) : a.output;
   options.threads = a.thread_count, options.quiet = true, options.overwrite = a.overwrite,
   options.command_line = a.command_line;
-  refuse_used_folder(options);
+  check_folder(options);
   std::error_code refused;  // the folder is created now, so that a failure is reported before the search
   std::filesystem::create_directories(options.folder, refused);
   if (refused) throw FileError("cannot create '" + options.folder.string() + "': " + refused.message());

@@ -68,12 +68,6 @@ std::int64_t Bins<Dim>::sort(const Lattice<Dim>& lattice, Particles<Dim>& partic
 }
 
 template <int Dim>
-void Bins<Dim>::restore(const Lattice<Dim>& lattice, std::vector<Bin> bins) {
-  bins_ = std::move(bins);
-  paint(lattice);
-}
-
-template <int Dim>
 void Bins<Dim>::paint(const Lattice<Dim>& lattice) {
   std::size_t count = 1;
   for (int d = 0; d < Dim; ++d) count *= static_cast<std::size_t>(colours_per_axis_);

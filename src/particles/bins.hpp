@@ -16,6 +16,11 @@ struct Bin {
   std::uint32_t begin, end;
 };
 
+inline void archive(Archive& a, Bin& bin) {
+  auto& [block, begin, end] = bin;
+  a("block", block), a("begin", begin), a("end", end);
+}
+
 /// A particle belongs to the bin of the block that contains the lowest node of its stencil. Between sorts it may move
 /// by less than one cell, which every transfer allows for. Blocks of the same colour never write to the same node. A
 /// particle-to-grid transfer processes one colour after the other, in parallel within a colour. It needs no atomics,
@@ -29,8 +34,15 @@ class Bins {
   /// Sorts the particles. Returns the index of a particle outside the input grid (or with a NaN position), or -1.
   std::int64_t sort(const Lattice<Dim>& lattice, Particles<Dim>& particles);
 
-  /// Restores the bins of a checkpoint; the particles must be in the order of the bins.
-  void restore(const Lattice<Dim>& lattice, std::vector<Bin> bins);
+  /// The particles must be in the order of the bins. Colours follow from the bins.
+  friend void archive(Archive& a, Bins& bins, const Lattice<Dim>& lattice) {
+    auto& [shift, colours_per_axis, list, colours, before] = bins;
+    a.enter("bins");
+    a.version(1);
+    a.resizable("list", list);
+    a.leave();
+    if (a.reading()) bins.paint(lattice);
+  }
 
   const std::vector<Bin>& list() const { return bins_; }
   /// Bins of each colour, as indices into list().

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/aligned.hpp"
+#include "base/archive.hpp"
 #include "base/types.hpp"
 #include "base/units.hpp"
 
@@ -110,6 +111,14 @@ class Particles {
 
   /// particle i becomes the former particle order[i].
   void reorder(std::span<const std::uint32_t> order);
+
+  /// Columns without their padding.
+  friend void archive(Archive& a, Particles& particles) {
+    auto& [count, columns, spare, x, v, mass, volume, F, stress, ids] = particles;
+    a.version(1);
+    a("id", ids);
+    for (Column& column : columns) a.doubles(column.name, {column.data.data(), count});
+  }
 
  private:
   std::size_t add_tensor(const std::string& name, Dimension dimension) {

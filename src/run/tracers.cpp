@@ -24,7 +24,7 @@ Tracers<Dim>::Tracers(const Model& model, System<Dim>& system) {
           distance += along * along;
         }
         const std::int64_t id = body.particles.id[i];
-        // Rounding must not choose between particles that lie around the point
+        // Rounding must not decide between particles at the same distance
         const bool nearer = distance < nearest - 1e-9, as_near = distance < nearest + 1e-9;
         if (nearer || (as_near && id < tracer.id)) tracer = {b, id}, nearest = std::min(distance, nearest);
       }

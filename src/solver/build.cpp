@@ -143,7 +143,7 @@ void add_blocks(const Model& model, System<Dim>& system, const Transfers<Dim>& t
   const BlocksSpec& spec = *model.blocks;
   system.blocks = std::make_shared<Assembly>(model.blocks, Dim, model.analysis == Analysis::plane_stress,
                                              model.body_force.gravity, model.time.max_step);
-  system.blocks->pushes.resize(system.blocks->bodies.size());
+  system.blocks->grid_forces.resize(system.blocks->bodies.size());
   for (std::size_t k = 0; k < system.blocks->block_count(); ++k) {
     const auto& group = spec.groups[static_cast<std::size_t>(system.blocks->bodies[k].group)];
     const auto seeds = block_points(system.blocks->shapes[k], system.blocks->motion[k].x, group.material, group.density,

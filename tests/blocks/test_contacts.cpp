@@ -70,7 +70,7 @@ TEST_CASE("a polygon that falls on a floor rests on its springs", "[blocks]") {
   const double dt = body.critical_step();
   for (int k = 0; k * dt < 2; ++k) body.advance(dt), body.check_contacts();
   CHECK(body.motion[1].x[1] - 0.5 == Approx(-2000 * 10 / 1e8).epsilon(1e-3));
-  CHECK(std::abs(body.turned(1)[2]) < 1e-6);
+  CHECK(std::abs(body.rotation(1)[2]) < 1e-6);
   const BlockLedger l = body.ledger();
   CHECK(std::abs(l.content()) < 1e-3 * l.dashpot);
 }

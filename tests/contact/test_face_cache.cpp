@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 /// Faces that are kept from step to step, compared with faces that are found from all particles.
 
+#include "base/parallel.hpp"
 #include "contact/contact_cases.hpp"
 #include "solver/cloud.hpp"
-#include "solver/contact/contact_search.hpp"
-#include "solver/contact/face_finder.hpp"
-#include "solver/contact/nodal_volumes.hpp"
+#include "solver/contact/contact.hpp"
 
 using namespace tribo;
 using namespace tribo::test;
@@ -28,11 +27,12 @@ struct Bodies {
   NodalVolumes<2> volumes;
   FaceFinder<2> finder;
 
-  /// The slab is turned by `angle` and its face is plane; the lower face of the other body has the given radius of
-  /// curvature (convex; 0: plane) and touches the slab.
-  Bodies(double angle, double radius)
+  /// The bodies are turned by `angle`. `lower` and `upper`: curvatures of the upper face of the slab and of the lower
+  /// face of the other body, positive if the face is bent upwards; 0: plane [1/length]. The faces touch in their
+  /// middle.
+  Bodies(double angle, double lower, double upper)
       : turn(Eigen::Rotation2Dd(angle).toRotationMatrix()),
-        system(build(radius)),
+        system(build(lower, upper)),
         transfers(make_transfers<2>(model.scheme)),
         laws(model, system),
         bodies{&system.bodies[0], &system.bodies[1]},
@@ -55,23 +55,27 @@ struct Bodies {
     search.locate();
   }
 
-  System<2> build(double radius) {
+  System<2> build(double lower, double upper) {
     model.materials.push_back(model.materials.front());
     model.contact.active = true;
     model.contact.default_law = make_law("61", {{"coeff", "0.3"}});
     std::vector<Seed> seeds;
-    const auto add = [&](double x, double y, int material) {
+    // The domains are turned so that their sides are parallel to the curved face.
+    const auto add = [&](double x, double height, double curvature, int material) {
+      Mat<2> axes;
+      axes << 1, -curvature * x, curvature * x, 1;
+      axes /= axes.col(0).norm();
       Seed s;
-      s.x.head<2>() = Vec<2>(20.2, 20.15) + turn * Vec<2>(x, y);
+      s.x.head<2>() = Vec<2>(20.2, 20.15) + turn * (Vec<2>(x, 0.5 * curvature * x * x) + height * axes.col(1));
       s.half_size.head<2>().setConstant(0.25);
-      s.F.topLeftCorner<2, 2>() = turn;
+      s.F.topLeftCorner<2, 2>() = turn * axes;
       s.volume = 0.25, s.mass = 250, s.material = material;
       seeds.push_back(s);
     };
     for (double x = -11.75; x < 12; x += 0.5)
-      for (double y = -5.75; y < 0; y += 0.5) add(x, y, 0);
+      for (double height = -5.75; height < 0; height += 0.5) add(x, height, lower, 0);
     for (double x = -7.75; x < 8; x += 0.5)
-      for (double y = 0.25; y < 4; y += 0.5) add(x, y + (radius > 0 ? x * x / (2 * radius) : 0.0), 1);
+      for (double height = 0.25; height < 4; height += 0.5) add(x, height, upper, 1);
     return build_system<2>(model, seeds);
   }
 
@@ -110,17 +114,17 @@ struct Bodies {
   }
 };
 
-/// The largest differences between faces that were kept and faces that were found, and how many were kept.
+/// The largest differences between faces that were kept and faces that were found, and numbers of faces [cells].
 struct Difference {
   double normal = 0.0, gap = 0.0, area = 0.0;
-  std::size_t kept = 0, compared = 0;
+  std::size_t kept = 0, compared = 0, turned = 0;  ///< turned: normals that differ by more than 1e-3
   int searches = 0;
 };
 
 /// Slides the second body by `steps` steps of 0.002 cells along the face and 1e-5 cells away from it. Only nodes at
 /// most `half_width` from its middle are compared.
-Difference slide(double angle, double radius, int steps, double half_width) {
-  Bodies b(angle, radius);
+Difference slide(double angle, double lower, double upper, int steps, double half_width) {
+  Bodies b(angle, lower, upper);
   FaceCache<2> cache(b.system, true), none(b.system, false);
   constexpr double step = 0.002;
   Difference worst;
@@ -147,7 +151,8 @@ Difference slide(double angle, double radius, int steps, double half_width) {
       REQUIRE(kept.has_no_face == found.has_no_face);
       if (found.has_no_face) continue;
       ++worst.compared;
-      worst.normal = std::max(worst.normal, (kept.state.normal - found.state.normal).norm());
+      const double turn = (kept.state.normal - found.state.normal).norm();
+      worst.normal = std::max(worst.normal, turn), worst.turned += turn > 1e-3 ? 1 : 0;
       worst.gap = std::max(worst.gap, std::abs(kept.state.gap - found.state.gap));
       worst.area = std::max(worst.area, std::abs(kept.state.area - found.state.area));
     }
@@ -162,24 +167,57 @@ Difference slide(double angle, double radius, int steps, double half_width) {
 TEST_CASE("kept faces of flat bodies equal those found from all particles", "[contact][faces]") {
   for (const double degrees : {0.0, 17.0, 45.0}) {
     INFO(degrees << " degrees");
-    const Difference d = slide(degrees * pi / 180, 0.0, 120, 5.0);
+    const Difference d = slide(degrees * pi / 180, 0.0, 0.0, 120, 5.0);
     CHECK(d.compared > 1000);
     CHECK(d.kept > 1000);    // they were kept
     CHECK(d.searches <= 4);  // a search for all nodes after every 0.2 cells or fewer, and where nodes are new
     CHECK(d.normal < 1e-7);
     CHECK(d.gap < 1e-7);
-    CHECK(d.area < 0.02);
-    WARN(d.compared << " " << d.kept << " " << d.searches << " " << d.normal << " " << d.gap << " " << d.area);
+    CHECK(d.area < 0.03);  // as the particles move against the nodes, it varies by 2 % of a cell
   }
 }
 
-TEST_CASE("kept faces of a curved body equal those found from all particles within a small travel",
-          "[contact][faces]") {
-  for (const double radius : {10.0, 20.0}) {
-    INFO("radius " << radius);
-    const Difference d = slide(0.0, radius, 40, 3.0);
+TEST_CASE("kept faces of curved bodies are those found from all particles within their travel", "[contact][faces]") {
+  // two convex faces; a convex face in a concave one, whose gaps are corrected; a convex face on a plane one
+  for (const auto& [lower, upper] : {std::pair{-0.05, 0.05}, {0.04, 0.05}, {0.0, 0.1}}) {
+    INFO("curvatures " << lower << ", " << upper);
+    const Difference d = slide(0.0, lower, upper, 40, 3.0);
     CHECK(d.compared > 100);
     CHECK(d.kept > 100);
-    WARN(d.compared << " " << d.kept << " " << d.searches << " " << d.normal << " " << d.gap << " " << d.area);
+    // The sides of neighbouring particles differ in direction by their size times the curvature. Where the foremost
+    // side changes, the normal of a found face jumps by that angle at once, that of a kept face within its travel.
+    const double jump = 0.5 * (std::abs(lower) + std::abs(upper));
+    CHECK(d.normal < jump);
+    CHECK(d.turned < d.compared / 20);
+    CHECK(d.gap < 1e-3);
+    CHECK(d.area < 5e-3);
   }
+}
+
+TEST_CASE("contact faces are the same for any number of threads", "[contact][faces][threads]") {
+  struct Face {
+    Vec3 normal;
+    double gap, area;
+    bool operator==(const Face& o) const { return normal == o.normal && gap == o.gap && area == o.area; }
+  };
+  Bodies b(17 * pi / 180, 0.0, 0.05);
+  b.find_nodes();  // sets the nodal masses
+  Cracks<2> cracks(b.model, b.system, *b.transfers);
+  const Joints<2> joints(b.model, b.system, cracks);
+  const auto faces = [&](int count) {
+    set_threads(count);
+    Contact<2> contact(b.model, b.system, *b.transfers, cracks);
+    contact.locate();
+    contact.find(b.exchanges, joints);
+    set_threads(1);
+    std::vector<Face> out;
+    contact.each_closed_pair([&](const ContactPair& pair, const auto&, const auto&, double) {
+      out.push_back({pair.state.normal, pair.state.gap, pair.state.area});
+    });
+    return out;
+  };
+  const auto one = faces(1);
+  CHECK(one.size() > 2);
+  CHECK(one == faces(3));
+  CHECK(one == faces(300));  // more threads than nodes
 }

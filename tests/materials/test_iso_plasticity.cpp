@@ -11,11 +11,6 @@ namespace {
 
 const Properties steel{{"rho", "1"}, {"E", "200e3"}, {"nu", "0.3"}, {"yield", "250"}, {"Khard", "1000"}};
 
-Properties with(Properties base, const Properties& more) {
-  base.insert(base.end(), more.begin(), more.end());
-  return base;
-}
-
 Mat3 diagonal(double x, double y, double z) { return Vec3(x, y, z).asDiagonal(); }
 
 // Uniaxial stress to the logarithmic strain `strain`.

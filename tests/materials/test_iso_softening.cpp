@@ -17,11 +17,6 @@ const Properties rock{
     {"rho", "1"},     {"K", "86.666666666666667"}, {"G", "40"}, {"sigmac", "2"}, {"tauc", "1"}, {"I-Gc", "1"},
     {"II-Gc", "0.25"}};
 
-Properties with(Properties base, const Properties& more) {
-  base.insert(base.end(), more.begin(), more.end());
-  return base;
-}
-
 Mat3 stretch(double e) { return symmetric(e, 0, 0); }
 
 // The tension of a face that was pulled apart by `e` of a length of 1: what opens and what stretches.

@@ -3,6 +3,7 @@
 
 #include "cloud.hpp"
 
+#include "model/output_fields.hpp"
 #include "model/quantities.hpp"
 
 using namespace tribo;

@@ -65,7 +65,7 @@ class Contact {
   ContactLedger<Dim>& ledger() { return ledger_; }
   const ContactLedger<Dim>& ledger() const { return ledger_; }
   /// Calls f(pair, member a, member b, ownership of the node) for the pairs whose faces are closed: an impulse acted in
-  /// the last step, or the gap is next to nothing.
+  /// the last step, or the gap is less than 0.01 cells.
   template <class F>
   void each_closed_pair(F&& f) const {
     static constexpr double closed = 0.01;  // cells
@@ -79,6 +79,12 @@ class Contact {
   void fill_view();
 
   Stopwatch watch;  ///< time spent in contact
+
+  /// The sums over the run. The faces that are kept from step to step are not saved: see interruptible().
+  friend void archive(Archive& a, Contact& contact) {
+    a.version(1);
+    a("ledger", contact.ledger_);
+  }
 
  private:
   void find_crack_faces();

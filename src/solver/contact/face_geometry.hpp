@@ -26,12 +26,12 @@ std::array<Vec<Dim>, Dim> directions_around(const Vec<Dim>& n) {
 }
 
 /// Shortest vector from the convex hull of the domains of a to that of the domains of b [length], the domains scaled
-/// about their centres by `scale`; nothing if the hulls overlap. `guess`: estimate of the direction from a to b. Wolfe,
-/// "Finding the nearest point in a polytope", Math. Programming 11 (1976) 128-149.
+/// about their centres by `scale`; std::nullopt if the hulls overlap. `guess`: estimate of the direction from a to b.
+/// Wolfe, "Finding the nearest point in a polytope", Math. Programming 11 (1976) 128-149.
 template <int Dim>
 std::optional<Vec<Dim>> shortest_vector(ParticleSet<Dim>& a, ParticleSet<Dim>& b, double scale, const Vec<Dim>& guess);
 
-/// Unit normal, from a to b, of the plane that separates the two sets with the largest margin; nothing if no plane
+/// Unit normal, from a to b, of the plane that separates the two sets with the largest margin; std::nullopt if no plane
 /// separates them. It is exact for flat faces, and for corners and edges opposite a flat face. `guess`: estimate of the
 /// normal; `length`: cell size [length].
 template <int Dim>
@@ -39,8 +39,8 @@ std::optional<Vec<Dim>> margin_normal(ParticleSet<Dim>& a, ParticleSet<Dim>& b, 
 
 /// The contact normal where two corners or edges may face each other. It is the normal of largest margin `n`, unless
 /// both sides are corners along n, that is narrower than half a cell. Then it is the normal of that side of the
-/// foremost particle domains for which the gap is largest and parts of both sets are opposite each other. Nothing if
-/// there is no such side: a corner that slides past another one touches it in a point only and is not stopped by it.
+/// foremost particle domains for which the gap is largest and parts of both sets are opposite each other. std::nullopt
+/// if there is no such side: a corner that slides past another one touches it in a point only and is not stopped by it.
 /// `length`: cell size.
 template <int Dim>
 std::optional<Vec<Dim>> corner_normal(ParticleSet<Dim>& a, ParticleSet<Dim>& b, const Vec<Dim>& n, double length);
@@ -61,7 +61,7 @@ template <int Dim>
 bool surrounds_line(ParticleSet<Dim>& side, const Vec<Dim>& out, double radius, double flatness);
 
 /// Unit normal from a to b by logistic (or only linear) regression of the classes a = -1, b = 1 on the positions of the
-/// particles; nothing if it is undetermined. `length`: cell size. Nairn, Hammerquist & Smith, "New material point
+/// particles; std::nullopt if it is undetermined. `length`: cell size. Nairn, Hammerquist & Smith, "New material point
 /// method contact algorithms for improved accuracy, large-deformation problems, and proper null-space filtering",
 /// CMAME 362 (2020) 112859.
 template <int Dim>

@@ -17,7 +17,7 @@ constexpr double front_depth = 0.4;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// Unit vector along v; nothing if v is zero.
+// Unit vector along v; std::nullopt if v is zero.
 template <int Dim>
 std::optional<Vec<Dim>> unit(const Vec<Dim>& v) {
   const double norm = v.norm();

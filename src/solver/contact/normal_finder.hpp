@@ -17,8 +17,8 @@ class NormalFinder {
   NormalFinder(const ContactSpec& spec, const System<Dim>& system, const ParticleCloud<Dim>& cloud)
       : spec_(spec), system_(system), cloud_(cloud), h_(system.lattice.spacing.maxCoeff()) {}
 
-  /// Unit normal from field a to field b at a node; nothing if the two have no common face there. Fills `near` with the
-  /// particles that determine the normal and the gap. Methods based on volume gradients read Field::volumes.
+  /// Unit normal from field a to field b at a node; std::nullopt if the two have no common face there. Fills `near`
+  /// with the particles that determine the normal and the gap. Methods based on volume gradients read Field::volumes.
   std::optional<Vec<Dim>> find(const ContactNode<Dim>& node, const ContactMember& a, const ContactMember& b,
                                NearParticles<Dim>& near) const;
 

@@ -35,7 +35,13 @@ class HeatConduction {
 
   double supplied = 0.0;              ///< heat that came in through conditions so far    [energy]
   double from_contact = 0.0;          ///< heat from sliding contact so far               [energy]
-  double time_since_reduction = 0.0;  ///< time since details last settled; kept for restart
+  double time_since_reduction = 0.0;  ///< time since the detail was last reduced [time]
+
+  friend void archive(Archive& a, HeatConduction& heat) {
+    auto& [supplied, from_contact, time_since_reduction, model, system, transfers, active, prescribed] = heat;
+    a.version(1);
+    a("supplied", supplied), a("from_contact", from_contact), a("time_since_reduction", time_since_reduction);
+  }
 
  private:
   struct PrescribedTemperature {

@@ -49,7 +49,6 @@ class Joints {
   void move_points(double dt);
   /// Largest step that is stable with all joints, as find() last saw them; infinity without.
   double stable_step() const { return stable_step_; }
-  void set_stable_step(double dt) { stable_step_ = dt; }
 
   struct Energies {
     double stored = 0.0;  ///< in the springs
@@ -74,6 +73,15 @@ class Joints {
   }
   /// Work that rigid bodies did on joints, and momentum they gave through them, since the last call [energy, momentum].
   std::pair<double, Vec3> take_rigid_exchange() { return std::exchange(rigid_, {0.0, Vec3::Zero()}); }
+
+  /// The joints themselves belong to the system; all else but the stable step is found anew in every step, or taken
+  /// from here before the step ends.
+  friend void archive(Archive& a, Joints& joints) {
+    auto& [system, cracks, around, surfaces, stiffness, row, increments, happened, events, rigid_sums, reach, points,
+           listed, stable] = joints;
+    a.version(1);
+    a("stable_step", stable);
+  }
 
  private:
   /// One field at one node, as a point sees it.

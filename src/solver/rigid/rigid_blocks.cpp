@@ -58,7 +58,7 @@ template <int Dim>
 void RigidBlocks<Dim>::take_contact_forces(const std::vector<RigidExchange>& exchanges, double dt) {
   if (!active()) return;
   each_block(system_, [&](Body<Dim>& body, std::size_t k) {
-    BlockPush& push = system_.blocks->pushes[k];
+    GridForce& push = system_.blocks->grid_forces[k];
     push = {};
     if (exchanges.empty()) return;
     const RigidExchange& exchange = exchanges[body.field];
@@ -97,7 +97,7 @@ double RigidBlocks<Dim>::move(double dt) {
   for (const BlockMotion& m : blocks.motion) before_.push_back(m.R);
   const int parts = std::max(1, static_cast<int>(std::ceil(dt / blocks.critical_step() * (1 - 1e-12))));
   for (int part = 0; part < parts; ++part) blocks.advance(dt / parts);
-  if (!blocks.sound())
+  if (!blocks.is_finite())
     throw SimulationError("the motion of the blocks grew without bound at time " + std::to_string(blocks.time));
   if (system_.step % 64 == 0) blocks.check_contacts();
   double travel = 0.0;

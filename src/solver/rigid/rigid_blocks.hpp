@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Rigid blocks among the matter in the grid: they prescribe the velocity of their nodes, and contact pushes them.
+/// Rigid blocks among the matter in the grid: they prescribe the velocity of their nodes, and contact exerts forces on them.
 #pragma once
 
 #include "solver/contact/contact.hpp"

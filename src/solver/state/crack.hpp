@@ -2,6 +2,7 @@
 /// A crack: a surface with two faces that the bodies around it move.
 #pragma once
 
+#include "base/archive.hpp"
 #include "base/types.hpp"
 #include "contact/contact_law.hpp"
 
@@ -22,6 +23,14 @@ struct CrackTip {
   double rest = 0.0;                    ///< it does not grow again before               [time]
   Vec<2> start = Vec<2>::Zero();        ///< its direction in the beginning
 };
+
+/// The end and the first direction of a tip belong to the model.
+inline void archive(Archive& a, CrackTip& tip) {
+  auto& [point, behind, end, lives, body, J, K, rest, start] = tip;
+  a.version(1);
+  a("point", point), a("behind", behind), a("lives", lives), a("body", body);
+  a("J", J), a("K", K), a("rest", rest);
+}
 
 /// Straight pieces in two dimensions, triangles in three. Seen along a line, or with the corners of a triangle
 /// counter-clockwise, the normal points to the left (up): to the upper face.
@@ -81,5 +90,27 @@ struct Crack {
       return 0.5 * (c[1] - c[0]).cross(c[2] - c[0]);
   }
 };
+
+/// A crack may have grown: its points are added first, so that all lists of points have the size that was saved. The
+/// velocities that joints prescribe are set anew in every step.
+template <int Dim>
+void archive(Archive& a, Crack<Dim>& crack) {
+  auto& [law, x, face, pieces, inside, drawn_points, drawn_pieces, gap, slip, bond, status, traction, is_led,
+         led_velocity, tips, whole_bond, fixed] = crack;
+  a.version(1);
+  std::size_t points = x.size();
+  a("points", points);
+  while (x.size() < points) crack.add_point(x.size(), Vec<Dim>::Zero());
+  a("x", x), a("lower", face[0]), a("upper", face[1]);
+  a("drawn_points", drawn_points), a("drawn_pieces", drawn_pieces);
+  a.resizable("inside", inside);
+  pieces.resize(inside.size());
+  std::vector<std::uint32_t> corners;
+  for (const auto& piece : pieces) corners.insert(corners.end(), piece.begin(), piece.end());
+  a("pieces", corners);
+  for (std::size_t k = 0; k < corners.size(); ++k) pieces[k / Dim][k % Dim] = corners[k];
+  a("gap", gap), a("slip", slip), a("bond", bond), a("status", status), a("traction", traction);
+  a("tips", tips);
+}
 
 }  // namespace tribo

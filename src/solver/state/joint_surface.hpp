@@ -2,6 +2,7 @@
 /// Joints along a crack or between two bodies.
 #pragma once
 
+#include "base/archive.hpp"
 #include "base/types.hpp"
 #include "contact/joint_geometry.hpp"
 #include "contact/joint_law.hpp"
@@ -47,5 +48,13 @@ struct JointSurface {
     return -(j.Fn + j.dashpot_normal) * axes[k].n + axes[k].vector(j.Fs + j.dashpot_shear);
   }
 };
+
+/// Where the samples lie on the surface belongs to the model.
+template <int Dim>
+void archive(Archive& a, JointSurface<Dim>& surface) {
+  auto& [law, crack, home, material, point, samples, x, axes, joints, mass] = surface;
+  a.version(1);
+  a("x", x), a("axes", axes), a("joints", joints), a("mass1", mass[0]), a("mass2", mass[1]);
+}
 
 }  // namespace tribo

@@ -142,4 +142,33 @@ struct System {
   bool sorted = false;
 };
 
+/// The particles and their bins. Columns, fields and material belong to the model; the rest follows from the particles
+/// when they are sorted, or serves within a step.
+template <int Dim>
+void archive(Archive& a, Body<Dim>& body, const Lattice<Dim>& lattice) {
+  auto& [name, law, material, field, block, across, cut, cut_bins, particles, bins, history, history_columns, affine,
+         filtered, start, half_size, uniform_half_size, domain, load, origin, first_inverse, load_set, contact_slip,
+         contact_bond, contact_state, contact_traction, contact_normal, temperature, temperature_gradient,
+         temperature_detail, heated, crossings, cell_number, volumetric, heat_capacity, conductivity, taylor_quinney,
+         reference_temperature, cell, detail_share, volume_of_displacement, particle_damping, total_mass,
+         read_by_scatter, read_by_gather] = body;
+  a("particles", particles), archive(a, bins, lattice);
+}
+
+/// Bodies, cracks, joints and the time. Fields are those of a step; blocks archive themselves, as they also run without
+/// a grid.
+template <int Dim>
+void archive(Archive& a, System<Dim>& system) {
+  auto& [lattice, analysis, fields, bodies, cracks, joints, rigids, blocks, time, step, drift, sorted] = system;
+  a.version(1);
+  a("time", time), a("step", step), a("drift", drift), a("sorted", sorted);
+  a.each("crack", cracks), a.each("joints", joints);
+  for (auto* list : {&bodies, &rigids})
+    for (std::size_t k = 0; k < list->size(); ++k) {
+      a.enter((list == &bodies ? "body" : "rigid") + std::to_string(k));
+      archive(a, (*list)[k], lattice);
+      a.leave();
+    }
+}
+
 }  // namespace tribo
