@@ -160,7 +160,7 @@ class Assembly {
   Mat3 mean_stress() const;
   /// Symmetric part of the displacement gradient that fits the displacements of the blocks best.
   Mat3 mean_strain() const;
-  /// Rotation vector of a block since the start, of at most half a orientation.
+  /// Rotation vector of a block since the start, of at most half a revolution.
   Vec3 rotation(std::size_t body) const;
   /// Force of the blocks on a platen.
   Vec3 platen_force(std::size_t platen) const;

@@ -96,7 +96,7 @@ TEST_CASE("polyhedra that meet part again with their momentum", "[blocks]") {
     auto body = std::make_unique<Assembly>(spec, 3, true, Vec3::Zero(), 1.0);
     if (!turned.isZero(0.0)) {
       const Eigen::Quaterniond q(Eigen::AngleAxisd(turned.norm(), turned.normalized()));
-      body->motion[1].R = q.toRotationMatrix(), body->turn[1] = {q.w(), q.x(), q.y(), q.z()};
+      body->motion[1].R = q.toRotationMatrix(), body->orientation[1] = {q.w(), q.x(), q.y(), q.z()};
     }
     return body;
   };
@@ -136,7 +136,7 @@ TEST_CASE("a box that falls on a floor rests on its springs, and slides off it a
   const double dt = body.critical_step();
   for (int k = 0; k * dt < 2; ++k) body.advance(dt), body.check_contacts();
   CHECK(body.motion[1].x[1] - 0.5 == Approx(-2000 * 10 / 1e8).epsilon(1e-3));
-  CHECK(body.turned(1).norm() < 1e-6);
+  CHECK(body.rotation(1).norm() < 1e-6);
   // The forces of the four dashpots during settling cause no friction: c y/m, c = 4 sqrt(m k/4), y = m g/k
   const double speed = 2 + 0.5 * 10 * 2 * std::sqrt(2000 / 1e8);
   CHECK(body.motion[2].x[0] + 1.5 == Approx(speed * speed / (2 * 0.5 * 10)).epsilon(5e-3));

@@ -83,7 +83,7 @@ std::string binary(const Triangles& triangles) {
   return out;
 }
 
-bool in(const RegionPtr& region, double x, double y, double z) { return region->contains(Vec3(x, y, z)); }
+bool within_surface(const RegionPtr& region, double x, double y, double z) { return region->contains(Vec3(x, y, z)); }
 
 }  // namespace
 
@@ -128,8 +128,8 @@ TEST_CASE("the inside test is correct for rays through corners and edges", "[geo
   // Columns of points exactly above the meridians
   for (int j = 0; j < 48; ++j)
     for (const double r : {0.2, 0.5, 0.9}) {
-      REQUIRE(in(ball, r * std::cos(pi * j / 24), r * std::sin(pi * j / 24), 0.01));
-      REQUIRE_FALSE(in(ball, r * std::cos(pi * j / 24), r * std::sin(pi * j / 24), -1.1));
+      REQUIRE(within_surface(ball, r * std::cos(pi * j / 24), r * std::sin(pi * j / 24), 0.01));
+      REQUIRE_FALSE(within_surface(ball, r * std::cos(pi * j / 24), r * std::sin(pi * j / 24), -1.1));
     }
 }
 
@@ -140,8 +140,8 @@ TEST_CASE("a cavity is outside", "[geometry][surface]") {
     triangles.push_back({t[0], t[2], t[1]});
   }
   const auto hollow = polyhedron(triangles);
-  CHECK(in(hollow, 0.1, 0.5, 0.5));
-  CHECK_FALSE(in(hollow, 0.5, 0.5, 0.5));
+  CHECK(within_surface(hollow, 0.1, 0.5, 0.5));
+  CHECK_FALSE(within_surface(hollow, 0.5, 0.5, 0.5));
   CHECK(*hollow->measure() == Approx(0.875).epsilon(1e-14));
 }
 
@@ -149,8 +149,8 @@ TEST_CASE("facets may have any orientation, but then the volume is not known", "
   auto triangles = cube();
   std::swap(triangles[3][0], triangles[3][1]);
   const auto mixed = polyhedron(triangles);
-  CHECK(in(mixed, 0.5, 0.5, 0.5));
-  CHECK_FALSE(in(mixed, 0.5, 0.5, 1.5));
+  CHECK(within_surface(mixed, 0.5, 0.5, 0.5));
+  CHECK_FALSE(within_surface(mixed, 0.5, 0.5, 1.5));
   CHECK_FALSE(mixed->measure().has_value());
 }
 
@@ -170,8 +170,8 @@ TEST_CASE("STL files are read in both forms", "[geometry][surface]") {
     const ScratchFile file("cube.stl", content);
     const auto body = stl(file.path, 2.0, Vec3(10, 0, 0));
     CHECK(*body->measure() == Approx(8).epsilon(1e-12));
-    CHECK(in(body, 11.9, 1.9, 1.9));
-    CHECK_FALSE(in(body, 9.9, 1, 1));
+    CHECK(within_surface(body, 11.9, 1.9, 1.9));
+    CHECK_FALSE(within_surface(body, 9.9, 1, 1));
     CHECK(read_stl(file.path).size() == 12);
   }
 }

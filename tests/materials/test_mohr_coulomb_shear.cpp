@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Simple shear without rotation: closed forms of Mohr-Coulomb viscoplasticity.
-// mu = 200 MPa, shear rate 1e-5/s; see materials/README.md for the formulae.
+// shear_modulus = 200 MPa, shear rate 1e-5/s; see materials/README.md for the formulae.
 
 #include "materials/mohr_coulomb_cases.hpp"
 
@@ -11,13 +11,13 @@ using namespace tribo::test;
 
 namespace {
 
-constexpr double mu = 200e6, bulk = 200e6, lame = bulk - 2 * mu / 3, rate = 1e-5;
+constexpr double shear_modulus = 200e6, bulk = 200e6, lame = bulk - 2 * shear_modulus / 3, rate = 1e-5;
 
 // sigma_xy after n backward-Euler steps of dt: overstress decays by 1/(1 + dt/eta) per step.
 double backward_euler(double resistance, double eta, double dt, int n) {
-  const int elastic_steps = static_cast<int>(std::floor(resistance / (mu * rate * dt)));
-  if (n <= elastic_steps) return mu * rate * dt * n;
-  const double plateau = resistance + mu * rate * eta, start = elastic_steps * mu * rate * dt;
+  const int elastic_steps = static_cast<int>(std::floor(resistance / (shear_modulus * rate * dt)));
+  if (n <= elastic_steps) return shear_modulus * rate * dt * n;
+  const double plateau = resistance + shear_modulus * rate * eta, start = elastic_steps * shear_modulus * rate * dt;
   return start - (plateau - start) * std::expm1((elastic_steps - n) * std::log1p(dt / eta));
 }
 
@@ -33,7 +33,8 @@ void check_history(const char* friction, double resistance, double eta) {
   }
   INFO("eta " << eta);
   REQUIRE(worst < 1e-12);
-  REQUIRE(point.history_value("plastic_shear") == Approx((3000 * rate - point.stress(0, 1) / mu) / 2).epsilon(1e-11));
+  REQUIRE(point.history_value("plastic_shear") ==
+          Approx((3000 * rate - point.stress(0, 1) / shear_modulus) / 2).epsilon(1e-11));
   REQUIRE(std::abs(point.history_value("plastic_volume")) < 1e-15);
   REQUIRE(std::abs(point.stress(2, 2)) + std::abs(point.stress(0, 0)) < 1e-6);
 }
@@ -61,7 +62,8 @@ TEST_CASE("published stresses of viscoplastic shear are met at 3000 s", "[materi
 }
 
 TEST_CASE("Perzyna flow on one plane equals Duvaut-Lions with eta_p = a eta", "[materials]") {
-  const auto perzyna = published({{"viscosity", text(500 * mu)}}), relaxing = published({{"relaxation_time", "500"}});
+  const auto perzyna = published({{"viscosity", text(500 * shear_modulus)}}),
+             relaxing = published({{"relaxation_time", "500"}});
   MaterialPoint<2> first(*perzyna), second(*relaxing);
   march(first, pure_shear(rate), 1.0, 1000);
   march(second, pure_shear(rate), 1.0, 1000);
@@ -105,15 +107,15 @@ TEST_CASE("viscous softening follows its own backward-Euler march and converges 
   const auto law = published({{"cohesion_residual", "0.5e6"}, {"softening_end", "0.01"}, {"relaxation_time", "500"}});
   const auto run = [&](double dt) {
     MaterialPoint<2> point(*law);
-    double shear = 0, slip = 0;  // scalar march: d slip = dt/(mu eta) overstress at the end of the step
+    double shear = 0, slip = 0;  // scalar march: d slip = dt/(shear_modulus eta) overstress at the end of the step
     const int count = static_cast<int>(std::lround(2000 / dt));
     for (int n = 0; n < count; ++n) {
       point.step(pure_shear(rate), dt);
-      shear += mu * rate * dt;
+      shear += shear_modulus * rate * dt;
       const double over = shear - resistance - h * slip;
       if (over <= 0) continue;
-      const double more = over * dt / (mu * eta) / (1 + (mu + h) * dt / (mu * eta));
-      slip += more, shear -= mu * more;
+      const double more = over * dt / (shear_modulus * eta) / (1 + (shear_modulus + h) * dt / (shear_modulus * eta));
+      slip += more, shear -= shear_modulus * more;
       REQUIRE(std::abs(point.stress(0, 1) / shear - 1) < 1e-11);
     }
     return point.stress(0, 1);
@@ -156,17 +158,18 @@ TEST_CASE("dilation under confinement raises pressure on the face and along the 
 }
 
 TEST_CASE("viscous dilation has the overstress of pure shear and its own pressure", "[materials]") {
-  const double sf = 0.5, sp = std::sin(10 * degree), a = mu + (lame + mu) * sf * sp, eta = 500, dt = 1;
+  const double sf = 0.5, sp = std::sin(10 * degree), a = shear_modulus + (lame + shear_modulus) * sf * sp, eta = 500,
+               dt = 1;
   const auto law = published({{"dilation", "10"}, {"relaxation_time", "500"}});
   MaterialPoint<2> point(*law);
   double shear = 0, p = 0, zz = 0;
   for (int n = 1; n <= 3000; ++n) {
     point.step(pure_shear(rate), dt);
-    shear += mu * rate * dt;
+    shear += shear_modulus * rate * dt;
     const double over = shear + p * sf - 866025.4037844386;
     if (over > 0) {
       const double slip = over / a * dt / (dt + eta);
-      shear -= mu * slip, p -= (lame + mu) * sp * slip, zz -= lame * sp * slip;
+      shear -= shear_modulus * slip, p -= (lame + shear_modulus) * sp * slip, zz -= lame * sp * slip;
     }
     REQUIRE(std::abs(point.stress(0, 1) / shear - 1) < 1e-12);
     REQUIRE(std::abs(point.stress(0, 0) - p) < 1e-12 * shear);
@@ -180,7 +183,7 @@ TEST_CASE("viscous dilation has the overstress of pure shear and its own pressur
 }
 
 TEST_CASE("the axes of a K0 stress turn with plastic shear", "[materials]") {
-  // tan(th/2) = tan(th0/2) exp(-mu (gamma - gamma_y)/R), s = R sin th, t = R cos th
+  // tan(th/2) = tan(th0/2) exp(-shear_modulus (gamma - gamma_y)/R), s = R sin th, t = R cos th
   const double mean = -1.5e6, s0 = 0.5e6, R = 866025.4037844386 - 0.5 * mean;
   const auto law = published();
   const auto run = [&](double gamma, int count) {
@@ -189,12 +192,13 @@ TEST_CASE("the axes of a K0 stress turn with plastic shear", "[materials]") {
     march(point, pure_shear(1.0), gamma / count, count);
     return std::pair{0.5 * (point.stress(0, 0) - point.stress(1, 1)), point.stress(0, 1)};
   };
-  const double yield = std::sqrt(R * R - s0 * s0) / mu;
+  const double yield = std::sqrt(R * R - s0 * s0) / shear_modulus;
   const double rows[3][3] = {{0.008, 481692.441558, 1542566.205199},
                              {0.01, 379440.941160, 1570847.757693},
                              {0.03, 32377.592823, 1615701.023445}};
   for (const auto& [gamma, s, t] : rows) {
-    const double th0 = std::asin(s0 / R), th = 2 * std::atan(std::tan(th0 / 2) * std::exp(-mu * (gamma - yield) / R));
+    const double th0 = std::asin(s0 / R),
+                 th = 2 * std::atan(std::tan(th0 / 2) * std::exp(-shear_modulus * (gamma - yield) / R));
     REQUIRE(R * std::sin(th) == Approx(s).epsilon(1e-11));
     const auto [coarse_s, coarse_t] = run(gamma, 2000);
     const auto [fine_s, fine_t] = run(gamma, 4000);

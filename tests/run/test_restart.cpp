@@ -3,6 +3,7 @@
 
 #include "base/parallel.hpp"
 #include "input/read.hpp"
+#include "root.hpp"
 #include "run/block_run.hpp"
 #include "run/grid_run.hpp"
 #include "scratch.hpp"
@@ -24,7 +25,7 @@ struct Deck {
 };
 
 Model model_of(const Deck& deck) {
-  std::ifstream file(std::filesystem::path(TRIBO_ROOT) / deck.path, std::ios::binary);
+  std::ifstream file(test::source_root() / deck.path, std::ios::binary);
   std::ostringstream buffer;
   buffer << file.rdbuf();
   std::string text = buffer.str();

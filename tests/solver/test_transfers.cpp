@@ -11,7 +11,7 @@ namespace {
 
 // Nodal velocities from a function of position, in every node that exists.
 template <int Dim>
-void set_nodal_momentum(Field<Dim>& field, const std::function<Vec<Dim>(const Vec<Dim>&)>& f) {
+void set_nodes(Field<Dim>& field, const std::function<Vec<Dim>(const Vec<Dim>&)>& f) {
   for (std::int64_t n = 0; n < field.map.node_count(); ++n) {
     const Vec<Dim> v = f(field.map.lattice().position(field.map.node_at(n)));
     Node& node = field.nodes[static_cast<std::size_t>(n)];
