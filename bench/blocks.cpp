@@ -8,7 +8,7 @@
 #include "blocks/assembly.hpp"
 #include "contact/joint_law.hpp"
 #include "cpu_time.hpp"
-#include "geometry/strewn.hpp"
+#include "geometry/point_sets.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -46,7 +46,7 @@ int main(int argc, char** argv) {
   const auto count = static_cast<std::size_t>(std::stoul(argv[2]));
   set_threads(argc > 4 ? std::stoi(argv[4]) : 1);
   const Vec3 low = Vec3::Zero(), high(1, 1, plane ? 0 : 1);
-  const auto nuclei = strewn_points(count, low, high, plane, 0.6, 1);
+  const auto nuclei = random_points(count, low, high, plane, 0.6, 1);
   const std::array<bool, 3> periodic{true, true, !plane};
   Assembly blocks(voronoi(nuclei, low, high, plane, 1.0, periodic), nuclei, bonds(argv[3]), plane, false, 1.0, 0);
   blocks.box_rate(0, 1) = 1e-6;

@@ -20,7 +20,7 @@ JointAxes JointAxes::of_normal(const Vec3& n) {
 void JointAxes::follow(const Vec3& normal, double spin) {
   const Vec3 v = n.cross(normal);
   const double c = n.dot(normal);
-  if (c < -0.999999) {  // turned round in one step: nothing to follow
+  if (c < -0.999999) {  // reversed in one step: the smallest rotation is undefined
     *this = of_normal(normal);
     return;
   }

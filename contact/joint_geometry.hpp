@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// Geometry that hosts of joints share: axes that move along, moments of faces, forces of the fictitious stress.
+/// Geometry for the hosts of joints: contact axes that follow the faces, moments of polygons, and the force of the
+/// fictitious stress.
 #pragma once
 
 #include "base/types.hpp"
@@ -9,21 +10,26 @@
 
 namespace tribo {
 
-/// Axes of a contact, right-handed: n x s = t.
+/// Unit axes of a contact, right-handed: n x s = t.
 struct JointAxes {
   Vec3 n = Vec3::UnitX(), s = Vec3::UnitY(), t = Vec3::UnitZ();
 
-  /// Any tangents; in the plane z = 0, s is the z axis, so that t = (n_y, -n_x, 0).
+  /// Axes with the given normal. If n_z = 0, as in two dimensions, s is the z axis, so that t = (n_y, -n_x, 0).
   static JointAxes of_normal(const Vec3& n);
-  /// Carries the tangents along with the normal: by the smallest rotation from the old normal to `normal`, then by
-  /// `spin`, the angle [rad] by which both bodies turned about it on average.
+  /// Rotates the axes to a new unit `normal` by the smallest rotation, then about it by `spin` [rad], the mean rotation
+  /// of both bodies about the normal in the step.
   void follow(const Vec3& normal, double spin);
 
   Tangent tangent(const Vec3& v) const { return {v.dot(s), v.dot(t)}; }
   Vec3 vector(const Tangent& v) const { return v.s * s + v.t * t; }
 };
 
-/// Area, centroid and second moments of a polygon about its centroid, whatever its orientation.
+inline void archive(Archive& a, JointAxes& axes) {
+  auto& [n, s, t] = axes;
+  a("n", n), a("s", s), a("t", t);
+}
+
+/// Area, centroid and second moments of a plane polygon about its centroid. The corners may run either way.
 /// I_s = int t^2, I_t = int s^2, I_st = int s t.
 struct PolygonMoments {
   double area = 0.0, I_s = 0.0, I_t = 0.0, I_st = 0.0;
@@ -31,8 +37,9 @@ struct PolygonMoments {
 };
 PolygonMoments polygon_moments(std::span<const Tangent> corners);
 
-/// Force on body 2 of the fictitious stress that gives a network of springs Poisson's ratio nu: A sigma^f n with
-/// sigma^f_ii = -nu (tr sigma - sigma_ii), sigma^f_ij = off_diagonal nu sigma_ij, in the global axes.
+/// Force on body 2 caused by the fictitious stress that gives a spring network the Poisson's ratio nu: A sigma^f n with
+/// sigma^f_ii = -nu (tr sigma - sigma_ii) and sigma^f_ij = off_diagonal nu sigma_ij in global axes.
+/// `stress`: mean stress of the two bodies, tension positive; `area`: contact area.
 /// Asahina et al., Int. J. Rock Mech. Min. Sci. 75 (2015) 189-201.
 struct PoissonForce {
   double normal = 0.0;  ///< positive in tension

@@ -8,7 +8,7 @@
 namespace tribo {
 namespace {
 
-// Numbers between blanks, commas, semicolons and parentheses; none if something else is there.
+// Numbers separated by blanks, commas, semicolons or parentheses; none if the text contains anything else.
 std::optional<std::vector<double>> read_numbers(std::string text) {
   for (char& c : text)
     if (std::string_view(",;()\t\r\n").find(c) != std::string_view::npos) c = ' ';

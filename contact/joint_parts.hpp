@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// What the joint laws share: tables, dashpots, areas, words of the input.
+/// Helpers shared by the joint laws: strength multiplier tables, dashpots, areas and the reading of their properties.
 #pragma once
 
 #include "contact/joint_law.hpp"
@@ -9,13 +9,15 @@
 
 namespace tribo {
 
-/// The part of a strength that is left, over a displacement: straight lines between points, 0 from the last on.
+/// Fraction of a strength that remains as a function of displacement. It is linear between the given points and 0 from
+/// the last point on.
 class MultiplierTable {
  public:
   MultiplierTable() = default;
-  /// Reads all <`name`> of a material, `multiplier displacement` pairs in the order of the displacements.
+  /// Reads all children <`name`> of a material. Each holds pairs `multiplier displacement`, sorted by displacement.
   MultiplierTable(const Statement& material, const std::string& name, const Units& units, Problems& problems);
   bool empty() const { return points_.empty(); }
+  /// Multiplier at a displacement [length]; 0 beyond the last point.
   double at(double displacement) const;
 
  private:
@@ -25,41 +27,45 @@ class MultiplierTable {
   std::vector<Point> points_;  // the first at displacement 0
 };
 
-/// Linear falloff from 1 at 0 to 0 at `length`, or the table if there is one.
+/// Fraction that remains at `displacement`: linear from 1 at 0 to 0 at `length`, or the table if there is one.
 inline double remaining(const MultiplierTable& table, double length, double displacement) {
   return table.empty() ? std::max(0.0, 1 - displacement / length) : table.at(displacement);
 }
 
-/// Forces c v with c = 2 beta sqrt(m k A).
+/// Viscous forces c v on both faces, c = 2 beta sqrt(m k A), with m the effective mass m1 m2/(m1 + m2).
 struct Dashpots {
-  double normal = 0.0, shear = 0.0;  ///< shares of critical damping
-  double mode = 0.0;                 ///< bit 0: no tension from the normal one; bit 1: none in shear while sliding
+  double normal = 0.0, shear = 0.0;  ///< beta, fractions of critical damping
+  double mode = 0.0;  ///< bit 0: the normal dashpot exerts no net tension; bit 1: no shear dashpot while sliding
+  /// Sets the dashpot forces of `joint` for this step and adds their work.
   void act(Joint& joint, const JointIncrement& step) const;
 };
 
-/// Sets area, radius and moments for strengths; keeps the site's area unless `user_area` > 0.
+/// Sets the area, and the radius R and moments I, J used by the strength criteria, from the site.
+/// `user_area` > 0 replaces the area of the site.
 void set_area(Joint& joint, const JointSite& site, double user_area);
-/// I_s, I_t, I_st of a face for its bending stiffness, and J.
+/// Second moments I_s, I_t, I_st for the bending stiffness, and the polar moment J for the twist stiffness [length^4].
 std::array<double, 4> stiffness_moments(const Joint& joint, const JointSite& site);
 
-/// 1/2 F^2/k of two forces, 0 without stiffness.
+/// Energy 1/2 F F_e/k of a spring with total force F and elastic force F_e; 0 if it has no stiffness.
 inline double spring_energy(double force, double elastic, double stiffness) {
   return stiffness > 0 ? 0.5 * force * elastic / stiffness : 0.0;
 }
-/// Adds the trapezoidal work of the step on the springs, from the state before it.
+/// Adds the work of the springs in this step by the trapezoidal rule; `before` is the state at the start of the step.
 void add_work(Joint& joint, const Joint& before, const JointIncrement& step);
 
-/// The numbers of <`name`>, or none; problems unless there are `least` to `most` of them.
+/// The numbers in the child <`name`>, empty if it is absent. A count outside `least` to `most` is reported as a
+/// problem.
 std::vector<double> numbers_of(const Statement& material, const std::string& name, std::size_t least, std::size_t most,
                                Problems& problems);
 
-/// Complains about results and methods that cannot be given as properties. True if `child` was such.
+/// A property name that cannot be set in the input, and the reason.
 struct RefusedProperty {
   std::string_view name, why;
 };
+/// Reports a problem for each child of `material` that is listed in `refused`.
 void refuse(const Statement& material, std::span<const RefusedProperty> refused, Problems& problems);
 
-/// `dp_...` and `dashpot-...` values must be whole numbers; likewise for switches.
+/// Reports a problem for each of the named properties whose value is not a whole number.
 void must_be_whole(const Statement& material, std::initializer_list<const char*> names, Problems& problems);
 
 }  // namespace tribo

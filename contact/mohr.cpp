@@ -1,11 +1,19 @@
 // SPDX-License-Identifier: MIT
-/// Rock joint: elastic, then Mohr-Coulomb slip with weakening, dilation, pore pressure, healing and dashpots.
+/// Law of a rock joint: linear elastic springs, then Mohr-Coulomb slip with weakening, dilation, pore pressure, healing
+/// and dashpots. Symbols and signs are those of joint_law.hpp; A is the contact area and P the pore pressure.
 ///
-///   F_n += k_n A d_n,  F_s -= k_s A d_s;     N = F_n + A P <= A sigma_c,   |F_s| <= (1-w) F_P + w F_R
-///   F_P = c A - N tan phi,  F_R = c* A - N tan phi*;   w(slip) from 0 at the peak to 1 at the residual
-///   while it slips, N loses k_n A tan psi |d_s|: a dilating joint that cannot open is pressed
+///   elastic step    F_n += k_n A d_n,   F_s -= k_s A d_s
+///   strength        N = F_n + A P <= A sigma_c,   |F_s| <= (1-w) F_P + w F_R
+///                   F_P = c A - N tan phi,   F_R = c* A - N tan phi*   (peak and residual)
+///                   w(slip) rises from 0 at the peak to 1 at the residual strength
+///   dilation        while the joint slips, F_n -= k_n A tan psi |d_s|
 ///
-/// docs/joints.md has the reasons for every branch, and the differences from the published description.
+/// Sign of dilation: psi > 0 opens the joint while it slips, in either direction of shear. Between faces that cannot
+/// move apart it makes F_n more compressive; under constant F_n the gap grows by tan psi |d_s|.
+/// Sign of the initial shear stress: `stress-shear` is the traction on body 2 along +s and +t. It is a restoring
+/// traction: a shear displacement of body 2 along +t reduces it.
+///
+/// docs/joints.md gives the reasons for each branch, and the differences from the published description.
 
 #include "contact/joint_parts.hpp"
 
@@ -43,63 +51,70 @@ struct Mohr final : JointLaw {
     return std::array{
         P{"stiffness-normal", &L::kn, D::interface_stiffness, not_negative, "normal stiffness per area", 0.0},
         P{"stiffness-shear", &L::ks, D::interface_stiffness, not_negative, "shear stiffness per area", 0.0},
-        P{"user_area", &L::own_area, D::none, not_negative, "area instead of the host's", 0.0, false, "area"},
+        P{"user_area", &L::own_area, D::none, not_negative, "area used instead of the computed contact area", 0.0,
+          false, "area"},
         P{"cohesion", &L::c, D::stress, not_negative, "cohesion at the peak", 0.0},
-        P{"cohesion-residual", &L::c_residual, D::stress, not_negative, "cohesion that is left", 0.0},
+        P{"cohesion-residual", &L::c_residual, D::stress, not_negative, "residual cohesion", 0.0},
         P{"friction", &L::phi, D::angle, slope, "friction angle at the peak", 0.0},
-        P{"friction-residual", &L::phi_residual, D::angle, slope, "friction angle that is left", 0.0},
+        P{"friction-residual", &L::phi_residual, D::angle, slope, "residual friction angle", 0.0},
         P{"tension", &L::tension, D::stress, not_negative, "tensile strength", 0.0},
-        P{"tension-residual", &L::tension_residual, D::stress, not_negative, "tensile strength that is left", 0.0},
-        P{"dilation", &L::psi, D::angle, slope, "dilation angle at the peak", 0.0},
-        P{"dilation-residual", &L::psi_residual, D::angle, slope, "dilation angle that is left", 0.0},
+        P{"tension-residual", &L::tension_residual, D::stress, not_negative, "residual tensile strength", 0.0},
+        P{"dilation", &L::psi, D::angle, slope, "dilation angle at the peak, positive: the joint opens while it slips",
+          0.0},
+        P{"dilation-residual", &L::psi_residual, D::angle, slope, "residual dilation angle", 0.0},
         P{"dilation-zero",
           &L::dilation_zero,
           D::length,
           not_negative,
-          "shear displacement that ends dilation",
+          "shear displacement beyond which the joint no longer dilates",
           {},
           true},
-        P{"slip-dc", &L::slip_length, D::length, not_negative, "slip from peak to residual; 0: at once", 0.0},
-        P{"healing", &L::healing, D::none, within(0, 1), "1: shear strength comes back when sliding ends", 0.0},
+        P{"slip-dc", &L::slip_length, D::length, not_negative,
+          "slip from the peak to the residual strength; 0: the drop is sudden", 0.0},
+        P{"healing", &L::healing, D::none, within(0, 1), "1: the shear strength is restored when sliding ends", 0.0},
         P{"pore-pressure", &L::pressure, D::stress, not_negative, "pressure of pore fluid", 0.0},
         P{"keep-pressure-when-open", &L::keep_pressure, D::none, within(0, 1),
-          "1: the fluid goes on pressing on faces that are apart", 0.0},
+          "1: the pore pressure still acts on open faces", 0.0},
         P{"rgap", &L::gap_shift, D::length, not_negative, "gap at which the faces count as closed", 0.0},
-        P{"dashpot-ratio-normal", &L::dashpot_normal, D::none, within(0, 1), "share of critical damping", 0.0},
-        P{"dashpot-ratio-shear", &L::dashpot_shear, D::none, within(0, 1), "share of critical damping", 0.0},
+        P{"dashpot-ratio-normal", &L::dashpot_normal, D::none, within(0, 1), "fraction of critical damping", 0.0},
+        P{"dashpot-ratio-shear", &L::dashpot_shear, D::none, within(0, 1), "fraction of critical damping", 0.0},
         P{"dashpot-mode", &L::dashpot_mode, D::none, within(0, 3),
           "sum of 1 (no tension by the normal dashpot) and 2 (no shear dashpot while sliding)", 0.0},
         P{"stress-normal", &L::normal_stress, D::stress, any_value, "normal stress at the start, tension positive",
           0.0},
-        P{"force-normal", &L::normal_force, D::force, any_value, "or the normal force of each contact", 0.0},
+        P{"force-normal", &L::normal_force, D::force, any_value,
+          "normal force of each contact at the start, instead of stress-normal", 0.0},
         P{"disp-normal", &L::opening_at_start, D::length, any_value, "opening at the start", 0.0},
         P{"state", &L::state_at_start, D::none, within(0, 15),
-          "state at the start: 1 slips, 2 tears, 4 slipped, 8 torn before", 0.0}};
+          "state at the start, a sum of 1 (slips), 2 (tears), 4 (slipped before), 8 (torn before)", 0.0}};
   }
   static std::vector<OwnProperty> own_properties() {
-    return {{"slip-table", "pairs of multiplier and slip, sorted, instead of slip-dc: 1 is peak, 0 residual"},
-            {"stress-shear", "shear stress at the start along s and t; one number: along t"},
-            {"force-shear", "or the shear force of each contact"},
-            {"disp-shear", "shear displacement at the start along s and t; one number: along t"},
-            {"table-pos", ""},
-            {"slip", ""},
-            {"stress-effective", ""},
-            {"dashpot-force", ""},
-            {"state-string", ""}};
+    return {
+        {"slip-table",
+         "pairs of multiplier and slip, sorted by slip, instead of slip-dc; multiplier 1: peak, 0: residual strength"},
+        {"stress-shear", "shear traction on body 2 at the start along s and t; one number: along t"},
+        {"force-shear", "shear force on body 2 at the start, instead of stress-shear"},
+        {"disp-shear", "shear displacement at the start along s and t; one number: along t"},
+        {"table-pos", ""},
+        {"slip", ""},
+        {"stress-effective", ""},
+        {"dashpot-force", ""},
+        {"state-string", ""}};
   }
 
   void prepare(const Statement& s, const Units& units, Problems& problems) {
     static constexpr RefusedProperty refused[] = {
-        {"table-pos", "selects which entry of <slip-table> is read back; here the whole table is in the file"},
+        {"table-pos", "selects one entry of <slip-table>; Tribo reads the whole table from <slip-table>"},
         {"slip", "is a result: a column of the output"},
         {"stress-effective", "is a result: a column of the output"},
         {"dashpot-force", "is a result: columns of the output"},
-        {"state-string", "is a result; give <state> by its number"}};
+        {"state-string", "is a result; set the number <state> instead"}};
     refuse(s, refused, problems);
     must_be_whole(s, {"healing", "dashpot-mode", "state", "keep-pressure-when-open"}, problems);
     const auto either = [&](const char* a, const char* b) {
       if (s.child(a) && s.child(b))
-        problems.add(s.child(b)->origin, "<" + std::string(a) + "> and <" + b + "> say the same; give one of them");
+        problems.add(s.child(b)->origin,
+                     "<" + std::string(a) + "> and <" + b + "> exclude each other; give one of them");
     };
     either("stress-normal", "force-normal"), either("stress-shear", "force-shear"), either("slip-dc", "slip-table");
     const auto pair = [&](const char* of, Dimension dimension) {
@@ -119,8 +134,8 @@ struct Mohr final : JointLaw {
                     "Give <friction-residual>, the same as <friction> if it does not weaken");
     if (tension > 0 && tan_phi > 0 && tension * tan_phi > c)
       problems.warn(s.child("tension")->origin,
-                    "<tension> lies beyond the apex of the shear strength, cohesion/tan(friction): in that tension the "
-                    "joint carries no shear");
+                    "<tension> exceeds cohesion/tan(friction), the apex of the shear strength: under a normal stress "
+                    "between the two the joint has no shear strength");
   }
 
   Joint start(const JointSite& site) const override {
@@ -140,7 +155,7 @@ struct Mohr final : JointLaw {
     return spring_energy(j.Fn, j.Fn, j.kn * j.area) + spring_energy(j.Fs.norm(), j.Fs.norm(), j.ks * j.area);
   }
 
-  /// From 0 at the peak to 1 at the residual strength.
+  /// The weight w, from 0 at the peak to 1 at the residual strength.
   double weakening(const Joint& j) const {
     if (j.torn) return 1.0;
     if (!table.empty()) return 1 - table.at(j.slip);
@@ -159,7 +174,7 @@ struct Mohr final : JointLaw {
     j.opening += d.normal, j.shear += d.shear, j.gap = d.gap;
     j.slips = false;
     const double overlap_gap = d.gap - gap_shift;
-    const auto say_slip = [&] {
+    const auto report_slip = [&] {
       if (j.slips != slid)
         events.push_back({JointEvent::Kind::slip_change, contact, 1, j.slips, false, false, 0.0, 0.0});
     };
@@ -170,10 +185,10 @@ struct Mohr final : JointLaw {
       j.strain = keep_pressure > 0 ? strain_energy(j) : 0.0;
       j.away = true;
       add_work(j, before, d);
-      say_slip();
+      report_slip();
       return;
     }
-    // Of faces that come together again only what they overlap presses.
+    // When separated faces close again, only their overlap causes pressure.
     const double dn = j.away ? std::max(d.normal, overlap_gap - j.rest_gap) : d.normal;
     j.away = false;
 
@@ -220,7 +235,7 @@ struct Mohr final : JointLaw {
     if (!failed && j.state != 0 && (c > 0 || tension > 0))
       events.push_back({JointEvent::Kind::bond_break, contact, tears ? 1 : 2, false, false, false,
                         tears ? most / A : before.Fs.norm() / A, before.strain});
-    say_slip();
+    report_slip();
   }
 
   void update(std::span<Joint> joints, std::span<const JointIncrement> increments,

@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: MIT
 /// Bond of a spring network: normal, shear, twist and bending springs whose strengths may soften, then friction.
 ///
-///   bonded     F_n += k_n A d_n + F^f,  F_s -= k_s A d_s,  M -= K theta;  F^f the force of the fictitious stress
-///   breaks     sigma = F_n/A + beta |M_b| R/I + P > sigma_c,  or  tau = |F_s|/A + beta |M_t| R/J > c - sigma tan phi
-///   unbonded   no tension, |F_s| <= mu |N|, |M_b| <= 2.1 lambda_b |N| R/4, |M_t| <= 0.65 lambda_t mu |N| R
+///   bonded     F_n += k_n A d_n + dF^f_n,  F_s += dF^f_s - k_s A d_s,  M -= K theta
+///              dF^f: the increment of the force of the fictitious stress (see poisson_force in joint_geometry.hpp)
+///   failure    sigma = F_n/A + beta |M_b| R/I + P > sigma_c  in tension, or in shear
+///              tau = |F_s|/A + beta |M_t| R/J > c - (F_n/A + P) tan phi
+///   unbonded   N = min(F_n + A P, 0),  |F_s| <= mu |N|,
+///              |M_b| <= 2.1 lambda_b |N| R/4,  |M_t| <= 0.65 lambda_t mu |N| R
 ///
-/// docs/joints.md has the reasons for every branch, and the differences from the published description.
+/// Dilation (`sn_dil` > 0) opens an unbonded contact while it slips. If the faces cannot move apart, F_n becomes more
+/// compressive by k_n A tan psi |d_s|.
+///
+/// docs/joints.md gives the reasons for each branch, and the differences from the published description.
 
 #include "base/text.hpp"
 #include "contact/joint_parts.hpp"
@@ -19,7 +25,7 @@ namespace {
 
 enum State : int { loose = 0, torn = 1, sheared = 2, bonded = 3, softening = 4, unloaded = 5, healed = 6 };
 
-/// What the user asks for before the first step.
+/// Methods given in the input, which are applied once before the first step.
 struct Methods {
   struct Gaps {
     double low = -std::numeric_limits<double>::infinity(), high = 0.0;
@@ -55,60 +61,78 @@ struct SpringNetwork final : JointLaw {
     return std::array{
         P{"kn", &L::kn, D::interface_stiffness, not_negative, "normal stiffness per area", 0.0},
         P{"ks", &L::ks, D::interface_stiffness, not_negative, "shear stiffness per area", 0.0},
-        P{"user_area", &L::own_area, D::none, not_negative, "area instead of the host's", 0.0, false, "sn_area"},
+        P{"user_area", &L::own_area, D::none, not_negative, "area used instead of the computed contact area", 0.0,
+          false, "sn_area"},
         P{"fric", &L::mu, D::none, not_negative, "friction coefficient (default: tangent of sn_fa)", 0.0},
         P{"rgap", &L::gap_shift, D::length, any_value, "gap at which the faces count as closed", 0.0},
-        P{"sn_bmul", &L::bend_factor, D::none, not_negative, "factor of the largest bending moment unbonded", 1.0},
-        P{"sn_tmul", &L::twist_factor, D::none, not_negative, "factor of the largest twist unbonded", 1.0},
+        P{"sn_bmul", &L::bend_factor, D::none, not_negative,
+          "factor of the bending moment limit of an unbonded contact", 1.0},
+        P{"sn_tmul", &L::twist_factor, D::none, not_negative, "factor of the twist moment limit of an unbonded contact",
+          1.0},
         P{"sn_mode", &L::mode, D::none, within(0, 1),
-          "unbonded normal force: 0 from the gap, 1 by increments; 1 once a bond or stiffness was asked for", 0.0},
-        P{"sn_rmul", &L::radius_factor, D::none, positive, "factor of the radius of balls", 1.0},
-        P{"sn_mcf", &L::moment_share, D::none, within(0, 1), "share of the moments in the stresses", 1.0},
-        P{"sn_ten", &L::tension, D::stress, not_negative, "tensile strength", 0.0},
-        P{"sn_tendc", &L::tension_length, D::length, not_negative, "elongation from the peak to none; 0: at once", 0.0},
-        P{"sn_coh", &L::c, D::stress, not_negative, "cohesion", 0.0},
-        P{"sn_cohdc", &L::shear_length, D::length, not_negative, "slip after which no cohesion is left; 0: at once",
+          "normal force of an unbonded contact: 0 from the gap, 1 by increments; 1 if <bond>, <compute-stiffness> or "
+          "<assign-stiffness> is used",
           0.0},
-        P{"sn_cohres", &L::c_residual, D::stress, not_negative, "cohesion that is left after a break in shear", 0.0},
+        P{"sn_rmul", &L::radius_factor, D::none, positive, "factor on the radius of balls", 1.0},
+        P{"sn_mcf", &L::moment_share, D::none, within(0, 1), "weight beta of the moments in the rim stresses", 1.0},
+        P{"sn_ten", &L::tension, D::stress, not_negative, "tensile strength", 0.0},
+        P{"sn_tendc", &L::tension_length, D::length, not_negative,
+          "elongation from the tensile peak to zero strength; 0: the drop is sudden", 0.0},
+        P{"sn_coh", &L::c, D::stress, not_negative, "cohesion", 0.0},
+        P{"sn_cohdc", &L::shear_length, D::length, not_negative,
+          "slip at which the cohesion has vanished; 0: the drop is sudden", 0.0},
+        P{"sn_cohres", &L::c_residual, D::stress, not_negative, "residual cohesion after failure in shear", 0.0},
         P{"sn_fa", &L::phi, D::angle, slope, "friction angle of the bond", 0.0},
-        P{"sn_dil", &L::psi, D::angle, slope, "dilation angle", 0.0},
-        P{"sn_dilzero", &L::dilation_zero, D::length, not_negative, "shear displacement that ends dilation", {}, true},
+        P{"sn_dil", &L::psi, D::angle, slope, "dilation angle, positive: an unbonded contact opens while it slips",
+          0.0},
+        P{"sn_dilzero",
+          &L::dilation_zero,
+          D::length,
+          not_negative,
+          "shear displacement beyond which the contact no longer dilates",
+          {},
+          true},
         P{"sn_heal", &L::heals, D::none, within(0, 1), "1: a broken bond heals when sliding ends under pressure", 0.0},
-        P{"sn_non_diag", &L::non_diagonal, D::none, within(0, 1), "share of the shear of the fictitious stress", 0.0},
-        P{"sn_pois", &L::nu, D::none, between(-1, 1), "Poisson's ratio of the body that the bonds stand for", 0.0},
+        P{"sn_non_diag", &L::non_diagonal, D::none, within(0, 1),
+          "factor of the shear components of the fictitious stress", 0.0},
+        P{"sn_pois", &L::nu, D::none, between(-1, 1), "Poisson's ratio of the elastic body that the bonds represent",
+          0.0},
         P{"sn_porp", &L::pressure, D::stress, any_value, "pressure of pore fluid", 0.0},
-        P{"dp_nratio", &L::dashpot_normal, D::none, within(0, 1), "share of critical damping", 0.0},
-        P{"dp_sratio", &L::dashpot_shear, D::none, within(0, 1), "share of critical damping", 0.0},
+        P{"dp_nratio", &L::dashpot_normal, D::none, within(0, 1), "fraction of critical damping", 0.0},
+        P{"dp_sratio", &L::dashpot_shear, D::none, within(0, 1), "fraction of critical damping", 0.0},
         P{"dp_mode", &L::dashpot_mode, D::none, within(0, 3),
           "sum of 1 (no tension by the normal dashpot) and 2 (no shear dashpot while sliding)", 0.0}};
   }
   static std::vector<OwnProperty> own_properties() {
-    return {{"krot", "rotational stiffnesses about n, s, t; one number: about s (two dimensions)"},
-            {"sn_tentab", "pairs of multiplier and elongation, sorted, instead of sn_tendc"},
-            {"sn_cohtab", "pairs of multiplier and slip, sorted, instead of sn_cohdc"},
-            {"sn_force", "forces of each contact at the start: -F_n, F_ss, F_st"},
-            {"sn_moment", "moments of each contact at the start: M_t, M_bs, M_bt"},
-            {"area", "keeps the area at the start for good: a method, without a value"},
-            {"compute-stiffness", "'emod E poisson nu': stiffnesses E/d of an elastic body, d between the blocks"},
-            {"assign-stiffness", "'kn k kratio kappa': kn and ks = kn/kappa, no moments"},
-            {"bond", "bonds contacts; 'gap g' those whose gap is at most g (default 0), 'gap a b' between a and b"},
-            {"unbond", "the opposite of bond"},
-            {"sn_tabpos", ""},
-            {"emod", ""},
-            {"kratio", ""},
-            {"sn_radius", ""},
-            {"sn_state", ""},
-            {"sn_shear", ""},
-            {"sn_sigma", ""},
-            {"sn_esigma", ""},
-            {"sn_tau", ""},
-            {"sn_ndisp", ""},
-            {"sn_sdisp", ""},
-            {"sn_slip", ""},
-            {"sn_slipb", ""},
-            {"sn_slipt", ""},
-            {"sn_pois_force", ""},
-            {"dp_force", ""}};
+    return {
+        {"krot", "rotational stiffnesses about n, s, t; one number: about s (two dimensions)"},
+        {"sn_tentab", "pairs of multiplier and elongation, sorted by elongation, instead of sn_tendc"},
+        {"sn_cohtab", "pairs of multiplier and slip, sorted by slip, instead of sn_cohdc"},
+        {"sn_force", "forces of each contact at the start: -F_n, F_ss, F_st"},
+        {"sn_moment", "moments of each contact at the start: M_t, M_bs, M_bt"},
+        {"area", "method without a value: the initial area is kept, as is always the case in Tribo"},
+        {"compute-stiffness",
+         "'emod E poisson nu': kn = ks = E/d of an elastic body, d the distance between the block centres"},
+        {"assign-stiffness", "'kn k kratio kappa': kn = k and ks = k/kappa, no rotational stiffness"},
+        {"bond",
+         "bonds contacts; 'gap g': those with a gap of at most g (default 0); 'gap a b': those with a gap from a to b"},
+        {"unbond", "removes the bond of contacts, selected as in bond"},
+        {"sn_tabpos", ""},
+        {"emod", ""},
+        {"kratio", ""},
+        {"sn_radius", ""},
+        {"sn_state", ""},
+        {"sn_shear", ""},
+        {"sn_sigma", ""},
+        {"sn_esigma", ""},
+        {"sn_tau", ""},
+        {"sn_ndisp", ""},
+        {"sn_sdisp", ""},
+        {"sn_slip", ""},
+        {"sn_slipb", ""},
+        {"sn_slipt", ""},
+        {"sn_pois_force", ""},
+        {"dp_force", ""}};
   }
 
   /// Values of `words` in the text of a method, `word value(s) word value(s)`.
@@ -117,7 +141,7 @@ struct SpringNetwork final : JointLaw {
     std::vector<std::vector<double>> out(words.size());
     std::vector<double>* current = nullptr;
     std::string text = s.text;
-    std::replace(text.begin(), text.end(), ',', ' ');  // as scripts separate them
+    std::replace(text.begin(), text.end(), ',', ' ');  // scripts separate words by commas
     for (const auto& word : words_of(text)) {
       const auto known = std::find(words.begin(), words.end(), word);
       const auto value = to_number(word);
@@ -126,7 +150,7 @@ struct SpringNetwork final : JointLaw {
       else if (value && current)
         current->push_back(*value);
       else
-        problems.add(s.text_origin, "<" + s.name + "> does not know '" + word + "'" + did_you_mean(word, words) +
+        problems.add(s.text_origin, "<" + s.name + "> has no argument '" + word + "'" + did_you_mean(word, words) +
                                         "; it is followed by " + join(words, " and ") + ", each with its number");
     }
     return out;
@@ -135,7 +159,7 @@ struct SpringNetwork final : JointLaw {
   void read_stiffness(const Statement& s, const Units& units, Problems& problems) {
     const Statement *compute = s.child("compute-stiffness"), *assign = s.child("assign-stiffness");
     if (compute && assign)
-      problems.add(assign->origin, "<compute-stiffness> and <assign-stiffness> set the same; give one of them");
+      problems.add(assign->origin, "<compute-stiffness> and <assign-stiffness> exclude each other; give one of them");
     for (const Statement* m : {compute, assign})
       for (const char* other : {"kn", "ks", "krot"})
         if (m && s.child(other))
@@ -181,10 +205,10 @@ struct SpringNetwork final : JointLaw {
   void prepare(const Statement& s, const Units& units, Problems& problems) {
     static constexpr std::string_view result = "is a result: a column of the output";
     static constexpr RefusedProperty refused[] = {
-        {"sn_tabpos", "selects which entry of a table is read back; here the whole table is in the file"},
+        {"sn_tabpos", "selects one entry of a table; Tribo reads the whole table from <sn_tentab> or <sn_cohtab>"},
         {"emod", "is a result; set it by <compute-stiffness>emod E poisson nu</compute-stiffness>"},
         {"kratio", "is a result; set it by <assign-stiffness>kn k kratio kappa</assign-stiffness>"},
-        {"sn_radius", "is a result: of the area, or of the balls' radii by <sn_rmul>"},
+        {"sn_radius", "is a result: it follows from the area, or from <sn_rmul> and the radii of the balls"},
         {"sn_state", "is a result; set it by <bond/> or <unbond/>"},
         {"sn_shear", result},
         {"sn_sigma", result},
@@ -205,7 +229,7 @@ struct SpringNetwork final : JointLaw {
     for (const auto& [length, of] : {std::pair{"sn_tendc", "sn_tentab"}, {"sn_cohdc", "sn_cohtab"}})
       if (s.child(length) && s.child(of))
         problems.add(s.child(length)->origin,
-                     "<" + std::string(length) + "> and <" + of + "> say the same; give one of them");
+                     "<" + std::string(length) + "> and <" + of + "> exclude each other; give one of them");
     tension_table = MultiplierTable(s, "sn_tentab", units, problems);
     shear_table = MultiplierTable(s, "sn_cohtab", units, problems);
     const auto rotation = numbers_of(s, "krot", 1, 3, problems);
@@ -254,7 +278,7 @@ struct SpringNetwork final : JointLaw {
     const auto& k = j.bend_stiffness;
     return {k[0] * turn.s + k[2] * turn.t, k[2] * turn.s + k[1] * turn.t};
   }
-  /// The elastic turn that belongs to a moment; directions without stiffness do not turn.
+  /// The elastic rotation that belongs to a bending moment. Directions without stiffness do not rotate.
   static Tangent turn(const Joint& j, const Tangent& m) {
     const auto& k = j.bend_stiffness;
     const double det = k[0] * k[1] - k[2] * k[2];
@@ -262,7 +286,8 @@ struct SpringNetwork final : JointLaw {
     return {k[0] > 0 ? m.s / k[0] : 0.0, k[1] > 0 ? m.t / k[1] : 0.0};
   }
 
-  // With the fictitious stress, half of total times elastic force: summed over a body that is 1/2 sigma : epsilon.
+  // With the fictitious stress the stored energy of a bond is half the product of total and elastic force. Summed over
+  // the bonds of a body this equals 1/2 sigma : epsilon.
   static double strain_energy(const Joint& j) {
     const double kA = j.kn * j.area, sA = j.ks * j.area;
     return spring_energy(j.Fn, j.Fn - j.poisson_normal, kA) +
@@ -270,21 +295,22 @@ struct SpringNetwork final : JointLaw {
            spring_energy(j.Mt, j.Mt, j.twist_stiffness);
   }
 
-  /// Effective normal stress at the rim, and shear stress there.
+  /// Effective normal stress at the rim of the contact [stress], tension positive.
   double rim_stress(const Joint& j) const {
     return j.Fn / j.area + moment_share * j.Mb.norm() * j.radius / j.inertia + pressure;
   }
+  /// Shear stress at the rim [stress].
   double rim_shear(const Joint& j) const {
     return j.Fs.norm() / j.area + (j.polar > 0 ? moment_share * std::abs(j.Mt) * j.radius / j.polar : 0.0);
   }
   double shear_strength(const Joint& j) const { return std::max(0.0, c - (j.Fn / j.area + pressure) * tan_phi); }
 
   struct Break {
-    int mode = 0;  // 1 tension, 2 shear
+    int mode = 0;  // 0: none, 1: in tension, 2: in shear
     double strength = 0.0;
   };
 
-  /// Brings a softening bond back to its envelope. True if nothing is left of it.
+  /// Scales a softening bond back to its strength envelope. Returns true if no tensile strength remains.
   bool soften(Joint& j) const {
     const double sigma = rim_stress(j);
     double strength = tension * remaining(tension_table, tension_length, j.elongation);
@@ -301,8 +327,8 @@ struct SpringNetwork final : JointLaw {
     return !(strength > 0);
   }
 
-  /// A bonded contact: elastic, then its strengths.
-  Break stretch(Joint& j, const JointIncrement& d, double energy_before) const {
+  /// Step of a bonded contact: elastic increments, then the strength criteria. Returns the mode of failure, if any.
+  Break update_bonded(Joint& j, const JointIncrement& d, double energy_before) const {
     const bool poisson = j.state != healed;
     const double fn = poisson ? d.poisson_normal : 0.0;
     const Tangent fs = poisson ? d.poisson_shear : Tangent{};
@@ -332,14 +358,16 @@ struct SpringNetwork final : JointLaw {
     return out;
   }
 
-  void fall(Joint& j, int mode_of_break, double overlap_gap) const {
+  /// Changes a bond that failed in `mode_of_break` to an unbonded contact. The gap without force is chosen so that the
+  /// normal force is continuous.
+  void break_bond(Joint& j, int mode_of_break, double overlap_gap) const {
     j.state = mode_of_break;
     j.poisson_normal = 0, j.poisson_shear = {};
     j.slip = 0;
     j.rest_gap = overlap_gap - (j.kn * j.area > 0 ? j.Fn / (j.kn * j.area) : 0.0);
   }
 
-  /// Clips a force to `limit`; true if it was larger.
+  /// Scales `f` down to the magnitude `limit`. Returns true if it was larger.
   static bool clip(Tangent& f, double limit) {
     const double size = f.norm();
     if (!(size > limit)) return false;
@@ -347,13 +375,13 @@ struct SpringNetwork final : JointLaw {
     return true;
   }
 
-  /// A contact without bond; `fresh`: it broke in this step, and its forces are already those of the step's end.
-  void rub(Joint& j, const JointIncrement& d, bool fresh, bool slid, double overlap_gap) const {
+  /// Step of an unbonded contact. `fresh`: the bond failed in this step, so the forces already include the increments.
+  void update_unbonded(Joint& j, const JointIncrement& d, bool fresh, bool slid, double overlap_gap) const {
     const double A = j.area, kA = j.kn * A, pressed = A * pressure;
     if (fresh) {
       j.Fn = std::min(j.Fn + pressed, 0.0) - pressed;
     } else {
-      // Of faces that come together again only what they overlap presses.
+      // When separated faces close again, only their overlap causes pressure.
       const double dn = j.away ? std::max(d.normal, overlap_gap - j.rest_gap) : d.normal;
       j.Fn =
           mode > 0 ? std::min(j.Fn + kA * dn + pressed, 0.0) - pressed : kA * std::min(overlap_gap - j.rest_gap, 0.0);
@@ -379,7 +407,7 @@ struct SpringNetwork final : JointLaw {
     if (heals > 0 && (j.state == torn || j.state == sheared) && slid && !j.slips && N < 0) j.state = healed;
   }
 
-  /// What friction took, after a step from `before`.
+  /// Adds the work dissipated by friction in the step from the state `before`; it is negative.
   static void add_friction(Joint& j, const Joint& before, const JointIncrement& d) {
     if (j.slips) {
       Tangent by = d.shear;
@@ -397,7 +425,7 @@ struct SpringNetwork final : JointLaw {
     const Joint before = j;
     j.opening += d.normal, j.shear += d.shear, j.gap = d.gap;
     const double overlap_gap = d.gap - gap_shift;
-    const auto say_slip = [&] {
+    const auto report_slip = [&] {
       const bool s = j.slips != before.slips, b = j.bends != before.bends, t = j.twists != before.twists;
       constexpr int code[] = {0, 1, 2, 4, 3, 5, 6, 7};  // by shear 1, bend 2, twist 4
       if (const int which = code[(s ? 1 : 0) + (b ? 2 : 0) + (t ? 4 : 0)])
@@ -409,23 +437,23 @@ struct SpringNetwork final : JointLaw {
       j.slips = j.bends = j.twists = false;
       j.strain = 0, j.away = true;
       add_work(j, before, d);
-      say_slip();
+      report_slip();
       return;
     }
     if (j.away) events.push_back({Kind::activated, contact, 0, false, false, false, 0.0, 0.0});
     Break broke;
     if (j.state >= bonded) {
-      broke = stretch(j, d, before.strain);
-      if (broke.mode) fall(j, broke.mode, overlap_gap);
+      broke = update_bonded(j, d, before.strain);
+      if (broke.mode) break_bond(j, broke.mode, overlap_gap);
     }
-    if (j.state < bonded) rub(j, d, broke.mode != 0, before.slips, overlap_gap);
+    if (j.state < bonded) update_unbonded(j, d, broke.mode != 0, before.slips, overlap_gap);
     j.strain = strain_energy(j);
-    if (broke.mode != 1) add_friction(j, before, d);  // what a tear frees is no friction
+    if (broke.mode != 1) add_friction(j, before, d);  // energy released by tensile failure is not friction
     add_work(j, before, d);
     dashpots.act(j, d);
     if (broke.mode)
       events.push_back({Kind::bond_break, contact, broke.mode, false, false, false, broke.strength, j.onset});
-    say_slip();
+    report_slip();
   }
 
   void update(std::span<Joint> joints, std::span<const JointIncrement> increments,

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
-/// Components in the plane of a contact.
+/// Vectors in the tangent plane of a contact.
 #pragma once
+
+#include "base/archive.hpp"
 
 #include <cmath>
 
 namespace tribo {
 
-/// Along the tangents s and t of a contact; of moments and rotations: about them.
+/// Components along the tangents s and t of a contact. Moments and rotations have components about them.
 struct Tangent {
   double s = 0.0, t = 0.0;
 
@@ -19,5 +21,10 @@ struct Tangent {
   double dot(const Tangent& o) const { return s * o.s + t * o.t; }
   double norm() const { return std::sqrt(dot(*this)); }
 };
+
+inline void archive(Archive& a, Tangent& tangent) {
+  auto& [s, t] = tangent;
+  a("s", s), a("t", t);
+}
 
 }  // namespace tribo

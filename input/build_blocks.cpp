@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-/// Assemblies of rigid blocks.
+/// <Blocks>: assemblies of rigid blocks, alone or coupled to a grid.
 
 #include "base/text.hpp"
 #include "contact/joint_law.hpp"
 #include "input/builder.hpp"
 #include "materials/material.hpp"
-#include "model/quantities.hpp"
+#include "model/block_quantities.hpp"
 
 #include <algorithm>
 
@@ -20,7 +20,7 @@ bool yes(const std::string& flag) { return flag == "yes" || flag == "1" || flag 
 
 }  // namespace
 
-// A model of blocks has nothing else in it, and much of the header means the grid.
+// A model that consists of blocks only has no other sections, and many settings of <MPMHeader> refer to the grid.
 void Builder::only_of_blocks() {
   static const std::vector<std::string_view> sections{"Header",  "MPMHeader", "Blocks", "Material",
                                                       "Gravity", "Commands",  "Drive"};
@@ -29,31 +29,35 @@ void Builder::only_of_blocks() {
       "ArchiveGroup", "GlobalArchiveTime", "GlobalArchive", "Output",      "ArchiveRoot"};
   for (const auto& s : root_.children)
     must(lists(sections, s.name), s.origin,
-         "<" + s.name + "> is for grids and particles; with a <Mesh> blocks can be beside them");
+         "<" + s.name + "> needs a grid and particles; a file with <Mesh> can have blocks in addition");
   for (const auto& s : root_.child("MPMHeader")->children)
     must(lists(settings, s.name), s.origin,
-         "<" + s.name + "> is for grids and particles and has no meaning for blocks; leave it out");
+         "<" + s.name + "> belongs to grids and particles and has no meaning for blocks; leave it out");
   if (const auto* o = root_.child("MPMHeader")->child("Output"))
     for (const char* name : {"fields", "grid"})
-      must(!has(*o, name), o->origin, "files of blocks have all their fields; leave '" + std::string(name) + "' out");
+      must(!has(*o, name), o->origin,
+           "files of blocks always contain all fields; leave out '" + std::string(name) + "' out");
   must(model_.analysis != Analysis::axisymmetric, root_.child("Header")->child("Analysis")->origin,
        "blocks are plane or three-dimensional, not axisymmetric");
   if (const auto* g = root_.child("Gravity"))
     for (const auto& s : g->children)
       must(s.name.rfind("Body", 0) == 0, s.origin,
-           "<" + s.name + "> is for grids and particles; gravity of blocks is constant, <BodyYForce>");
+           "<" + s.name +
+               "> belongs to grids and particles; blocks have constant gravity, <BodyXForce>, <BodyYForce>, "
+               "<BodyZForce>");
 }
 
-// Blocks beside a grid meet its matter by nodal contact.
+// Blocks coupled to a grid interact with its bodies by nodal contact.
 void Builder::blocks_in_grid(const BlocksSpec& spec) {
   const Statement& s = *root_.child("Blocks");
   must(model_.analysis != Analysis::axisymmetric, root_.child("Header")->child("Analysis")->origin,
        "blocks are plane or three-dimensional, not axisymmetric");
   must(model_.contact.active, s.origin,
-       "blocks beside a grid need <MultiMaterialMode> in <MPMHeader>: they touch its matter by contact");
-  must(!spec.quasi_static, s.origin, "'quasistatic' is for blocks alone: matter in a grid needs the true masses");
+       "blocks coupled to a grid need <MultiMaterialMode> in <MPMHeader>, which enables contact with its bodies");
+  must(!spec.quasi_static, s.origin,
+       "'quasistatic' scales the masses of blocks, but the bodies of the grid need the true masses");
   must(!has(s, "thickness") || spec.thickness == model_.grid.thickness, s.origin,
-       "the thickness is that of the grid here; leave 'thickness' out");
+       "with a grid the thickness is that of the grid; leave 'thickness' out");
   if (const auto* g = root_.child("Gravity"))
     for (const auto& f : model_.body_force.function)
       must(!f, g->origin,
@@ -61,27 +65,27 @@ void Builder::blocks_in_grid(const BlocksSpec& spec) {
   for (const auto& [pair, joint] : model_.contact.joints)
     for (const auto& group : spec.groups)
       must(group.material != pair.first && group.material != pair.second, joint.origin,
-           "a joint law between blocks and matter is not built; use a contact law");
+           "a joint law between blocks and bodies of the grid is not implemented; use a contact law");
 }
 
-// The material through which others touch blocks in a grid.
+// The RigidContact material by which blocks interact with the bodies of a grid.
 int Builder::block_material(const Statement& s) {
   if (!has(s, "matname") && !has(s, "mat")) {
     must(!in_grid(), s.origin,
-         "beside a grid <" + s.name +
-             "> needs 'matname', a material of Type='RigidContact' through which others touch it");
+         "with a grid <" + s.name +
+             "> needs 'matname', a material of Type='RigidContact' for contact with other materials");
     return -1;
   }
-  must(in_grid(), s.origin, "'mat' and 'matname' are for blocks beside a grid");
+  must(in_grid(), s.origin, "'mat' and 'matname' belong to blocks coupled to a grid");
   const int found = material(s);
   if (found < 0 || found >= static_cast<int>(model_.materials.size())) return -1;
   const MaterialSpec& spec = model_.materials[static_cast<std::size_t>(found)];
-  if (has(s, "matname") && spec.name != word(s, "matname")) return -1;  // said already
+  if (has(s, "matname") && spec.name != word(s, "matname")) return -1;  // material() has reported the problem
   const bool moves =
       std::any_of(spec.rigid_velocity.begin(), spec.rigid_velocity.end(), [](const auto& v) { return v.has_value(); });
   must(spec.law && spec.law->rigid() && spec.touches(), s.origin,
-       "'" + spec.name + "' is no material of Type='RigidContact'");
-  must(!moves, s.origin, "'" + spec.name + "' has a prescribed motion; blocks move as forces move them, or by <Hold>");
+       "'" + spec.name + "' is not a material of Type='RigidContact'");
+  must(!moves, s.origin, "'" + spec.name + "' has a prescribed motion; blocks move by the forces on them or by <Hold>");
   return found;
 }
 
@@ -99,12 +103,13 @@ void Builder::blocks() {
       JointSite site;
       site.area = site.distance = site.radius = 1.0, site.gap = -1e-3, site.plane = model_.dimension() == 2;
       must(!spec->touch->is_bonded(spec->touch->start(site)), a->origin,
-           "'" + a->text + "' bonds what touches, and blocks that meet later have no bond; name a law without <bond>");
+           "'" + a->text + "' creates bonds, but contacts formed during the run have none; name a law without <bond>");
       site.gap = 1.0;
       must(spec->touch->start(site).away, a->origin,
            "'" + a->text +
-               "' does not take its force from the gap, so that blocks which meet later cannot have it; SpringNetwork "
-               "without <bond> does");
+               "' does not compute its force from the gap, so it cannot serve contacts formed during the run; use "
+               "SpringNetwork "
+               "without <bond>");
     }
   }
   spec->corners = word(s, "points") == "corners";
@@ -122,8 +127,9 @@ void Builder::blocks() {
   const Statement& header = *root_.child("MPMHeader");
   const auto* timing = header.child("Timing");
   must(!spec->quasi_static || header.child("TimeStep") || (timing && has(*timing, "step")), s.origin,
-       "with 'quasistatic' the step is yours to choose: give <TimeStep>");
-  must(!spec->quasi_static || !has(s, "step"), s.origin, "with 'quasistatic' 'step' has no meaning; it is <TimeStep>");
+       "with 'quasistatic' the time step must be chosen: give <TimeStep>");
+  must(!spec->quasi_static || !has(s, "step"), s.origin,
+       "with 'quasistatic' the attribute 'step' has no meaning; the time step is <TimeStep>");
 
   constexpr std::array velocities{"vx", "vy", "vz"}, spins{"spinx", "spiny", "spinz"};
   for (const auto& part : s.children) {
@@ -131,7 +137,8 @@ void Builder::blocks() {
       for (std::size_t d = 0; d < 3; ++d) {
         to[d] = time_function(part, names[d], dimension, factor);
         const bool out_of_plane = !solid && (names[0][0] == 's' || names[0][0] == 'M' ? d < 2 : d == 2);
-        must(!out_of_plane || !to[d], part.origin, "'" + std::string(names[d]) + "' leaves the plane of the model");
+        must(!out_of_plane || !to[d], part.origin,
+             "'" + std::string(names[d]) + "' leaves the plane of the two-dimensional model");
       }
     };
     if (part.name == "Joint") {
@@ -163,19 +170,20 @@ void Builder::blocks() {
   block_histories(*spec);
   if (in_grid()) blocks_in_grid(*spec);
 
-  // Poisson's ratio by the fictitious stress
+  // Poisson's ratio is modelled by the fictitious stress.
   double nu = 0;
   for (const auto& m : model_.materials) {
     if (!m.joint || m.joint->poisson() == 0) continue;
     nu = m.joint->poisson();
     must(model_.analysis == Analysis::plane_stress || nu < 0.5, m.origin,
          "Poisson's ratio of '" + m.name +
-             "' must be below 0.5: the fictitious stress of plane strain and three dimensions diverges from there on");
+             "' must be below 0.5: in plane strain and three dimensions the fictitious stress diverges at 0.5");
   }
   if (nu > 0 && spec->local_damping == 0)
     warn(s.origin,
-         "Poisson's ratio comes from the stress of the step before, which feeds vibrations: without damping they grow "
-         "without bound. Give 'damping' (0.05 for motion, 0.7 for a state of rest), and perhaps 'iterations'='1'");
+         "Poisson's ratio uses the stress of the preceding step, which excites vibrations: without damping they grow "
+         "without bound. Give 'damping' (0.05 for dynamics, 0.7 for static equilibrium) and, if needed, "
+         "'iterations'='1'");
   model_.blocks = std::move(spec);
 }
 
@@ -188,7 +196,7 @@ std::shared_ptr<const JointLaw> Builder::joint_of(const Statement& s) {
   if (!found) return nullptr;
   must(found->joint != nullptr || tribo::joint_laws().find(found->type) != nullptr, s.origin,
        "'" + found->name + "' is the contact law " + found->type +
-           " of grids; contacts of blocks need a joint law with history: SpringNetwork or Mohr");
+           ", which serves grids only; contacts of blocks need a joint law: SpringNetwork or Mohr");
   return found->joint;
 }
 
@@ -196,11 +204,11 @@ RegionPtr Builder::shapes_of(const Statement& s) {
   std::vector<RegionPtr> shapes;
   for (const auto& child : s.children) {
     must((child.name != "Line" && child.name != "Arc") || has(child, "tolerance"), child.origin,
-         "<" + child.name + "> needs 'tolerance': there are no cells to measure it in");
+         "<" + child.name + "> needs 'tolerance': without a grid there is no default, which is in cells");
     shapes.push_back(shape(child));
   }
   if (!shapes.empty()) return shapes.size() == 1 ? shapes.front() : unite(std::move(shapes));
-  problems_.add(s.origin, "<" + s.name + "> has no shape that says where it is");
+  problems_.add(s.origin, "<" + s.name + "> has no shape that selects blocks or faces");
   return rectangle(0, 0, 0, 0);
 }
 
@@ -233,7 +241,7 @@ BlockGroup Builder::block_group(const Statement& s) {
     }
   }
   must(solid || (g.velocity[2] == 0 && g.spin[0] == 0 && g.spin[1] == 0), s.origin,
-       "this motion leaves the plane of the model");
+       "this motion leaves the plane of the two-dimensional model");
   g.angle = number(s, "angle", Dimension::angle);
   const auto point = [&](const Statement& pt) {
     g.points.emplace_back(coordinate(pt, "x", 0), coordinate(pt, "y", 1), solid ? coordinate(pt, "z", 2) : 0.0);
@@ -272,7 +280,7 @@ void Builder::block_histories(BlocksSpec& spec) {
     h.column = h.name = word(s, "type");
     for (const auto& a : s.attributes)
       must(a.name == "type" || a.name == "platen" || a.name == "block", a.origin,
-           "'" + a.name + "' is for grids and particles; here it is 'platen' or 'block'");
+           "'" + a.name + "' belongs to grids and particles; in models of blocks use 'platen' or 'block'");
     const auto find = [&](const char* attribute, const auto& list) {
       const Attribute* a = s.attribute(attribute);
       if (!a) return -1;
@@ -284,7 +292,7 @@ void Builder::block_histories(BlocksSpec& spec) {
       }
       problems_.add(a->origin, "there is no " + std::string(attribute) + " '" + a->text + "'" +
                                    did_you_mean(a->text, names) +
-                                   (names.empty() ? "; none has a name" : "; valid: " + join(names)));
+                                   (names.empty() ? "; none of them has a name" : "; valid: " + join(names)));
       return -1;
     };
     h.platen = find("platen", spec.platens), h.group = find("block", spec.groups);
@@ -295,7 +303,7 @@ void Builder::block_histories(BlocksSpec& spec) {
       std::vector<std::string> names;
       for (const auto& q : block_quantities())
         if (q.of == of) names.emplace_back(q.name);
-      problems_.add(s.attribute("type")->origin, "'" + h.name + "' is no quantity " +
+      problems_.add(s.attribute("type")->origin, "'" + h.name + "' is not a quantity " +
                                                      (of == Of::platen  ? "of a platen"
                                                       : of == Of::block ? "of blocks"
                                                                         : "of the run") +

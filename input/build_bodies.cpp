@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// MaterialPoints: bodies, holes, pictures, single particles; and the shapes that conditions share.
+/// <MaterialPoints>: bodies, holes, images and single particles; also the shapes used by conditions.
 
 #include "input/builder.hpp"
 
@@ -21,7 +21,7 @@ int axis_of(const std::string& text) { return text == "1" || text == "x" ? 0 : t
 
 }  // namespace
 
-// A shape with everything that is cut out of it; what is cut out of a cut is kept.
+// A shape minus its nested shapes, which are cut out; shapes nested in a cut-out are added again.
 RegionPtr Builder::shape(const Statement& s) {
   const bool three =
       s.name == "Box" || s.name == "Sphere" || s.name == "Cylinder" || s.name == "Torus" || s.name == "STL";
@@ -141,7 +141,7 @@ void Builder::modify(const Statement& s, Piece& piece) {
   if (s.name == "vel0Z") piece.velocity_function[2] = function(s.text, s.text_origin);
   if (s.name == "RotateZ") piece.angle += function(s.text, s.text_origin)(Variables{}) * degrees;
   must(s.name != "RotateX" && s.name != "RotateY", s.origin,
-       "<" + s.name + "> turns material axes out of the plane; no material of Tribo has axes yet");
+       "<" + s.name + "> rotates material axes out of the plane, which is not implemented");
   if (s.name == "Unrotate") piece.angle = 0.0;
   if (s.name == "Undeform") piece.deformation.reset();
   if (s.name == "MatlPtsPerElement") {

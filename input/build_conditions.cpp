@@ -13,6 +13,7 @@ namespace {
 
 bool on_nodes(const Statement& s) { return s.name == "DisBC" || s.name == "TempBC"; }
 bool on_particles(const Statement& s) { return s.name == "LoadBC" || s.name == "TractionBC" || s.name == "HeatFluxBC"; }
+bool needs_three_dimensions(DomainFace face) { return face == DomainFace::low_z || face == DomainFace::high_z; }
 
 }  // namespace
 
@@ -67,7 +68,7 @@ Prescribed Builder::prescribed(const Statement& s, std::string_view value, Dimen
   const double alternative = model_.units.alternative_time();
   const bool periodic = p.style == Style::sine || p.style == Style::cosine;
   const double time = number(s, has(s, "time") ? "time" : "ftime", Dimension::none);
-  p.time = periodic ? time / alternative : time * alternative;  // a frequency, or a time
+  p.time = periodic ? time / alternative : time * alternative;  // an angular frequency, or a time
   p.value = number(s, value, dimension);
   if (p.style == Style::linear) p.value /= alternative;  // per unit of time
   if (p.style == Style::function) {
@@ -89,7 +90,7 @@ void Builder::node_condition(const Statement& s, const RegionPtr& where) {
   c.origin = s.origin;
   const std::string dir = word(s, "dir", "1");
   const double angle = number(s, "angle", Dimension::angle), angle2 = number(s, "angle2", Dimension::angle);
-  // Skewed directions turn clockwise from the first axis, as the dialect has it
+  // Inclined directions are rotated clockwise from the first axis, as in NairnMPM
   if (dir == "1") c.direction = Vec3::UnitX();
   if (dir == "2") c.direction = Vec3::UnitY();
   if (dir == "3") c.direction = Vec3::UnitZ();
@@ -100,13 +101,17 @@ void Builder::node_condition(const Statement& s, const RegionPtr& where) {
     c.direction = Vec3(std::cos(angle) * std::sin(angle2), -std::sin(angle) * std::sin(angle2), std::cos(angle2));
   must(model_.dimension() == 3 || dir.find('3') == std::string::npos, s.origin,
        "direction " + dir + " needs a three-dimensional model");
-  must(!(has(s, "vel") && has(s, "disp")), s.origin, "give 'vel' or 'disp', which mean the same, not both");
+  must(!(has(s, "vel") && has(s, "disp")), s.origin, "give only one of 'vel' and 'disp', which have the same meaning");
   c.velocity = prescribed(s, has(s, "vel") ? "vel" : "disp", Dimension::velocity);
   must(c.velocity.style != Style::silent, s.origin,
-       "a velocity cannot be silent; an absorbing boundary is a <TractionBC style=\"silent\">");
+       "style 'silent' is not for velocities; an absorbing boundary is a <TractionBC style=\"silent\">");
   c.id = static_cast<int>(number(s, "id", Dimension::none));
-  must(c.id <= 0, s.origin, "the id of a condition is 0 or negative");
+  must(c.id <= 0, s.origin, "the id of a condition must be 0 or negative");
   model_.node_conditions.push_back(std::move(c));
+}
+
+DomainFace Builder::face_of(const Statement& s) {
+  return static_cast<DomainFace>(static_cast<int>(number(s, "face", Dimension::none)));
 }
 
 void Builder::particle_condition(const Statement& s, const RegionPtr& where, bool net) {
@@ -116,10 +121,13 @@ void Builder::particle_condition(const Statement& s, const RegionPtr& where, boo
   const bool traction = s.name == "TractionBC";
   c.kind = traction ? ParticleCondition::Kind::traction : ParticleCondition::Kind::force;
   const int dir = static_cast<int>(number(s, "dir", Dimension::none, 1));
-  c.direction = dir - 1;
-  c.face = static_cast<int>(number(s, "face", Dimension::none));
+  // directions 1, 2, 3 are axes; of tractions, 11 is normal and 12 tangential
+  c.direction = dir == 11   ? LoadDirection::normal
+                : dir == 12 ? LoadDirection::tangential
+                            : static_cast<LoadDirection>(dir - 1);
+  if (traction) c.face = face_of(s);
   c.net = net && !traction;
-  must(model_.dimension() == 3 || (dir != 3 && c.face < 5), s.origin,
+  must(model_.dimension() == 3 || (dir != 3 && !needs_three_dimensions(c.face)), s.origin,
        "this direction or face needs a three-dimensional model");
   must(model_.dimension() == 2 || dir != 12, s.origin,
        "shear traction (12) is for two-dimensional models; give 1, 2 or 3");
@@ -129,13 +137,13 @@ void Builder::particle_condition(const Statement& s, const RegionPtr& where, boo
                                         : "value",
                        traction ? Dimension::stress : Dimension::force);
   must(traction || c.value.style != Style::silent, s.origin,
-       "a force cannot be silent; use <TractionBC style=\"silent\">");
+       "style 'silent' is not for forces; use <TractionBC style=\"silent\">");
   model_.particle_conditions.push_back(std::move(c));
 }
 
 void Builder::temperature_condition(const Statement& s, const RegionPtr& where) {
   TemperatureCondition c{where, prescribed(s, "value", Dimension::temperature), s.origin};
-  must(c.temperature.style != Style::silent, s.origin, "a temperature cannot be silent");
+  must(c.temperature.style != Style::silent, s.origin, "style 'silent' is not for temperatures");
   model_.temperature_conditions.push_back(std::move(c));
 }
 
@@ -144,10 +152,11 @@ void Builder::heat_flux(const Statement& s, const RegionPtr& where) {
   c.kind = ParticleCondition::Kind::heat_flux;
   c.where = where;
   c.origin = s.origin;
-  c.face = static_cast<int>(number(s, "face", Dimension::none));
-  must(model_.dimension() == 3 || c.face < 5, s.origin, "this face needs a three-dimensional model");
+  c.face = face_of(s);
+  must(model_.dimension() == 3 || !needs_three_dimensions(c.face), s.origin,
+       "this face needs a three-dimensional model");
   c.value = prescribed(s, "value", Dimension::heat_flux);
-  must(c.value.style != Style::silent, s.origin, "a heat flux cannot be silent");
+  must(c.value.style != Style::silent, s.origin, "style 'silent' is not for heat fluxes");
   model_.particle_conditions.push_back(std::move(c));
 }
 
@@ -171,7 +180,7 @@ void Builder::heat() {
        "<ContactHeating> needs contact, <MultiMaterialMode> in <MPMHeader>");
 }
 
-// Whether particles have temperatures, and whether the materials are ready for them.
+// Decides whether particles have temperatures, and checks the heat properties of the materials.
 void Builder::check_capacities(const Statement* thermal) {
   HeatSpec& heat = model_.heat;
   const bool changes = heat.conduction || heat.work_heating;
@@ -184,12 +193,12 @@ void Builder::check_capacities(const Statement* thermal) {
     must(m.heat_capacity > 0, m.origin, why + " needs the heat capacity of '" + m.name + "': <Cv>");
     if (const auto* alpha = m.statement.child("alpha"))
       must(to_number(alpha->text).value_or(0.0) == 0.0, alpha->origin,
-           "thermal expansion is not built; without " + why + ", or with <alpha>0</alpha>, the model runs");
+           "thermal expansion is not implemented; without " + why + ", or with <alpha>0</alpha>, the model runs");
   }
   const auto dissipates = [](const MaterialSpec& m) { return m.law && m.law->dissipation_index() >= 0; };
   if (heat.work_heating)
     must(std::any_of(model_.materials.begin(), model_.materials.end(), dissipates), thermal->origin,
-         "<EnergyCoupling> makes heat of what materials dissipate, and none of these dissipates anything");
+         "<EnergyCoupling> converts dissipated work to heat, but none of these materials dissipates");
 }
 
 void Builder::gravity() {

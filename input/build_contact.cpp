@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Contact between materials: normals, gaps, and which law acts between which.
+/// Contact between materials: methods for normals and gaps, and the laws of pairs.
 
 #include "contact/contact_law.hpp"
 #include "contact/joint_law.hpp"
@@ -42,7 +42,7 @@ Statement property(const Statement& from, const char* name, const std::string& v
 
 }  // namespace
 
-// The law that <Friction> or <CrackList> names by number or name; null after a problem.
+// The law named by number or name in <Friction> or <CrackList>; null after a problem.
 const MaterialSpec* Builder::named_law(const Statement& s) {
   const Attribute* a = s.attribute("lawname") ? s.attribute("lawname") : s.attribute("law");
   const auto law = [](const MaterialSpec& m) {
@@ -76,7 +76,7 @@ const MaterialSpec* Builder::named_law(const Statement& s) {
   return found;
 }
 
-// For all pairs: a joint law needs faces that touch at the start, and something must be said of all others.
+// The default law of all pairs. It cannot be a joint law, which acts only between faces that touch at the start.
 std::shared_ptr<const ContactLaw> Builder::default_law(const Statement& s) {
   const MaterialSpec* found = named_law(s);
   if (!found) return nullptr;
@@ -84,8 +84,8 @@ std::shared_ptr<const ContactLaw> Builder::default_law(const Statement& s) {
     const Attribute* a = s.attribute("lawname") ? s.attribute("lawname") : s.attribute("law");
     problems_.add(a->origin,
                   "'" + found->name + "' at " + found->origin.text() + " is the joint law " + found->type +
-                      ", which remembers the faces that touch at the start; it cannot be the law of all pairs "
-                      "wherever they meet. Give it to two materials by <Friction lawname='" +
+                      ", which acts only between faces that touch at the start; it cannot be the law of all pairs "
+                      "for all contacts. Assign it to two materials by <Friction lawname='" +
                       found->name + "' matname='...'/> inside one of them, or to a <CrackList>");
     return nullptr;
   }
@@ -93,14 +93,13 @@ std::shared_ptr<const ContactLaw> Builder::default_law(const Statement& s) {
 }
 
 void Builder::must_suit_grid(const MaterialSpec& law, const Origin& origin) {
-  must(
-      !law.joint || (!law.joint->needs_distance() && law.joint->poisson() == 0), origin,
-      "'" + law.name +
-          "' takes the place of material between blocks (compute-stiffness, sn_pois): in the grid the bodies beside it "
-          "are elastic already; use assign-stiffness");
+  must(!law.joint || (!law.joint->needs_distance() && law.joint->poisson() == 0), origin,
+       "'" + law.name +
+           "' represents the elasticity of the bodies (compute-stiffness, sn_pois), but bodies in the grid "
+           "have their own elasticity; use assign-stiffness");
 }
 
-// <Friction>0.3</Friction>: the dialect's old way to say the law with one number.
+// <Friction>0.3</Friction>: the old form of NairnMPM, in which a number selects the law.
 std::shared_ptr<const ContactLaw> Builder::law_by_number(const Statement& s) {
   const double value = text_number(s, Dimension::none);
   Statement law;
@@ -186,12 +185,12 @@ void Builder::pair_laws() {
       must(self != other, f.origin, "a pair needs two materials; this names the material itself");
       const std::pair pair{std::min(self, other), std::max(self, other)};
       const auto [entry, fresh] = given.try_emplace(pair, f.origin);
-      if (!fresh) problems_.add(f.origin, "this pair of materials has a law already, at " + entry->second.text());
+      if (!fresh) problems_.add(f.origin, "this pair of materials already has a law, at " + entry->second.text());
       pair_law(f, self, other);
     }
 }
 
-// Body 1 of a joint is the material in which its law stands.
+// Body 1 of a joint is the material that contains <Friction>.
 void Builder::pair_law(const Statement& f, int self, int other) {
   const std::pair pair{std::min(self, other), std::max(self, other)};
   ContactSpec& c = model_.contact;
@@ -215,8 +214,8 @@ void Builder::shared_fields() {
     const auto number = to_number(s->text);
     const int count = static_cast<int>(material_statements_.size());
     if (!number || *number < 1 || *number > count || *number != std::floor(*number)) {
-      problems_.add(s->origin,
-                    "<shareMatField> names a material by its number; this file has " + std::to_string(count));
+      problems_.add(s->origin, "<shareMatField> needs the number of a material; the number of materials is " +
+                                   std::to_string(count));
       continue;
     }
     const int with = static_cast<int>(*number) - 1;
@@ -230,7 +229,7 @@ void Builder::shared_fields() {
     must(with != static_cast<int>(k), s->origin, "a material cannot share with itself");
     must(!spec.law->rigid() && !other.law->rigid(), s->origin, "rigid materials do not share a velocity field");
     must(other.share_field_with < 0, s->origin,
-         "'" + other.name + "' itself shares the field of another material; name that one");
+         "'" + other.name + "' itself shares the field of another material; use the number of that material");
     spec.share_field_with = with;
   }
 }
@@ -248,7 +247,7 @@ void Builder::liquid_of(const MaterialSpec& law) {
     if (liquid.law || liquid.contact)
       problems_.add(s->origin,
                     "'" + liquid.name + "' at " + liquid.origin.text() +
-                        " is no liquid; <LiquidPhase> needs a material with a viscosity, such as TaitLiquid");
+                        " is not a liquid; <LiquidPhase> needs a material with a viscosity, such as TaitLiquid");
     return;
   }
   law.contact->set_viscosity([m = liquid.law](double rate) { return m->viscosity(rate); });

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// Puts a crack together, piece by piece.
+/// Builds the geometry of a crack from its parts.
 class CrackShape {
  public:
   CrackShape(CrackSpec& crack, double cell) : crack_(crack), cell_(cell) {}
@@ -26,7 +26,7 @@ class CrackShape {
     if (last > 0) crack_.pieces.push_back({last - 1, last, 0});
   }
 
-  /// Triangles over a grid of (n+1) x (m+1) points x(i/n, j/m).
+  /// Adds triangles between (n+1) x (m+1) points x(i/n, j/m).
   template <class F>
   void sheet(int n, int m, F&& x) {
     const auto first = static_cast<std::uint32_t>(crack_.points.size());
@@ -40,7 +40,7 @@ class CrackShape {
       }
   }
 
-  /// Rings of triangles: the k-th has 6 k points.
+  /// Adds a disc of triangles between concentric rings; the k-th ring has 6 k points.
   void disc(const Vec3& centre, const Vec3& normal, double radius) {
     const Vec3 n = normal.normalized(), a = n.unitOrthogonal(), b = n.cross(a);
     const int rings = pieces(radius);
@@ -66,7 +66,7 @@ class CrackShape {
     }
   }
 
-  /// Two per cell.
+  /// Default number of segments of a length: two per cell.
   int pieces(double length) const { return std::max(1, static_cast<int>(std::ceil(2 * length / cell_ - 1e-9))); }
 
  private:
@@ -98,7 +98,8 @@ CrackSpec Builder::crack(const Statement& s) {
                   z ? number(part, z, Dimension::length) : 0.0);
     };
     const int resolution = static_cast<int>(number(part, "resolution", Dimension::none));
-    must(!has(part, "resolution") || resolution >= 1, part.origin, "'resolution' is a number of pieces, from 1 on");
+    must(!has(part, "resolution") || resolution >= 1, part.origin,
+         "'resolution' must be a number of segments, at least 1");
     const bool begins = out.points.empty();
     if (part.name == "pt") {
       set_end(part, "tip", out.ends[begins ? 0 : 1]);
@@ -122,7 +123,7 @@ CrackSpec Builder::crack(const Statement& s) {
       }
     } else if (part.name == "Quad") {
       const Vec3 corner = at("x1", "y1", "z1"), u = at("x2", "y2", "z2") - corner, v = at("x3", "y3", "z3") - corner;
-      must(u.cross(v).norm() > 0, part.origin, "the corners of <Quad> lie on one line");
+      must(u.cross(v).norm() > 0, part.origin, "the corners of <Quad> are collinear");
       shape.sheet(shape.pieces(u.norm()), shape.pieces(v.norm()),
                   [&](double i, double j) { return Vec3(corner + i * u + j * v); });
     } else {
@@ -144,14 +145,15 @@ CrackSpec Builder::crack(const Statement& s) {
   return out;
 }
 
-// What the dialect says of an end: number of the material around a tip, -1 none, -2 outside of the body.
+// Type of an end from its code: number of the material around the tip, -1 no tip, -2 outside the body.
 void Builder::set_end(const Statement& s, const char* code, CrackSpec::End& end) {
   end = CrackSpec::End::found;
   if (!has(s, code)) return;
   const auto tip = static_cast<int>(number(s, code, Dimension::none));
   const auto count = static_cast<int>(material_statements_.size());
   must(tip == -2 || tip == -1 || (tip >= 1 && tip <= count), s.origin,
-       "'" + std::string(code) + "' is the number of the material around the tip, -1 (no tip) or -2 (outside)");
+       "'" + std::string(code) +
+           "' must be the number of the material around the tip, -1 (no tip) or -2 (outside the body)");
   end = tip == -2 ? CrackSpec::End::exterior : tip == -1 ? CrackSpec::End::none : CrackSpec::End::tip;
 }
 
@@ -192,7 +194,7 @@ void Builder::cracks() {
     model_.cracks.push_back(std::move(spec));
   }
   must(model_.cracks.empty() || !model_.scheme.b_bar, model_.cracks.empty() ? Origin{} : model_.cracks.front().origin,
-       "cracks and B-bar do not go together yet: means over cells would cross the crack");
+       "cracks with <BBar> are not implemented: its averages over cells would cross the crack");
   if (general) must(!model_.cracks.empty(), general->origin, "<Cracks> without a <CrackList> has no effect");
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// A law driven at a point: which one, and along which path.
+/// <Drive>: a single law driven along a path.
 
 #include "contact/contact_law.hpp"
 #include "input/builder.hpp"
@@ -18,7 +18,8 @@ namespace {
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
-/// The rate or stress of one column in a standard test: `rate` along the test, `pressure` around the sample.
+/// Velocity gradient or stress of one column in a standard test: `rate` is a factor of the test's strain rate,
+/// `pressure` a factor of its confining pressure.
 struct TestColumn {
   std::string_view name;
   double rate = 0.0, pressure = 0.0;
@@ -39,19 +40,19 @@ const StandardTest& standard_test(const std::string& name) {
       {"isotropic", {{"Lxx", -1.0 / 3}, {"Lyy", -1.0 / 3}, {"Lzz", -1.0 / 3}}}};
   for (const auto& test : all)
     if (test.name == name) return test;
-  return all.front();  // the table of keywords has refused other words
+  return all.front();  // not reached: check() has refused other words
 }
 
 }  // namespace
 
-// The path of a standard test; `initial` becomes the confining pressure.
+// The path of a standard test. `initial` is set to the confining pressure.
 std::vector<PathRow> Builder::test_path(const Statement& s, Mat3& initial) {
   const StandardTest& test = standard_test(word(s, "test"));
   const double strain = number(s, "strain", Dimension::none), rate = number(s, "rate", Dimension::rate, 1.0);
   const double steps = number(s, "steps", Dimension::none, 100.0), pressure = number(s, "pressure", Dimension::stress);
-  must(std::abs(strain) > 0, s.origin, "a standard test needs 'strain', to which it goes");
-  must(rate > 0, s.origin, "'rate' must be positive; a negative 'strain' turns the test round");
-  must(steps >= 1, s.origin, "'steps' is a whole number from 1 on");
+  must(std::abs(strain) > 0, s.origin, "a standard test needs 'strain', the strain at its end");
+  must(rate > 0, s.origin, "'rate' must be positive; a negative 'strain' reverses the test");
+  must(steps >= 1, s.origin, "'steps' must be a whole number, at least 1");
   must(test.confined || !has(s, "pressure"), s.origin, "only triaxial tests have a confining 'pressure'");
   const auto columns = material_columns();
   PathRow row;
@@ -73,7 +74,7 @@ std::vector<PathRow> Builder::path(const Statement& s, const std::vector<PathCol
     return {};
   }
   const Attribute* file = path->attribute("file");
-  must(!file || path->text.empty(), path->origin, "<Path> has a file and rows of its own; give one of them");
+  must(!file || path->text.empty(), path->origin, "<Path> has both a file and rows; give one of them");
   const double time = model_.units.factor(Dimension::time);
   if (!file) return read_path(path->text, path->text_origin, columns, time, problems_);
   const auto place = folder_ / file->text;
@@ -102,7 +103,8 @@ MaterialDrive Builder::material_drive(const Statement& s, const MaterialSpec& sp
     out.path = test_path(s, out.initial_stress);
   } else {
     for (const auto name : {"strain", "rate", "steps", "pressure"})
-      must(!has(s, name), s.origin, "'" + std::string(name) + "' belongs to a standard test; name it by 'test'");
+      must(!has(s, name), s.origin,
+           "'" + std::string(name) + "' belongs to a standard test, which is selected by 'test'");
     out.path = path(s, material_columns(units.factor(Dimension::rate), units.factor(Dimension::stress)));
   }
   out.angle = number(s, "angle", Dimension::angle);
@@ -113,11 +115,11 @@ MaterialDrive Builder::material_drive(const Statement& s, const MaterialSpec& sp
   if (work_heating()) {
     must(spec.heat_capacity > 0, spec.origin, "<EnergyCoupling> needs the heat capacity of '" + spec.name + "': <Cv>");
     must(!spec.law || spec.law->dissipation_index() >= 0, s.origin,
-         "<EnergyCoupling> makes heat of what the material dissipates, and '" + spec.name + "' dissipates nothing");
+         "<EnergyCoupling> converts dissipated work to heat, but '" + spec.name + "' dissipates nothing");
     if (spec.law) out.warmed_by_work = spec.taylor_quinney / (spec.law->density() * spec.heat_capacity);
   }
   must(!has(s, "temp") || (spec.law && spec.law->feels_temperature()) || work_heating(), s.origin,
-       "'" + spec.name + "' does not feel its temperature; leave 'temp' out");
+       "'" + spec.name + "' does not depend on temperature; leave 'temp' out");
   if (const Statement* initial = s.child("InitialStress")) {
     constexpr std::array<const char*, 6> names{"xx", "yy", "zz", "xy", "yz", "xz"};
     for (std::size_t k = 0; k < names.size(); ++k) {
@@ -154,7 +156,8 @@ JointDrive Builder::joint_drive(const Statement& s, const MaterialSpec& spec) {
   out.law = spec.joint, out.origin = s.origin;
   for (const auto name : {"test", "strain", "rate", "steps", "pressure", "angle", "temp", "cell"})
     must(!has(s, name), s.origin, "'" + std::string(name) + "' does not belong to joint laws, which need <Path>");
-  must(!s.child("InitialStress"), s.origin, "<InitialStress> belongs to materials; joints start with their own forces");
+  must(!s.child("InitialStress"), s.origin,
+       "<InitialStress> belongs to materials; the initial forces of a joint law are among its properties");
   const auto& units = model_.units;
   JointSite& site = out.site;
   site.plane = has(s, "thickness");
@@ -175,7 +178,7 @@ JointDrive Builder::joint_drive(const Statement& s, const MaterialSpec& spec) {
   must(site.distance >= 0 && out.mass >= 0 && out.dashpot_mass >= 0 && out.spring_normal >= 0 && out.spring_shear >= 0,
        s.origin, "'distance', 'mass', 'block' and the springs must not be negative");
   must(!spec.joint || !spec.joint->needs_distance() || site.distance > 0, s.origin,
-       "<compute-stiffness> of '" + spec.name + "' needs 'distance', between the bodies' centres");
+       "<compute-stiffness> of '" + spec.name + "' needs 'distance', the distance between the centres of the bodies");
   out.path = path(s, joint_columns(units.factor(Dimension::length), units.factor(Dimension::force)));
   return out;
 }
@@ -188,8 +191,8 @@ Drive Builder::build_drive() {
   const Statement* s = root_.child("Drive");
   if (!s) {
     problems_.add(root_.origin,
-                  "this file has no <Drive>; 'tribo drive' needs one that says which law to drive along "
-                  "which path. To run the model, use 'tribo run'");
+                  "this file has no <Drive>, which 'tribo drive' needs: the law to drive and the "
+                  "path. To run the model, use 'tribo run'");
     problems_.raise();
     return {};
   }

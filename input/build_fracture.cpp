@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Tips of cracks: what is computed there, and when they grow.
+/// Fracture: quantities computed at crack tips, and criteria for their growth.
 
 #include "input/builder.hpp"
 #include "input/common_properties.hpp"
@@ -11,7 +11,7 @@
 
 namespace tribo {
 
-// A property of a material that belongs to fracture.
+// Reads a property of a material that belongs to fracture.
 void Builder::fracture_property(const Statement& s, MaterialSpec& spec) {
   Toughness& t = spec.toughness;
   const auto above_zero = [&](Dimension dimension) {
@@ -45,20 +45,22 @@ Growth Builder::growth(const Statement& s) {
   const auto* found = std::find_if(criteria.begin(), criteria.end(), [&](const auto& c) { return c.first == asked; });
   must(found != criteria.end(), s.origin,
        "there is no criterion " + std::to_string(asked) +
-           "; valid: 0 (none), 1 (largest hoop stress), 4 (strain energy density), 5 (empirical), 7 (release rate)");
+           "; valid: 0 (none), 1 (maximum hoop stress), 4 (strain energy density), 5 (empirical), 7 (energy release "
+           "rate)");
   if (found != criteria.end()) out.when = found->second;
   const auto way = static_cast<int>(number(s, "direction", Dimension::none, 0));
   must(way >= 0 && way <= 4, s.origin,
-       "'direction' is 0 (of the criterion), 1 (straight on), 2 (normal to the opening), 3 (largest hoop stress by the "
-       "opening) or 4 (as at the start)");
+       "'direction' is 0 (of the criterion), 1 (along the crack), 2 (normal to the opening displacement), 3 (maximum "
+       "hoop "
+       "stress derived from the opening displacement) or 4 (initial direction)");
   out.way = static_cast<Growth::Way>(std::clamp(way, 0, 4));
   must(number(s, "traction", Dimension::none, 0) == 0, s.origin,
-       "new parts of a crack carry no traction law yet; draw the crack along its way and give it a joint law with "
-       "tension");
+       "a traction law for new parts of a crack is not implemented; define the crack along its whole expected path and "
+       "assign a joint law with tensile strength to it");
   return out;
 }
 
-// After materials and cracks.
+// Needs materials and cracks to be read.
 void Builder::fracture() {
   const Statement* general = root_.child("MPMHeader")->child("Cracks");
   const Statement* contour = general ? general->child("JContour") : nullptr;
@@ -66,10 +68,11 @@ void Builder::fracture() {
   FractureSpec spec;
   if (contour) {
     spec.size = number(*contour, "size", Dimension::none, spec.size);
-    must(spec.size >= 1 && spec.size <= 20, contour->origin, "'size' is the ring's radius in cells, from 1 to 20");
+    must(spec.size >= 1 && spec.size <= 20, contour->origin,
+         "'size' is the radius of the contour in cells, from 1 to 20");
     must(number(*contour, "type", Dimension::none, 1) == 1, contour->origin, "the only type is 1");
     const double terms = number(*contour, "terms", Dimension::none, 2);
-    must(terms == 1 || terms == 2, contour->origin, "'terms' is 1 (without accelerations) or 2");
+    must(terms == 1 || terms == 2, contour->origin, "'terms' must be 1 (without the inertia term) or 2 (with it)");
     spec.inertia = terms != 1;
   }
   if (const Statement* hop = general ? general->child("PropagateLength") : nullptr) {
@@ -95,17 +98,18 @@ void Builder::fracture() {
     }
     tough = true;
     must(material.growth.when == Growth::When::release_rate || elastic_moduli(*material.law), material.origin,
-         "stress intensities need an isotropic material; for '" + material.name +
-             "' take criterion 7, which needs <JIc>");
+         "stress intensity factors need an isotropic material; for '" + material.name +
+             "' use criterion 7, which needs <JIc>");
   }
   if (!contour && !grows && !wants_tip_loads_) return;
-  must(!grows || tough, origin, "no material resists the growth of cracks: give <KIc>, or <JIc> for criterion 7");
+  must(!grows || tough, origin, "no material has a fracture toughness: give <KIc>, or <JIc> for criterion 7");
   must(model_.analysis == Analysis::plane_strain || model_.analysis == Analysis::plane_stress, origin,
-       "tips of cracks are understood in plane strain and plane stress only");
+       "crack tips are evaluated in plane strain and plane stress only");
   must(!model_.cracks.empty(), origin, "there is no crack; add a <CrackList>");
   for (const CrackSpec& crack : model_.cracks)
     must(!grows || !crack.joint || crack.ends == std::array{CrackSpec::End::none, CrackSpec::End::none}, crack.origin,
-         "a crack with a joint law does not grow, for new parts would carry none; set start_tip and end_tip to -1");
+         "a crack with a joint law cannot grow, since its new parts would have no joint law; set start_tip and end_tip "
+         "to -1");
   model_.fracture = spec;
 }
 

@@ -2,6 +2,7 @@
 /// Header, MPMHeader, Mesh and CustomTasks.
 
 #include "input/builder.hpp"
+#include "model/output_fields.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -44,14 +45,7 @@ void Builder::mpm_header() {
   scheme.extrapolate_again = !h.child("SkipPostExtrapolation");
   if (const auto* g = h.child("GIMP")) {
     const std::string type = word(*g, "type", "uGIMP");
-    const auto is = [&](std::initializer_list<std::string_view> names) {
-      return std::find(names.begin(), names.end(), type) != names.end();
-    };
-    scheme.kernel = is({"Classic", "Dirac", "linear", "0"}) ? Kernel::linear
-                    : is({"lCPDI", "CPDI", "2"})            ? Kernel::cpdi
-                    : is({"B2SPLINE", "quadratic", "6"})    ? Kernel::quadratic_spline
-                    : is({"B3SPLINE", "cubic"})             ? Kernel::cubic_spline
-                                                            : Kernel::gimp;
+    scheme.kernel = kernel_of(type).value_or(Kernel::gimp);
   }
   if (const auto* t = h.child("Transfer")) {
     const std::string type = word(*t, "type");
@@ -70,16 +64,16 @@ void Builder::mpm_header() {
   }
   if (const auto* d = h.child("DefGradTerms")) {
     const auto terms = text_number(*d, Dimension::none, 1);
-    must(terms == 1 || terms == 2, d->origin, "the number of terms must be 1 or 2; more are below (L dt)^3/6 per step");
+    must(terms == 1 || terms == 2, d->origin,
+         "the number of terms must be 1 or 2; further terms are smaller than (L dt)^3/6 per step");
     scheme.exponential_deformation = terms == 2;
   }
   if (const auto* f = h.child("BBar")) {
     must(model_.analysis != Analysis::plane_stress, f->origin,
-         "<BBar> is of no use in plane stress: the thickness follows, and nothing locks");
-    must(
-        scheme.kernel == Kernel::linear || scheme.kernel == Kernel::cpdi, f->origin,
-        "<BBar> belongs to shape functions that are linear within a cell: <GIMP type='lCPDI'/> or 'Classic'. Quadratic "
-        "splines, 'B2SPLINE', hardly lock without it");
+         "<BBar> is of no use in plane stress, where the free thickness prevents volumetric locking");
+    must(scheme.kernel == Kernel::linear || scheme.kernel == Kernel::cpdi, f->origin,
+         "<BBar> needs shape functions that are linear within a cell: <GIMP type='lCPDI'/> or 'Classic'. Quadratic "
+         "splines, 'B2SPLINE', show hardly any locking without it");
     scheme.b_bar = true;
   }
   if (const auto* c = h.child("CPDIrcrit")) {
@@ -104,7 +98,8 @@ void Builder::mpm_header() {
   if (const auto* l = h.child("LeaveLimit")) {
     const auto limit = static_cast<long>(text_number(*l, Dimension::none, 0));
     must(limit >= 0, l->text_origin,
-         "Tribo never deletes particles; <LeaveLimit> must be 0 (one per cent are put back) or more");
+         "Tribo never deletes particles; <LeaveLimit> must be 0 (up to one per cent of the particles are put back) or "
+         "more");
     model_.leave_limit = limit == 0 ? 100000 : limit;
   }
   archive(h);
@@ -198,7 +193,7 @@ void Builder::mesh() {
     const double h = (g.high[0] - g.low[0]) / g.cells[0], below = -g.low[0] / h;
     const auto cut = static_cast<int>(std::lround(below));
     if (below > 1e-9 && std::abs(below - cut) < 1e-6 && cut < g.cells[0]) {
-      g.low[0] = 0.0, g.cells[0] -= cut;  // nothing is there: the axis is a symmetry plane
+      g.low[0] = 0.0, g.cells[0] -= cut;  // no body lies at r < 0: the axis is a symmetry plane
     } else {
       must(g.low[0] >= 0, grid.origin, "an axisymmetric grid needs a grid line at r = 0 if it reaches below");
     }
@@ -261,7 +256,7 @@ void Builder::tasks() {
 void Builder::task(const Statement& schedule) {
   const std::string name = word(schedule, "name");
   std::vector<std::string> known;
-  // Calls set(value) for the parameter of this name
+  // Calls set(value) if the task has a parameter with this name.
   const auto parameter = [&](const char* wanted, const std::function<void(const Statement&, double)>& set) {
     known.emplace_back(wanted);
     for (const auto& p : schedule.children)
@@ -303,9 +298,9 @@ void Builder::task(const Statement& schedule) {
   } else if (name == "VTKArchive") {
     for (const auto& p : schedule.children) {
       const std::string wanted = word(p, "name");
-      if (wanted == "mass" || wanted == "velocity") model_.output.grid_fields.push_back(wanted);
+      if (find_grid_field(wanted)) model_.output.grid_fields.push_back(wanted);
     }
-    known = {"mass", "velocity"};
+    for (const auto& field : grid_fields()) known.emplace_back(field.name);
   } else {
     problems_.add(schedule.attribute("name")->origin,
                   "the task '" + name + "' is not supported by Tribo" +

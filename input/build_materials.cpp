@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Materials: numbers, names, laws.
+/// <Material>: numbers, names, laws and properties.
 
 #include "contact/contact_law.hpp"
 #include "contact/joint_law.hpp"
@@ -29,13 +29,13 @@ std::vector<std::string> law_names(bool with_number) {
 
 }  // namespace
 
-// If materials are referred to by name, they are numbered in the order of first reference, else in the order of the
+// Materials that are referenced by name are numbered in the order of first reference, otherwise in the order of the
 // file.
 void Builder::number_materials() {
   std::vector<const Statement*> in_file;
   for (const auto& s : root_.children)
     if (s.name == "Material") in_file.push_back(&s);
-  // A name may be given twice as long as nothing refers to it.
+  // Two materials may have the same name if nothing refers to it.
   std::set<std::string> referred;
   const std::function<void(const Statement&)> collect = [&](const Statement& s) {
     for (const char* name : {"matname", "lawname"})
@@ -134,7 +134,7 @@ void Builder::materials() {
       if (!has_own_density) elsewhere.emplace_back("rho");
       if (item->number == 11 || item->number == 35)
         elsewhere.insert(elsewhere.end(), rigid_properties.begin(), rigid_properties.end());
-      // What the law knows by itself is the law's
+      // A property that is a parameter of the law is read by the law.
       std::erase_if(elsewhere, [&](const std::string& name) {
         return std::any_of(item->parameters.begin(), item->parameters.end(),
                            [&](const auto& p) { return p.name == name || p.alias == name; });
@@ -159,14 +159,14 @@ void Builder::materials() {
   }
 }
 
-// Laws that localise need cells small enough.
+// Laws that localise have a largest admissible cell size.
 void Builder::check_cell(const MaterialSpec& spec, double size, const Origin& origin) {
   must(size > 0, origin, "'cell' must be positive");
   const double most = spec.law ? spec.law->largest_cell() : size + 1;
   std::ostringstream message;
   message << std::setprecision(4) << "bands of cells " << size << " wide are too large for '" << spec.name << "' ("
-          << spec.origin.text() << "): its cracks would release more energy than they take. They must be below " << most
-          << " " << model_.units.name(Dimension::length)
+          << spec.origin.text() << "): a crack would release more energy than it dissipates. They must be below "
+          << most << " " << model_.units.name(Dimension::length)
           << "; use smaller cells, a larger fracture energy or a lower strength";
   must(size < most, origin, message.str());
 }
@@ -176,22 +176,23 @@ void Builder::check_cells() {
   double size = 0;
   for (std::size_t d = 0; d < static_cast<std::size_t>(model_.dimension()); ++d)
     size = std::max(size, (model_.grid.high[d] - model_.grid.low[d]) / model_.grid.cells[d]);
-  // A crack across the cells' diagonal lies in the widest band.
+  // A crack normal to the diagonal of the cells has the widest band.
   const double widest = size * std::sqrt(model_.dimension());
   for (const auto& spec : model_.materials) {
     if (!(size > 0) || !spec.law || !std::isfinite(spec.law->largest_cell())) continue;
     check_cell(spec, widest, model_.grid.origin);
     must(!splines, spec.origin,
          "'" + spec.name +
-             "' cracks within one cell, and splines spread a crack over two: it would take 1.6 times its "
+             "' assumes a crack band of one cell, but splines spread a crack over two cells: it would dissipate 1.6 "
+             "times its "
              "fracture energy. Use <GIMP type='uGIMP'/>, 'lCPDI' or 'Classic'");
   }
 }
 
 double Builder::taylor_quinney(const Statement& s) {
   const double share = text_number(s, Dimension::none);
-  must(share >= 0 && share <= 1, s.origin, "<TaylorQuinney> is a share, from 0 to 1");
-  must(work_heating(), s.origin, "<TaylorQuinney> needs <EnergyCoupling/> in <Thermal>, which makes heat of work");
+  must(share >= 0 && share <= 1, s.origin, "<TaylorQuinney> must be a fraction from 0 to 1");
+  must(work_heating(), s.origin, "<TaylorQuinney> needs <EnergyCoupling/> in <Thermal>, which converts work to heat");
   return share;
 }
 
@@ -206,39 +207,43 @@ double Builder::thermal_property(const Statement& s, Dimension dimension) {
   return value;
 }
 
-// Rigid materials of type 35, and of type 11 with direction 8, are touched by contact; their functions set x, y and z.
+// The prescribed motion of a rigid material. RigidContact (35), and Rigid (11) with <SetDirection>8, interact by
+// contact; their functions set the velocities x, y and z in this order. Otherwise function n belongs to the n-th
+// direction set.
 void Builder::rigid_functions(const Statement& s, MaterialSpec& spec, bool contact) {
-  if (contact) spec.rigid_directions = 8;
+  constexpr int by_contact = 8;  // value of <SetDirection>; other values are sums of 1 (x), 2 (y) and 4 (z)
+  int directions = contact ? by_contact : 0;
   std::vector<const Statement*> functions;
   for (const auto& child : s.children) {
     if (child.name == "SetDirection") {
-      spec.rigid_directions = static_cast<int>(to_number(child.text).value_or(-1));
-      must(!contact || spec.rigid_directions == 8, child.origin,
-           "a rigid contact material moves in all directions; <SetDirection> belongs to Rigid (11)");
-      must(spec.rigid_directions >= 0 && spec.rigid_directions <= 8, child.origin,
-           "<SetDirection> is the sum of 1 (x), 2 (y) and 4 (z), or 8 for a body that others touch by contact");
+      directions = static_cast<int>(to_number(child.text).value_or(-1));
+      must(!contact || directions == by_contact, child.origin,
+           "a RigidContact material prescribes all directions; <SetDirection> belongs to Rigid (11)");
+      must(directions >= 0 && directions <= by_contact, child.origin,
+           "<SetDirection> is the sum of 1 (x), 2 (y) and 4 (z), or 8 for a body that interacts by contact");
     }
     if (child.name.rfind("SettingFunction", 0) == 0) functions.push_back(&child);
     if (child.name == "mirrored") spec.mirrored = static_cast<int>(to_number(child.text).value_or(2));
   }
-  must(std::abs(spec.mirrored) <= 1, s.origin, "<mirrored> is 1, -1, or 0 for not mirrored");
-  must(spec.mirrored == 0 || spec.rigid_directions == 1 || spec.rigid_directions == 2 || spec.rigid_directions == 4,
-       s.origin, "<mirrored> needs one direction in <SetDirection>: 1, 2 or 4");
-  if (spec.touches()) {
+  must(std::abs(spec.mirrored) <= 1, s.origin, "<mirrored> must be 1, -1, or 0 for not mirrored");
+  must(spec.mirrored == 0 || directions == 1 || directions == 2 || directions == 4, s.origin,
+       "<mirrored> needs one direction in <SetDirection>: 1, 2 or 4");
+  spec.rigid_contact = directions == by_contact;
+  if (!spec.rigid_contact)
+    for (std::size_t d = 0; d < 3; ++d) spec.sets_velocity[d] = directions >> d & 1;
+  if (spec.rigid_contact) {
     const Statement* solver = root_.child("MPMHeader");
     const bool active = solver && solver->child("MultiMaterialMode");
-    must(active, s.origin, "a rigid body that is touched by contact needs <MultiMaterialMode> in <MPMHeader>");
+    must(active, s.origin, "a rigid body that interacts by contact needs <MultiMaterialMode> in <MPMHeader>");
     must(functions.size() <= static_cast<std::size_t>(model_.dimension()), s.origin,
          "there are more <SettingFunction>s than directions");
     for (std::size_t d = 0; d < std::min<std::size_t>(functions.size(), 3); ++d)
       spec.rigid_velocity[d] = function(functions[d]->text, functions[d]->text_origin);
     return;
   }
-  // SettingFunction n sets the n-th direction that is set
   std::size_t n = 0;
   for (std::size_t d = 0; d < 3 && n < functions.size(); ++d)
-    if (spec.rigid_directions >> d & 1)
-      spec.rigid_velocity[d] = function(functions[n]->text, functions[n]->text_origin), ++n;
+    if (spec.sets_velocity[d]) spec.rigid_velocity[d] = function(functions[n]->text, functions[n]->text_origin), ++n;
   must(n == functions.size(), s.origin, "more <SettingFunction>s than directions in <SetDirection>");
 }
 

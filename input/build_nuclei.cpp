@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Nuclei of Voronoi cells: given, from a file, on a lattice, strewn.
+/// Nuclei of Voronoi cells: given as points, from a file, on a lattice, or at random.
 
 #include "base/csv.hpp"
 #include "base/text.hpp"
@@ -18,7 +18,7 @@ void Builder::nuclei(const Statement& s, BlockGroup& g) {
   for (const char* name : {"seed", "apart"})
     must(has(s, "random") || !has(s, name), s.origin, "'" + std::string(name) + "' belongs to 'random'");
   if (!(g.high - g.low).head(model_.dimension()).cwiseSign().isOnes()) return;
-  if (has(s, "random")) strewn_nuclei(s, g);
+  if (has(s, "random")) random_nuclei(s, g);
   for (const auto& [kind, lattice] : {std::pair{"hexagons", PointLattice::hexagons},
                                       {"cubes", PointLattice::cubes},
                                       {"octahedra", PointLattice::octahedra}})
@@ -29,14 +29,14 @@ void Builder::nuclei(const Statement& s, BlockGroup& g) {
   if (file || ways == 0) check_nuclei(g);
 }
 
-void Builder::strewn_nuclei(const Statement& s, BlockGroup& g) {
+void Builder::random_nuclei(const Statement& s, BlockGroup& g) {
   const double count = number(s, "random", Dimension::none), apart = number(s, "apart", Dimension::none, 0.6),
                seed = number(s, "seed", Dimension::none, 1);
   const bool sound = count >= 1 && count <= 1e7 && apart >= 0 && apart <= 0.8 && seed >= 0;
-  must(sound, s.origin, "'random' is a number of nuclei, 'apart' in [0, 0.8], 'seed' not negative");
+  must(sound, s.origin, "'random' must be a number of nuclei, 'apart' in [0, 0.8] and 'seed' not negative");
   if (!sound) return;
   try {
-    g.points = strewn_points(static_cast<std::size_t>(count), g.low, g.high, model_.dimension() == 2, apart,
+    g.points = random_points(static_cast<std::size_t>(count), g.low, g.high, model_.dimension() == 2, apart,
                              static_cast<std::uint64_t>(seed));
   } catch (const std::runtime_error& error) {
     problems_.add(s.origin, error.what());
@@ -49,11 +49,11 @@ void Builder::lattice_nuclei(const Statement& s, const std::string& kind, PointL
   const bool plane = model_.dimension() == 2,
              fits = lattice == PointLattice::cubes || plane == (lattice == PointLattice::hexagons);
   must(fits, s.origin, "'" + kind + "' belongs to " + (plane ? "three dimensions" : "plane models"));
-  must(spacing > 0, s.origin, "'" + kind + "' is a positive distance");
+  must(spacing > 0, s.origin, "'" + kind + "' must be a positive distance");
   if (!fits || !(spacing > 0)) return;
   double many = 1;
   for (Eigen::Index d = 0; d < model_.dimension(); ++d) many *= (g.high[d] - g.low[d]) / spacing;
-  must(many < 1e7, s.origin, "'" + kind + "' makes " + std::to_string(many) + " blocks; at most 1e7 are allowed");
+  must(many < 1e7, s.origin, "'" + kind + "' gives " + std::to_string(many) + " blocks; at most 1e7 are allowed");
   if (many < 1e7) g.points = lattice_points(lattice, spacing, g.low, g.high, plane);
   g.point_origins.assign(g.points.size(), s.origin);
 }
@@ -74,7 +74,7 @@ void Builder::nuclei_of_file(const Attribute& file, BlockGroup& g) {
     if (!good && !first)
       problems_.add(row.origin, "a nucleus needs " + std::to_string(dimension) + " numbers, separated by commas");
     if (good) g.points.emplace_back(x[0], x[1], x[2]), g.point_origins.push_back(row.origin);
-    first = false;  // may be a head
+    first = false;  // may be a header line
   }
 }
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-/// What a run writes: particle and grid files, columns of the histories.
+/// Output: particle and grid files, columns of the histories.
 
 #include "base/text.hpp"
 #include "input/builder.hpp"
 #include "materials/material.hpp"
+#include "model/output_fields.hpp"
 #include "model/quantities.hpp"
 
 #include <algorithm>
@@ -15,13 +16,14 @@
 namespace tribo {
 namespace {
 
-std::vector<std::string> names_of(const std::vector<QuantityInfo>& list) {
+template <class Table>
+std::vector<std::string> names_of(const Table& list) {
   std::vector<std::string> out;
   for (const auto& q : list) out.emplace_back(q.name);
   return out;
 }
 
-// The dialect's archive letters, in order; always written, or nothing any more: empty.
+// Fields by their position in NairnMPM's archive order; empty: always written, or obsolete.
 constexpr std::array<std::string_view, 27> archive_order{"",
                                                          "",
                                                          "velocity",
@@ -68,7 +70,8 @@ void Builder::archive(const Statement& h) {
       problems_.add(s.origin, "<ArchiveTime> is given twice; use <ArchiveGroup time= start=> for further intervals");
       continue;
     }
-    must(out.archive.empty() || from > out.archive.back().start, s.origin, "archive groups must start later and later");
+    must(out.archive.empty() || from > out.archive.back().start, s.origin,
+         "each archive group must start later than the preceding one");
     out.archive.push_back({from, interval, 0});
   }
   if (out.archive.empty()) {
@@ -104,7 +107,7 @@ void Builder::archive(const Statement& h) {
       if (find_particle_field(field))
         add_field(field, order->text_origin);
       else
-        warn(order->text_origin, "letter " + std::to_string(k + 1) + " asks for the " + field +
+        warn(order->text_origin, "letter " + std::to_string(k + 1) + " selects the field " + field +
                                      ", which Tribo does not have; it is not written");
     }
     for (const auto name : {"velocity", "stress", "pressure", "von_mises"}) add_field(name, order->origin);
@@ -117,18 +120,18 @@ void Builder::archive(const Statement& h) {
     else
       add_field(name, s.origin);
   }
-  // its third and fourth letters: J and the stress intensities
+  // the third and fourth letters select J and the stress intensity factors
   if (const auto* order = h.child("CrackArchiveOrder"); order && root_.child("CrackList"))
     if (order->text.find_first_not_of('N', 2) < 4) wants_tip_loads_ = order->text_origin;
   if (const auto* o = h.child("Output")) {
     std::istringstream fields(word(*o, "fields")), grid(word(*o, "grid"));
     for (std::string name; fields >> name;) add_field(name, o->attribute("fields")->origin);
     for (std::string name; grid >> name;) {
-      if (name == "mass" || name == "velocity")
+      if (find_grid_field(name))
         out.grid_fields.push_back(name);
       else
         problems_.add(o->attribute("grid")->origin,
-                      "'" + name + "' is no field of the grid files; valid: mass, velocity");
+                      "'" + name + "' is no field of the grid files; valid: " + join(names_of(grid_fields())));
     }
     out.checkpoint_interval = number(*o, "checkpoint", Dimension::time);
     must(out.checkpoint_interval >= 0, o->origin, "the time between checkpoints must not be negative");
@@ -157,7 +160,8 @@ void Builder::history(const Statement& h) {
     const bool reaction = info->name.rfind("reaction", 0) == 0;
     if (of && !s.attribute("matname") && to_number(of->text).value_or(0) <= 0) {
       q.condition_id = static_cast<int>(to_number(of->text).value_or(0));
-      must(reaction, of->origin, "a number <= 0 is the id of a condition, for reactionx, reactiony, reactionz");
+      must(reaction, of->origin,
+           "a number <= 0 is the id of a condition and belongs to reactionx, reactiony or reactionz");
       q.column += ":" + of->text;
     } else if (of || s.attribute("matname")) {
       must(info->scope != Scope::run, s.origin, "'" + q.name + "' is not a quantity of one material");
@@ -168,8 +172,9 @@ void Builder::history(const Statement& h) {
     if (s.attribute("with") || s.attribute("withname")) {
       must(info->name.rfind("contact", 0) == 0 || info->name.rfind("Contact", 0) == 0 ||
                info->name == "Friction Work" || info->name == "Impact Work" || info->name == "Interface Energy",
-           s.origin, "'with' names the other material of a contact quantity; '" + q.name + "' is none");
-      must(q.material >= 0, s.origin, "'with' needs a material; give 'matname' or 'material', too");
+           s.origin,
+           "'with' names the other material of a contact quantity, but '" + q.name + "' is not a contact quantity");
+      must(q.material >= 0, s.origin, "'with' also needs 'matname' or 'material'");
       q.other = material(s, "with", "withname");
       if (q.other < static_cast<int>(material_statements_.size()))
         q.column += ":" + word(*material_statements_[static_cast<std::size_t>(q.other)], "Name");
@@ -190,11 +195,11 @@ Vec3 Builder::history_point(const Attribute& at) {
   for (std::string item; std::getline(list, item, ',');) x.push_back(to_number(item).value_or(std::nan("")));
   const auto dim = static_cast<std::size_t>(model_.dimension());
   const bool readable = x.size() == dim && std::none_of(x.begin(), x.end(), [](double v) { return std::isnan(v); });
-  must(readable, at.origin, dim == 2 ? "'pt' is a point 'x,y'" : "'pt' is a point 'x,y,z'");
+  must(readable, at.origin, dim == 2 ? "'pt' must be a point 'x,y'" : "'pt' must be a point 'x,y,z'");
   return readable ? Vec3(x[0], x[1], dim == 3 ? x[2] : 0.0) : Vec3(Vec3::Zero());
 }
 
-// What needs to know all materials and conditions.
+// Checks that need all materials and conditions.
 void Builder::check_histories() {
   for (auto& q : model_.output.history) {
     if (q.name.rfind("elastic ", 0) == 0) {
@@ -204,15 +209,15 @@ void Builder::check_histories() {
         const bool asked = q.material < 0 || q.material == static_cast<int>(k);
         must(!asked || !spec.law || spec.law->dissipation_index() < 0, q.origin,
              "'" + q.column + "': '" + spec.name +
-                 "' dissipates, and Tribo keeps no elastic strain apart from the whole; ask for '" + q.name + "'");
+                 "' dissipates, and its elastic strain is not stored separately; use '" + q.name + "'");
       }
     }
     if (q.name.rfind("reaction", 0) != 0) continue;
     if (q.material >= 0) {
       const auto& spec = model_.materials[static_cast<std::size_t>(q.material)];
       must(spec.law && spec.law->rigid() && !spec.touches(), q.origin,
-           "'" + q.name + "' of a material is the force of a rigid one that sets velocities; '" + spec.name +
-               "' is none (of those that touch: 'contactx')");
+           "'" + q.name + "' of a material is the reaction of a Rigid material; '" + spec.name +
+               "' is not a Rigid material (for RigidContact materials use 'contactx')");
     } else if (q.condition_id < 0) {
       bool known = std::any_of(model_.node_conditions.begin(), model_.node_conditions.end(),
                                [&](const NodeCondition& c) { return c.id == q.condition_id; });

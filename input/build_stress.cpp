@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Stress at the start, from a table of points.
+/// Initial stress from a table of points.
 
 #include "base/csv.hpp"
 #include "base/schema.hpp"
@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t unknown = 9;
 const std::vector<std::string> names{"x", "y", "z", "xx", "yy", "zz", "xy", "yz", "xz"};
 
-// Which of the names each column has.
+// Index into the names for each column.
 std::vector<std::size_t> read_head(const CsvRow& head, int dimension, Problems& problems) {
   std::vector<std::size_t> meaning;
   for (const auto& cell : head.cells) {
@@ -24,14 +24,14 @@ std::vector<std::size_t> read_head(const CsvRow& head, int dimension, Problems& 
       problems.add(cell.origin, "a table of stresses has no column '" + cell.text + "'" +
                                     did_you_mean(cell.text, names) + "; valid: " + join(names));
     else if (std::find(meaning.begin(), meaning.end(), k) != meaning.end())
-      problems.add(cell.origin, "the column '" + cell.text + "' is there twice");
+      problems.add(cell.origin, "the column '" + cell.text + "' occurs twice");
     meaning.push_back(k);
   }
   for (std::size_t d = 0; d < 3; ++d) {
     const bool there = std::find(meaning.begin(), meaning.end(), d) != meaning.end();
     const bool wanted = static_cast<int>(d) < dimension;
     if (wanted && !there) problems.add(head.origin, "the column '" + names[d] + "' of the points is missing");
-    if (!wanted && there) problems.add(head.origin, "points of a two-dimensional model have no z");
+    if (!wanted && there) problems.add(head.origin, "points of a two-dimensional model have no column z");
   }
   return meaning;
 }
@@ -59,7 +59,7 @@ std::shared_ptr<const ScatteredField> Builder::stress_points(const Statement& s)
     auto& v = values.emplace_back();
     for (std::size_t k = 0; k < std::min(row.cells.size(), meaning.size()); ++k) {
       const auto value = to_number(row.cells[k].text);
-      must(value && std::isfinite(*value), row.cells[k].origin, "'" + row.cells[k].text + "' is no number");
+      must(value && std::isfinite(*value), row.cells[k].origin, "'" + row.cells[k].text + "' is not a number");
       if (meaning[k] < 3)
         x[static_cast<Eigen::Index>(meaning[k])] = length * value.value_or(0);
       else if (meaning[k] < unknown)

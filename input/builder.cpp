@@ -70,7 +70,8 @@ double Builder::coordinate(const Statement& s, std::string_view attribute, int a
   const auto k = static_cast<std::size_t>(axis);
   const double h = (model_.grid.high[k] - model_.grid.low[k]) / model_.grid.cells[k];
   if (a->text.rfind("min", 0) == 0 || a->text.rfind("max", 0) == 0) {
-    must(!of_blocks(), a->origin, "'" + a->text + "' counts from the edge of a grid, and a model of blocks has none");
+    must(!of_blocks(), a->origin,
+         "'" + a->text + "' refers to the edge of a grid, which a model of blocks does not have");
     const std::string rest = a->text.substr(3);
     const double cells = rest.empty() ? 0.0 : rest == "+" ? 1.0 : rest == "-" ? -1.0 : to_number(rest).value_or(0.0);
     return (a->text[1] == 'i' ? model_.grid.low[k] : model_.grid.high[k]) + cells * h;
@@ -86,7 +87,7 @@ std::string Builder::word(const Statement& s, std::string_view attribute, const 
 Expression Builder::function(const std::string& text, const Origin& origin) {
   Expression f = particle_function(text, origin);
   must(!f.uses_start(), origin,
-       "x0, y0 and z0 (where a particle was at the start) are known in <ParticleBodyXForce> only");
+       "x0, y0 and z0 (the initial position of a particle) are defined in <ParticleBodyXForce> only");
   return f;
 }
 
@@ -149,10 +150,10 @@ double Builder::unit_factor(const Statement& s, Dimension dimension) {
       if (unit.name == a->text) return unit.factor;
       fitting.emplace_back(unit.name);
     }
-  for (const auto& unit : all)  // of another value of the same element: not ours to judge
+  for (const auto& unit : all)  // the unit belongs to another value of the same element, where it is checked
     if (unit.name == a->text && !fitting.empty() && s.attributes.size() > 2) return 1.0;
   if (!fitting.empty())
-    problems_.add(a->origin, "'" + a->text + "' is no unit of " + std::string(dimension_name(dimension)) +
+    problems_.add(a->origin, "'" + a->text + "' is not a unit of " + std::string(dimension_name(dimension)) +
                                  "; valid: " + join(fitting));
   return 1.0;
 }
@@ -164,7 +165,7 @@ double Builder::tolerance(const Statement& s) {
   const bool cells = !a->text.empty() && a->text[0] == '*';
   const auto value = to_number(cells ? std::string_view(a->text).substr(1) : std::string_view(a->text));
   if (!value || *value < 0) {
-    problems_.add(a->origin, "a tolerance is a distance, or *f for f cells, not '" + a->text + "'");
+    problems_.add(a->origin, "a tolerance must be a distance, or *f for f cells, not '" + a->text + "'");
     return h;
   }
   return *value * (cells ? h : 1.0);

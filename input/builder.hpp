@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-/// Turns a checked tree of statements into a Model. Problems are collected; values that could not be read are replaced
-/// by harmless ones so that the rest can still be checked.
+/// Builds a Model from a checked tree of statements. Problems are collected. Values that could not be read are replaced
+/// by defaults, so that the remaining input can still be checked.
 #pragma once
 
 #include "base/schema.hpp"
-#include "geometry/strewn.hpp"
+#include "geometry/point_sets.hpp"
 #include "input/read.hpp"
 #include "model/blocks.hpp"
 #include "model/model.hpp"
@@ -19,9 +19,9 @@ namespace tribo {
 class Builder {
  public:
   Builder(const Statement& root, std::filesystem::path folder) : root_(root), folder_(std::move(folder)) {}
-  /// Throws InputError.
+  /// The model. Throws InputError with all problems found.
   Model build();
-  /// The law and path of <Drive>; reads nothing else but units and materials. Throws InputError.
+  /// The law and path of <Drive>; apart from it only units and materials are read. Throws InputError.
   Drive build_drive();
 
  private:
@@ -67,13 +67,14 @@ class Builder {
   void check_cell(const MaterialSpec& spec, double size, const Origin& origin);
   void check_cells();
   void reference_temperature(const Statement& header);
-  /// Of a file that is named at `origin`; a problem there if it cannot be read.
+  /// Contents of a file that is named at `origin`. A file that cannot be read is a problem at `origin`.
   std::optional<std::string> content_of(const std::filesystem::path& file, const Origin& origin);
   std::shared_ptr<const ScatteredField> stress_points(const Statement& s);
   double taylor_quinney(const Statement& s);
   bool work_heating() const;
   void rigid_functions(const Statement& statement, MaterialSpec& spec, bool contact);
-  /// Index of the material an element names by mat or matname; problems and 0 if there is none.
+  /// Index of the material that an element names by mat or matname. If there is none, a problem is reported and 0
+  /// returned.
   int material(const Statement& s, std::string_view by_number = "mat", std::string_view by_name = "matname");
 
   // build_bodies.cpp
@@ -93,6 +94,7 @@ class Builder {
   void selector(const Statement& s, bool grid);
   RegionPtr selected(const Statement& s);
   void node_condition(const Statement& s, const RegionPtr& where);
+  DomainFace face_of(const Statement& s);
   void particle_condition(const Statement& s, const RegionPtr& where, bool net);
   Prescribed prescribed(const Statement& s, std::string_view value, Dimension dimension);
   void temperature_condition(const Statement& s, const RegionPtr& where);
@@ -108,13 +110,13 @@ class Builder {
   void only_of_blocks();
   void blocks_in_grid(const BlocksSpec& spec);
   int block_material(const Statement& s);
-  /// A <GlobalArchive> that asks for blocks or platens beside a grid.
+  /// Whether a <GlobalArchive> refers to blocks or platens in a model with a grid.
   bool archives_blocks(const Statement& s) const {
     return root_.child("Blocks") && (has(s, "platen") || has(s, "block"));
   }
   BlockGroup block_group(const Statement& s);
   void nuclei(const Statement& s, BlockGroup& group);
-  void strewn_nuclei(const Statement& s, BlockGroup& group);
+  void random_nuclei(const Statement& s, BlockGroup& group);
   void lattice_nuclei(const Statement& s, const std::string& kind, PointLattice lattice, BlockGroup& group);
   void nuclei_of_file(const Attribute& file, BlockGroup& group);
   void check_nuclei(const BlockGroup& group);
@@ -146,14 +148,14 @@ class Builder {
   double tolerance(const Statement& s);
   void warn(const Origin& origin, const std::string& message);
   void must(bool condition, const Origin& origin, const std::string& message);
-  /// Calls `make` and adds the place to what it throws.
+  /// Calls `make` and reports an exception as a problem at the statement.
   RegionPtr placed(const Statement& s, const std::function<RegionPtr()>& make);
 
   const Statement& root_;
   std::filesystem::path folder_;
   Model model_;
   Problems problems_;
-  std::optional<Origin> wants_tip_loads_;  ///< where archives ask for what is only known at tips of cracks
+  std::optional<Origin> wants_tip_loads_;  ///< place of an output request that needs crack tips
   std::vector<const Statement*> material_statements_;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// A tree of statements against the table of keywords.
+/// Checks a tree of statements against the table of keywords.
 
 #include "base/expression.hpp"
 #include "base/schema.hpp"
@@ -33,7 +33,7 @@ std::vector<std::string> children_of(std::string_view parent) {
   return out;
 }
 
-// A number, or min/max with a signed number of cells.
+// A number, or min or max followed by a signed number of cells.
 bool is_coordinate(std::string_view text) {
   if (text.rfind("min", 0) == 0 || text.rfind("max", 0) == 0) {
     const auto rest = text.substr(3);
@@ -110,7 +110,7 @@ void check_element(const Statement& s, const ElementSpec& spec, Problems& proble
 }
 
 void check_children(const Statement& s, Problems& problems) {
-  if (s.name == "Material") {  // the law reads its properties
+  if (s.name == "Material") {  // its children are properties, which are checked by the law
     for (const auto& child : s.children)
       if (const ElementSpec* spec = find_element(child.name, s.name)) check_element(child, *spec, problems);
     return;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// The keywords of command files: one table that reading, error texts, the XSD and the manual follow from.
+/// The keywords of command files. This one table is used for reading, error messages, the XSD and the manual.
 #pragma once
 
 #include "base/statement.hpp"
@@ -11,7 +11,7 @@
 
 namespace tribo {
 
-/// What a value may look like.
+/// Form of a value.
 enum class ValueType {
   none,
   text,
@@ -35,19 +35,19 @@ struct ElementSpec {
   std::string_view name;
   std::string_view parents;  ///< separated by blanks; `@shape` stands for every shape
   std::string_view meaning;
-  ValueType content = ValueType::none;  ///< of the text
+  ValueType content = ValueType::none;  ///< form of the text content
   std::vector<AttributeSpec> attributes{};
   bool once = false;           ///< at most one in its parent
   bool required = false;       ///< at least one in its parent
   bool shape = false;          ///< belongs to @shape
-  std::string_view choices{};  ///< of the text
-  std::string_view unless{};   ///< a sibling beside which it is not required
+  std::string_view choices{};  ///< admissible words of the text content
+  std::string_view unless{};   ///< not required if this sibling is present
 };
 
 /// All elements that Tribo understands.
 const std::vector<ElementSpec>& dialect();
 
-/// Names of the dialect that Tribo knows and refuses, with the reason.
+/// Names of NairnMPM that Tribo does not support, with the reason.
 struct RefusedName {
   std::string_view name;
   std::string_view reason;
@@ -57,12 +57,12 @@ const std::vector<RefusedName>& refused_names();
 /// The spec of an element inside a parent, or null.
 const ElementSpec* find_element(std::string_view name, std::string_view parent);
 
-/// Checks a tree against the table: names, places, repetitions, what is missing, and the form of every value.
-/// The children of <Material> that are properties are left to the law. `only_drive`: a file to drive a law with needs
-/// no model.
+/// Checks a tree against the table: names, places, repetitions, missing elements and the form of every value.
+/// Properties of <Material> are checked by the law. `only_drive`: for `tribo drive` the sections of a model are not
+/// required.
 void check_statements(const Statement& root, Problems& problems, bool only_drive = false);
 
-/// XML schema of the dialect as Tribo reads it.
+/// XML schema of the format as Tribo reads it.
 std::string schema();
 
 }  // namespace tribo

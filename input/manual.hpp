@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// What every name means: elements, properties, commands, quantities. Made of the tables that the program itself uses.
+/// The manual of all names: elements, properties, commands and quantities, generated from the tables that the program
+/// uses.
 #pragma once
 
 #include <string>
@@ -8,7 +9,7 @@
 
 namespace tribo {
 
-/// A part of an entry: an attribute, a parameter.
+/// A row of an entry: an attribute or a parameter.
 struct ManualRow {
   std::string name, kind, meaning;
 };
@@ -16,22 +17,22 @@ struct ManualRow {
 struct ManualEntry {
   std::string kind;   ///< "element", "material", "contact law", "command", "history", "field"
   std::string name;   ///< as written
-  std::string usage;  ///< where it may be, or what follows it
+  std::string usage;  ///< elements that may contain it, or arguments of a command
   std::string meaning;
   std::vector<ManualRow> rows = {};
 };
 
-/// All entries, those of a kind together, in the order of their tables.
+/// All entries, grouped by kind, in the order of their tables.
 const std::vector<ManualEntry>& manual();
 
-/// The entries of this name in any case, as text; of all if it is empty. Throws UsageError with the nearest name if
-/// there is none.
+/// The entries with this name, in any case, as text; all entries if it is empty. Throws UsageError with the most
+/// similar name if there is none.
 std::string manual_text(std::string_view name = {});
-/// One line per entry.
+/// A list with one line per entry.
 std::string manual_list();
 /// The manual as Markdown.
 std::string manual_markdown();
-/// Every name once, one per line, for completion.
+/// Every name once, one per line, for command line completion.
 std::string manual_names();
 
 }  // namespace tribo

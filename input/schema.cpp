@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// The table of keywords as an XML schema and as text.
+/// The table of keywords as an XML schema.
 
 #include "base/text.hpp"
 #include "contact/contact_law.hpp"
@@ -14,7 +14,7 @@
 namespace tribo {
 namespace {
 
-/// Elements of one name may differ by parent; a schema without local names holds their union.
+/// Elements of the same name may differ by parent; the schema contains their union, since it has no local elements.
 struct Union {
   std::map<std::string, const AttributeSpec*> attributes;
   std::set<std::string> children;

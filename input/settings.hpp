@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Values that the command line gives to variables of scripts and entities of XML files.
+/// Values that are set on the command line for variables of scripts and entities of XML files.
 #pragma once
 
 #include <map>
@@ -8,13 +8,13 @@
 
 namespace tribo {
 
-/// By name, with or without the '#' and '$' that variables of scripts wear by habit.
+/// Values by name, with or without the prefix '#' or '$' of script variables.
 class Settings {
  public:
   Settings() = default;
   Settings(std::map<std::string, std::string> values) : values_(std::move(values)) {}  // NOLINT: they are the settings
 
-  /// The value for a variable or an entity, or null. What was asked for once counts as used.
+  /// The value of a variable or an entity, or null. A name that was looked up counts as used.
   const std::string* find(const std::string& variable) {
     seen_.insert(plain(variable));
     for (const auto& [name, value] : values_)
@@ -22,7 +22,7 @@ class Settings {
     return nullptr;
   }
   const std::map<std::string, std::string>& values() const { return values_; }
-  /// Names of all that could be set.
+  /// Names of all variables and entities that can be set.
   const std::set<std::string>& seen() const { return seen_; }
   bool used(const std::string& name) const { return seen_.count(plain(name)) > 0; }
 

@@ -13,16 +13,16 @@
 namespace tribo {
 namespace {
 
-constexpr std::size_t largest_expansion = 1 << 20;  // characters that entities may add
+constexpr std::size_t largest_expansion = 1 << 20;  // limit of the characters added by entities
 constexpr int deepest = 100;
 
-/// Where a start tag, its attributes and its text stand in the source, in document order.
+/// Places of a start tag, its attributes and its text in the source, in document order.
 struct TagPlace {
   Origin tag, text;
   std::vector<Origin> attributes;
 };
 
-/// Reads the source once: finds places, collects entities, and produces the text that TinyXML-2 parses.
+/// Scans the source once: records places, collects entities, and produces the text that TinyXML-2 parses.
 class Scanner {
  public:
   Scanner(std::string_view source, std::shared_ptr<const std::string> file, Settings& settings)
@@ -66,14 +66,14 @@ class Scanner {
     return c;
   }
 
-  void copy_until(std::string_view end, const std::string& complaint) {
+  void copy_until(std::string_view end, const std::string& message) {
     const Origin begin = here();
     while (at_ < source_.size() && !starts(end)) expanded += advance();
-    if (at_ >= source_.size()) fail(begin, complaint);
+    if (at_ >= source_.size()) fail(begin, message);
     for (std::size_t k = 0; k < end.size(); ++k) expanded += advance();
   }
 
-  // Blanked out for the parser, which does not know internal subsets.
+  // Replaced by blanks for the parser, which does not support internal subsets.
   void doctype() {
     const Origin begin = here();
     int brackets = 0;
@@ -122,7 +122,7 @@ class Scanner {
     if (at_ >= source_.size() || source_[at_] != '>') fail(begin, "<!ENTITY " + name + " is not closed");
     blank();
     const std::string* set = settings_.find(name);
-    entities_.emplace(name, set ? *set : value);  // the first definition holds
+    entities_.emplace(name, set ? *set : value);  // the first definition applies
   }
 
   void start_tag() {
@@ -151,7 +151,7 @@ class Scanner {
       }
       expanded += advance();
       if (c == '>') {
-        // The text begins at the first character that is no blank
+        // The text begins at the first character that is not a blank
         auto look = *this;
         const auto skip_blanks = [&] {
           while (look.at_ < look.source_.size() && std::isspace(static_cast<unsigned char>(look.source_[look.at_])))
@@ -224,7 +224,7 @@ std::string trimmed(const std::string& text) {
   return from == std::string::npos ? std::string() : text.substr(from, text.find_last_not_of(" \t\r\n") - from + 1);
 }
 
-/// Walks the parser's elements and the scanner's places in the same order.
+/// Traverses the elements of the parser and the places of the scanner in the same order.
 class Converter {
  public:
   explicit Converter(const std::vector<TagPlace>& places) : places_(places) {}
@@ -276,7 +276,7 @@ std::string plain(const tinyxml2::XMLDocument& document) {
     case tinyxml2::XML_ERROR_EMPTY_DOCUMENT:
       return "the file holds no element";
     case tinyxml2::XML_ELEMENT_DEPTH_EXCEEDED:
-      return "elements are nested too deep";
+      return "elements are nested too deeply";
     default:
       return document.ErrorName();
   }
@@ -292,7 +292,7 @@ Statement read_xml(std::string_view text, const std::shared_ptr<const std::strin
   document.Parse(scanner.expanded.c_str(), scanner.expanded.size());
   if (document.Error()) {
     const int line = std::max(1, document.ErrorLineNum());
-    // The parser knows the line; take the first tag on it as the column
+    // The parser reports the line only; the first tag on it gives the column
     int column = 1;
     for (const auto& place : scanner.places)
       if (place.tag.line == line) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// XML text -> statements. The only place that knows TinyXML-2 is xml.cpp.
+/// Parsing of XML text to statements. xml.cpp is the only file that uses TinyXML-2.
 #pragma once
 
 #include "base/statement.hpp"
@@ -10,8 +10,8 @@
 
 namespace tribo {
 
-/// Entities of an internal DTD subset are expanded, those in the settings with the value there; the external subset is
-/// ignored. Throws InputError with the place.
+/// Entities of an internal DTD subset are expanded; a value in the settings replaces that of the file. The external
+/// subset is ignored. Throws InputError with the place.
 Statement read_xml(std::string_view text, const std::shared_ptr<const std::string>& file_name, Settings& settings);
 inline Statement read_xml(std::string_view text, const std::shared_ptr<const std::string>& file_name) {
   Settings none;

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
 /// Modified Cam-Clay: a critical state model of clay.
 ///
-///   q^2 + M^2 p (p - pc) <= 0,  associated flow;   p, pc > 0 in compression here
+///   q^2 + M^2 p (p - pc) <= 0,  associated flow;   in this file p, pc > 0 in compression
 ///   elastic   p = p_n exp(e/k),                    k = kappa/(1 + e0), e the elastic volume strain of the step
 ///   hardening pc = pc_n exp(x/(l - k)),            l = lambda/(1 + e0), x the plastic volume strain of the step
 ///   shear     q = q_trial/(1 + 6 G d),             x = d M^2 (2 p - pc)
 ///
-/// (strains of compression). Backward Euler: for a multiplier d the plastic volume strain x has one equation whose
-/// sides run apart, and yield at the end of the step one for d. Roscoe & Burland (1968); Borja & Lee, CMAME 78 (1990)
-/// 49-72. Volume strains are logarithmic, as in Butterfield, Geotechnique 29 (1979) 469-480: no volume vanishes.
+/// Volume strains are positive in compression. Backward Euler gives two nested equations. For a given plastic
+/// multiplier d, the plastic volume strain x is the root of a monotonic function; the yield condition at the end of the
+/// step determines d. Roscoe & Burland (1968); Borja & Lee, CMAME 78 (1990) 49-72. Volume strains are logarithmic, as
+/// in Butterfield, Geotechnique 29 (1979) 469-480, so that the volume stays positive.
 
 #include "materials/elastic_constants.hpp"
 #include "materials/pressure_shear.hpp"
@@ -18,7 +19,7 @@
 namespace tribo {
 namespace {
 
-// The zero of f, which falls from f(low) >= 0 to f(high) <= 0: Illinois rule with halvings.
+// Root of a decreasing f with f(low) >= 0 >= f(high): Illinois method, with bisection as a safeguard.
 template <class F>
 double zero(F&& f, double low, double high, double f_low, double f_high, double enough) {
   for (int k = 0, side = 0; k < 200; ++k) {
@@ -58,12 +59,18 @@ struct CamClay {
         P{"M", &L::slope, none, positive, "slope of the critical state line, q/p"},
         P{"pc0", &L::consolidation, stress, positive, "consolidation pressure before deformation"},
         P{"G", &L::shear_modulus, stress, positive, "shear modulus; or nu", {}, true},
-        P{"nu", &L::poisson_ratio, none, between(-1.0, 0.5), "Poisson's ratio: G follows the pressure", {}, true},
+        P{"nu",
+          &L::poisson_ratio,
+          none,
+          between(-1.0, 0.5),
+          "Poisson's ratio, instead of G: G is proportional to the pressure",
+          {},
+          true},
         P{"pmin",
           &L::least_pressure,
           stress,
           positive,
-          "pressure below which it is as stiff as there (pc0/1000)",
+          "lower bound of the pressure in the elastic stiffness (default pc0/1000)",
           {},
           true},
     };
@@ -99,19 +106,19 @@ struct CamClay {
   }
 
   struct Return {
-    double p, q, pc, volume, shear;  // volume and shear: plastic strains of the step, volume of compression
+    double p, q, pc, volume, shear;  // volume, shear: plastic strain increments, volume positive in compression
   };
 
   Return returned(double p_trial, double q_trial, double G, double pc_old) const {
     const double M2 = slope * slope, h = l - k;
     const auto at = [&](double d) {
-      const auto miss = [&](double x) {
+      const auto residual = [&](double x) {
         return d * M2 * (2 * p_trial * std::exp(-x / k) - pc_old * std::exp(x / h)) - x;
       };
-      // the answer lies between 0 and where the bracket vanishes
+      // the root lies between 0 and the value at which 2 p - pc vanishes
       const double turn = std::log(2 * p_trial / pc_old) * k * h / (k + h), low = std::min(0.0, turn),
                    high = std::max(0.0, turn);
-      const double x = zero(miss, low, high, miss(low), miss(high), 0.0);
+      const double x = zero(residual, low, high, residual(low), residual(high), 0.0);
       return Return{p_trial * std::exp(-x / k), q_trial / (1 + 6 * G * d), pc_old * std::exp(x / h), x,
                     2 * d * q_trial / (1 + 6 * G * d)};
     };
@@ -142,7 +149,7 @@ struct CamClay {
     state.dissipation += motion.F.determinant() * (r.p * r.volume + r.q * r.shear);
     return -r.p * Mat3::Identity() + (q_trial > 0 ? r.q / q_trial : 1.0) * trial;
   }
-  // int p de = k p from p = 0 on; shear with the modulus of now
+  // int p de = k p, integrated from p = 0, plus the shear energy with the current shear modulus
   double energy_density(const Mat3&, const Mat3& stress, const State&) const {
     const auto [mean, q] = pressure_shear(stress);
     const double p = std::max(-mean, least_pressure);

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-/// Plasticity after Drucker and Prager: a cone around the hydrostatic axis in place of Mohr and Coulomb's pyramid.
+/// Drucker-Prager plasticity: a cone around the hydrostatic axis that replaces the Mohr-Coulomb pyramid.
 ///
-///   q + A p <= B,   flow along q + A_psi p;   the apex p = B/A takes what the cone cannot
+///   q + A p <= B,   flow along q + A_psi p;   stresses beyond the cone's apex p = B/A return to the apex
 ///
-/// A and B follow from cohesion and friction angle by one of four matches with the pyramid:
+/// p is the mean stress, tension positive; psi > 0 increases the volume under plastic shear.
+/// A and B follow from cohesion and friction angle by one of four ways to match the pyramid:
 ///   1 compression   A = 6 sin phi/(3 - sin phi)                      its outer edges
 ///   2 extension     A = 6 sin phi/(3 + sin phi)                      its inner edges
 ///   3 inscribed     A = 3 sin phi/sqrt(3 + sin^2 phi)                the largest cone within
@@ -20,8 +21,7 @@ namespace {
 
 struct DruckerPrager {
   static constexpr std::string_view name = "DruckerPrager";
-  static constexpr std::string_view summary =
-      "Frictional plastic solid after Drucker and Prager, matched to Mohr-Coulomb.";
+  static constexpr std::string_view summary = "Drucker-Prager plasticity (frictional solid), matched to Mohr-Coulomb.";
   static constexpr int number = 0;
 
   double density = 0;
@@ -40,14 +40,19 @@ struct DruckerPrager {
         P{"nu", &L::poisson_ratio, none, between(-1.0, 0.5), "Poisson's ratio, with E", {}, true},
         P{"K", &L::bulk_modulus, stress, positive, "bulk modulus, with G", {}, true},
         P{"G", &L::shear_modulus, stress, positive, "shear modulus, with K", {}, true},
-        P{"cohesion", &L::cohesion, stress, not_negative, "cohesion of the matched pyramid"},
-        P{"friction", &L::friction, angle, {0.0, 90.0, false, true}, "its friction angle"},
-        P{"dilation", &L::dilation, angle, {0.0, 90.0, false, true}, "dilation angle", 0.0},
+        P{"cohesion", &L::cohesion, stress, not_negative, "cohesion of the matched Mohr-Coulomb pyramid"},
+        P{"friction", &L::friction, angle, {0.0, 90.0, false, true}, "friction angle of the matched pyramid"},
+        P{"dilation",
+          &L::dilation,
+          angle,
+          {0.0, 90.0, false, true},
+          "dilation angle; positive: the volume increases under plastic shear",
+          0.0},
         P{"match", &L::match, none, within(1, 4), "1: compression, 2: extension, 3: inscribed, 4: plane strain", 1.0},
     };
   }
 
-  // Slope of the cone that stands for an angle.
+  // Slope A of the cone for the sine of an angle, for matches 1 to 3.
   double slope(double sine) const {
     switch (static_cast<int>(match)) {
       case 1:
@@ -79,11 +84,11 @@ struct DruckerPrager {
     fit();
   }
 
-  // The cone for the angles.
+  // Computes the cone from the angles.
   void fit() {
     const double sine = std::sin(friction), cosine = std::cos(friction);
     A_psi = slope(std::sin(dilation));
-    // Plane plastic flow has a stress out of plane that follows the dilation; then q = sqrt(3) R/flat.
+    // Plane plastic flow has an out-of-plane stress that depends on the dilation; then q = sqrt(3) R/flat.
     const double flat = std::sqrt(1 - A_psi * A_psi / 9), root = std::sqrt(3.0);
     A = match == 4 ? root * sine / (flat + root * sine * A_psi / 9) : slope(sine);
     const double per_cohesion = match == 1   ? 6 * cosine / (3 - sine)
@@ -109,7 +114,7 @@ struct DruckerPrager {
     if (!(excess > 0)) return trial;
     const double flow = excess / (3 * G + K * A * A_psi);
     PressureShear to{trial.p - K * A_psi * flow, trial.q - 3 * G * flow};
-    if (to.q < 0) to = {B / A, 0.0};  // the apex; without friction q > 0
+    if (to.q < 0) to = {B / A, 0.0};  // the apex; without friction q > 0 always
     const double shear = (trial.q - to.q) / (3 * G), volume = (trial.p - to.p) / K;
     state.plastic_shear += 0.5 * std::sqrt(3.0) * shear;
     state.plastic_volume += volume;

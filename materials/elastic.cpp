@@ -4,13 +4,13 @@
 namespace tribo {
 namespace {
 
-// Angles per step above this leave the series of the fast loops.
+// Rotations per step above this angle [rad] exceed the range of the series in the fast loops.
 constexpr double small_angle = 0.1;
 
-// By value: std::max returns references, which vectorise to gathers.
+// By value: std::max returns references, which the compiler vectorises to gathers.
 double larger(double a, double b) { return a > b ? a : b; }
 
-// Small angles only.
+// Series for small angles, |t| <= small_angle.
 inline void sine_cosine(double t, double& sine, double& cosine) {
   const double q = t * t;
   sine = t * sine_over_angle(q);
@@ -49,7 +49,7 @@ void elastic_step<2>(const MaterialPoints<2>& points, const Elasticity& elastic)
   for (int i = 0; i < points.count; ++i) most = larger(most, std::abs(Lyx[i] - Lxy[i]));
   const bool small = 0.5 * most * dt < small_angle;
 
-  // s = (xx - yy)/2 and t = xy turn by twice the angle of the body
+  // (xx - yy)/2 and xy rotate by twice the rotation angle of the body
   const auto update = [&](int i, double sine, double cosine) {
     const double sine2 = 2 * sine * cosine, cosine2 = 1 - 2 * sine * sine;
     const double trace = dt * (Lxx[i] + Lyy[i] + Lzz[i]);
@@ -105,7 +105,7 @@ void elastic_step<3>(const MaterialPoints<3>& points, const Elasticity& elastic)
         larger(most, larger(std::abs(Lzy[i] - Lyz[i]), larger(std::abs(Lxz[i] - Lzx[i]), std::abs(Lyx[i] - Lxy[i]))));
   const bool small = most * dt < small_angle;
 
-  // Half the rotation before the strain increment, half after.
+  // Half of the rotation is applied before the strain increment, half after it.
   const auto update = [&](int i, double a, double b, double x, double y, double z) {
     const double q00 = 1 - b * (y * y + z * z), q01 = b * x * y - a * z, q02 = b * x * z + a * y;
     const double q10 = b * x * y + a * z, q11 = 1 - b * (x * x + z * z), q12 = b * y * z - a * x;
@@ -137,7 +137,7 @@ void elastic_step<3>(const MaterialPoints<3>& points, const Elasticity& elastic)
     sxx[i] = xx, syy[i] = yy, szz[i] = zz, sxy[i] = xy, syz[i] = yz, sxz[i] = xz;
   };
 
-  const double quarter = 0.25 * dt;  // half angle of the axial vector (curl v)/2
+  const double quarter = 0.25 * dt;  // half of the rotation vector (curl v)/2 dt
   if (small) {
 #pragma omp simd
     for (int i = 0; i < points.count; ++i) {

@@ -22,7 +22,7 @@ Elasticity elastic_constants(const Statement& statement, const ElasticConstants&
       const Elasticity elastic{c.lame, c.shear_modulus};
       if (!(elastic.bulk() > 0))
         problems.add(statement.child("Lame")->origin,
-                     "<Lame> must exceed -2/3 of <G>, or the bulk modulus is negative");
+                     "<Lame> must exceed -2/3 of <G>, otherwise the bulk modulus is negative");
       return elastic;
     }
   }

@@ -4,8 +4,8 @@
 namespace tribo {
 namespace {
 
-/// Stress after a small strain from the reference state.
-Mat3 answer(const Material& law, const Mat3& strain) {
+/// Stress that the law gives for a small strain from the reference state.
+Mat3 stress_of(const Material& law, const Mat3& strain) {
   Mat3 F = Mat3::Identity() + strain;
   constexpr double dt = 1e-12;
   Mat3 L = strain / dt;
@@ -31,13 +31,13 @@ Mat3 answer(const Material& law, const Mat3& strain) {
 
 std::optional<ElasticModuli> elastic_moduli(const Material& law) {
   if (law.rigid() || law.liquid()) return std::nullopt;
-  // Far below any strength, far above rounding
+  // A strain far below any strength, and far above round-off
   constexpr double e = 1e-7;
   std::array<Mat3, 6> stress;
   for (int k = 0; k < 6; ++k) {
     Mat3 strain = Mat3::Zero();
     strain(k % 3, (k % 3 + k / 3) % 3) = strain((k % 3 + k / 3) % 3, k % 3) = e;
-    stress[static_cast<std::size_t>(k)] = answer(law, strain) / e;
+    stress[static_cast<std::size_t>(k)] = stress_of(law, strain) / e;
   }
   const double lambda = stress[0](1, 1), two_G = stress[0](0, 0) - lambda;
   if (!(two_G > 0)) return std::nullopt;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// What isotropic hyperelastic laws share: volumetric energies and the batch over points.
+/// Common parts of isotropic hyperelastic laws: volumetric energies and the batch implementation.
 #pragma once
 
 #include "materials/elastic_constants.hpp"
@@ -9,7 +9,7 @@
 
 namespace tribo {
 
-/// The dialect's volumetric energies U(J) with modulus k, chosen by UJOption:
+/// Volumetric energies U(J) with modulus k, selected by UJOption as in NairnMPM:
 ///   0: k/2 ((J^2 - 1)/2 - ln J)    1: k/2 (J - 1)^2    2: k/2 (ln J)^2
 template <int Option>
 struct Volumetric {
@@ -33,7 +33,7 @@ struct Volumetric {
   }
 };
 
-/// UJOption as a whole number; a problem if it is not 0, 1 or 2.
+/// UJOption as a whole number. Any value other than 0, 1 or 2 is a problem.
 inline int volumetric_choice(double value, const Statement& statement, Problems& problems) {
   if (value == 0 || value == 1 || value == 2) return static_cast<int>(value);
   const Statement* child = statement.child("UJOption");
@@ -41,7 +41,7 @@ inline int volumetric_choice(double value, const Statement& statement, Problems&
   return 0;
 }
 
-/// sigma = c0 I + c1 b + c2 b^2 of the left Cauchy-Green tensor b = F F^T.
+/// Coefficients of sigma = c0 1 + c1 b + c2 b^2, with b = F F^T the left Cauchy-Green tensor.
 struct Coefficients {
   double c0, c1, c2;
 };
@@ -51,7 +51,7 @@ struct Invariants {
   double I1, I2, J;
 };
 
-/// The left Cauchy-Green tensor, xx yy zz xy yz xz.
+/// Components xx yy zz xy yz xz of the left Cauchy-Green tensor.
 struct LeftCauchyGreen {
   double xx, yy, zz, xy, yz, xz, J;
   Invariants invariants() const { return {xx + yy + zz, xx * yy + yy * zz + zz * xx - xy * xy - yz * yz - xz * xz, J}; }
@@ -76,13 +76,13 @@ inline LeftCauchyGreen left_cauchy_green(const MaterialPoints<3>& p, int i) {
           a * (e * k - f * h) - b * (d * k - f * g) + c * (d * h - e * g)};
 }
 
-/// Lifts a law with energy W(b) to batches. `Law` is a parameter struct as PointwiseMaterial wants it, with
+/// Batch implementation for a law with energy W(b). `Law` is a parameter struct as for PointwiseMaterial, with
 ///   double density; int option;                                         // UJOption
 ///   double wave_modulus() const;                                        // in the reference state
 ///   template <int Option> Coefficients coefficients(const Invariants&) const;
 ///   template <int Option> double energy(const Invariants&) const;       // per initial volume
-///   template <int Option> double stiffness(const Invariants&, const Triple& b) const;   // bound of rho_0 c^2,
-///                                                                       // from ascending principal values of b
+///   template <int Option> double stiffness(const Invariants&, const Triple& b) const;   // upper bound of rho_0 c^2,
+///                                                                       // b: ascending principal values of b
 template <class Law>
 class HyperelasticMaterial final : public Material {
  public:
@@ -132,10 +132,12 @@ class HyperelasticMaterial final : public Material {
         s[5][i] = c.c1 * b.xz + c.c2 * (b.xx * b.xz + b.xy * b.yz + b.xz * b.zz);
       }
     }
-    if (!(least > 0)) throw SimulationError(std::string(Law::name) + ": a particle is turned inside out (det F <= 0)");
+    if (!(least > 0))
+      throw SimulationError(std::string(Law::name) +
+                            ": the deformation gradient of a particle is singular or inverted (det F <= 0)");
   }
 
-  // Plane stress: the stretch F_zz that frees the faces.
+  // Plane stress: finds the out-of-plane stretch F_zz for which sigma_zz vanishes.
   template <int Option>
   void free_faces(const MaterialPoints<2>& points) const {
     for (int i = 0; i < points.count; ++i) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-/// Ideal gas that is compressed without exchange of heat, or at constant temperature.
+/// Ideal gas under adiabatic or isothermal compression.
 ///
-///   p = P0 J^-gamma;   gamma = 1: isothermal. The stress is the gauge pressure, -(p - P0) 1, unless `absolute` is 1.
+///   p = P0 J^-gamma;   gamma = 1: isothermal. The stress is -(p - P0) 1, or -p 1 if `absolute` is 1.
 
 #include "materials/material.hpp"
 
@@ -28,7 +28,7 @@ struct IdealGas {
           "ratio of heat capacities; 1: isothermal",
           1.4},
         P{"absolute", &L::absolute, Dimension::none, within(0, 1),
-          "1: the stress is the whole pressure, for gas that walls hold; 0: the part above P0, for gas in air", 0.0},
+          "1: the stress is the absolute pressure, for gas enclosed by walls; 0: the pressure above P0", 0.0},
     };
   }
   void prepare(const Statement& statement, Problems& problems) {
@@ -44,7 +44,7 @@ struct IdealGas {
     const double p = pressure * std::pow(motion.F.determinant(), -gamma);
     return -(p - (absolute == 1 ? 0.0 : pressure)) * Mat3::Identity();
   }
-  // -int of the pressure over J from 1, per current volume
+  // Minus the integral of the pressure over J from 1, divided by J: energy per current volume
   double energy_density(const Mat3& F, const Mat3&, const State&) const {
     const double J = F.determinant(), outside = absolute == 1 ? 0.0 : pressure;
     const double work =

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Isotropic plasticity after von Mises with the hardening laws of the dialect.
+/// Isotropic von Mises plasticity with the hardening laws of NairnMPM.
 ///
 ///   q <= sigma_y(e, e'),   e the accumulated plastic strain, e' its rate
 ///
@@ -9,9 +9,10 @@
 ///   JohnsonCook   sigma_y = (Ajc + Bjc e^njc) max(1/2, 1 + Cjc ln(e'/ep0jc)) (1 - t^mjc),
 ///                 t = (T - T_0)/(Tmjc - T_0) within 0 and 1, T_0 the reference temperature
 ///
-/// Radial return, backward Euler: q_trial - 3 G de = sigma_y(e + de, de/dt), one scalar equation. Simo & Hughes,
-/// Computational Inelasticity (1998), box 3.2; Johnson & Cook, Eng. Fract. Mech. 21 (1985) 31-48. The lower bound of
-/// the rate factor is the dialect's: quasi-static flow has no logarithm. The temperature is that of the step's start.
+/// Radial return, backward Euler: q_trial - 3 G de = sigma_y(e + de, de/dt) is one scalar equation for de. Simo &
+/// Hughes, Computational Inelasticity (1998), box 3.2; Johnson & Cook, Eng. Fract. Mech. 21 (1985) 31-48. The lower
+/// bound 1/2 of the rate factor is that of NairnMPM; without it the logarithm diverges at small rates. The temperature
+/// is that at the start of the step.
 
 #include "materials/elastic_constants.hpp"
 #include "materials/pressure_shear.hpp"
@@ -26,7 +27,7 @@ enum class Hardening { linear, nonlinear, johnson_cook, nonlinear2 };
 struct IsoPlasticity {
   static constexpr std::string_view name = "IsoPlasticity";
   static constexpr std::string_view summary =
-      "Elastic-plastic solid after von Mises with linear, power-law or Johnson-Cook hardening.";
+      "Elastic-plastic solid of von Mises type with linear, power-law or Johnson-Cook hardening.";
   static constexpr int number = 9;
 
   double density = 0;
@@ -58,23 +59,29 @@ struct IsoPlasticity {
         P{"nhard", &L::power, none, positive, "Nonlinear: the exponent (default 1)", {}, true},
         P{"Ajc", &L::A, stress, positive, "JohnsonCook: yield stress", {}, true},
         P{"Bjc", &L::B, stress, not_negative, "JohnsonCook: hardening (default 0)", {}, true},
-        P{"njc", &L::n, none, positive, "JohnsonCook: its exponent (default 1)", {}, true},
-        P{"Cjc", &L::C, none, not_negative, "JohnsonCook: growth with the logarithm of the rate (default 0)", {}, true},
+        P{"njc", &L::n, none, positive, "JohnsonCook: exponent of the hardening (default 1)", {}, true},
+        P{"Cjc",
+          &L::C,
+          none,
+          not_negative,
+          "JohnsonCook: coefficient of the logarithmic rate dependence (default 0)",
+          {},
+          true},
         P{"ep0jc",
           &L::reference_rate,
           Dimension::rate,
           positive,
-          "JohnsonCook: rate of the given values (default 1)",
+          "JohnsonCook: reference strain rate (default 1)",
           {},
           true},
         P{"Tmjc",
           &L::melting,
           Dimension::temperature,
           any_value,
-          "JohnsonCook: temperature at which the strength is gone (without: temperature does nothing)",
+          "JohnsonCook: temperature at which the strength vanishes (absent: no dependence on temperature)",
           {},
           true},
-        P{"mjc", &L::m, none, positive, "JohnsonCook: exponent of the loss with temperature (default 1)", {}, true},
+        P{"mjc", &L::m, none, positive, "JohnsonCook: exponent of thermal softening (default 1)", {}, true},
     };
   }
   static std::vector<OwnProperty> own_properties() {
@@ -93,9 +100,10 @@ struct IsoPlasticity {
     }
     set(coefficient, 0), set(power, 1), set(B, 0), set(n, 1), set(C, 0), set(reference_rate, 1), set(m, 1);
     if (hardening != Hardening::linear && coefficient < 0)
-      problems.add(statement.child("Khard")->origin, "<Khard> must not be negative: softening needs a length");
+      problems.add(statement.child("Khard")->origin,
+                   "<Khard> must not be negative: softening needs an internal length, which this law does not have");
     if (hardening == Hardening::linear && 3 * elastic.mu + coefficient <= 0)
-      problems.add(statement.origin, "the material softens faster than it unloads: Khard must exceed -3 G");
+      problems.add(statement.origin, "the material softens faster than it unloads elastically: Khard must exceed -3 G");
   }
 
   void weaken(double factor) {
@@ -121,7 +129,8 @@ struct IsoPlasticity {
     return Hardening::linear;
   }
 
-  // Every law has its own properties; those of another one would do nothing.
+  // Each hardening law has its own properties. A property of another hardening law would have no effect: it is an
+  // error.
   void check_properties(const Statement& statement, Problems& problems) const {
     const bool cook = hardening == Hardening::johnson_cook, linear = hardening == Hardening::linear;
     const auto only = [&](bool fits, const char* word, const char* law) {
@@ -133,7 +142,7 @@ struct IsoPlasticity {
     only(linear, "Ep", "Linear");
     only(!cook && !linear, "nhard", "Nonlinear or Nonlinear2");
     if (const Statement* s = statement.child("mjc"); s && !given(melting))
-      problems.add(s->origin, "<mjc> needs <Tmjc>, the temperature at which the strength is gone");
+      problems.add(s->origin, "<mjc> needs <Tmjc>, the temperature at which the strength vanishes");
     if (!given(cook ? A : yield))
       problems.add(statement.origin,
                    cook ? "<Ajc> is missing, the yield stress" : "<yield> is missing, the yield stress");
@@ -150,7 +159,7 @@ struct IsoPlasticity {
                            StateVariable<State>{"dissipation", Dimension::stress, &State::dissipation});
   }
 
-  // What the temperature leaves of the strength.
+  // Factor of the strength due to the temperature, 1 - t^m.
   double cold_share(const ReturnStep& at) const {
     if (!feels_temperature()) return 1.0;
     const double warmth = (at.temperature - at.reference_temperature) / (melting - at.reference_temperature);
@@ -173,8 +182,8 @@ struct IsoPlasticity {
     return std::max(0.0, yield + coefficient * e);
   }
 
-  // The strain that flows: excess(x) = q - 3 G x - share sigma_y(e + x, x/dt) falls from above 0 to below 0 between 0
-  // and q/(3 G). Bracketed secants (Illinois); linear hardening takes one.
+  // The increment x of plastic strain: the root of excess(x) = q - 3 G x - share sigma_y(e + x, x/dt), which decreases
+  // and changes its sign between 0 and q/(3 G). Safeguarded secant steps (Illinois); linear hardening needs one.
   double flow(double q, double e, double dt, double share) const {
     const auto excess = [&](double x) { return q - 3 * elastic.mu * x - share * yield_stress(e + x, x / dt); };
     double low = 0, high = q / (3 * elastic.mu), f_low = excess(low), f_high = excess(high);

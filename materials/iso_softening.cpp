@@ -1,23 +1,25 @@
 // SPDX-License-Identifier: MIT
-/// Brittle solid: elastic until a crack starts, then softening on the plane of that crack until its faces are free.
+/// Brittle solid: elastic until a crack starts, then softening on the plane of the crack until it is free of traction.
 ///
 ///   T   the stress without damage (Jaumann rate),  n the normal of the crack, which turns with the material
 ///   t = T n,  T_n = n.t,  t_s = t - T_n n,  <x> = max(x, 0),  M = lambda + 2 mu
 ///   sigma = T - d (<T_n>/M C:(n n) + n t_s + t_s n)
 ///
-/// d is the damage of the crack: its opening per length is d <T_n>/M, its slip d t_s/mu, and a closed crack is stiff
-/// again. For a fixed n this derives from the energy T:C^-1:T/2 - d Y, Y = (<T_n>^2/M + t_s^2/mu)/2; it dissipates Y
-/// per damage. On a plane, r^2 = (<T_n>/sigmac)^2 + (|t_s|/tauc)^2; the crack starts on the plane where r is largest,
-/// when that is 1. The traction then falls with opening and slip, linearly or exponentially:
+/// d is the damage of the crack. The crack opens by d <T_n>/M per length and slips by d t_s/mu per length. A closed
+/// crack has its full normal stiffness. For a fixed n the stress derives from the energy T:C^-1:T/2 - d Y with
+/// Y = (<T_n>^2/M + t_s^2/mu)/2, so that Y is dissipated per unit of damage. On each plane
+/// r^2 = (<T_n>/sigmac)^2 + (|t_s|/tauc)^2. The crack starts when the largest r of all planes reaches 1, on that plane.
+/// The traction then decreases with opening and slip, linearly or exponentially:
 ///
 ///   linear        d = (1 - 1/r) k/(k - 1) <= 1              k_I = 2 Gc_I M/(h sigmac^2),  k_II = 2 Gc_II mu/(h tauc^2)
-///   exponential   r (1 - d) = exp(-r d/k)                   half of these
-///   1/k = (1 - m)/k_I + m/k_II                              m the share of shear in r^2
+///   exponential   r (1 - d) = exp(-r d/k)                   k_I and k_II are half of these values
+///   1/k = (1 - m)/k_I + m/k_II                              m: the share of shear in r^2
 ///
-/// With h = |n_x| h_x + |n_y| h_y + |n_z| h_z, the width of the band of cells where it started, its energy per area is
-/// Gc whatever the cells: Bazant & Oh, Mater. Struct. 16 (1983) 155-177. In a constant mix of modes G_I/Gc_I +
-/// G_II/Gc_II = 1 at the end. Damage on one fixed plane after Nairn, Hammerquist & Aimene, Int. J. Numer. Meth. Engng
-/// 111 (2017) 1093-1123, with one damage for both modes.
+/// h = |n_x| h_x + |n_y| h_y + |n_z| h_z is the width of the band of cells that contains the crack, taken when the
+/// crack starts. With it the energy per crack area is Gc for any cell size: Bazant & Oh, Mater. Struct. 16 (1983)
+/// 155-177. For a constant mode mix, G_I/Gc_I + G_II/Gc_II = 1 at complete failure. Damage on one fixed plane after
+/// Nairn, Hammerquist & Aimene, Int. J. Numer. Meth. Engng 111 (2017) 1093-1123, with one damage variable for both
+/// modes.
 
 #include "materials/elastic_constants.hpp"
 #include "materials/principal.hpp"
@@ -30,7 +32,7 @@ namespace {
 struct IsoSoftening {
   static constexpr std::string_view name = "IsoSoftening";
   static constexpr std::string_view summary =
-      "Elastic solid that cracks: softening damage with a fracture energy that does not depend on the cells.";
+      "Elastic solid that cracks: softening damage with a fracture energy that does not depend on the cell size.";
   static constexpr int number = 50;
 
   double density = 0;
@@ -54,17 +56,23 @@ struct IsoSoftening {
           &L::shear_strength,
           stress,
           positive,
-          "shear strength (without: cracks start in tension only)",
+          "shear strength (absent: cracks start in tension only)",
           {},
           true},
-        P{"I-Gc", &L::toughness, energy, positive, "fracture energy of opening, per area"},
-        P{"II-Gc", &L::shear_toughness, energy, positive, "of slip (default: as of opening); with tauc", {}, true},
+        P{"I-Gc", &L::toughness, energy, positive, "fracture energy per area in mode I (opening)"},
+        P{"II-Gc",
+          &L::shear_toughness,
+          energy,
+          positive,
+          "fracture energy per area in mode II (slip), with tauc (default I-Gc)",
+          {},
+          true},
     };
   }
   static std::vector<OwnProperty> own_properties() {
     return {{"Initiation", "MaxPrinciple: cracks start where the largest principal stress reaches the strength"},
-            {"SofteningI", "Linear or Exponential: how the strength falls as a crack opens"},
-            {"SofteningII", "the same as it slips"}};
+            {"SofteningI", "Linear or Exponential: how the normal traction decreases as a crack opens"},
+            {"SofteningII", "the same for the shear traction as it slips; must equal SofteningI"}};
   }
 
   void prepare(const Statement& statement, Problems& problems) {
@@ -83,7 +91,7 @@ struct IsoSoftening {
     const std::vector<std::string> laws{"Linear", "Exponential", "1", "2"};
     exponential = word("SofteningI", laws) == 1;
     if (const Statement* s = statement.child("SofteningII"); s && (word("SofteningII", laws) == 1) != exponential)
-      problems.add(s->origin, "<SofteningII> must be as <SofteningI>: one damage serves both");
+      problems.add(s->origin, "<SofteningII> must equal <SofteningI>: both modes share one damage variable");
     if (const Statement* s = statement.child("II-Gc"); s && !given(shear_strength))
       problems.add(s->origin, "<II-Gc> needs <tauc>, the shear strength");
     if (!given(shear_toughness)) shear_toughness = toughness;
@@ -110,7 +118,7 @@ struct IsoSoftening {
         V{"crack_opening", Dimension::length, &State::opening}, V{"dissipation", stress, &State::dissipation});
   }
 
-  /// Cells across which a crack could not soften: it would release more than it takes to break.
+  /// Cell size at which softening becomes impossible: the cell would release more energy than the crack dissipates.
   double largest_cell() const {
     const double part = exponential ? 1 : 2;
     const double tension = part * toughness * wave_modulus() / (tensile_strength * tensile_strength);
@@ -154,7 +162,7 @@ struct IsoSoftening {
   }
 
  private:
-  /// Traction of the stress without damage on the plane with normal n.
+  /// Traction of the undamaged stress T on the plane with normal n.
   struct Plane {
     Vec3 n, shear;
     double open;  // <T_n>
@@ -188,11 +196,12 @@ struct IsoSoftening {
     return m;
   }
 
-  // Of the band of cells in which the crack lies: one cell along an axis, the steps of a staircase in other directions.
+  // Width h of the band of cells that contains the crack: one cell along an axis, a staircase in other directions.
   static double width(const Vec3& n, const Vec3& cell) { return n.cwiseAbs().dot(cell); }
 
-  // Where r is largest. In the plane of the largest and least principal stress, a + b cos 2w and b sin 2w act on the
-  // plane at the angle w from the axis of the largest; r^2 is quadratic in cos 2w where the plane opens, and below.
+  // The plane with the largest r. In the plane of the largest and smallest principal stress the traction on the plane
+  // at angle w from the axis of the largest has the components a + b cos 2w and b sin 2w. r^2 is quadratic in cos 2w,
+  // with different coefficients for open and closed planes.
   Vec3 weakest_plane(const Mat3& T) const {
     const Principal p = principal(T);
     const auto axis = [&](std::size_t k) { return Vec3(p.axis[k][0], p.axis[k][1], p.axis[k][2]); };
@@ -219,9 +228,9 @@ struct IsoSoftening {
     if (given(shear_strength))
       inverse += shear_share * shear_strength * shear_strength / (shear_toughness * elastic.mu);
     const double k = part / (h * inverse);
-    if (!(k > 1)) return 1.0;  // the cell holds more energy than the crack takes
+    if (!(k > 1)) return 1.0;  // the cell stores more energy than the crack can dissipate
     if (!exponential) return std::min(1.0, (1 - 1 / r) * k / (k - 1));
-    double x = r;  // r d: Newton's method from above, where it descends without passing the root
+    double x = r;  // x = r d; Newton's method from above decreases monotonically to the root
     for (int i = 0; i < 50; ++i) {
       const double e = std::exp(-x / k), change = (r - x - e) / (e / k - 1);
       x -= change;

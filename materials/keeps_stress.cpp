@@ -5,7 +5,7 @@ namespace tribo {
 
 bool keeps_stress(const Material& law) {
   if (law.rigid()) return false;
-  // A pressure far below any yield stress
+  // A pressure far below any yield stress.
   const double pressure = 1e-6 * law.wave_modulus();
   Mat3 L = Mat3::Zero(), F = Mat3::Identity();
   std::array<double, 6> stress{};

@@ -3,8 +3,9 @@
 ///
 ///   sigma(t+dt) = Q sigma Q^T + Q^(1/2) (C : D dt) Q^(1/2)T      D = sym(L), Q = exp(W dt), W = skew(L)
 ///
-/// The Jaumann rate, second order in dt and exactly objective for any rotation per step.
-/// Simo & Hughes, Computational Inelasticity (1998), chapter 8. Hypoelastic: a closed cycle of large strain does work.
+/// Jaumann rate, second order in dt and exactly objective for any rotation per step.
+/// Simo & Hughes, Computational Inelasticity (1998), chapter 8. The law is hypoelastic: a closed cycle of large strain
+/// does not return exactly to the initial stress, so it is meant for small elastic strains.
 
 #include "materials/elastic.hpp"
 #include "materials/material.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-/// The interface between the engine and the laws of materials, and the adapter for laws written for one point.
+/// Interface between the solver and the material laws, and the adapter for laws written for one point.
 ///
 /// A law is always three-dimensional; two-dimensional analyses are motions without out-of-plane shear.
-/// The engine calls a law once per batch of points (one virtual call, arrays of components).
+/// The solver calls a law once per batch of points: one virtual call, arrays of components.
 #pragma once
 
 #include "base/catalogue.hpp"
@@ -22,25 +22,25 @@
 
 namespace tribo {
 
-/// One number that a law keeps per point, named for output and restart.
+/// A state variable that a law stores per point, named for output and restart.
 struct HistoryVariable {
   std::string name;
   Dimension dimension = Dimension::none;
   double initial = 0.0;
 };
 
-/// The most history variables that a law may have; the engine passes pointers to their columns in arrays of this size.
+/// Upper limit of history variables per law. Pointers to their columns are passed in arrays of this size.
 inline constexpr std::size_t most_history_variables = 64;
 
-/// A history variable of this name begins with the angle of the body's material axes about z [rad].
+/// Reserved name of a history variable. Its initial value is the angle of the body's material axes about z [rad].
 inline constexpr std::string_view material_angle = "material_angle";
 
-/// A batch of consecutive points as views into particle columns: one array per component, see Layout.
-/// Cauchy stress, tension positive.
+/// A batch of consecutive points as views into the particle columns: one array per component, see Layout.
+/// Stress is Cauchy stress, tension positive.
 template <int Dim>
 struct MaterialPoints {
   int count = 0;
-  double dt = 0.0;            ///< step                                                            [time]
+  double dt = 0.0;            ///< time step                                                          [time]
   bool plane_stress = false;  ///< the law chooses L_zz so that sigma_zz = 0; it updates L[zz], F[zz] and volume
   std::array<double*, Layout<Dim>::full> L{};            ///< velocity gradient during the step    [1/time]
   std::array<double*, Layout<Dim>::full> F{};            ///< deformation gradient at t + dt       [-]; null if not kept
@@ -48,11 +48,12 @@ struct MaterialPoints {
   const double* mass = nullptr;                          ///< [mass]
   double* volume = nullptr;                              ///< current, at t + dt                   [length^3]
   std::span<double* const> history;                      ///< one array per HistoryVariable
-  const double* temperature = nullptr;  ///< at t; null where nobody knows it: then it is the reference  [temperature]
-  double reference_temperature = 0.0;   ///< of the given properties                                    [temperature]
-  Vec3 cell = Vec3::Ones();             ///< edges of the grid's cells, for laws that localise          [length]
+  const double* temperature = nullptr;  ///< at t; null: the reference temperature applies           [temperature]
+  double reference_temperature = 0.0;   ///< temperature for which the properties are given          [temperature]
+  Vec3 cell = Vec3::Ones();             ///< edge lengths of the grid cells, for laws that localise  [length]
 };
 
+/// Interface of all material laws.
 class Material {
  public:
   virtual ~Material() = default;
@@ -61,78 +62,79 @@ class Material {
   virtual void update(const MaterialPoints<2>& points) const = 0;
   virtual void update(const MaterialPoints<3>& points) const = 0;
 
-  /// In the reference state [mass/length^3].
+  /// Density in the reference state [mass/length^3].
   virtual double density() const = 0;
-  /// Largest rho c^2 in the reference state, for the first time step [stress].
+  /// Largest rho c^2 in the reference state [stress], for the first time step.
   virtual double wave_modulus() const = 0;
-  /// Largest rho_0 c^2 of the batch in its present state, c the spatial wave speed and rho_0 the reference density
-  /// (the spatial modulus times J), for adaptive steps; never below what the points need. Laws that do not stiffen
-  /// keep the default.
+  /// Largest rho_0 c^2 of the batch in its present state [stress], for adaptive time steps; c is the spatial wave speed
+  /// and rho_0 the reference density, so this is the spatial modulus times J. It is an upper bound. Laws that do not
+  /// stiffen keep the default.
   virtual double wave_modulus(const MaterialPoints<2>&) const { return wave_modulus(); }
   virtual double wave_modulus(const MaterialPoints<3>&) const { return wave_modulus(); }
-  /// Stored energy of the batch in its present state, sum over points [energy].
+  /// Stored energy of the batch in its present state, summed over the points [energy].
   virtual double stored_energy(const MaterialPoints<2>&) const { return 0.0; }
   virtual double stored_energy(const MaterialPoints<3>&) const { return 0.0; }
-  /// Index into history() of the dissipated energy per initial volume, or -1 if the law dissipates nothing.
+  /// Index into history() of the dissipated energy per initial volume, or -1 if the law does not dissipate.
   virtual int dissipation_index() const { return -1; }
 
   virtual const std::vector<HistoryVariable>& history() const = 0;
-  /// False if the law never looks at F; the engine then need not keep it.
+  /// Whether the law uses the deformation gradient F. If false, the solver need not store it.
   virtual bool needs_deformation() const { return true; }
-  /// True if the stress depends on the temperature.
+  /// Whether the stress depends on the temperature.
   virtual bool feels_temperature() const { return false; }
-  /// Cells of this size and larger the law cannot serve [length].
+  /// Cell size from which on the law cannot be used [length].
   virtual double largest_cell() const { return std::numeric_limits<double>::infinity(); }
-  /// True for liquids: they have a viscosity over shear rate [stress time](1/time).
+  /// Whether the material is a liquid with a viscosity [stress time] as a function of the shear rate [1/time].
   virtual bool liquid() const { return false; }
   virtual double viscosity(double) const { return 0.0; }
-  /// Bound of it, for the time step [stress time].
+  /// Upper bound of the viscosity, for the time step [stress time].
   virtual double largest_viscosity() const { return 0.0; }
-  /// True for rigid materials: prescribed motion, no stress.
+  /// Whether the material is rigid: prescribed motion, no stress.
   virtual bool rigid() const { return false; }
   /// The same law with its strength divided by `factor`: cohesion, tangent of the friction angle, tensile strength,
-  /// yield stress. Dilation stays unless friction falls below it. Null for laws without strength.
+  /// yield stress. The dilation angle is kept, but not above the friction angle. Null for laws without strength.
   virtual std::shared_ptr<const Material> weakened([[maybe_unused]] double factor) const { return nullptr; }
 };
 
-/// Whether a stress that a point has at the start is still there after a step without motion; that of laws that compute
-/// it from the deformation is not.
+/// Whether an initial stress is preserved by a step without motion. It is not if the law computes the stress from the
+/// deformation gradient.
 bool keeps_stress(const Material& law);
 
-/// Of an isotropic law in its reference state.
+/// Moduli of an isotropic law in its reference state.
 struct ElasticModuli {
   double G = 0.0;   ///< shear modulus [stress]
   double nu = 0.0;  ///< Poisson's ratio
   double E() const { return 2 * G * (1 + nu); }
 };
-/// Found from the law's answers to small strains; none for liquids, rigid and anisotropic laws.
+/// Determined from the stresses of small strains; none for liquids, rigid and anisotropic laws.
 std::optional<ElasticModuli> elastic_moduli(const Material& law);
 
-/// The motion of one material point over one step, and what surrounds it.
+/// Motion and environment of one material point in one step.
 struct Motion {
   Mat3 F;                            ///< deformation gradient at t + dt [-]
   Mat3 L;                            ///< velocity gradient during the step [1/time]
-  double dt;                         ///< step [time]
+  double dt;                         ///< time step [time]
   double temperature = 0.0;          ///< at t [temperature]
-  double reference_temperature = 0;  ///< of the given properties [temperature]
-  Vec3 cell = Vec3::Ones();          ///< edges of the grid's cells [length]
+  double reference_temperature = 0;  ///< temperature for which the properties are given [temperature]
+  Vec3 cell = Vec3::Ones();          ///< edge lengths of the grid cells [length]
 };
 
 struct NoState {};
 
-/// Lifts a law written for one point to the batch interface. `Law` is a plain struct with
-/// - `static constexpr std::string_view name, summary; static constexpr int number;` (of the dialect, or 0)
+/// Batch implementation for a law written for one point. `Law` is a plain struct with
+/// - `static constexpr std::string_view name, summary; static constexpr int number;` (type number in NairnMPM, or 0)
 /// - `static auto parameters()`: std::array<Parameter<Law>, N>
-/// - `static std::vector<OwnProperty> own_properties()`, optional: words and lists that prepare reads itself
-/// - `void prepare(const Statement&, Problems&)`: derived constants and checks, once; or with Units between
+/// - `static std::vector<OwnProperty> own_properties()`, optional: words and lists that `prepare` reads itself
+/// - `void prepare(const Statement&, Problems&)`: derived constants and checks, called once; optionally with a Units
+///   argument between the two
 /// - `double density; double wave_modulus() const;`
 /// - `using State = ...`: NoState, or a struct of doubles with `static auto history()`, a tuple of StateVariable
 /// - `Mat3 stress(const Motion&, const Mat3& old_stress, State&) const`
-/// - `double energy_density(const Mat3& F, const Mat3& stress, const State&) const`: stored, per present volume
+/// - `double energy_density(const Mat3& F, const Mat3& stress, const State&) const`: stored energy per current volume
 /// - `void weaken(double factor)`, optional: see Material::weakened
 /// - `bool feels_temperature() const; double largest_cell() const`, optional: see Material
 ///
-/// Plane stress is solved here for every such law, see plane_stress.hpp.
+/// Plane stress is solved by this class for every such law, see plane_stress.hpp.
 template <class State>
 struct StateVariable {
   std::string_view name;
@@ -188,7 +190,7 @@ class PointwiseMaterial : public Material {
   using State = typename Law::State;
   static constexpr bool has_state = !std::is_same_v<State, NoState>;
 
-  /// The same kind of material with another law.
+  /// A material of the same kind with another law.
   virtual std::shared_ptr<const Material> again(Law law) const {
     return std::make_shared<PointwiseMaterial>(std::move(law));
   }
@@ -242,7 +244,7 @@ class PointwiseMaterial : public Material {
     }
   }
 
-  // The out-of-plane rate is chosen so that sigma_zz vanishes.
+  // Plane stress: finds the out-of-plane rate for which sigma_zz vanishes.
   template <int Dim>
   Mat3 plane_stress(Motion motion, const Mat3& old, State& state, const MaterialPoints<Dim>& points, int i) const {
     const State start = state;
@@ -270,7 +272,7 @@ class PointwiseMaterial : public Material {
       double most = 0.0;
       for (int i = 0; i < points.count; ++i) {
         const Mat3 F = load_full<Dim>(points.F, i);
-        // the law gives the spatial modulus rho c^2; rho_0 = rho J
+        // the law gives the spatial modulus rho c^2, and rho_0 = rho J
         most = std::max(most,
                         law_.wave_modulus(F, load_symmetric<Dim>(points.stress, i), load(points, i)) * F.determinant());
       }
@@ -294,7 +296,7 @@ class PointwiseMaterial : public Material {
   int dissipation_ = -1;
 };
 
-/// Catalogue entry of a law that is lifted by `Lift<Law>` (PointwiseMaterial unless the law brings its own batch).
+/// Catalogue entry of a law with the batch implementation `Lifted`.
 template <class Law, class Lifted = PointwiseMaterial<Law>>
 Catalogue<Material>::Item material_law(const std::vector<std::string>& aliases = {}) {
   return catalogue_item<Material, Law, Lifted>(aliases);

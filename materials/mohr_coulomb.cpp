@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 /// Mohr-Coulomb plasticity and viscoplasticity over batches of points.
 ///
-/// Trial stress by elastic_step (Jaumann rate), return to the pyramid in principal space (mohr_coulomb_return.hpp),
-/// rate dependence after Duvaut & Lions (1972), backward Euler: sigma = (trial + b returned)/(1 + b), b = dt/eta.
+/// The trial stress (Jaumann rate) is that of elastic_step. It is returned to the pyramid in principal stress space,
+/// see mohr_coulomb_return.hpp. Rate dependence after Duvaut & Lions (1972), backward Euler: sigma = (trial + b
+/// returned)/(1 + b), b = dt/eta.
 
 #include "materials/mohr_coulomb_batch.hpp"
 #include "materials/plane_stress.hpp"
@@ -58,19 +59,20 @@ class MohrCoulomb final : public Material {
     std::array<double, chunk> bound;
     yield_bound(slice.points, law_.pyramid().strength(), bound.data());
     if (!any_beyond(bound, slice.points.count)) return;
-    const Books books(slice, law_.elastic);
+    const PlasticHistory plastic_history(slice, law_.elastic);
     const Face face(law_, slice.points.dt);
     Edges edges = edges_;
     edges.share = slice.points.dt / (slice.points.dt + law_.relaxation_time);
-    const bool with_edges = law_.viscosity == 0;  // overstress is shared by planes in no fixed way
+    const bool with_edges = law_.viscosity == 0;  // with viscosity the shares of the planes at edges are not constant
     if constexpr (Dim == 2) {
-      flow(slice, face, books, bound.data());
-      if (with_edges && any_beyond(bound, slice.points.count)) flow(slice, edges, books, bound.data());
+      flow(slice, face, plastic_history, bound.data());
+      if (with_edges && any_beyond(bound, slice.points.count)) flow(slice, edges, plastic_history, bound.data());
     } else {
       Spectrum spectrum;
       decompose(slice, spectrum);
-      flow(slice, spectrum, face, books, bound.data());
-      if (with_edges && any_beyond(bound, slice.points.count)) flow(slice, spectrum, edges, books, bound.data());
+      flow(slice, spectrum, face, plastic_history, bound.data());
+      if (with_edges && any_beyond(bound, slice.points.count))
+        flow(slice, spectrum, edges, plastic_history, bound.data());
     }
     for (int i = 0; i < slice.points.count; ++i)
       if (bound[static_cast<std::size_t>(i)] > 0) plastic_point(slice, i, law_.pyramid());
@@ -82,7 +84,7 @@ class MohrCoulomb final : public Material {
     const double shear = stress[3][i], zz = stress[2][i];
     const double radius = std::sqrt(half * half + shear * shear);
     const double low = mean - radius, high = mean + radius;
-    // places of the in-plane values and of zz in the sorted triple
+    // positions of the in-plane principal values and of zz in the sorted triple
     const std::size_t z = zz <= low ? 0 : zz <= high ? 1 : 2, l = z == 0 ? 1 : 0, h = z == 2 ? 1 : 2;
     Triple trial;
     trial[l] = low, trial[h] = high, trial[z] = zz;

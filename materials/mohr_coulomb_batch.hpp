@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// Loops over a run of points that Mohr-Coulomb's law takes at once: who is beyond yield, and the returns of
-/// mohr_coulomb_planes.hpp applied to the stresses and the history.
+/// Loops of the Mohr-Coulomb law over a run of points: the check for yield, and the returns of mohr_coulomb_planes.hpp
+/// applied to stresses and history.
 #pragma once
 
 #include "materials/mohr_coulomb_planes.hpp"
@@ -12,9 +12,9 @@
 
 namespace tribo {
 
-inline constexpr int chunk = 128;  ///< points whose trial stresses stay in the first-level cache
+inline constexpr int chunk = 128;  ///< points per run; their trial stresses fit into the first-level cache
 
-/// A run of points of a batch, with its own array of history columns.
+/// A run of points of a batch, with pointers to its history columns.
 template <int Dim>
 struct Slice {
   MaterialPoints<Dim> points;
@@ -45,7 +45,7 @@ template <int Dim>
            F[2][i] * (F[3][i] * F[7][i] - F[4][i] * F[6][i]);
 }
 
-// How far points may be beyond yield [stress]: exact in two dimensions.
+// Largest violation of the yield conditions at each point [stress]; exact in two dimensions.
 inline void yield_bound(const MaterialPoints<2>& points, const Strength& s, double* bound) {
   const double high = 0.5 * (1 + s.sin_friction), low = 0.5 * (1 - s.sin_friction);
   const double resistance = s.cohesion * s.cos_friction, tension = s.tension;
@@ -62,8 +62,8 @@ inline void yield_bound(const MaterialPoints<2>& points, const Strength& s, doub
   }
 }
 
-// In three dimensions an upper bound that needs no principal values, from F = p sin phi + sqrt(J2) (cos theta -
-// sin theta sin phi/sqrt 3) - c cos phi and S3 = p + 2 sqrt(J2/3) sin(theta + 120 deg), each at its worst Lode angle.
+// In three dimensions: an upper bound without principal values. F = p sin phi + sqrt(J2) (cos theta - sin theta
+// sin phi/sqrt 3) - c cos phi and S3 = p + 2 sqrt(J2/3) sin(theta + 120 deg), each at its least favourable Lode angle.
 inline void yield_bound(const MaterialPoints<3>& points, const Strength& s, double* bound) {
   const double steep = std::sqrt(1 + s.sin_friction * s.sin_friction / 3), root = std::sqrt(4.0 / 3.0);
   const double resistance = s.cohesion * s.cos_friction, tension = s.tension, sine = s.sin_friction;
@@ -82,8 +82,8 @@ inline void yield_bound(const MaterialPoints<3>& points, const Strength& s, doub
   }
 }
 
-// The history of a flow, from what it took from the principal stresses S.
-struct Books {
+// Updates the history columns for plastic flow, from the changes c of the principal stresses S.
+struct PlasticHistory {
   double* __restrict shear;
   double* __restrict volume;
   double* __restrict tension;
@@ -91,7 +91,7 @@ struct Books {
   double half_compliance, third_compliance;  // 1/(2 mu), 1/(3 K)
 
   template <int Dim>
-  Books(const Slice<Dim>& slice, const Elasticity& e)
+  PlasticHistory(const Slice<Dim>& slice, const Elasticity& e)
       : shear(slice.columns[0]),
         volume(slice.columns[1]),
         tension(slice.columns[2]),
@@ -110,9 +110,9 @@ struct Books {
   }
 };
 
-// Returns the points that are beyond yield and belong where `change` looks, and sets their `bound` to 0.
+// Returns the points beyond yield for which `change` is valid, and sets their `bound` to 0.
 template <class Return>
-void flow(const Slice<2>& slice, const Return change, const Books books, double* __restrict bound) {
+void flow(const Slice<2>& slice, const Return change, const PlasticHistory plastic_history, double* __restrict bound) {
   double* __restrict xx = slice.points.stress[0];
   double* __restrict yy = slice.points.stress[1];
   double* __restrict zz = slice.points.stress[2];
@@ -121,7 +121,7 @@ void flow(const Slice<2>& slice, const Return change, const Books books, double*
   for (int i = 0; i < slice.points.count; ++i) {
     const double mean = 0.5 * (xx[i] + yy[i]), half = 0.5 * (xx[i] - yy[i]), t = xy[i], z = zz[i];
     const double radius = std::sqrt(half * half + t * t), low = mean - radius, high = mean + radius;
-    const bool first = z <= low, last = !first & (z > high);  // place of zz among the principal values
+    const bool first = z <= low, last = !first & (z > high);  // position of zz among the principal values
     const double S1 = first ? z : low, S3 = last ? z : high, S2 = first ? low : last ? high : z;
     Change c = change(S1, S2, S3);
     const bool here = (bound[i] > 0) & ((c.c1 != 0) | (c.c2 != 0) | (c.c3 != 0));
@@ -132,7 +132,7 @@ void flow(const Slice<2>& slice, const Return change, const Books books, double*
     yy[i] -= centre - turn * half;
     xy[i] -= turn * t;
     zz[i] -= first ? c.c1 : last ? c.c3 : c.c2;
-    books.add(i, S1, S2, S3, c, volume_ratio<2>(slice.points, i));
+    plastic_history.add(i, S1, S2, S3, c, volume_ratio<2>(slice.points, i));
     bound[i] = here ? 0.0 : bound[i];
   }
 }
@@ -148,7 +148,7 @@ inline void decompose(const Slice<3>& slice, Spectrum& spectrum) {
   const double* __restrict xy = s[3];
   const double* __restrict yz = s[4];
   const double* __restrict xz = s[5];
-// not `omp simd`, which keeps the local Principal in memory and then gives up
+// not `omp simd`: it keeps the local Principal in memory, and the loop is then not vectorised
 #pragma GCC ivdep
   for (int i = 0; i < slice.points.count; ++i) {
     const Principal p = principal(xx[i], yy[i], zz[i], xy[i], yz[i], xz[i]);
@@ -161,7 +161,7 @@ inline void decompose(const Slice<3>& slice, Spectrum& spectrum) {
 }
 
 template <class Return>
-void flow(const Slice<3>& slice, const Spectrum& spectrum, const Return change, const Books books,
+void flow(const Slice<3>& slice, const Spectrum& spectrum, const Return change, const PlasticHistory plastic_history,
           double* __restrict bound) {
   double* __restrict xx = slice.points.stress[0];
   double* __restrict yy = slice.points.stress[1];
@@ -177,7 +177,7 @@ void flow(const Slice<3>& slice, const Spectrum& spectrum, const Return change, 
     Change x = change(S1, S2, S3);
     const bool here = (bound[i] > 0) & ((x.c1 != 0) | (x.c2 != 0) | (x.c3 != 0));
     x.c1 = here ? x.c1 : 0.0, x.c2 = here ? x.c2 : 0.0, x.c3 = here ? x.c3 : 0.0, x.opening = here ? x.opening : 0.0;
-    // change of S1 and S3 beyond that of S2, which all three share
+    // change of S1 and S3 relative to that of S2, which is common to all three
     const double all = x.c2, one = x.c1 - all, three = x.c3 - all;
     const double a = part(3, i), b = part(4, i), c = part(5, i), d = part(9, i), e = part(10, i), f = part(11, i);
     xx[i] -= all + one * a * a + three * d * d;
@@ -186,7 +186,7 @@ void flow(const Slice<3>& slice, const Spectrum& spectrum, const Return change, 
     xy[i] -= one * a * b + three * d * e;
     yz[i] -= one * b * c + three * e * f;
     xz[i] -= one * a * c + three * d * f;
-    books.add(i, S1, S2, S3, x, volume_ratio<3>(slice.points, i));
+    plastic_history.add(i, S1, S2, S3, x, volume_ratio<3>(slice.points, i));
     bound[i] = here ? 0.0 : bound[i];
   }
 }

@@ -6,9 +6,9 @@
 namespace tribo {
 namespace {
 
-// The x > 0 with x = y(x). For softening y grows with x and is largest, `far()`, when all strength is lost; for
-// hardening it falls from y(0). Exact after one secant step where y is linear. If several x qualify (the material
-// softens faster than it can unload), one of them is returned: the step jumps along the softening branch.
+// Finds x > 0 with x = y(x). For softening y increases with x up to `far()`, its value when the strength is completely
+// lost; for hardening y decreases from y(0). One secant step is exact where y is linear. If the material softens faster
+// than it can unload elastically there are several solutions; one of them is returned.
 template <class Function, class Far>
 double increment(Function&& y, Far&& far, double resolution) {
   double x0 = 0, g0 = -y(0);
@@ -46,8 +46,15 @@ std::array<Parameter<MohrCoulombLaw>, 17> MohrCoulombLaw::parameters() {
       {"G", &L::shear_modulus, stress, positive, "shear modulus, with K, instead of E and nu", {}, true},
       {"cohesion", &L::cohesion, stress, not_negative, "cohesion c"},
       {"friction", &L::friction, angle, acute, "angle of internal friction phi"},
-      {"dilation", &L::dilation, angle, acute, "dilation angle psi, at most the friction angle", 0.0},
-      {"tension", &L::tension, stress, not_negative, "tensile strength; absent: the apex c cot phi", {}, true},
+      {"dilation", &L::dilation, angle, acute,
+       "dilation angle psi, at most the friction angle; positive: the volume increases under plastic shear", 0.0},
+      {"tension",
+       &L::tension,
+       stress,
+       not_negative,
+       "tensile strength (absent: the apex c cot phi of the pyramid)",
+       {},
+       true},
       {"relaxation_time", &L::relaxation_time, Dimension::time, not_negative,
        "Duvaut-Lions relaxation time eta; 0: no rate dependence", 0.0},
       {"viscosity", &L::viscosity, Dimension::viscosity, not_negative,
@@ -63,7 +70,7 @@ std::array<Parameter<MohrCoulombLaw>, 17> MohrCoulombLaw::parameters() {
        {},
        true},
       {"softening_start", &L::softening_start, none, not_negative, "plastic shear at which softening starts", 0.0},
-      {"softening_end", &L::softening_end, none, positive, "plastic shear at which it ends", {}, true},
+      {"softening_end", &L::softening_end, none, positive, "plastic shear at which softening ends", {}, true},
   }};
 }
 
@@ -118,7 +125,8 @@ void MohrCoulombLaw::check_softening(const Statement& statement, Problems& probl
     problems.add(origin(statement.child("dilation_residual") ? "dilation_residual" : "friction_residual"),
                  "the residual dilation angle must not exceed the residual friction angle");
   if (cohesion_residual == 0 && friction_residual == 0)
-    problems.add(origin("cohesion_residual"), "residual cohesion and friction are both 0: no strength would be left");
+    problems.add(origin("cohesion_residual"),
+                 "residual cohesion and friction are both 0: the material would have no strength");
 }
 
 Strength MohrCoulombLaw::limit(double c, double phi, double psi, double cut_off) const {
@@ -144,9 +152,10 @@ Strength MohrCoulombLaw::strength(double kappa, double kappa_t) const {
   return s;
 }
 
-// The return with the strength that belongs to the plastic strains at the end of the step. `share` of the way back to
-// the pyramid is plastic flow (Duvaut-Lions).
-Returned MohrCoulombLaw::settle(const Triple& trial, double share, double drag, MohrCoulombState& state) const {
+// The return with the strength that belongs to the plastic strains at the end of the step (implicit). `share`: the
+// fraction of the way from the trial stress to the pyramid that is plastic flow (Duvaut-Lions).
+Returned MohrCoulombLaw::return_implicitly(const Triple& trial, double share, double drag,
+                                           MohrCoulombState& state) const {
   const double before = state.plastic_shear, before_t = state.tension_strain;
   const auto shear_of = [&](const Returned& r) {
     const double d0 = trial[0] - r.stress[0], d1 = trial[1] - r.stress[1], d2 = trial[2] - r.stress[2];
@@ -176,8 +185,8 @@ Returned MohrCoulombLaw::settle(const Triple& trial, double share, double drag, 
     const auto far = [&] { return attempt(all, all), share * now.opening; };
     opened = increment(open, far, 1e-16 * before_t);
   }
-  // Where the material softens faster than it unloads, the increments may be those of a jump; the stress is that of the
-  // strength they leave.
+  // If the material softens faster than it unloads, the increments can be those of a jump along the softening branch.
+  // The stress is then computed with the strength at these increments.
   const double sheared = with_opening(opened);
   attempt(sheared, opened);
   state.plastic_shear += sheared;
@@ -187,10 +196,10 @@ Returned MohrCoulombLaw::settle(const Triple& trial, double share, double drag, 
 
 Triple MohrCoulombLaw::flow(const Triple& trial, double dt, double J, MohrCoulombState& state) const {
   const double share = dt / (dt + relaxation_time);  // b/(1 + b), b = dt/eta
-  const Returned back = settle(trial, share, viscosity > 0 ? viscosity / dt : 0.0, state);
+  const Returned back = return_implicitly(trial, share, viscosity > 0 ? viscosity / dt : 0.0, state);
   Triple change;
   for (std::size_t i = 0; i < 3; ++i) change[i] = share * (trial[i] - back.stress[i]);
-  // plastic strain C^-1 : change
+  // plastic strain increment C^-1 : change
   const double mean = (change[0] + change[1] + change[2]) / 3, volume = mean / elastic.bulk();
   double work = 0;
   for (std::size_t i = 0; i < 3; ++i)

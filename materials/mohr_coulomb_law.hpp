@@ -9,7 +9,7 @@ namespace tribo {
 
 struct MohrCoulombState {
   double plastic_shear = 0;   ///< kappa: path length of sqrt(e:e/2), e the deviatoric plastic strain
-  double plastic_volume = 0;  ///< trace of the plastic strain
+  double plastic_volume = 0;  ///< trace of the plastic strain, positive: dilation
   double tension_strain = 0;  ///< kappa_t: plastic volume strain of the tension cut-off
   double dissipation = 0;     ///< plastic work per initial volume [stress]
 };
@@ -29,27 +29,27 @@ struct MohrCoulombLaw {
 
   static std::array<Parameter<MohrCoulombLaw>, 17> parameters();
   void prepare(const Statement& statement, Problems& problems);
-  /// See Material::weakened.
+  /// Divides the strength by `factor`, see Material::weakened.
   void weaken(double factor);
 
-  /// Resistance after the plastic shear kappa and the tension strain kappa_t.
+  /// Strength after the plastic shear kappa and the tension strain kappa_t.
   Strength strength(double kappa, double kappa_t) const;
   bool softens() const { return softens_; }
-  /// Without softening.
+  /// The yield surface before softening.
   const Pyramid& pyramid() const { return *pyramid_; }
 
-  /// Viscoplastic flow of a sorted principal trial stress beyond yield over a step: returns what is to be subtracted
-  /// from it and advances the state. `J` is the volume ratio.
+  /// Viscoplastic flow in one step from a sorted principal trial stress beyond yield. Returns the change to be
+  /// subtracted from the trial stress and advances the state. `J` is the volume ratio det F.
   Triple flow(const Triple& trial, double dt, double J, MohrCoulombState& state) const;
 
-  /// One point as a tensor; the trial stress as in elastic_step.
+  /// Stress of one point as a tensor, with the trial stress of elastic_step.
   Mat3 stress(const Motion& motion, const Mat3& old, MohrCoulombState& state) const;
 
   Elasticity elastic;
 
  private:
   Strength limit(double c, double phi, double psi, double cut_off) const;
-  Returned settle(const Triple& trial, double share, double drag, MohrCoulombState& state) const;
+  Returned return_implicitly(const Triple& trial, double share, double drag, MohrCoulombState& state) const;
   void check_softening(const Statement& statement, Problems& problems);
 
   bool softens_ = false, angles_soften_ = false, tension_softens_ = false;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// Returns to the faces, edges and corners of the pyramid without branches, for loops over points of constant strength.
-/// The same stresses as Pyramid::nearest, which searches among all sets of planes.
+/// Branch-free returns to the faces, edges and corners of the pyramid, for loops over points of constant strength.
+/// They give the same stresses as Pyramid::nearest, which searches all sets of planes.
 #pragma once
 
 #include "materials/mohr_coulomb_law.hpp"
@@ -9,18 +9,18 @@
 
 namespace tribo {
 
-// What is taken from sorted principal stresses; nothing if the return does not end where one looked for it.
+// Subtracted from the sorted principal stresses. All zero if the return does not end on the planes that were tried.
 struct Change {
   double c1, c2, c3;  // [stress]
   double opening;     // plastic volume strain of the tension planes
 };
 
-// Returns to the face F_13. Constant without softening.
+// Returns to the face F_13. The coefficients are constant without softening.
 struct Face {
   Strength strength;
-  double spread, rise, fall;  // D r: middle stress falls by spread, S1 rises by rise, S3 falls by fall [stress]
+  double spread, rise, fall;  // D r: the return lowers S2 by spread and S3 by fall, and raises S1 by rise [stress]
   double inverse;             // 1/a
-  double share;               // of the multiplier that flows in the step, for its viscosity
+  double share;               // fraction of the plastic multiplier that flows in the step, due to viscosity
 
   Face(const MohrCoulombLaw& law, double dt) : strength(law.pyramid().strength()) {
     const double lambda = law.elastic.lambda, mu = law.elastic.mu;
@@ -40,21 +40,21 @@ struct Face {
   }
 };
 
-// Returns to the edges S2 = S3 and S1 = S2 and to the corners that tension reaches: sets of planes with constant
-// matrices. What is left, points of Pyramid::corner are returned one by one.
+// Returns to the edges S2 = S3 and S1 = S2 and to the corners with tension planes: sets of planes with constant
+// matrices. The points that remain are returned one by one by Pyramid::corner.
 struct Edges {
   struct Pair {
     Triple first, second;       // D r of F_13 and of the other plane [stress]
-    double i11, i12, i21, i22;  // excesses to multipliers [1/stress]
+    double i11, i12, i21, i22;  // matrix from yield excesses to multipliers [1/stress]
   };
   struct Corner {
     Triple point;                   // [stress]
-    std::array<Triple, 3> inverse;  // stress beyond the point to multipliers [1/stress]
-    double opens;                   // how many of the planes, counted from the last, are tension planes
+    std::array<Triple, 3> inverse;  // matrix from the stress beyond the point to multipliers [1/stress]
+    double opens;                   // number of tension planes among the planes, counted from the last
     bool exists;
   };
   Strength strength;
-  double resistance, high, low, share = 1.0;  // share: of the way back that flows in the step
+  double resistance, high, low, share = 1.0;  // share: fraction of the return that flows in the step
   Pair upper, lower;
   std::array<Corner, 3> corners;
 
@@ -109,7 +109,7 @@ struct Edges {
       out.c1 = here ? c1 : out.c1, out.c2 = here ? c2 : out.c2, out.c3 = here ? c3 : out.c3;
       out.opening = here ? opening : out.opening;
     };
-    // the least preferred first
+    // the set with the lowest priority comes first, so that later ones overwrite it
     for (std::size_t k = 3; k-- > 0;) {
       const Corner& c = corners[k];
       const double x = S1 - c.point[0], y = S2 - c.point[1], z = S3 - c.point[2];

@@ -4,7 +4,7 @@
 namespace tribo {
 namespace {
 
-// A plane F_ij (from = i, to = j) or T_j (from = -1); indices of sorted principal stresses.
+// A plane F_ij (from = i, to = j) or T_j (from = -1), with indices of the sorted principal stresses.
 struct Plane {
   int from, to;
 };
@@ -16,7 +16,7 @@ struct Geometry {
   Triple trial;
   double tolerance;  // [stress]
 
-  // Gradient of the plane: 1 = S_to, the other S_from; `sine` is that of friction (yield) or dilation (flow).
+  // Gradient of the plane: 1 = S_to, the other S_from. `sine` is that of the friction (yield) or dilation angle (flow).
   static Triple gradient(Plane p, double sine) {
     Triple n{};
     n[static_cast<std::size_t>(p.to)] = p.from < 0 ? 1.0 : 0.5 * (1 + sine);
@@ -34,7 +34,7 @@ struct Geometry {
     const Triple n = normal(p);
     return n[0] * S[0] + n[1] * S[1] + n[2] * S[2] - (p.from < 0 ? s.tension : s.cohesion * s.cos_friction);
   }
-  // By how much a candidate misses the conditions of an admissible stress [stress]; NaN if it does not exist.
+  // Largest violation of the conditions for an admissible stress [stress]; NaN if the candidate does not exist.
   double violation(const Triple& S) const {
     const double order = std::max(S[0] - S[1], S[1] - S[2]);
     return std::max(order, std::max(excess(F13, S), S[2] - s.tension));
@@ -62,7 +62,7 @@ std::array<double, N> solve(const std::array<std::array<double, N>, N>& m, const
   }
 }
 
-// The best candidate so far; `done` once one is admissible to round-off.
+// The best candidate found so far. `done` is set when one is admissible to round-off.
 struct Search {
   const Geometry& g;
   double drag;
@@ -114,7 +114,7 @@ Returned Pyramid::corner(const Triple& trial, double drag) const {
   const Geometry g{lambda_, mu_, s_, trial, 1e-12 * std::max(s_.cohesion, size)};
   Search search{g, drag};
 
-  // The tension planes can only matter for a trial stress beyond them, unless shear raises S3 (negative lambda).
+  // The tension planes can be active only if the trial stress exceeds them, unless shear flow raises S3 (lambda < 0).
   const bool tension = trial[2] > s_.tension || (lambda_ < 0 && std::isfinite(s_.tension));
   if (trial[0] > s_.tension && search.attempt<T3, T2, T1>()) return search.best;
   if (search.attempt<F13, F12>() || search.attempt<F13, F23>() || search.attempt<F13>()) return search.best;
@@ -124,12 +124,12 @@ Returned Pyramid::corner(const Triple& trial, double drag) const {
     return search.best;
   if (search.attempt<F13, F12, F23>()) return search.best;
 
-  // Round-off can spoil every test by a hair at a corner where several sets meet.
+  // At corners shared by several sets of planes, round-off can make every candidate fail by a very small amount.
   if (search.least <= 1e-9 * std::max(s_.cohesion, size)) return search.best;
   const double apex = s_.tension;
   const double volume = (trial[0] + trial[1] + trial[2] - 3 * apex) / (3 * lambda_ + 2 * mu_);
   Returned r{{apex, apex, apex}, std::max(0.0, volume)};
-  if (drag > 0) {  // overstress of the triple of tension planes
+  if (drag > 0) {  // overstress at the apex of the three tension planes
     const double kept = drag / (3 * lambda_ + 2 * mu_ + drag);
     for (std::size_t i = 0; i < 3; ++i) r.stress[i] += kept * (trial[i] - apex);
     r.opening *= 1 - kept;

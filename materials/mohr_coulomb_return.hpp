@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// Return of trial stresses to the Mohr-Coulomb pyramid with a tension cut-off, in principal stress space.
 ///
-/// Tension positive, S1 <= S2 <= S3. Yield planes and their plastic potentials (non-associated, dilation psi):
+/// Tension positive, S1 <= S2 <= S3. Yield planes and their plastic potentials (non-associated, dilation angle psi: the
+/// flow uses psi in place of phi, so psi > 0 gives a positive plastic volume strain):
 ///   F_ij = (1 + sin phi)/2 S_j - (1 - sin phi)/2 S_i - c cos phi <= 0      for ij = 13, 12, 23
 ///   T_i  = S_i - sigma_t <= 0, associated,           sigma_t = min(tension, c cot phi)
 /// The returned stress is S = S_trial - D sum(Lam_a r_a), with Lam >= 0 and the active planes at yield: Koiter (1953);
@@ -13,7 +14,7 @@
 
 namespace tribo {
 
-/// Resistance of a point in its present state.
+/// Strength of a point in its present state.
 struct Strength {
   double cohesion = 0;  ///< [stress]
   double sin_friction = 0, cos_friction = 1;
@@ -21,10 +22,11 @@ struct Strength {
   double tension = 0;  ///< cut-off, at most the apex c cot phi [stress]; infinite if there is neither
 };
 
-/// A stress on or inside the pyramid.
+/// Result of a return: a stress on or inside the pyramid.
 struct Returned {
   Triple stress;
-  /// Plastic volume strain of the tension planes: the sum of their multipliers, unique also where four planes meet.
+  /// Plastic volume strain of the tension planes, the sum of their multipliers. It is unique even at the
+  /// intersection of four planes.
   double opening = 0;
 };
 
@@ -44,13 +46,13 @@ class Pyramid {
   double tension_excess(double S3) const { return S3 - s_.tension; }
   bool yields(double S1, double S3) const { return shear_excess(S1, S3) > 0 || tension_excess(S3) > 0; }
 
-  /// The admissible stress of a sorted trial stress; the trial stress itself if it is admissible.
-  /// `drag` > 0 (Perzyna viscosity over step [stress]) leaves the overstress that drives each active plane:
-  /// (M + drag I) Lam = f_trial on the planes that are active without it.
+  /// The admissible stress that belongs to a sorted trial stress, which is returned unchanged if it is admissible.
+  /// `drag` > 0 (Perzyna viscosity over time step [stress]) leaves an overstress on each active plane:
+  /// (M + drag I) Lam = f_trial for the planes that are active without viscosity.
   Returned nearest(const Triple& trial, double drag = 0) const {
     const double f = shear_excess(trial[0], trial[2]);
     if (f <= 0 && !(tension_excess(trial[2]) > 0)) return {trial, 0};
-    // the face, by far the most frequent
+    // the face F_13 is by far the most frequent case
     const double sp = s_.sin_dilation, a = mu_ + (lambda_ + mu_) * s_.sin_friction * sp;
     const auto slide = [&](double multiplier) {
       const double spread = lambda_ * sp * multiplier;
@@ -63,7 +65,7 @@ class Pyramid {
   }
 
  private:
-  // Faces, edges and corners in turn: exactly one admissible stress exists, so the order does not matter.
+  // Tries faces, edges and corners. Exactly one admissible stress exists, so the order does not matter.
   Returned corner(const Triple& trial, double drag) const;
 
   double lambda_, mu_;

@@ -4,8 +4,8 @@
 ///   W = G1/2 (J^(-2/3) I1 - 3) + G2/2 (J^(-4/3) I2 - 3) + U(J)
 ///   sigma = G1 J^(-5/3) dev b + G2 J^(-7/3) dev(I1 b - b^2) + U'(J) 1
 ///
-/// Rivlin (1948) with G1 = 2 C10, G2 = 2 C01; Simo, Taylor & Pister (1985). At small strain, Hooke's law with shear
-/// modulus G1 + G2 and bulk modulus K.
+/// Rivlin (1948) with G1 = 2 C10, G2 = 2 C01; Simo, Taylor & Pister (1985). At small strain it equals Hooke's law with
+/// shear modulus G1 + G2 and bulk modulus K.
 
 #include "materials/hyperelastic.hpp"
 
@@ -69,10 +69,10 @@ struct MooneyRivlin {
     return 0.5 * G1 * (root2 * at.I1 - 3) + 0.5 * G2 * (root2 * root2 * at.I2 - 3) +
            Volumetric<Option>{bulk_modulus}.energy(at.J);
   }
-  // Upper bound of the largest eigenvalue of J times the acoustic tensor of a wave along n with displacement m. With
-  // k = m.n and a = b^-1 its two shear terms are
-  //   G1 J^(-2/3) [n.b.n - 4/3 k m.b.n + 5/9 I1 k^2]   and   G2 J^(2/3) [m.a.m + 2/3 k n.a.m - k^2 tr(a)/9],
-  // exact in the reference state.
+  // Upper bound of the largest eigenvalue of J times the acoustic tensor, for a wave in direction n with displacement
+  // m. With k = m.n and a = b^-1 its two shear terms are
+  //   G1 J^(-2/3) [n.b.n - 4/3 k m.b.n + 5/9 I1 k^2]   and   G2 J^(2/3) [m.a.m + 2/3 k n.a.m - k^2 tr(a)/9].
+  // The bound is exact in the reference state.
   template <int Option>
   double stiffness(const Invariants& at, const Triple& b) const {
     const double root = std::cbrt(at.J), root2 = root * root;

@@ -3,8 +3,9 @@
 ///
 ///   W = G/2 (I1 - 3) - G ln J + U(J)        sigma = G/J (b - 1) + U'(J) 1
 ///
-/// with one of three volumetric energies of modulus lambda (hyperelastic.hpp); at small strain, Hooke's law with lambda
-/// and G. Simo & Pister (1984); U = lambda/2 (ln J)^2 is Bonet & Wood, Nonlinear Continuum Mechanics, eq. 6.27.
+/// with one of three volumetric energies of modulus lambda (hyperelastic.hpp). At small strain it equals Hooke's law
+/// with lambda and G. Simo & Pister (1984); U = lambda/2 (ln J)^2 is Bonet & Wood, Nonlinear Continuum Mechanics,
+/// eq. 6.27.
 
 #include "materials/hyperelastic.hpp"
 

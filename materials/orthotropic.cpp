@@ -16,18 +16,19 @@ OrthotropicElasticity::OrthotropicElasticity(const OrthotropicConstants& c, cons
   compliance << 1 / c.Ex, -c.nu_xy / c.Ex, -c.nu_xz / c.Ex,  //
       -c.nu_xy / c.Ex, 1 / c.Ey, -c.nu_yz / c.Ey,            //
       -c.nu_xz / c.Ex, -c.nu_yz / c.Ey, 1 / c.Ez;
-  // scaled, so that moduli of different size do not hide a sign
+  // The scaling removes the size of the moduli, so that it does not hide a negative eigenvalue in round-off.
   const Vec3 scale(std::sqrt(c.Ex), std::sqrt(c.Ey), std::sqrt(c.Ez));
   const Mat3 ratios = scale.asDiagonal() * compliance * scale.asDiagonal();
   if (!(Eigen::SelfAdjointEigenSolver<Mat3>(ratios, Eigen::EigenvaluesOnly).eigenvalues()[0] > 1e-12)) {
-    problems.add(statement.origin,
-                 "these Poisson's ratios are impossible: some strains would store no energy. Every nu_ij^2 must stay "
-                 "below E_i/E_j, and all three together must leave the compliance positive definite");
+    problems.add(
+        statement.origin,
+        "these Poisson's ratios are impossible: some strains would not store positive energy. Every nu_ij^2 must be "
+        "below E_i/E_j, and all three together must leave the compliance positive definite");
     return;
   }
   normal_ = compliance.inverse();
   shear_ = Vec3(c.Gyz, c.Gxz, c.Gxy);
-  // The Christoffel tensor of directions over an octant, every 5 degrees
+  // The acoustic (Christoffel) tensor of directions in one octant, every 5 degrees
   constexpr int steps = 18;
   const double step = std::acos(0.0) / steps;
   for (int i = 0; i <= steps; ++i)
@@ -75,11 +76,11 @@ struct OrthotropicParameters {
     return std::array{
         P{"rho", &Law::density, Dimension::density, positive, "mass density before deformation"},
         P{"Ex", &Law::Ex, stress, positive, "Young's modulus along the first axis", {}, false, "ER"},
-        P{"Ey", &Law::Ey, stress, positive, "along the second axis", {}, false, "EZ"},
-        P{"Ez", &Law::Ez, stress, positive, "along the third axis", {}, false, "ET"},
+        P{"Ey", &Law::Ey, stress, positive, "Young's modulus along the second axis", {}, false, "EZ"},
+        P{"Ez", &Law::Ez, stress, positive, "Young's modulus along the third axis", {}, false, "ET"},
         P{"Gxy", &Law::Gxy, stress, positive, "shear modulus between x and y", {}, false, "Gyx"},
-        P{"Gyz", &Law::Gyz, stress, positive, "between y and z", {}, false, "Gzy"},
-        P{"Gxz", &Law::Gxz, stress, positive, "between x and z", {}, false, "Gzx"},
+        P{"Gyz", &Law::Gyz, stress, positive, "shear modulus between y and z", {}, false, "Gzy"},
+        P{"Gxz", &Law::Gxz, stress, positive, "shear modulus between x and z", {}, false, "Gzx"},
         ratio("nuxy", &Law::nu_xy, "contraction along y over extension along x; or nuyx"),
         ratio("nuyz", &Law::nu_yz, "contraction along z over extension along y; or nuzy"),
         ratio("nuxz", &Law::nu_xz, "contraction along z over extension along x; or nuzx"),

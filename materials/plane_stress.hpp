@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// The out-of-plane strain rate of plane stress, for laws that cannot solve for it in closed form.
+/// The out-of-plane strain rate of plane stress, for laws without a closed form for it.
 #pragma once
 
 #include "base/error.hpp"
@@ -10,9 +10,10 @@
 
 namespace tribo {
 
-/// Finds the rate at which `stress_zz(rate)` vanishes to round-off of `modulus` [stress]; the last call of `stress_zz`
-/// is with the solution. Secant steps, kept inside the bracket once there is one: sigma_zz must not fall with the rate.
-/// Throws SimulationError if no out-of-plane strain of a sane size frees the face.
+/// Finds the out-of-plane rate for which `stress_zz(rate)` vanishes to the round-off of `modulus` [stress]. The last
+/// call of `stress_zz` is made with the solution. Secant steps, restricted to a bracket once one is known; sigma_zz
+/// must not decrease with the rate. Throws SimulationError if no out-of-plane strain of reasonable size makes sigma_zz
+/// vanish.
 template <class Function>
 double out_of_plane_rate(Function&& stress_zz, double modulus, double dt) {
   constexpr double infinite = std::numeric_limits<double>::infinity(), largest_strain = 20.0;
@@ -29,7 +30,7 @@ double out_of_plane_rate(Function&& stress_zz, double modulus, double dt) {
     const double slope = (s1 - s0) / (r1 - r0);
     const bool bracketed = std::isfinite(low) && std::isfinite(high);
     double r2 = r1 - s1 / slope;
-    if (!bracketed) {  // go on downhill, but not far on a plateau whose slope is round-off
+    if (!bracketed) {  // step towards the root, but limit the step where the slope is only round-off
       const double reach = 8 * std::max(std::abs(r1 - r0), std::abs(s1) / (modulus * dt));
       if (!(slope > 0 && std::abs(r2 - r1) < reach)) r2 = r1 - std::copysign(reach, s1);
     } else if (!(r2 > low && r2 < high) || (k > 20 && k % 2)) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// What plastic laws share whose yield depends on mean stress and von Mises stress only: the return leaves the
-/// direction of the deviator.
+/// Common parts of plastic laws whose yield condition depends on mean stress and von Mises stress only. The return
+/// does not change the direction of the deviator.
 #pragma once
 
 #include "materials/elastic.hpp"
@@ -19,16 +19,16 @@ inline PressureShear pressure_shear(const Mat3& stress) {
   return {p, std::sqrt(1.5 * (stress - p * Mat3::Identity()).squaredNorm())};
 }
 
-/// What else a return may depend on.
+/// Further quantities on which a return may depend.
 struct ReturnStep {
   double dt;                                  ///< [time]
   double J;                                   ///< volume ratio at t + dt
-  double temperature, reference_temperature;  ///< at t, of the given properties [temperature]
+  double temperature, reference_temperature;  ///< at t, and that of the given properties [temperature]
 };
 
-/// Lifts a law with `Elasticity elastic` and `PressureShear returned(const PressureShear& trial, const ReturnStep&,
-/// State&) const`, where a trial stress returns to and what the state becomes: the trial stresses (Jaumann rate) of a
-/// batch at once, then point by point.
+/// Batch implementation for a law with `Elasticity elastic` and `PressureShear returned(const PressureShear& trial,
+/// const ReturnStep&, State&) const`, which gives the returned stress and updates the state. The trial stresses
+/// (Jaumann rate) of a batch are computed together, then the points are returned one by one.
 template <class Law>
 class PressureShearMaterial final : public PointwiseMaterial<Law> {
  public:
@@ -49,7 +49,7 @@ class PressureShearMaterial final : public PointwiseMaterial<Law> {
     const auto& s = points.stress;
     for (int i = 0; i < points.count; ++i) {
       const double p = (s[0][i] + s[1][i] + s[2][i]) / 3;
-      double square = 0;  // of the deviator
+      double square = 0;  // s:s of the deviator
       for (std::size_t k = 0; k < s.size(); ++k) {
         const double part = k < 3 ? s[k][i] - p : s[k][i];
         square += k < 3 ? part * part : 2 * part * part;
@@ -69,7 +69,7 @@ class PressureShearMaterial final : public PointwiseMaterial<Law> {
   }
 };
 
-/// The same for one point.
+/// Implementation for one point.
 template <class Law>
 Mat3 plastic_step(const Law& law, const Motion& motion, const Mat3& old, typename Law::State& state) {
   const Mat3 trial = elastic_trial(law.elastic, motion, old);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Principal values and axes of a symmetric tensor in closed form, exact to round-off also for equal values.
+/// Principal values and axes of a symmetric tensor in closed form, accurate to round-off also for equal values.
 #pragma once
 
 #include "base/types.hpp"
@@ -13,14 +13,15 @@ namespace tribo {
 
 using Triple = std::array<double, 3>;
 
-/// Ascending principal values and the unit axes that belong to them.
+/// Ascending principal values and the corresponding unit axes.
 struct Principal {
   Triple value;
   std::array<Triple, 3> axis;
 };
 
 /// The root of t^3 - 3 t = 2 r that lies in [sqrt 3, 2], for r in [0, 1]: 2 cos(acos(r)/3) without trigonometry.
-/// The start matches value and slope at both ends and is within 4e-05; each Newton step squares that.
+/// The initial approximation has the right value and slope at both ends and an error below 4e-05; each Newton step
+/// squares the error.
 inline double separate_root(double r) {
   constexpr double root3 = 1.7320508075688772, bend = root3 + 1.0 / 3.0 - 2.0, skew = 1.0 / 9.0 - 2.0 * bend,
                    bulge = -0.00857;
@@ -34,9 +35,9 @@ inline double separate_root(double r) {
 /// Principal values and axes of the tensor (xx yy zz xy yz xz).
 ///
 /// Of three values that sum to zero, one is at least sqrt(J2) away from the other two. It and its axis are well
-/// conditioned and come from the characteristic cubic and its cofactors; the two others are those of a 2x2 tensor in
-/// the plane across that axis, whose angle is well conditioned even when they are equal. Eberly, A Robust Eigensolver
-/// for 3x3 Symmetric Matrices (2014).
+/// conditioned and are computed from the characteristic cubic and its cofactors. The other two are the principal values
+/// of a 2x2 tensor in the plane normal to that axis, whose angle is well conditioned even if they are equal. Eberly, A
+/// Robust Eigensolver for 3x3 Symmetric Matrices (2014).
 ///
 /// Written without branches so that loops over points vectorise.
 [[gnu::always_inline]] inline Principal principal(double xx, double yy, double zz, double xy, double yz, double xz) {
@@ -44,13 +45,13 @@ inline double separate_root(double r) {
   const double mean = (xx + yy + zz) / 3;
   const double a = xx - mean, b = yy - mean, c = zz - mean;
   const double J2 = 0.5 * (a * a + b * b + c * c) + xy * xy + yz * yz + xz * xz;
-  const double idle = J2 < 1e-140 ? 1.0 : 0.0;  // isotropic: any axes will do, take the coordinate axes
+  const double idle = J2 < 1e-140 ? 1.0 : 0.0;  // isotropic: all axes are principal, the coordinate axes are taken
 
   const double J3 = a * (b * c - yz * yz) - xy * (xy * c - yz * xz) + xz * (xy * yz - b * xz);
   const double k = std::sqrt(J2 / 3), cosine3 = std::abs(J3) / (2 * k * k * k + tiny);
   const double apart = std::copysign(k * separate_root(cosine3 < 1 ? cosine3 : 1.0), J3);
 
-  // cofactors of (deviator - apart) are a multiple of v v^T; take the largest column
+  // the cofactors of (deviator - apart 1) are a multiple of v v^T; the largest column gives v
   const double A = a - apart, B = b - apart, C = c - apart;
   const double c00 = B * C - yz * yz, c11 = A * C - xz * xz, c22 = A * B - xy * xy;
   const double c01 = xz * yz - xy * C, c02 = xy * yz - xz * B, c12 = xy * xz - yz * A;
@@ -61,7 +62,7 @@ inline double separate_root(double r) {
   const double scale = 1 / std::sqrt(w0 * w0 + w1 * w1 + w2 * w2 + tiny);
   const double v0 = w0 * scale, v1 = w1 * scale, v2 = w2 * scale;
 
-  // u across v, w across both
+  // u is normal to v, w is normal to both
   const bool wide = std::abs(v0) > std::abs(v1);
   const double long_side = wide ? v0 : v1, shrink = 1 / std::sqrt(long_side * long_side + v2 * v2 + tiny);
   const double u0 = wide ? -v2 * shrink : 0.0, u1 = wide ? 0.0 : v2 * shrink, u2 = (wide ? v0 : -v1) * shrink;
@@ -79,7 +80,7 @@ inline double separate_root(double r) {
   const double l0 = cosine * t0 - sine * u0, l1 = cosine * t1 - sine * u1, l2 = cosine * t2 - sine * u2;
 
   const double high = mean - 0.5 * apart + radius, low = mean - 0.5 * apart - radius, lone = mean + apart;
-  const bool top = apart > 0;  // the lone value is the largest
+  const bool top = apart > 0;  // the separate value is the largest
   const double S1 = top ? low : lone, S2 = top ? high : low, S3 = top ? lone : high;
   const double x1 = top ? l0 : v0, y1 = top ? l1 : v1, z1 = top ? l2 : v2;
   const double x2 = top ? h0 : l0, y2 = top ? h1 : l1, z2 = top ? h2 : l2;

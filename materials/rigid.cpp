@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Rigid particles that prescribe grid velocities in chosen directions (boundary conditions that move).
+/// Rigid particles that prescribe grid velocities in chosen directions: moving kinematic constraints.
 
 #include "materials/rigid_material.hpp"
 

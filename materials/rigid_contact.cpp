@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Rigid bodies with prescribed motion that other materials touch by contact laws.
+/// Rigid bodies with prescribed motion that interact with other materials through contact laws.
 
 #include "materials/rigid_material.hpp"
 
@@ -8,7 +8,8 @@ namespace {
 
 struct RigidContact {
   static constexpr std::string_view name = "RigidContact";
-  static constexpr std::string_view summary = "Rigid body with prescribed motion, touched through contact laws.";
+  static constexpr std::string_view summary =
+      "Rigid body with prescribed motion, in contact with other materials by contact laws.";
   static constexpr int number = 35;
   static std::array<Parameter<RigidContact>, 0> parameters() { return {}; }
   void prepare(const Statement&, Problems&) {}

@@ -6,7 +6,8 @@
 
 namespace tribo {
 
-/// Lifts a parameter struct of a rigid material. The motion is the model's business (MaterialSpec::rigid_velocity).
+/// Material without stress from a parameter struct. The motion is prescribed by the model
+/// (MaterialSpec::rigid_velocity).
 template <class Law>
 class RigidBody final : public Material {
  public:

@@ -3,8 +3,9 @@
 ///
 ///   p = C K (exp((1 - J)/C) - 1),  C = 0.0894 (Tait);    sigma = -p 1 + 2 eta(g) dev D,  g = sqrt(2 dev D : dev D)
 ///
-/// Li, "Equation of state of water and sea water", J. Geophys. Res. 72 (1967) 2665-2678. A viscosity over shear rate is
-/// given as pairs <viscosity>, <logshearrate> (log10 of the rate), interpolated in log10 and constant beyond the ends.
+/// Li, "Equation of state of water and sea water", J. Geophys. Res. 72 (1967) 2665-2678. A viscosity that depends on
+/// the shear rate is given as pairs <viscosity>, <logshearrate> (log10 of the rate). It is interpolated linearly in
+/// log10 and constant beyond both ends.
 
 #include "materials/material.hpp"
 
@@ -15,7 +16,8 @@ namespace {
 
 struct TaitLiquid {
   static constexpr std::string_view name = "TaitLiquid";
-  static constexpr std::string_view summary = "Weakly compressible viscous liquid, Tait equation, any viscosity curve.";
+  static constexpr std::string_view summary =
+      "Weakly compressible viscous liquid: Tait equation, viscosity as a function of shear rate.";
   static constexpr int number = 27;
   static constexpr double C = 0.0894;
 
@@ -30,8 +32,8 @@ struct TaitLiquid {
     };
   }
   static std::vector<OwnProperty> own_properties() {
-    return {{"viscosity", "stress time; one, or one for each <logshearrate>"},
-            {"logshearrate", "log10 of the shear rate at which the viscosity holds; increasing"}};
+    return {{"viscosity", "viscosity [stress time]; one value, or one for each <logshearrate>"},
+            {"logshearrate", "log10 of the shear rate that belongs to each <viscosity>; increasing"}};
   }
 
   void prepare(const Statement& statement, const Units& units, Problems& problems) {
@@ -94,7 +96,7 @@ struct TaitLiquid {
     state.dissipation += 2 * eta * square * J * motion.dt;
     return -pressure(J) * Mat3::Identity() + 2 * eta * deviator;
   }
-  // -int p dJ from 1, per current volume
+  // Minus the integral of p over J from 1, divided by J: energy per current volume
   double energy_density(const Mat3& F, const Mat3&, const State&) const {
     const double J = F.determinant();
     return C * bulk_modulus * (C * std::expm1((1 - J) / C) + J - 1) / J;

@@ -4,7 +4,7 @@
 ///   G(t) = G0 + sum_k Gk exp(-t/tau_k)                s' = 2 G0 e + sum_k s_k,   s_k' + s_k/tau_k = 2 Gk e'
 ///   s_k(t+dt) = x s_k + 2 Gk tau_k (1 - x)/dt de,     x = exp(-dt/tau_k)
 ///
-/// exact for a constant strain rate, whatever the step; the tensors turn with the body (Jaumann rate), as in
+/// This is exact for a constant strain rate and any time step. The tensors rotate with the body (Jaumann rate), as in
 /// elastic.hpp. Simo & Hughes, Computational Inelasticity (1998), 10.3.
 
 #include "materials/elastic.hpp"
@@ -33,13 +33,13 @@ struct ViscoelasticParameters {
     return std::array{
         P{"rho", &L::density, Dimension::density, positive, "mass density before deformation"},
         P{"K", &L::bulk_modulus, Dimension::stress, positive, "bulk modulus"},
-        P{"G0", &L::long_modulus, Dimension::stress, not_negative, "shear modulus after long times"},
+        P{"G0", &L::long_modulus, Dimension::stress, not_negative, "long-term shear modulus"},
     };
   }
   static std::vector<OwnProperty> own_properties() {
-    return {{"Gk", "stress; shear modulus of an element, followed by its <tauk>; as often as there are elements"},
-            {"tauk", "time; relaxation time of the element before it"},
-            {"ntaus", "how many pairs there are; checked if given"}};
+    return {{"Gk", "shear modulus of an element [stress], followed by its <tauk>; repeated for each element"},
+            {"tauk", "relaxation time of the preceding element [time]"},
+            {"ntaus", "number of pairs; optional, checked if given"}};
   }
 
   void prepare(const Statement& statement, const Units& units, Problems& problems) {
@@ -91,7 +91,7 @@ class Viscoelastic final : public Material {
   const std::vector<HistoryVariable>& history() const override { return history_; }
 
  private:
-  // The stresses of the elements at a point.
+  // Deviatoric stresses of the Maxwell elements at one point.
   using Elements = std::array<Mat3, 8>;
 
   template <class Points>
@@ -121,7 +121,7 @@ class Viscoelastic final : public Material {
       const Mat3 start = turned(before[k]), steady = 2 * G / ratio * strain;
       r.elements[k] = x * start + gone * steady;
       r.stress += r.elements[k];
-      // int s:s dt/(2 G tau) of s = start e + steady (1 - e), e = exp(-t/tau)
+      // integral of s:s dt/(2 G tau) for s = start e + steady (1 - e), e = exp(-t/tau)
       const double rest =
           ratio < 1e-3 ? ratio * ratio * ratio * (1.0 / 3 - 0.25 * ratio) : ratio - gone * (1 + 0.5 * gone);
       r.dissipated += (0.5 * gone * (1 + x) * start.squaredNorm() + gone * gone * start.cwiseProduct(steady).sum() +

@@ -33,7 +33,7 @@ Settings settings_of(const Arguments& a) {
   return values;
 }
 
-// The command file of a run and what was set in it, as the run's folder remembers them.
+// The model of a run: its command file and settings as recorded in the folder of the run.
 Model model_of(const std::filesystem::path& folder) {
   std::ifstream record(folder / "model.path");
   std::string file;
@@ -82,7 +82,7 @@ int check_command(const Arguments& a) {
 int drive_command(const Arguments& a) {
   const std::filesystem::path table = a.output.empty() ? a.file.stem().string() + ".csv" : a.output.string();
   if (!a.overwrite && std::filesystem::exists(table))
-    throw FileError("'" + table.string() + "' is there already; --overwrite replaces it, --output names another");
+    throw FileError("'" + table.string() + "' already exists; --overwrite replaces it, --output names another file");
   const auto out = std::visit([](const auto& what) { return tribo::drive(what); }, read_drive(a.file, settings_of(a)));
   write_atomically(table, out.text());
   if (!a.quiet) std::printf("%zu rows in %s\n", out.rows.size(), table.c_str());
@@ -96,8 +96,8 @@ int safety_command(const Arguments& a) {
   options.folder = a.output.empty() ? default_folder(a.file) : a.output;
   options.threads = a.thread_count, options.quiet = true, options.overwrite = a.overwrite,
   options.command_line = a.command_line;
-  refuse_used_folder(options);
-  std::error_code refused;  // now, not after the search
+  check_folder(options);
+  std::error_code refused;  // the folder is created now, so that a failure is reported before the search
   std::filesystem::create_directories(options.folder, refused);
   if (refused) throw FileError("cannot create '" + options.folder.string() + "': " + refused.message());
   const auto found = find_safety(model, a.thread_count, [&](const SafetyTrial& t) {
@@ -115,8 +115,8 @@ int safety_command(const Arguments& a) {
   auto outcome = Outcome::finished;
   try {
     outcome = tribo::run(weakened(model, found.slips), options);
-  } catch (const SimulationError& error) {  // a body that slips may well leave the grid
-    std::fprintf(stderr, "warning: the run that slips ended early: %s\n", error.what());
+  } catch (const SimulationError& error) {  // a failing slope may leave the grid
+    std::fprintf(stderr, "warning: the run that fails ended early: %s\n", error.what());
   }
   write_atomically(options.folder / "safety.csv", table);
   if (!a.quiet)
@@ -129,7 +129,7 @@ int convert_command(const Arguments& a) {
   const std::string text = xml_text(read_statements(a.file, settings_of(a), stderr));
   if (a.output.empty()) return std::fputs(text.c_str(), stdout) < 0 ? file_error : done;
   if (!a.overwrite && std::filesystem::exists(a.output))
-    throw FileError("'" + a.output.string() + "' is there already; --overwrite replaces it, --output names another");
+    throw FileError("'" + a.output.string() + "' already exists; --overwrite replaces it, --output names another file");
   write_atomically(a.output, text);
   return done;
 }

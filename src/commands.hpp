@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// What the program's commands do. Each returns the exit code and throws what main turns into one.
+/// The commands of the program. Each returns the exit code and throws exceptions that main converts to exit codes.
 #pragma once
 
 #include "base/parallel.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// What makes a shell complete the program's commands.
+/// Command line completion of the program's commands.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -8,7 +8,7 @@
 
 namespace tribo {
 
-/// A script for `bash` or `zsh`, made of the commands and options that the program knows.
+/// Completion script for `bash` or `zsh`, generated from the commands and options of the program.
 std::string completion(const CLI::App& app, const std::string& shell);
 
 }  // namespace tribo

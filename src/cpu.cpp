@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-/// Before anything else runs: an older CPU gets a sentence instead of an illegal instruction, and an installed package
-/// hands over to the build for the newest instruction set this CPU has. Compiled for any x86-64.
+/// Runs before all other code. On a CPU without the required instructions it prints a message instead of failing with
+/// an illegal instruction. In an installed package it starts the build for the newest instruction set of this CPU.
+/// Compiled for any x86-64.
 
 #include <cstdio>
 #include <cstdlib>
@@ -27,10 +28,10 @@ const char* missing() {
   return nullptr;
 }
 
-// Runs before the constructors of all other code (priority 101 is the first that programs may use).
+// Runs before the constructors of all other code (101 is the highest priority available to programs).
 __attribute__((constructor(101))) void check_cpu(int, char** arguments, char**) {
 #ifdef TRIBO_LEVELS_FOLDER
-  // Relative to the program itself, so that an installation may be moved.
+  // The path is relative to the program, so that an installation can be moved.
   char self[4096];
   const auto length = readlink("/proc/self/exe", self, sizeof self);
   if (length > 0 && std::getenv("TRIBO_BASELINE") == nullptr) {
@@ -41,7 +42,7 @@ __attribute__((constructor(101))) void check_cpu(int, char** arguments, char**) 
                               __builtin_cpu_supports("x86-64-v3") ? "x86-64-v3" : ""}) {
       if (*level == '\0') continue;
       const std::string better = folder + "/" TRIBO_LEVELS_FOLDER "/tribo-" + level;
-      execv(better.c_str(), arguments);  // returns only if it is not there
+      execv(better.c_str(), arguments);  // returns only if the file does not exist
     }
   }
 #else

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// What the compiler was allowed to use: a constant, made with the flags of all other code.
+/// Instruction sets that the compiler was allowed to use, as a constant. Compiled with the flags of all other code.
 
 extern const unsigned tribo_cpu_needs;
 const unsigned tribo_cpu_needs = 0

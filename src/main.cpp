@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// The program: arguments in, exit code out. The only place that catches.
+/// The program: parses the arguments, calls the command and converts exceptions to exit codes.
 
 #include "base/error.hpp"
 #include "commands.hpp"
@@ -24,7 +24,7 @@ std::string joined(int argc, char** argv) {
   return out;
 }
 
-// Nothing after the program's name, or no command of it: says what there is.
+// If the command is missing or unknown, prints what is valid.
 bool misses_a_command(const CLI::App& app, int argc, char** argv) {
   if (argc < 2) {
     std::fprintf(stderr, "%s", app.help().c_str());
@@ -66,7 +66,7 @@ int guarded(const std::function<int()>& action) {
   }
 }
 
-// The commands and what they take.
+// The commands and their options.
 class CommandLine {
  public:
   CommandLine() {
@@ -77,42 +77,44 @@ class CommandLine {
     writes_folder(run), has_threads(run), may_be_quiet(run), has_wall(run);
     run->add_flag("-a", a.only_check, "stop before the analysis; the same as 'tribo check'");
     run->add_flag_callback(
-        "-v", [] {}, "understood: files are always checked");
+        "-v", [] {}, "accepted without effect: files are always checked");
     run->add_flag_callback(
-        "-w", [] {}, "understood: results always go below the folder one is in");
+        "-w", [] {}, "accepted without effect: results are always written below the current folder");
     auto* resume = add("resume", "continue a stopped run", resume_command);
     resume->add_option("DIR", a.folder, "folder of the run")->required();
     has_threads(resume), may_be_quiet(resume), has_wall(resume);
-    has_threads(reads_file("check", "read and build, print the pre-flight sheet, run nothing", check_command));
-    auto* drive = reads_file("drive", "drive one law along the path of <Drive>, print a table", drive_command);
-    writes_file(drive, "the table (default: NAME.csv here)"), may_be_quiet(drive);
-    auto* safety = reads_file("safety", "find the factor of safety by reduction of all strengths", safety_command);
+    has_threads(reads_file(
+        "check", "read the file, build the model and print a summary with checks, without running it", check_command));
+    auto* drive = reads_file("drive", "drive one law along the path of <Drive> and write a table", drive_command);
+    writes_file(drive, "file of the table (default: NAME.csv in the current folder)"), may_be_quiet(drive);
+    auto* safety = reads_file("safety", "find the factor of safety by strength reduction", safety_command);
     writes_folder(safety), has_threads(safety), may_be_quiet(safety);
-    writes_file(reads_file("convert", "write a command file as XML", convert_command), "the file (default: print it)");
+    writes_file(reads_file("convert", "write a command file as XML", convert_command),
+                "output file (default: standard output)");
     auto* render = add("render", "draw the particles of a run, as pictures and a film", render_command);
     render->add_option("DIR", a.folder, "folder of the run")->required();
     render->add_option("-o,--output", a.output,
-                       "pictures go into this folder, the film beside it (default: DIR/pictures)");
+                       "folder of the pictures; the film has the same name with .mp4 (default: DIR/pictures)");
     shows_field(render);
     render->add_option("--rate", a.rate, "pictures per second of the film (default 20)")->check(CLI::PositiveNumber);
-    auto* report =
-        add("report", "write one HTML file about a run: pictures, histories, energies, times", report_command);
+    auto* report = add("report", "write an HTML report of a run: pictures, histories, energies, times", report_command);
     report->add_option("DIR", a.folder, "folder of the run")->required();
-    report->add_option("-o,--output", a.output, "the file (default: DIR/report.html)");
+    report->add_option("-o,--output", a.output, "output file (default: DIR/report.html)");
     shows_field(report);
-    auto* watch = add("watch", "show a run on a page in the browser while it goes on", watch_command);
+    auto* watch = add("watch", "show a running analysis on a web page", watch_command);
     watch->add_option("DIR", a.folder, "folder of the run")->required();
-    watch->add_option("--port", a.port, "of this machine (default: any that is free)")->check(CLI::Range(1, 65535));
+    watch->add_option("--port", a.port, "port of the local web server (default: any free port)")
+        ->check(CLI::Range(1, 65535));
     add("schema", "print the XML schema of command files",
         [](const Arguments&) { return std::printf("%s", schema().c_str()) < 0 ? file_error : done; });
     auto* list =
-        add("list", "name all elements, materials, laws, commands and quantities, or describe one", list_command);
-    list->add_option("NAME", a.keyword, "one of them");
-    list->add_flag("--names", a.names, "nothing but the names");
+        add("list", "list all elements, materials, laws, commands and quantities, or describe one", list_command);
+    list->add_option("NAME", a.keyword, "name to describe");
+    list->add_flag("--names", a.names, "print the names only");
     auto* doc = add("doc", "describe an element, material, law, command or quantity, or all", doc_command);
-    doc->add_option("NAME", a.keyword, "one of them");
-    doc->add_flag("--markdown", a.markdown, "all, as a page of the manual");
-    add("completion", "print what makes a shell complete commands: bash or zsh",
+    doc->add_option("NAME", a.keyword, "name to describe");
+    doc->add_flag("--markdown", a.markdown, "print all as Markdown");
+    add("completion", "print a completion script for bash or zsh",
         [this](const Arguments&) {
           const std::string text = completion(app, a.keyword);
           return std::fputs(text.c_str(), stdout) < 0 ? file_error : done;
@@ -137,12 +139,12 @@ class CommandLine {
   CLI::App* reads_file(const std::string& name, const std::string& meaning, Action act) {
     auto* command = add(name, meaning, act);
     command->add_option("FILE", a.file, "command file, XML or scripted")->required();
-    command->add_option("--set", a.settings, "NAME=VALUE: another value for a variable of a script or an XML entity")
+    command->add_option("--set", a.settings, "NAME=VALUE: sets a variable of a script or an XML entity")
         ->allow_extra_args(false);
     return command;
   }
   void writes_folder(CLI::App* command) {
-    command->add_option("-o,--output", a.output, "folder for the results (default: NAME.out here)");
+    command->add_option("-o,--output", a.output, "folder for the results (default: NAME.out in the current folder)");
     command->add_flag("--overwrite", a.overwrite, "replace earlier results");
   }
   void writes_file(CLI::App* command, const std::string& meaning) {
@@ -150,18 +152,20 @@ class CommandLine {
     command->add_flag("--overwrite", a.overwrite, "replace an earlier file");
   }
   void has_threads(CLI::App* command) {
-    command->add_option("--threads,--np", a.thread_count, "threads (default: OMP_NUM_THREADS, else all)")
+    command
+        ->add_option("--threads,--np", a.thread_count,
+                     "number of threads (default: OMP_NUM_THREADS, otherwise all cores)")
         ->check(CLI::PositiveNumber);
   }
   void shows_field(CLI::App* command) {
     command->add_option("--field", a.field,
                         "colour by: von_mises (default), velocity, velocity.x, stress.xy, material ...");
-    command->add_option("--time", a.times, "only the files nearest to these times");
-    command->add_option("--range", a.range, "lowest and highest value of the colours")->expected(2);
+    command->add_option("--time", a.times, "draw only the files nearest to these times");
+    command->add_option("--range", a.range, "lowest and highest value of the colour scale")->expected(2);
     command->add_option("--view", a.view, "xy, xz, yz, iso (y up) or iso-z");
-    command->add_option("--width", a.width, "of a picture in pixels (default 900)")->check(CLI::Range(200, 8000));
+    command->add_option("--width", a.width, "width of a picture in pixels (default 900)")->check(CLI::Range(200, 8000));
   }
-  void may_be_quiet(CLI::App* command) { command->add_flag("--quiet", a.quiet, "say nothing"); }
+  void may_be_quiet(CLI::App* command) { command->add_flag("--quiet", a.quiet, "print no progress and no summary"); }
   void has_wall(CLI::App* command) {
     command->add_option("--max-wall", a.max_wall, "stop with a checkpoint after this many seconds")
         ->check(CLI::NonNegativeNumber);

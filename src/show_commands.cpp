@@ -17,7 +17,7 @@
 namespace tribo {
 namespace {
 
-// All files, or those nearest to the times asked for.
+// All files, or those nearest to the given times.
 std::vector<CollectionEntry> chosen(const std::vector<CollectionEntry>& all, const std::vector<double>& times) {
   if (all.empty()) throw FileError("the run has written no particles yet");
   if (times.empty()) return all;
@@ -31,7 +31,7 @@ std::vector<CollectionEntry> chosen(const std::vector<CollectionEntry>& all, con
   return out;
 }
 
-// The unit of a field, as far as its name tells its dimension.
+// The unit of a field, if its name determines its dimension.
 std::string unit_of(const std::string& field, const nlohmann::json& model) {
   static const std::map<std::string, std::string> dimensions{
       {"von_mises", "stress"},  {"pressure", "stress"},     {"stress", "stress"}, {"contact_traction", "stress"},
@@ -40,7 +40,7 @@ std::string unit_of(const std::string& field, const nlohmann::json& model) {
   return found == dimensions.end() ? "" : model.value("unit of " + found->second, "");
 }
 
-// One box and one range of colours for all pictures.
+// The same bounding box and colour range for all pictures.
 PictureOptions common_options(const RunFolder& run, const std::vector<CollectionEntry>& frames, const Arguments& a) {
   PictureOptions options;
   const auto record = nlohmann::json::parse(run.provenance(), nullptr, false);
@@ -65,7 +65,7 @@ PictureOptions common_options(const RunFolder& run, const std::vector<Collection
   return options;
 }
 
-// Runs a program without a shell's expansions in our names.
+// Whether a shell command succeeds. Names must be quoted with quoted().
 bool succeeds(const std::string& command) { return std::system((command + " >/dev/null 2>&1").c_str()) == 0; }
 
 std::string quoted(const std::string& text) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-/// Before anything else runs: threads that have done their share shall spin for a moment only, then sleep. Left alone,
-/// libgomp lets them spin for milliseconds; where other programs want the same cores, that costs a thread its turn at
-/// every barrier, and runs crawl.
+/// Runs before all other code. Threads that wait at a barrier of OpenMP shall spin only briefly and then sleep. By
+/// default libgomp lets them spin for milliseconds. If other programs use the same cores, this delays the threads that
+/// still work, at every barrier.
 
 #include <cstdlib>
 
@@ -10,14 +10,15 @@
 
 namespace {
 
-// About 0.1 ms: longer than the barriers of a step on free cores take.
+// About 0.1 ms, which exceeds the waiting time at the barriers of a step on free cores.
 constexpr const char* spins = "3000";
 
-// The variable is read when libgomp is loaded, so the program starts anew with it; whoever has set it, or the policy,
-// is left alone.
+// The variable is read when libgomp is loaded, so the program restarts itself after setting it. A setting of the user
+// is respected.
 __attribute__((constructor(101))) void wait_briefly(int, char** arguments, char**) {
   if (std::getenv("GOMP_SPINCOUNT") != nullptr || std::getenv("OMP_WAIT_POLICY") != nullptr) return;
-  if (getauxval(AT_BASE) == 0) return;  // started by the loader's own name: that is what would start anew
+  if (getauxval(AT_BASE) == 0)
+    return;  // started through the loader: /proc/self/exe would restart the loader instead of the program
   if (setenv("GOMP_SPINCOUNT", spins, 1) == 0) execv("/proc/self/exe", arguments);  // returns only if it cannot
 }
 

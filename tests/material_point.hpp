@@ -5,6 +5,7 @@
 #include "materials/material.hpp"
 
 #include <cmath>
+#include <cstdio>
 #include <stdexcept>
 #include <utility>
 
@@ -39,6 +40,19 @@ inline std::unique_ptr<Material> make_material(std::string_view type, const Prop
   auto law = item->make(material_statement(properties), handled_elsewhere, Units{}, problems);
   problems.raise();
   return law;
+}
+
+/// The properties of both lists.
+inline Properties with(Properties properties, const Properties& more) {
+  properties.insert(properties.end(), more.begin(), more.end());
+  return properties;
+}
+
+/// The value of a property with all digits of the number.
+inline std::string text(double value) {
+  char buffer[32];
+  std::snprintf(buffer, sizeof buffer, "%.17g", value);
+  return buffer;
 }
 
 /// A symmetric tensor from its components in the order xx yy zz xy yz xz.
@@ -96,7 +110,7 @@ class MaterialPoint {
     view([&](const MaterialPoints<Dim>& points) { return law_->update(points), 0.0; }, dt);
   }
 
-  // Presents the point as a batch of one and takes back what the law changed.
+  // Calls the law with the point as a batch of one and copies the results back.
   template <class Function>
   double view(Function&& f, double dt) {
     std::array<double, Layout<Dim>::full> l, d;

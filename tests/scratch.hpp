@@ -9,7 +9,7 @@
 
 namespace tribo {
 
-/// A folder of this test alone, whatever runs beside it, that goes away with it.
+/// A temporary folder used by this test only, removed at its end.
 struct ScratchFolder {
   std::filesystem::path path;
 

@@ -11,7 +11,7 @@ TEST_CASE("a problem names file, line and column", "[base]") {
   REQUIRE(std::string(error.what()) == "deck.xml:7:3: error: no");
 }
 
-TEST_CASE("a near word is suggested, a far one is not", "[base]") {
+TEST_CASE("a similar word is suggested, a dissimilar one is not", "[base]") {
   REQUIRE(did_you_mean("Younf", {"Young", "nu"}) == " (did you mean 'Young'?)");
   REQUIRE(did_you_mean("banana", {"Young", "nu"}).empty());
 }

@@ -3,7 +3,7 @@
 
     scripts/verify            all cases; writes docs/verification.md and docs/figures
     scripts/verify NAME ...   some of them; the results of the others are kept
-    scripts/verify --quick    the quick checks only, without figures; what ctest runs
+    scripts/verify --quick    the quick checks only, without figures; ctest runs one case at a time
 
 A case is a folder with README.md (source, what is compared, why the tolerance) and check.py with `run(case)`.
 """

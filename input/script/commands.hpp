@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// The commands of scripts: one table that the translator, error texts and the manual follow from.
+/// The commands of scripts. The translator, error messages and the manual use the same table.
 #pragma once
 
 #include <cstddef>
@@ -10,14 +10,14 @@ namespace tribo::script {
 
 struct CommandInfo {
   std::string_view name;
-  std::size_t least, most;  ///< arguments
+  std::size_t least, most;  ///< number of arguments
   std::string_view arguments;
   std::string_view meaning;
 };
 
 /// Commands that build the model.
 const std::vector<CommandInfo>& commands();
-/// Commands of the language itself; they check their arguments themselves.
+/// Commands of the language itself, which check their arguments themselves.
 const std::vector<CommandInfo>& language();
 
 }  // namespace tribo::script

@@ -6,7 +6,7 @@
 namespace tribo::script {
 namespace {
 
-constexpr char reference = '\x01';  // marks text that is an id until the end
+constexpr char reference = '\x01';  // marks a text as an id until finish()
 
 // Order of the sections in a file.
 constexpr std::array order{"Header",  "MPMHeader",   "Mesh",    "MaterialPoints", "CrackList",  "Material",
@@ -45,7 +45,7 @@ Statement& Document::material(const Origin& origin) {
 
 void Document::name_material(const std::string& id, const Origin& origin) {
   if (!ids_.emplace(id, surrounding_ + materials_.size()).second)
-    throw InputError(origin, "there is a material '" + id + "' already");
+    throw InputError(origin, "the material '" + id + "' already exists");
 }
 
 void Document::refer(Statement& s, const std::string& name, const std::string& id, const Origin& origin) {
@@ -65,12 +65,12 @@ std::string Document::number_of(const std::string& id, const Origin& origin, Pro
   return "1";
 }
 
-// In an XML file materials may be numbered in the order in which they are named, so names it is.
+// In an XML file the numbers of materials may depend on the order of references, so references are made by name.
 void Document::resolve(Attribute& a, Problems& problems) const {
   if (a.text.empty() || a.text[0] != reference) return;
   const std::string id = a.text.substr(1), number = number_of(id, a.origin, problems);
   a.text = number;
-  if (!inside_ || a.name == "tip" || a.name == "end_tip") return;  // a tip only says that some material is there
+  if (!inside_ || a.name == "tip" || a.name == "end_tip") return;  // a tip only states that it lies in a material
   a.name = a.name == "law" ? "lawname" : "matname";
   const auto k = static_cast<std::size_t>(std::stoul(number));
   a.text = id;
@@ -83,7 +83,8 @@ void Document::resolve(Statement& s, Problems& problems) const {
   if (!s.text.empty() && s.text[0] == reference) {
     s.text = number_of(s.text.substr(1), s.text_origin, problems);
     if (inside_)
-      problems.add(s.text_origin, "<" + s.name + "> takes a number, which <Commands> cannot know; write it in the XML");
+      problems.add(s.text_origin,
+                   "<" + s.name + "> takes a number, which is not known in <Commands>; write it in the XML file");
   }
   for (auto& child : s.children) resolve(child, problems);
 }

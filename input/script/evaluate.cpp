@@ -76,7 +76,7 @@ class Evaluator {
   }
 
   Value joined() {
-    if (++depth_ > deepest) fail(at_, "more than 200 parentheses inside each other");
+    if (++depth_ > deepest) fail(at_, "more than 200 nested parentheses");
     Value left = sum();
     while (next() == '&') {
       ++at_;
@@ -85,7 +85,7 @@ class Evaluator {
     --depth_;
     return left;
   }
-  // Operators of one strength, from left to right.
+  // Operators of equal precedence, from left to right.
   template <class Operand>
   Value chain(std::string_view operators, Operand operand) {
     const std::size_t begin = at_;
@@ -139,12 +139,12 @@ class Evaluator {
       double x = 0;
       const char* end = piece_.text.data() + piece_.text.size();
       const auto read = std::from_chars(piece_.text.data() + at_, end, x);
-      if (read.ec != std::errc()) fail(begin, "this is no number that can be represented");
+      if (read.ec != std::errc()) fail(begin, "this number cannot be represented");
       at_ = static_cast<std::size_t>(read.ptr - piece_.text.data());
       return x;
     }
     if (name_begins(c)) return named();
-    if (c == '@') fail(begin, "'@' asks for keypoints and objects of another program, which Tribo does not have");
+    if (c == '@') fail(begin, "'@' refers to keypoints and objects of NairnFEAMPM, which Tribo does not have");
     if (c == '\0') fail(begin, "a value is missing here");
     fail(begin, std::string("unexpected '") + c + "' where a value is needed");
   }
@@ -219,7 +219,7 @@ class Evaluator {
   int depth_ = 0;
 };
 
-// Places of a separator outside quotes, parentheses and brackets.
+// Positions of a separator outside quotes, parentheses and brackets.
 std::vector<std::size_t> places(const std::string& text, std::string_view separator) {
   std::vector<std::size_t> out;
   int open = 0;
@@ -342,12 +342,13 @@ std::string variable_name(const Piece& piece, const Variables& variables) {
   Evaluator reader(piece, variables);
   std::string name = reader.name();
   if (reader.place() != piece.text.size())
-    throw InputError(origin_inside(piece.origin, piece.text, reader.place()), "a variable's name ends before this");
+    throw InputError(origin_inside(piece.origin, piece.text, reader.place()),
+                     "the name of a variable ends before this character");
   return name;
 }
 
 std::string argument(const Piece& piece, const Variables& variables) {
-  if (to_number(piece.text)) return piece.text;  // as the user wrote it
+  if (to_number(piece.text)) return piece.text;  // unchanged
   Value v;
   try {
     v = evaluate(piece, variables);

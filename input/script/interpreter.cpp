@@ -12,11 +12,11 @@ namespace tribo::script {
 namespace {
 
 constexpr long most_commands = 500'000;
-constexpr long most_complaints = 2'000;  // the same mistakes turn after turn
+constexpr long most_complaints = 2'000;  // limit of problems, since loops repeat them
 constexpr std::size_t deepest_calls = 100, most_problems = 50;
 constexpr std::size_t longest_text = 10'000, most_written = 1'000'000;  // characters
 
-// `Stop`: what was complained about before comes first.
+// Thrown by `Stop`; problems found before are reported first.
 struct Stopped {};
 
 }  // namespace
@@ -35,7 +35,7 @@ void Interpreter::run() {
   if (!problems_.empty()) throw InputError(std::move(problems_));
 }
 
-void Interpreter::complain(const InputError& error) {
+void Interpreter::report(const InputError& error) {
   std::string from;
   for (auto step = stack_.rbegin(); step != stack_.rend(); ++step) from += "; " + *step;
   for (const Problem& p : error.problems()) {
@@ -47,7 +47,7 @@ void Interpreter::complain(const InputError& error) {
 
 void Interpreter::count(const Origin& origin) {
   if (++commands_ <= most_commands) return;
-  complain({origin, "the script has run half a million commands: a loop that does not end?"});
+  report({origin, "the script has run half a million commands: a loop that does not end?"});
   throw Stopped{};
 }
 
@@ -86,7 +86,7 @@ Interpreter::Flow Interpreter::node(const Node& n) {
         return Flow::leave_sub;
     }
   } catch (const InputError& error) {
-    complain(error);
+    report(error);
   }
   return Flow::on;
 }
@@ -141,11 +141,11 @@ Interpreter::Flow Interpreter::repeat(const Node& n) {
     throw InputError(n.arguments.back().origin, "the step of a loop must not be 0");
   for (long turn = 0;; ++turn) {
     const double value = first + static_cast<double>(turn) * step;
-    // an end that is missed by rounding is reached
+    // tolerance: the last value may be missed by round-off
     if (counted && !((step > 0 ? value - last : last - value) <= 1e-10 * std::abs(step))) return Flow::on;
     if (counted) variables_[name] = value;
     count(n.origin);
-    stack_.push_back(counted ? "with " + name + " = " + printed(value) : "in turn " + std::to_string(turn + 1));
+    stack_.push_back(counted ? "with " + name + " = " + printed(value) : "in iteration " + std::to_string(turn + 1));
     ++loops_;
     const Flow flow = block(n.body);
     --loops_;
@@ -166,7 +166,7 @@ void Interpreter::call(const Node& n) {
   if (n.arguments.size() > sub.parameters.size())
     throw InputError(n.origin, "subroutine '" + n.word + "' takes " + std::to_string(sub.parameters.size()) +
                                    " arguments, not " + std::to_string(n.arguments.size()));
-  if (stack_.size() >= deepest_calls) throw InputError(n.origin, "more than 100 calls and loops inside each other");
+  if (stack_.size() >= deepest_calls) throw InputError(n.origin, "more than 100 nested calls and loops");
   std::vector<Value> values;
   for (const Piece& a : n.arguments) values.push_back(evaluate(a, variables_));
   for (std::size_t k = 0; k < values.size(); ++k) variables_[sub.parameters[k]] = values[k];
@@ -183,7 +183,7 @@ std::string Interpreter::joined(const Node& n) const {
   return out;
 }
 
-// Lines and Words: parts of a text into the elements of an array.
+// Lines and Words: store the parts of a text in the elements of an array.
 void Interpreter::pieces_of_text(const Node& n, bool words) {
   if (n.arguments.size() < 4 || n.arguments.size() > (words ? 5U : 4U))
     throw InputError(n.origin, "'" + n.word + "' takes a variable, the first and last index and a text");
@@ -212,7 +212,7 @@ void Interpreter::command(const Node& n) {
     output_.clear();
   } else if (word == "stop") {
     const std::string message = joined(n);
-    complain({n.origin, message.empty() ? "the script stops here" : message});
+    report({n.origin, message.empty() ? "the script stops here" : message});
     throw Stopped{};
   } else if (word == "lines" || word == "words") {
     pieces_of_text(n, word == "words");

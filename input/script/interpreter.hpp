@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Runs a script: variables, choices, loops and subroutines; every other command goes to a receiver.
+/// Runs a script: variables, conditions, loops and subroutines. Every other command is passed to a receiver.
 #pragma once
 
 #include "input/script/program.hpp"
@@ -9,19 +9,19 @@
 
 namespace tribo::script {
 
-/// A command as the receiver sees it.
+/// A command with evaluated arguments.
 struct Command {
   const Node& node;
   const Variables& variables;
 
   std::size_t size() const { return node.arguments.size(); }
   const Origin& origin() const { return node.origin; }
-  /// Place of an argument; of the command if there is none.
+  /// Place of an argument, or of the command if there is no such argument.
   const Origin& origin(std::size_t k) const { return k < size() ? node.arguments[k].origin : node.origin; }
   bool given(std::size_t k) const { return k < size() && !node.arguments[k].text.empty(); }
-  /// An argument as it goes into the model; empty if there is none.
+  /// An argument as text; empty if there is none.
   std::string text(std::size_t k) const { return given(k) ? argument(node.arguments[k], variables) : std::string(); }
-  /// An argument as a number; throws InputError if it is none.
+  /// An argument as a number; throws InputError if it is not a number.
   double number(std::size_t k) const { return evaluate_number(node.arguments.at(k), variables); }
 };
 
@@ -31,13 +31,13 @@ class Interpreter {
 
   Interpreter(const Program& program, Receiver receiver) : program_(program), receiver_(std::move(receiver)) {}
 
-  /// A variable whose first assignment in the script does not count: it has this value instead.
+  /// Sets a variable to a value that replaces its first assignment in the script.
   void fix(const std::string& name, Value value);
   /// Runs to the end. Throws InputError with every problem found, or with the message of `Stop`.
   void run();
-  /// Every command was reached: no `Stop`, not too many of them, not too many problems.
+  /// Whether the script ran to its end: no `Stop`, and no limit on commands or problems was reached.
   bool ran_to_end() const { return ran_to_end_; }
-  /// What `Write` and `WriteLine` wrote.
+  /// The text written by `Write` and `WriteLine`.
   const std::string& output() const { return output_; }
 
  private:
@@ -54,19 +54,19 @@ class Interpreter {
   void pieces_of_text(const Node& n, bool words);
   std::string joined(const Node& n) const;
   void count(const Origin& origin);
-  void complain(const InputError& error);
+  void report(const InputError& error);
 
   const Program& program_;
   Receiver receiver_;
   Variables variables_;
   std::set<std::string> fixed_;
   std::string output_;
-  std::vector<std::string> stack_;  ///< where the present command was reached from, outermost first
-  std::set<std::string> known_;     ///< problems reported already: loops repeat them
+  std::vector<std::string> stack_;  ///< calls and loops around the current command, outermost first
+  std::set<std::string> known_;     ///< problems that were already reported, since loops repeat them
   std::vector<Problem> problems_;
   bool ran_to_end_ = false;
   long commands_ = 0, complaints_ = 0;
-  int loops_ = 0;  ///< inside each other, in the present subroutine
+  int loops_ = 0;  ///< nested loops in the current subroutine
 };
 
 }  // namespace tribo::script

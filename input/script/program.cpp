@@ -10,7 +10,7 @@
 namespace tribo::script {
 namespace {
 
-// The line without its comment. `!` begins one outside quotes, but `!=` does not.
+// The line without its comment, which starts with `!` outside quotes (but not with `!=`).
 std::string without_comment(const std::string& line) {
   bool quote = false;
   for (std::size_t k = 0; k < line.size(); ++k) {
@@ -61,7 +61,7 @@ std::optional<Node> assignment(const Piece& line) {
   return node;
 }
 
-// The first word, which a blank or comma ends.
+// The first word, up to a blank or comma.
 std::string first_word(const Piece& line) { return line.text.substr(0, line.text.find_first_of(" \t,(\"")); }
 
 std::vector<Piece> arguments_after(const Piece& line, std::size_t begin) {
@@ -82,16 +82,16 @@ class Parser {
 
  private:
   struct Ends {
-    std::vector<std::string> words;  // lower case, any of which ends the block
-    std::string opened;              // what they close
+    std::vector<std::string> words;  // words in lower case that end the block
+    std::string opened;              // the command that they close
   };
   static constexpr int deepest = 200;
 
-  // Statements up to one of the words, which is left as the present line; the end of the file ends any block.
+  // Statements up to one of the words, which becomes the current line. The end of the file ends any block.
   Block block(const Ends& ends, const Origin& opened) {
     Block out;
     if (++depth_ > deepest) {
-      problems_.add(opened, "more than 200 blocks inside each other");
+      problems_.add(opened, "more than 200 nested blocks");
       problems_.raise();
     }
     for (; at_ < lines_.size(); ++at_) {
@@ -146,7 +146,7 @@ class Parser {
                                        : NodeKind::leave_sub;
       out.push_back(std::move(node));
     } else if (word == "else" || word == "endif" || word == "endrepeat" || word == "endsub") {
-      problems_.add(line.origin, "'" + node.word + "' without what it ends or continues");
+      problems_.add(line.origin, "'" + node.word + "' without the command that it ends or continues");
     } else {
       node.arguments = arguments_after(line, after);
       if (word == "header" || word == "xmldata") raw_lines(line, "end" + word, node);
@@ -195,7 +195,7 @@ class Parser {
       } else if (next.rfind("if", 0) == 0 && test_of(next.substr(2))) {
         test = *test_of(next.substr(2)), condition = part(rest, next.size());
       } else if (!rest.text.empty()) {
-        problems_.add(rest.origin, "'else' stands alone, or before 'if'");
+        problems_.add(rest.origin, "'else' must be alone or followed by 'if'");
       }
     }
   }
@@ -212,7 +212,7 @@ class Parser {
     sub.body = block({{"endsub"}, "Sub"}, line.origin);
     in_subroutine_ = false;
     if (!program_.subroutines.try_emplace(lower(name), std::move(sub)).second)
-      problems_.add(line.origin, "there is a subroutine '" + name + "' already");
+      problems_.add(line.origin, "the subroutine '" + name + "' already exists");
   }
 
   void call(const Piece& line, std::size_t after, Node& node) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// The lines of a script as a tree of commands, loops, choices and subroutines, before anything runs.
+/// Syntax tree of a script: commands, loops, conditions and subroutines.
 #pragma once
 
 #include "input/script/evaluate.hpp"
@@ -16,7 +16,7 @@ using Block = std::vector<Node>;
 
 enum class NodeKind { command, assign, choice, repeat, leave_loop, leave_loops, next_turn, call, leave_sub };
 
-/// How the condition of a branch is meant.
+/// Type of the condition of a branch.
 enum class Test { value, defined, undefined, number, text, always };
 
 struct Branch {
@@ -30,11 +30,11 @@ struct Node {
   Origin origin;
   std::string word;              ///< command, subroutine, or operator of an assignment (empty: plain)
   Piece target;                  ///< assign: the variable
-  std::vector<Piece> arguments;  ///< of a command, a call or a loop; the expression of an assignment
-  std::vector<Branch> branches;  ///< choice
-  Block body;                    ///< repeat
-  int cuts = 0;                  ///< how many `Cut` before a shape
-  std::vector<Piece> lines;      ///< command with text below it (Header, XMLData), as written
+  std::vector<Piece> arguments;  ///< arguments of a command, call or loop; the expression of an assignment
+  std::vector<Branch> branches;  ///< of a condition
+  Block body;                    ///< of a loop
+  int cuts = 0;                  ///< number of `Cut` before a shape
+  std::vector<Piece> lines;      ///< unchanged text lines of a command (Header, XMLData)
 };
 
 struct Subroutine {
@@ -47,11 +47,11 @@ struct Program {
   std::map<std::string, Subroutine> subroutines;  ///< by name in lower case
 };
 
-/// `begin` is where the text begins. Throws InputError with all that is wrong with the structure: what is not closed,
-/// closed twice or out of place.
+/// `begin` is the place of the text. Throws InputError with all structural problems: blocks that are not closed, closed
+/// twice or out of place.
 Program parse(std::string_view text, const Origin& begin);
 
-/// Names of the variables, without elements of arrays, that the program gives values to, each once.
+/// Names of all variables that the program assigns, without elements of arrays.
 std::set<std::string> assigned_variables(const Program& program);
 
 }  // namespace tribo::script

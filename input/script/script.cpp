@@ -19,7 +19,7 @@ bool is_script(std::string_view text) {
 
 namespace {
 
-// Runs a script; the translator keeps what its commands say.
+// Runs a script; the translator stores the elements that its commands produce.
 std::string interpret(std::string_view text, const Origin& begin, Settings& settings, script::Translator& translator) {
   const script::Program program = script::parse(text, begin);
   script::Interpreter interpreter(program, [&](const script::Command& c) { translator.take(c); });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Scripted commands -> statements.
+/// Translation of scripts to statements.
 #pragma once
 
 #include "base/statement.hpp"
@@ -11,18 +11,18 @@
 
 namespace tribo {
 
-/// What a script means.
+/// Result of a script.
 struct Script {
-  Statement root;      ///< the command file it stands for; its places are those of the script
-  std::string output;  ///< what `Write` and `WriteLine` wrote
+  Statement root;      ///< the equivalent command file, with places in the script
+  std::string output;  ///< the text written by `Write` and `WriteLine`
 };
 
-/// Runs a script, which does not change the variables in the settings. Throws InputError with every problem
-/// found, each with the calls and loops it was reached through.
+/// Runs a script. Variables in `settings` keep their values. Throws InputError with every problem found, each with the
+/// calls and loops through which it was reached.
 Script read_script(std::string_view text, const std::shared_ptr<const std::string>& file_name, Settings& settings);
 
-/// Runs the scripts in <Commands> of an XML file and puts what they say into its sections. Returns what they wrote.
-/// Throws like read_script.
+/// Runs the scripts in <Commands> of an XML file and adds the resulting elements to its sections. Returns the text that
+/// they wrote. Throws as read_script.
 std::string run_commands(Statement& root, Settings& settings);
 
 /// Whether a text is a script, not XML.

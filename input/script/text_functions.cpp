@@ -39,7 +39,7 @@ std::string title_case(std::string text) {
   return text;
 }
 
-// A count from 1 as an index from 0; beyond any text if it is no such count.
+// Converts a position counted from 1 to an index from 0. An invalid position gives an index beyond any text.
 std::size_t index(double count) {
   return count >= 1 && count < 1e9 ? static_cast<std::size_t>(count) - 1 : static_cast<std::size_t>(1e9);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Functions of texts in scripts: length, words, replace, ...
+/// Text functions of scripts: length, words, replace, ...
 #pragma once
 
 #include "input/script/value.hpp"
@@ -11,14 +11,14 @@ namespace tribo::script {
 
 struct TextFunction {
   std::string_view name;
-  std::size_t least, most;  ///< arguments
-  std::string arguments;    ///< in words
+  std::size_t least, most;  ///< number of arguments
+  std::string arguments;    ///< description for messages
   std::function<Value(const std::vector<Value>&, const std::function<double(const Value&)>& number)> value;
 };
 
-/// The function of a name (any case), or null.
+/// The function with this name, in any case, or null.
 const TextFunction* find_text_function(std::string_view name);
-/// Names for messages.
+/// Names of all functions, for messages.
 std::string text_function_names();
 
 }  // namespace tribo::script

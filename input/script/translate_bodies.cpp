@@ -16,7 +16,7 @@
 namespace tribo::script {
 namespace {
 
-// What the law of a material knows; nothing if there is no such law.
+// Properties of the law of a material; empty if there is no such law.
 std::vector<std::string> properties_of(const Statement& material) {
   const Attribute* type = material.attribute("Type");
   std::vector<std::string> names;
@@ -32,7 +32,7 @@ std::vector<std::string> properties_of(const Statement& material) {
   return names;
 }
 
-// A property as its law spells it; the scripted names are free in case, and some differ.
+// The name of a property as defined by its law. Names in scripts are case-insensitive, and some differ.
 std::string property_name(const Statement& material, const std::string& word) {
   static const std::map<std::string, std::string> all{{"a", "alpha"},
                                                       {"direction", "SetDirection"},
@@ -56,7 +56,7 @@ std::string property_name(const Statement& material, const std::string& word) {
   return same == known.end() ? word : *same;
 }
 
-// The scripted name of a type, where it is not a name that the catalogue knows.
+// Names of types in scripts that differ from the names in the catalogue.
 const std::map<std::string, std::string>& scripted_types() {
   static const std::map<std::string, std::string> all{
       {"transverse 1", "2"}, {"transverse 2", "3"}, {"mooney", "8"}, {"ideal gas", "22"}, {"tait liquid", "27"}};
@@ -67,7 +67,7 @@ std::string type_name(const std::string& word) {
   return found == scripted_types().end() ? word : found->second;
 }
 
-// What nobody knows is complained about here, where the scripted names are known, too.
+// Unknown types are reported here, where the names of scripts are also known.
 void check_type(const Command& c, const std::string& type) {
   if (to_number(type) || materials().find(type) || contact_laws().find(type) || joint_laws().find(type)) return;
   std::vector<std::string> known;
@@ -92,8 +92,8 @@ Statement element(const std::string& name, const Origin& origin, const std::stri
 
 void Translator::material(const Command& c) {
   open(Open::material, c);
-  Statement& m =
-      document_.material(c.origin());  // first: if the rest is wrong, its properties still are none of others
+  Statement& m = document_.material(
+      c.origin());  // first, so that after an error its properties are not assigned to another material
   document_.name_material(c.text(0), c.origin(0));
   attribute(m, "Type", type_name(c.text(2)), c.origin(2));
   attribute(m, "Name", c.text(1), c.origin(1));
@@ -114,7 +114,7 @@ void Translator::property(const Command& c) {
     Document::refer_text(s, c.text(0), c.origin(0));
     return add(std::move(s));
   }
-  if (word == "color") return;  // of the peer's plots
+  if (word == "color") return;  // colour in plots of NairnFEAMPM
   std::string text;
   for (std::size_t k = 0; k < c.size(); ++k) text += (k ? "," : "") + c.text(k);
   Statement s = element(property_name(m, c.node.word), c.origin(), text);
@@ -216,7 +216,7 @@ void Translator::initial_velocity(const Command& c) {
   block_.children.push_back(element(name, c.origin(0), c.text(0)));
 }
 
-// Where the next shape goes: among the shapes, or for cut-outs into the last shape, the last cut-out in it, ...
+// Parent of the next shape: the list of shapes, or for cut-outs the last shape, the last cut-out in it, ...
 Statement& Translator::place(const Command& c, int cuts) {
   if (open_ != Open::region && open_ != Open::hole && open_ != Open::grid && open_ != Open::particles)
     throw InputError(c.origin(),
@@ -251,7 +251,7 @@ void Translator::shape(const Command& c) {
   if (arc) more = {"start", "end", "tolerance"};
   if (name == "cylinder" || name == "torus") more = {"axis", "radius"};
   if (c.size() > edges + more.size())
-    throw InputError(c.origin(edges + more.size()), "'" + c.node.word + "' has nothing to do with this");
+    throw InputError(c.origin(edges + more.size()), "'" + c.node.word + "' does not take this argument");
   for (std::size_t k = edges; k < c.size(); ++k)
     if (c.given(k)) attribute(s, more[k - edges], c.text(k), c.origin(k));
   if (selects && (line || arc) && c.node.cuts == 0) {
@@ -284,7 +284,7 @@ Statement& Translator::condition(const Command& c, const std::string& name) {
   if (open_ != Open::grid && open_ != Open::particles)
     throw InputError(c.origin(), "'" + c.node.word + "' belongs into 'GridBC' or 'ParticleBC'");
   if (block_.name.empty())
-    throw InputError(c.origin(), "'" + c.node.word + "' needs a shape before it, where it holds");
+    throw InputError(c.origin(), "'" + c.node.word + "' needs a shape before it, to which it applies");
   block_.children.push_back(element(name, c.origin()));
   Statement& s = block_.children.back();
   if (!boundary_id_.empty() && open_ == Open::grid) attribute(s, "id", boundary_id_, c.origin());
@@ -302,11 +302,11 @@ std::string Translator::direction(const Command& c, std::size_t k, bool traction
   if (const auto found = all.find(word); found != all.end()) return found->second;
   const auto& more = traction ? faces : skewed;
   if (const auto found = more.find(word); found != more.end()) return found->second;
-  throw InputError(c.origin(k), "'" + c.text(k) + "' is no direction; valid: x, y, z, " +
+  throw InputError(c.origin(k), "'" + c.text(k) + "' is not a direction; valid: x, y, z, " +
                                     (traction ? "normal, shear" : "skewxy, skewxz, skewyz, skewxyz"));
 }
 
-// style, value, time from argument k on.
+// Reads style, value and time from argument k on.
 void Translator::style(Statement& s, const Command& c, std::size_t k, const char* value_name) {
   const std::string word = lower(c.text(k));
   attribute(s, "style", word, c.origin(k));
@@ -316,7 +316,8 @@ void Translator::style(Statement& s, const Command& c, std::size_t k, const char
 }
 
 void Translator::velocity(const Command& c) {
-  if (lower(c.text(1)) == "gradient") throw InputError(c.origin(1), "moving walls are not built; use a rigid material");
+  if (lower(c.text(1)) == "gradient")
+    throw InputError(c.origin(1), "moving walls are not implemented; use a rigid material");
   Statement& s = condition(c, "DisBC");
   attribute(s, "dir", direction(c, 0, false), c.origin(0));
   style(s, c, 1, "vel");

@@ -10,7 +10,7 @@
 namespace tribo::script {
 namespace {
 
-// Of a name, or the number itself.
+// The number of a name, or the number itself.
 std::string code(const Command& c, std::size_t k, const std::vector<std::pair<std::string, std::string>>& all) {
   const std::string given = c.text(k);
   std::vector<std::string> names;
@@ -24,7 +24,7 @@ std::string code(const Command& c, std::size_t k, const std::vector<std::pair<st
 
 }  // namespace
 
-// How an end is written: exterior, free, or the material around the tip.
+// The end of a crack: exterior, free, or the material around the tip.
 void Translator::crack_end(Statement& s, const char* name, const Command& c, std::size_t k) {
   if (!c.given(k)) return;
   const std::string end = c.text(k), word = lower(end);
@@ -38,7 +38,7 @@ void Translator::crack_end(Statement& s, const char* name, const Command& c, std
 
 Statement& Translator::crack_part(const Command& c, const char* element) {
   if (document_.cracks().empty())
-    throw InputError(c.origin(), "'" + c.node.word + "' belongs to a crack; begin one with 'NewCrack'");
+    throw InputError(c.origin(), "'" + c.node.word + "' belongs to a crack; start one with 'NewCrack'");
   Statement s;
   s.name = element, s.origin = c.origin();
   auto& parts = document_.cracks().back().children;
@@ -91,7 +91,7 @@ void Translator::grow_crack_line(const Command& c) {
   crack_x_ = c.text(0), crack_y_ = c.text(1);
 }
 
-// The dialect's ellipse: its box, the number of pieces, the angles.
+// Arguments: bounding box of the ellipse, number of segments, angles.
 void Translator::grow_crack_arc(const Command& c) {
   Statement& arc = crack_part(c, "Circle");
   constexpr std::array names{"xmin", "ymin", "xmax", "ymax", "resolution", "start_angle", "end_angle"};
@@ -106,7 +106,7 @@ Statement& Translator::crack_settings(const Command& c) {
   return document_.add("MPMHeader", "Cracks", c.origin());
 }
 
-// The only one of its name.
+// Sets the only element of its name.
 Statement& Translator::crack_setting(const Command& c, const char* element) {
   Statement s;
   s.name = element, s.origin = c.origin();
@@ -125,7 +125,7 @@ void Translator::propagate(const Command& c) {
       {"none", "0"},           {"max energy release", "1"}, {"steady state", "2"}, {"energy balance", "3"},
       {"energy density", "4"}, {"elliptical", "5"},         {"max ctod", "6"},     {"critical err", "7"}},
       ways{{"default", "0"}, {"self similar", "1"}, {"cod normal", "2"}, {"cod hoop", "3"}, {"initial", "4"}};
-  // inside a material it holds for that material
+  // inside a material it applies to that material
   Statement s;
   s.name = "Propagate", s.origin = c.origin();
   attribute(s, "criterion", code(c, 0, criteria), c.origin(0));

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-/// How to solve, what to write, the grid, gravity, tasks.
+/// Commands for the solver, output, grid, gravity and tasks.
 
 #include "base/schema.hpp"
 #include "base/text.hpp"
 #include "input/script/translator.hpp"
 #include "input/xml.hpp"
+#include "model/shape_functions.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +13,7 @@
 namespace tribo::script {
 namespace {
 
-// The code of a name, or an error that lists the names.
+// The code of a name. If the name is unknown, an error lists the valid names.
 std::string choice(const Command& c, std::size_t k, const std::vector<std::pair<std::string, std::string>>& all,
                    const std::string& what) {
   const std::string given = c.text(k), word = lower(given);
@@ -22,10 +23,10 @@ std::string choice(const Command& c, std::size_t k, const std::vector<std::pair<
     names.push_back(name);
   }
   throw InputError(c.origin(k),
-                   "'" + given + "' is no " + what + did_you_mean(given, names) + "; valid: " + join(names));
+                   "'" + given + "' is not a valid " + what + did_you_mean(given, names) + "; valid: " + join(names));
 }
 
-// Dialect elements whose names are those of the commands.
+// Elements that have the same names as their commands.
 std::string element_of(const std::string& command) {
   static const std::map<std::string, std::string> all{{"maximumtime", "MaxTime"},
                                                       {"globalarchivetime", "GlobalArchiveTime"},
@@ -39,7 +40,7 @@ std::string element_of(const std::string& command) {
   return all.at(lower(command));
 }
 
-// Counts of cells come from divisions.
+// Numbers of cells are often results of divisions.
 std::string count(const Command& c, std::size_t k) {
   const double n = c.number(k), nearest = std::round(n);
   if (!(std::abs(n - nearest) < 1e-6 * std::max(1.0, std::abs(n))) || !(std::abs(n) < 1e15))
@@ -63,7 +64,7 @@ void Translator::header(const Command& c) {
 }
 
 void Translator::analysis(const Command& c) {
-  analysis_ = 10;  // if it is none of these: one complaint is enough
+  analysis_ = 10;  // if the name is unknown, one error message is sufficient
   const std::string code = choice(
       c, 0, {{"Plane Strain MPM", "10"}, {"Plane Stress MPM", "11"}, {"3D MPM", "12"}, {"Axisymmetric MPM", "13"}},
       "analysis");
@@ -95,16 +96,13 @@ void Translator::method(const Command& c) {
   const auto code = codes.find(lower(update));
   if (code == codes.end())
     throw InputError(c.origin(0),
-                     "'" + c.text(0) + "' is no update method; valid: USF, USAVG, USL, the last two with + or -");
+                     "'" + c.text(0) + "' is not an update method; valid: USF, USAVG, USL, the last two with + or -");
   document_.set("MPMHeader", "MPMMethod", c.origin(0), code->second);
   if (minus) document_.set("MPMHeader", "SkipPostExtrapolation", c.origin(0));
   const std::string shape = c.given(1) ? c.text(1) : "uGIMP";
   Statement& s = document_.set("MPMHeader", "GIMP", c.origin(1));
-  static const std::map<std::string, std::string> shapes{
-      {"ugimp", "uGIMP"},     {"gimp", "uGIMP"},    {"cpdi", "lCPDI"},       {"lcpdi", "lCPDI"},
-      {"classic", "Classic"}, {"dirac", "Classic"}, {"b2spline", "B2SPLINE"}};
-  const auto found = shapes.find(lower(shape));
-  attribute(s, "type", found == shapes.end() ? shape : found->second, c.origin(1));
+  const auto kernel = kernel_of(shape);
+  attribute(s, "type", kernel ? words_of(*kernel).front() : shape, c.origin(1));
 }
 
 void Translator::transfer(const Command& c) {
@@ -183,7 +181,7 @@ void Translator::feedback(const Command& c) {
   if (c.given(2)) attribute(s, "max", c.text(2), c.origin(2));
 }
 
-// A wish of the machine, not of the model: --threads.
+// Not a property of the model; use --threads.
 void Translator::processors(const Command& c) { c.number(0); }
 
 Statement& Translator::multimaterial_mode(const Command& c) {
@@ -206,7 +204,7 @@ void Translator::multimaterial(const Command& c) {
   if (c.given(2)) attribute(s, "Polar", c.text(2), c.origin(2));
 }
 
-// vmin, enabled, normals and what they need: vmin and the flag had meanings once.
+// Arguments: vmin and enabled (obsolete), normals and their parameters.
 void Translator::old_multimaterial(const Command& c) {
   Node node = c.node;
   node.arguments.erase(node.arguments.begin(),
@@ -288,7 +286,7 @@ void Translator::gravity(const Command& c) {
 void Translator::conduction(const Command& c) {
   static const std::vector<std::pair<std::string, std::string>> yes_no{{"yes", "1"}, {"no", "0"}},
       modes{{"adiabatic", "1"}, {"isothermal", "0"}};
-  if (choice(c, 0, yes_no, "answer") == "1") document_.set("Thermal", "Conduction", c.origin(0));
+  if (choice(c, 0, yes_no, "choice") == "1") document_.set("Thermal", "Conduction", c.origin(0));
   if (c.given(1) && choice(c, 1, modes, "mode") == "1") document_.set("Thermal", "EnergyCoupling", c.origin(1));
 }
 
@@ -307,7 +305,7 @@ void Translator::parameter(const Command& c) {
 
 void Translator::entity(const Command& c) { entities_[c.text(0)] = c.text(1); }
 
-// Lines of XML, added to a section; the reader counts lines as in the script.
+// Adds lines of XML to a section; line numbers are those of the script.
 void Translator::xml_data(const Command& c) {
   const std::string where = c.given(0) ? c.text(0) : "End";
   static const std::map<std::string, std::string> sections{{"header", "Header"},
@@ -334,7 +332,7 @@ void Translator::xml_data(const Command& c) {
   text += "]>" + std::string(static_cast<std::size_t>(std::max(0, c.origin().line - 1)), '\n') + "<x>\n";
   for (const Piece& line : c.node.lines) text += line.text + "\n";
   const Statement read = read_xml(text + "</x>", c.origin().file);
-  task_ = nullptr;  // its place may move
+  task_ = nullptr;  // its address may change
   for (const Statement& child : read.children) {
     if (found->second == "Material") {
       document_.materials().push_back(child);

@@ -9,7 +9,7 @@
 
 namespace tribo::script {
 
-// What does a command, by its name in lower case.
+// Functions that translate a command, by its name in lower case.
 auto Translator::actions() -> const std::map<std::string, Action>& {
   using A = Translator;
   static const std::map<std::string, Action> all{{"title", &A::title},
@@ -131,7 +131,7 @@ void Translator::take(const Command& c) {
   (this->*actions().at(word))(c);
 }
 
-// What the language knows and Tribo does not do, and what nobody knows.
+// Reports commands of NairnFEAMPM that Tribo does not support, and unknown commands.
 void Translator::refused(const Command& c) {
   struct Refused {
     const char* commands;
@@ -141,26 +141,27 @@ void Translator::refused(const Command& c) {
       {"friction imperfectinterface crackinterface",
        "it is an old form of ContactCracks, or of ContactMM for materials"},
       {"crackthickness", "a crack is as thick as the grid; use GridThickness"},
-      {"cracktractionprop", "traction laws are not built; give the crack a joint law as fourth argument of NewCrack"},
-      {"altpropagate", "a second criterion for the growth of cracks is not built"},
+      {"cracktractionprop",
+       "traction laws are not implemented; give the crack a joint law as fourth argument of NewCrack"},
+      {"altpropagate", "a second criterion for crack growth is not implemented"},
       {"moveplane", "cracks always move with the mean of their two faces"},
-      {"contactpositioncracks", "gaps of cracks come from how their faces moved"},
-      {"diffusion concentration concentrationflux", "diffusion is not built"},
-      {"poroelasticity porepressure porepressureflux", "pore pressure is not built"},
-      {"damage phasefield", "damage that is given at the start is not built"},
-      {"angularmom0", "angular momentum that is given at the start is not built; use vel0X, vel0Y, vel0Z"},
-      {"shell", "its meaning is not documented well enough; use a Cylinder with a Cut Cylinder"},
+      {"contactpositioncracks", "gaps of cracks are computed from the displacements of their faces"},
+      {"diffusion concentration concentrationflux", "diffusion is not implemented"},
+      {"poroelasticity porepressure porepressureflux", "pore pressure is not implemented"},
+      {"damage phasefield", "initial damage is not implemented"},
+      {"angularmom0", "initial angular momentum is not implemented; use vel0X, vel0Y, vel0Z"},
+      {"shell", "its definition is not documented; use a Cylinder with a Cut Cylinder"},
       {"deletelimit", "particles are never deleted; use LeaveLimit"},
       {"extrapolaterigid", "rigid particles always act through extrapolated velocities"},
       {"exacttractions", "tractions act at the particles"},
-      {"fill", "particle reservoirs are not built"},
-      {"tartanaoi tartanborder", "grids with unequal cells are not built"},
+      {"fill", "particle reservoirs are not implemented"},
+      {"tartanaoi tartanborder", "grids with unequal cells are not implemented"},
       {"moveline movearc movebox endmoveline endmovearc endmovebox", "it is obsolete; use GridBC ... EndGridBC"},
       {"loadline loadarc loadbox loadrect endloadline endloadarc endloadbox endloadrect",
        "it is obsolete; use ParticleBC ... EndParticleBC"},
       {"element keypoint path paths area fixline selectbc resequence",
        "it belongs to finite element analysis, which Tribo does not do"},
-      {"script open createlist createdictionary userinput", "it controls the windows of another program"}};
+      {"script open createlist createdictionary userinput", "it controls the user interface of NairnFEAMPM"}};
   const std::string word = lower(c.node.word);
   std::vector<std::string> known;
   for (const Refused& r : all) {
@@ -199,8 +200,7 @@ void Translator::end_block(const Command& c) {
 }
 
 int Translator::dimension(const Command& c) const {
-  if (analysis_ == 0)
-    throw InputError(c.origin(), "'" + c.node.word + "' needs to know the 'Analysis', which must come before");
+  if (analysis_ == 0) throw InputError(c.origin(), "'" + c.node.word + "' needs a preceding 'Analysis'");
   return analysis_ == 12 ? 3 : 2;
 }
 

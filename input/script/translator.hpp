@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// The commands of scripts as elements of command files.
+/// Translation of the commands of scripts to elements of command files.
 #pragma once
 
 #include "base/error.hpp"
@@ -14,15 +14,15 @@ class Translator {
  public:
   explicit Translator(const Origin& origin) : document_(origin), origin_(origin) {}
 
-  /// Adds what a command says. Throws InputError.
+  /// Translates a command. Throws InputError.
   void take(const Command& c);
-  /// The script stands in an XML file: of this analysis (10 to 13), with these materials, in consistent units or not.
+  /// For a script in an XML file: its analysis (10 to 13), its materials, and whether it has consistent units.
   void surround(int analysis, const std::vector<std::string>& materials, bool consistent);
-  /// Materials and properties that are not there, for a script that is wrong elsewhere, too, and is never finished.
+  /// Reports undefined materials and properties, for a script that has other errors and is not completed.
   Problems misnamed() const;
-  /// The whole command file. Throws InputError.
+  /// The complete command file. Throws InputError.
   Statement finish();
-  /// What the script adds to the file around it. Throws InputError.
+  /// The elements that the script adds to the file that contains it. Throws InputError.
   std::vector<Statement> finish_sections();
 
  private:
@@ -120,12 +120,12 @@ class Translator {
   int analysis_ = 0;
   bool consistent_ = false;
   double length_in_m_ = 1e-3, time_in_s_ = 1.0;
-  bool lost_a_material_ = false;  ///< one whose command is wrong; what refers to it is right
+  bool lost_a_material_ = false;  ///< a material whose command has an error; references to it are not reported
   Open open_ = Open::nothing;
   std::string opened_by_;
   Origin opened_at_;
   Statement block_;                ///< the body, hole or selector being filled
-  std::vector<std::size_t> path_;  ///< to the last shape in it, for cut-outs
+  std::vector<std::size_t> path_;  ///< path to the last shape in it, for cut-outs
   Statement* polygon_ = nullptr;
   Statement* task_ = nullptr;
   std::string boundary_id_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// What a variable of a script holds, and the places where it may be kept.
+/// Values and variables of scripts.
 #pragma once
 
 #include "base/error.hpp"
@@ -15,12 +15,12 @@ using Value = std::variant<double, std::string>;
 
 inline bool is_text(const Value& v) { return std::holds_alternative<std::string>(v); }
 
-/// As it is joined to other text: numbers with eight significant digits, as the dialect prints them.
+/// Text of a value for concatenation: numbers with eight significant digits, as in NairnFEAMPM.
 std::string printed(const Value& v);
-/// As it becomes an argument of a command: numbers with all digits that count.
+/// Text of a value as an argument of a command: numbers with all significant digits.
 std::string written(const Value& v);
 
-/// All variables; elements of arrays are variables named `#a[2]`. Names differ by case.
+/// All variables; elements of arrays are variables named `#a[2]`. Names are case-sensitive.
 using Variables = std::map<std::string, Value, std::less<>>;
 
 }  // namespace tribo::script

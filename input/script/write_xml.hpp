@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Statements -> XML, for people to read.
+/// Writes statements as readable XML.
 #pragma once
 
 #include "base/statement.hpp"
@@ -8,7 +8,7 @@
 
 namespace tribo {
 
-/// A command file; each element of the upper levels says in a comment which line of the script it came from.
+/// The text of a command file. Comments at the upper levels give the lines of the script from which elements came.
 std::string xml_text(const Statement& root);
 
 }  // namespace tribo

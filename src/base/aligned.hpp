@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Arrays aligned to cache lines; large ones lie in large pages where the system has them.
+/// Arrays aligned to cache lines. Large ones use huge pages where the system has them.
 #pragma once
 
 #include <sys/mman.h>
@@ -21,7 +21,7 @@ struct CacheAligned {
     if (bytes < page / 2) return static_cast<T*>(::operator new (bytes, std::align_val_t{64}));
     const std::size_t whole = bytes < page ? page : bytes;
     void* p = ::operator new (whole, std::align_val_t{page});
-    madvise(p, whole, MADV_HUGEPAGE);  // a hint: fewer address translations to miss
+    madvise(p, whole, MADV_HUGEPAGE);  // a hint that reduces misses of the address translation cache
     return static_cast<T*>(p);
   }
   void deallocate(T* p, std::size_t n) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Tables of comma-separated cells, with the place of each.
+/// Tables of comma-separated cells, with the place of each cell in the input.
 #pragma once
 
 #include "base/error.hpp"
@@ -15,7 +15,7 @@ struct CsvCell {
   Origin origin;
 };
 
-/// One line that is not blank. Text behind # is left out.
+/// A line that is not blank. Text after # is a comment.
 struct CsvRow {
   std::vector<CsvCell> cells;
   Origin origin;

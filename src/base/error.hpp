@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// What can go wrong, and where it was written.
+/// Errors, and their places in the input.
 #pragma once
 
 #include <memory>
@@ -16,17 +16,17 @@ struct Origin {
   int line = 0;
   int column = 0;
 
-  /// `file:line:col`, leaving out what is unknown; empty if nothing is known.
+  /// `file:line:col` without the unknown parts; empty if nothing is known.
   std::string text() const;
 };
 
-/// One complaint about the input: what is wrong, and what is allowed.
+/// A problem of the input: what is wrong, and what is valid.
 struct Problem {
   Origin origin;
   std::string message;
 };
 
-/// The input cannot be honoured. `what()` has one line `file:line:col: error: message` per problem.
+/// The input is invalid. `what()` has one line `file:line:col: error: message` per problem.
 class InputError : public std::runtime_error {
  public:
   explicit InputError(std::vector<Problem> problems);
@@ -42,24 +42,24 @@ class Problems {
  public:
   void add(Origin origin, std::string message) { list_.push_back({std::move(origin), std::move(message)}); }
   void add(const InputError& error) { list_.insert(list_.end(), error.problems().begin(), error.problems().end()); }
-  /// Something that may well be meant otherwise; does not stop anything.
+  /// A possible mistake that does not stop the program.
   void warn(Origin origin, std::string message) { warnings_.push_back({std::move(origin), std::move(message)}); }
   const std::vector<Problem>& warnings() const { return warnings_; }
   bool empty() const { return list_.empty(); }
-  /// Throws InputError with everything collected, in order of file position; returns if there is nothing.
+  /// Throws InputError with all problems in order of file position. Does nothing if there are none.
   void raise() const;
 
  private:
   std::vector<Problem> list_, warnings_;
 };
 
-/// A run left the range in which its result means anything (exit code 4).
+/// The state of a run has become invalid, so that its results have no meaning (exit code 4).
 class SimulationError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// The command line asks for what cannot be (exit code 2).
+/// The command line is invalid (exit code 2).
 class UsageError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -71,7 +71,7 @@ class FileError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// ` (did you mean 'x'?)` for the candidate nearest to `word` by edit distance, or an empty string if none is near.
+/// ` (did you mean 'x'?)` for the candidate with the smallest edit distance to `word`; empty if none is similar.
 std::string did_you_mean(std::string_view word, const std::vector<std::string>& candidates);
 
 /// `a, b, c` for messages that list what is valid.

@@ -37,7 +37,7 @@ double power(double x, double y) { return std::pow(x, y); }
 double least(const double* values, int count) { return *std::min_element(values, values + count); }
 double most(const double* values, int count) { return *std::max_element(values, values + count); }
 
-// A muParser parser with the language's names only, and the variables it reads.
+// A muParser parser with the names of the expression language, and the variables it reads.
 class Program {
  public:
   explicit Program(const std::string& text) {
@@ -98,7 +98,7 @@ class Program {
   mu::Parser parser_;
 };
 
-// A number of its own for every thread.
+// A unique number of every thread.
 unsigned thread_number() {
   static std::atomic<unsigned> next{0};
   thread_local const unsigned mine = next++;
@@ -107,8 +107,8 @@ unsigned thread_number() {
 
 }  // namespace
 
-// muParser evaluates through pointers to variables, so each thread needs a program of its own. Threads start looking
-// for a free one at their own place, where normally nobody else looks: no waiting, and no list of threads to keep.
+// muParser evaluates through pointers to variables, so each thread needs its own compiled program. A thread starts its
+// search for a free program at its own index, where normally no other thread searches, so it does not have to wait.
 struct Expression::Compiled {
   explicit Compiled(std::string program_text) : text(std::move(program_text)) {}
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Functions of time and position written by the user: `sin(2*pi*t)*x^2`.
+/// Functions of time and position given in the input, e.g. `sin(2*pi*t)*x^2`.
 #pragma once
 
 #include "base/error.hpp"
@@ -12,25 +12,25 @@ namespace tribo {
 
 /// Values an expression may depend on.
 struct Variables {
-  double t = 0;  ///< time, in the unit the file uses for functions (ms in legacy files)
+  double t = 0;  ///< time, in the unit of functions in the input (ms in legacy files)
   double x = 0, y = 0, z = 0;
   double dt = 0;
   double q = 0;                       ///< rotation angle of a particle [rad]
-  double R = 0, Z = 0, D = 0, T = 0;  ///< dialect's further names: radius, axial position, distance, angle
-  double x0 = 0, y0 = 0, z0 = 0;      ///< where a particle was at the start of the run
+  double R = 0, Z = 0, D = 0, T = 0;  ///< further variables of NairnMPM: radius, axial position, distance, angle
+  double x0 = 0, y0 = 0, z0 = 0;      ///< initial position of a particle
 
-  /// At a position: R = x, Z = y, and D, T = polar coordinates of (x, y) [length, rad].
+  /// Variables at a position: R = x, Z = y, and D, T = polar coordinates of (x, y) [length, rad].
   static Variables at(const Vec3& position, double time = 0.0);
 };
 
-/// A compiled expression; safe to evaluate from several threads, and cheap for constants.
+/// A compiled expression. It can be evaluated from several threads, and constants are cheap.
 ///
-/// From strongest to weakest: parentheses and functions; ^ from left to right (2^3^2 = 64); a leading sign
+/// Operators by decreasing precedence: parentheses and functions; ^ from left to right (2^3^2 = 64); a leading sign
 /// (-x^2 = -(x^2), 2^-3 = 1/8); * and /; + and -; < <= > >= == != (1 or 0); &&; ||; a ? b : c.
-/// The variables above (case matters), `pi`, and the functions below (any case), which are the dialect's:
+/// Names are the variables above (case-sensitive), `pi`, and the functions of NairnMPM (in any case):
 ///   sin cos tan asin acos atan sinh cosh tanh exp sqrt abs erf erfc     as in mathematics, angles in radians
 ///   log(x) = ln(x), log10(x)     natural and decimal logarithm
-///   int(x)                       without its fraction, towards zero
+///   int(x)                       integer part, rounded towards zero
 ///   mod(x,y)                     remainder of x/y with the sign of x
 ///   sign(x), sgn(x)              1 for x > 0, else 0; -1, 0 or 1
 ///   ramp(A,x), cosramp(A,x)      0 for x < 0, A for x > 1, between A x and A (1 - cos(pi x))/2
@@ -39,12 +39,12 @@ struct Variables {
 /// Arguments are separated by , or ;. There is no implicit multiplication.
 class Expression {
  public:
-  static constexpr std::size_t longest = 10000;  ///< characters of a text
-  static constexpr std::size_t deepest = 200;    ///< parentheses inside each other
+  static constexpr std::size_t longest = 10000;  ///< largest number of characters
+  static constexpr std::size_t deepest = 200;    ///< largest depth of nested parentheses
 
   Expression() = default;  ///< the constant 0
   explicit Expression(double constant);
-  /// Throws InputError at `origin` (column of the error inside the text added) with what is valid.
+  /// Throws InputError at the place of the error in the text, with what is valid.
   Expression(const std::string& text, const Origin& origin);
 
   double operator()(const Variables& at) const;

@@ -39,7 +39,7 @@ Origin origin_inside(const Origin& origin, const std::string& text, std::size_t 
 
 namespace {
 
-// Character classes of ASCII, whatever the locale.
+// Character classes of ASCII, independent of the locale.
 bool digit(char c) { return c >= '0' && c <= '9'; }
 bool letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 bool blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
@@ -57,7 +57,7 @@ std::string function_list() {
   return join(names, " ");
 }
 
-// Reads the text once from left to right. A valid expression alternates between operands and operators.
+// Parses the text once from left to right. A valid expression alternates between operands and operators.
 class Checker {
  public:
   Checker(const std::string& text, const Origin& origin) : text_(text), origin_(origin) {}
@@ -82,12 +82,12 @@ class Checker {
   }
 
  private:
-  // What one pair of parentheses holds; the lowest level is the whole text.
+  // State of one pair of parentheses; the lowest level is the whole text.
   struct Level {
     std::size_t opened = 0;
     const FunctionName* function = nullptr;
     int arguments = 1;
-    std::vector<std::size_t> choices;  // places of `?` that still lack their `:`
+    std::vector<std::size_t> choices;  // places of `?` without their `:` so far
   };
 
   [[noreturn]] void fail(std::size_t offset, const std::string& message) const {
@@ -100,7 +100,7 @@ class Checker {
     while (at_ < text_.size() && blank(text_[at_])) ++at_;
   }
 
-  // The character at the reading place; all bytes of one that is not ASCII.
+  // The character at the current place, with all bytes if it is not ASCII.
   std::string character() const {
     std::size_t end = at_ + 1;
     if (static_cast<unsigned char>(text_[at_]) >= 0x80)
@@ -126,7 +126,7 @@ class Checker {
     }
   }
 
-  // Several signs in a row are one: a script that writes t-#v with a negative v means the sum.
+  // Combines several signs in a row: t-#v in a script with a negative v gives two signs.
   void signs() {
     bool negative = false;
     for (; at_ < text_.size() && (text_[at_] == '+' || text_[at_] == '-' || blank(text_[at_])); ++at_)
@@ -266,19 +266,19 @@ class Checker {
     static constexpr std::array<std::string_view, 13> operators{"<=", ">=", "==", "!=", "&&", "||", "<",
                                                                 ">",  "+",  "-",  "*",  "/",  "^"};
     const auto rest = std::string_view(text_).substr(at_);
-    if (rest.starts_with("**")) fail(at_, "'**' is no operator; powers are written with ^");
+    if (rest.starts_with("**")) fail(at_, "'**' is not an operator; powers are written with ^");
     for (const auto word : operators) {
       if (!rest.starts_with(word)) continue;
       at_ += word.size();
       return push(word == "^" ? "#" : word);
     }
     const char c = text_[at_];
-    // 2(x+1) and (x+1)(x-1) are products, as in the dialect
+    // 2(x+1) and (x+1)(x-1) are products, as in NairnMPM
     if (c == '(' && !after_name()) return push("*");
     if (digit(c) || letter(c) || c == '(' || c == '.')
       fail(at_, "an operator is missing before '" + character() + "' (products are written with *)");
-    if (c == '=') fail(at_, "'=' is no operator; equality is written ==");
-    if (c == '%') fail(at_, "'%' is no operator here; remainders are written mod(x,y)");
+    if (c == '=') fail(at_, "'=' is not an operator; equality is written ==");
+    if (c == '%') fail(at_, "'%' is not an operator here; remainders are written mod(x,y)");
     fail(at_, "an operator is expected, not '" + character() + "'; valid: + - * / ^ < <= > >= == != && || ? : ( )");
   }
 

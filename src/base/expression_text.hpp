@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// The grammar of expressions: what `Expression` accepts, before muParser compiles it.
+/// The grammar of expressions, which are checked before muParser compiles them.
 #pragma once
 
 #include "base/error.hpp"
@@ -9,20 +9,20 @@
 
 namespace tribo {
 
-/// A function of the language: `most` arguments at the most, 0: any number.
+/// A function of the language. `most`: largest number of arguments, 0: any number.
 struct FunctionName {
   std::string_view name;
   int least = 1, most = 1;
 };
 
-/// All functions, by name.
+/// All functions.
 const std::vector<FunctionName>& expression_functions();
-/// All variables; case matters.
+/// All variables (case-sensitive).
 const std::vector<std::string>& expression_variables();
 
-/// An expression that is known to be well formed.
+/// A well-formed expression.
 struct CheckedText {
-  std::string program;  ///< canonical: functions in lower case, numbers in shortest form, `#` for ^, one sign at a time
+  std::string program;  ///< canonical form: functions in lower case, shortest numbers, `#` for ^, single signs
   bool uses_variables = false;
   bool uses_start = false;  ///< one of them is x0, y0 or z0
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// The only file that names OpenMP.
+/// Parallel loops. This is the only file that uses OpenMP.
 #pragma once
 
 #include <omp.h>
@@ -13,15 +13,15 @@
 
 namespace tribo {
 
-/// Threads used by parallel_for from now on.
+/// Sets the number of threads of parallel_for.
 inline void set_threads(int count) { omp_set_num_threads(count > 0 ? count : 1); }
 inline int threads() { return omp_get_max_threads(); }
 inline int thread_index() { return omp_get_thread_num(); }
 
-/// Calls f(i) for i in [0, n). Iterations must not touch each other's data, so the result does not depend on the number
-/// of threads. Every thread gets one run of neighbouring indices, so that the same part of the domain stays in the same
-/// core's cache from sweep to sweep. Exceptions of the lowest index that threw are passed on. Below `serial` items no
-/// thread is started.
+/// Calls f(i) for i in [0, n). Iterations must not access each other's data, so the result does not depend on the
+/// number of threads. Every thread gets one range of consecutive indices, so that the same part of the domain stays in
+/// the cache of the same core from loop to loop. If iterations throw, the exception of the lowest index is rethrown.
+/// Loops with fewer than `serial` iterations run on one thread.
 template <class F>
 void parallel_for(std::ptrdiff_t n, F&& f, std::ptrdiff_t serial = 2) {
   if (n < serial || threads() == 1) {
@@ -43,9 +43,9 @@ void parallel_for(std::ptrdiff_t n, F&& f, std::ptrdiff_t serial = 2) {
   if (first) std::rethrow_exception(first);
 }
 
-/// The same for items of unequal weight: `before(i)`, ascending, is the weight of the items before the i-th, before(n)
-/// that of all. Every thread begins with a run of neighbours with about the same weight as the others'; one that is
-/// done helps the others, so that none waits for a core that is slower for a while.
+/// Parallel loop over items of unequal weight. `before(i)`, ascending, is the total weight of the items before the
+/// i-th; before(n) is that of all items. Every thread starts with a range of consecutive items of about the same
+/// weight. Threads that have finished take over items of others, which balances cores that are temporarily slower.
 template <class Before, class F>
 void parallel_for_weighted(std::ptrdiff_t n, Before&& before, F&& f) {
   static constexpr std::ptrdiff_t most_parts = 256;
@@ -53,7 +53,7 @@ void parallel_for_weighted(std::ptrdiff_t n, Before&& before, F&& f) {
   if (parts < 2) return parallel_for(n, f);
   const auto from = [&](std::ptrdiff_t part) {
     const double weight = static_cast<double>(before(n)) * static_cast<double>(part) / static_cast<double>(parts);
-    std::ptrdiff_t low = 0, high = n;  // the first item whose middle lies at or beyond that weight
+    std::ptrdiff_t low = 0, high = n;  // bisection for the first item whose midpoint lies at or beyond that weight
     while (low < high) {
       const std::ptrdiff_t i = (low + high) / 2;
       if (0.5 * (static_cast<double>(before(i)) + static_cast<double>(before(i + 1))) < weight)

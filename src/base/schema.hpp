@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// One table per law names its parameters. Reading, ranges, units, defaults and the manual follow from it.
+/// Parameter tables of laws. Reading, ranges, units, defaults and the manual use the same table.
 #pragma once
 
 #include "base/statement.hpp"
@@ -33,14 +33,14 @@ constexpr Range between(double low, double high) { return {low, high, true, true
 /// Closed interval.
 constexpr Range within(double low, double high) { return {low, high, false, false}; }
 
-/// What the reader, the XSD and the manual need to know of a parameter.
+/// Description of a parameter for the reader, the XSD and the manual.
 struct ParameterInfo {
   std::string name;
   std::string alias;  ///< a second accepted spelling, or empty
   Dimension dimension = Dimension::none;
   Range range;
-  std::optional<double> fallback;  ///< absent: the user must give it (unless `optional`)
-  bool optional = false;           ///< may be absent without a value: the member stays as constructed
+  std::optional<double> fallback;  ///< default value; absent: the parameter is required (unless `optional`)
+  bool optional = false;           ///< not required; if absent, the member keeps its initial value
   std::string meaning;
 };
 
@@ -48,12 +48,12 @@ struct ParameterInfo {
 template <class Law>
 struct Parameter {
   std::string_view name;             ///< as written in the input
-  double Law::*member;               ///< where the value goes
+  double Law::*member;               ///< member that receives the value
   Dimension dimension;               ///< converted to consistent units on reading; angles to radians
   Range range;                       ///< checked on reading, in input units
   std::string_view meaning;          ///< one phrase for the manual
-  std::optional<double> fallback{};  ///< absent: the user must give it (unless `optional`)
-  bool optional = false;             ///< may be absent: the member keeps the value it was constructed with
+  std::optional<double> fallback{};  ///< default value; absent: required (unless `optional`)
+  bool optional = false;             ///< not required; if absent, the member keeps its initial value
   std::string_view alias{};          ///< second accepted spelling
 
   ParameterInfo info() const {
@@ -61,20 +61,20 @@ struct Parameter {
   }
 };
 
-/// A whole number or a decimal number that fills `text` completely; none otherwise.
+/// The value of a whole or decimal number that fills `text` completely; none otherwise.
 std::optional<double> to_number(std::string_view text);
 
-/// The complaint about a child of <Material> that its law does not know.
+/// Error message for a child of <Material> that is not a property of its law.
 std::string not_a_property(const std::string& name, const std::vector<std::string>& valid);
 
-/// Values of the parameters `table` from the children of `statement` (<E>1e6</E>), in table order and consistent units.
-/// Missing, unknown, repeated, malformed and out-of-range entries go to `problems`; absent optional ones give no value.
-/// Children named in `handled_elsewhere` are skipped.
+/// Values of the parameters in `table`, read from the children of `statement` (<E>1e6</E>), in table order and
+/// consistent units. Missing, unknown, repeated, malformed and out-of-range entries are added to `problems`. Absent
+/// optional parameters give no value. Children named in `handled_elsewhere` are skipped.
 std::vector<std::optional<double>> read_parameters(const Statement& statement, const std::vector<ParameterInfo>& table,
                                                    const std::vector<std::string>& handled_elsewhere,
                                                    const Units& units, Problems& problems);
 
-/// Fills `law` from a statement by its table `Law::parameters()`. See read_parameters.
+/// Sets the members of `law` from a statement, with the table `Law::parameters()`. See read_parameters.
 template <class Law>
 void read_law(Law& law, const Statement& statement, const std::vector<std::string>& handled_elsewhere,
               const Units& units, Problems& problems) {

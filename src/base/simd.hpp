@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-/// Short vectors for the transfers between particles and nodes: a node is one Wide, (mass, momentum | -, force).
+/// Short vectors for the transfers between particles and nodes. The data of a node are one Wide: (mass, momentum | -,
+/// force).
 ///
-/// GCC/Clang vector extensions, so the same source serves any instruction set. A Wide is two halves also with AVX-512:
-/// slopes act on the force half only, and skipping the other half is worth more than the wider registers (measured).
+/// GCC/Clang vector extensions, so the same source serves any instruction set. A Wide consists of two halves also with
+/// AVX-512: shape function gradients are needed for the force half only, and skipping the other half was measured to
+/// save more time than wider registers.
 #pragma once
 
 namespace tribo {
@@ -24,7 +26,7 @@ struct Wide {
   friend Wide operator*(double s, const Wide& w) { return {s * w.l, s * w.h}; }
 };
 
-/// The upper half of a Wide whose lower half is zero.
+/// A Wide whose lower half is zero, stored as its upper half.
 struct Upper {
   Vec4 h;
   static Upper zero() { return {Vec4{}}; }
@@ -34,7 +36,7 @@ struct Upper {
   friend Wide operator+(const Wide& w, const Upper& u) { return {w.l, w.h + u.h}; }
 };
 
-/// As many points at once as the machine's registers hold.
+/// As many doubles as fit into one register of the target machine.
 #ifdef __AVX512F__
 inline constexpr int lane_count = 8;
 #else
@@ -46,7 +48,7 @@ using IntLanes = int __attribute__((vector_size(lane_count * 4), aligned(4), may
 inline Lanes load_lanes(const double* p) { return *reinterpret_cast<const Lanes*>(p); }
 inline void store_lanes(double* p, Lanes v) { *reinterpret_cast<Lanes*>(p) = v; }
 
-/// Rows a, b, c, d become columns: four components of four points <-> four points of four components.
+/// Transposes the 4 x 4 matrix with rows a, b, c, d: four components of four points <-> four points of four components.
 inline void transpose4(Vec4& a, Vec4& b, Vec4& c, Vec4& d) {
   const Vec4 ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6), ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
   const Vec4 cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6), cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);

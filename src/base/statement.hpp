@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// What the user wrote, in either language, with the place of every word.
+/// Statements: the contents of a command file, XML or script, with the place of each part.
 #pragma once
 
 #include "base/error.hpp"
@@ -16,8 +16,8 @@ struct Attribute {
   Origin origin;
 };
 
-/// One XML element, or the script command that means the same: `<Material Type="8" Name="rubber"> ... </Material>`.
-/// Readers of both languages produce a tree of these; what they mean is decided once, in input/.
+/// One XML element, or the equivalent script command: `<Material Type="8" Name="rubber"> ... </Material>`.
+/// The readers of both languages produce a tree of statements; input/ interprets it.
 struct Statement {
   std::string name;
   Origin origin;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// How long something took, added up over many times.
+/// Accumulated wall-clock time of repeated sections.
 #pragma once
 
 #include <chrono>
@@ -8,7 +8,7 @@ namespace tribo {
 
 class Stopwatch {
  public:
-  /// Adds the time until it goes out of scope.
+  /// Measures from its construction to the end of its scope.
   class Lap {
    public:
     explicit Lap(Stopwatch& watch) : watch_(watch), begin_(Clock::now()) {}

@@ -6,11 +6,11 @@
 
 namespace tribo {
 
-/// Biot strain in present axes, V - 1: the change of length per initial length of the lines that now lie along its
-/// principal axes. Equals the small strain where displacements are small.
+/// Biot strain V - 1 in the current configuration. Its principal values are the changes of length per initial length of
+/// material lines along its principal axes. For small displacements it equals the small strain tensor.
 Mat3 biot_strain(const Mat3& F);
 
-/// Axis of R times its angle [rad].
+/// Rotation vector of R: axis times angle [rad].
 Vec3 rotation_of(const Mat3& F);
 
 }  // namespace tribo

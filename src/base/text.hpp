@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Small things that are done to text.
+/// Functions for text.
 #pragma once
 
 #include <cstdio>
@@ -9,13 +9,13 @@
 
 namespace tribo {
 
-/// In lower case, ASCII only.
+/// The text in lower case, ASCII only.
 std::string lower(std::string_view text);
 
-/// What stands between blanks.
+/// The words between blanks.
 std::vector<std::string> words_of(std::string_view text);
 
-/// Values in a pattern of printf.
+/// A formatted text, with a format of printf.
 template <class... Values>
 std::string format(const char* pattern, Values... values) {
   std::string out(static_cast<std::size_t>(std::snprintf(nullptr, 0, pattern, values...)), '\0');
@@ -23,7 +23,7 @@ std::string format(const char* pattern, Values... values) {
   return out;
 }
 
-/// For XML and HTML: & < > as entities, and `quote`, if the text stands between such.
+/// Text for XML and HTML: & < > as entities, and also `quote`, the quotation mark that encloses the text.
 std::string escaped(std::string_view text, char quote = '"');
 
 }  // namespace tribo

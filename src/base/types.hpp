@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Vectors, matrices and how tensors are laid out in particle columns.
+/// Vectors, matrices and the layout of tensors in particle columns.
 #pragma once
 
 #include <Eigen/Core>
@@ -18,8 +18,8 @@ using Vec3 = Vec<3>;
 using Mat3 = Mat<3>;
 
 /// Layout of tensors with one array per component.
-/// Two dimensions keep the out-of-plane normal component and drop the components that are always zero.
-/// Symmetric tensors use VTK's order. Axisymmetric: x = r, y = z (axis), z = hoop.
+/// Two dimensions keep the out-of-plane normal component and omit the components that are always zero.
+/// Symmetric tensors are in VTK's order. Axisymmetric models: x = r, y = z (axis), z = hoop direction.
 template <int Dim>
 struct Layout;
 
@@ -41,7 +41,7 @@ struct Layout<3> {
       {{0, 0}, {0, 1}, {0, 2}, {1, 0}, {1, 1}, {1, 2}, {2, 0}, {2, 1}, {2, 2}}};
 };
 
-/// Point `i` of a tensor kept in one array per component, as a 3x3 matrix.
+/// Tensor of point `i`, stored in one array per component, as a 3x3 matrix.
 template <int Dim, class Columns>
 Mat3 load_symmetric(const Columns& c, int i) {
   Mat3 m = Mat3::Zero();

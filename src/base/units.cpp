@@ -10,7 +10,7 @@ namespace tribo {
 double Units::factor(Dimension dimension) const {
   if (dimension == Dimension::angle) return std::numbers::pi / 180.0;
   if (!legacy) return 1.0;
-  switch (dimension) {  // to mm, g, s
+  switch (dimension) {  // factor from legacy units to mm, g, s
     case Dimension::density:
       return 1e-3;  // g/cm^3
     case Dimension::stress:
@@ -40,7 +40,7 @@ double Units::factor(Dimension dimension) const {
 
 namespace {
 
-/// Systems of units whose stress and force have names.
+/// Systems of units with named units of stress and force.
 struct KnownUnits {
   std::string_view length, mass, time;
   const char *stress, *force;

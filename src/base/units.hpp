@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Units of the input. Inside, everything is in one consistent system of length, mass and time.
+/// Units of the input. The solver uses one consistent system of length, mass and time.
 #pragma once
 
 #include <string>
@@ -33,20 +33,20 @@ enum class Dimension {
   angle  ///< degrees in input, radians inside
 };
 
-/// The unit system a command file was written in.
+/// The system of units of a command file.
 struct Units {
-  bool legacy = false;  ///< the dialect's mixed units without <ConsistentUnits>; inside: mm, g, s
+  bool legacy = false;  ///< legacy units of NairnMPM, without <ConsistentUnits>; internally mm, g, s
   std::string length = "L", mass = "M", time = "T";
 
-  /// What a number of this dimension is multiplied with when read.
+  /// Conversion factor from a number of this dimension in the file to consistent units.
   double factor(Dimension dimension) const;
   /// Factor for times in functions, conditions and ramps (ms in legacy files).
   double alternative_time() const { return legacy ? 1e-3 : 1.0; }
-  /// `g/(mm s^2)`: the unit inside, for column heads and the manual.
+  /// Name of the consistent unit, e.g. `g/(mm s^2)`, for column heads and the manual.
   std::string name(Dimension dimension) const;
 };
 
-/// Generic unit of a dimension, as manuals print it: `stress`, `1/time`.
+/// Generic unit of a dimension, for the manual: `stress`, `1/time`.
 std::string_view dimension_name(Dimension dimension);
 
 }  // namespace tribo

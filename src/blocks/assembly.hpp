@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 /// Rigid blocks and the contacts between them: the data, and one step of it.
 ///
-/// Every quantity is a vector in space; in two dimensions z components of places and velocities are zero and only the
-/// rotation about z lives.
+/// Every quantity is a vector in space. In two dimensions the z components of positions and velocities are zero, and
+/// blocks rotate about z only.
 #pragma once
 
 #include "base/aligned.hpp"
+#include "base/archive.hpp"
 #include "blocks/overlap.hpp"
 #include "blocks/shape.hpp"
 #include "contact/joint_geometry.hpp"
@@ -22,26 +23,28 @@
 
 namespace tribo {
 
-/// What contacts need of a block. Velocities belong to the middle of the last step.
+/// Position x, velocity v, angular velocity w and rotation R of a block. Velocities belong to the middle of the last
+/// step.
 struct BlockMotion {
   Vec3 x = Vec3::Zero(), v = Vec3::Zero(), w = Vec3::Zero();
   Mat3 R = Mat3::Identity();
 };
+void archive(Archive& a, BlockMotion& motion);
 
-/// What does not change.
+/// Properties of a block that do not change.
 struct BlockBody {
-  double mass = 1.0;    ///< inertia against motion; of quasi-static runs a chosen one
+  double mass = 1.0;    ///< inertial mass; in quasi-static runs it is fitted to the step
   double weight = 0.0;  ///< density times volume
   double volume = 0.0;
-  double share = 0.0;             ///< weight of its stress in means: its volume; 0 where forces on it are unknown
+  double stress_weight = 0.0;     ///< of its stress in means: its volume; 0 if not all forces on it are known
   Vec3 inertia = Vec3::Ones();    ///< about the principal axes
-  Mat3 axes = Mat3::Identity();   ///< these, in body axes
-  bool sphere = true;             ///< all three are equal (or two dimensions)
+  Mat3 axes = Mat3::Identity();   ///< the principal axes, in body axes
+  bool sphere = true;             ///< all three moments of inertia are equal (or two dimensions)
   Vec3 reference = Vec3::Zero();  ///< point that distances and stresses refer to, from the centre, in body axes
   Vec3 start = Vec3::Zero();      ///< centre at the start
   int held = 0;                   ///< bits 1 2 4: velocity along x y z, 8 16 32: rotation about x y z
-  std::int32_t hold = -1;         ///< which prescribed motion; the platens' come after the holds
-  std::int32_t group = -1;        ///< of the description; -1: a platen
+  std::int32_t hold = -1;         ///< index of its prescribed motion: holds first, then platens
+  std::int32_t group = -1;        ///< index into BlocksSpec::groups; -1: a platen
 };
 
 /// Forces and moments about the centre; `all` without the local damping.
@@ -50,27 +53,30 @@ struct BlockForces {
   Vec3 outer = Vec3::Zero(), outer_moment = Vec3::Zero();  ///< the part of pressures and loads
   Vec3 damping = Vec3::Zero(), damping_moment = Vec3::Zero();
 };
+void archive(Archive& a, BlockForces& forces);
 
-/// What the matter in a grid does to a block during a step; moment about the centre.
-struct BlockPush {
+/// Action of the bodies in a grid on a block during a step; moment about the centre.
+struct GridForce {
   Vec3 force = Vec3::Zero(), moment = Vec3::Zero();
-  Mat3 spread = Mat3::Zero();  ///< sum of force (place - centre)^T
+  Mat3 spread = Mat3::Zero();  ///< sum of force (position - centre)^T
 };
+void archive(Archive& a, GridForce& force);
 
 /// Sums over time of work on one block [energy].
 struct BlockWork {
-  double outer = 0.0;     ///< done by pressures, loads and pushes
-  double boundary = 0.0;  ///< by what prescribes its motion
-  double damped = 0.0;    ///< taken out by local damping
+  double outer = 0.0;     ///< done by pressures, loads and the grid
+  double boundary = 0.0;  ///< done by prescribed motion
+  double damped = 0.0;    ///< dissipated by local damping
   double stepping = 0.0;  ///< see BlockLedger
 };
+void archive(Archive& a, BlockWork& work);
 
-/// How a contact follows its bodies.
+/// How the geometry of a contact follows its bodies.
 enum class ContactKind : std::uint8_t {
-  facet,   ///< a pair of faces that moves with the blocks
-  ball,    ///< between two balls
-  beside,  ///< between a ball and a body with faces, at whatever point of these is nearest
-  overlap  ///< a part of what two polygons or polyhedra share, found anew in every step
+  facet,         ///< a pair of faces that moves with the blocks
+  ball,          ///< between two balls
+  ball_on_face,  ///< between a ball and the nearest point of a body with faces
+  overlap        ///< a part of the intersection of two polygons or polyhedra, computed in every step
 };
 
 struct BlockContact {
@@ -79,17 +85,19 @@ struct BlockContact {
   Vec3 na = Vec3::UnitX(), nb = Vec3::UnitX();  ///< normal from a to b as each sees it; of balls na[0], nb[0] radii
   JointAxes axes;
   double mass = 0.0;       ///< m_a m_b/(m_a + m_b)
-  double on_a = 0.5;       ///< where it is between its points: 1 at that of a, 0 of b; its normal is then the other's
-  std::uint32_t part = 0;  ///< of an overlap: which part
+  double on_a = 0.5;       ///< position between pa (1) and pb (0); the normal is weighted the other way round
+  std::uint32_t part = 0;  ///< of an overlap: index of the part
 };
+void archive(Archive& a, BlockContact& contact);
 
-/// What a contact gives to its bodies: on b, the opposite on a.
+/// Force and moment of a contact on b; the opposite acts on a.
 struct ContactForce {
   Vec3 at = Vec3::Zero();
   Vec3 elastic = Vec3::Zero(), all = Vec3::Zero(), moment = Vec3::Zero();
 };
+void archive(Archive& a, ContactForce& force);
 
-/// Contacts of one law and kind, neighbours in the arrays.
+/// Contacts of one law and kind, contiguous in the arrays.
 struct ContactGroup {
   const JointLaw* law = nullptr;
   ContactKind kind = ContactKind::facet;
@@ -100,12 +108,12 @@ struct ContactGroup {
 /// A face with pressure on it.
 struct PressedFace {
   std::uint32_t body = 0;
-  Vec3 p = Vec3::Zero(), n = Vec3::UnitX();  ///< place and outward normal in body axes
+  Vec3 p = Vec3::Zero(), n = Vec3::UnitX();  ///< position and outward normal in body axes
   double area = 0.0;
-  std::uint32_t pressure = 0;  ///< of the description
+  std::uint32_t pressure = 0;  ///< index into BlocksSpec::pressures
 };
 
-/// Where a contact is drawn: its facet in the axes of body a.
+/// The facet of a contact in the axes of body a, for output.
 struct ContactOutline {
   std::vector<Vec3> corners;
 };
@@ -117,17 +125,19 @@ struct BlockEvent {
   JointEvent event;
 };
 
-/// Energies of the whole [energy]. content = kinetic + strain + potential + what was lost; it grows by work done.
+/// Energies of the whole assembly [energy]. The content, kinetic + strain + potential + dissipated, grows by the work
+/// done on it.
 struct BlockLedger {
   double kinetic = 0.0, strain = 0.0, potential = 0.0;
-  double slip = 0.0, dashpot = 0.0, damping = 0.0, released = 0.0;  ///< lost, positive
-  double outer_work = 0.0, boundary_work = 0.0;                     ///< put in
+  double slip = 0.0, dashpot = 0.0, damping = 0.0, released = 0.0;  ///< dissipated, >= 0
+  double outer_work = 0.0, boundary_work = 0.0;                     ///< supplied
   /// The kinetic energy is m v- v+/2, of the velocities half a step before and after, which leapfrog keeps to
   /// round-off. Where the step changes, and at the start, it jumps by (h- - h+) F (v+ - v-)/4; this is the sum of the
   /// jumps.
   double stepping = 0.0;
   double content() const { return kinetic + strain + potential + slip + dashpot + damping + released - stepping; }
 };
+void archive(Archive& a, BlockLedger& ledger);
 
 class Assembly {
  public:
@@ -136,9 +146,9 @@ class Assembly {
   Assembly(std::shared_ptr<const BlocksSpec> spec, int dimension, bool plane_stress, const Vec3& gravity,
            double max_step);
 
-  /// Largest stable step times the share that the description asks for.
+  /// Largest stable step times BlocksSpec::step_share [time].
   double critical_step() const { return critical_step_; }
-  /// One step: velocities, places, contacts, forces.
+  /// One step of dt: velocities, positions, contacts, forces. Throws SimulationError.
   void advance(double dt);
   /// Events since the last call.
   std::vector<BlockEvent> take_events();
@@ -148,24 +158,24 @@ class Assembly {
   BlockLedger ledger() const;
   /// Mean stress of the blocks by volume.
   Mat3 mean_stress() const;
-  /// Symmetric part of the displacement gradient that fits the blocks' displacements best.
+  /// Symmetric part of the displacement gradient that fits the displacements of the blocks best.
   Mat3 mean_strain() const;
-  /// Rotation vector of a block since the start, of at most half a turn.
-  Vec3 turned(std::size_t body) const;
+  /// Rotation vector of a block since the start, of at most half a orientation.
+  Vec3 rotation(std::size_t body) const;
   /// Force of the blocks on a platen.
   Vec3 platen_force(std::size_t platen) const;
   Vec3 platen_displacement(std::size_t platen) const;
   /// The point of a block's surface nearest to x.
   Vec3 nearest_on(std::size_t body, const Vec3& x) const;
-  /// On a block, from contacts, pressures, loads and pushes.
+  /// On a block, from contacts, pressures, loads and the grid.
   Vec3 contact_force(std::size_t body) const {
     const Vec3 all = forces[body].all - bodies[body].weight * gravity_;
-    return pushes.empty() ? all : Vec3(all + pushes[body].force);
+    return grid_forces.empty() ? all : Vec3(all + grid_forces[body].force);
   }
-  /// All places and velocities are numbers.
-  bool sound() const;
-  /// Throws SimulationError if blocks press into one another that have no contact, or carry a force across faces that
-  /// slid past each other: without a law for blocks that meet contacts are not found anew. Looks only if blocks moved.
+  /// True if all positions and velocities are finite numbers.
+  bool is_finite() const;
+  /// Throws SimulationError if blocks overlap that have no contact, or carry a force across faces that slid past each
+  /// other: without a law for new contacts none are detected. Checks only after blocks have moved.
   void check_contacts();
   double platen_area(std::size_t platen) const { return platen_area_[platen]; }
   /// Largest force on a free block over the mean force of contacts.
@@ -177,33 +187,30 @@ class Assembly {
   std::size_t active() const;
   double bytes() const;
 
-  /// Calls f(name, vector of numbers) for all that changes with time; what f writes into it goes back.
-  using Column = std::function<void(const char* name, std::vector<double>& numbers)>;
-  void each_column(const Column& f);
-  /// Pairs of blocks that may touch, found since the start, a b a b ...; set them before the columns when a state is
-  /// restored.
+  /// All that changes with time.
+  friend void archive(Archive& a, Assembly& blocks);
+  /// Pairs of blocks that may touch, found since the start, a b a b ...
   std::vector<std::int64_t> found_pairs() const;
-  void set_found_pairs(std::span<const std::int64_t> pairs);
 
   // State; blocks come first, then platens
   AlignedVector<BlockMotion> motion;
-  std::vector<std::array<double, 4>> turn;  ///< quaternions w x y z
+  std::vector<std::array<double, 4>> orientation;  ///< quaternions w x y z
   std::vector<BlockBody> bodies;
   std::vector<BlockForces> forces;
   std::vector<BlockWork> work;
   std::vector<BlockShape> shapes;  ///< in body axes about the centre
   AlignedVector<BlockContact> contacts;
   AlignedVector<Joint> joints;
-  AlignedVector<ContactForce> given;
-  std::vector<double> dashpot_work;  ///< per contact, positive: lost
-  std::vector<double> broke;         ///< how a contact's bond broke: 0 not, 1 in tension, 2 in shear
+  AlignedVector<ContactForce> contact_forces;
+  std::vector<double> dashpot_work;  ///< per contact, dissipated: positive
+  std::vector<double> failure_mode;  ///< of the bond of a contact: 0 whole, 1 tension, 2 shear
   std::vector<Vec3> shift;           ///< of periodic boxes, per contact; else empty
   std::vector<ContactGroup> groups;
   std::vector<ContactOutline> outlines;
   std::vector<PressedFace> pressed;
-  std::vector<BlockPush> pushes;  ///< per body, constant until changed; or empty
-  std::vector<Mat3> stress;       ///< per body; of the last step if a law has Poisson's ratio
-  Mat3 box_rate = Mat3::Zero();   ///< velocity gradient of a periodic box
+  std::vector<GridForce> grid_forces;  ///< per body, constant until changed; empty without a grid
+  std::vector<Mat3> stress;            ///< per body; of the last step if a law has Poisson's ratio
+  Mat3 box_rate = Mat3::Zero();        ///< velocity gradient of a periodic box
   double time = 0.0;
   std::int64_t step = 0;
   std::array<std::int64_t, 2> broken{};  ///< bonds so far: in tension, in shear
@@ -244,35 +251,36 @@ class Assembly {
   // detect.cpp
   void join_balls();
   void find_pairs(double dt);
-  void retire_faces(double dt);
-  void take_pairs(const std::vector<std::pair<std::uint32_t, std::uint32_t>>& pairs);
+  void release_moved_faces(double dt);
+  void set_found_pairs(std::span<const std::int64_t> pairs);
+  void set_pairs(const std::vector<std::pair<std::uint32_t, std::uint32_t>>& pairs);
   std::pair<BlockContact, JointSite> ball_contact(std::uint32_t a, std::uint32_t b) const;
   bool moved(std::span<const Vec3> since, double distance) const;
   std::array<Vec3, 3> marks(std::size_t body) const;
-  void remember(std::vector<Vec3>& places) const;
+  void store_marks(std::vector<Vec3>& places) const;
   std::vector<Bounds> bounds(double margin) const;
   JointAxes axes_between(std::uint32_t a, std::uint32_t b) const;
   double gap_between(std::uint32_t a, std::uint32_t b, double enough) const;
 
-  // meeting.cpp
+  // moving_contacts.cpp
   void place(std::size_t body, PlacedBlock& to) const;
   template <bool Plane>
   void move_contact(std::size_t contact, const Vec3& n, const Vec3& at, double dt, JointIncrement& d);
   void resize(Joint& joint, double area, const JointIncrement& d) const;
   void overlap_increments(const Batch& batch, double dt, JointIncrement* to);
-  void beside_increments(const Batch& batch, double dt, JointIncrement* to);
+  void ball_on_face_increments(const Batch& batch, double dt, JointIncrement* to);
 
   // step.cpp
   void move_bodies(double dt);
-  void meet(const Batch& batch, double dt);
+  void update_contacts(const Batch& batch, double dt);
   void increments(const Batch& batch, double dt, JointIncrement* to);
   template <ContactKind Kind, bool Plane>
-  void follow_all(const Batch& batch, double dt, JointIncrement* to);
+  void following_increments(const Batch& batch, double dt, JointIncrement* to);
   void apply_law(std::size_t batch, std::span<JointIncrement> d);
   void iterate_stress(double dt);
-  void give(std::size_t contact);
-  void gather(std::size_t body, double dt);
-  void press();
+  void set_force(std::size_t contact);
+  void sum_forces(std::size_t body, double dt);
+  void apply_pressures();
   void update_stress(std::size_t body);
   Mat3 mean_stress_at(const BlockContact& c, double nu) const;
 
@@ -285,7 +293,7 @@ class Assembly {
   std::vector<Batch> batches_;
   std::vector<std::vector<JointEvent>> batch_events_;
   std::vector<JointIncrement> kept_increments_;  // with iterations only
-  std::vector<Vec3> predicted_;                  // the same: elastic forces without the fictitious part
+  std::vector<Vec3> predicted_;                  // with iterations only: elastic forces without the fictitious part
   std::vector<std::uint32_t> first_, entries_;   // per body: contacts it belongs to, 2 contact + end
   std::vector<std::uint32_t> first_pressed_, pressed_of_;
   std::vector<ContactForce> pressed_force_;  // per pressed face: `at` and `all`
@@ -295,19 +303,19 @@ class Assembly {
     std::array<const TimeFunction*, 6> of{};
     int held = 0;
   };
-  std::vector<ScatterTerms> given_motions_;  // of holds, then of platens
-  std::vector<std::array<double, 6>> given_now_;
+  std::vector<ScatterTerms> prescribed_motions_;  // of holds, then of platens
+  std::vector<std::array<double, 6>> prescribed_now_;
   std::vector<std::shared_ptr<const JointLaw>> own_laws_;  // of platens
   std::vector<double> platen_area_;
   std::vector<BlockEvent> events_;
   std::vector<std::uint32_t> balls_;
   std::vector<std::vector<BlockEdge>> edges_;  // of every block in three dimensions; else empty
-  std::size_t lasting_ = 0;                    // contacts from the start on; those found later follow
-  double skin_ = 0.0;                          // pairs of blocks nearer than this are contacts
+  std::size_t permanent_ = 0;                  // contacts that exist from the start; those detected later follow
+  double skin_ = 0.0;                          // pairs of blocks closer than this have a contact
   std::vector<double> reach_;                  // of blocks from their centres
   std::vector<Vec3> found_at_, checked_at_;
-  BlockLedger gone_;                          // of contacts that are no more
-  double last_step_ = 0.0, time_rest_ = 0.0;  // what rounding left out of `time`
+  BlockLedger removed_;                        // of contacts that no longer exist
+  double last_step_ = 0.0, time_error_ = 0.0;  // rounding error of `time`, for the compensated sum
 };
 
 }  // namespace tribo

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// From the description of an assembly to blocks, contacts and masses.
+/// Construction of blocks, contacts and masses from the description of an assembly.
 
 #include "base/error.hpp"
 #include "blocks/assembly.hpp"
@@ -15,7 +15,7 @@
 namespace tribo {
 namespace {
 
-/// A corner's share of a face: the piece between the middles of its edges and the centre.
+/// The part of a face that belongs to a corner: the piece between the midpoints of its edges and the centre.
 struct Share {
   Vec3 at;
   double area;
@@ -61,7 +61,7 @@ std::string place_text(const Vec3& x) {
 std::size_t Assembly::add_body(const BlockShape& shape, const Vec3& reference, double density) {
   const MassProperties m = mass_properties(shape, plane_, thickness_);
   BlockBody body;
-  body.volume = body.share = m.volume;
+  body.volume = body.stress_weight = m.volume;
   body.mass = body.weight = density * m.volume;
   if (plane_ || shape.ball()) {
     body.inertia = Vec3::Constant(density * m.inertia(2, 2));
@@ -78,7 +78,7 @@ std::size_t Assembly::add_body(const BlockShape& shape, const Vec3& reference, d
   at.x = m.centre;
   BlockShape own = shape;
   for (Vec3& x : own.corners) x -= m.centre;
-  motion.push_back(at), turn.push_back({1, 0, 0, 0}), bodies.push_back(body), shapes.push_back(std::move(own));
+  motion.push_back(at), orientation.push_back({1, 0, 0, 0}), bodies.push_back(body), shapes.push_back(std::move(own));
   return bodies.size() - 1;
 }
 
@@ -227,7 +227,7 @@ Assembly::Assembly(std::shared_ptr<const BlocksSpec> spec, int dimension, bool p
   add_holds_and_loads();
   add_platens(free);
   add_pressures(free);
-  lasting_ = contacts.size();
+  permanent_ = contacts.size();
   if (spec_->touch) find_pairs(0.0);
   finish(max_step);
 }
@@ -245,10 +245,10 @@ void Assembly::refuse_overlaps(double tolerance) const {
 void Assembly::add_holds_and_loads() {
   for (std::size_t h = 0; h < spec_->holds.size(); ++h) {
     const BlockHold& hold = spec_->holds[h];
-    ScatterTerms given_motion;
+    ScatterTerms prescribed;
     for (std::size_t d = 0; d < 3; ++d) {
-      if (hold.velocity[d]) given_motion.of[d] = &*hold.velocity[d], given_motion.held |= 1 << d;
-      if (hold.spin[d]) given_motion.of[d + 3] = &*hold.spin[d], given_motion.held |= 8 << d;
+      if (hold.velocity[d]) prescribed.of[d] = &*hold.velocity[d], prescribed.held |= 1 << d;
+      if (hold.spin[d]) prescribed.of[d + 3] = &*hold.spin[d], prescribed.held |= 8 << d;
     }
     bool found = false;
     for (std::size_t k = 0; k < blocks_; ++k) {
@@ -256,11 +256,11 @@ void Assembly::add_holds_and_loads() {
       found = true;
       if (bodies[k].hold >= 0)
         fail(hold.origin, "the block at " + place_text(motion[k].x) + " is held already by another element");
-      bodies[k].hold = static_cast<std::int32_t>(h), bodies[k].held |= given_motion.held;
-      bodies[k].share = 0;  // what holds it is not among the forces on its faces
+      bodies[k].hold = static_cast<std::int32_t>(h), bodies[k].held |= prescribed.held;
+      bodies[k].stress_weight = 0;  // the forces that hold it are not among those on its faces
     }
     if (!found) fail(hold.origin, "no block has its centre in this shape");
-    given_motions_.push_back(given_motion);
+    prescribed_motions_.push_back(prescribed);
   }
   for (std::size_t l = 0; l < spec_->loads.size(); ++l) {
     const std::size_t before = loaded_.size();
@@ -297,16 +297,16 @@ void Assembly::add_platens(const std::vector<BlockFacet>& free) {
       fail(platen.origin, "a platen needs 'E', or a 'law' of <Blocks> to be as stiff as");
     own_laws_.push_back(std::make_shared<PlatenLaw>(spec_->law, platen.modulus, platen.rough));
     BlockBody body;
-    body.held = 63, body.hold = static_cast<std::int32_t>(given_motions_.size());
-    ScatterTerms given_motion;
+    body.held = 63, body.hold = static_cast<std::int32_t>(prescribed_motions_.size());
+    ScatterTerms prescribed;
     for (std::size_t d = 0; d < 3; ++d)
-      if (platen.velocity[d]) given_motion.of[d] = &*platen.velocity[d];
-    given_motions_.push_back(given_motion);
+      if (platen.velocity[d]) prescribed.of[d] = &*platen.velocity[d];
+    prescribed_motions_.push_back(prescribed);
     BlockMotion at;
     double area = 0;
     for (const BlockFacet* f : faces) at.x += f->geometry.area * f->geometry.centre, area += f->geometry.area;
     at.x /= area, body.start = at.x;
-    motion.push_back(at), turn.push_back({1, 0, 0, 0}), bodies.push_back(body), shapes.emplace_back();
+    motion.push_back(at), orientation.push_back({1, 0, 0, 0}), bodies.push_back(body), shapes.emplace_back();
     platen_area_.push_back(area);
     for (const BlockFacet* face : faces) {
       BlockFacet f = *face;
@@ -336,24 +336,24 @@ void Assembly::finish(double max_step) {
   set_step(around, max_step, nu);
   for (BlockContact& c : contacts) c.mass = mass_between(c.a, c.b);
 
-  if (!reach_.empty()) remember(checked_at_);
+  if (!reach_.empty()) store_marks(checked_at_);
   forces.assign(bodies.size(), {}), work.assign(bodies.size(), {}), stress.assign(bodies.size(), Mat3::Zero());
-  given.assign(contacts.size(), {}), dashpot_work.assign(contacts.size(), 0.0);
-  broke.assign(contacts.size(), 0.0);
-  given_now_.assign(given_motions_.size(), {});
+  contact_forces.assign(contacts.size(), {}), dashpot_work.assign(contacts.size(), 0.0);
+  failure_mode.assign(contacts.size(), 0.0);
+  prescribed_now_.assign(prescribed_motions_.size(), {});
   pressed_force_.assign(pressed.size(), {}), pressure_now_.assign(spec_->pressures.size(), 0.0);
   if (iterations_ > 0 && poisson_) kept_increments_.resize(contacts.size()), predicted_.resize(contacts.size());
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     const BlockContact& c = contacts[k];
     const Vec3 by = shift.empty() ? Vec3(Vec3::Zero()) : shift[k];
-    given[k].at = 0.5 * (motion[c.a].x + motion[c.a].R * c.pa + motion[c.b].x + motion[c.b].R * c.pb + by);
-    give(k);
+    contact_forces[k].at = 0.5 * (motion[c.a].x + motion[c.a].R * c.pa + motion[c.b].x + motion[c.b].R * c.pb + by);
+    set_force(k);
   }
-  press();
-  for (std::size_t k = 0; k < bodies.size(); ++k) gather(k, 0.0);
+  apply_pressures();
+  for (std::size_t k = 0; k < bodies.size(); ++k) sum_forces(k, 0.0);
 }
 
-// Batches within groups, and the contacts of every body in their order.
+// Divides the groups into batches, and lists the contacts of every body in their order.
 void Assembly::connect() {
   batches_.clear();
   for (std::size_t g = 0; g < groups.size(); ++g)

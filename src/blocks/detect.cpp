@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Contacts that come about: which blocks meet, and the check that none does without a contact.
+/// Detection of new contacts, and the check that no blocks overlap without a contact.
 
 #include "base/error.hpp"
 #include "blocks/kinematics.hpp"
@@ -25,7 +25,7 @@ std::string place_text(const Vec3& x) {
 
 }  // namespace
 
-// How far two blocks are apart, negative: overlap; some gap above `enough` if they are further apart than that.
+// Distance of two blocks, negative: overlap; any value above `enough` if the distance is larger than that.
 double Assembly::gap_between(std::uint32_t a, std::uint32_t b, double enough) const {
   if (shapes[a].ball() && shapes[b].ball())
     return (motion[b].x - motion[a].x).norm() - shapes[a].radius - shapes[b].radius;
@@ -39,8 +39,8 @@ double Assembly::gap_between(std::uint32_t a, std::uint32_t b, double enough) co
   return separation(first, second, plane_, enough).gap;
 }
 
-// Axes of blocks that meet, along the face they meet with; the tangents along axes of the smaller one, which are those
-// of its edges if it is a box, so that what they share is cut along these.
+// Axes of a new contact: the normal of the touching face, and tangents along axes of the smaller block. These are the
+// edges of a box, so that the intersection is cut along them.
 JointAxes Assembly::axes_between(std::uint32_t a, std::uint32_t b) const {
   thread_local PlacedBlock first, second;
   place(a, first), place(b, second);
@@ -67,13 +67,13 @@ std::vector<Bounds> Assembly::bounds(double margin) const {
   return out;
 }
 
-// Points of a block that tell whether any of it moved or turned.
+// Points of a block whose displacements bound those of all its points.
 std::array<Vec3, 3> Assembly::marks(std::size_t k) const {
   const BlockMotion& m = motion[k];
   return {m.x, Vec3(m.x + reach_[k] * m.R.col(0)), Vec3(m.x + reach_[k] * m.R.col(1))};
 }
 
-void Assembly::remember(std::vector<Vec3>& places) const {
+void Assembly::store_marks(std::vector<Vec3>& places) const {
   places.clear();
   for (std::size_t k = 0; k < blocks_; ++k)
     for (const Vec3& x : marks(k)) places.push_back(x);
@@ -104,7 +104,7 @@ std::pair<BlockContact, JointSite> Assembly::ball_contact(std::uint32_t a, std::
   return {c, site};
 }
 
-// Balls that touch at the start have the common law, for good.
+// Balls that touch at the start have a permanent contact with the common law.
 void Assembly::join_balls() {
   double smallest = std::numeric_limits<double>::infinity();
   for (std::uint32_t k = 0; k < blocks_; ++k) {
@@ -125,9 +125,9 @@ void Assembly::join_balls() {
     }
 }
 
-// Pairs of blocks whose faces, all without bond, slid or parted leave themselves to what is found anew. In the step
-// that has begun the forces of its start act still.
-void Assembly::retire_faces(double dt) {
+// Pairs of blocks whose faces, all without bond, slid or separated lose their permanent contacts; new ones are
+// detected. The forces at the start of the present step still act.
+void Assembly::release_moved_faces(double dt) {
   std::set<Pair> leave, stay;
   const auto each_face = [&](auto&& f) {
     for (std::size_t i = 0; i < groups.size(); ++i)
@@ -136,8 +136,9 @@ void Assembly::retire_faces(double dt) {
           f(i, k, joints[k], contacts[k], Pair{contacts[k].a, contacts[k].b});
   };
   each_face([&](std::size_t g, std::size_t, const Joint& j, const BlockContact& c, const Pair& pair) {
-    const double size = plane_ ? j.area / thickness_ : std::sqrt(j.area),
-                 turned = (motion[c.a].R * c.na).cross(motion[c.b].R * c.nb).norm();  // then corners press, not faces
+    const double
+        size = plane_ ? j.area / thickness_ : std::sqrt(j.area),
+        turned = (motion[c.a].R * c.na).cross(motion[c.b].R * c.nb).norm();  // then corners are in contact, not faces
     if (groups[g].law->is_bonded(j))
       stay.insert(pair);
     else if (j.shear.norm() >= 0.05 * size || j.gap >= 0.05 * size || turned >= 0.03)
@@ -157,9 +158,9 @@ void Assembly::retire_faces(double dt) {
 }
 
 void Assembly::find_pairs(double dt) {
-  if (dt > 0) retire_faces(dt);
+  if (dt > 0) release_moved_faces(dt);
   std::set<Pair> lasting;
-  for (std::size_t k = 0; k < lasting_; ++k)
+  for (std::size_t k = 0; k < permanent_; ++k)
     if (joints[k].area > 0)
       lasting.emplace(std::min(contacts[k].a, contacts[k].b), std::max(contacts[k].a, contacts[k].b));
   std::vector<Pair> pairs;
@@ -170,32 +171,33 @@ void Assembly::find_pairs(double dt) {
     pairs.insert(pairs.end(), faces ? shared_parts(plane_) : 1, {a, b});
   });
   std::sort(pairs.begin(), pairs.end());
-  remember(found_at_);
-  take_pairs(pairs);
+  store_marks(found_at_);
+  set_pairs(pairs);
 }
 
-// Contacts of the pairs after the lasting ones; those that were there go on.
-void Assembly::take_pairs(const std::vector<Pair>& pairs) {
+// Replaces the contacts after the permanent ones by those of the pairs; contacts that existed keep their state.
+void Assembly::set_pairs(const std::vector<Pair>& pairs) {
   struct Old {
     Pair pair;
     BlockContact contact;
     Joint joint;
-    ContactForce given;
-    double dashpot, broke;
+    ContactForce force;
+    double dashpot, failure_mode;
   };
   const bool running = !forces.empty();
   std::vector<Old> old;
-  for (std::size_t k = lasting_; k < contacts.size(); ++k)
-    old.push_back({{contacts[k].a, contacts[k].b}, contacts[k], joints[k], given[k], dashpot_work[k], broke[k]});
-  contacts.resize(lasting_), joints.resize(lasting_), outlines.resize(lasting_);
-  if (running) given.resize(lasting_), dashpot_work.resize(lasting_), broke.resize(lasting_);
-  while (!groups.empty() && groups.back().begin >= lasting_) groups.pop_back();
-  if (!groups.empty()) groups.back().end = std::min(groups.back().end, lasting_);
+  for (std::size_t k = permanent_; k < contacts.size(); ++k)
+    old.push_back(
+        {{contacts[k].a, contacts[k].b}, contacts[k], joints[k], contact_forces[k], dashpot_work[k], failure_mode[k]});
+  contacts.resize(permanent_), joints.resize(permanent_), outlines.resize(permanent_);
+  if (running) contact_forces.resize(permanent_), dashpot_work.resize(permanent_), failure_mode.resize(permanent_);
+  while (!groups.empty() && groups.back().begin >= permanent_) groups.pop_back();
+  if (!groups.empty()) groups.back().end = std::min(groups.back().end, permanent_);
   std::size_t at = 0;
   std::uint32_t part = 0;
   const auto let_go = [&](const Old& o) {
-    gone_.slip -= o.joint.slid, gone_.dashpot += o.dashpot;
-    gone_.released += o.joint.released() + o.joint.strain;
+    removed_.slip -= o.joint.slid, removed_.dashpot += o.dashpot;
+    removed_.released += o.joint.released() + o.joint.strain;
   };
   for (const Pair& p : pairs) {
     for (; at < old.size() && old[at].pair < p; ++at) let_go(old[at]);
@@ -203,7 +205,7 @@ void Assembly::take_pairs(const std::vector<Pair>& pairs) {
                faces = !shapes[p.first].ball() && !shapes[p.second].ball();
     auto [c, site] = ball_contact(p.first, p.second);
     c.part = part = &p > pairs.data() && *(&p - 1) == p ? part + 1 : 0;
-    if (faces) {  // its area is what they will share
+    if (faces) {  // its area is that of the intersection, found later
       c.pa = c.pb = Vec3::Zero();
       site.radius = 0, site.gap = skin_;
       const double volume = std::min(bodies[c.a].volume, bodies[c.b].volume);
@@ -211,14 +213,14 @@ void Assembly::take_pairs(const std::vector<Pair>& pairs) {
       c.axes = axes_between(c.a, c.b);
     }
     c.mass = mass_between(c.a, c.b);
-    const auto kind = ball ? ContactKind::ball : faces ? ContactKind::overlap : ContactKind::beside;
+    const auto kind = ball ? ContactKind::ball : faces ? ContactKind::overlap : ContactKind::ball_on_face;
     add_contact(c, site, *spec_->touch, kind, {}, Vec3::Zero());
     if (!running) continue;
-    given.emplace_back(), given.back().at = motion[c.a].x + motion[c.a].R * c.pa;
-    dashpot_work.push_back(0), broke.push_back(0);
+    contact_forces.emplace_back(), contact_forces.back().at = motion[c.a].x + motion[c.a].R * c.pa;
+    dashpot_work.push_back(0), failure_mode.push_back(0);
     if (at < old.size() && old[at].pair == p) {
-      contacts.back() = old[at].contact, joints.back() = old[at].joint, given.back() = old[at].given;
-      dashpot_work.back() = old[at].dashpot, broke.back() = old[at].broke;
+      contacts.back() = old[at].contact, joints.back() = old[at].joint, contact_forces.back() = old[at].force;
+      dashpot_work.back() = old[at].dashpot, failure_mode.back() = old[at].failure_mode;
       ++at;
     }
   }
@@ -229,7 +231,7 @@ void Assembly::take_pairs(const std::vector<Pair>& pairs) {
 
 std::vector<std::int64_t> Assembly::found_pairs() const {
   std::vector<std::int64_t> out;
-  for (std::size_t k = lasting_; k < contacts.size(); ++k)
+  for (std::size_t k = permanent_; k < contacts.size(); ++k)
     out.insert(out.end(), {std::int64_t{contacts[k].a}, std::int64_t{contacts[k].b}});
   return out;
 }
@@ -238,7 +240,7 @@ void Assembly::set_found_pairs(std::span<const std::int64_t> pairs) {
   std::vector<Pair> list;
   for (std::size_t k = 0; k + 1 < pairs.size(); k += 2)
     list.emplace_back(static_cast<std::uint32_t>(pairs[k]), static_cast<std::uint32_t>(pairs[k + 1]));
-  if (spec_->touch) take_pairs(list);
+  if (spec_->touch) set_pairs(list);
 }
 
 void Assembly::check_contacts() {
@@ -246,10 +248,10 @@ void Assembly::check_contacts() {
   for (std::size_t k = 0; k < blocks_; ++k)
     smallest = std::min(smallest, plane_ ? std::sqrt(bodies[k].volume / thickness_) : std::cbrt(bodies[k].volume));
   if (!moved(checked_at_, 0.01 * smallest)) return;
-  remember(checked_at_);
-  const double much = (spec_->touch ? 0.1 : 0.02) * smallest;  // pairs are looked for after a twentieth
+  store_marks(checked_at_);
+  const double much = (spec_->touch ? 0.1 : 0.02) * smallest;  // pairs are searched for after a twentieth
 
-  // Pairs that have contacts, and how deep these overlap; none that is bonded is looked at.
+  // Pairs that have contacts, with the depth of their overlap; bonded ones are not checked.
   std::map<Pair, double> known;
   for (const ContactGroup& g : groups)
     for (std::size_t k = g.begin; k < g.end; ++k) {
@@ -277,7 +279,7 @@ void Assembly::check_contacts() {
       if (gap_between(contacts[k].a, contacts[k].b, much) <= much) continue;
       throw SimulationError(
           "the blocks " + std::to_string(contacts[k].a + 1) + " and " + std::to_string(contacts[k].b + 1) +
-          " slid past each other at " + place_text(given[k].at) + ", time " + std::to_string(time) +
+          " slid past each other at " + place_text(contact_forces[k].at) + ", time " + std::to_string(time) +
           ", and their contact still presses: it does not shrink as its faces part. Contacts are found anew with "
           "'touchname' of <Blocks>");
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Which faces of blocks lie against one another.
+/// Touching faces of blocks.
 
 #include "blocks/shape.hpp"
 
@@ -11,7 +11,7 @@ namespace {
 
 constexpr double parallel = 1 - 5e-9;  // cosine of 1e-4 rad
 
-// What a segment shares with another one along its own line.
+// Intersection of a segment with another one on the same line.
 std::vector<Vec3> common_segment(const std::vector<Vec3>& mine, const std::vector<Vec3>& theirs) {
   const Vec3 along = mine[1] - mine[0];
   const double length = along.norm();
@@ -23,12 +23,12 @@ std::vector<Vec3> common_segment(const std::vector<Vec3>& mine, const std::vecto
   return {mine[0] + low * t, mine[0] + high * t};
 }
 
-// What a convex polygon shares with another one that is laid into its plane (Sutherland and Hodgman).
+// Intersection of a convex polygon with another one projected to its plane (Sutherland and Hodgman).
 std::vector<Vec3> common_polygon(const std::vector<Vec3>& mine, const std::vector<Vec3>& theirs, const Vec3& n) {
   std::vector<Vec3> out = mine;
   for (std::size_t k = 0; k < theirs.size() && out.size() > 2; ++k) {
     const Vec3 &a = theirs[k], &b = theirs[(k + 1) % theirs.size()];
-    const Vec3 outward = n.cross(b - a);  // theirs goes round the other way, seen along n
+    const Vec3 outward = n.cross(b - a);  // the other polygon has the opposite orientation
     const auto side = [&](const Vec3& p) { return outward.dot(p - a); };
     std::vector<Vec3> cut;
     for (std::size_t i = 0; i < out.size(); ++i) {

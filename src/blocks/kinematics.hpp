@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-/// What two bodies do at a contact during a step.
+/// Relative motion of two bodies at a contact during a step.
 #pragma once
 
 #include "blocks/assembly.hpp"
 
 namespace tribo {
 
-/// Where a contact is and how it is turned.
+/// Position and axes of a contact.
 struct ContactFrame {
   JointAxes axes;
   Vec3 at = Vec3::Zero();
@@ -15,7 +15,7 @@ struct ContactFrame {
 /// Axes in the plane of a normal there.
 inline JointAxes plane_axes(const Vec3& n) { return {n, Vec3::UnitZ(), Vec3(n[1], -n[0], 0)}; }
 
-/// Axes carried along to a new normal; the tangents turn with both bodies on average.
+/// Axes after the rotation to a new normal; the tangents follow the mean rotation of both bodies.
 template <bool Plane>
 JointAxes carried(JointAxes axes, const Vec3& n, const BlockMotion& a, const BlockMotion& b, double dt) {
   if constexpr (Plane) return plane_axes(n);
@@ -29,10 +29,10 @@ inline double half_work(const Joint& j, const JointIncrement& d) {
   return 0.5 * (j.Fn * d.normal - j.Fs.dot(d.shear) - j.Mt * d.twist - j.Mb.dot(d.bend));
 }
 
-/// Displacement and rotation of body b, after its shift, against body a: with the mean of the lever arms before and
-/// after the step, along the mean of the axes. With rotations by dt w x (R_before + R_after)/2, as the bodies make
-/// them, a pair that moves as one body does exactly nothing, and the work of a contact is, to the third order of a
-/// step, what leapfrog makes of its forces.
+/// Displacement and rotation of body b, after its shift, relative to body a: with the mean of the lever arms before and
+/// after the step, along the mean of the axes. With rotations by dt w x (R_before + R_after)/2, as in the
+/// update of the bodies, a pair in rigid motion has exactly no increment, and the work of a contact equals the work of
+/// its forces in leapfrog to third order of the step.
 template <bool Plane>
 void count_increment(const BlockMotion& a, const BlockMotion& b, const Vec3& shift, const Vec3& shift_velocity,
                      const ContactFrame& before, const ContactFrame& after, double dt, JointIncrement& d) {

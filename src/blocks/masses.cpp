@@ -26,8 +26,8 @@ std::vector<Assembly::Stiffness> Assembly::stiffness_around() const {
   return out;
 }
 
-// What may come about later: around a ball as many of its size as there is room for, some of the stiffest balls on a
-// block with faces, other blocks on half of its surface.
+// Contacts that may form later: around a ball as many balls of its size as fit, some of the stiffest balls on a block
+// with faces, other blocks on half of its surface.
 void Assembly::expect_neighbours(std::vector<Stiffness>& around) const {
   const auto at_least = [&](std::size_t k, double stiff) {
     around[k].straight = std::max(around[k].straight, stiff);
@@ -54,7 +54,7 @@ void Assembly::expect_neighbours(std::vector<Stiffness>& around) const {
   }
 }
 
-// So that max_step is 1/2 sqrt(m (1 - 2 nu)/k) of every block.
+// Masses for which max_step is 1/2 sqrt(m (1 - 2 nu)/k) of every block.
 void Assembly::choose_masses(const std::vector<Stiffness>& around, double max_step, double nu) {
   const double per_stiffness = 4 * max_step * max_step / (1 - 2 * nu);
   for (std::size_t k = 0; k < blocks_; ++k) {
@@ -75,14 +75,14 @@ void Assembly::set_step(const std::vector<Stiffness>& around, double max_step, d
     if (around[k].turning > 0 && (body.held & 56) != 56)
       least = std::min(least, std::sqrt(body.inertia.minCoeff() / around[k].turning));
   }
-  // The fictitious stress makes the whole stiffer than its springs
+  // The fictitious stress makes the assembly stiffer than its springs
   const double stiffer = !poisson_       ? 1.0
                          : plane_stress_ ? std::sqrt(1 - nu * nu)
                                          : std::sqrt((1 + nu) * (1 - 2 * nu) / (1 - nu));
   critical_step_ = spec_->quasi_static ? max_step : std::min(max_step, spec_->step_share * stiffer * least);
 }
 
-// m_a m_b/(m_a + m_b); of a body that is held: infinitely heavy.
+// m_a m_b/(m_a + m_b); a body with prescribed motion has infinite mass.
 double Assembly::mass_between(std::uint32_t a, std::uint32_t b) const {
   const bool free_a = (bodies[a].held & 7) != 7, free_b = (bodies[b].held & 7) != 7;
   const double ma = bodies[a].mass, mb = bodies[b].mass;

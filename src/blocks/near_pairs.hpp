@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Which boxes overlap.
+/// Search for overlapping boxes.
 #pragma once
 
 #include "geometry/region.hpp"
@@ -11,7 +11,7 @@
 
 namespace tribo {
 
-/// Calls f(i, j), i < j, for all pairs of boxes that overlap or touch, in the order of their places along x.
+/// Calls f(i, j), i < j, for all pairs of boxes that overlap or touch, ordered along x.
 template <class F>
 void each_near_pair(const std::vector<Bounds>& boxes, F&& f) {
   std::vector<std::uint32_t> order(boxes.size());

@@ -14,7 +14,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 using Polygon = std::vector<Vec3>;
 
-// What of a polygon lies where n . x <= limit, or below it if `strictly`; `spare` is a place to work in.
+// The part of a polygon with n . x <= limit, or < limit if `strictly`; `spare` is scratch memory.
 void cut(Polygon& polygon, const Vec3& n, double limit, Polygon& spare, bool strictly = false) {
   spare.clear();
   for (std::size_t k = 0; k < polygon.size(); ++k) {
@@ -61,7 +61,7 @@ void PlacedBlock::place(const BlockShape& what, std::span<const BlockEdge> its_e
   for (const auto& face : what.faces) {
     const Vec3 &p = corners[face[0]], &q = corners[face[1]];
     Vec3 n(q[1] - p[1], p[0] - q[0], 0);
-    if (!plane) {  // by the whole face, as corners may lie close together
+    if (!plane) {  // from the whole face, as corners may be close together
       n.setZero();
       for (std::size_t k = 1; k + 1 < face.size(); ++k) n += (corners[face[k]] - p).cross(corners[face[k + 1]] - p);
     }
@@ -118,7 +118,7 @@ BlockGap separation(const PlacedBlock& a, const PlacedBlock& b, bool plane, doub
 namespace {
 
 void share_in_plane(const PlacedBlock& a, const PlacedBlock& b, const JointAxes& axes, std::span<SharedPart> parts) {
-  thread_local Polygon common, half, spare;  // kept from step to step
+  thread_local Polygon common, half, spare;  // scratch memory, kept from step to step
   common = a.corners;
   cut(common, b, spare);
   if (common.size() < 3) return;
@@ -141,8 +141,8 @@ void share_in_plane(const PlacedBlock& a, const PlacedBlock& b, const JointAxes&
   }
 }
 
-// The surface of what they share: of each its faces inside the other. Faces of cuts through the point that cones are
-// taken from have no volume and are seen edge on, so they are not needed.
+// The surface of the intersection: the faces of each block inside the other. Faces of cuts through the apex of the
+// cones have neither volume nor projected area and are not needed.
 void share_in_space(const PlacedBlock& a, const PlacedBlock& b, const JointAxes& axes, std::span<SharedPart> parts) {
   struct Face {
     Polygon corners;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// What holds a platen to the faces of blocks: springs that never break.
+/// Law of the contacts between a platen and blocks: springs without strength limit.
 #pragma once
 
 #include "contact/joint_parts.hpp"
@@ -9,10 +9,10 @@
 namespace tribo {
 
 /// Normal springs E A/d, d from the reference point of the block to its face, with the fictitious stress of that block,
-/// so that the layer next to the platen strains as the blocks do; `rough`: the same along the face, else none.
+/// so that the layer next to the platen has the strain of the blocks; `rough`: also along the face.
 class PlatenLaw final : public JointLaw {
  public:
-  /// `modulus` E; 0: as stiff as `like`, whose Poisson's ratio it takes in any case. `like` may be null with a modulus.
+  /// `modulus` E; 0: as stiff as `like`, whose Poisson's ratio is used in any case. `like` may be null with a modulus.
   PlatenLaw(std::shared_ptr<const JointLaw> like, double modulus, bool rough)
       : like_(std::move(like)), modulus_(modulus), rough_(rough) {}
 

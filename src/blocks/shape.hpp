@@ -11,7 +11,7 @@
 
 namespace tribo {
 
-/// A convex body. In two dimensions a polygon in the plane z = 0 whose corners go round counter-clockwise.
+/// A convex body. In two dimensions a polygon in the plane z = 0 whose corners are in counter-clockwise order.
 struct BlockShape {
   std::vector<Vec3> corners;
   /// Corners of each face, counter-clockwise seen from outside; in two dimensions the two ends of each edge.
@@ -51,11 +51,11 @@ struct BlockFacet {
   std::vector<Vec3> corners;  ///< as of the face of a
   FaceGeometry geometry;      ///< normal from a to b
   double gap = 0.0;           ///< from a's face to b's
-  Vec3 shift = Vec3::Zero();  ///< periodic boxes: b's copy is at its place + shift
-  /// Whose face it is a whole face of, if only of one: 1 a, 2 b; else 0. Such a contact stays with that block when it
-  /// slides along the larger face of the other.
+  Vec3 shift = Vec3::Zero();  ///< periodic boxes: the image of b is at its position + shift
+  /// If it is a whole face of only one of the blocks: 1 for a, 2 for b; else 0. Such a contact moves with that block
+  /// when it slides along the larger face of the other.
   int owner = 0;
-  bool covered = false;  ///< a free face that another block lies against in part
+  bool covered = false;  ///< a free face that another block covers in part
 };
 
 /// Blocks that fill a box, and the faces between them.
@@ -70,8 +70,9 @@ struct Tessellation {
 Tessellation voronoi(std::span<const Vec3> nuclei, const Vec3& low, const Vec3& high, bool plane, double thickness,
                      const std::array<bool, 3>& periodic = {});
 
-/// Finds free facets of blocks of different groups that lie against one another, at most `tolerance` apart, and makes
-/// facets of what they share; wholly covered free ones go, others are marked. `group[k]` is that of block k.
+/// Finds touching free facets of blocks of different groups, at most `tolerance` apart, and adds facets of their
+/// intersections; free facets that are covered as a whole are removed, others are marked. `group[k]` is that of block
+/// k.
 void join_faces(std::span<const std::int64_t> group, bool plane, double thickness, double tolerance,
                 std::vector<BlockFacet>& facets);
 

@@ -1,61 +1,77 @@
 // SPDX-License-Identifier: MIT
-/// What of an assembly changes with time, for checkpoints.
+/// Saving and restoring an assembly of blocks.
 
 #include "blocks/assembly.hpp"
 
 namespace tribo {
 
-void Assembly::each_column(const Column& f) {
-  std::vector<double> column;
-  const auto pass = [&](const char* name, auto&& each) {
-    column.clear();
-    each([&](double& v) { column.push_back(v); });
-    f(name, column);
-    std::size_t k = 0;
-    each([&](double& v) { v = column[k++]; });
-  };
-  const auto vec = [](auto& g, auto& m) {
-    for (double* v = m.data(); v != m.data() + m.size(); ++v) g(*v);
-  };
-  pass("blocks.motion", [&](auto&& g) {
-    for (std::size_t k = 0; k < motion.size(); ++k) {
-      vec(g, motion[k].x), vec(g, motion[k].v), vec(g, motion[k].w), vec(g, motion[k].R);
-      for (double& q : turn[k]) g(q);
-    }
-  });
-  pass("blocks.forces", [&](auto&& g) {
-    for (auto& b : forces)
-      for (Vec3* v : {&b.all, &b.moment, &b.outer, &b.outer_moment, &b.damping, &b.damping_moment}) vec(g, *v);
-    for (auto& b : work) g(b.outer), g(b.boundary), g(b.damped), g(b.stepping);
-    for (auto& b : pushes) vec(g, b.force), vec(g, b.moment), vec(g, b.spread);
-    for (auto& s : stress) vec(g, s);
-  });
-  pass("contacts.joints", [&](auto&& g) {
-    for (auto& j : joints) each_number(j, g);
-    for (double& v : dashpot_work) g(v);
-    for (double& v : broke) g(v);
-  });
-  pass("contacts.places", [&](auto&& g) {
-    for (std::size_t k = 0; k < contacts.size(); ++k) {
-      for (Vec3* v : {&contacts[k].axes.n, &contacts[k].axes.s, &contacts[k].axes.t, &given[k].at, &given[k].elastic,
-                      &given[k].all, &given[k].moment})
-        vec(g, *v);
-      if (!shift.empty()) vec(g, shift[k]);
-    }
-    for (auto& p : pressed_force_) vec(g, p.at), vec(g, p.all);
-  });
-  pass("blocks.found", [&](auto&& g) {
-    for (auto* list : {&found_at_, &checked_at_})
-      for (Vec3& x : *list) vec(g, x);
-    for (double* v : {&gone_.slip, &gone_.dashpot, &gone_.released}) g(*v);
-  });
-  pass("blocks.counters", [&](auto&& g) {
-    double steps = static_cast<double>(step), tension = static_cast<double>(broken[0]),
-           shear = static_cast<double>(broken[1]);
-    for (double* v : {&time, &time_rest_, &last_step_, &steps, &tension, &shear}) g(*v);
-    step = static_cast<std::int64_t>(steps);
-    broken = {static_cast<std::int64_t>(tension), static_cast<std::int64_t>(shear)};
-  });
+void archive(Archive& a, BlockMotion& motion) {
+  auto& [x, v, w, R] = motion;
+  a.version(1);
+  a("x", x), a("v", v), a("w", w), a("R", R);
+}
+
+void archive(Archive& a, BlockForces& forces) {
+  auto& [all, moment, outer, outer_moment, damping, damping_moment] = forces;
+  a.version(1);
+  a("all", all), a("moment", moment), a("outer", outer), a("outer_moment", outer_moment);
+  a("damping", damping), a("damping_moment", damping_moment);
+}
+
+void archive(Archive& a, GridForce& grid_force) {
+  auto& [force, moment, spread] = grid_force;
+  a.version(1);
+  a("force", force), a("moment", moment), a("spread", spread);
+}
+
+void archive(Archive& a, BlockWork& work) {
+  auto& [outer, boundary, damped, stepping] = work;
+  a.version(1);
+  a("outer", outer), a("boundary", boundary), a("damped", damped), a("stepping", stepping);
+}
+
+// Only the axes carry something over from the last step. Points, normals and masses of faces are constant, those of
+// other contacts are computed from the positions of the blocks.
+void archive(Archive& a, BlockContact& contact) {
+  auto& [body_a, body_b, pa, pb, na, nb, axes, mass, on_a, part] = contact;
+  a.version(1);
+  a("axes", axes);
+}
+
+void archive(Archive& a, ContactForce& force) {
+  auto& [at, elastic, all, moment] = force;
+  a.version(1);
+  a("at", at), a("elastic", elastic), a("all", all), a("moment", moment);
+}
+
+void archive(Archive& a, BlockLedger& ledger) {
+  auto& [kinetic, strain, potential, slip, dashpot, damping, released, outer_work, boundary_work, stepping] = ledger;
+  a.version(1);
+  a("kinetic", kinetic), a("strain", strain), a("potential", potential);
+  a("slip", slip), a("dashpot", dashpot), a("damping", damping), a("released", released);
+  a("outer_work", outer_work), a("boundary_work", boundary_work), a("stepping", stepping);
+}
+
+// The members from `spec` on that are not visited belong to the model, follow from the contacts, or serve within a
+// step. Contacts that were found during the run exist again once their pairs of blocks are known.
+void archive(Archive& a, Assembly& blocks) {
+  auto& [motion, orientation, bodies, forces, work, shapes, contacts, joints, contact_forces, dashpot_work,
+         failure_mode, shift, groups, outlines, pressed, grid_forces, stress, box_rate, time, step, broken, spec, plane,
+         plane_stress, poisson, thickness, damping, critical_step, iterations, gravity, block_count, batches,
+         batch_events, kept_increments, predicted, first, entries, first_pressed, pressed_of, pressed_force,
+         pressure_now, loaded, motions, motions_now, own_laws, platen_area, events, balls, edges, permanent, skin,
+         reach, found_at, checked_at, removed, last_step, time_error] = blocks;
+  a.version(1);
+  std::vector<std::int64_t> pairs = blocks.found_pairs();
+  a.resizable("found_pairs", pairs);
+  if (a.reading()) blocks.set_found_pairs(pairs);
+  a("motion", motion), a("orientation", orientation), a("forces", forces), a("work", work),
+      a("grid_forces", grid_forces);
+  a("stress", stress), a("pressed_force", pressed_force);
+  a("joints", joints), a("dashpot_work", dashpot_work), a("failure_mode", failure_mode);
+  a("contacts", contacts), a("contact_forces", contact_forces), a("shift", shift);
+  a("found_at", found_at), a("checked_at", checked_at), a("removed", removed);
+  a("time", time), a("time_error", time_error), a("last_step", last_step), a("step", step), a("broken", broken);
 }
 
 }  // namespace tribo

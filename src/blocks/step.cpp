@@ -11,7 +11,7 @@
 namespace tribo {
 namespace {
 
-/// The increment of a contact whose bodies have moved; updates its axes and place.
+/// The increment of a contact whose bodies have moved; updates its axes and position.
 template <ContactKind Kind, bool Plane>
 void follow(BlockContact& c, const BlockMotion& a, const BlockMotion& b, const Vec3& shift, const Vec3& shift_velocity,
             double dt, Vec3& at, JointIncrement& d) {
@@ -35,7 +35,7 @@ void follow(BlockContact& c, const BlockMotion& a, const BlockMotion& b, const V
   d.mass = c.mass;
 }
 
-double lessening(double alpha, double force, double velocity) {
+double local_damping(double alpha, double force, double velocity) {
   return velocity == 0 ? 0.0 : -alpha * std::abs(force) * (velocity > 0 ? 1.0 : -1.0);
 }
 
@@ -46,41 +46,41 @@ void Assembly::advance(double dt) {
   if (spec_->touch && moved(found_at_, 0.25 * skin_)) find_pairs(dt);
   const auto batch_count = static_cast<std::ptrdiff_t>(batches_.size());
   if (iterations_ > 0 && poisson_) iterate_stress(dt);
-  parallel_for(batch_count, [&](std::ptrdiff_t k) { meet(batches_[static_cast<std::size_t>(k)], dt); });
-  const double with_rest = dt + time_rest_, later = time + with_rest;  // compensated sum
-  time_rest_ = with_rest - (later - time), time = later, ++step, last_step_ = dt;
+  parallel_for(batch_count, [&](std::ptrdiff_t k) { update_contacts(batches_[static_cast<std::size_t>(k)], dt); });
+  const double with_rest = dt + time_error_, later = time + with_rest;  // compensated sum
+  time_error_ = with_rest - (later - time), time = later, ++step, last_step_ = dt;
   for (std::size_t k = 0; k < batches_.size(); ++k) {
     for (const JointEvent& e : batch_events_[k]) {
       const std::size_t contact = batches_[k].begin + e.contact;
-      BlockEvent out{time, contact, given[contact].at, e};
+      BlockEvent out{time, contact, contact_forces[contact].at, e};
       out.event.contact = contact;
-      if (e.kind == JointEvent::Kind::bond_break) ++broken[e.mode == 1 ? 0 : 1], broke[contact] = e.mode;
+      if (e.kind == JointEvent::Kind::bond_break) ++broken[e.mode == 1 ? 0 : 1], failure_mode[contact] = e.mode;
       events_.push_back(out);
     }
     batch_events_[k].clear();
   }
-  press();
+  apply_pressures();
   parallel_for(static_cast<std::ptrdiff_t>(bodies.size()),
-               [&](std::ptrdiff_t k) { gather(static_cast<std::size_t>(k), dt); });
+               [&](std::ptrdiff_t k) { sum_forces(static_cast<std::size_t>(k), dt); });
 }
 
-// From the middle of the last step to that of this; the very first velocities are those of the start. What a grid does
-// in this step belongs to the whole of it.
+// From the middle of the last step to that of this; the very first velocities are those of the start. The forces
+// of a grid in this step act over the whole step.
 void Assembly::move_bodies(double dt) {
   const double middle = time + 0.5 * dt, kick = 0.5 * (last_step_ + dt);
-  for (std::size_t g = 0; g < given_motions_.size(); ++g)
+  for (std::size_t g = 0; g < prescribed_motions_.size(); ++g)
     for (std::size_t d = 0; d < 6; ++d)
-      given_now_[g][d] = given_motions_[g].of[d] ? given_motions_[g].of[d]->at(middle) : 0.0;
+      prescribed_now_[g][d] = prescribed_motions_[g].of[d] ? prescribed_motions_[g].of[d]->at(middle) : 0.0;
   parallel_for(static_cast<std::ptrdiff_t>(bodies.size()), [&](std::ptrdiff_t i) {
     const auto k = static_cast<std::size_t>(i);
     const BlockBody& body = bodies[k];
     const BlockForces& f = forces[k];
     BlockMotion& m = motion[k];
-    const BlockPush push = pushes.empty() ? BlockPush{} : pushes[k];
+    const GridForce grid = grid_forces.empty() ? GridForce{} : grid_forces[k];
     const Vec3 old_v = m.v, old_w = m.w;
-    if ((body.held & 7) != 7) m.v += (kick * (f.all + f.damping) + dt * push.force) / body.mass;
+    if ((body.held & 7) != 7) m.v += (kick * (f.all + f.damping) + dt * grid.force) / body.mass;
     if ((body.held & 56) != 56) {
-      const Vec3 turning = kick * (f.moment + f.damping_moment) + dt * push.moment;
+      const Vec3 turning = kick * (f.moment + f.damping_moment) + dt * grid.moment;
       if (plane_) {
         m.w[2] += turning[2] / body.inertia[2];
       } else if (body.sphere) {
@@ -98,20 +98,20 @@ void Assembly::move_bodies(double dt) {
       }
     }
     if (body.hold >= 0) {
-      const auto& now = given_now_[static_cast<std::size_t>(body.hold)];
+      const auto& now = prescribed_now_[static_cast<std::size_t>(body.hold)];
       for (int d = 0; d < 3; ++d) {
         if (body.held & (1 << d)) m.v[d] = now[static_cast<std::size_t>(d)];
         if (body.held & (8 << d)) m.w[d] = now[static_cast<std::size_t>(d) + 3];
       }
     }
-    for (int d = 0; d < 3 && (!pushes.empty() || dt != last_step_); ++d) {
+    for (int d = 0; d < 3 && (!grid_forces.empty() || dt != last_step_); ++d) {
       const double jump = 0.25 * (last_step_ - dt);
       if (!(body.held & (1 << d))) {
-        work[k].outer += 0.5 * dt * push.force[d] * (old_v[d] + m.v[d]);
+        work[k].outer += 0.5 * dt * grid.force[d] * (old_v[d] + m.v[d]);
         work[k].stepping += jump * (f.all[d] + f.damping[d]) * (m.v[d] - old_v[d]);
       }
       if (!(body.held & (8 << d))) {
-        work[k].outer += 0.5 * dt * push.moment[d] * (old_w[d] + m.w[d]);
+        work[k].outer += 0.5 * dt * grid.moment[d] * (old_w[d] + m.w[d]);
         work[k].stepping += jump * (f.moment[d] + f.damping_moment[d]) * (m.w[d] - old_w[d]);
       }
     }
@@ -119,7 +119,7 @@ void Assembly::move_bodies(double dt) {
     if (m.w.isZero(0.0)) return;
     // By R_new - R_old = dt w x (R_old + R_new)/2, whose angle is 2 atan(dt |w|/2)
     const Vec3 half = 0.5 * dt * m.w;
-    auto& q = turn[k];
+    auto& q = orientation[k];
     const Eigen::Quaterniond next =
         (Eigen::Quaterniond(1, half[0], half[1], half[2]) * Eigen::Quaterniond(q[0], q[1], q[2], q[3])).normalized();
     q = {next.w(), next.x(), next.y(), next.z()};
@@ -133,28 +133,28 @@ void Assembly::increments(const Batch& batch, double dt, JointIncrement* to) {
   switch (groups[batch.group].kind) {
     case ContactKind::overlap:
       return overlap_increments(batch, dt, to);
-    case ContactKind::beside:
-      return beside_increments(batch, dt, to);
+    case ContactKind::ball_on_face:
+      return ball_on_face_increments(batch, dt, to);
     case ContactKind::ball:
-      return plane_ ? follow_all<ContactKind::ball, true>(batch, dt, to)
-                    : follow_all<ContactKind::ball, false>(batch, dt, to);
+      return plane_ ? following_increments<ContactKind::ball, true>(batch, dt, to)
+                    : following_increments<ContactKind::ball, false>(batch, dt, to);
     case ContactKind::facet:
-      return plane_ ? follow_all<ContactKind::facet, true>(batch, dt, to)
-                    : follow_all<ContactKind::facet, false>(batch, dt, to);
+      return plane_ ? following_increments<ContactKind::facet, true>(batch, dt, to)
+                    : following_increments<ContactKind::facet, false>(batch, dt, to);
   }
 }
 
 template <ContactKind Kind, bool Plane>
-void Assembly::follow_all(const Batch& batch, double dt, JointIncrement* to) {
+void Assembly::following_increments(const Batch& batch, double dt, JointIncrement* to) {
   Vec3 by = Vec3::Zero(), speed = Vec3::Zero();
   for (std::size_t k = batch.begin; k < batch.end; ++k, ++to) {
     BlockContact& c = contacts[k];
     if (!shift.empty()) by = shift[k], speed = box_rate * by;
-    follow<Kind, Plane>(c, motion[c.a], motion[c.b], by, speed, dt, given[k].at, *to);
+    follow<Kind, Plane>(c, motion[c.a], motion[c.b], by, speed, dt, contact_forces[k].at, *to);
   }
 }
 
-void Assembly::meet(const Batch& batch, double dt) {
+void Assembly::update_contacts(const Batch& batch, double dt) {
   std::array<JointIncrement, batch_size> steps;
   const ContactGroup& group = groups[batch.group];
   const std::size_t count = batch.end - batch.begin;
@@ -179,25 +179,25 @@ void Assembly::meet(const Batch& batch, double dt) {
   group.law->update({joints.data() + batch.begin, count}, {d, count},
                     batch_events_[static_cast<std::size_t>(&batch - batches_.data())]);
   for (std::size_t k = 0; k < count; ++k) {
-    // by the trapezoidal rule, as leapfrog counts work
+    // by the trapezoidal rule, as the work in leapfrog
     const Joint& j = joints[batch.begin + k];
     dashpot_work[batch.begin + k] +=
         0.5 * ((normal[k] + j.dashpot_normal) * d[k].normal - (shear[k] + j.dashpot_shear).dot(d[k].shear));
-    give(batch.begin + k);
+    set_force(batch.begin + k);
   }
 }
 
-void Assembly::give(std::size_t k) {
+void Assembly::set_force(std::size_t k) {
   const Joint& j = joints[k];
   const JointAxes& axes = contacts[k].axes;
-  ContactForce& f = given[k];
+  ContactForce& f = contact_forces[k];
   f.elastic = axes.vector(j.Fs) - j.Fn * axes.n;
   f.all = f.elastic + axes.vector(j.dashpot_shear) - j.dashpot_normal * axes.n;
   f.moment = axes.vector(j.Mb) + j.Mt * axes.n;
 }
 
-// Uniform pressures act at the middles of faces.
-void Assembly::press() {
+// Uniform pressures act at the centroids of faces.
+void Assembly::apply_pressures() {
   if (pressed.empty()) return;
   for (std::size_t k = 0; k < pressure_now_.size(); ++k) pressure_now_[k] = spec_->pressures[k].pressure.at(time);
   for (std::size_t k = 0; k < pressed.size(); ++k) {
@@ -209,13 +209,13 @@ void Assembly::press() {
   }
 }
 
-void Assembly::gather(std::size_t k, double dt) {
+void Assembly::sum_forces(std::size_t k, double dt) {
   const BlockBody& body = bodies[k];
   const BlockMotion& m = motion[k];
   BlockForces now;
   for (std::uint32_t e = first_[k]; e < first_[k + 1]; ++e) {
     const std::uint32_t c = entries_[e] / 2, end = entries_[e] % 2;
-    const ContactForce& f = given[c];
+    const ContactForce& f = contact_forces[c];
     const double sign = end ? 1.0 : -1.0;
     const Vec3 at = end && !shift.empty() ? Vec3(f.at - shift[c]) : f.at;
     now.all += sign * f.all;
@@ -236,21 +236,22 @@ void Assembly::gather(std::size_t k, double dt) {
     }
   now.all += now.outer + body.weight * gravity_, now.moment += now.outer_moment;
   if (damping_ > 0 && body.held != 63) {
-    const BlockPush push = pushes.empty() ? BlockPush{} : pushes[k];
+    const GridForce grid = grid_forces.empty() ? GridForce{} : grid_forces[k];
     for (int d = 0; d < 3; ++d) {
-      if (!(body.held & (1 << d))) now.damping[d] = lessening(damping_, now.all[d] + push.force[d], m.v[d]);
-      if (!(body.held & (8 << d))) now.damping_moment[d] = lessening(damping_, now.moment[d] + push.moment[d], m.w[d]);
+      if (!(body.held & (1 << d))) now.damping[d] = local_damping(damping_, now.all[d] + grid.force[d], m.v[d]);
+      if (!(body.held & (8 << d)))
+        now.damping_moment[d] = local_damping(damping_, now.moment[d] + grid.moment[d], m.w[d]);
     }
   }
-  // Work of the mean of the forces before and after: what leapfrog turns into v(-1/2) v(+1/2).
+  // Work of the mean of the forces before and after: which leapfrog converts to changes of m v(-1/2) v(+1/2)/2.
   BlockForces& old = forces[k];
   if (dt > 0) {
-    const Vec3 dx = 0.5 * dt * m.v, turned = 0.5 * dt * m.w;
-    work[k].outer += (old.outer + now.outer).dot(dx) + (old.outer_moment + now.outer_moment).dot(turned);
-    work[k].damped -= (old.damping + now.damping).dot(dx) + (old.damping_moment + now.damping_moment).dot(turned);
+    const Vec3 dx = 0.5 * dt * m.v, dr = 0.5 * dt * m.w;
+    work[k].outer += (old.outer + now.outer).dot(dx) + (old.outer_moment + now.outer_moment).dot(dr);
+    work[k].damped -= (old.damping + now.damping).dot(dx) + (old.damping_moment + now.damping_moment).dot(dr);
     for (int d = 0; d < 3; ++d) {
       if (body.held & (1 << d)) work[k].boundary -= (old.all[d] + now.all[d]) * dx[d];
-      if (body.held & (8 << d)) work[k].boundary -= (old.moment[d] + now.moment[d]) * turned[d];
+      if (body.held & (8 << d)) work[k].boundary -= (old.moment[d] + now.moment[d]) * dr[d];
     }
   }
   old = now;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Stresses of blocks, the fictitious stress that follows from them, and what is measured of an assembly.
+/// Stresses of blocks, the fictitious stress that follows from them, and measures of an assembly.
 
 #include "base/parallel.hpp"
 #include "blocks/assembly.hpp"
@@ -17,29 +17,29 @@ Mat3 Assembly::stress_of(std::size_t k) const {
   Mat3 sum = Mat3::Zero();
   for (std::uint32_t e = first_[k]; e < first_[k + 1]; ++e) {
     const std::uint32_t c = entries_[e] / 2, end = entries_[e] % 2;
-    const Vec3 at = end && !shift.empty() ? Vec3(given[c].at - shift[c]) : given[c].at;
-    sum += (end ? 1.0 : -1.0) * given[c].elastic * (at - centre).transpose();
+    const Vec3 at = end && !shift.empty() ? Vec3(contact_forces[c].at - shift[c]) : contact_forces[c].at;
+    sum += (end ? 1.0 : -1.0) * contact_forces[c].elastic * (at - centre).transpose();
   }
   if (!first_pressed_.empty())
     for (std::uint32_t e = first_pressed_[k]; e < first_pressed_[k + 1]; ++e) {
       const ContactForce& f = pressed_force_[pressed_of_[e]];
       sum += f.all * (f.at - centre).transpose();
     }
-  if (!pushes.empty()) sum += pushes[k].spread - pushes[k].force * (centre - motion[k].x).transpose();
+  if (!grid_forces.empty()) sum += grid_forces[k].spread - grid_forces[k].force * (centre - motion[k].x).transpose();
   return (0.5 / body.volume) * (sum + sum.transpose());
 }
 
-// Of the two bodies by volume; in plane strain with the stress that keeps them from thickening.
+// Mean of the two bodies by volume; in plane strain with the out-of-plane stress.
 Mat3 Assembly::mean_stress_at(const BlockContact& c, double nu) const {
-  const double a = bodies[c.a].share, b = bodies[c.b].share;
+  const double a = bodies[c.a].stress_weight, b = bodies[c.b].stress_weight;
   if (!(a + b > 0)) return Mat3::Zero();
   Mat3 s = (a * stress[c.a] + b * stress[c.b]) / (a + b);
   if (plane_) s(2, 2) = plane_stress_ ? 0.0 : nu * (s(0, 0) + s(1, 1));
   return s;
 }
 
-// The fictitious stress belongs to the stress at the end of the step, which follows from it: a few substitutions with
-// the springs stretched already. Whole bonds only; others keep the force they have.
+// The fictitious stress belongs to the stress at the end of the step, which follows from it: a few fixed-point
+// iterations with the final increments of the springs. Whole bonds only; others keep their force.
 void Assembly::iterate_stress(double dt) {
   const auto batch_count = static_cast<std::ptrdiff_t>(batches_.size());
   parallel_for(batch_count, [&](std::ptrdiff_t i) {
@@ -62,14 +62,14 @@ void Assembly::iterate_stress(double dt) {
       const JointLaw& law = *groups[batch.group].law;
       const double nu = law.poisson();
       for (std::size_t k = batch.begin; k < batch.end; ++k) {
-        given[k].elastic = predicted_[k];
+        contact_forces[k].elastic = predicted_[k];
         if (nu == 0 || !law.is_bonded(joints[k])) continue;
         const BlockContact& c = contacts[k];
         const PoissonForce f = poisson_force(mean_stress_at(c, nu), nu, law.off_diagonal(), joints[k].area, c.axes);
-        given[k].elastic += c.axes.vector(f.shear) - f.normal * c.axes.n;
+        contact_forces[k].elastic += c.axes.vector(f.shear) - f.normal * c.axes.n;
       }
     });
-    press();
+    apply_pressures();
     parallel_for(static_cast<std::ptrdiff_t>(bodies.size()), [&](std::ptrdiff_t k) {
       stress[static_cast<std::size_t>(k)] = stress_of(static_cast<std::size_t>(k));
     });
@@ -77,14 +77,14 @@ void Assembly::iterate_stress(double dt) {
 }
 
 BlockLedger Assembly::ledger() const {
-  BlockLedger out = gone_;
+  BlockLedger out = removed_;
   for (std::size_t k = 0; k < bodies.size(); ++k) {
     const BlockBody& body = bodies[k];
     const BlockMotion& m = motion[k];
     const BlockForces& f = forces[k];
     const Mat3 axes = m.R * body.axes;
     const Vec3 spin = axes.transpose() * m.w;
-    const bool whole = body.sphere || plane_;  // then every component for itself
+    const bool whole = body.sphere || plane_;  // then every component separately
     for (int d = 0; d < 3; ++d) {
       if (!(body.held & (1 << d)))
         out.kinetic += 0.5 * m.v[d] * (body.mass * m.v[d] + last_step_ * (f.all[d] + f.damping[d]));
@@ -111,7 +111,8 @@ Mat3 Assembly::mean_stress() const {
   return volume > 0 ? Mat3(sum / volume) : sum;
 }
 
-// Least squares of u - u_mean = G (X - X_mean), by volume; of the reference points, which an even strain moves evenly.
+// Least squares of u - u_mean = G (X - X_mean), by volume; of the reference points, which move uniformly in a uniform
+// strain.
 Mat3 Assembly::mean_strain() const {
   double volume = 0;
   Vec3 mean_x = Vec3::Zero(), mean_u = Vec3::Zero();
@@ -140,8 +141,8 @@ Mat3 Assembly::mean_strain() const {
   return 0.5 * (G + G.transpose());
 }
 
-Vec3 Assembly::turned(std::size_t k) const {
-  const auto& q = turn[k];
+Vec3 Assembly::rotation(std::size_t k) const {
+  const auto& q = orientation[k];
   const Vec3 v = q[0] < 0 ? Vec3(-q[1], -q[2], -q[3]) : Vec3(q[1], q[2], q[3]);
   const double sine = v.norm();
   return sine > 0 ? Vec3(2 * std::atan2(sine, std::abs(q[0])) / sine * v) : v;
@@ -157,8 +158,8 @@ double Assembly::unbalanced() const {
   for (std::size_t k = 0; k < blocks_; ++k)
     for (int d = 0; d < 3; ++d)
       if (!(bodies[k].held & (1 << d))) most = std::max(most, std::abs(forces[k].all[d]));
-  for (const auto& f : given) sum += f.all.norm();
-  return sum > 0 ? most / sum * static_cast<double>(given.size()) : 0.0;
+  for (const auto& f : contact_forces) sum += f.all.norm();
+  return sum > 0 ? most / sum * static_cast<double>(contact_forces.size()) : 0.0;
 }
 
 std::size_t Assembly::bonds() const {
@@ -168,15 +169,15 @@ std::size_t Assembly::bonds() const {
   return count;
 }
 
-bool Assembly::sound() const {
+bool Assembly::is_finite() const {
   return std::all_of(motion.begin(), motion.end(), [](const BlockMotion& m) {
     return std::isfinite(m.x.sum() + m.v.sum() + m.w.sum()) && m.v.cwiseAbs().maxCoeff() < 1e100;
   });
 }
 
 std::size_t Assembly::active() const {
-  return static_cast<std::size_t>(
-      std::count_if(given.begin(), given.end(), [](const ContactForce& f) { return !f.all.isZero(0.0); }));
+  return static_cast<std::size_t>(std::count_if(contact_forces.begin(), contact_forces.end(),
+                                                [](const ContactForce& f) { return !f.all.isZero(0.0); }));
 }
 
 std::vector<BlockEvent> Assembly::take_events() {
@@ -187,8 +188,9 @@ std::vector<BlockEvent> Assembly::take_events() {
 
 double Assembly::bytes() const {
   const auto of = [](const auto& v) { return static_cast<double>(v.capacity() * sizeof(v[0])); };
-  double sum = of(motion) + of(turn) + of(bodies) + of(forces) + of(work) + of(contacts) + of(joints) + of(given) +
-               of(dashpot_work) + of(shift) + of(stress) + of(kept_increments_) + of(predicted_) + of(entries_);
+  double sum = of(motion) + of(orientation) + of(bodies) + of(forces) + of(work) + of(contacts) + of(joints) +
+               of(contact_forces) + of(dashpot_work) + of(shift) + of(stress) + of(kept_increments_) + of(predicted_) +
+               of(entries_);
   for (const auto& o : outlines) sum += of(o.corners);
   for (const auto& s : shapes) {
     sum += of(s.corners);

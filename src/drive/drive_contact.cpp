@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 /// A contact law along a path.
 ///
-/// The faces have the reduced mass m per area. Something drives them in every step so that they would have the relative
-/// velocity v without the law; the law answers with the impulse J, and they end with v - J/m. The path prescribes
-/// either the end's velocity or the law's traction, component by component; v is what is sought.
+/// The faces have the reduced mass m per area. In every step they have the trial relative velocity v without the law.
+/// The law responds with the impulse J, and they end with v - J/m. The path prescribes either the final velocity or the
+/// traction of the law, component by component; v is the unknown.
 
 #include "base/error.hpp"
 #include "drive/drive.hpp"
@@ -17,7 +17,7 @@ namespace {
 
 /// Two faces: axis 0 is the normal.
 struct Pair {
-  ContactState state;            // its velocity is that of the step's end
+  ContactState state;            // its velocity is that at the end of the step
   Vec3 traction = Vec3::Zero();  // N, St1, St2 [stress]
   ContactStatus status = ContactStatus::open;
   double stored = 0.0, dissipated = 0.0;  // [energy/area]
@@ -32,7 +32,7 @@ Pair advanced(const ContactLaw& law, const Pair& from, const Vec3& without, doub
   m.gap += dt * m.velocity[0];
   m.opening += dt * m.velocity;
   m.bond = response.bond;
-  // as the particles beside a face remember it
+  // as the particles at a face store it
   m.slip = response.status == ContactStatus::slip ? m.slip + dt * std::hypot(m.velocity[1], m.velocity[2]) : 0.0;
   to.traction = Vec3(0.0 - response.impulse[0], response.impulse[1], response.impulse[2]) / dt;
   to.status = response.status;
@@ -79,7 +79,7 @@ void follow(const ContactDrive& what, const PathRow& row, const Control& control
     for (Eigen::Index k = 0; k < 3; ++k)
       scale = std::max(scale, std::abs(control.target[k]) *
                                   (control.by_traction[static_cast<std::size_t>(k)] ? row.dt / what.mass : 1.0));
-    // Friction holds faces until they are driven hard enough: drive twice as hard until they slide as prescribed.
+    // Friction holds the faces up to a certain trial velocity: double it until they slide as prescribed.
     bool found = false;
     for (int attempt = 0; attempt < 100 && !found; ++attempt) {
       Eigen::VectorXd without(3);
@@ -119,7 +119,7 @@ Table drive(const ContactDrive& what) {
   problems.raise();
   Pair pair;
   pair.state.mass = what.mass, pair.state.area = 1.0, pair.state.gap = what.gap, pair.state.cell = what.cell;
-  // as in a run: faces that touch at the start are bonded if their law bonds
+  // as in a run: faces in contact at the start are bonded if their law has bonds
   pair.state.bond = what.gap == 0 && what.law->has_memory() ? Bond::whole : Bond::none;
   Table out;
   out.names = {"time", "N",   "St1", "St2",  "vn",    "vt1",  "vt2",    "gap",

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-/// A joint law along a path: at one contact, between a machine and the ground.
+/// A joint law along a path: one contact between a machine and the ground.
 ///
 /// The increments of the path move body 2, or the far ends of the machine's springs. A spring of stiffness K carries
-/// what the joint carries at the start, and then K (D - u), D the motion of its far end, u that of body 2. Without mass
+/// the initial force of the joint plus K (D - u), D the displacement of its far end, u that of body 2. Without mass
 /// u is found so that spring and joint are in balance; with mass, by leapfrog.
 
 #include "base/error.hpp"
@@ -18,7 +18,7 @@ namespace {
 
 enum Column : std::size_t { dn, dss, dst, dtwist, dbs, dbt, Fn, Fss, Fst, Pn, Pss, Pst, Ffn, Ffss, Ffst };
 
-/// Per axis n, s, t the force that the joint gives to what pulls it: positive against the motion.
+/// Per axis n, s, t the force of the joint on the machine: positive against the motion.
 Vec3 resistance(const Joint& j) { return {j.Fn, -j.Fs.s, -j.Fs.t}; }
 Vec3 damped_resistance(const Joint& j) {
   return resistance(j) + Vec3(j.dashpot_normal, -j.dashpot_shear.s, -j.dashpot_shear.t);
@@ -98,7 +98,7 @@ class Machine {
     return out;
   }
 
-  /// The largest frequency squared, of which leapfrog must follow.
+  /// The largest frequency squared, which limits the step of leapfrog.
   double stiffest() const {
     const double n = joint_.kn * joint_.area + what_.spring_normal, s = joint_.ks * joint_.area + what_.spring_shear;
     return std::max(n, s) / what_.mass;
@@ -126,7 +126,7 @@ class Machine {
     return j;
   }
 
-  // Leapfrog: velocities in the middles of steps, forces at their ends.
+  // Leapfrog: velocities at the middle of steps, forces at their ends.
   void swing(const PathRow& row) {
     Vec3 force = Vec3(given(row, Pn), given(row, Pss), given(row, Pst)) - damped_resistance(joint_);
     for (Eigen::Index k = 0; k < 3; ++k)
@@ -142,7 +142,7 @@ class Machine {
     for (Eigen::Index k = 0; k < 3; ++k) {
       const auto c = static_cast<std::size_t>(k);
       const double force = row.value[Fn + c];
-      if (!std::isnan(force)) {  // shear forces as the joint reports them: on body 2
+      if (!std::isnan(force)) {  // shear forces act on body 2
         target[k] = from[k] + ((k == 0 ? force : -force) - from[k]) * step / row.steps;
         sought.push_back(k);
       } else if (springs_[k] > 0) {

@@ -59,11 +59,11 @@ Point advanced(const MaterialDrive& what, const Point& from, const Mat3& L, doub
   return to;
 }
 
-/// What a row asks for: rates given, and the components whose stress is prescribed.
+/// The prescribed rates of a row, and the components whose stress is prescribed.
 struct Control {
   struct Unknown {
     std::size_t component;             // of the stress
-    std::vector<std::size_t> entries;  // of L that follow it
+    std::vector<std::size_t> entries;  // of L that are unknown with it
     double target;                     // at the end of the row [stress]
   };
   Mat3 L = Mat3::Zero();
@@ -128,7 +128,7 @@ void follow(const MaterialDrive& what, const PathRow& row, const Control& contro
     const auto tolerance = [&] {
       const double stress =
           std::max(next.stress.cwiseAbs().maxCoeff(), unknowns > 0 ? target.cwiseAbs().maxCoeff() : 0.0);
-      return std::max(1e-10 * stress, 1e-15 * what.law->wave_modulus());  // round-off of the law's own numbers
+      return std::max(1e-10 * stress, 1e-15 * what.law->wave_modulus());  // round-off in the law
     };
     const double fine = 1e-4 * std::max(control.L.cwiseAbs().maxCoeff(), 1e-3 / row.dt);
     if (!solve(miss, tolerance, x, fine))
@@ -160,7 +160,7 @@ Table drive(const MaterialDrive& what) {
   point.stress = what.initial_stress, point.temperature = what.temperature;
   for (const auto& h : what.law->history()) point.history.push_back(h.name == material_angle ? what.angle : h.initial);
   if (what.initial_stress.norm() > 0) {
-    // Laws that keep stress show it again after a step without motion.
+    // Laws that store the stress return it after a step without motion.
     const Point still = advanced(what, point, Mat3::Zero(), what.path.empty() ? 1.0 : 1e-12 * what.path[0].dt);
     const double change = (still.stress - point.stress).cwiseAbs().maxCoeff();
     if (change > 1e-6 * point.stress.cwiseAbs().maxCoeff())

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
-/// What the columns of the table mean.
+/// Meaning of the columns of the table.
 struct Head {
   static constexpr int dt = -1, steps = -2, unknown = -3;
   std::vector<int> meaning;

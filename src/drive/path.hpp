@@ -14,22 +14,22 @@ namespace tribo {
 struct PathRow {
   double dt = 0.0;            ///< one step                                       [time]
   int steps = 1;              ///< how many of them
-  std::vector<double> value;  ///< one per column of the table; NaN where the row says nothing
+  std::vector<double> value;  ///< one per column of the table; NaN for an empty cell
   Origin origin;
 };
 
-/// Where a row was written, for messages: `file:line:col: `, or nothing.
+/// Place of a row in the command file, for messages: `file:line:col: `, or nothing.
 std::string place(const PathRow& row);
 
 /// A column of a table of a path.
 struct PathColumn {
   std::string_view name;
-  double factor = 1.0;  ///< to the units inside
+  double factor = 1.0;  ///< to consistent units
 };
 
 /// Reads comma-separated rows. The first line that is not blank names the columns, in any order: `dt`, perhaps `steps`,
-/// and some of `columns`; text behind # is skipped, empty cells say nothing. Places of problems count from `origin`,
-/// where the text begins. `time` is the factor of dt.
+/// and some of `columns`; text after # is skipped, empty cells are NaN. Lines of problems count from `origin`, where
+/// the text begins. `time` is the factor of dt.
 std::vector<PathRow> read_path(std::string_view text, const Origin& origin, const std::vector<PathColumn>& columns,
                                double time, Problems& problems);
 

@@ -24,7 +24,7 @@ class Union final : public Region {
     for (const auto& b : bounds_) all.low = all.low.cwiseMin(b.low), all.high = all.high.cwiseMax(b.high);
     return all;
   }
-  // The sum, if the parts cannot overlap.
+  // The sum of the parts' measures, if the parts cannot overlap.
   std::optional<double> measure() const override {
     double sum = 0.0;
     for (std::size_t i = 0; i < parts_.size(); ++i) {
@@ -78,7 +78,7 @@ class Moved final : public Region {
     return part_->contains(centre_ + rotation_.transpose() * (x - target_));
   }
 
-  // Each coordinate's reach is the sum over the part's directions; those that do not contribute may be unbounded.
+  // Each coordinate bound is a sum over the directions of the part; directions that do not contribute may be unbounded.
   Bounds bounds() const override {
     const Bounds b = part_->bounds();
     Bounds out{target_, target_};

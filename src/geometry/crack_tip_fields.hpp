@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Fields around the tip of a crack in an isotropic elastic plane.
+/// Asymptotic fields at a crack tip in a plane isotropic elastic body.
 #pragma once
 
 #include "base/types.hpp"
@@ -9,13 +9,13 @@
 
 namespace tribo {
 
-/// Stress and displacement gradient u_i,j. The crack lies along negative x, its tip at the origin.
+/// Stress and displacement gradient u_i,j. The crack lies along the negative x axis, its tip at the origin.
 struct TipField {
   Mat<2> stress, gradient;
 };
 
-/// Per unit stress intensity: mode 1 opening, 2 sliding. `angle` from -pi to pi; `G`: shear modulus; `kappa`: 3 - 4 nu
-/// in plane strain, (3 - nu)/(1 + nu) in plane stress. Williams, J. Appl. Mech. 24 (1957) 109-114.
+/// Fields per unit stress intensity factor: mode 1 opening, mode 2 sliding. `angle` from -pi to pi; `G`: shear modulus;
+/// `kappa`: 3 - 4 nu in plane strain, (3 - nu)/(1 + nu) in plane stress. Williams, J. Appl. Mech. 24 (1957) 109-114.
 inline TipField tip_field(int mode, double r, double angle, double G, double kappa) {
   const double f = 1 / std::sqrt(2 * std::numbers::pi * r);
   const double s = std::sin(0.5 * angle), c = std::cos(0.5 * angle);
@@ -28,7 +28,7 @@ inline TipField tip_field(int mode, double r, double angle, double G, double kap
   TipField out;
   out.stress << xx, xy, xy, yy;
   out.stress *= f;
-  // Hooke in the plane; the rotation is (kappa + 1)/(2 G) times the imaginary part of Muskhelishvili's phi'
+  // Hooke's law in the plane; the rotation is (kappa + 1)/(2 G) times the imaginary part of Muskhelishvili's phi'.
   out.gradient = (out.stress - 0.25 * (3 - kappa) * out.stress.trace() * Mat<2>::Identity()) / (2 * G);
   const double rotation = (kappa + 1) / (4 * G) * f * turn;
   out.gradient(0, 1) -= rotation, out.gradient(1, 0) += rotation;

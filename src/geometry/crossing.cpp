@@ -6,7 +6,7 @@
 namespace tribo {
 namespace {
 
-/// An exact sum of doubles: parts that do not overlap, in order of size.
+/// Exact sum of doubles, stored as components that do not overlap, sorted by magnitude.
 /// Shewchuk, Discrete Comput. Geom. 18 (1997) 305-363.
 class ExactSum {
  public:
@@ -41,12 +41,12 @@ class ExactSum {
 
 int sign(double x) { return (x > 0) - (x < 0); }
 
-/// The sum of two doubles, of which the second is the rounding of the first: twice the digits. Dekker, Numer. Math. 18
-/// (1971) 224-242.
+/// Double-double number: the sum of two doubles, the second of which is the round-off of the first. Dekker, Numer.
+/// Math. 18 (1971) 224-242.
 struct Twofold {
   double high = 0.0, low = 0.0;
 
-  /// Exact.
+  /// Exact sum of two doubles.
   static Twofold sum(double a, double b) {
     const double s = a + b, part = s - a;
     return {s, (a - (s - part)) + (b - part)};
@@ -62,12 +62,12 @@ struct Twofold {
   }
 };
 
-constexpr double fine_doubt = 1e-29;  // more than what Twofold rounds in the determinants below
+constexpr double fine_doubt = 1e-29;  // bound of the relative round-off of the determinants below in Twofold
 
 // Sign of (a - b)(c - d) - (e - f)(g - h).
 int sign_of_difference(double a, double b, double c, double d, double e, double f, double g, double h) {
   const double left = (a - b) * (c - d), right = (e - f) * (g - h), det = left - right;
-  constexpr double doubt = 1e-15;  // more than the (3 + 16 eps) eps of the rounding
+  constexpr double doubt = 1e-15;  // larger than the bound (3 + 16 eps) eps of the relative round-off
   const double size = std::abs(left) + std::abs(right);
   if (std::abs(det) > doubt * size) return sign(det);
   if ((a == b || c == d) && (e == f || g == h)) return 0;
@@ -79,7 +79,7 @@ int sign_of_difference(double a, double b, double c, double d, double e, double 
   return sum.sign();
 }
 
-// Sign of (b - a) x (c - a): 1 if the three turn left.
+// Sign of (b - a) x (c - a): 1 if a, b, c turn left.
 int turn(const Vec<2>& a, const Vec<2>& b, const Vec<2>& c) {
   return sign_of_difference(b[0], a[0], c[1], a[1], b[1], a[1], c[0], a[0]);
 }
@@ -99,7 +99,7 @@ int volume(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
     const double left = v[i] * w[j], right = v[j] * w[i];
     det += u[k] * (left - right), size += std::abs(u[k]) * (std::abs(left) + std::abs(right));
   }
-  constexpr double doubt = 2e-15;  // more than the (7 + 56 eps) eps of the rounding
+  constexpr double doubt = 2e-15;  // larger than the bound (7 + 56 eps) eps of the relative round-off
   if (std::abs(det) > doubt * size) return sign(det);
   if (size == 0) return 0;  // every product has a factor 0
   Twofold fine;
@@ -109,7 +109,7 @@ int volume(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
     fine = fine + part(b, k) * (part(c, i) * part(d, j) - part(c, j) * part(d, i));
   }
   if (std::abs(fine.high) > fine_doubt * size) return sign(fine.high);
-  // The determinant of the rows (x, 1) by its minors: every product of three coordinates once.
+  // The determinant of the rows (x, 1), expanded so that each product of three coordinates occurs once.
   ExactSum sum;
   const Vec3* p[4] = {&a, &b, &c, &d};
   for (int omitted = 0; omitted < 4; ++omitted) {
@@ -126,7 +126,7 @@ int volume(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   return sum.sign();
 }
 
-// On which side of the way, moved a little, a corner lies.
+// On which side of the segment a corner lies, with the symbolic perturbation of crossing.hpp.
 int side_of_way(const Vec<2>& from, const Vec<2>& to, const Vec<2>& corner) {
   if (const int s = turn(from, to, corner)) return s;
   if (const int s = sign(to[1] - from[1])) return s;

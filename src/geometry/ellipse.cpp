@@ -55,7 +55,7 @@ double Ellipse::sharpest() const {
 }
 
 double Ellipse::sector(double start, double span) const {
-  // The eccentric anomaly of a polar angle lies in the same quadrant, so whole turns are counted apart.
+  // The eccentric anomaly lies in the same quadrant as the polar angle, so full turns are counted separately.
   const auto anomaly = [this](double angle) {
     const double turns = std::floor(angle / turn);
     const double rest = angle - turns * turn;

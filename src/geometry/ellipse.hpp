@@ -21,7 +21,7 @@ struct Ellipse {
 class Angles {
  public:
   Angles(double start, double end);
-  bool contains(double x, double y) const;  ///< direction of the point (x, y); the origin is always inside
+  bool contains(double x, double y) const;  ///< whether the direction of (x, y) is in the range; true for the origin
   bool full() const { return full_; }
   double start() const { return start_; }
   double span() const { return span_; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// A whole file in memory, read with checks.
+/// A file read into memory, with checked access.
 #pragma once
 
 #include "base/error.hpp"

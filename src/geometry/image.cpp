@@ -45,8 +45,8 @@ Picture read_png(const Bytes& bytes) {
   return out;
 }
 
-// Head of 14 bytes, then the information head (40 bytes or more), the palette, and the rows from bottom to top, each
-// filled up to whole words of 4 bytes. A negative height means rows from top to bottom.
+// Format: file header of 14 bytes, information header (40 bytes or more), palette, then the rows from bottom to top,
+// each padded to a multiple of 4 bytes. A negative height means rows from top to bottom.
 Picture read_bmp(const Bytes& bytes) {
   const std::size_t pixels = bytes.word(10), information = bytes.word(14);
   if (information < 40) bytes.fail("this kind of BMP (OS/2) is not supported");

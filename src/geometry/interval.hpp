@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Closed intervals and boxes that forgive rounding.
+/// Closed intervals and boxes with a tolerance for round-off.
 #pragma once
 
 #include "geometry/region.hpp"
@@ -11,7 +11,7 @@
 
 namespace tribo {
 
-inline constexpr double rounding = 1e-12;  ///< of the largest coordinate involved
+inline constexpr double rounding = 1e-12;  ///< tolerance relative to the largest coordinate involved
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Throws std::runtime_error unless all numbers are finite.
@@ -21,7 +21,7 @@ void require_finite(const char* what, Numbers... numbers) {
     throw std::runtime_error(std::string(what) + " has a coordinate that is not finite");
 }
 
-/// [low, high], whichever order the ends are given in.
+/// The interval [low, high]; the ends may be given in either order.
 class Interval {
  public:
   Interval(double a, double b)

@@ -17,8 +17,8 @@ double distance2(const Point& p, const Point& a, const Point& b) {
   return (p - a - s * along).squaredNorm();
 }
 
-// True if the closed segments a-b and c-d have a point in common.
-bool meet(const Point& a, const Point& b, const Point& c, const Point& d) {
+// Whether the closed segments a-b and c-d intersect.
+bool intersect(const Point& a, const Point& b, const Point& c, const Point& d) {
   const auto apart = [&](int k) {
     return std::max(a[k], b[k]) < std::min(c[k], d[k]) || std::max(c[k], d[k]) < std::min(a[k], b[k]);
   };
@@ -61,15 +61,15 @@ class Polygon final : public Region {
     return 0.5 * sum;
   }
 
-  // The even-odd area equals the shoelace sum if edges that are no neighbours do not meet. Checked pair by pair up to a
-  // size where that is still quick; larger polygons have no exact measure.
+  // The area by the even-odd rule equals the shoelace sum if no two non-adjacent edges intersect. This is checked for
+  // all pairs of edges up to a size for which it is fast; larger polygons have no exact measure.
   bool simple() const {
     const std::size_t n = corners_.size();
     if (n > 2000) return false;
     const auto at = [&](std::size_t k) -> const Point& { return corners_[k % n]; };
     for (std::size_t i = 0; i < n; ++i)
       for (std::size_t j = i + 2; j < n; ++j)
-        if ((j + 1) % n != i && meet(at(i), at(i + 1), at(j), at(j + 1))) return false;
+        if ((j + 1) % n != i && intersect(at(i), at(i + 1), at(j), at(j + 1))) return false;
     return true;
   }
 

@@ -23,11 +23,12 @@ double distance(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
   return (ap - vb / sum * ab - vc / sum * ac).norm();
 }
 
-// Facets are sorted into columns over a grid in the x-y plane, and a point counts the facets above it.
+// The facets are sorted into columns of a grid in the x-y plane. A point is inside if the number of facets above it is
+// odd.
 //
-// Whether a vertical line crosses a facet is decided edge by edge with a half-open rule, and each edge is always
-// computed from its lower to its higher corner, so both facets of an edge get the same bits: the count is even outside
-// and odd inside for any closed surface, also where the line runs exactly through edges and corners.
+// Whether a vertical line crosses a facet is decided edge by edge with a half-open rule. Each edge is evaluated from
+// its lower to its higher corner, so that both facets of an edge get identical results. The count is therefore even
+// outside and odd inside for any closed surface, also if the line passes exactly through edges and corners.
 class Polyhedron final : public Region {
  public:
   explicit Polyhedron(Surface surface) : surface_(std::move(surface)), volume_(surface_.volume()) {
@@ -72,7 +73,7 @@ class Polyhedron final : public Region {
     return std::clamp(static_cast<int>((x - surface_.low[k]) * scale_[k]), 0, columns_[k] - 1);
   }
 
-  // True if the edge lies to the right of p, seen from above, in a half-open range of y.
+  // Whether the edge lies to the right of p, seen from above, within a half-open range of y.
   bool right(std::int32_t i, std::int32_t j, const Vec3& p) const {
     const Vec3 &a = at(std::min(i, j)), &b = at(std::max(i, j));
     if ((a[1] > p[1]) == (b[1] > p[1])) return false;
@@ -81,7 +82,7 @@ class Polyhedron final : public Region {
   bool crosses(const std::array<std::int32_t, 3>& f, const Vec3& p) const {
     return right(f[0], f[1], p) != (right(f[1], f[2], p) != right(f[2], f[0], p));
   }
-  // Of the facet's plane over p; of a facet that stands upright any height of it will do.
+  // Height of the plane of the facet at p; for a vertical facet any height on it.
   static double height(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p) {
     const Vec3 n = (b - a).cross(c - a);
     const double low = std::min({a[2], b[2], c[2]}), high = std::max({a[2], b[2], c[2]});
@@ -129,7 +130,7 @@ RegionPtr stl(const std::string& path, double scale, const Vec3& shift) {
   for (auto& t : triangles)
     for (auto& x : t) x = scale * x + shift;
   try {
-    // Single precision: corners that are written twice may differ in their last bits.
+    // STL files have single precision: coordinates of the same corner may differ in their last bits.
     return std::make_shared<Polyhedron>(Surface(triangles, 1e-6));
   } catch (const std::runtime_error& error) {
     throw std::runtime_error(path + ": " + error.what());

@@ -20,7 +20,7 @@ struct ScatteredField::Tree {
     index.buildIndex();
   }
 
-  // What the library asks of a cloud.
+  // Interface required by nanoflann.
   std::size_t kdtree_get_point_count() const { return points.size(); }
   double kdtree_get_pt(std::size_t i, std::size_t axis) const { return points[i][static_cast<Eigen::Index>(axis)]; }
   template <class Box>
@@ -53,7 +53,7 @@ ScatteredField::Values ScatteredField::at(const Vec3& x) const {
     A.row(k).tail(d) = weight[k] / std::sqrt(reach) * (tree_->points[p] - middle).head(d).transpose();
     for (Eigen::Index c = 0; c < 6; ++c) b(k, c) = weight[k] * tree_->values[p][static_cast<std::size_t>(c)];
   }
-  // Of all best fits the one with the least slope: points in a line say nothing of the directions across.
+  // The least-squares fit of minimum norm: collinear points do not determine the gradient across their line.
   const Eigen::MatrixXd fit = A.completeOrthogonalDecomposition().solve(b);
   Eigen::RowVectorXd where(d + 1);
   where << 1, (x - middle).head(d).transpose() / std::sqrt(reach);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Values known at scattered points.
+/// Interpolation of values at scattered points.
 #pragma once
 
 #include "base/types.hpp"
@@ -10,14 +10,14 @@
 
 namespace tribo {
 
-/// Six values at each of some points. In between, the linear function that fits the nearest points best (least squares
-/// with weights that fall with the fourth power of the distance): it meets the values at the points and is exact where
-/// they are linear. In directions in which the points do not spread it is constant.
+/// Six values at each of a set of points. At other positions: the linear function fitted to the nearest points by
+/// weighted least squares, with weights proportional to the inverse fourth power of the distance. It interpolates the
+/// given values and is exact for linear fields. In directions in which the points have no extent it is constant.
 class ScatteredField {
  public:
   using Values = std::array<double, 6>;
 
-  /// As many points as values, at least one; z counts only if `dimension` is 3 [length].
+  /// `points` and `values` have the same size, at least one; z is used only if `dimension` is 3 [length].
   ScatteredField(std::vector<Vec3> points, std::vector<Values> values, int dimension);
   ~ScatteredField();
 

@@ -54,8 +54,8 @@ class Arc final : public Region {
     return flat_bounds({x_.low() - tolerance_, x_.high() + tolerance_},
                        {y_.low() - tolerance_, y_.high() + tolerance_});
   }
-  // A band of constant width about its middle line has the area length times width while it does not overlap itself;
-  // the ends of a part are normal to the line only for a circle.
+  // The area of a band of constant width about its centre line is length times width if it does not overlap itself. The
+  // ends of a part are normal to the line only for a circle.
   std::optional<double> measure() const override {
     if (tolerance_ > ellipse_.sharpest()) return std::nullopt;
     if (angles_.full()) return 2.0 * tolerance_ * ellipse_.perimeter();

@@ -10,7 +10,7 @@ namespace {
 
 using std::numbers::pi;
 
-// The three sides of a box; `axis` first if one is given.
+// The three sides of a box; that of `axis` comes first if one is given.
 std::array<Interval, 3> sides(const Vec3& low, const Vec3& high) {
   return {Interval(low[0], high[0]), Interval(low[1], high[1]), Interval(low[2], high[2])};
 }
@@ -57,7 +57,7 @@ class Ellipsoid final : public Region {
   double limit_ = 1.0;
 };
 
-// What shapes about a coordinate axis share: the side along the axis and the two across, in cyclic order.
+// Common part of shapes about a coordinate axis: the side along the axis and the two others, in cyclic order.
 class AxialShape : public Region {
  public:
   AxialShape(const std::array<Interval, 3>& s, int axis)
@@ -70,11 +70,11 @@ class AxialShape : public Region {
         v_(side(second_)) {}
 
  protected:
-  // Coordinates from the middle of the box: across first, across second, along.
+  // Coordinates relative to the centre of the box: first and second transverse, then axial.
   Vec3 local(const Vec3& p) const {
     return {p[first_] - u_.middle(), p[second_] - v_.middle(), p[axis_] - along_.middle()};
   }
-  // Bounds that reach `u` and `v` from the middle, across.
+  // Bounds with the transverse half widths `u` and `v`.
   Bounds bounds_across(double u, double v) const {
     Bounds b = bounds_of(sides_);
     b.low[first_] = u_.middle() - u, b.high[first_] = u_.middle() + u;
@@ -109,7 +109,7 @@ class Cylinder final : public AxialShape {
   }
 
  private:
-  double low_, high_;  // radius at the ends, of the box's
+  double low_, high_;  // radii at the ends relative to the half width of the box
   double slack_ = 0.0;
 };
 
@@ -127,7 +127,7 @@ class Torus final : public AxialShape {
     return std::hypot(ring_.distance(x[0], x[1]) / tube_, x[2] / along_.half()) <= limit_;
   }
   Bounds bounds() const override { return bounds_across(ring_.a + tube_, ring_.b + tube_); }
-  // Pappus: length of the ring times area of the cross-section, while the tube does not overlap itself.
+  // Pappus' theorem: length of the centre line times area of the cross-section, if the torus does not overlap itself.
   std::optional<double> measure() const override {
     if (tube_ > ring_.sharpest()) return std::nullopt;
     return ring_.perimeter() * pi * tube_ * along_.half();

@@ -13,7 +13,7 @@ namespace {
 
 using Triangles = std::vector<std::array<Vec3, 3>>;
 
-// 80 bytes of text, the number of facets, then 50 bytes for each: normal, three corners, two bytes of attributes.
+// Format: 80 bytes of text, the number of facets, then 50 bytes per facet: normal, three corners, two attribute bytes.
 constexpr std::size_t head = 84, record = 50;
 
 Triangles read_binary(const Bytes& bytes, std::size_t count) {
@@ -22,7 +22,8 @@ Triangles read_binary(const Bytes& bytes, std::size_t count) {
     for (std::size_t corner = 0; corner < 3; ++corner)
       for (std::size_t i = 0; i < 3; ++i) {
         const float x = std::bit_cast<float>(bytes.word(head + record * k + 12 + 12 * corner + 4 * i));
-        if (!std::isfinite(x)) bytes.fail("facet " + std::to_string(k + 1) + " has a coordinate that is no number");
+        if (!std::isfinite(x))
+          bytes.fail("facet " + std::to_string(k + 1) + " has a coordinate that is not a finite number");
         out[k][corner][static_cast<Eigen::Index>(i)] = static_cast<double>(x);
       }
   return out;
@@ -76,7 +77,7 @@ class Words {
 Triangles read_ascii(const Bytes& bytes) {
   Triangles out;
   Words words(bytes);
-  for (auto solid = words.next(); !solid.empty(); solid = words.next()) {  // a file may hold several
+  for (auto solid = words.next(); !solid.empty(); solid = words.next()) {  // a file may contain several solids
     if (!Words::same(solid, "solid")) words.fail("'solid' is expected, not " + Words::shown(solid));
     words.skip_line();
     for (;;) {
@@ -84,7 +85,7 @@ Triangles read_ascii(const Bytes& bytes) {
       if (Words::same(word, "endsolid")) break;
       if (!Words::same(word, "facet")) words.fail("'facet' or 'endsolid' is expected, not " + Words::shown(word));
       words.expect("normal");
-      for (int i = 0; i < 3; ++i) words.next();  // normals follow from the corners; some writers give nan
+      for (int i = 0; i < 3; ++i) words.next();  // the normal is computed from the corners; some files contain nan
       words.expect("outer");
       words.expect("loop");
       auto& triangle = out.emplace_back();
@@ -104,17 +105,17 @@ Triangles read_ascii(const Bytes& bytes) {
 
 std::vector<std::array<Vec3, 3>> read_stl(const std::string& path) {
   const Bytes bytes(path);
-  // Binary files may begin with "solid" as well; their length gives them away.
+  // Binary files may also begin with "solid"; they are recognised by their length.
   if (bytes.size() >= head && (bytes.size() - head) % record == 0 && bytes.word(80) == (bytes.size() - head) / record)
     return read_binary(bytes, bytes.word(80));
   const auto text = bytes.text();
   const auto first = text.find_first_not_of(" \t\r\n");
   if (first != std::string_view::npos && Words::same(text.substr(first, 5), "solid")) return read_ascii(bytes);
   if (bytes.size() >= head)
-    bytes.fail("this is no STL file, or it is cut off: a binary file of " + std::to_string(bytes.word(80)) +
+    bytes.fail("this is not an STL file, or it is truncated: a binary file of " + std::to_string(bytes.word(80)) +
                " facets has " + std::to_string(head + record * std::size_t{bytes.word(80)}) + " bytes, not " +
                std::to_string(bytes.size()));
-  bytes.fail("this is no STL file: it neither begins with 'solid' nor has the 84 bytes of a binary head");
+  bytes.fail("this is not an STL file: it neither begins with 'solid' nor has the 84 bytes of a binary head");
 }
 
 }  // namespace tribo

@@ -21,8 +21,8 @@ struct CellHash {
   }
 };
 
-// Gives the same number to points nearer than a tolerance. Points of one cell of a grid of that size, or of
-// neighbouring cells, are compared; the first that is near enough is taken.
+// Merges points closer than a tolerance. Points in the same or neighbouring cells of a grid with this spacing are
+// compared in their order; the first one within the tolerance is taken.
 class Joiner {
  public:
   Joiner(std::vector<Vec3>& corners, const Vec3& low, double tolerance)
@@ -68,10 +68,10 @@ std::string coordinates(const Vec3& x) {
 
 struct Uses {
   int count = 0;
-  int direction = 0;  // +1 for each facet that runs from the lower to the higher corner, -1 for the others
+  int direction = 0;  // sum of +1 per facet that traverses the edge from the lower to the higher corner, -1 otherwise
 };
 
-// Throws at the first open edge in the order of the facets; true if every edge is run once in each direction.
+// Throws at the first open edge. Returns true if every edge is traversed once in each direction.
 bool check_closed(const Surface& surface) {
   const auto key = [](std::int32_t a, std::int32_t b) {
     return (static_cast<std::uint64_t>(static_cast<std::uint32_t>(std::min(a, b))) << 32) |

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Things listed by the cells of the lattice that their boxes touch.
+/// Table of objects by the lattice cells that their bounding boxes overlap.
 #pragma once
 
 #include "grid/lattice.hpp"
@@ -16,11 +16,11 @@ class CellTable {
  public:
   explicit CellTable(const Lattice<Dim>& lattice) : lattice_(lattice) {}
 
-  /// Lists a thing in all cells of a box; infinite boxes are not allowed.
+  /// Adds an object to all cells that overlap its bounding box; the box must be finite.
   void add(const Vec<Dim>& low, const Vec<Dim>& high, const T& thing) {
     each_cell(low, high, [&](std::int64_t cell) { cells_[cell].push_back(thing); });
   }
-  /// Calls f(thing) for all that is listed in the cells of a box, once for each of these cells.
+  /// Calls f(object) for the objects in all cells of a box. An object is visited once for each of its cells in the box.
   template <class F>
   void each(const Vec<Dim>& low, const Vec<Dim>& high, F&& f) const {
     each_cell(low, high, [&](std::int64_t cell) {

@@ -1,18 +1,33 @@
 // SPDX-License-Identifier: MIT
-/// Shape functions along one axis; products of them make the stencils. Distances in cells.
+/// Shape functions along one axis; their products are the shape functions of the grid. Distances are in cells.
 ///
-/// `at(r, l, w, g)`: r the position minus the lowest node of the stencil, l the half width of the particle's domain, w
-/// and g weights and slopes of the `width` nodes from there. T is a double or a short vector of doubles (several
-/// particles).
+/// Each kernel has
+/// - `width`: number of nodes of the stencil along the axis; `shift`: the lowest node is floor(position - shift);
+/// - `sized`: whether the size of the particle's domain counts;
+/// - `at(r, l, w, g)`: weights w and slopes g of the `width` nodes of the stencil, for the position r minus the lowest
+/// node
+///   and the half width l of the particle's domain. T is a double or a short vector of doubles (several particles);
+/// - `Point`: the kernel that interpolates at points without a domain, with `reach`, the distance within which it is
+/// not
+///   zero, and `value(s)`, its value for a node at the distance s >= 0.
+///
+/// The list of all kernels is in model/shape_functions.hpp.
 #pragma once
+
+#include "model/shape_functions.hpp"
+
+#include <stdexcept>
 
 namespace tribo {
 
-/// Hat functions. Weights 1 - |s|.
+/// Linear shape functions (hats), 1 - |s|.
 struct LinearKernel {
   static constexpr int width = 2;
-  static constexpr double shift = 0.0;  ///< base = floor(position in cells - shift)
+  static constexpr double shift = 0.0;
   static constexpr bool sized = false;
+  using Point = LinearKernel;
+  static constexpr double reach = 1.0;
+  static double value(double s) { return s < 1 ? 1 - s : 0.0; }
   /// r: position minus base, in [0, 1).
   template <class T>
   static void at(T r, T, T* w, T* g) {
@@ -26,6 +41,9 @@ struct QuadraticKernel {
   static constexpr int width = 3;
   static constexpr double shift = 0.5;
   static constexpr bool sized = false;
+  using Point = QuadraticKernel;
+  static constexpr double reach = 1.5;
+  static double value(double s) { return s <= 0.5 ? 0.75 - s * s : s < 1.5 ? 0.5 * (1.5 - s) * (1.5 - s) : 0.0; }
   /// r in [0.5, 1.5).
   template <class T>
   static void at(T r, T, T* w, T* g) {
@@ -40,6 +58,11 @@ struct CubicKernel {
   static constexpr int width = 4;
   static constexpr double shift = 1.0;
   static constexpr bool sized = false;
+  using Point = CubicKernel;
+  static constexpr double reach = 2.0;
+  static double value(double s) {
+    return s <= 1 ? 2.0 / 3 - s * s * (1 - 0.5 * s) : s < 2 ? (2 - s) * (2 - s) * (2 - s) / 6 : 0.0;
+  }
   /// r in [1, 2).
   template <class T>
   static void at(T r, T, T* w, T* g) {
@@ -56,11 +79,13 @@ struct GimpKernel {
   static constexpr int width = 3;
   static constexpr double shift = 0.5;
   static constexpr bool sized = true;
+  using Point = LinearKernel;
   /// r in [0.5, 1.5), l: half width in cells.
   template <class T>
   static void at(T r, T l, T* w, T* g) {
     const T s = r - 1.0;  // from the middle node, in [-1/2, 1/2)
-    // Within l of the middle node the domain covers two cells and the weights are parabolas; else they are hats.
+    // Within l of the middle node the domain overlaps two cells and the weights are parabolas; otherwise they are
+    // linear.
     const T inner = 0.25 / l, below = l - s, above = l + s;
     const auto both = below > 0 && above > 0;
     const T left = s < 0 ? -s : T{}, right = s < 0 ? T{} : s;
@@ -73,7 +98,12 @@ struct GimpKernel {
   }
 };
 
-/// One for the cell's lowest node, on the stencil of another kernel: sums over cells instead of nodes.
+/// CPDI evaluates hats at the corners of the particle's domain, see solver/transfer/cpdi_transfer.hpp.
+struct CpdiCornerKernel {
+  using Point = LinearKernel;
+};
+
+/// Weight 1 at the lowest node of the cell, with the stencil of another kernel, for sums over cells instead of nodes.
 template <class Kernel>
 struct CellKernel {
   static constexpr int width = Kernel::width;
@@ -87,5 +117,23 @@ struct CellKernel {
     }
   }
 };
+
+/// Calls f(K()) with the type K of a kernel and returns what f returns.
+template <class F>
+decltype(auto) with_kernel(Kernel kernel, F&& f) {
+  switch (kernel) {
+#define TRIBO_CASE(name, type, words) \
+  case Kernel::name:                  \
+    return f(type());
+    TRIBO_SHAPE_FUNCTIONS(TRIBO_CASE)
+#undef TRIBO_CASE
+  }
+  throw std::logic_error("no such kernel");
+}
+
+/// The distance from a node within which its shape function is not zero at points without a domain [cells].
+inline double reach_of(Kernel kernel) {
+  return with_kernel(kernel, [](auto k) { return decltype(k)::Point::reach; });
+}
 
 }  // namespace tribo

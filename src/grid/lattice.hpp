@@ -19,15 +19,15 @@ inline constexpr int block_nodes = 64;  // 8^2 and 4^3
 template <int Dim>
 using Index = std::array<int, static_cast<std::size_t>(Dim)>;
 
-/// Geometry only; what lives on the nodes is in nodes.hpp. Surrounded by padding on every side, so that the blocks of
-/// stencils of points inside the user's grid, and the neighbours of those blocks, always exist.
+/// Geometry only; nodal data are in nodes.hpp. The grid of the input is surrounded by padding, so that the blocks of
+/// all stencils of points inside it, and the neighbours of these blocks, always exist.
 template <int Dim>
 struct Lattice {
-  static constexpr int padding = 2 * block_edge<Dim>;  ///< nodes below the user's lowest node
+  static constexpr int padding = 2 * block_edge<Dim>;  ///< nodes below the lowest node of the input grid
 
   Vec<Dim> origin;     ///< lowest node, padding included                [length]
   Vec<Dim> spacing;    ///< cell edges                                   [length]
-  Vec<Dim> low, high;  ///< the user's grid: points must stay inside     [length]
+  Vec<Dim> low, high;  ///< limits of the input grid, for particles       [length]
   Index<Dim> blocks;   ///< blocks along each axis, padding included
 
   Lattice() = default;
@@ -60,7 +60,7 @@ struct Lattice {
     for (int d = 0; d < Dim; ++d) x[d] = origin[d] + spacing[d] * node[static_cast<std::size_t>(d)];
     return x;
   }
-  /// The node on the grid line through coordinate `x` of an axis, or -1 if there is none within 1e-6 cells.
+  /// Index of the grid line at coordinate `x` of an axis, or -1 if there is none within 1e-6 cells.
   int line(int axis, double x) const {
     const double s = (x - origin[axis]) / spacing[axis];
     const double n = std::round(s);

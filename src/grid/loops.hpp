@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Loops over all nodes or particles, in parallel; no two calls may touch the same data.
+/// Parallel loops over all nodes or particles. Two calls must not write to the same data.
 #pragma once
 
 #include "base/parallel.hpp"
@@ -10,7 +10,7 @@
 
 namespace tribo {
 
-/// f(first, last) for pieces of 0 ... n - 1.
+/// Calls f(first, last) for ranges that cover 0 ... n - 1.
 inline void each_piece(std::size_t n, auto&& f) {
   static constexpr std::size_t piece = 1024;
   parallel_for(static_cast<std::ptrdiff_t>((n + piece - 1) / piece), [&](std::ptrdiff_t k) {
@@ -19,20 +19,22 @@ inline void each_piece(std::size_t n, auto&& f) {
   });
 }
 
-/// f(i) for 0 ... n - 1.
+/// Calls f(i) for i = 0 ... n - 1.
 inline void each_index(std::size_t n, auto&& f) {
   each_piece(n, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) f(i);
   });
 }
 
-inline void each_node(NodeLayer& nodes, auto&& f) {
+template <class N>
+void each_node(AlignedVector<N>& nodes, auto&& f) {
   each_index(nodes.size(), [&](std::size_t i) { f(nodes[i]); });
 }
 
-inline void zero(NodeLayer& nodes) {
+template <class N>
+void zero(AlignedVector<N>& nodes) {
   each_piece(nodes.size(), [&](std::size_t first, std::size_t last) {
-    std::memset(static_cast<void*>(nodes.data() + first), 0, sizeof(Node) * (last - first));
+    std::memset(static_cast<void*>(nodes.data() + first), 0, sizeof(N) * (last - first));
   });
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Nodes of one velocity field, kept in blocks that exist only where particles are.
+/// Nodes of one velocity field, stored in blocks that exist only near particles.
 #pragma once
 
 #include "base/aligned.hpp"
@@ -12,21 +12,98 @@
 
 namespace tribo {
 
-/// One node in one cache line. During the transfer to the grid `velocity` holds momentum and `acceleration` force.
+// Each kind of node fills one cache line with eight numbers: a weight, a vector, a spare number and a second vector.
+// The transfers and the exchange treat all kinds alike; the members say what the numbers are. Two names for one member
+// mean that the quantity is divided by the weight in the course of the step.
+
+/// Balance of mass and momentum.
 struct alignas(64) Node {
   double mass;
-  double velocity[3];  ///< momentum [mass velocity] before, velocity after division by the mass
+  union {
+    double momentum[3];  ///< before the division by the mass [mass velocity]
+    double velocity[3];
+  };
   double spare;
-  double acceleration[3];  ///< force before, acceleration after division by the mass
-  double* data() { return &mass; }
-  const double* data() const { return &mass; }
+  union {
+    double force[3];  ///< before the division by the mass
+    double acceleration[3];
+  };
 };
-static_assert(sizeof(Node) == 64);
 
-/// Nodes lighter than this share of the field's heaviest node do not exist (round-off of the weights).
+/// What the particles of a rigid body without a velocity field prescribe.
+struct alignas(64) PrescribedNode {
+  double mass;
+  double momentum[3];
+  double spare;
+  double change[3];  ///< by which the prescribed velocity changed that of the node before the strain update [velocity]
+};
+
+/// XPIC and FMPM: terms of the series of filtered velocities.
+struct alignas(64) FilterNode {
+  double mass;
+  union {
+    double increment[3];  ///< the present term of the series
+    double velocity[3];   ///< the sum of all terms, once the series is complete
+  };
+  double spare;
+  double sum[3];  ///< of the terms so far
+};
+
+/// Volume of the particles around a node, for the areas and normals of contact.
+struct alignas(64) VolumeNode {
+  double volume;
+  double moment[3];  ///< sum of w V x, or of w V times the displacement                     [length^4]
+  double spare;
+  double gradient[3];  ///< sum of V grad w                                                  [length^2]
+};
+
+/// Conduction of heat.
+struct alignas(64) HeatNode {
+  double capacity;  ///< sum of w m c                                                        [energy/temperature]
+  union {
+    double heat;  ///< before the division by the capacity                                   [energy]
+    double temperature;
+  };
+  double unused[3];
+  union {
+    double power;  ///< into the node, before the division by the capacity                   [power]
+    double rate;   ///< of the temperature                                                   [temperature/time]
+  };
+  double unused_too[2];
+};
+
+/// B-bar: mean over the particles of a cell, stored at the lowest node of the cell.
+struct alignas(64) CellNode {
+  double volume;
+  union {
+    double sum;  ///< of volume times value, before the division by the volume
+    double mean;
+  };
+  double unused[6];
+};
+
+/// The numbers of all nodes of a layer, whatever they are; refers to the layer.
+class NodeNumbers {
+ public:
+  static constexpr std::size_t per_node = 8;
+  static constexpr int first_vector = 1, second_vector = 5;  ///< where the two vectors begin
+
+  NodeNumbers() = default;
+  template <class N>
+  NodeNumbers(AlignedVector<N>& layer) : numbers_(reinterpret_cast<double*>(layer.data())) {
+    static_assert(sizeof(N) == per_node * sizeof(double) && alignof(N) == 64);
+  }
+  /// The eight numbers of a node.
+  double* operator[](std::size_t node) const { return numbers_ + per_node * node; }
+
+ private:
+  double* numbers_ = nullptr;
+};
+
+/// A node whose mass is below this fraction of the largest nodal mass counts as empty (round-off of the weights).
 inline constexpr double least_mass_ratio = 1e-14;
 
-/// Which blocks exist, in lexicographic order: the sparse part of the grid, shared by all layers of node data.
+/// The existing blocks in lexicographic order: the sparse structure of the grid, shared by all layers of nodal data.
 template <int Dim>
 class BlockMap {
  public:
@@ -37,7 +114,7 @@ class BlockMap {
 
   const Lattice<Dim>& lattice() const { return lattice_; }
 
-  /// Makes exactly the given blocks (lattice block indices) and their neighbours exist.
+  /// Makes the given blocks (lattice block indices) and their neighbours exist, and no others.
   void rebuild(std::span<const std::int64_t> occupied) {
     for (const auto b : active_) slot_[static_cast<std::size_t>(b)] = -1;
     active_.clear();
@@ -51,11 +128,11 @@ class BlockMap {
     for (std::size_t k = 0; k < active_.size(); ++k) slot_[static_cast<std::size_t>(active_[k])] = static_cast<int>(k);
   }
 
-  /// Lattice indices of the blocks that exist; their position in this list is their slot.
+  /// Lattice indices of the existing blocks. The position in this list is the slot of a block.
   const std::vector<std::int64_t>& active() const { return active_; }
   int slot(std::int64_t block) const { return slot_[static_cast<std::size_t>(block)]; }
 
-  /// Slots of a block and its neighbours, x fastest, the block itself in the middle.
+  /// Slots of a block and its neighbours, x fastest; the block itself is in the middle.
   std::array<int, neighbour_count> neighbours(std::int64_t block) const {
     std::array<int, neighbour_count> out{};
     std::size_t k = 0;
@@ -63,7 +140,7 @@ class BlockMap {
     return out;
   }
 
-  /// Position of a node in the layers, or -1 if its block does not exist.
+  /// Position of a node in the layers of nodal data, or -1 if its block does not exist.
   std::int64_t node(const Index<Dim>& n) const {
     Index<Dim> block;
     std::int64_t local = 0;
@@ -76,7 +153,7 @@ class BlockMap {
     return s < 0 ? -1 : static_cast<std::int64_t>(s) * block_nodes<Dim> + local;
   }
 
-  /// Lattice index of the node at a position in the layers.
+  /// Lattice index of the node at a position in the layers of nodal data.
   Index<Dim> node_at(std::int64_t position) const {
     auto n = lattice_.block_at(active_[static_cast<std::size_t>(position / block_nodes<Dim>)]);
     auto local = static_cast<int>(position % block_nodes<Dim>);

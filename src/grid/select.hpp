@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Which nodes of the lattice lie in a shape.
+/// Selection of the lattice nodes in a shape.
 #pragma once
 
 #include "geometry/region.hpp"
@@ -10,8 +10,8 @@
 
 namespace tribo {
 
-/// Calls f(node) for the nodes in a shape, x fastest. Only the shape's bounds are scanned. A node that misses the shape
-/// by rounding (1e-9 of the spacing, along an axis) is in it.
+/// Calls f(node) for the nodes in a shape, x fastest. Only the bounding box of the shape is scanned. A node within
+/// round-off of the shape (1e-9 of the spacing along an axis) is included.
 template <int Dim, class F>
 void each_node_in(const Lattice<Dim>& lattice, const Region& region, F&& f) {
   constexpr double slack = 1e-9;

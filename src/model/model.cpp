@@ -1,18 +1,25 @@
 // SPDX-License-Identifier: MIT
 #include "model/model.hpp"
 
+#include "model/output_fields.hpp"
+#include "model/quantities.hpp"
+
 #include <cmath>
 
 namespace tribo {
 
 bool OutputSpec::wants_strain() const {
   return std::any_of(history.begin(), history.end(), [](const HistoryQuantity& q) {
-    return q.name.size() == 3 && q.name[0] == 'e' && q.name[1] >= 'x' && q.name[2] >= 'x';
+    const QuantityInfo* info = find_global_quantity(q.name);
+    return info && is_strain(*info);
   });
 }
 
 bool OutputSpec::wants_deformation() const {
-  return wants_strain() || has_field("strain") || has_field("rotation") || has_field("deformation_gradient");
+  return wants_strain() || std::any_of(particle_fields.begin(), particle_fields.end(), [](const std::string& name) {
+           const ParticleField* field = find_particle_field(name);
+           return field && field->needs == ParticleField::Needs::deformation;
+         });
 }
 
 double Prescribed::at(double t, const Vec3& x, double dt) const {

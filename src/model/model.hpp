@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-/// The model: everything a run needs to know, in consistent units. Readers write it, the engine reads it; they never
-/// meet.
+/// The model: complete description of a run in consistent units. The readers in input/ fill it, the solver uses it.
 ///
-/// Angles are radians, vectors always have three components (unused ones 0), coordinates are absolute.
+/// Angles are in radians. Vectors always have three components; those without a meaning are 0. Coordinates are global.
 #pragma once
 
 #include "base/expression.hpp"
@@ -11,6 +10,7 @@
 #include "geometry/region.hpp"
 #include "geometry/scattered.hpp"
 #include "model/blocks.hpp"
+#include "model/shape_functions.hpp"
 
 #include <algorithm>
 #include <array>
@@ -30,45 +30,44 @@ struct BlocksSpec;
 
 enum class Analysis { plane_strain, plane_stress, axisymmetric, solid };
 enum class UpdateOrder { usf, usl, usavg };
-enum class Kernel { linear, gimp, quadratic_spline, cubic_spline, cpdi };
 enum class Transfer { flip, pic, blend, xpic, fmpm, apic };
 
 struct Scheme {
   UpdateOrder order = UpdateOrder::usavg;
-  bool extrapolate_again = true;  ///< the "+" variants of USL and USAVG (MUSL): strain from re-extrapolated velocities
+  bool extrapolate_again = true;  ///< MUSL ("+" variants of USL and USAVG): strains from re-extrapolated velocities
   Kernel kernel = Kernel::linear;
   Transfer transfer = Transfer::flip;
-  double flip_fraction = 1.0;            ///< blend only: share of FLIP in the particle velocity
+  double flip_fraction = 1.0;            ///< blend only: fraction of FLIP in the velocity update
   int filter_order = 2;                  ///< XPIC(m), FMPM(k)
-  int filter_every = 1;                  ///< XPIC/FMPM on every n-th step, FLIP between (PeriodicXPIC)
-  double filter_period = 0.0;            ///< XPIC/FMPM after this much time; 0: use filter_every
-  bool exponential_deformation = false;  ///< F <- exp(L dt) F instead of the motion of the particles, 1 + L dt
-  bool b_bar = false;                    ///< volume changes and pressures are means of the neighbourhood
-  double cpdi_limit = 1.0;  ///< largest reach of a CPDI corner from the centre, in cells; domains beyond are scaled
+  int filter_every = 1;                  ///< XPIC/FMPM in every n-th step, FLIP in the others (PeriodicXPIC)
+  double filter_period = 0.0;            ///< simulated time between steps with XPIC/FMPM; 0: use filter_every
+  bool exponential_deformation = false;  ///< true: F <- exp(L dt) F (second order); false: F <- (1 + L dt) F
+  bool b_bar = false;                    ///< B-bar: volumetric strain and pressure are averaged around each particle
+  double cpdi_limit = 1.0;  ///< largest distance of a CPDI corner from the centre in cells; larger domains are scaled
 };
 
 struct TimeControl {
   double end = 1.0;
   double max_step = 1.0;
   double courant = 0.5;
-  double transport_courant = 0.5;  ///< share of the largest stable step of conduction
-  bool adaptive = false;           ///< follow wave speed and particle speed during the run
+  double transport_courant = 0.5;  ///< fraction of the largest stable time step of conduction
+  bool adaptive = false;           ///< the time step follows wave speed and particle speed during the run
   double velocity_courant = 0.5;   ///< adaptive: largest particle travel per step, in cells
-  double max_increase = 1.1;       ///< adaptive: growth of the step per adjustment
+  double max_increase = 1.1;       ///< adaptive: largest growth factor of the time step per adjustment
 };
 
-/// How the normal between two bodies at a node is found.
+/// Method for the contact normal between two bodies at a node.
 enum class NormalMethod {
-  margin,    ///< largest margin between the particle domains; exact for flat faces
-  logistic,  ///< logistic regression of the particles
-  linear,    ///< linear regression
-  average,   ///< mean of the volume gradients
-  steepest,  ///< the larger volume gradient
-  largest,   ///< the volume gradient of the larger volume
-  own,       ///< the deformable body's own volume gradient, of two the one defined first
+  margin,    ///< plane with the largest margin between the particle domains; exact for flat faces
+  logistic,  ///< logistic regression of the particle positions
+  linear,    ///< linear regression of the particle positions
+  average,   ///< mean of both volume gradients
+  steepest,  ///< the volume gradient of larger magnitude
+  largest,   ///< the volume gradient of the body with the larger volume at the node
+  own,       ///< the volume gradient of the deformable body; of two deformable bodies, the one defined first
   specified
 };
-/// How the gap between two bodies at a node is found.
+/// Method for the gap between two bodies at a node.
 enum class Separation { edges, positions, displacements };
 
 /// Contact between materials.
@@ -76,118 +75,136 @@ struct ContactSpec {
   bool active = false;
   NormalMethod normals = NormalMethod::margin;
   Separation separation = Separation::edges;
-  double position = 0.8;           ///< separation by positions: cells between touching bodies, or minus an exponent
-  double rigid_bias = 1.0;         ///< weight of a rigid body's gradient
+  double position = 0.8;    ///< Separation::positions: distance in cells at which bodies touch, or minus an exponent
+  double rigid_bias = 1.0;  ///< weight of the volume gradient of a rigid body
   Vec3 direction = Vec3::UnitX();  ///< specified normal
-  bool at_faces = false;           ///< impulses act on faces, between nodes, not on single nodes
+  bool at_faces = false;           ///< Impulses='faces': the contact conditions hold at faces, between nodes
   std::shared_ptr<const ContactLaw> default_law;
-  std::map<std::pair<int, int>, std::shared_ptr<const ContactLaw>> pair_laws;  ///< by materials, smaller number first
-  /// A joint law given to a pair, and where.
+  std::map<std::pair<int, int>, std::shared_ptr<const ContactLaw>>
+      pair_laws;  ///< by pair of materials, smaller index first
+  /// A joint law that is assigned to a pair of materials.
   struct Joint {
     std::shared_ptr<const JointLaw> law;
-    std::array<int, 2> materials{};  ///< of the bodies 1 and 2
+    std::array<int, 2> materials{};  ///< materials of body 1 and body 2
     Origin origin;
   };
-  std::map<std::pair<int, int>, Joint> joints;  ///< by materials, as above: where their faces touch at the start
-  /// Where no joint acts.
+  /// Joint laws by pair of materials, smaller index first. They act where the faces touch at the start.
+  std::map<std::pair<int, int>, Joint> joints;
+  /// The contact law of a pair, which acts where there is no joint.
   const ContactLaw* law(int a, int b) const {
     const auto found = pair_laws.find({std::min(a, b), std::max(a, b)});
     return (found == pair_laws.end() ? default_law : found->second).get();
   }
 };
 
-/// A crack as the user drew it: straight pieces in two dimensions, triangles in three.
+/// A crack of the input: straight segments in two dimensions, triangles in three.
 struct CrackSpec {
   std::vector<Vec3> points;
-  std::vector<std::array<std::uint32_t, 3>> pieces;  ///< corners; in two dimensions the first two count
-  std::shared_ptr<const ContactLaw> law;             ///< between its faces; null: they do not see each other
-  std::shared_ptr<const JointLaw> joint;             ///< or this
-  /// Of the first and last point: whether it is a tip (unset: if it lies in a body), or goes on to a free surface.
+  std::vector<std::array<std::uint32_t, 3>> pieces;  ///< indices of corners; only the first two in two dimensions
+  std::shared_ptr<const ContactLaw> law;             ///< between the faces; null: no interaction
+  std::shared_ptr<const JointLaw> joint;             ///< used instead of `law` if not null
+  /// Type of an end of the line. found: it is a tip if it lies in a body; none: no tip; exterior: it continues to a
+  /// free surface.
   enum class End { found, tip, none, exterior };
-  std::array<End, 2> ends{};
-  bool fixed = false;  ///< the bodies do not carry it along
+  std::array<End, 2> ends{};  ///< first and last point
+  bool fixed = false;         ///< the crack does not move with the bodies
   Origin origin;
 };
 
-/// Temperatures: where they come from, and what changes them.
+/// Heat: sources of temperature changes.
 struct HeatSpec {
-  bool kept = false;  ///< particles have temperatures: something below changes them, or a law feels them
+  bool kept = false;  ///< particles have temperatures, because one of the options below or a law needs them
   bool conduction = false;
-  bool work_heating = false;     ///< what laws dissipate becomes heat
-  bool contact_heating = false;  ///< the work of sliding faces becomes heat
-  double reference = 0.0;        ///< temperature at the start unless a body says otherwise
+  bool work_heating = false;     ///< the work dissipated by material laws becomes heat
+  bool contact_heating = false;  ///< the work of friction becomes heat
+  double reference = 0.0;        ///< initial temperature of bodies without one of their own
 };
 
-/// The regular grid as the user wrote it, without the padding layers the engine adds.
+/// The regular grid of the input, without the padding layers that the solver adds.
 struct GridSpec {
   std::array<double, 3> low{}, high{};
   std::array<int, 3> cells{1, 1, 1};
   double thickness = 1.0;  ///< plane strain and plane stress
-  /// Plane faces, [axis][0 low, 1 high]; must lie on grid lines.
-  std::array<std::array<std::optional<double>, 2>, 3> symmetry;  ///< mirror: no normal velocity, even tangential
-  std::array<std::array<std::optional<double>, 2>, 3> wall;      ///< boundary-modified shape functions end here
-  std::array<bool, 3> periodic{};  ///< [axis] the grid's two edges are one: what leaves comes in on the other side
+  /// Plane boundaries [axis][0: low end, 1: high end]; they must lie on grid lines.
+  std::array<std::array<std::optional<double>, 2>, 3> symmetry;  ///< no normal velocity, even tangential velocity
+  std::array<std::array<std::optional<double>, 2>, 3> wall;      ///< walls with boundary-modified shape functions
+  std::array<bool, 3> periodic{};                                ///< [axis] the low and high end are identified
   Origin origin;
 };
 
-/// When and how the tips of cracks grow.
+/// Criterion and direction of crack growth.
 struct Growth {
   enum class When {
     never,
-    hoop_stress,     ///< the stress intensity of the largest hoop stress reaches KIc
-    energy_density,  ///< the least strain energy density around the tip reaches that of KIc
+    hoop_stress,     ///< maximum hoop stress: its stress intensity reaches KIc
+    energy_density,  ///< minimum strain energy density around the tip reaches the value that belongs to KIc
     empirical,       ///< (K1/KIc)^KIexp + (K2/KIIc)^KIIexp reaches one
     release_rate,    ///< the energy release rate reaches JIc
   };
+  /// Direction of growth: that of the criterion, along the crack, normal to the opening displacement, of maximum hoop
+  /// stress derived from the opening displacement, or the initial direction of the crack.
   enum class Way { of_criterion, straight_on, normal_to_opening, hoop_of_opening, as_at_start };
   When when = When::never;
   Way way = Way::of_criterion;
 };
 
-/// Resistance to the growth of cracks.
+/// Fracture toughness of a material.
 struct Toughness {
   std::optional<double> KIc, KIIc;  ///< [stress length^1/2]
   std::optional<double> JIc;        ///< [energy/length^2]
   double KIexp = 2.0, KIIexp = 2.0;
 };
 
-/// What is computed at the tips of cracks.
+/// Quantities computed at crack tips.
 struct FractureSpec {
-  double size = 4.0;    ///< radius of the ring around a tip [cells]
-  bool inertia = true;  ///< J counts accelerations within the ring
-  double hop = 0.5;     ///< by which a tip grows [cells]
+  double size = 4.0;    ///< radius of the contour of the J integral [cells]
+  bool inertia = true;  ///< J includes the inertia term within the contour
+  double hop = 0.5;     ///< length by which a tip grows at once [cells]
 };
 
-/// A law with its name: of a material, of contact or of joints.
+/// Axis or relative direction of a load on particles.
+enum class LoadDirection {
+  x = 0,
+  y = 1,
+  z = 2,
+  normal,     ///< outward normal of the face; tractions only
+  tangential  ///< normal rotated by 90 degrees about z, counterclockwise; tractions in two dimensions only
+};
+
+/// Face of a particle's domain, numbered as in command files.
+enum class DomainFace { low_y = 1, high_x = 2, high_y = 3, low_x = 4, low_z = 5, high_z = 6 };
+
+/// A named law of the input: a material law, a contact law or a joint law.
 struct MaterialSpec {
   std::string name;
-  std::string type;  ///< catalogue name
+  std::string type;  ///< name in the catalogue
   std::shared_ptr<const Material> law;
   std::optional<double> particle_damping;                   ///< [1/time]
-  std::array<std::optional<Expression>, 3> rigid_velocity;  ///< rigid materials: prescribed components
-  int rigid_directions = 0;                                 ///< type 11: bits x 1, y 2, z 4; 8: touched by contact
-  int mirrored =
-      0;  ///< type 11: beyond the face at the low (-1) or high (1) end of the bodies, velocities are mirrored
-  bool touches() const { return (rigid_directions & 8) != 0; }
-  Statement statement{};  ///< as written, for provenance and late errors
+  std::array<std::optional<Expression>, 3> rigid_velocity;  ///< rigid materials: prescribed velocity components
+  std::array<bool, 3> sets_velocity{};  ///< Rigid: the components of the grid velocity that it prescribes
+  bool rigid_contact = false;           ///< rigid material that interacts by contact laws
+  int mirrored = 0;  ///< Rigid: velocities are mirrored beyond the face at the low (-1) or high (1) end of its bodies
+  bool touches() const { return rigid_contact; }
+  Statement statement{};  ///< the input, for provenance and for errors that are found later
   Origin origin{};
-  std::shared_ptr<ContactLaw> contact{};  ///< instead of `law`
-  std::shared_ptr<JointLaw> joint{};      ///< instead of both
+  std::shared_ptr<ContactLaw> contact{};  ///< not null: this is a contact law, `law` is null
+  std::shared_ptr<JointLaw> joint{};      ///< not null: this is a joint law, `law` and `contact` are null
   double heat_capacity = 0.0;             ///< [energy/(mass temperature)]
   double conductivity = 0.0;              ///< [power/(length temperature)]
-  double taylor_quinney = 1.0;            ///< share of the dissipated work that becomes heat
-  int share_field_with = -1;              ///< material whose velocity field this one shares
+  double taylor_quinney = 1.0;            ///< fraction of the dissipated work that becomes heat
+  int share_field_with = -1;              ///< index of the material whose velocity field is shared; -1: none
   Toughness toughness{};
-  Growth growth{};  ///< of cracks in it
+  Growth growth{};  ///< of cracks in this material
 };
 
-/// A deformation of a body before the start: x -> x + shift(x), with F. Points are found in the undeformed shape.
+/// Initial deformation of a body: x -> x + shift(x), with deformation gradient F. Particles are placed in the
+/// undeformed shape.
 struct InitialDeformation {
   std::array<std::optional<Expression>, 3> shift;
   std::array<std::array<std::optional<Expression>, 3>, 3> F;
 };
 
-/// One shape of a body, or a hole. First match wins: a particle site is used by the first piece that contains it.
+/// A shape of a body, or a hole. A particle site belongs to the first piece that contains it.
 struct Piece {
   RegionPtr region;
   int material = -1;  ///< index into Model::materials; -1: hole
@@ -195,23 +212,23 @@ struct Piece {
   std::array<std::optional<Expression>, 3> velocity_function;
   std::optional<double> temperature;
   std::optional<double> thickness;
-  std::array<int, 3> points_per_axis{0, 0, 0};  ///< per cell; 0: the model's default
-  std::optional<double> point_size;             ///< instead: edge length of a particle's domain
+  std::array<int, 3> points_per_axis{0, 0, 0};  ///< particles per cell; 0: default of the model
+  std::optional<double> point_size;             ///< edge length of a particle domain, instead of points_per_axis
   std::optional<InitialDeformation> deformation;
   std::array<std::optional<Expression>, 6> stress;  ///< initial Cauchy stress xx yy zz xy yz xz, functions of position
-  std::shared_ptr<const ScatteredField> stress_points;  ///< added: components in the same order, consistent units
-  double stress_factor = 1.0;                           ///< consistent units of the stress functions
-  std::optional<double> K0;  ///< adds the stress at rest under gravity: horizontal over vertical
-  double angle = 0.0;        ///< material axes, rotation about z
+  std::shared_ptr<const ScatteredField> stress_points;  ///< stress to be added, same components, consistent units
+  double stress_factor = 1.0;                           ///< factor of the stress functions to consistent units
+  std::optional<double> K0;  ///< adds the geostatic stress under gravity with this ratio of horizontal to vertical
+  double angle = 0.0;        ///< rotation of the material axes about z
   Origin origin;
 };
 
-/// A single particle placed by the user.
+/// A single particle of the input.
 struct PointSpec {
   Vec3 position = Vec3::Zero(), velocity = Vec3::Zero();
   int material = 0;
   std::optional<double> mass;
-  std::optional<Vec3> half_size;  ///< of its domain
+  std::optional<Vec3> half_size;  ///< half edge lengths of its domain
   std::optional<double> temperature;
   double angle = 0.0;
   Origin origin;
@@ -219,107 +236,108 @@ struct PointSpec {
 
 enum class Style { constant = 1, linear = 2, sine = 3, cosine = 4, silent = 5, function = 6 };
 
-/// A value that follows one of the dialect's styles in time.
-/// constant: value from t >= time; linear: value (t - time); sine: value sin(time t); cosine: value cos(time t);
-/// function: f(t - time, x, y, z).
+/// A value with a prescribed dependence on time. The styles and their numbers are those of NairnMPM.
+/// constant: value for t >= time; linear: value (t - time) for t >= time; sine: value sin(time t); cosine: value
+/// cos(time t); silent: absorbing boundary, see Tractions; function: f(t - time, x, y, z) for t >= time.
 struct Prescribed {
   Style style = Style::constant;
   double value = 0.0, time = 0.0;
   Expression function;
-  double function_time = 1.0;   ///< consistent time of one unit of the function's t
-  double function_scale = 1.0;  ///< consistent units of the function's value
+  double function_time = 1.0;   ///< consistent time of one unit of the function's argument t
+  double function_scale = 1.0;  ///< factor of the function's value to consistent units
   double at(double t, const Vec3& x, double dt = 0.0) const;
 };
 
-/// Velocity of grid nodes in a region.
+/// Prescribed velocity of grid nodes in a region.
 struct NodeCondition {
   RegionPtr where;
-  Vec3 direction = Vec3::UnitX();  ///< unit vector; axis-parallel unless skewed
+  Vec3 direction = Vec3::UnitX();  ///< unit vector of the prescribed component
   Prescribed velocity;
-  int id = 0;  ///< for reaction histories, <= 0
+  int id = 0;  ///< identifies the condition in reaction histories, <= 0
   Origin origin;
 };
 
-/// Temperature of grid nodes in a region.
+/// Prescribed temperature of grid nodes in a region.
 struct TemperatureCondition {
   RegionPtr where;
   Prescribed temperature;
   Origin origin;
 };
 
-/// Force on particles in a region, or traction or heat flux through their faces.
+/// Force on particles in a region, or traction or heat flux on a face of their domains. A positive normal traction is
+/// tensile; a positive heat flux heats the particles.
 struct ParticleCondition {
   enum class Kind { force, traction, heat_flux } kind = Kind::force;
   RegionPtr where;
-  int direction = 0;  ///< 0 x, 1 y, 2 z; traction also 10 normal, 11 shear
-  int face = 0;  ///< traction, flux: dialect's face number (2D 1 bottom 2 right 3 top 4 left; 3D 1-4, 5 bottom, 6 top)
-  bool net = false;  ///< force is divided among the particles found
+  LoadDirection direction = LoadDirection::x;
+  DomainFace face = DomainFace::low_y;  ///< traction and heat flux
+  bool net = false;                     ///< the force is a total, divided among the particles found
   Prescribed value;
   Origin origin;
 };
 
 struct Damping {
   std::optional<Expression> grid, particle;        ///< [1/time]
-  double function_time = 1.0;                      ///< consistent time of one unit of t
+  double function_time = 1.0;                      ///< consistent time of one unit of the functions' argument t
   std::optional<double> grid_gain, particle_gain;  ///< feedback damping: alpha' = gain (KE - target)
   std::optional<Expression> target_energy;
   double max_alpha = 0.0;  ///< 0: unlimited
 };
 
-/// Search for the factor by which all strengths may be divided before the model slips.
+/// Strength reduction method: search for the factor of safety by which all strengths are divided at failure.
 struct StrengthReduction {
-  double low = 1.0, high = 2.0;  ///< where the search begins
-  double tolerance = 0.01;       ///< width of the bracket at the end
-  double growth = 0.05;          ///< it slips if the largest displacement grows by this share in the run's last quarter
+  double low = 1.0, high = 2.0;  ///< initial bracket
+  double tolerance = 0.01;       ///< width of the final bracket
+  double growth = 0.05;          ///< failure: relative growth of the largest displacement in the run's last quarter
 };
 
 struct BodyForce {
   Vec3 gravity = Vec3::Zero();
-  std::array<std::optional<Expression>, 3> function;      ///< acceleration f(x, y, z, t) of the nodes
-  std::array<std::optional<Expression>, 3> on_particles;  ///< of the particles, which also know x0, y0, z0
+  std::array<std::optional<Expression>, 3> function;      ///< acceleration f(x, y, z, t) of grid nodes
+  std::array<std::optional<Expression>, 3> on_particles;  ///< acceleration of particles, also depends on x0, y0, z0
   bool acts_on_particles() const { return on_particles[0] || on_particles[1] || on_particles[2]; }
   double function_time = 1.0;
 };
 
 /// One column of history.csv.
 struct HistoryQuantity {
-  std::string name;    ///< as requested, e.g. `velx`, `Kinetic Energy`
-  std::string column;  ///< column head: `velx:Disk 1`
-  int material = -1;   ///< -1: all
-  int condition_id = 0;
-  int other = -1;             ///< contact: only with this material; -1: with all
-  std::optional<Vec3> point;  ///< of the particle that starts nearest to it
+  std::string name;           ///< as in the input, e.g. `velx`, `Kinetic Energy`
+  std::string column;         ///< column head, e.g. `velx:Disk 1`
+  int material = -1;          ///< -1: all materials
+  int condition_id = 0;       ///< reactions: id of a node condition, 0: none
+  int other = -1;             ///< contact: only contact with this material; -1: with all
+  std::optional<Vec3> point;  ///< value of the particle whose initial position is nearest to this point
   Origin origin;
 };
 
-/// The id that stands for a symmetry plane in histories: -10 and -11 at the low and high end of x, -20 ..., -30 ...
+/// Id of a symmetry plane in reaction histories: -10 and -11 at the low and high end of x, -20 and -21 of y, ...
 constexpr int symmetry_plane_id(int axis, int side) { return -10 * (axis + 1) - side; }
 
 struct OutputSpec {
-  /// Output times: from `start` every `interval` until the next group's start.
+  /// Output times: `start`, then every `interval` until the start of the next group.
   struct Group {
     double start = 0.0, interval = 0.0;
     int max_contact_steps = 0;
   };
   std::vector<Group> archive;
-  double history_interval = 0.0;  ///< 0: as the archive
+  double history_interval = 0.0;  ///< 0: as for the particle files
   std::vector<HistoryQuantity> history;
   std::vector<std::string> particle_fields;  ///< empty: the standard set
   std::vector<std::string> grid_fields;      ///< for the .vti files; empty: none are written
-  double checkpoint_interval = 0.0;          ///< simulated time; 0: only when stopped
+  double checkpoint_interval = 0.0;          ///< simulated time; 0: only when the run is stopped
 
   bool has_field(std::string_view name) const {
     return std::find(particle_fields.begin(), particle_fields.end(), name) != particle_fields.end();
   }
-  /// Whether a history is a mean strain.
+  /// Whether a history is an average strain.
   bool wants_strain() const;
-  /// Whether a field or a history needs F.
+  /// Whether a field or a history needs the deformation gradient.
   bool wants_deformation() const;
 };
 
 struct Model {
   std::string file;                             ///< the command file
-  std::map<std::string, std::string> settings;  ///< variables of a script that were set from outside
+  std::map<std::string, std::string> settings;  ///< variables of a script that were set on the command line
   std::string title;
   Analysis analysis = Analysis::plane_strain;
   Units units;
@@ -328,7 +346,7 @@ struct Model {
   Scheme scheme;
   TimeControl time;
   GridSpec grid;
-  int points_per_cell = 0;  ///< total; 0: the dialect's default (4 in 2D, 8 in 3D)
+  int points_per_cell = 0;  ///< particles per cell; 0: the default, 4 in two dimensions and 8 in three
   std::vector<MaterialSpec> materials;
   std::vector<Piece> pieces;
   std::vector<PointSpec> points;
@@ -340,13 +358,14 @@ struct Model {
   Damping damping;
   ContactSpec contact;
   std::vector<CrackSpec> cracks;
-  std::shared_ptr<const BlocksSpec> blocks;  ///< rigid blocks, alone or beside a grid; else null
+  std::shared_ptr<const BlocksSpec> blocks;  ///< rigid blocks, with or without a grid; null: none
   std::optional<FractureSpec> fracture;
   HeatSpec heat;
   OutputSpec output;
-  /// Particles that leave the grid: unset stops the run; otherwise this many may be pushed back before it stops.
+  /// Number of particles that may be put back into the grid after leaving it before the run stops; unset: the first
+  /// particle that leaves stops the run.
   std::optional<long> leave_limit;
-  /// Rigid blocks without grid and particles.
+  /// Whether the model consists of rigid blocks only, without grid and particles.
   bool only_blocks() const { return blocks && !blocks->in_grid; }
   std::vector<std::string> warnings;  ///< each `file:line:col: warning: ...`
 

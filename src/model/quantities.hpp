@@ -1,47 +1,59 @@
 // SPDX-License-Identifier: MIT
-/// Names of what can be asked for: columns of history.csv and fields of the particle files. The one list that the
-/// reader, the manual and the output share.
+/// Columns of history.csv. One table serves the reader, the manual and the output: a new quantity is one entry in
+/// quantities.cpp.
 #pragma once
 
-#include "base/units.hpp"
+#include "model/measures.hpp"
 
-#include <string>
 #include <string_view>
 #include <vector>
 
 namespace tribo {
 
-/// What a quantity may be asked of.
+/// What a quantity is computed from: the state of a run, seen from what the history refers to (all particles, a
+/// material, or one particle).
+class HistorySource {
+ public:
+  virtual ~HistorySource() = default;
+  virtual const Measures& measures() const = 0;
+  virtual const RunEnergies& energies() const = 0;
+  /// Force of a rigid material, of conditions or of a symmetry plane on the rest [force].
+  virtual Vec3 reaction() const = 0;
+  virtual ContactSums contact() const = 0;
+  virtual double heat_supplied() const = 0;     ///< by conditions so far          [energy]
+  virtual double contact_heat() const = 0;      ///< by sliding contact so far     [energy]
+  virtual double grid_damping() const = 0;      ///< present coefficient           [1/time]
+  virtual double particle_damping() const = 0;  ///< present coefficient           [1/time]
+  virtual std::int64_t step() const = 0;        ///< number of steps done
+  virtual double step_size() const = 0;         ///< [time]
+  /// Of the centre of mass; zero without mass [velocity].
+  Vec3 velocity() const {
+    const Measures& m = measures();
+    return m.mass > 0 ? Vec3(m.momentum / m.mass) : Vec3(Vec3::Zero());
+  }
+};
+
+/// What a quantity can refer to.
 enum class Scope {
-  run,       ///< only of all
-  material,  ///< of one material, too
-  particle   ///< of one particle, too
+  run,       ///< only the whole run
+  material,  ///< also one material
+  particle   ///< also one particle
 };
 
 struct QuantityInfo {
   std::string_view name;
   std::string_view unit;     ///< generic, e.g. `velocity`
   std::string_view meaning;  ///< one phrase
-  Scope scope;               ///< of a field of the particle files: particle
+  Scope scope;
+  double (*value)(const HistorySource&);
 };
 
-/// Global quantities, by the dialect's names and Tribo's own.
+/// Quantities of history.csv, with the names of NairnMPM and additional ones.
 const std::vector<QuantityInfo>& global_quantities();
-/// The entry of this name in any case, or of what the dialect calls it (`temp`, `sRR`), or null.
+/// The entry with this name, in any case, or with an alternative name of NairnMPM (`temp`, `sRR`); null if there is
+/// none.
 const QuantityInfo* find_global_quantity(std::string_view name);
-
-/// Quantities of models of blocks.
-struct BlockQuantityInfo {
-  std::string_view name, unit, meaning;
-  enum class Of { run, platen, block } of;
-};
-const std::vector<BlockQuantityInfo>& block_quantities();
-/// The entry of this name in any case for what it is asked of, or null.
-const BlockQuantityInfo* find_block_quantity(std::string_view name, BlockQuantityInfo::Of of);
-
-/// Fields of the particle files.
-const std::vector<QuantityInfo>& particle_fields();
-/// The entry of this name in any case, or of what the dialect calls it (`strainenergy`, `history3`), or null.
-const QuantityInfo* find_particle_field(std::string_view name);
+/// Whether a quantity is a mean strain, which needs the deformation gradient.
+bool is_strain(const QuantityInfo& quantity);
 
 }  // namespace tribo

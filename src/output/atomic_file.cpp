@@ -30,7 +30,7 @@ void flush_to_disk(const std::filesystem::path& path, const std::filesystem::pat
 }  // namespace
 
 void write_atomically(const std::filesystem::path& path, const std::function<bool(const std::string&)>& write) {
-  // The extension stays: some writers look at it.
+  // The extension is kept because some writers choose their format by it.
   auto temporary = path;
   temporary.replace_filename("." + path.stem().string() + ".writing" + path.extension().string());
   errno = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Files that are never half-written.
+/// Files that are replaced as a whole or not at all.
 #pragma once
 
 #include <filesystem>
@@ -9,8 +9,8 @@
 
 namespace tribo {
 
-/// Replaces `path` by `content`: written beside it, flushed to disk, then renamed. On failure the old file is untouched
-/// and FileError says which path and why.
+/// Replaces `path` by `content`: written to a temporary file in the same folder, flushed to disk, then renamed. On
+/// failure the old file is untouched and FileError names the path and the reason.
 void write_atomically(const std::filesystem::path& path, std::string_view content);
 
 /// The same for content that a library writes to a file itself: `write(temporary)` returns false on failure.

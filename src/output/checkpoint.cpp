@@ -15,7 +15,7 @@ namespace {
 
 // Layout: magic, then per entry: kind, name length, byte count, name, bytes, CRC-32 of name and bytes; the end has kind
 // 0.
-constexpr std::string_view magic = "Tribo checkpoint 1\n";
+constexpr std::string_view magic = "Tribo checkpoint 2\n";
 
 std::uint32_t checksum(const std::string& name, const char* data, std::size_t size) {
   auto crc = ::crc32(0, reinterpret_cast<const Bytef*>(name.data()), static_cast<uInt>(name.size()));
@@ -92,6 +92,17 @@ Checkpoint::Checkpoint(const std::filesystem::path& path) : path_(path.string())
       throw FileError("checkpoint '" + path_ + "': entry '" + name + "' is damaged");
     entries_[name] = std::move(entry);
   }
+}
+
+std::vector<std::string> Checkpoint::names() const {
+  std::vector<std::string> out;
+  for (const auto& [name, entry] : entries_) out.push_back(name);
+  return out;
+}
+
+bool Checkpoint::same(const Checkpoint& other, const std::string& name) const {
+  const Entry &a = entries_.at(name), &b = other.entries_.at(name);
+  return a.kind == b.kind && a.bytes == b.bytes;
 }
 
 const Checkpoint::Entry& Checkpoint::entry(const std::string& name, char kind) const {

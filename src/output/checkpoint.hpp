@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Named arrays in one file, for stopping and resuming to the bit.
+/// Files of named arrays, from which a run continues to the bit.
 #pragma once
 
 #include <cstdint>
@@ -28,10 +28,13 @@ class CheckpointWriter {
 
 class Checkpoint {
  public:
-  /// Reads and checks everything. Throws FileError that says what is wrong: not a checkpoint, another version, cut off,
-  /// or which entry is damaged.
+  /// Reads and checks everything. Throws FileError with the reason: not a checkpoint, another version, cut off, or the
+  /// name of the damaged entry.
   explicit Checkpoint(const std::filesystem::path& path);
   bool has(const std::string& name) const { return entries_.count(name) > 0; }
+  std::vector<std::string> names() const;
+  /// True if an entry has the same kind and the same bytes in another checkpoint; both must have it.
+  bool same(const Checkpoint& other, const std::string& name) const;
   /// Throw FileError if there is no such entry of this kind.
   std::vector<double> doubles(const std::string& name) const;
   std::vector<std::int64_t> integers(const std::string& name) const;

@@ -48,7 +48,7 @@ History History::resume(std::filesystem::path path, const std::vector<std::strin
   if (line + '\n' != header(columns))
     throw FileError("'" + path.string() + "' has other columns than this run; it belongs to another command file");
   kept = line + '\n';
-  while (std::getline(file, line) && !file.eof())  // a last line without its end is torn
+  while (std::getline(file, line) && !file.eof())  // a last line without line end is incomplete
     if (parse_number(line) <= time) kept += line + '\n';
   file.close();
   write_atomically(path, kept);

@@ -11,13 +11,13 @@
 
 namespace tribo {
 
-/// A table that grows by rows; the first column is `time`. Every row is flushed whole.
+/// A table that grows by rows; the first column is `time`. Every row is flushed as a whole.
 class History {
  public:
   /// Starts the file `path` with a header. Column names with commas or quotes are quoted. Throws FileError.
   History(std::filesystem::path path, const std::vector<std::string>& columns);
-  /// Continues the file, keeping the rows up to a time; a torn last line is dropped. Throws FileError if the header
-  /// differs.
+  /// Continues the file, keeping the rows up to a time; an incomplete last line is dropped. Throws FileError if the
+  /// header differs.
   static History resume(std::filesystem::path path, const std::vector<std::string>& columns, double time);
 
   /// One value per column, `time` first.

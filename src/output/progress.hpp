@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// What the terminal shows while a run goes on.
+/// Progress of a run on the terminal.
 #pragma once
 
 #include <chrono>
@@ -11,9 +11,9 @@ namespace tribo {
 /// One updating line on a terminal, a line per tenth of the run elsewhere, nothing if quiet.
 class Progress {
  public:
-  /// `count` things of a `kind`, `particle`, move in every step.
+  /// `count` objects of a `kind`, such as `particle`, move in every step; for the speed that is shown.
   Progress(bool quiet, double start, double end, std::int64_t count, std::string kind);
-  /// Call once per step; looks at the clock now and then only.
+  /// Call once per step. Reads the clock only in some of them.
   void step(double time, std::int64_t step, double dt);
   void finish(double time, std::int64_t step);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Where a result comes from: provenance.json beside it.
+/// Origin of results: the file provenance.json in their folder.
 #pragma once
 
 #include <filesystem>
@@ -16,13 +16,13 @@ class Provenance {
   /// Starts the record of a run. `facts`: further names and values, e.g. particles per material.
   Provenance(std::filesystem::path path, std::string command_line, const std::filesystem::path& input, int threads,
              std::map<std::string, std::string> facts);
-  /// Writes the file with a status: running, finished, stopped, failed, and why. Throws FileError.
+  /// Writes the file with a status: running, finished, stopped, failed, and the reason. Throws FileError.
   void write(const std::string& status, const std::string& reason, double time, long step) const;
 
-  /// How far the run is and where its time went, for the next write().
+  /// Progress of the run and its computing time, for the next write().
   struct Progress {
     double end_time = 0.0, step = 0.0;              ///< simulated
-    double seconds = 0.0, seconds_left = 0.0;       ///< on the clock, since the start or resumption
+    double seconds = 0.0, seconds_left = 0.0;       ///< of wall time, since the start or resumption
     std::map<std::string, double> seconds_of = {};  ///< by part of the program
   };
   void set_progress(Progress progress) { progress_ = std::move(progress); }

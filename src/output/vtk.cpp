@@ -234,7 +234,7 @@ std::vector<CollectionEntry> read_collection(const std::filesystem::path& path) 
   std::ifstream file(path);
   if (!file) throw FileError("cannot read '" + path.string() + "'");
   std::vector<CollectionEntry> entries;
-  // Our own files: one <DataSet .../> per line.
+  // Collections are written with one <DataSet .../> per line.
   for (std::string line; std::getline(file, line);) {
     const auto value = [&](const std::string& name) {
       const auto at = line.find(" " + name + "=\"");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Files for ParaView. The only place that knows VTK is vtk.cpp.
+/// Files for ParaView. VTK is used in vtk.cpp only.
 #pragma once
 
 #include <array>
@@ -41,13 +41,13 @@ void write_grid(const std::filesystem::path& path, const std::array<double, 3>& 
                 const std::array<double, 3>& spacing, const std::array<int, 3>& nodes,
                 std::span<const OutputField> fields, double time);
 
-/// What a particle file holds.
+/// Contents of a particle file.
 struct ParticleFrame {
   struct Field {
     std::string name;
     int components = 1;
     bool integers = false;
-    std::vector<double> values;  ///< components of a particle side by side
+    std::vector<double> values;  ///< components of a particle next to each other
   };
   double time = 0.0;
   std::vector<std::array<double, 3>> position;
@@ -58,7 +58,7 @@ struct ParticleFrame {
   std::size_t count() const { return position.size(); }
 };
 
-/// What a file of cells holds: lines and polygons between points, with fields of the cells.
+/// Contents of a file of cells: lines and polygons between points, with fields of the cells.
 struct CellFrame {
   double time = 0.0;
   std::vector<std::array<double, 3>> position;

@@ -13,7 +13,7 @@ std::int64_t Bins<Dim>::sort(const Lattice<Dim>& lattice, Particles<Dim>& partic
   const std::size_t n = particles.size();
   const auto x = particles.x();
 
-  // Key: block (lexicographic), then cell in the block.
+  // Sort key: block (lexicographic), then cell in the block.
   static constexpr std::ptrdiff_t piece = 1 << 14;
   std::vector<std::int64_t> key(n);
   const auto pieces = (static_cast<std::ptrdiff_t>(n) + piece - 1) / piece;
@@ -41,7 +41,7 @@ std::int64_t Bins<Dim>::sort(const Lattice<Dim>& lattice, Particles<Dim>& partic
   for (const auto i : lost)
     if (i >= 0) return i;
 
-  // Occupied blocks, densely numbered in lexicographic order.
+  // Occupied blocks, numbered consecutively in lexicographic order.
   std::vector<int> rank(static_cast<std::size_t>(lattice.block_count()), 0);
   for (const auto k : key) rank[static_cast<std::size_t>(k / block_nodes<Dim>)] = 1;
   std::vector<std::int64_t> occupied;
@@ -65,12 +65,6 @@ std::int64_t Bins<Dim>::sort(const Lattice<Dim>& lattice, Particles<Dim>& partic
   particles.reorder(order);
   paint(lattice);
   return -1;
-}
-
-template <int Dim>
-void Bins<Dim>::restore(const Lattice<Dim>& lattice, std::vector<Bin> bins) {
-  bins_ = std::move(bins);
-  paint(lattice);
 }
 
 template <int Dim>

@@ -11,7 +11,7 @@
 namespace tribo {
 namespace {
 
-// Number n with n^dimension = total, or none.
+// The number n with n^dimension = total, or none.
 std::optional<int> root(int total, int dimension) {
   for (int n = 1; n <= 64; ++n) {
     const int power = dimension == 2 ? n * n : n * n * n;
@@ -32,7 +32,7 @@ class Filler {
   }
 
  private:
-  // Points per axis of a cell unless a piece says otherwise.
+  // Particles per cell along an axis, unless a piece specifies them.
   int default_per_axis() const {
     const int dimension = model_.dimension();
     const int total = model_.points_per_cell > 0 ? model_.points_per_cell : (dimension == 2 ? 4 : 8);
@@ -54,7 +54,7 @@ class Filler {
     return n;
   }
 
-  // Pieces that divide the cells in the same way share a lattice; holes need none of their own.
+  // Pieces with the same number of particles per cell share a lattice; holes need no lattice of their own.
   void choose_lattices() {
     per_axis_ = default_per_axis();
     for (std::size_t p = 0; p < model_.pieces.size(); ++p) {
@@ -92,8 +92,8 @@ class Filler {
     if (!hole && (piece.K0 || piece.stress_points || given(piece.stress)) &&
         !keeps_stress(law(piece.material, piece.origin)))
       throw InputError(piece.origin, "'" + model_.materials[static_cast<std::size_t>(piece.material)].name +
-                                         "' keeps no initial stress: its stress follows from the deformation. Start it "
-                                         "with <Deform> instead");
+                                         "' keeps no initial stress: its stress is a function of the deformation. Use "
+                                         "<Deform> instead");
     const int own = lattice_of_[p];
     long count = 0;
     const Bounds reach = grid_.clip(piece.region->bounds());
@@ -114,7 +114,7 @@ class Filler {
     if (!piece.deformation) take_from_others(p, own, reach);
   }
 
-  // The shape's sites on the lattices of later pieces belong to it as well.
+  // Marks the sites of other lattices that lie in the shape as taken.
   void take_from_others(std::size_t p, int own, const Bounds& reach) {
     const Region& region = *model_.pieces[p].region;
     for (int k = 0; k < static_cast<int>(lattices_.size()); ++k) {
@@ -128,7 +128,7 @@ class Filler {
 
   std::string no_points(const Piece& piece) const {
     const Bounds b = piece.region->bounds();
-    if (!grid_.meets(b)) return "this body lies outside the grid";
+    if (!grid_.overlaps(b)) return "this body lies outside the grid";
     return "this body gets no material point: it is smaller than the distance of the points, or earlier bodies or "
            "holes "
            "cover it";
@@ -143,7 +143,7 @@ class Filler {
     return *spec.law;
   }
 
-  // What all points of a piece have in common; `volume` without the radius, `mass` its density.
+  // Common data of all points of a piece. `volume` lacks the factor radius; `mass` is the density at this stage.
   Seed prepare(std::size_t p, const Sites& lattice) const {
     const Piece& piece = model_.pieces[p];
     Seed seed;
@@ -159,7 +159,7 @@ class Filler {
     return seed;
   }
 
-  // Out of plane; one radian for axisymmetric analyses.
+  // Out-of-plane thickness; one radian for axisymmetric analyses.
   double thickness(const std::optional<double>& own) const {
     return model_.analysis == Analysis::axisymmetric ? 1.0 : own.value_or(model_.grid.thickness);
   }
@@ -212,13 +212,13 @@ class Filler {
         if (piece.deformation->F[i][j]) seed.F(row, static_cast<Eigen::Index>(j)) = (*piece.deformation->F[i][j])(at);
     }
     if (!(seed.F.determinant() > 0.0))
-      throw InputError(piece.origin, "the initial deformation turns the body inside out (det F = " +
+      throw InputError(piece.origin, "the initial deformation is singular or inverts the body (det F = " +
                                          std::to_string(seed.F.determinant()) + ") at " + text(seed.x));
     if (!grid_.contains(seed.x))
       throw InputError(piece.origin, "the initial deformation moves a point out of the grid, to " + text(seed.x));
   }
 
-  // Volume and mass of a domain whose centre is at radius r before any deformation.
+  // Sets volume and mass of a domain whose centre is at radius r before any deformation.
   void weigh(Seed& seed, double r, const Origin& origin) const {
     if (model_.analysis == Analysis::axisymmetric) {
       if (!(r > 0.0) || !(seed.x[0] >= 0.0))
@@ -265,7 +265,7 @@ class Filler {
   GridBox grid_;
   int per_axis_ = 2;
   std::vector<Sites> lattices_;
-  std::vector<int> lattice_of_;  // of each piece; -1 for holes
+  std::vector<int> lattice_of_;  // index of the lattice of each piece; -1 for holes
 };
 
 }  // namespace

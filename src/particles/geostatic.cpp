@@ -11,20 +11,20 @@
 namespace tribo {
 namespace {
 
-// A seed's domain as a box along the grid's axes, and its weight per volume.
+// The domain of a particle as an axis-parallel box, and its weight per volume.
 struct Block {
   Vec3 centre, half;
   double unit_weight;  // [force/length^3]
 };
 
-// Which axis is vertical, by gravity; 3 if none is.
+// Axis parallel to gravity; 3 if there is none.
 int vertical_axis(const Vec3& gravity) {
   int axis = 0;
   const double most = gravity.cwiseAbs().maxCoeff(&axis);
   return most > 0 && std::abs(gravity.norm() - most) < 1e-12 * most ? axis : 3;
 }
 
-// Blocks by the columns of the grid's cells that they stand in.
+// Boxes sorted by the vertical columns of grid cells that they overlap.
 class Columns {
  public:
   Columns(const Model& model, int vertical) : model_(model) {
@@ -43,7 +43,7 @@ class Columns {
     for (const auto& key : at) blocks_[key].push_back(block);
   }
 
-  /// Weight per area on the vertical line through x, above it; `up`: 1 or -1 along the vertical axis.
+  /// Weight per area above x, along the vertical line through x. `up`: direction (1 or -1) along the vertical axis.
   double weight_above(const Vec3& x, int vertical, double up) const {
     std::vector<long> key;
     for (const int d : across_) key.push_back(column(x[d], d));
@@ -65,7 +65,7 @@ class Columns {
     return std::lround(std::floor((x - model_.grid.low[d]) / cell));
   }
 
-  // How much of a block the vertical line through x meets: half of it where it runs along a side.
+  // Fraction with which a box counts on the vertical line through x: 1/2 if the line runs along a side of the box.
   double share(const Block& b, const Vec3& x) const {
     double share = 1.0;
     for (const int d : across_) {
@@ -92,9 +92,10 @@ void add_geostatic_stress(const Model& model, std::vector<Seed>& seeds) {
   const Vec3& gravity = model.body_force.gravity;
   const int vertical = vertical_axis(gravity);
   if (vertical >= model.dimension())
-    throw InputError(first->origin,
-                     "a stress at rest (K0) needs gravity along an axis of the grid, by <BodyXForce>, <BodyYForce> or "
-                     "<BodyZForce>");
+    throw InputError(
+        first->origin,
+        "the geostatic stress (K0) needs gravity along an axis of the grid, by <BodyXForce>, <BodyYForce> or "
+        "<BodyZForce>");
   Columns columns(model, vertical);
   for (const Seed& s : seeds) {
     if (model.materials[static_cast<std::size_t>(s.material)].law->rigid()) continue;

@@ -7,7 +7,7 @@ namespace tribo {
 
 template <int Dim>
 void Particles<Dim>::reorder(std::span<const std::uint32_t> order) {
-  // One spare column wanders through all of them, so sorting needs no second copy of the particles.
+  // One spare column is exchanged with each sorted column, so sorting needs no second copy of the particles.
   static constexpr std::ptrdiff_t piece = 1 << 14;
   const auto n = static_cast<std::ptrdiff_t>(count_);
   const std::ptrdiff_t pieces = (n + piece - 1) / piece;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-/// Particles of one body: one array per component, registered by name for sorting, output and restart alike.
+/// Particles of one body: one array per component, registered by name for sorting, output and restart.
 #pragma once
 
 #include "base/aligned.hpp"
+#include "base/archive.hpp"
 #include "base/types.hpp"
 #include "base/units.hpp"
 
@@ -14,24 +15,43 @@
 
 namespace tribo {
 
+/// The columns that hold one quantity of the particles, or none as long as the quantity is not kept.
+template <class Kind>
+class ColumnHandle {
+ public:
+  ColumnHandle() = default;
+  explicit ColumnHandle(std::size_t first) : first_(first) {}
+  explicit operator bool() const { return first_ != none; }
+  /// Number of the first column.
+  std::size_t first() const { return first_; }
+
+ private:
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+  std::size_t first_ = none;
+};
+using ScalarColumn = ColumnHandle<struct ScalarKind>;  ///< one column
+using VectorColumn = ColumnHandle<struct VectorKind>;  ///< Dim columns
+using MatrixColumn = ColumnHandle<struct MatrixKind>;  ///< Dim x Dim columns, row by row
+
 template <int Dim>
 class Particles {
  public:
   using Tensor = std::array<double*, Layout<Dim>::full>;
   using Symmetric = std::array<double*, Layout<Dim>::symmetric>;
   using Vector = std::array<double*, static_cast<std::size_t>(Dim)>;
+  using Matrix = std::array<double*, static_cast<std::size_t>(Dim* Dim)>;
 
-  /// One array of doubles and what it is called; tensors and vectors are several columns `stress_xx`, ...
+  /// A named array of doubles. Vectors and tensors consist of several columns `stress_xx`, ...
   struct Column {
     std::string name;
     Dimension dimension;
     AlignedVector<double> data;
   };
 
-  /// Lanes that may be read (not written) beyond the last particle.
+  /// Number of entries that may be read (not written) beyond the last particle.
   static constexpr std::size_t padding = 16;
 
-  /// `with_deformation`: keep F; else F() gives null pointers.
+  /// `with_deformation`: store F; otherwise F() gives null pointers.
   explicit Particles(std::size_t count, bool with_deformation = true) : count_(count), id(count) {
     x_ = add_vector("position", Dimension::length);
     v_ = add_vector("velocity", Dimension::velocity);
@@ -43,16 +63,64 @@ class Particles {
 
   std::size_t size() const { return count_; }
 
-  /// Registers a column; returns its number. All particles start with `initial`.
-  std::size_t add(std::string name, Dimension dimension, double initial = 0.0) {
+  /// Registers a column of the given dimension; all particles start with `initial`.
+  ScalarColumn add(std::string name, Dimension dimension, double initial = 0.0) {
     columns_.push_back({std::move(name), dimension, AlignedVector<double>(count_ + padding, initial)});
-    return columns_.size() - 1;
+    return ScalarColumn(columns_.size() - 1);
   }
-  std::size_t add_vector(const std::string& name, Dimension dimension) {
+  /// Registers the columns `name_x`, `name_y` (and `name_z`).
+  VectorColumn add_vector(const std::string& name, Dimension dimension) {
     constexpr std::array axis{"_x", "_y", "_z"};
     for (std::size_t d = 0; d < Dim; ++d) add(name + axis[d], dimension);
-    return columns_.size() - Dim;
+    return VectorColumn(columns_.size() - Dim);
   }
+  /// Registers the columns `name_xx`, `name_xy`, ... row by row.
+  MatrixColumn add_matrix(const std::string& name, Dimension dimension) {
+    for (int i = 0; i < Dim; ++i)
+      for (int j = 0; j < Dim; ++j) add(name + suffix(i, j), dimension);
+    return MatrixColumn(columns_.size() - Dim * Dim);
+  }
+
+  double* column(std::size_t k) { return columns_[k].data.data(); }
+  const double* column(std::size_t k) const { return columns_[k].data.data(); }
+  const std::vector<Column>& columns() const { return columns_; }
+  std::vector<Column>& columns() { return columns_; }
+
+  /// Pointers to the columns of a quantity that is kept, one value per particle each.
+  double* operator[](ScalarColumn c) { return column(c.first()); }
+  const double* operator[](ScalarColumn c) const { return column(c.first()); }
+  Vector operator[](VectorColumn c) { return pointers<Vector>(c.first()); }
+  Matrix operator[](MatrixColumn c) { return pointers<Matrix>(c.first()); }
+  std::array<const double*, static_cast<std::size_t>(Dim)> operator[](VectorColumn c) const {
+    std::array<const double*, static_cast<std::size_t>(Dim)> p;
+    for (std::size_t k = 0; k < p.size(); ++k) p[k] = column(c.first() + k);
+    return p;
+  }
+
+  Vector x() { return (*this)[x_]; }
+  Vector v() { return (*this)[v_]; }
+  double* mass() { return (*this)[mass_]; }
+  double* volume() { return (*this)[volume_]; }
+  const double* volume() const { return (*this)[volume_]; }
+  bool has_deformation() const { return F_ != 0; }
+  Tensor F() { return has_deformation() ? pointers<Tensor>(F_) : Tensor{}; }
+  Symmetric stress() { return pointers<Symmetric>(stress_); }
+
+  Vec<Dim> position(std::size_t i) const { return gather_vector(x_.first(), i); }
+  Vec<Dim> velocity(std::size_t i) const { return gather_vector(v_.first(), i); }
+
+  /// particle i becomes the former particle order[i].
+  void reorder(std::span<const std::uint32_t> order);
+
+  /// Columns without their padding.
+  friend void archive(Archive& a, Particles& particles) {
+    auto& [count, columns, spare, x, v, mass, volume, F, stress, ids] = particles;
+    a.version(1);
+    a("id", ids);
+    for (Column& column : columns) a.doubles(column.name, {column.data.data(), count});
+  }
+
+ private:
   std::size_t add_tensor(const std::string& name, Dimension dimension) {
     for (const auto& [i, j] : Layout<Dim>::full_at) add(name + suffix(i, j), dimension);
     return columns_.size() - Layout<Dim>::full;
@@ -61,29 +129,6 @@ class Particles {
     for (const auto& [i, j] : Layout<Dim>::symmetric_at) add(name + suffix(i, j), dimension);
     return columns_.size() - Layout<Dim>::symmetric;
   }
-
-  double* column(std::size_t k) { return columns_[k].data.data(); }
-  const double* column(std::size_t k) const { return columns_[k].data.data(); }
-  const std::vector<Column>& columns() const { return columns_; }
-  std::vector<Column>& columns() { return columns_; }
-
-  Vector vector(std::size_t first) { return pointers<Vector>(first); }
-  Vector x() { return vector(x_); }
-  Vector v() { return vector(v_); }
-  double* mass() { return column(mass_); }
-  double* volume() { return column(volume_); }
-  const double* volume() const { return column(volume_); }
-  bool has_deformation() const { return F_ != 0; }
-  Tensor F() { return has_deformation() ? pointers<Tensor>(F_) : Tensor{}; }
-  Symmetric stress() { return pointers<Symmetric>(stress_); }
-
-  Vec<Dim> position(std::size_t i) const { return gather_vector(x_, i); }
-  Vec<Dim> velocity(std::size_t i) const { return gather_vector(v_, i); }
-
-  /// particle i becomes the former particle order[i].
-  void reorder(std::span<const std::uint32_t> order);
-
- private:
   static std::string suffix(int i, int j) {
     constexpr std::string_view axis = "xyz";
     return std::string{'_', axis[static_cast<std::size_t>(i)], axis[static_cast<std::size_t>(j)]};
@@ -103,10 +148,12 @@ class Particles {
   std::size_t count_;
   std::vector<Column> columns_;
   AlignedVector<double> spare_;
-  std::size_t x_ = 0, v_ = 0, mass_ = 0, volume_ = 0, F_ = 0, stress_ = 0;
+  VectorColumn x_, v_;
+  ScalarColumn mass_, volume_;
+  std::size_t F_ = 0, stress_ = 0;  // first columns of tensors in the layout of the analysis
 
  public:
-  std::vector<std::int64_t> id;  ///< given at the start, kept for life
+  std::vector<std::int64_t> id;  ///< assigned at the start, never changed
 };
 
 }  // namespace tribo

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Particles before the run: what the shapes of the model become.
+/// Initial particles, generated from the shapes of the model.
 #pragma once
 
 #include "model/model.hpp"
@@ -9,46 +9,46 @@
 
 namespace tribo {
 
-/// One material point at the start.
+/// A material point at the start of the run.
 struct Seed {
   Vec3 x = Vec3::Zero();          ///< position after any initial deformation                       [length]
-  Vec3 v = Vec3::Zero();          ///<                                                              [velocity]
-  Vec3 half_size = Vec3::Zero();  ///< of its domain before deformation, along the grid axes        [length]
+  Vec3 v = Vec3::Zero();          ///< velocity                                                     [velocity]
+  Vec3 half_size = Vec3::Zero();  ///< half edges of the undeformed domain, along the grid axes     [length]
   Mat3 F = Mat3::Identity();      ///< initial deformation gradient                                 [-]
   Mat3 stress = Mat3::Zero();     ///< initial Cauchy stress                                        [stress]
   double volume = 0.0;            ///< before deformation; 2D: times thickness; axisymmetric: times r, per radian
-  double mass = 0.0;              ///< density of its material times volume, unless given
+  double mass = 0.0;              ///< density of its material times volume, unless prescribed
   double temperature = 0.0;
-  double angle = 0.0;  ///< material axes about z                                                   [rad]
+  double angle = 0.0;  ///< rotation of the material axes about z [rad]
   int material = 0;    ///< index into Model::materials
   int piece = -1;      ///< index into Model::pieces; -1: a single point of Model::points
 };
 
-/// Fills the shapes of the model with points: piece by piece, inside a piece in a fixed order (cells x fastest, then y,
-/// then z; sub-cells likewise), and at last the single points.
+/// Places particles in the shapes of the model: piece by piece, inside a piece in a fixed order (cells with x fastest,
+/// then y, then z; within a cell likewise), and finally the single points.
 ///
-/// Sites are at cell fractions (2k-1)/(2n) of the grid's cells; a piece with a `point_size` has a lattice of its own
-/// that starts at the low corner of its bounds, or where these enter the grid. Sites outside the grid are left out. A
-/// site belongs to the first piece, or hole, whose shape contains it, whatever the lattice of that piece; pieces with a
-/// deformation neither take sites nor look whether a site is taken. Velocities, stresses and deformations are evaluated
-/// at the site, at t = 0.
+/// Sites are at fractions (2k-1)/(2n) of the grid cells. A piece with a `point_size` has its own lattice, which starts
+/// at the low corner of its bounding box, or where this enters the grid. Sites outside the grid are omitted. A site
+/// belongs to the first piece or hole whose shape contains it, irrespective of the lattice of that piece. Pieces with
+/// an initial deformation are independent: they neither occupy sites nor respect occupied ones. Velocities, stresses
+/// and deformations are evaluated at the site at t = 0.
 ///
-/// Throws InputError if a piece that is not a hole gets no point, a point is inside out (det F <= 0) or on the wrong
-/// side of the axis (axisymmetric, r <= 0), a single or deformed point lies outside the grid, or the number of points
-/// per cell is not a square (2D) or cube (3D).
+/// Throws InputError if a piece that is not a hole gets no particle, if det F <= 0, if r <= 0 in an axisymmetric model,
+/// if a single or deformed particle lies outside the grid, or if the number of particles per cell is not a square (2D)
+/// or cube (3D).
 std::vector<Seed> place_points(const Model& model);
 
-/// The same without keeping the seeds: `receive` is called for each of them in order, before anything adds the weight
-/// of what lies above (geostatic.hpp).
+/// Generates the same seeds without storing them: `receive` is called for each in order. The geostatic stress
+/// (geostatic.hpp) is not included.
 void place_points(const Model& model, const std::function<void(const Seed&)>& receive);
 
-/// What a piece was given, against its shape; for the pre-flight sheet.
+/// Volume of the particles of a piece compared with that of its shape, for `tribo check`.
 struct PlacedVolume {
   int piece = 0;
   long points = 0;
   double placed = 0.0;  ///< sum of the points' volumes [length^3; axisymmetric: per radian]
-  /// Exact volume, if it is known: not for axisymmetric analyses, nor where the piece may be cut by an earlier piece or
-  /// by the edge of the grid, nor if its shape has no closed form.
+  /// Exact volume if known. It is not known for axisymmetric models, for pieces that may be cut by an earlier piece or
+  /// by the edge of the grid, and for shapes without a closed form.
   std::optional<double> exact;
   /// placed / exact - 1, if the exact volume is known.
   std::optional<double> error() const {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Sites where material points may be placed.
+/// Candidate sites for particles.
 #pragma once
 
 #include "model/model.hpp"
@@ -11,22 +11,22 @@
 
 namespace tribo {
 
-/// Regular sites in groups: cell by cell, and `per_cell` sub-cells in each. Covers the part that was asked for.
+/// Regular sites: cell by cell, with `per_cell` sites in each cell. Covers the boxes passed to extend().
 struct Sites {
   static constexpr double most_sites = 4e9;
 
   Vec3 origin = Vec3::Zero();   ///< low corner of cell 0
-  Vec3 spacing = Vec3::Ones();  ///< of the sites
+  Vec3 spacing = Vec3::Ones();  ///< distance between sites
   std::array<int, 3> per_cell{1, 1, 1};
-  std::array<std::int64_t, 3> cells{1, 1, 1};  ///< that exist; the rest is outside the grid
-  bool of_cells = true;                        ///< sub-divides the grid's cells
+  std::array<std::int64_t, 3> cells{1, 1, 1};  ///< number of cells; sites beyond are outside the grid
+  bool of_cells = true;                        ///< the sites subdivide the grid cells
   bool flat = false;                           ///< two dimensions: sites at z = 0
   int last_piece = -1;                         ///< the last piece that uses it
   std::vector<bool> taken;
 
   using Range = std::array<std::array<std::int64_t, 2>, 3>;  ///< first cell and the one after the last, by axis
 
-  /// Cells that touch a box, one more on each side against rounding.
+  /// Range of cells that overlap a box, enlarged by one cell on each side because of round-off.
   Range range(const Bounds& box) const {
     Range out{};
     for (std::size_t k = 0; k < 3; ++k) {
@@ -42,7 +42,7 @@ struct Sites {
     return out;
   }
 
-  /// Makes room for the sites of a box.
+  /// Extends the covered range to the sites of a box.
   void extend(const Bounds& box) {
     const Range more = range(box);
     if (empty(more)) return;
@@ -52,7 +52,7 @@ struct Sites {
     started_ = true;
   }
 
-  /// False if there would be too many sites.
+  /// Allocates the sites. Returns false if there would be too many.
   bool allocate() {
     double count = 1.0;
     for (std::size_t k = 0; k < 3; ++k) count *= static_cast<double>(width(k));
@@ -61,7 +61,7 @@ struct Sites {
     return true;
   }
 
-  /// Calls visit(position, index into `taken`) for the sites of the cells that touch a box, in the fixed order.
+  /// Calls visit(position, index into `taken`) for the sites of the cells that overlap a box, in the fixed order.
   template <class F>
   void visit(const Bounds& box, F&& f) const {
     Range r = range(box);
@@ -99,7 +99,7 @@ struct Sites {
   bool started_ = false;
 };
 
-/// The grid's box as the user wrote it.
+/// The grid of the input as a box.
 struct GridBox {
   Vec3 low, high, cell;
   std::array<int, 3> cells{};
@@ -131,7 +131,7 @@ struct GridBox {
     return out;
   }
 
-  /// Single points of edge length `size` from a corner to the end of the grid.
+  /// Lattice of single sites with spacing `size`, from a corner to the end of the grid.
   Sites lattice(const Vec3& corner, double size) const {
     Sites out;
     out.origin = corner;
@@ -160,7 +160,7 @@ struct GridBox {
       if (a.high[k] <= b.low[k] || b.high[k] <= a.low[k]) return false;
     return true;
   }
-  bool meets(const Bounds& b) const { return overlap(b, {low, high}); }
+  bool overlaps(const Bounds& b) const { return overlap(b, {low, high}); }
   bool holds(const Bounds& b) const {
     const double slack = 1e-9 * cell.maxCoeff();
     for (int k = 0; k < (flat ? 2 : 3); ++k)

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "run/block_results.hpp"
 
-#include "base/text.hpp"
+#include "model/block_quantities.hpp"
 #include "output/number.hpp"
+#include "run/block_history_source.hpp"
 #include "run/columns.hpp"
-#include "run/results.hpp"
+#include "run/result_folder.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -18,7 +19,7 @@ const std::vector<std::string> energy_columns{"time",       "kinetic",       "st
 const std::vector<std::string> event_columns{"time", "contact", "block1", "block2",   "x",     "y",
                                              "z",    "event",   "mode",   "strength", "energy"};
 
-/// Polygons of a block at its place: faces, or the approximation of a ball by them.
+/// Polygons of a block at its present position: its faces, or polygons that approximate a ball.
 std::vector<std::vector<Vec3>> outlines(const BlockShape& shape, const BlockMotion& m, bool plane) {
   constexpr double pi = std::numbers::pi;
   std::vector<std::vector<Vec3>> out;
@@ -76,15 +77,15 @@ BlockResults::BlockResults(const Model& model, Assembly& blocks, std::filesystem
       cells_(folder_ / "blocks.pvd"),
       contacts_(folder_ / "contacts.pvd") {
   const bool alone = !model.blocks->in_grid;
-  const auto open = [&](std::optional<History>& file, const std::string& name, const std::vector<std::string>& heads) {
+  const auto open = [&](std::optional<History>& file, const std::string& name, const std::vector<std::string>& names) {
     if (resume_time)
-      file.emplace(History::resume(folder_ / name, heads, *resume_time));
+      file.emplace(History::resume(folder_ / name, names, *resume_time));
     else
-      file.emplace(folder_ / name, heads);
+      file.emplace(folder_ / name, names);
   };
-  std::vector<std::string> heads{"time"};
-  for (const auto& head : columns(model)) heads.push_back(head);
-  if (alone) open(history_, "history.csv", heads);
+  std::vector<std::string> columns_of_history{"time"};
+  for (const auto& name : columns(model)) columns_of_history.push_back(name);
+  if (alone) open(history_, "history.csv", columns_of_history);
   open(energy_, alone ? "energy.csv" : "block_energy.csv", energy_columns);
   open(events_, alone ? "events.csv" : "block_events.csv", event_columns);
   if (resume_time) cells_.resume(*resume_time), contacts_.resume(*resume_time);
@@ -98,11 +99,16 @@ std::vector<std::string> BlockResults::columns(const Model& model) {
 
 std::vector<double> BlockResults::values(double dt) const {
   std::vector<double> out;
-  for (const auto& q : model_.blocks->histories) out.push_back(quantity(q, dt));
+  for (const auto& q : model_.blocks->histories) {
+    using Of = BlockQuantityInfo::Of;
+    const auto* info = find_block_quantity(q.name, q.group >= 0 ? Of::block : q.platen >= 0 ? Of::platen : Of::run);
+    if (!info) throw std::logic_error("no such quantity: " + q.name);
+    out.push_back(info->value(AssemblyHistorySource(blocks_, q, dt)));
+  }
   return out;
 }
 
-void BlockResults::write_pictures(std::int64_t number) {
+void BlockResults::write_files(std::int64_t number) {
   write_blocks(number);
   write_contacts(number);
 }
@@ -125,7 +131,7 @@ void BlockResults::write_blocks(std::int64_t number) {
       out.fields.integer("group", body.group + 1);
       out.fields.vector("displacement", Vec3(m.x - body.start));
       out.fields.vector("velocity", m.v);
-      out.fields.vector("rotation", blocks_.turned(k));
+      out.fields.vector("rotation", blocks_.rotation(k));
       out.fields.vector("spin", m.w);
       out.fields.tensor("stress", stress);
       out.fields.number("pressure", -stress.trace() / 3);
@@ -160,7 +166,7 @@ void BlockResults::write_contacts(std::int64_t number) {
       out.fields.integer("platen", group.platen ? 1 : 0);
       out.fields.integer("state", j.state);
       out.fields.integer("bonded", group.law->is_bonded(j) ? 1 : 0);
-      out.fields.integer("broke", static_cast<std::int64_t>(blocks_.broke[c]));
+      out.fields.integer("broke", static_cast<std::int64_t>(blocks_.failure_mode[c]));
       out.fields.vector("normal", contact.axes.n);
       out.fields.number("area", j.area);
       out.fields.number("gap", j.gap);
@@ -169,8 +175,8 @@ void BlockResults::write_contacts(std::int64_t number) {
       out.fields.number("slip", j.slip);
       out.fields.number("normal_stress", j.area > 0 ? j.Fn / j.area : 0.0);
       out.fields.number("shear_stress", j.area > 0 ? j.Fs.norm() / j.area : 0.0);
-      out.fields.vector("force", blocks_.given[c].all);
-      out.fields.vector("moment", blocks_.given[c].moment);
+      out.fields.vector("force", blocks_.contact_forces[c].all);
+      out.fields.vector("moment", blocks_.contact_forces[c].moment);
       out.fields.number("strain_energy", j.strain);
       out.fields.number("lost_energy", j.released() - j.slid + blocks_.dashpot_work[c]);
     }
@@ -201,59 +207,6 @@ void BlockResults::write_history(double dt) {
   energy_->add(std::array{blocks_.time, l.kinetic, l.strain, l.potential, l.slip, l.dashpot, l.damping, l.released,
                           l.outer_work, l.boundary_work,
                           l.content() - initial_energy - l.outer_work - l.boundary_work});
-}
-
-double BlockResults::quantity(const BlockHistory& q, double dt) const {
-  const std::string name = lower(q.name);
-  const int axis = name.back() - 'x';
-  if (q.group >= 0) return of_group(name, static_cast<std::size_t>(q.group));
-  if (q.platen >= 0) {
-    const auto platen = static_cast<std::size_t>(q.platen);
-    if (name == "area") return blocks_.platen_area(platen);
-    return name[0] == 'f' ? blocks_.platen_force(platen)[axis] : blocks_.platen_displacement(platen)[axis];
-  }
-  if (name.size() == 3) {
-    const Mat3 m = name[0] == 's' ? blocks_.mean_stress() : blocks_.mean_strain();
-    return m(name[1] - 'x', name[2] - 'x');
-  }
-  if (name == "bonds") return static_cast<double>(blocks_.bonds());
-  if (name == "broken in tension") return static_cast<double>(blocks_.broken[0]);
-  if (name == "broken in shear") return static_cast<double>(blocks_.broken[1]);
-  if (name == "contacts") return static_cast<double>(blocks_.active());
-  if (name == "unbalanced") return blocks_.unbalanced();
-  if (name == "kinetic energy") return blocks_.ledger().kinetic;
-  if (name == "strain energy") return blocks_.ledger().strain;
-  if (name == "step number") return static_cast<double>(blocks_.step);
-  if (name == "time step") return dt;
-  throw std::logic_error("no such quantity: " + q.name);
-}
-
-// Means of places and motions, sums of forces.
-double BlockResults::of_group(const std::string& name, std::size_t group) const {
-  const int axis = name.back() - 'x';
-  double sum = 0, count = 0;
-  for (std::size_t k = 0; k < blocks_.block_count(); ++k) {
-    if (blocks_.bodies[k].group != static_cast<std::int32_t>(group)) continue;
-    const BlockMotion& m = blocks_.motion[k];
-    count += 1;
-    switch (name[0]) {
-      case 'd':
-        sum += m.x[axis] - blocks_.bodies[k].start[axis];
-        break;
-      case 'v':
-        sum += m.v[axis];
-        break;
-      case 't':
-        sum += blocks_.turned(k)[axis];
-        break;
-      case 's':
-        sum += m.w[axis];
-        break;
-      default:
-        sum += blocks_.contact_force(k)[axis];
-    }
-  }
-  return name[0] == 'f' || count == 0 ? sum : sum / count;
 }
 
 }  // namespace tribo

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// What a run of blocks writes.
+/// The files of results of blocks.
 #pragma once
 
 #include "blocks/assembly.hpp"
@@ -14,25 +14,23 @@ namespace tribo {
 
 class BlockResults {
  public:
-  /// Starts the files, or continues them after `resume_time`. Beside a grid the energies and events of blocks have
-  /// files of their own, block_energy.csv and block_events.csv, and their histories are columns of the grid's file.
+  /// Starts the files, or continues them after `resume_time`. In a model with a grid the energies and events of blocks
+  /// have files of their own, block_energy.csv and block_events.csv, and their histories are columns of history.csv.
   BlockResults(const Model& model, Assembly& blocks, std::filesystem::path folder, std::optional<double> resume_time);
 
-  /// Heads and values of the histories that the model asks for.
+  /// Column names and values of the histories of the model.
   static std::vector<std::string> columns(const Model& model);
   std::vector<double> values(double dt) const;
 
   /// The blocks as cells and the contacts as facets.
-  void write_pictures(std::int64_t number);
+  void write_files(std::int64_t number);
   void write_history(double dt);
-  /// What happened since the last call.
+  /// The events since the last call.
   void write_events();
-  /// Energy at the start, for the residual; kept for restart.
+  /// Content of energy at the start, for the residual [energy].
   double initial_energy = 0.0;
 
  private:
-  double quantity(const BlockHistory& q, double dt) const;
-  double of_group(const std::string& name, std::size_t group) const;
   void write_blocks(std::int64_t number);
   void write_contacts(std::int64_t number);
 

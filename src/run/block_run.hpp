@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-/// Runs of models of rigid blocks.
+/// Runs of rigid blocks without a grid.
 #pragma once
 
-#include "blocks/assembly.hpp"
-#include "run/simulation.hpp"
+#include "run/block_results.hpp"
+#include "run/run_loop.hpp"
 
 namespace tribo {
 
@@ -17,14 +17,49 @@ struct BlockSteps {
 };
 BlockSteps steps_of(const Model& model, const Assembly& blocks);
 
-/// Runs the blocks and writes blocks.pvd, contacts.pvd, events.csv, history.csv, energy.csv, provenance.json and
-/// checkpoint.bin into the folder, which is ready. As `run` otherwise.
-Outcome run_blocks(const Model& model, Assembly& blocks, const RunOptions& options);
-
-/// The pre-flight sheet of a model of blocks. Throws InputError.
-std::string describe_blocks(const Model& model, int threads);
-
-/// More threads than this for so many contacts only wait for each other.
+/// Number of threads, at most `wanted`, that so many contacts can use. Results do not depend on it.
 int sensible_block_threads(int wanted, std::size_t contacts);
+
+class BlockRun final : public SteppedModel {
+ public:
+  /// Throws InputError.
+  explicit BlockRun(const Model& model);
+
+  double time() const override { return blocks_.time; }
+  std::int64_t step() const override { return blocks_.step; }
+  double step_size() const override { return steps_.size; }
+  bool at_end() const override { return blocks_.step >= steps_.count; }
+
+  void choose_threads(int wanted) const override;
+  void start() override {}
+  double advance() override;
+  void check() override;
+  CheckpointWriter save(RunState run) override;
+  RunState restore(const Checkpoint& checkpoint) override;
+
+  void open_results(const std::filesystem::path& folder, std::optional<double> resume_time) override;
+  void write_history() override { results_->write_history(steps_.size); }
+  void write_files(std::int64_t number) override { results_->write_files(number); }
+  void write_events() override { results_->write_events(); }
+  bool history_of_last_step() const override { return true; }
+
+  std::pair<std::int64_t, std::string> moving() const override {
+    return {static_cast<std::int64_t>(blocks_.block_count()), "block"};
+  }
+  std::map<std::string, std::string> facts() const override;
+  std::map<std::string, double> seconds_of(double steps) const override { return {{"steps", steps}}; }
+
+ private:
+  static constexpr std::int64_t steps_per_check = 64;
+
+  const Model& model_;
+  Assembly blocks_;
+  BlockSteps steps_;
+  std::optional<BlockResults> results_;
+  RunState restored_;
+};
+
+/// The pre-flight report of a model of blocks. Throws InputError.
+std::string describe_blocks(const Model& model, int threads);
 
 }  // namespace tribo

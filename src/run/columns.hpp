@@ -11,7 +11,7 @@
 
 namespace tribo {
 
-/// Columns of points or cells, filled by appending; "position" is no field but where they are.
+/// Columns of points or cells, filled by appending. The column "position" holds the points and is not a field.
 class Columns {
  public:
   void vector(const std::string& name, const auto& v) {

@@ -1,40 +1,84 @@
 // SPDX-License-Identifier: MIT
 #include "run/particle_fields.hpp"
 
-#include "base/strain.hpp"
 #include "solver/transfer/material_points.hpp"
 
-#include <cmath>
 #include <map>
 #include <stdexcept>
 
 namespace tribo {
 namespace {
 
+/// A particle of a body.
 template <int Dim>
-Mat3 stress_of(Body<Dim>& body, std::size_t i) {
-  return load_symmetric<Dim>(body.particles.stress(), static_cast<int>(i));
-}
+class BodyParticle final : public ParticleState {
+ public:
+  explicit BodyParticle(Body<Dim>& body) : body_(body) {}
+  /// Moves on to another particle of the body.
+  void select(std::size_t particle) { i_ = particle; }
 
-template <int Dim>
-Mat3 deformation_of(Body<Dim>& body, std::size_t i) {
-  return body.particles.has_deformation() ? load_full<Dim>(body.particles.F(), static_cast<int>(i))
-                                          : Mat3(Mat3::Identity());
-}
-
-double von_mises(const Mat3& s) {
-  const Mat3 deviator = s - s.trace() / 3.0 * Mat3::Identity();
-  return std::sqrt(1.5 * deviator.squaredNorm());
-}
-
-// xx yy zz xy yz xz, as VTK wants it
-std::array<double, 6> components(const Mat3& s) {
-  std::array<double, 6> out{};
-  for (std::size_t k = 0; k < 6; ++k) {
-    const auto [r, c] = Layout<3>::symmetric_at[k];
-    out[k] = s(r, c);
+  std::int64_t id() const override { return body_.particles.id[i_]; }
+  std::int64_t material_number() const override { return body_.material + 1; }
+  Vec3 velocity() const override {
+    return vector([&](std::size_t d) { return body_.particles.v()[d][i_]; });
   }
-  return out;
+  Vec3 displacement() const override {
+    return vector([&](std::size_t d) { return body_.particles.x()[d][i_] - body_.particles[body_.origin][d][i_]; });
+  }
+  double mass() const override { return body_.particles.mass()[i_]; }
+  double volume() const override { return body_.particles.volume()[i_]; }
+  double density() const override { return body_.law->density(); }
+  Mat3 stress() const override { return load_symmetric<Dim>(body_.particles.stress(), static_cast<int>(i_)); }
+  Mat3 deformation_gradient() const override {
+    return body_.particles.has_deformation() ? load_full<Dim>(body_.particles.F(), static_cast<int>(i_))
+                                             : Mat3(Mat3::Identity());
+  }
+  double stored_energy() const override { return tribo::stored_energy(body_, i_); }
+  double dissipated_energy() const override { return tribo::dissipated_energy(body_, i_); }
+  double cell_crossings() const override { return value(body_.crossings); }
+  double temperature() const override { return value(body_.temperature); }
+  double heat_capacity() const override { return body_.heat_capacity; }
+  double contact_state() const override { return value(body_.contact_state); }
+  Vec3 contact_traction() const override { return value(body_.contact_traction); }
+  Vec3 contact_normal() const override { return value(body_.contact_normal); }
+
+ private:
+  double value(ScalarColumn c) const { return c ? body_.particles[c][i_] : 0.0; }
+  template <class F>
+  static Vec3 vector(F&& component) {
+    Vec3 out = Vec3::Zero();
+    for (std::size_t d = 0; d < Dim; ++d) out[static_cast<Eigen::Index>(d)] = component(d);
+    return out;
+  }
+  Vec3 value(VectorColumn c) const {
+    return vector([&](std::size_t d) { return c ? body_.particles[c][d][i_] : 0.0; });
+  }
+
+  Body<Dim>& body_;
+  std::size_t i_ = 0;
+};
+
+// Calls f(particle, index among all).
+template <int Dim, class F>
+void each_particle(const std::vector<Body<Dim>*>& bodies, F&& f) {
+  std::size_t at = 0;
+  for (auto* body : bodies) {
+    BodyParticle<Dim> particle(*body);
+    for (std::size_t i = 0; i < body->particles.size(); ++i) particle.select(i), f(particle, at++);
+  }
+}
+
+bool has_what_it_needs(const Model& model, const ParticleField& field) {
+  switch (field.needs) {
+    case ParticleField::Needs::heat:
+      return model.heat.kept;
+    case ParticleField::Needs::contact:
+      return model.contact.active;
+    case ParticleField::Needs::nothing:
+    case ParticleField::Needs::deformation:
+      return true;
+  }
+  return true;
 }
 
 }  // namespace
@@ -42,141 +86,51 @@ std::array<double, 6> components(const Mat3& s) {
 template <int Dim>
 ParticleFields<Dim>::ParticleFields(const Model& model, std::vector<Body<Dim>*> bodies,
                                     const std::vector<std::string>& names)
-    : model_(model), bodies_(std::move(bodies)) {
+    : bodies_(std::move(bodies)) {
   for (const auto* body : bodies_) count_ += body->particles.size();
   for (std::size_t d = 0; d < 3; ++d) {
     auto& a = array();
     positions_[d] = a.data();
-    if (d < Dim) each([&](Body<Dim>& body, std::size_t i, std::size_t at) { a[at] = body.particles.x()[d][i]; });
+    if (d >= Dim) continue;
+    auto to = a.begin();
+    for (auto* body : bodies_) to = std::copy_n(body->particles.x()[d], body->particles.size(), to);
   }
-  for (const auto& name : names) add(name);
+  for (const auto& name : names) {
+    const ParticleField* field = find_particle_field(name);
+    if (!field) throw std::logic_error("no such field: " + name);
+    add(model, *field);
+  }
 }
 
 template <int Dim>
-const std::vector<std::string>& ParticleFields<Dim>::standard() {
-  static const std::vector<std::string> fields{
-      "id",           "material",      "velocity",         "displacement",   "stress",      "pressure", "von_mises",
-      "volume_ratio", "contact_state", "contact_traction", "contact_normal", "temperature", "history"};
-  return fields;
-}
-
-// f(body, index in it, index among all)
-template <int Dim>
-template <class F>
-void ParticleFields<Dim>::each(F&& f) {
-  std::size_t at = 0;
-  for (auto* body : bodies_)
-    for (std::size_t i = 0; i < body->particles.size(); ++i) f(*body, i, at++);
-}
-
-template <int Dim>
-template <class F>
-void ParticleFields<Dim>::scalar(const std::string& name, F&& value) {
-  auto& a = array();
-  each([&](Body<Dim>& body, std::size_t i, std::size_t at) { a[at] = value(body, i); });
-  fields_.push_back({name, {a.data()}, nullptr});
-}
-
-template <int Dim>
-template <class F>
-void ParticleFields<Dim>::integer(const std::string& name, F&& value) {
-  auto& a = integers_.emplace_back(count_, 0);
-  each([&](Body<Dim>& body, std::size_t i, std::size_t at) { a[at] = value(body, i); });
-  fields_.push_back({name, {}, a.data()});
-}
-
-template <int Dim>
-template <std::size_t Count, class F>
-void ParticleFields<Dim>::several(const std::string& name, F&& values) {
-  OutputField field{name, {}, nullptr};
-  std::array<std::vector<double>*, Count> a{};
-  for (auto& c : a) c = &array(), field.components.push_back(c->data());
-  each([&](Body<Dim>& body, std::size_t i, std::size_t at) {
-    const auto value = values(body, i);
-    for (std::size_t k = 0; k < Count; ++k) (*a[k])[at] = value[k];
-  });
-  fields_.push_back(field);
-}
-
-template <int Dim>
-template <class F>
-void ParticleFields<Dim>::vector(const std::string& name, F&& value) {
-  several<3>(name, [&](Body<Dim>& body, std::size_t i) {
-    std::array<double, 3> out{};
-    for (std::size_t d = 0; d < Dim; ++d) out[d] = value(body, i, d);
-    return out;
-  });
-}
-
-template <int Dim>
-void ParticleFields<Dim>::add(const std::string& name) {
-  using B = Body<Dim>&;
-  const auto column = [](Body<Dim>& body, std::size_t k, std::size_t i) { return body.particles.column(k)[i]; };
-  if (name == "id") {
-    integer(name, [](B body, std::size_t i) { return body.particles.id[i]; });
-  } else if (name == "material") {
-    integer(name, [](B body, std::size_t) { return body.material + 1; });
-  } else if (name == "velocity") {
-    vector(name, [](B body, std::size_t i, std::size_t d) { return body.particles.v()[d][i]; });
-  } else if (name == "displacement") {
-    vector(name, [](B body, std::size_t i, std::size_t d) {
-      return body.particles.x()[d][i] - body.particles.vector(*body.origin)[d][i];
-    });
-  } else if (name == "mass") {
-    scalar(name, [](B body, std::size_t i) { return body.particles.mass()[i]; });
-  } else if (name == "volume") {
-    scalar(name, [](B body, std::size_t i) { return body.particles.volume()[i]; });
-  } else if (name == "volume_ratio") {
-    scalar(name, [](B body, std::size_t i) {
-      return body.particles.volume()[i] * body.law->density() / body.particles.mass()[i];
-    });
-  } else if (name == "pressure") {
-    scalar(name, [](B body, std::size_t i) { return -stress_of(body, i).trace() / 3.0; });
-  } else if (name == "von_mises") {
-    scalar(name, [](B body, std::size_t i) { return von_mises(stress_of(body, i)); });
-  } else if (name == "stress") {
-    several<6>(name, [](B body, std::size_t i) { return components(stress_of(body, i)); });
-  } else if (name == "strain") {
-    several<6>(name, [](B body, std::size_t i) { return components(biot_strain(deformation_of(body, i))); });
-  } else if (name == "rotation") {
-    several<3>(name, [](B body, std::size_t i) {
-      const Vec3 turn = rotation_of(deformation_of(body, i));
-      return std::array{turn[0], turn[1], turn[2]};
-    });
-  } else if (name == "deformation_gradient") {
-    several<9>(name, [](B body, std::size_t i) {
-      const Mat3 F = deformation_of(body, i);
-      std::array<double, 9> out{};
-      for (std::size_t k = 0; k < 9; ++k) out[k] = F(static_cast<int>(k) / 3, static_cast<int>(k) % 3);
-      return out;
-    });
-  } else if (name == "strain_energy") {
-    scalar(name, [](B body, std::size_t i) { return stored_energy(body, i); });
-  } else if (name == "plastic_energy") {
-    scalar(name, [](B body, std::size_t i) { return dissipated_energy(body, i); });
-  } else if (name == "work_energy") {
-    scalar(name, [](B body, std::size_t i) { return stored_energy(body, i) + dissipated_energy(body, i); });
-  } else if (name == "cell_crossings") {
-    scalar(name, [&](B body, std::size_t i) { return body.crossings ? column(body, *body.crossings, i) : 0.0; });
-  } else if (name == "temperature" || name == "heat_energy") {
-    if (!model_.heat.kept) return;
-    const bool energy = name == "heat_energy";
-    scalar(name, [&](B body, std::size_t i) {
-      if (!body.temperature) return 0.0;
-      return column(body, *body.temperature, i) * (energy ? body.particles.mass()[i] * body.heat_capacity : 1.0);
-    });
-  } else if (name == "contact_state") {
-    if (model_.contact.active) scalar(name, [&](B body, std::size_t i) { return column(body, *body.contact_view, i); });
-  } else if (name == "contact_traction" || name == "contact_normal") {
-    const std::size_t first = name == "contact_normal" ? 1 + Dim : 1;
-    if (model_.contact.active)
-      vector(name,
-             [&](B body, std::size_t i, std::size_t d) { return column(body, *body.contact_view + first + d, i); });
-  } else if (name == "history") {
+void ParticleFields<Dim>::add(const Model& model, const ParticleField& field) {
+  if (!has_what_it_needs(model, field)) return;
+  if (field.value.history)
     add_history();
-  } else {
-    throw std::logic_error("no such field: " + name);
-  }
+  else if (field.value.integer)
+    add_integer(field);
+  else
+    add_numbers(field);
+}
+
+template <int Dim>
+void ParticleFields<Dim>::add_integer(const ParticleField& field) {
+  auto& a = integers_.emplace_back(count_, 0);
+  each_particle(bodies_, [&](const ParticleState& p, std::size_t at) { a[at] = field.value.integer(p); });
+  fields_.push_back({std::string(field.name), {}, a.data()});
+}
+
+template <int Dim>
+void ParticleFields<Dim>::add_numbers(const ParticleField& field) {
+  OutputField added{std::string(field.name), {}, nullptr};
+  std::vector<std::vector<double>*> a(field.value.components);
+  for (auto& c : a) c = &array(), added.components.push_back(c->data());
+  std::vector<double> values(a.size());
+  each_particle(bodies_, [&](const ParticleState& p, std::size_t at) {
+    field.value.numbers(p, values.data());
+    for (std::size_t k = 0; k < a.size(); ++k) (*a[k])[at] = values[k];
+  });
+  fields_.push_back(added);
 }
 
 // Variables of the same name in several materials share a field.

@@ -6,8 +6,8 @@
 #include "contact/contact_law.hpp"
 #include "grid/select.hpp"
 #include "run/block_run.hpp"
-#include "run/clock.hpp"
-#include "run/crack_sheet.hpp"
+#include "run/crack_report.hpp"
+#include "run/schedule.hpp"
 #include "run/step_size.hpp"
 #include "run/tracers.hpp"
 #include "solver/build.hpp"
@@ -25,16 +25,16 @@ namespace {
 using Gaps = std::map<std::pair<int, int>, double>;
 
 template <int Dim>
-class Sheet {
+class Report {
  public:
-  Sheet(const Model& model, int wanted_threads)
+  Report(const Model& model, int wanted_threads)
       : model_(model),
         seeds_(place_points(model)),
         system_(build_system<Dim>(model, seeds_)),
         stepper_(model, system_),
         h_(system_.lattice.smallest_spacing()) {
     set_threads(sensible_threads(wanted_threads, particle_count(system_)));
-    const Tracers<Dim> found(model_, system_);  // throws for a history of a point where nothing is
+    const Tracers<Dim> found(model_, system_);  // throws for a history of a point without particles
   }
 
   std::string text() {
@@ -96,7 +96,7 @@ class Sheet {
     }
   }
 
-  // How many cells a body is thick where that is few.
+  // Thickness of thin bodies in cells.
   std::string thickness(int piece) {
     Vec3 low = Vec3::Constant(1e300), high = -low;
     for (const Seed& s : seeds_)
@@ -232,7 +232,7 @@ class Sheet {
       }
   }
 
-  // Bodies that rest on nodes without any freedom while others slide by a law.
+  // Bodies that share fully constrained nodes with others that slide by a law.
   void glued() {
     if (!model_.contact.active || model_.node_conditions.empty()) return;
     std::map<Index<Dim>, std::set<int>> fixed;
@@ -261,12 +261,12 @@ class Sheet {
   }
 
   void cracks() {
-    for (const CrackSheet& sheet : {describe_cracks(system_), describe_interfaces(system_)}) {
-      for (const auto& text : sheet.lines) line(text);
-      advice_.insert(advice_.end(), sheet.advice.begin(), sheet.advice.end());
+    for (const CrackReport& report : {describe_cracks(system_), describe_interfaces(system_)}) {
+      for (const auto& text : report.lines) line(text);
+      advice_.insert(advice_.end(), report.advice.begin(), report.advice.end());
     }
     if (system_.joints.empty()) return;
-    // found with the masses of a first step
+    // known only with the nodal masses of a first step
     stepper_.advance(0.1 * step_.size);
     const double stable = stepper_.joints().stable_step();
     line(format("joints: stable up to steps of %.6g", stable));
@@ -347,7 +347,7 @@ class Sheet {
 
 std::string preflight(const Model& model, int threads) {
   if (model.only_blocks()) return describe_blocks(model, threads);
-  return model.dimension() == 2 ? Sheet<2>(model, threads).text() : Sheet<3>(model, threads).text();
+  return model.dimension() == 2 ? Report<2>(model, threads).text() : Report<3>(model, threads).text();
 }
 
 }  // namespace tribo

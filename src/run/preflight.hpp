@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// What a run would be, before it runs.
+/// The report of a model before it runs.
 #pragma once
 
 #include "model/model.hpp"
@@ -8,9 +8,9 @@
 
 namespace tribo {
 
-/// The pre-flight sheet: particles and volumes, gaps and thin bodies, contact, the time step and what controls it,
-/// steps, memory, estimated time, and what to change. Runs a few steps for the estimate but writes nothing. Throws what
-/// a run would throw before its first step.
+/// The report: particles and volumes, gaps and thin bodies, contact, the time step and what controls it,
+/// steps, memory, estimated time, and advice. Runs a few steps for the estimate but writes nothing. Throws the
+/// exceptions that a run would throw before its first step.
 std::string preflight(const Model& model, int threads);
 
 }  // namespace tribo

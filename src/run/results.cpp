@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "run/results.hpp"
 
-#include "base/text.hpp"
+#include "model/quantities.hpp"
+#include "run/grid_file.hpp"
+#include "run/history_source.hpp"
 #include "run/particle_fields.hpp"
+#include "run/result_folder.hpp"
 
 #include <cmath>
-#include <cstdio>
 
 namespace tribo {
 namespace {
@@ -24,12 +26,6 @@ const std::vector<std::string> event_columns{"time", "joint", "point", "x",     
 const std::vector<std::string> tip_columns{"time", "crack", "end", "x", "y", "length", "J", "K1", "K2"};
 
 }  // namespace
-
-std::string numbered(std::int64_t number, const std::string& extension) {
-  char digits[32];
-  std::snprintf(digits, sizeof digits, "run_%06lld", static_cast<long long>(number));
-  return digits + extension;
-}
 
 template <int Dim>
 Results<Dim>::Results(const Model& model, System<Dim>& system, Stepper<Dim>& stepper, std::filesystem::path folder,
@@ -75,59 +71,31 @@ void Results<Dim>::write_particles(std::int64_t number) {
     for (auto& body : *list)
       if (body.block < 0) bodies.push_back(&body);
   const auto& wanted = model_.output.particle_fields;
-  const ParticleFields<Dim> all(model_, bodies, wanted.empty() ? ParticleFields<Dim>::standard() : wanted);
+  const ParticleFields<Dim> all(model_, bodies, wanted.empty() ? standard_particle_fields() : wanted);
   const std::string file = "particles/" + numbered(number, ".vtp");
   tribo::write_particles(folder_ / file, all.count(), all.positions(), all.fields(), system_.time);
   particles_.add(system_.time, file);
+}
+
+template <int Dim>
+void Results<Dim>::write_files(std::int64_t number) {
+  write_particles(number);
   if (!model_.output.grid_fields.empty()) write_grid(number);
   if (!system_.cracks.empty()) write_cracks(number);
   if (!system_.joints.empty()) write_joints(number);
-  if (blocks) blocks->write_pictures(number);
+  if (blocks) blocks->write_files(number);
 }
 
 template <int Dim>
 void Results<Dim>::write_grid(std::int64_t number) {
-  const auto& lattice = system_.lattice;
-  const auto& field = system_.fields[0];
-  std::array<double, 3> origin{}, spacing{1, 1, 1};
-  std::array<int, 3> nodes{1, 1, 1};
-  std::size_t count = 1;
-  for (std::size_t d = 0; d < Dim; ++d) {
-    origin[d] = model_.grid.low[d];
-    spacing[d] = lattice.spacing[static_cast<Eigen::Index>(d)];
-    nodes[d] = model_.grid.cells[d] + 1;
-    count *= static_cast<std::size_t>(nodes[d]);
-  }
-  std::vector<double> mass(count, 0.0);
-  std::array<std::vector<double>, 3> velocity{mass, mass, mass};
-  std::size_t at = 0;
-  for (int k = 0; k < nodes[2]; ++k)
-    for (int j = 0; j < nodes[1]; ++j)
-      for (int i = 0; i < nodes[0]; ++i, ++at) {
-        Index<Dim> n{};
-        n[0] = i + Lattice<Dim>::padding, n[1] = j + Lattice<Dim>::padding;
-        if constexpr (Dim == 3) n[2] = k + Lattice<Dim>::padding;
-        const auto position = field.map.node(n);
-        if (position < 0 || field.nodes.empty()) continue;
-        const Node& node = field.nodes[static_cast<std::size_t>(position)];
-        mass[at] = node.mass;
-        if (node.mass > 0)
-          for (std::size_t d = 0; d < Dim; ++d) velocity[d][at] = node.velocity[d];
-      }
-  std::vector<OutputField> fields;
-  for (const auto& name : model_.output.grid_fields) {
-    if (name == "mass") fields.push_back({name, {mass.data()}, nullptr});
-    if (name == "velocity")
-      fields.push_back({name, {velocity[0].data(), velocity[1].data(), velocity[2].data()}, nullptr});
-  }
   const std::string file = "grid/" + numbered(number, ".vti");
-  tribo::write_grid(folder_ / file, origin, spacing, nodes, fields, system_.time);
+  write_grid_file(folder_ / file, model_, system_);
   grid_.add(system_.time, file);
 }
 
 template <int Dim>
-Ledgers Results<Dim>::ledgers(const Measures& all) const {
-  Ledgers l;
+RunEnergies Results<Dim>::energies(const Measures& all) const {
+  RunEnergies l;
   // Mass times the displacement of the centre of mass
   l.potential = -all.mass * model_.body_force.gravity.dot(all.displacement);
   l.external_work = stepper_.ledger().external_work;
@@ -149,11 +117,15 @@ void Results<Dim>::write_history(double dt) {
   const Measures all = measure(system_, strain);
   std::vector<Measures> bodies;
   for (auto& body : system_.bodies) bodies.push_back(measure(body, strain));
-  const Ledgers l = ledgers(all);
+  const RunEnergies l = energies(all);
 
   std::vector<double> row{system_.time};
-  for (std::size_t k = 0; k < model_.output.history.size(); ++k)
-    row.push_back(quantity(model_.output.history[k], measures_of(k, all, bodies), l, dt));
+  for (std::size_t k = 0; k < model_.output.history.size(); ++k) {
+    const HistoryQuantity& q = model_.output.history[k];
+    const QuantityInfo* info = find_global_quantity(q.name);
+    if (!info) throw std::logic_error("no such quantity: " + q.name);
+    row.push_back(info->value(RunHistorySource<Dim>(model_, system_, stepper_, q, measures_of(k, all, bodies), l, dt)));
+  }
   if (blocks) {
     for (const double value : blocks->values(dt)) row.push_back(value);
     blocks->write_history(dt);
@@ -191,96 +163,6 @@ Measures Results<Dim>::measures_of(std::size_t k, const Measures& all, const std
   for (std::size_t b = 0; b < system_.bodies.size(); ++b)
     if (system_.bodies[b].material == q.material) return bodies[b];
   return {};
-}
-
-template <int Dim>
-double Results<Dim>::quantity(const HistoryQuantity& q, const Measures& m, const Ledgers& ledgers, double dt) const {
-  const std::string name = lower(q.name);
-  const auto axis = [&](const std::string& stem) {
-    return name.size() == stem.size() + 1 && name.rfind(stem, 0) == 0 ? name.back() - 'x' : -1;
-  };
-  const Vec3 velocity = m.mass > 0 ? Vec3(m.momentum / m.mass) : Vec3(Vec3::Zero());
-  if (const int d = axis("vel"); d >= 0) return velocity[d];
-  if (const int d = axis("disp"); d >= 0) return m.displacement[d];
-  if (const int d = axis("pos"); d >= 0) return m.centre[d];
-  if (const int d = axis("min"); d >= 0) return m.low[d];
-  if (const int d = axis("max"); d >= 0) return m.high[d];
-  if (const int d = axis("lp"); d >= 0) return m.angular_momentum[d];
-  if (const int d = axis("reaction"); d >= 0) return reaction(q)[d];
-  if (const int d = axis("contact"); d >= 0) return contact_of(q).force[d];
-  if (name == "friction work") return contact_of(q).friction;
-  if (name == "impact work") return contact_of(q).impact;
-  if (name == "interface energy") return contact_of(q).stored;
-  if (name == "contact area") return contact_of(q).area;
-  if (name == "temperature") return m.temperature;
-  if (name == "heat energy") return m.heat;
-  if (name == "heat supplied") return stepper_.heat().supplied;
-  if (name == "contact heat") return stepper_.heat().from_contact;
-  if (name == "work heat") return m.work_heat;
-  if (const int d = axis("p"); d >= 0) return m.momentum[d];
-  if (name.size() == 3 && name[0] == 'e') return m.strain(name[1] - 'x', name[2] - 'x');
-  if (name.size() == 3 && name[0] == 's') return m.stress(name[1] - 'x', name[2] - 'x');
-  if (name == "pressure") return -m.stress.trace() / 3.0;
-  if (name == "kinetic energy") return m.kinetic;
-  if (name == "strain energy") return m.stored;
-  if (name == "plastic energy") return m.dissipated;
-  if (name == "internal energy") return m.stored + m.heat;
-  if (name == "potential energy") return ledgers.potential;
-  if (name == "external work") return ledgers.external_work;
-  if (name == "boundary work") return ledgers.boundary_work;
-  if (name == "damping energy") return ledgers.damping;
-  if (name == "mass") return m.mass;
-  if (name == "volume") return m.volume;
-  if (name == "particles") return static_cast<double>(m.particles);
-  if (name == "alpha") return stepper_.damping().grid;
-  if (name == "palpha") return stepper_.damping().particle;
-  if (name == "step number") return static_cast<double>(system_.step);
-  if (name == "time step") return dt;
-  throw std::logic_error("no such quantity: " + q.name);
-}
-
-// Force on the material: of a rigid body, of the conditions or the symmetry plane with an id, or of all but the planes.
-template <int Dim>
-Vec3 Results<Dim>::reaction(const HistoryQuantity& q) const {
-  Vec3 sum = Vec3::Zero();
-  const auto& rigid = stepper_.rigid_bodies().reactions();
-  for (std::size_t r = 0; r < rigid.size(); ++r)
-    if (q.material >= 0 ? system_.rigids[r].material == q.material : q.condition_id == 0) sum += rigid[r];
-  if (q.material >= 0) return sum;
-  for (std::size_t f = 0; f < system_.fields.size(); ++f) {
-    const auto& conditions = stepper_.conditions(f);
-    for (std::size_t c = 0; c < model_.node_conditions.size(); ++c)
-      if (q.condition_id == 0 || model_.node_conditions[c].id == q.condition_id) sum += conditions.reactions()[c];
-    for (int axis = 0; axis < Dim; ++axis)
-      for (int side = 0; side < 2; ++side)
-        if (q.condition_id == symmetry_plane_id(axis, side))
-          sum[axis] += stepper_.exchange(f).plane_reaction(axis, side);
-  }
-  return sum;
-}
-
-// Sum over the pairs that a quantity asks for; force on its material, or on the first of each pair.
-template <int Dim>
-PairLedger Results<Dim>::contact_of(const HistoryQuantity& q) const {
-  const auto is_of = [&](std::size_t field, int material) {
-    for (auto* list : {&system_.bodies, &system_.rigids})
-      for (const auto& body : *list)
-        if (body.field == field && body.material == material) return true;
-    return false;
-  };
-  PairLedger sum;
-  for (const auto& [pair, entry] : stepper_.contact().ledger().pairs) {
-    double sign = 1.0;
-    if (q.material >= 0) {
-      const bool first = is_of(pair.first, q.material);
-      if (!first && !is_of(pair.second, q.material)) continue;
-      if (q.other >= 0 && !is_of(first ? pair.second : pair.first, q.other)) continue;
-      sign = first ? 1.0 : -1.0;
-    }
-    sum.force += sign * entry.force;
-    sum.friction += entry.friction, sum.impact += entry.impact, sum.stored += entry.stored, sum.area += entry.area;
-  }
-  return sum;
 }
 
 template class Results<2>;

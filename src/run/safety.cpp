@@ -52,7 +52,7 @@ Safety find_safety(const Model& model, int threads, const std::function<void(con
   }
   while (safety.slips - safety.holds > search.tolerance) {
     const double middle = 0.5 * (safety.holds + safety.slips);
-    if (!(middle > safety.holds && middle < safety.slips)) break;  // no number lies between
+    if (!(middle > safety.holds && middle < safety.slips)) break;  // no floating-point number lies between them
     (holds(middle) ? safety.holds : safety.slips) = middle;
   }
   return safety;

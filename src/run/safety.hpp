@@ -14,9 +14,9 @@ namespace tribo {
 struct SafetyTrial {
   double factor = 0.0;  ///< of all strengths
   double late = 0.0;    ///< largest displacement after three quarters of the run [length]
-  double at_end = 0.0;  ///< and at its end; 0 if the run failed                  [length]
+  double at_end = 0.0;  ///< at its end; 0 if the run failed                  [length]
   bool holds = false;
-  std::string failure;  ///< why the run failed, if it did: such a model slips
+  std::string failure;  ///< the reason if the run failed: such a model slips
 };
 
 struct Safety {
@@ -29,7 +29,8 @@ struct Safety {
 Model weakened(const Model& model, double factor);
 
 /// Bisects between the bounds of the model's StrengthReduction, widened where they do not enclose the answer. `report`
-/// sees every trial. Throws SimulationError if the model slips even with tenfold strength, or holds with a hundredth.
+/// is called after every trial. Throws SimulationError if the model slips even with tenfold strength, or holds with a
+/// hundredth.
 Safety find_safety(const Model& model, int threads, const std::function<void(const SafetyTrial&)>& report);
 
 }  // namespace tribo

@@ -27,7 +27,7 @@ class SignalGuard {
   void (*old_user_)(int);
 };
 
-/// The command file, and line by line what was set in it: for 'tribo resume'.
+/// The path of the command file, then one line per variable set from outside; 'tribo resume' reads it.
 std::string source_of(const Model& model);
 
 }  // namespace tribo

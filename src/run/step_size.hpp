@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// How large the steps are, and why.
+/// Size of the time step and the reason for it.
 #pragma once
 
 #include "model/model.hpp"
@@ -19,11 +19,12 @@ class StepSize {
     double wave_speed = 0.0;  ///< the largest
     std::string set_by;       ///< "<TimeStep>", or what limits the step: "the waves in 'steel'"
   };
-  /// For the state as it is. Throws SimulationError if no material has a wave speed.
+  /// Of the present state. Throws SimulationError if no material has a wave speed.
   First first();
-  /// The step after one of this size: the same, or adapted to wave speeds and the fastest particle now and then.
+  /// The step after one of this size [time]: the same, or every tenth step adapted to wave speeds and the fastest
+  /// particle.
   double next(double size);
-  /// This size, or what is left to the end of the run.
+  /// This size, or the time left to the end of the run [time].
   double up_to_end(double size) const {
     const double left = model_.time.end - system_.time;
     return left < size * (1 + 1e-9) ? left : size;
@@ -37,7 +38,7 @@ class StepSize {
   System<Dim>& system_;
 };
 
-/// More threads than this for so many particles only wait for each other. Results do not depend on it.
+/// Number of threads, at most `wanted`, that so many particles can use. Results do not depend on it.
 inline int sensible_threads(int wanted, std::int64_t particles) {
   static constexpr std::int64_t worthwhile = 8192;
   return static_cast<int>(std::min<std::int64_t>(wanted, 1 + particles / worthwhile));

@@ -16,7 +16,7 @@ Tracers<Dim>::Tracers(const Model& model, System<Dim>& system) {
     for (std::size_t b = 0; q.point && b < system.bodies.size(); ++b) {
       auto& body = system.bodies[b];
       if (q.material >= 0 && body.material != q.material) continue;
-      const auto start = body.particles.vector(*body.origin);
+      const auto start = body.particles[body.origin];
       for (std::size_t i = 0; i < body.particles.size(); ++i) {
         double distance = 0.0;
         for (std::size_t d = 0; d < Dim; ++d) {
@@ -24,7 +24,7 @@ Tracers<Dim>::Tracers(const Model& model, System<Dim>& system) {
           distance += along * along;
         }
         const std::int64_t id = body.particles.id[i];
-        // Rounding must not choose between particles that lie around the point
+        // Rounding must not decide between particles at the same distance
         const bool nearer = distance < nearest - 1e-9, as_near = distance < nearest + 1e-9;
         if (nearer || (as_near && id < tracer.id)) tracer = {b, id}, nearest = std::min(distance, nearest);
       }

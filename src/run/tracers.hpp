@@ -13,10 +13,10 @@ namespace tribo {
 template <int Dim>
 class Tracers {
  public:
-  /// Finds for every history of a point the particle that started nearest to it; of equally near ones that with the
-  /// lowest id. Throws InputError at a history whose point has no particle within a cell.
+  /// Finds for every history of a point the particle that started nearest to it; among equally near ones the one
+  /// with the lowest id. Throws InputError at a history whose point has no particle within a cell.
   Tracers(const Model& model, System<Dim>& system);
-  /// Of the particle of history `k`; of no use if that has no point.
+  /// Measures of the particle of history `k`, which must be a history of a point.
   Measures measure(System<Dim>& system, std::size_t k, bool strain) const;
 
  private:

@@ -25,8 +25,8 @@ void keep_temperature(const Model& model, Body<Dim>& body) {
   body.reference_temperature = model.heat.reference;
   body.temperature = particles.add("temperature", Dimension::temperature);
   if (model.heat.conduction) {
-    particles.add_vector("temperature_gradient", Dimension::none);
-    particles.add("temperature_detail", Dimension::temperature);
+    body.temperature_gradient = particles.add_vector("temperature_gradient", Dimension::none);
+    body.temperature_detail = particles.add("temperature_detail", Dimension::temperature);
   }
   if (model.heat.work_heating && body.law->dissipation_index() >= 0) {
     body.heated = particles.add("heated", Dimension::stress);
@@ -38,18 +38,8 @@ template <int Dim>
 void add_optional_columns(Body<Dim>& body, const Model& model, bool starts_deformed) {
   auto& particles = body.particles;
   const Scheme& scheme = model.scheme;
-  if (scheme.transfer == Transfer::apic) {
-    constexpr std::string_view axis = "xyz";
-    body.affine = particles.columns().size();
-    for (int i = 0; i < Dim; ++i)
-      for (int j = 0; j < Dim; ++j)
-        particles.add(std::string("affine_") + axis[static_cast<std::size_t>(i)] + axis[static_cast<std::size_t>(j)],
-                      Dimension::none);
-  }
-  if (scheme.kernel == Kernel::cpdi) {
-    body.domain = particles.columns().size();
-    for (int k = 0; k < Dim * Dim; ++k) particles.add("domain_" + std::to_string(k), Dimension::none);
-  }
+  if (scheme.transfer == Transfer::apic) body.affine = particles.add_matrix("affine", Dimension::none);
+  if (scheme.kernel == Kernel::cpdi) body.domain = particles.add_matrix("domain", Dimension::none);
   if (scheme.transfer == Transfer::xpic || scheme.transfer == Transfer::fmpm)
     body.filtered = particles.add_vector("filtered_velocity", Dimension::velocity);
   if (scheme.extrapolate_again && scheme.order != UpdateOrder::usf)
@@ -60,7 +50,7 @@ void add_optional_columns(Body<Dim>& body, const Model& model, bool starts_defor
   if (model.heat.kept && !body.law->rigid()) keep_temperature(model, body);
   if (model.output.has_field("cell_crossings") && !body.law->rigid()) {
     body.crossings = particles.add("cell_crossings", Dimension::none);
-    particles.add("cell", Dimension::none, -1.0);
+    body.cell_number = particles.add("cell", Dimension::none, -1.0);
   }
   if (scheme.b_bar && !body.law->rigid()) body.volumetric = particles.add("volumetric", Dimension::none);
   const ContactSpec& contact = model.contact;
@@ -71,23 +61,21 @@ void add_optional_columns(Body<Dim>& body, const Model& model, bool starts_defor
            std::any_of(contact.pair_laws.begin(), contact.pair_laws.end(),
                        [&](const auto& p) { return is(*p.second); });
   };
-  if (starts_deformed && any_law([](const ContactLaw& law) { return law.is_interface(); })) {
-    body.first_inverse = particles.columns().size();
-    for (int k = 0; k < Dim * Dim; ++k) particles.add("first_inverse_" + std::to_string(k), Dimension::none);
-  }
+  if (starts_deformed && any_law([](const ContactLaw& law) { return law.is_interface(); }))
+    body.first_inverse = particles.add_matrix("first_inverse", Dimension::none);
   if (any_law([](const ContactLaw& law) { return law.has_memory(); })) {
-    body.contact_memory = particles.add("contact_slip", Dimension::length);
-    particles.add("contact_bond", Dimension::none);
+    body.contact_slip = particles.add("contact_slip", Dimension::length);
+    body.contact_bond = particles.add("contact_bond", Dimension::none);
   }
-  body.contact_view = particles.add("contact_state", Dimension::none);
-  particles.add_vector("contact_traction", Dimension::stress);
-  particles.add_vector("contact_normal", Dimension::none);
+  body.contact_state = particles.add("contact_state", Dimension::none);
+  body.contact_traction = particles.add_vector("contact_traction", Dimension::stress);
+  body.contact_normal = particles.add_vector("contact_normal", Dimension::none);
 }
 
 template <int Dim>
 void fill(Body<Dim>& body, const std::vector<const Seed*>& seeds, std::int64_t first_id) {
   auto& particles = body.particles;
-  const auto x = particles.x(), v = particles.v(), origin = particles.vector(*body.origin);
+  const auto x = particles.x(), v = particles.v(), origin = particles[body.origin];
   const auto F = particles.F();
   const auto stress = particles.stress();
   std::optional<std::size_t> angle;
@@ -100,18 +88,18 @@ void fill(Body<Dim>& body, const std::vector<const Seed*>& seeds, std::int64_t f
       const auto axis = static_cast<Eigen::Index>(d);
       x[d][i] = origin[d][i] = seed.x[axis];
       v[d][i] = seed.v[axis];
-      if (body.half_size) particles.column(*body.half_size + d)[i] = seed.half_size[axis];
+      if (body.half_size) particles[body.half_size][d][i] = seed.half_size[axis];
     }
     particles.mass()[i] = seed.mass;
     body.total_mass += seed.mass;
     particles.volume()[i] = seed.volume * seed.F.determinant();
-    if (body.temperature) particles.column(*body.temperature)[i] = seed.temperature;
+    if (body.temperature) particles[body.temperature][i] = seed.temperature;
     if (angle) particles.column(*angle)[i] = seed.angle;
     if (F[0]) store_full<Dim>(seed.F, F, at);
     if (body.first_inverse) {
       const Mat3 inverse = seed.F.inverse();
       for (std::size_t k = 0; k < Dim * Dim; ++k)
-        particles.column(*body.first_inverse + k)[i] = inverse(static_cast<int>(k) / Dim, static_cast<int>(k) % Dim);
+        particles[body.first_inverse][k][i] = inverse(static_cast<int>(k) / Dim, static_cast<int>(k) % Dim);
     }
     store_symmetric<Dim>(seed.stress, stress, at);
     particles.id[i] = first_id + at;
@@ -155,7 +143,7 @@ void add_blocks(const Model& model, System<Dim>& system, const Transfers<Dim>& t
   const BlocksSpec& spec = *model.blocks;
   system.blocks = std::make_shared<Assembly>(model.blocks, Dim, model.analysis == Analysis::plane_stress,
                                              model.body_force.gravity, model.time.max_step);
-  system.blocks->pushes.resize(system.blocks->bodies.size());
+  system.blocks->grid_forces.resize(system.blocks->bodies.size());
   for (std::size_t k = 0; k < system.blocks->block_count(); ++k) {
     const auto& group = spec.groups[static_cast<std::size_t>(system.blocks->bodies[k].group)];
     const auto seeds = block_points(system.blocks->shapes[k], system.blocks->motion[k].x, group.material, group.density,

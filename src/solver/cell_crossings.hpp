@@ -13,8 +13,8 @@ namespace tribo {
 template <int Dim>
 void count_crossings(Body<Dim>& body, const Lattice<Dim>& lattice) {
   if (!body.crossings) return;
-  double* count = body.particles.column(*body.crossings);
-  double* cell = body.particles.column(*body.crossings + 1);
+  double* count = body.particles[body.crossings];
+  double* cell = body.particles[body.cell_number];
   const auto x = body.particles.x();
   parallel_for(static_cast<std::ptrdiff_t>(body.particles.size()), [&](std::ptrdiff_t i) {
     double now = 0.0;  // the number of the cell, exact below 2^53

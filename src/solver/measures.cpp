@@ -34,8 +34,8 @@ void average(Measures& m) {
 // Mass times the angular velocity part of the affine velocity: L = sum_p m eps : C D (Jiang et al., JCP 338 (2017)
 // 137-164).
 template <int Dim>
-Vec3 affine_spin(const Body<Dim>& body, std::size_t i) {
-  const auto B = [&](std::size_t r, std::size_t c) { return body.particles.column(*body.affine + r * Dim + c)[i]; };
+Vec3 affine_spin(Body<Dim>& body, std::size_t i) {
+  const auto B = [&](std::size_t r, std::size_t c) { return body.particles[body.affine][r * Dim + c][i]; };
   Vec3 spin = Vec3::Zero();
   spin[2] = B(1, 0) - B(0, 1);
   if constexpr (Dim == 3) spin[0] = B(2, 1) - B(1, 2), spin[1] = B(0, 2) - B(2, 0);
@@ -46,7 +46,7 @@ template <int Dim>
 Measures measure_range(Body<Dim>& body, std::uint32_t first, int count, bool strain) {
   Measures m;
   auto& particles = body.particles;
-  const auto x = particles.x(), v = particles.v(), origin = particles.vector(*body.origin);
+  const auto x = particles.x(), v = particles.v(), origin = particles[body.origin];
   const auto stress = particles.stress();
   const auto F = particles.F();
   const double density = body.law->density();
@@ -67,9 +67,9 @@ Measures measure_range(Body<Dim>& body, std::uint32_t first, int count, bool str
     m.centre += mass * position, m.displacement += mass * shift;
     if (body.temperature) {
       const double capacity = mass * body.heat_capacity;
-      m.heat += capacity * particles.column(*body.temperature)[i], m.temperature += capacity;
+      m.heat += capacity * particles[body.temperature][i], m.temperature += capacity;
     }
-    if (body.heated) m.work_heat += body.taylor_quinney * particles.column(*body.heated)[i] * mass / density;
+    if (body.heated) m.work_heat += body.taylor_quinney * particles[body.heated][i] * mass / density;
     m.kinetic += 0.5 * mass * velocity.squaredNorm();
     m.stress += volume * load_symmetric<Dim>(stress, static_cast<int>(i));
     if (F[0]) m.deformation += volume * load_full<Dim>(F, static_cast<int>(i));

@@ -13,7 +13,7 @@ template <int Dim>
 void ParticleSort<Dim>::sort() {
   for (auto* bodies : {&system_.bodies, &system_.rigids})
     for (auto& body : *bodies) {
-      bring_home(model_.grid, system_.lattice, body);
+      return_through_period(model_.grid, system_.lattice, body);
       if (body.bins.sort(system_.lattice, body.particles) >= 0) {
         return_to_grid(body);
         if (body.bins.sort(system_.lattice, body.particles) >= 0) stop_at_bad_particle(system_);

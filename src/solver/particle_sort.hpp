@@ -19,6 +19,12 @@ class ParticleSort {
   /// Number of times that a particle was returned to the grid, see Model::leave_limit.
   long returned = 0;
 
+  friend void archive(Archive& a, ParticleSort& sort) {
+    auto& [returned, model, system] = sort;
+    a.version(1);
+    a("returned", returned);
+  }
+
  private:
   void return_to_grid(Body<Dim>& body);
 

@@ -21,7 +21,7 @@ void Stepper<Dim>::advance(double dt) {
 
   // 1. Particles to nodes: mass and momentum; the forces too if the stress is updated last.
   loads_.apply(dt);
-  rigid_blocks_.set_particles();
+  rigid_blocks_.set_particle_velocities();
   rigid_bodies_.set_velocities(dt);
   scatter(stress_last ? Scatter::momentum_and_force : Scatter::momentum);
   if (stress_last) tractions_.apply();
@@ -67,18 +67,18 @@ void Stepper<Dim>::advance(double dt) {
 
   // 5. What contact did goes to ledgers, rigid blocks and crack tips; heat is conducted.
   contact_.record(dt);
-  rigid_blocks_.take(contact_.ledger().rigid_exchanges(), dt);
+  rigid_blocks_.take_contact_forces(contact_.ledger().rigid_exchanges(), dt);
   measure_crack_tips(dt);
   heat_.conduct(dt, contact_, exchanges_);
 
   // 6. Joints, cracks and particles follow the nodes; the stress is updated last unless it waits for better velocities.
   copy_images();
-  joints_.follow(dt);
+  joints_.update_laws(dt);
   record_joints();
   const double strain_dt = stress_last ? dt : order == UpdateOrder::usavg ? 0.5 * dt : 0.0;
   if (again) keep_start_positions(system_);
   cracks_.move(dt);
-  joints_.settle(dt);
+  joints_.move_points(dt);
   move_particles(dt, again ? 0.0 : strain_dt);
   loads_.record(0.5 * dt);
 
@@ -146,7 +146,7 @@ void Stepper<Dim>::locate_nodes() {
         if (body.field == f || body.field == Body<Dim>::no_field)
           for (const Bin& bin : body.bins.list()) occupied.push_back(bin.block);
     if (field.side != 0) cracks_.add_blocks(field, occupied);
-    reach_across(model_.grid, system_.lattice, occupied);
+    add_periodic_blocks(model_.grid, system_.lattice, occupied);
     field.map.rebuild(occupied);
     const auto nodes = static_cast<std::size_t>(field.map.node_count());
     field.nodes.resize(nodes);
@@ -176,7 +176,7 @@ void Stepper<Dim>::scatter(Scatter what, bool from_start) {
     if (body.field != Body<Dim>::no_field) {
       auto& field = system_.fields[body.field];
       transfers_->scatter(body, Target<Dim>(field.map, field.nodes), Scatter::momentum, from_start, false);
-      rigid_blocks_.set_nodes(body);
+      rigid_blocks_.set_nodal_momentum(body);
     }
 }
 
@@ -201,7 +201,7 @@ void Stepper<Dim>::divide_by_mass() {
     each_node(field.nodes, [](Node& node) {
       if (!(node.mass > 0)) return;
       const double inverse = 1.0 / node.mass;
-      for (double& v : node.velocity) v *= inverse;
+      for (int d = 0; d < 3; ++d) node.velocity[d] = node.momentum[d] * inverse;
     });
 }
 
@@ -223,8 +223,8 @@ void Stepper<Dim>::update_momentum(double dt, Known known) {
       if (!(node.mass > 0)) return;
       const double inverse = 1.0 / node.mass;
       for (int d = 0; d < Dim; ++d) {
-        const double v = from_momentum ? node.velocity[d] * inverse : node.velocity[d];
-        const double a = node.acceleration[d] * inverse + gravity[d] - damping * v;
+        const double v = from_momentum ? node.momentum[d] * inverse : node.velocity[d];
+        const double a = node.force[d] * inverse + gravity[d] - damping * v;
         node.acceleration[d] = a;
         node.velocity[d] = v + dt * a;
       }
@@ -241,7 +241,7 @@ void Stepper<Dim>::update_momentum(double dt, Known known) {
 template <int Dim>
 void Stepper<Dim>::add_joint_forces(double dt) {
   if (!joints_.active()) return;
-  joints_.push(dt);
+  joints_.add_forces(dt);
   for (std::size_t f = 0; f < system_.fields.size(); ++f) exchanges_[f]->hold_planes(system_.fields[f].nodes);
 }
 
@@ -277,11 +277,14 @@ void Stepper<Dim>::strain(double dt, bool from_start) {
   Gather what = gather_options();
   what.strain_dt = dt;
   what.from_start = from_start;
-  const auto layer = filter_.active() ? &Field<Dim>::filter : &Field<Dim>::nodes;
-  b_bar_.average_rates(what, layer);
-  for (auto& body : system_.bodies) {
-    if (!transfers_->gather(body, Target<Dim>(body, system_.fields, layer), what).valid) stop_at_bad_particle(system_);
-  }
+  const auto strain_from = [&](auto layer) {
+    b_bar_.average_rates(what, layer);
+    for (auto& body : system_.bodies) {
+      const Target<Dim> nodes(body, system_.fields, layer);
+      if (!transfers_->gather(body, nodes, what).valid) stop_at_bad_particle(system_);
+    }
+  };
+  filter_.active() ? strain_from(&Field<Dim>::filter) : strain_from(&Field<Dim>::nodes);
 }
 
 template <int Dim>
@@ -304,7 +307,7 @@ void Stepper<Dim>::record_joints() {
     PairLedger& entry = contact_.ledger().pairs[{std::min(one, two), std::max(one, two)}];
     entry.force += one < two ? force : Vec3(-force), entry.area += area;
   });
-  const auto [work, impulse] = joints_.take_rigid();
+  const auto [work, impulse] = joints_.take_rigid_exchange();
   contact_.ledger().rigid_work += work, contact_.ledger().rigid_impulse += impulse;
 }
 

@@ -55,6 +55,18 @@ class Stepper {
   const RigidBodies<Dim>& rigid_bodies() const { return rigid_bodies_; }
   const StepWatches& watches() const { return watches_; }
 
+  /// All that changes from step to step, the system included. A stepper of the same model must have been built before
+  /// it is restored.
+  friend void archive(Archive& a, Stepper& stepper) {
+    auto& [model, system, ledger, watches, transfers, sort, exchanges, conditions, cracks, crack_tips, joints, contact,
+           loads, tractions, body_forces, damping, rigid_bodies, rigid_blocks, heat, b_bar, filter] = stepper;
+    a.version(1);
+    a("system", system);
+    a("ledger", ledger), a("sort", sort), a.each("conditions", conditions), a("joints", joints);
+    a("contact", contact), a("damping", damping), a("heat", heat), a("filter", filter);
+    if (a.reading() && system.sorted) stepper.locate_nodes();
+  }
+
  private:
   /// What the nodes hold in place of the velocity before the momentum update.
   enum class Known { momentum, velocity };

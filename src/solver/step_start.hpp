@@ -16,7 +16,7 @@ void keep_start_domains(System<Dim>& system) {
       if (!body.domain) continue;
       const auto F = body.particles.F();
       for (std::size_t k = 0; k < Dim * Dim; ++k)
-        std::copy_n(F[k], body.particles.size(), body.particles.column(*body.domain + k));
+        std::copy_n(F[k], body.particles.size(), body.particles[body.domain][k]);
     }
 }
 
@@ -26,7 +26,7 @@ void keep_start_positions(System<Dim>& system) {
   for (auto* bodies : {&system.bodies, &system.rigids})
     for (auto& body : *bodies) {
       const auto from = body.particles.x();
-      const auto to = body.particles.vector(*body.start);
+      const auto to = body.particles[body.start];
       for (std::size_t d = 0; d < Dim; ++d) std::copy_n(from[d], body.particles.size(), to[d]);
     }
 }

@@ -46,20 +46,19 @@ void VelocityFilter<Dim>::filter(double dt, bool from_start) {
   const auto lap = watch.lap();
   const double without = scheme_.transfer == Transfer::xpic ? dt : 0.0;
   Gather value;
-  value.filtered = true;
+  value.task = GatherTask::filtered_velocity;
   value.from_start = from_start;
   each_field([&](std::size_t, Field<Dim>& field) {
-    // velocity: the present increment, acceleration: the sum so far
-    each(field, [&](const Node& node, Node& filtered, Node&) {
-      filtered.mass = node.mass;
+    each(field, [&](const Node& node, FilterNode& filter, Node&) {
+      filter.mass = node.mass;
       for (int d = 0; d < 3; ++d)
-        filtered.acceleration[d] = filtered.velocity[d] = node.velocity[d] - without * node.acceleration[d];
+        filter.sum[d] = filter.increment[d] = node.velocity[d] - without * node.acceleration[d];
     });
   });
   for (int j = 1; j < scheme_.filter_order; ++j) {
     each_field([&](std::size_t f, Field<Dim>& field) {
       exchanges_[f]->copy_images(field.filter);
-      each(field, [](const Node&, Node&, Node& increment) { increment = Node{}; });
+      each(field, [](const Node&, FilterNode&, Node& increment) { increment = Node{}; });
     });
     for (auto& body : system_.bodies) {
       transfers_.gather(body, Target<Dim>(body, system_.fields, &Field<Dim>::filter), value);
@@ -68,22 +67,22 @@ void VelocityFilter<Dim>::filter(double dt, bool from_start) {
     }
     each_field([&](std::size_t f, Field<Dim>& field) {
       exchanges_[f]->sum_images(field.increment);
-      each(field, [](const Node& node, Node& filtered, const Node& increment) {
+      each(field, [](const Node& node, FilterNode& filter, const Node& scattered) {
         if (!(node.mass > 0)) return;
-        for (int d = 0; d < 3; ++d) filtered.velocity[d] -= increment.velocity[d] / node.mass;
+        for (int d = 0; d < 3; ++d) filter.increment[d] -= scattered.momentum[d] / node.mass;
       });
     });
     contact_.constrain_increments(dt > 0 ? ContactPass::corrector : ContactPass::predictor);
     each_field([&](std::size_t f, Field<Dim>& field) {
       conditions_[f].release(field.filter);
-      each(field, [](const Node&, Node& filtered, const Node&) {
-        for (int d = 0; d < 3; ++d) filtered.acceleration[d] += filtered.velocity[d];
+      each(field, [](const Node&, FilterNode& filter, const Node&) {
+        for (int d = 0; d < 3; ++d) filter.sum[d] += filter.increment[d];
       });
     });
   }
   each_field([&](std::size_t f, Field<Dim>& field) {
-    each(field, [](const Node&, Node& filtered, const Node&) {
-      for (int d = 0; d < 3; ++d) filtered.velocity[d] = filtered.acceleration[d];
+    each(field, [](const Node&, FilterNode& filter, const Node&) {
+      for (int d = 0; d < 3; ++d) filter.velocity[d] = filter.sum[d];
     });
     exchanges_[f]->copy_images(field.filter);
   });
@@ -94,8 +93,8 @@ void VelocityFilter<Dim>::use(double dt) {
   const auto lap = watch.lap();
   const double with = scheme_.transfer == Transfer::xpic ? dt : 0.0;
   each_field([&](std::size_t, Field<Dim>& field) {
-    each(field, [&](Node& node, const Node& filtered, const Node&) {
-      for (int d = 0; d < 3; ++d) node.velocity[d] = filtered.velocity[d] + with * node.acceleration[d];
+    each(field, [&](Node& node, const FilterNode& filter, const Node&) {
+      for (int d = 0; d < 3; ++d) node.velocity[d] = filter.velocity[d] + with * node.acceleration[d];
     });
   });
 }

@@ -40,9 +40,16 @@ class VelocityFilter {
   /// Gives the filtered velocities to the nodes.
   void use(double dt);
 
-  /// Time of the next filtered step if the filter acts by period; kept for restart.
+  /// Time of the next filtered step if the filter acts by period.
   double next = 0.0;
   Stopwatch watch;
+
+  /// Whether the filter acts is decided in every step.
+  friend void archive(Archive& a, VelocityFilter& filter) {
+    auto& [next, watch, scheme, system, transfers, exchanges, conditions, contact, active] = filter;
+    a.version(1);
+    a("next", next);
+  }
 
  private:
   template <class F>

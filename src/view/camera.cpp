@@ -33,7 +33,7 @@ double spacing_of(const std::vector<std::array<double, 3>>& positions) {
   std::array<double, 3> low = positions[0], high = positions[0];
   for (const auto& x : positions)
     for (std::size_t d = 0; d < 3; ++d) low[d] = std::min(low[d], x[d]), high[d] = std::max(high[d], x[d]);
-  // Cells with about two particles each, were they spread evenly over the box
+  // Cells with about two particles each if the particles filled the box evenly
   int dimensions = 0;
   double content = 1.0;
   for (std::size_t d = 0; d < 3; ++d)
@@ -69,7 +69,7 @@ double spacing_of(const std::vector<std::array<double, 3>>& positions) {
     if (std::isfinite(best)) nearest.push_back(std::sqrt(best));
   }
   if (nearest.empty()) return edge;
-  // Where bodies are squeezed particles are nearer than they were
+  // Particles of compressed bodies are closer to each other than at the start
   const auto k = static_cast<std::size_t>(0.8 * static_cast<double>(nearest.size()));
   std::nth_element(nearest.begin(), nearest.begin() + static_cast<std::ptrdiff_t>(k), nearest.end());
   return nearest[k];

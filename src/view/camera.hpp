@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Points in space -> points on the picture.
+/// Projection of points in space to the picture.
 #pragma once
 
 #include "base/types.hpp"
@@ -24,7 +24,7 @@ struct Camera {
 /// `xy`, `xz`, `yz`, or `iso` with y up, `iso-z` with z up. Throws UsageError for other names.
 Camera camera(const std::string& view);
 
-/// The distance between neighbouring particles: what four fifths of a sample have to the nearest one at most.
+/// The distance between neighbouring particles: the 80th percentile, over a sample, of the distance to the nearest one.
 double spacing_of(const std::vector<std::array<double, 3>>& positions);
 
 }  // namespace tribo

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Pixels of a picture before its words: what is nearer hides what is farther.
+/// Pixels of a picture before text is added, with a depth buffer.
 #pragma once
 
 #include "base/types.hpp"
@@ -16,7 +16,7 @@
 
 namespace tribo {
 
-/// What is drawn where, in pixels.
+/// Layout of the picture in pixels.
 struct Sheet {
   double left, top, width, height;  // of the particles
   double scale;                     // pixels per length
@@ -56,7 +56,7 @@ class Canvas {
         const auto depth = static_cast<float>(at[2] + radius * height);
         if (depth <= depth_[pixel]) continue;
         depth_[pixel] = depth;
-        // light from above the left shoulder
+        // light from the upper left, behind the eye
         const double light = 0.45 + 0.55 * std::max(0.0, -0.35 * a - 0.5 * b + 0.79 * height);
         for (std::size_t c = 0; c < 3; ++c)
           colour_[pixel][c] = static_cast<std::uint8_t>(std::min(255.0, light * colour[c] + 8));
@@ -171,7 +171,7 @@ class Canvas {
     const double s = fine * layout_.scale;
     return {(x[0] - layout_.u0) * s, (layout_.v1 - x[1]) * s, x[2]};
   }
-  // The pixels that points may touch.
+  // Range of pixels that points can cover.
   std::array<std::array<int, 2>, 2> around(const std::vector<Vec3>& at, double reach) const {
     Vec3 low = at[0], high = at[0];
     for (const Vec3& x : at) low = low.cwiseMin(x), high = high.cwiseMax(x);

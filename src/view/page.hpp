@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Files of the page of `tribo watch`, inside the program.
+/// Files of the page of `tribo watch`, embedded in the program.
 #pragma once
 
 #include <string_view>

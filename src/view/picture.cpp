@@ -43,14 +43,14 @@ Sheet lay_out(const Camera& camera, const Box& box, int width, bool axes) {
   l.left = axes ? margin_left : 16, l.top = margin_top;
   const double room = width - l.left - margin_right;
   l.scale = std::min(room / (u1 - u0), 1.2 * room / (v1 - v0));
-  l.left += std::max(0.0, 0.5 * (least_width - (u1 - u0) * l.scale));  // room for what is written above
+  l.left += std::max(0.0, 0.5 * (least_width - (u1 - u0) * l.scale));  // space for the text above
   l.width = (u1 - u0) * l.scale, l.height = std::max((v1 - v0) * l.scale, 60.0);
   const double spare = l.height / l.scale - (v1 - v0);
   l.u0 = u0, l.v1 = v1 + 0.5 * spare;
   l.picture_width =
       static_cast<int>(std::lround(std::max(l.left + l.width, l.left + 0.5 * (l.width + least_width)) + margin_right));
   l.picture_height = static_cast<int>(std::lround(l.top + l.height + (axes ? margin_bottom : 16)));
-  // even numbers: films want them
+  // even numbers, as video encoders require
   l.picture_width += l.picture_width % 2, l.picture_height += l.picture_height % 2;
   return l;
 }

@@ -14,11 +14,11 @@ namespace tribo {
 struct Shade {
   std::string name;
   std::vector<double> values;
-  bool integers = false;  ///< things to tell apart, not a scale
+  bool integers = false;  ///< categories, not a scale
 };
 /// Throws UsageError for a field or component that the frame does not have.
 Shade shade_of(const ParticleFrame& frame, const std::string& field);
-/// Of what the scene shows: particles, then the cells of blocks; not a number where either has no such field.
+/// Values of the particles, then of the cells of blocks; NaN if they have no such field.
 Shade shade_of(const Scene& scene, const std::string& field);
 
 /// Lowest and highest value that the colours span: all but the outermost half per cent.
@@ -27,8 +27,8 @@ Range range_of(const std::vector<double>& values);
 
 struct PictureOptions {
   std::string field = "von_mises";
-  std::string unit;            ///< shown beside the field
-  std::string time_unit;       ///< shown behind the time
+  std::string unit;            ///< shown next to the name of the field
+  std::string time_unit;       ///< shown after the time
   std::string view;            ///< of camera(); empty: xy if all particles lie in it, else iso
   int width = 900;             ///< pixels
   std::optional<Range> range;  ///< of the colours; empty: of the frame
@@ -37,12 +37,12 @@ struct PictureOptions {
 };
 
 /// The picture as a PNG file's bytes: particles as squares or balls, blocks as polygons with their edges, grey where
-/// they lack the field, and on them red where a bond between blocks tore and blue where it sheared. Throws UsageError
-/// like shade_of, FileError if there is nothing to draw.
+/// they lack the field, and on them red where a bond between blocks failed in tension and blue where it failed in
+/// shear. Throws UsageError like shade_of, FileError if there is nothing to draw.
 std::string picture(const Scene& scene, const PictureOptions& options);
 std::string picture(const ParticleFrame& frame, const PictureOptions& options);
 
-/// The box that holds all there is to see.
+/// The bounding box of particles and blocks.
 std::array<std::array<double, 3>, 2> box_of(const ParticleFrame& frame);
 std::array<std::array<double, 3>, 2> box_of(const Scene& scene);
 std::array<std::array<double, 3>, 2> joined(const std::array<std::array<double, 3>, 2>& a,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// One HTML file about a run that needs nothing else.
+/// A self-contained HTML report of a run.
 #pragma once
 
 #include "view/picture.hpp"
@@ -13,10 +13,10 @@ struct ReportPicture {
   std::string png;  ///< the file's bytes
 };
 
-/// The page: pictures, histories, energy ledger, contact forces, where the time went, where the run comes from.
+/// The page: pictures, histories, energy ledger, contact forces, computing time, provenance.
 std::string report(const RunFolder& run, const std::vector<ReportPicture>& pictures);
 
-/// Contact forces, histories and energies as charts: the part of the page that changes while a run goes on.
+/// Contact forces, histories and energies as charts: the part of the page that changes during a run.
 std::string report_charts(const RunFolder& run);
 
 }  // namespace tribo

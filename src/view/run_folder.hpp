@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// What a run left in its folder, for those who show it.
+/// Results of a run in its folder, for pictures and reports.
 #pragma once
 
 #include "output/vtk.hpp"
@@ -16,10 +16,10 @@ struct Table {
   const std::vector<double>* column(std::string_view name) const;
 };
 
-/// A file of History: a torn last line is left out. Throws FileError.
+/// A file of History: an incomplete last line is left out. Throws FileError.
 Table read_table(const std::filesystem::path& file);
 
-/// What there is to see at one time: particles, rigid blocks, and the contacts of these. Any may be empty.
+/// The state at one output time: particles, rigid blocks and their contacts. Any may be empty.
 struct Scene {
   double time = 0.0;
   ParticleFrame particles;
@@ -35,7 +35,7 @@ class RunFolder {
   bool has_particles() const;
   /// Particle files that are there now; of a run of blocks alone, their files.
   std::vector<CollectionEntry> frames() const;
-  /// What was written together with a file of `frames`. Throws FileError.
+  /// The state that was written together with a file of `frames`. Throws FileError.
   Scene scene(const CollectionEntry& frame) const;
   Table history() const { return read_table(folder_ / "history.csv"); }
   Table energy() const { return read_table(folder_ / "energy.csv"); }

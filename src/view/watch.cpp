@@ -23,7 +23,7 @@ void stop_server(int) {
   if (running_server) running_server->stop();
 }
 
-// The process that writes the run, if it is one of ours and alive; else 0.
+// The process that writes the run, if it is a running process of this user; else 0.
 pid_t process_of(const Json& record) {
   if (record.value("status", "") != "running") return 0;
   const auto pid = static_cast<pid_t>(record.value("process", 0));
@@ -76,7 +76,7 @@ CellFrame broken(const CellFrame& contacts, double how) {
   return out;
 }
 
-// What particles or blocks can be coloured by.
+// Fields for the colours of particles or blocks.
 std::vector<std::string> field_names(const Scene& scene) {
   std::vector<std::string> out;
   const auto take = [&](const std::vector<ParticleFrame::Field>& fields) {
@@ -95,7 +95,7 @@ std::vector<std::string> field_names(const Scene& scene) {
   return out;
 }
 
-/// What the page asks for.
+/// Requests of the page.
 class Answers {
  public:
   explicit Answers(const RunFolder& run) : run_(run) {}

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// A page on this machine that shows a run while it goes on.
+/// A local web page that shows a run in progress.
 #pragma once
 
 #include "view/run_folder.hpp"
@@ -10,7 +10,7 @@ namespace tribo {
 
 struct WatchOptions {
   int port = 0;  ///< 0: any that is free
-  /// Called with the address once the page can be asked for.
+  /// Called with the address once the server accepts connections.
   std::function<void(const std::string&)> ready;
 };
 

@@ -33,7 +33,7 @@ struct Bad {
 
 }  // namespace
 
-TEST_CASE("powers run left to right and a leading sign comes after them", "[base][expression]") {
+TEST_CASE("powers are evaluated from left to right and before a leading sign", "[base][expression]") {
   Variables at;
   at.x = 3;
   CHECK(value("-x^2", at) == -9.0);
@@ -51,13 +51,13 @@ TEST_CASE("powers run left to right and a leading sign comes after them", "[base
   CHECK(value("5-+-+3") == 8.0);
   CHECK(value("+4") == 4.0);
   CHECK(value("sin(pi/2)^2") == Approx(1.0).epsilon(1e-15));
-  // products before a parenthesis, as the dialect has them
+  // products before a parenthesis, as in NairnMPM
   CHECK(value("2(x+1)", at) == 8.0);
   CHECK(value("-2.5(x-1)(x+1)", at) == -20.0);
   CHECK(value("2(x+1)^2", at) == 32.0);
 }
 
-TEST_CASE("comparisons give 1 or 0 and choose", "[base][expression]") {
+TEST_CASE("comparisons give 1 or 0 and control conditional expressions", "[base][expression]") {
   Variables at;
   at.t = 2;
   CHECK(value("t<3", at) == 1.0);
@@ -69,7 +69,7 @@ TEST_CASE("comparisons give 1 or 0 and choose", "[base][expression]") {
   CHECK(value("(t>1 ? 2 : 3)*5", at) == 10.0);
 }
 
-TEST_CASE("every function has the meaning of the dialect", "[base][expression]") {
+TEST_CASE("every function has the meaning of NairnMPM", "[base][expression]") {
   const double e = std::numbers::e;
   const std::vector<std::pair<std::string, double>> table{
       {"sin(0.5)", std::sin(0.5)},
@@ -132,7 +132,7 @@ TEST_CASE("every function has the meaning of the dialect", "[base][expression]")
   }
 }
 
-TEST_CASE("variables are told apart by case", "[base][expression]") {
+TEST_CASE("variables are case-sensitive", "[base][expression]") {
   Variables at;
   at.t = 1, at.T = 2, at.z = 3, at.Z = 4, at.x = 5, at.y = 6, at.dt = 7, at.q = 8, at.R = 9, at.D = 10;
   CHECK(value("t+10*T", at) == 21.0);
@@ -161,7 +161,7 @@ TEST_CASE("an expression without variables is a constant", "[base][expression]")
   CHECK(Expression(" x + 1 ", {}).text() == " x + 1 ");
 }
 
-TEST_CASE("a bad expression is explained at the offending character", "[base][expression]") {
+TEST_CASE("an invalid expression is reported at the offending character", "[base][expression]") {
   const std::vector<Bad> table{
       {"", 10, "the expression is empty"},
       {"  ", 12, "the expression is empty"},
@@ -261,7 +261,7 @@ TEST_CASE("random formulas have the value of their tree", "[base][expression]") 
   }
 }
 
-TEST_CASE("no text crashes the compiler of expressions", "[base][expression]") {
+TEST_CASE("no text makes the compiler of expressions fail", "[base][expression]") {
   std::mt19937 random(11);
   const std::vector<std::string> words{"x", "t", "pi", "sin(", "ramp(", "max(", "(",    ")",   ",",  ";", "+",     "-",
                                        "*", "/", "^",  "?",    ":",     "<",    "==",   "&&",  "||", "1", "2.5e3", ".",

@@ -5,7 +5,7 @@
 
 using namespace tribo;
 
-TEST_CASE("Biot strain and rotation take a deformation apart", "[strain]") {
+TEST_CASE("Biot strain and rotation decompose a deformation gradient", "[strain]") {
   const Vec3 turn(0.3, -0.7, 0.5);
   const Mat3 R = Eigen::AngleAxisd(turn.norm(), turn.normalized()).toRotationMatrix();
   Mat3 V;
@@ -17,7 +17,7 @@ TEST_CASE("Biot strain and rotation take a deformation apart", "[strain]") {
   CHECK(rotation_of(V).norm() < 1e-12);
 }
 
-TEST_CASE("a simple shear stretches and turns as the closed form says", "[strain]") {
+TEST_CASE("strain and rotation of simple shear agree with the closed form", "[strain]") {
   // V = [2 + g^2, g; g, 2] / sqrt(4 + g^2), tan(angle) = g/2, clockwise
   const double g = 0.8, root = std::sqrt(4 + g * g);
   Mat3 F = Mat3::Identity();

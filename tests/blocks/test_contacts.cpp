@@ -70,7 +70,7 @@ TEST_CASE("a polygon that falls on a floor rests on its springs", "[blocks]") {
   const double dt = body.critical_step();
   for (int k = 0; k * dt < 2; ++k) body.advance(dt), body.check_contacts();
   CHECK(body.motion[1].x[1] - 0.5 == Approx(-2000 * 10 / 1e8).epsilon(1e-3));
-  CHECK(std::abs(body.turned(1)[2]) < 1e-6);
+  CHECK(std::abs(body.rotation(1)[2]) < 1e-6);
   const BlockLedger l = body.ledger();
   CHECK(std::abs(l.content()) < 1e-3 * l.dashpot);
 }
@@ -137,7 +137,7 @@ TEST_CASE("a box that falls on a floor rests on its springs, and slides off it a
   for (int k = 0; k * dt < 2; ++k) body.advance(dt), body.check_contacts();
   CHECK(body.motion[1].x[1] - 0.5 == Approx(-2000 * 10 / 1e8).epsilon(1e-3));
   CHECK(body.turned(1).norm() < 1e-6);
-  // What the dashpots of four corners carry while it settles is without friction: c y/m, c = 4 sqrt(m k/4), y = m g/k
+  // The forces of the four dashpots during settling cause no friction: c y/m, c = 4 sqrt(m k/4), y = m g/k
   const double speed = 2 + 0.5 * 10 * 2 * std::sqrt(2000 / 1e8);
   CHECK(body.motion[2].x[0] + 1.5 == Approx(speed * speed / (2 * 0.5 * 10)).epsilon(5e-3));
   CHECK(std::abs(body.motion[2].x[2] + 1) < 1e-9);

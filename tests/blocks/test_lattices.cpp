@@ -24,7 +24,7 @@ class Periodic {
     for (auto& b : body_.bodies) b.held = 63;
   }
 
-  /// Strains it, then lets the fictitious stress settle. The strain is so small that the shape stays.
+  /// Strains it, then iterates the fictitious stress to convergence. The strain is so small that the shape stays.
   Mat3 stress(const Mat3& strain, int settle) {
     constexpr double tiny = 1e-13;
     for (std::size_t k = 0; k < body_.bodies.size(); ++k) body_.motion[k].v = tiny * strain * nuclei_[k];

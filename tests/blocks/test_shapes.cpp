@@ -2,7 +2,7 @@
 /// Shapes, faces that lie against one another, cells with walls.
 
 #include "blocks/block_cases.hpp"
-#include "geometry/strewn.hpp"
+#include "geometry/point_sets.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Laws from a few words, and meetings to ask them about.
+/// Contact laws from a list of properties, and contact states for tests.
 #pragma once
 
 #include "contact/contact_law.hpp"

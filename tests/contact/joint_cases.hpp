@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// One contact between two bodies under a joint law, moved by hand.
+/// A single contact between two bodies with a joint law and prescribed motion.
 #pragma once
 
 #include "contact/joint_law.hpp"

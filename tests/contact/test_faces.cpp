@@ -93,7 +93,7 @@ TEST_CASE("a corner that slides past another one is not stopped by it", "[contac
     const Vec<2> along(std::cos(angle), std::sin(angle)), up(-along[1], along[0]);
     auto floor = block(angle, {0, -3}, {3, 0});
     for (const double front : {-0.3, -0.01, 0.0, 0.03, 0.3, 0.6, 2.0}) {
-      // A block on the same level whose front is about to pass, or has passed, the floor's corner; pressed in a little
+      // A block on the same level whose front is about to pass, or has passed, the floor's corner; with a small overlap
       ParticleSet<2> slider;
       for (double x = front - 0.25; x > -3; x -= 0.5)
         for (double y = 0.249; y < 2.5; y += 0.5)
@@ -108,7 +108,7 @@ TEST_CASE("a corner that slides past another one is not stopped by it", "[contac
         CHECK((*n + up).norm() < 1e-6);
       }
     }
-    // and one that meets it head on
+    // and one that hits it frontally
     auto wall = block(angle, {0.01, -3}, {3, 3});
     auto bar = block(angle, {-3, -1}, {0, 1});
     const auto n = corner_normal<2>(bar, wall, *margin_normal<2>(bar, wall, up, 1.0), 1.0);

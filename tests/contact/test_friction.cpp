@@ -45,7 +45,7 @@ TEST_CASE("friction falls smoothly from static to dynamic", "[contact]") {
   CHECK(got.impulse[1] == Approx(2 * (0.5 * 0.2 + 0.3 * v) / (0.2 + v)).epsilon(1e-12));
 }
 
-TEST_CASE("faces may close their gap but not pass", "[contact]") {
+TEST_CASE("a gap may close but not become an overlap", "[contact]") {
   const auto law = make_law("61", {});
   ContactState m = plain_meeting();  // closes with 0.88
   m.gap = 0.88e-3 * 1.001;

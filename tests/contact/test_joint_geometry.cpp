@@ -58,7 +58,8 @@ TEST_CASE("TS15: force of the fictitious stress", "[joint_geometry]") {
   CHECK(whole.shear.s == near(49.4));
 }
 
-TEST_CASE("TM20: axes carried round an oblique cone come back", "[joint_geometry]") {
+TEST_CASE("TM20: axes that follow a normal around an oblique cone return to their initial directions",
+          "[joint_geometry]") {
   const Vec3 axis = Vec3(1, 2, 3).normalized(), from = Vec3(0.3, -0.5, 0.8).normalized();
   JointAxes axes = JointAxes::of_normal(from), start = axes;
   const int steps = 720;
@@ -72,7 +73,7 @@ TEST_CASE("TM20: axes carried round an oblique cone come back", "[joint_geometry
   CHECK(std::abs(axes.n.cross(axes.s).dot(axes.t) - 1) < 1e-12);
 }
 
-TEST_CASE("In the plane the tangent is t = (n_y, -n_x)", "[joint_geometry]") {
+TEST_CASE("in two dimensions the tangent is t = (n_y, -n_x)", "[joint_geometry]") {
   const auto axes = JointAxes::of_normal(Vec3(3, 4, 0));
   CHECK((axes.s - Vec3::UnitZ()).norm() == 0);
   CHECK((axes.t - Vec3(0.8, -0.6, 0)).norm() < 1e-15);

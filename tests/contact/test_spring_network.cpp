@@ -63,7 +63,7 @@ TEST_CASE("TS2: a bond is elastic in all six directions", "[spring_network]") {
   CHECK(c.joint.state == 3);
 }
 
-TEST_CASE("TS3: a bond tears where its rim reaches the strength", "[spring_network]") {
+TEST_CASE("TS3: a bond fails in tension when the stress at its rim reaches the strength", "[spring_network]") {
   auto c = bond(brittle);
   c.move(0.999e-6);
   CHECK(c.joint.state == 3);
@@ -88,7 +88,7 @@ TEST_CASE("TS3: a bond tears where its rim reaches the strength", "[spring_netwo
   CHECK(stiff.joint.state == 3);
 }
 
-TEST_CASE("TS4: a bond shears at its cohesion and friction, then rubs", "[spring_network]") {
+TEST_CASE("TS4: a bond fails in shear at its cohesion and friction, then slides with friction", "[spring_network]") {
   auto c = bond(rock);
   c.move(-2e-6);
   REQUIRE(c.joint.Fn == near(-1000));
@@ -153,7 +153,7 @@ TEST_CASE("TS6: softening by a table", "[spring_network]") {
   CHECK(c.joint.state == 1);
 }
 
-TEST_CASE("TS7: unloading is elastic, reloading meets the envelope where it was left", "[spring_network]") {
+TEST_CASE("TS7: unloading is elastic, and reloading reaches the envelope where unloading began", "[spring_network]") {
   auto c = bond(soft);
   c.move(3e-6).move(-0.4e-6);
   CHECK(c.joint.Fn == near(50));
@@ -237,7 +237,7 @@ TEST_CASE("TS11: without bond, from the gap or by increments", "[spring_network]
   CHECK(incremental.joint.Fn == 0);
 }
 
-TEST_CASE("TS12: a dilating contact that cannot open is pressed, in both modes", "[spring_network]") {
+TEST_CASE("TS12: dilation between fixed faces increases the compression, in both modes", "[spring_network]") {
   for (const char* mode : {"0", "1"}) {
     Contact c("SpringNetwork",
               {{"kn", "5e12"},
@@ -255,7 +255,7 @@ TEST_CASE("TS12: a dilating contact that cannot open is pressed, in both modes",
   }
 }
 
-TEST_CASE("TS13: pore pressure tears and weakens", "[spring_network]") {
+TEST_CASE("TS13: pore pressure causes tensile failure and reduces the strength", "[spring_network]") {
   auto c = bond(rock + Properties{{"sn_porp", "2e6"}});
   c.move(0.599e-6);
   CHECK(c.joint.state == 3);
@@ -266,7 +266,7 @@ TEST_CASE("TS13: pore pressure tears and weakens", "[spring_network]") {
   CHECK(pressed.own("sn_shear") == near(13464101.615137754));
 }
 
-TEST_CASE("TS14: the books of a contact that slides in shear, bending and twist close", "[spring_network]") {
+TEST_CASE("TS14: the energy balance of a contact that slides in shear, bending and twist closes", "[spring_network]") {
   auto c = loose({{"fric", "0.5"}});
   c.move(-2e-6);
   const double strain = c.joint.strain, work = c.joint.work;
@@ -284,7 +284,7 @@ TEST_CASE("TS14: the books of a contact that slides in shear, bending and twist 
   CHECK(std::abs(c.joint.work - work - (c.joint.strain - strain) + c.joint.slid) < 1e-10 * turnover);
 }
 
-TEST_CASE("TS16: a constant fictitious force acts once", "[spring_network]") {
+TEST_CASE("TS16: a constant fictitious force is applied only once", "[spring_network]") {
   auto c = bond(strong);
   c.poisson_normal = -20, c.poisson_shear = {5, 0};
   for (int k = 0; k < 10; ++k) c.move(0);
@@ -292,7 +292,7 @@ TEST_CASE("TS16: a constant fictitious force acts once", "[spring_network]") {
   CHECK(c.joint.Fs.s == near(5));
 }
 
-TEST_CASE("TS17: a break keeps what presses, whatever the gap", "[spring_network]") {
+TEST_CASE("TS17: the pressure is continuous at failure for any gap", "[spring_network]") {
   auto c = bond(rock);
   c.poisson_normal = -250;
   c.move(-1.5e-6);
@@ -370,14 +370,14 @@ TEST_CASE("Methods: bond and unbond by the gap, stiffness by its ratio", "[sprin
   CHECK(area.joint.area == 3);
 }
 
-TEST_CASE("SpringNetwork says what is wrong with its properties", "[spring_network]") {
+TEST_CASE("invalid properties of SpringNetwork are reported", "[spring_network]") {
   const auto says = [](const Properties& p, const char* what) {
     return complaints("SpringNetwork", p).find(what) != std::string::npos;
   };
   CHECK(says({{"sn_fa", "90"}}, "must be in [0, 90)"));
   CHECK(says({{"sn_ten", "-1"}}, ">= 0"));
   CHECK(says({{"sn_tentab", "1 0, 0.5 0"}}, "not sorted"));
-  CHECK(says({{"sn_tendc", "1"}, {"sn_tentab", "1 0, 0 1"}}, "say the same"));
+  CHECK(says({{"sn_tendc", "1"}, {"sn_tentab", "1 0, 0 1"}}, "exclude each other"));
   CHECK(says({{"emod", "1"}}, "compute-stiffness"));
   CHECK(says({{"compute-stiffness", "emod 1 posson 0.2"}}, "did you mean 'poisson'"));
   CHECK(says({{"compute-stiffness", "emod 1"}, {"kn", "1"}}, "leave one of them out"));

@@ -77,7 +77,7 @@ TEST_CASE("mixed control reaches prescribed stresses to 1e-10", "[drive]") {
   CHECK(last(all, "exz") == Approx(0.01 / (2 * G)).epsilon(1e-9));
 }
 
-TEST_CASE("a prescribed shear stress moves the rate that is left open", "[drive]") {
+TEST_CASE("a prescribed shear stress determines the rate that is not prescribed", "[drive]") {
   const std::string path = "<Path>dt,steps,Lyx,sxy\n0.1,10,0,0.08</Path>";
   const Table simple = run("<Drive material='steel'>" + path + "</Drive>" + steel);
   CHECK(last(simple, "exy") == Approx(0.5e-3).epsilon(1e-6));
@@ -105,7 +105,7 @@ TEST_CASE("laws that follow the deformation are driven with its exponential", "[
       Catch::Contains("does not keep an initial stress"));
 }
 
-TEST_CASE("work heats and heat softens where it is dissipated", "[drive]") {
+TEST_CASE("dissipated work heats the material, and heating reduces its strength", "[drive]") {
   const std::string hot =
       "<MPMHeader><StressFreeTemp>300</StressFreeTemp></MPMHeader><Thermal><EnergyCoupling/></Thermal>"
       "<Material Type='IsoPlasticity' "
@@ -129,7 +129,7 @@ TEST_CASE("a stress beyond the strength is refused with the row's place", "[driv
   CHECK_THAT(message, Catch::Contains(":3:1"));
 }
 
-TEST_CASE("faces rub with the friction of their law whatever their mass", "[drive]") {
+TEST_CASE("faces slide with the friction of their law for any mass", "[drive]") {
   for (const auto* mass : {"1e-3", "1", "1e5"}) {
     const Table out = run(std::string("<Drive contact='rub' mass='") + mass +
                           "'><Path>dt,steps,N,vt1,vt2\n0.1,5,100,0.3,-0.4\n0.1,1,50,-2,0</Path></Drive>" + rubbing);
@@ -163,7 +163,7 @@ TEST_CASE("an interface follows its stiffnesses", "[drive]") {
   CHECK(last(out, "dn") == Approx(-0.05));
 }
 
-TEST_CASE("what is wrong with a drive is told at its place", "[drive]") {
+TEST_CASE("problems of <Drive> are reported with their places", "[drive]") {
   const auto tells = [](const std::string& content, const std::string& part) {
     INFO(content);
     CHECK_THAT(problem(content), Catch::Contains(part));
@@ -183,7 +183,7 @@ TEST_CASE("what is wrong with a drive is told at its place", "[drive]") {
   tells("<Drive material='steel'><Path>dt,Lxx\n1,x</Path></Drive>" + steel, "'x' is no number");
   tells("<Drive material='steel'><Path>dt,Lxx,sxx\n1,1,1</Path></Drive>" + steel, "sxx and Lxx");
   tells("<Drive material='steel'><Path file='nowhere.csv'/></Drive>" + steel, "cannot read the file");
-  tells("<Drive material='steel' test='oedometer' strain='1' temp='3'/>" + steel, "does not feel its temperature");
+  tells("<Drive material='steel' test='oedometer' strain='1' temp='3'/>" + steel, "does not depend on temperature");
   tells("<Drive material='steel' test='oedometer' strain='1'/><Thermal><EnergyCoupling/></Thermal>" + steel, "<Cv>");
   tells("<Drive contact='rub' test='oedometer'/>" + rubbing, "belongs to materials");
   tells("<Drive contact='rub'><Path>dt,N,vn\n1,1,1</Path></Drive>" + rubbing, "vn and N");

@@ -50,7 +50,7 @@ TEST_CASE("increments of a path move a joint step by step", "[drive][joint]") {
   CHECK(at(out, 3, "gap") == Approx(-2e-5));
 }
 
-TEST_CASE("a prescribed force of a joint is met in every step", "[drive][joint]") {
+TEST_CASE("a prescribed force of a joint is attained in every step", "[drive][joint]") {
   const Table out = run(
       "<Drive joint='rock' area='0.5'><Path>dt,steps,dss,Fn\n1,100,1e-5,-7e5\n1,50,1e-5,-7e5</Path></Drive>" + rock);
   CHECK(at(out, 50, "Fn") == Approx(-6e5).epsilon(1e-9));
@@ -63,12 +63,12 @@ TEST_CASE("a prescribed force of a joint is met in every step", "[drive][joint]"
   CHECK(at(shear, 10, "ust") == Approx(-8e-5));
 }
 
-TEST_CASE("springs balance a joint, and a mass on it swings", "[drive][joint]") {
+TEST_CASE("springs balance a joint, and a mass on it oscillates", "[drive][joint]") {
   const Table soft =
       run("<Drive joint='rock' area='0.5' spring-shear='5e8'><Path>dt,steps,dss\n1,10,1e-5</Path></Drive>" + rock);
   CHECK(at(soft, 10, "uss") == Approx(5e-5).epsilon(1e-9));  // half in the spring, half in the joint
   CHECK(at(soft, 10, "Sss") == Approx(2.5e4).epsilon(1e-9));
-  // m = 1000 on k_s A = 5e8: a push of 1e4 swings between 0 and 4e-5
+  // m = 1000 on k_s A = 5e8: a force of 1e4 causes an oscillation between 0 and 4e-5
   const double period = 2 * std::numbers::pi * std::sqrt(1000 / 5e8);
   const Table swing = run("<Drive joint='rock' area='0.5' block='1000'><Path>dt,steps,Pn,Pss\n" +
                           number_text(period / 2000) + ",1000,-5e5,1e4</Path></Drive>" + rock);
@@ -76,7 +76,7 @@ TEST_CASE("springs balance a joint, and a mass on it swings", "[drive][joint]") 
   CHECK(at(swing, 1000, "un") == Approx(0).margin(1e-12));
 }
 
-TEST_CASE("what is wrong with the drive of a joint is told at its place", "[drive][joint]") {
+TEST_CASE("problems of <Drive> for a joint are reported with their places", "[drive][joint]") {
   const auto tells = [](const std::string& content, const std::string& part) {
     INFO(content);
     CHECK_THAT(problem(content), Catch::Contains(part));

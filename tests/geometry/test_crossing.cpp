@@ -41,7 +41,7 @@ Vec<2> place(const Corner<2>& c) { return {static_cast<double>(c[0]), static_cas
 
 }  // namespace
 
-TEST_CASE("CR0: crossings of a million random ways, most of them degenerate, are exact", "[crossing]") {
+TEST_CASE("CR0: crossings of a million random segments, most of them degenerate, are exact", "[crossing]") {
   std::mt19937 random(1);
   long errors = 0, crossed = 0;
   for (const int size : {3, 8, 1000}) {
@@ -63,7 +63,7 @@ TEST_CASE("CR0: crossings of a million random ways, most of them degenerate, are
   CHECK(crossed > 10000);
 }
 
-TEST_CASE("A way crosses a line of pieces once, also through its corners and along it", "[crossing]") {
+TEST_CASE("a segment crosses a polyline once, also through its corners and along it", "[crossing]") {
   // A zigzag from far left to far right parts the plane: ways between above and below cross it an odd number of times.
   std::mt19937 random(2);
   std::uniform_int_distribution<int> coordinate(-4, 4);
@@ -88,7 +88,7 @@ TEST_CASE("A way crosses a line of pieces once, also through its corners and alo
   CHECK(errors == 0);
 }
 
-TEST_CASE("CR0 in three dimensions: a way leaves a closed surface as often as it should", "[crossing]") {
+TEST_CASE("CR0 in three dimensions: the number of crossings of a closed surface has the right parity", "[crossing]") {
   // The octahedron and its sides, ways through corners, along edges and within faces included
   std::mt19937 random(3);
   std::uniform_int_distribution<int> coordinate(-3, 3);
@@ -124,7 +124,7 @@ TEST_CASE("CR0 in three dimensions: a way leaves a closed surface as often as it
   CHECK(crossed > 10000);
 }
 
-TEST_CASE("Sides are exact where rounding would decide", "[crossing]") {
+TEST_CASE("sides are exact where round-off would decide", "[crossing]") {
   // (0.5, 0.5) + k ulp against the line through (12, 12) and (24, 24): a plain determinant errs for many of these.
   const double ulp = std::ldexp(1.0, -53);
   for (int i = 0; i < 64; ++i)

@@ -17,7 +17,7 @@ void check_same(const ScatteredField::Values& a, const ScatteredField::Values& b
 
 }  // namespace
 
-TEST_CASE("scattered points give linear fields back, within and beyond", "[geometry]") {
+TEST_CASE("linear fields are reproduced from scattered points, by interpolation and extrapolation", "[geometry]") {
   const int dimension = GENERATE(2, 3);
   std::mt19937 random(2);
   std::uniform_real_distribution<double> any(-2, 3);
@@ -37,7 +37,7 @@ TEST_CASE("scattered points give linear fields back, within and beyond", "[geome
   check_same(field.at(outside), linear(outside));
 }
 
-TEST_CASE("values at their own points are met, whatever the field", "[geometry]") {
+TEST_CASE("values at the given points are reproduced for any field", "[geometry]") {
   std::mt19937 random(3);
   std::normal_distribution<double> any;
   std::vector<Vec3> points;
@@ -50,7 +50,7 @@ TEST_CASE("values at their own points are met, whatever the field", "[geometry]"
   for (std::size_t k = 0; k < points.size(); ++k) check_same(field.at(points[k]), values[k]);
 }
 
-TEST_CASE("points in a line say nothing of the directions across", "[geometry]") {
+TEST_CASE("collinear points give no gradient across their line", "[geometry]") {
   std::vector<Vec3> points;
   std::vector<ScatteredField::Values> values;
   for (int k = 0; k <= 10; ++k) points.emplace_back(3, k, 0), values.push_back({-2.0 * k, 0, 0, 0, 0, 1});

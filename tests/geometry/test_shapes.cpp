@@ -14,7 +14,7 @@ bool in(const RegionPtr& region, double x, double y, double z = 0.0) { return re
 
 }  // namespace
 
-TEST_CASE("the measure of every plane shape is what counting finds", "[geometry]") {
+TEST_CASE("the measure of every plane shape agrees with counting", "[geometry]") {
   check_measure(*rectangle(0.1, 2.1, -1, 0.5), 2, 7, 0.01);
   check_measure(*oval(-1, 3, 0, 2), 2, 10, 0.01);
   check_measure(*oval(-1, 3, 0, 2, 0.3, 1.9), 2, 10, 0.01);
@@ -36,7 +36,7 @@ TEST_CASE("plane measures are exact", "[geometry]") {
   CHECK(*polygon({{0, 0}, {4, 0}, {0, 3}})->measure() == Approx(6).epsilon(1e-15));
 }
 
-TEST_CASE("the measure of every solid is what counting finds", "[geometry]") {
+TEST_CASE("the measure of every solid agrees with counting", "[geometry]") {
   const Vec3 low(-1, -0.5, 0), high(1, 0.5, 3);
   check_measure(*box(low, high), 3, 22, 0.03);
   check_measure(*ellipsoid(low, high), 3, 14, 0.03);
@@ -98,7 +98,7 @@ TEST_CASE("a sector runs counterclockwise from start to end", "[geometry]") {
   CHECK_FALSE(in(band, 0, -1));
 }
 
-TEST_CASE("a tapered cylinder is narrow at the end its sign names", "[geometry]") {
+TEST_CASE("the sign of the taper selects the narrow end of a cylinder", "[geometry]") {
   const Vec3 low(-1, -1, 0), high(1, 1, 2);
   CHECK(in(cylinder(low, high, 2, 0.5), 0.9, 0, 0.1));
   CHECK_FALSE(in(cylinder(low, high, 2, 0.5), 0.9, 0, 1.9));
@@ -130,7 +130,8 @@ TEST_CASE("a polygon follows the even-odd rule", "[geometry]") {
   CHECK_FALSE(pentagram->measure().has_value());
 }
 
-TEST_CASE("points on corners and edges are in a polygon, and its corners do not confuse the test", "[geometry]") {
+TEST_CASE("points on corners and edges are inside a polygon, and the test is correct at the height of its corners",
+          "[geometry]") {
   const auto diamond = polygon({{1, 0}, {2, 1}, {1, 2}, {0, 1}});
   for (const auto& [x, y] : {std::pair(1.0, 0.0), {2.0, 1.0}, {1.0, 2.0}, {0.0, 1.0}, {1.5, 0.5}, {0.5, 1.5}})
     CHECK(in(diamond, x, y));
@@ -166,7 +167,7 @@ TEST_CASE("polygons that tile a square share it without gaps", "[geometry]") {
     }
 }
 
-TEST_CASE("numbers that make no shape are refused", "[geometry]") {
+TEST_CASE("arguments that do not define a shape are refused", "[geometry]") {
   CHECK_THROWS_WITH(polygon({{0, 0}, {1, 0}}), "a polygon needs at least 3 corners, not 2");
   CHECK_THROWS_AS(oval(0, 0, 0, 1), std::runtime_error);
   CHECK_THROWS_AS(cylinder(Vec3(0, 0, 0), Vec3(1, 1, 1), 2, 1.5), std::runtime_error);
@@ -195,7 +196,7 @@ TEST_CASE("booleans combine shapes as sets", "[geometry]") {
   CHECK(*subtract(a, rectangle(5, 6, 0, 1))->measure() == 4.0);
 }
 
-TEST_CASE("a shape is turned the right-handed way and then shifted", "[geometry]") {
+TEST_CASE("a shape is rotated right-handed and then shifted", "[geometry]") {
   const auto bar = move(rectangle(0, 2, 0, 0.5), Vec3::UnitZ(), pi / 2, Vec3::Zero(), Vec3(10, 0, 0));
   CHECK(in(bar, 9.75, 1.5));
   CHECK_FALSE(in(bar, 10.25, 1.5));

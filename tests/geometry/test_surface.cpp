@@ -111,7 +111,7 @@ TEST_CASE("a turned cube of facets contains what the turned box contains", "[geo
   }
 }
 
-TEST_CASE("rays through corners and edges do not confuse the inside test", "[geometry][surface]") {
+TEST_CASE("the inside test is correct for rays through corners and edges", "[geometry][surface]") {
   const auto ball = polyhedron(sphere(24));
   // The facets lie between the spheres of radius 1 and of cos^2 of half a band's angle.
   const double inner = std::cos(pi / 48) * std::cos(pi / 48);

@@ -22,7 +22,7 @@ using Nodes = std::vector<std::array<int, 3>>;
 
 }  // namespace
 
-TEST_CASE("nodes on the border of a shape are selected whatever the rounding of their places", "[grid]") {
+TEST_CASE("nodes on the boundary of a shape are selected in spite of round-off", "[grid]") {
   const Lattice<2> lattice(Vec<2>(-0.7, 0.1), Vec<2>(0.7, 0.4), {14, 3});
   const Nodes row{{9, 2, 0}, {10, 2, 0}, {11, 2, 0}, {12, 2, 0}};
   CHECK(found(lattice, *rectangle(0.2, 0.5, 0.3, 0.3)) == row);

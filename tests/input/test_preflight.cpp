@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// What `tribo check` says of a model.
+/// The summary printed by `tribo check`.
 
 #include "input/read.hpp"
 #include "run/preflight.hpp"
@@ -37,7 +37,7 @@ const std::string contact = "<MultiMaterialMode/>";
 
 }  // namespace
 
-TEST_CASE("the sheet tells gaps, contacts and overlaps", "[preflight]") {
+TEST_CASE("the summary reports gaps, contacts and overlaps", "[preflight]") {
   CHECK_THAT(sheet("0", contact), Contains("touch: 'left' and 'right'"));
   CHECK_THAT(sheet("0.4", contact), Contains("gap: 'left' and 'right', 0.4 cells"));
   CHECK_THAT(sheet("-0.4", contact),
@@ -49,7 +49,7 @@ TEST_CASE("the sheet tells gaps, contacts and overlaps", "[preflight]") {
              Contains("may see contact before they touch"));
 }
 
-TEST_CASE("the sheet tells thin bodies, contrasts and what sets the step", "[preflight]") {
+TEST_CASE("the summary reports thin bodies, contrasts and the limit of the time step", "[preflight]") {
   CHECK_THAT(sheet("0", contact, "", "2"), Contains("2 cells thick"));
   CHECK_THAT(sheet("0", contact, "", "3"), !Contains("cells thick"));
   const std::string text = sheet("0", contact, "", "4", "1e4");
@@ -62,7 +62,7 @@ TEST_CASE("the sheet tells thin bodies, contrasts and what sets the step", "[pre
   CHECK_THAT(text, Contains("stress MPa"));
 }
 
-TEST_CASE("the sheet compares an interface's oscillation with the step", "[preflight]") {
+TEST_CASE("the summary compares the oscillation of an interface with the time step", "[preflight]") {
   const auto with = [](const std::string& stiffness) {
     return sheet("0", "<MultiMaterialMode><Friction lawname='glue'/></MultiMaterialMode>",
                  "<Material Type='LinearInterface' Name='glue'><Dnt>" + stiffness + "</Dnt><Dt>0</Dt></Material>");
@@ -73,7 +73,7 @@ TEST_CASE("the sheet compares an interface's oscillation with the step", "[prefl
   CHECK_THAT(with("-1"), !Contains("interface of"));
 }
 
-TEST_CASE("the sheet tells how many cells a crack spans", "[preflight]") {
+TEST_CASE("the summary reports how many cells a crack spans", "[preflight]") {
   const auto with = [](const std::string& lines, const std::string& more = "") {
     return sheet("2", "", "<CrackList>" + lines + "</CrackList>" + more, "8");
   };
@@ -89,7 +89,7 @@ TEST_CASE("the sheet tells how many cells a crack spans", "[preflight]") {
              Contains("crack 1 and crack 2 come within 2.5 cells"));
 }
 
-TEST_CASE("the sheet tells points and area of a joint between materials, and its step", "[preflight]") {
+TEST_CASE("the summary reports points, area and time step of a joint between materials", "[preflight]") {
   const auto with = [](const std::string& stiffness) {
     return sheet("0", contact,
                  "<Material Type='Mohr' Name='bed'><stiffness-normal>" + stiffness + "</stiffness-normal></Material>",
@@ -100,7 +100,7 @@ TEST_CASE("the sheet tells points and area of a joint between materials, and its
   CHECK_THAT(with("1000"), Contains("the joints shorten the step"));
 }
 
-TEST_CASE("the sheet tells the step that joints allow", "[preflight]") {
+TEST_CASE("the summary reports the time step that joints allow", "[preflight]") {
   const auto with = [](const std::string& stiffness) {
     return sheet("2", "",
                  "<CrackList lawname='joint'><Line xmin='3' xmax='9' ymin='6' ymax='6'/></CrackList>"
@@ -113,7 +113,7 @@ TEST_CASE("the sheet tells the step that joints allow", "[preflight]") {
   CHECK_THAT(with("1e4"), Contains("set by the stiffness of the joints") && Contains("shorten the step"));
 }
 
-TEST_CASE("the sheet tells who is glued and who leaves", "[preflight]") {
+TEST_CASE("the summary reports bodies that stick to fixed nodes and bodies that leave the grid", "[preflight]") {
   const std::string glue =
       "<GridBCs><BCLine x1='0' x2='20' y1='2' y2='2' tolerance='*0.1'><DisBC dir='1' vel='0'/><DisBC dir='2' vel='0'/>"
       "</BCLine></GridBCs>";

@@ -5,6 +5,7 @@
 #include "particles/seed.hpp"
 #include "run/preflight.hpp"
 #include "run/simulation.hpp"
+#include "tests/root.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -16,7 +17,7 @@ using namespace tribo;
 
 namespace {
 
-const std::filesystem::path here = std::filesystem::path(TRIBO_ROOT) / "tests/input";
+const std::filesystem::path here = tribo::test::source_root() / "tests/input";
 
 std::string text_of(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);

@@ -88,7 +88,7 @@ TEST_CASE("conditions of scripts", "[script]") {
   CHECK(condition(piece("#a=1 && #b=3 || #a=2"), some));  // && first
 }
 
-TEST_CASE("choices, loops and subroutines", "[script]") {
+TEST_CASE("conditions, loops and subroutines", "[script]") {
   CHECK(output("if 1=2\nWrite 1\nelse if 2=2\nWrite 2\nelse\nWrite 3\nendif") == "2");
   CHECK(output("Repeat #i,1,10,3\nWrite #i,\" \"\nEndRepeat") == "1 4 7 10 ");
   CHECK(output("Repeat #i,3,1,-1\nWrite #i\nEndRepeat") == "321");
@@ -104,7 +104,7 @@ TEST_CASE("choices, loops and subroutines", "[script]") {
   CHECK(output("Write \"! no comment\" ! a comment\nif 1!=2\nWrite \".\"\nendif") == "! no comment.");
 }
 
-TEST_CASE("what is wrong with a script is told with its place, all at once", "[script]") {
+TEST_CASE("all problems of a script are reported together with their places", "[script]") {
   CHECK_THAT(complaint("#a=1\n#b=#aa+1\n#c=#bb"),
              Contains("s:2:4: error: there is no variable '#aa' (did you mean '#a'?)") && Contains("s:3:4:"));
   CHECK_THAT(complaint("if 1=1\nWrite 1"), Contains("s:1:1: error: this 'if' is never closed by 'endif'"));
@@ -125,16 +125,16 @@ TEST_CASE("what is wrong with a script is told with its place, all at once", "[s
   CHECK_THAT(complaint("Gosub nothing"), Contains("there is no subroutine 'nothing'"));
 }
 
-TEST_CASE("wrong commands do not hide wrong names of materials and properties", "[script]") {
+TEST_CASE("wrong names of materials and properties are reported besides wrong commands", "[script]") {
   const std::string materials = "Material \"gum\",\"Gum\",\"NeoHookean\"\nrhoo 1\nE 1\nDone\nAnalysis \"3D MPM\"\n";
   const std::string text = complaint(materials + "GridHorizz 3\nRegion \"gun\",0,0,0\nEndRegion");
   CHECK_THAT(text, Contains("s:2:1: error: <rhoo> is not a property of this material (did you mean 'rho'?)"));
   CHECK_THAT(text, Contains("s:6:1: error: there is no command 'GridHorizz'"));
   CHECK_THAT(text, Contains("s:7:8: error: there is no material 'gun' (did you mean 'gum'?)"));
   CHECK(std::count(text.begin(), text.end(), '\n') == 2);
-  CHECK_THAT(
-      complaint("Material \"gum\",\"Gum\",\"Isotropic\"\nalpha 1\ndelIc 1\nDone\nGridHorizz 3"),
-      Contains("<delIc> belongs to a criterion for the growth of cracks that is not built") && !Contains("<alpha>"));
+  CHECK_THAT(complaint("Material \"gum\",\"Gum\",\"Isotropic\"\nalpha 1\ndelIc 1\nDone\nGridHorizz 3"),
+             Contains("<delIc> belongs to a criterion for the growth of cracks that is not implemented") &&
+                 !Contains("<alpha>"));
   // what was not reached may be what is missing
   CHECK_THAT(complaint("GlobalArchive velx,\"gum\"\nStop"), !Contains("there is no material"));
   // its properties and regions are right
@@ -147,7 +147,7 @@ TEST_CASE("numbers that go into the model are finite", "[script]") {
   CHECK(output("#a=1/0\nif #a>1e300\nWrite \"big\"\nendif") == "big");  // while it only compares, it may be infinite
 }
 
-TEST_CASE("the command line gives a variable another first value", "[script]") {
+TEST_CASE("the command line sets the first value of a variable", "[script]") {
   const auto file = std::make_shared<const std::string>("s");
   const std::string rest =
       "\nAnalysis \"Plane Strain MPM\"\nArchiveTime 1\nMaximumTime 1\nGridHoriz 4\nGridVert 4\nGridRect 0,4,0,4\n";

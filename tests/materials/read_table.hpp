@@ -2,6 +2,8 @@
 /// Tables of reference numbers beside the tests: comma separated, lines that start with # are remarks.
 #pragma once
 
+#include "tests/root.hpp"
+
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -12,7 +14,7 @@
 namespace tribo::test {
 
 inline std::vector<std::vector<std::string>> read_table(const std::string& name) {
-  std::ifstream in(std::filesystem::path(TRIBO_ROOT) / "tests/materials/data" / name);
+  std::ifstream in(source_root() / "tests/materials/data" / name);
   if (!in) throw std::runtime_error("cannot read the table " + name);
   std::vector<std::vector<std::string>> rows;
   for (std::string line; std::getline(in, line);) {

@@ -12,10 +12,6 @@ namespace {
 // lambda* = 0.1, kappa* = 0.02
 const Properties clay{{"rho", "1"}, {"lambda", "0.2"}, {"kappa", "0.04"}, {"e0", "1"}, {"M", "0.9"}, {"pc0", "200"}};
 
-Properties with(Properties base, const Properties& more) {
-  base.insert(base.end(), more.begin(), more.end());
-  return base;
-}
 std::unique_ptr<Material> make(const Properties& more = {{"G", "5000"}}) {
   return make_material("CamClay", with(clay, more));
 }
@@ -80,7 +76,7 @@ TEST_CASE("random paths of clay stay within yield and dissipate", "[materials]")
   CHECK(least >= 0);
 }
 
-TEST_CASE("what is wrong with a clay is told", "[materials]") {
+TEST_CASE("invalid properties of a clay are reported", "[materials]") {
   using Catch::Contains;
   CHECK_THROWS_WITH(make({}), Contains("one of <G> and <nu>"));
   CHECK_THROWS_WITH(

@@ -6,7 +6,7 @@
 using namespace tribo;
 using namespace tribo::test;
 
-TEST_CASE("elastic moduli are read off a law's answers", "[materials]") {
+TEST_CASE("elastic moduli are determined from the stresses of a law", "[materials]") {
   const Properties elastic{{"rho", "2"}, {"E", "1000"}, {"nu", "0.3"}};
   const std::unique_ptr<Material> laws[] = {
       make_material("LinearElastic", elastic),

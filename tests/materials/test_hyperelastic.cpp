@@ -274,7 +274,7 @@ TEST_CASE("hyperelastic constants can be given in every pair of the dialect, and
   REQUIRE_THROWS_WITH(modulus("Mooney", {{"G1", "1"}, {"K", "1"}, {"IdealRubber", ""}}), Contains("IdealRubber"));
 }
 
-TEST_CASE("a hyperelastic point turned inside out stops the run", "[materials]") {
+TEST_CASE("a hyperelastic point with det F <= 0 stops the run", "[materials]") {
   const auto law = neo_hookean();
   MaterialPoint<2> point(*law);
   point.F = Vec3(-0.1, 1, 1).asDiagonal();

@@ -11,11 +11,6 @@ namespace {
 
 const Properties steel{{"rho", "1"}, {"E", "200e3"}, {"nu", "0.3"}, {"yield", "250"}, {"Khard", "1000"}};
 
-Properties with(Properties base, const Properties& more) {
-  base.insert(base.end(), more.begin(), more.end());
-  return base;
-}
-
 Mat3 diagonal(double x, double y, double z) { return Vec3(x, y, z).asDiagonal(); }
 
 // Uniaxial stress to the logarithmic strain `strain`.
@@ -101,7 +96,7 @@ TEST_CASE("Johnson and Cook's law hardens with strain and rate", "[materials]") 
   }
 }
 
-TEST_CASE("heat takes the strength of Johnson and Cook's law, up to melting", "[materials]") {
+TEST_CASE("the strength of Johnson and Cook's law decreases with temperature up to melting", "[materials]") {
   const auto law = make_material("9", {{"rho", "1"},
                                        {"E", "124e3"},
                                        {"nu", "0.34"},
@@ -138,7 +133,7 @@ TEST_CASE("random paths of von Mises plasticity stay within yield and dissipate"
   CHECK(least >= 0);
 }
 
-TEST_CASE("what is wrong with an elastic-plastic solid is told", "[materials]") {
+TEST_CASE("invalid properties of an elastic-plastic solid are reported", "[materials]") {
   const Properties base{{"rho", "1"}, {"E", "200e3"}, {"nu", "0.3"}};
   using Catch::Contains;
   CHECK_THAT(complaint(base), Contains("<yield> is missing"));

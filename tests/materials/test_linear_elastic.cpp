@@ -132,7 +132,7 @@ TEST_CASE("a law written for one point gives what the batch gives, in plane stre
   }
 }
 
-TEST_CASE("properties read elsewhere are not the law's business, others are refused", "[materials]") {
+TEST_CASE("properties read elsewhere are skipped by the law, others are refused", "[materials]") {
   const Properties p{{"rho", "1"}, {"E", "1"}, {"nu", "0.3"}, {"alpha", "12"}};
   REQUIRE(make_material("Isotropic", p, {"alpha"})->density() == 1.0);
   REQUIRE_THROWS_WITH(make_material("Isotropic", p), Catch::Matchers::Contains("<alpha> is not a property"));

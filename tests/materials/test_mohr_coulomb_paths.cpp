@@ -34,7 +34,8 @@ TEST_CASE("the oedometer follows the edge of the pyramid", "[materials]") {
   }
 }
 
-TEST_CASE("triaxial compression and extension fail and dilate as the pyramid's edges say", "[materials]") {
+TEST_CASE("strength and dilation in triaxial compression and extension are those of the edges of the pyramid",
+          "[materials]") {
   const auto law = make_material(
       "MohrCoulomb",
       {{"rho", "1"}, {"E", "10e6"}, {"nu", "0.3"}, {"cohesion", "5e3"}, {"friction", "35"}, {"dilation", "5"}});

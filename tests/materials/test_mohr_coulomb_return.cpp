@@ -78,7 +78,7 @@ void check_relaxed(const std::string& id, const Properties& viscous, const Tripl
 
 }  // namespace
 
-TEST_CASE("trial stresses return to faces, edges, corners and the cut-off as exact arithmetic says", "[materials]") {
+TEST_CASE("returns to faces, edges, corners and the cut-off agree with exact arithmetic", "[materials]") {
   int points = 0;
   for (const auto& row : read_table("mohr_coulomb_points.csv")) {
     if (row.size() != 8) continue;

@@ -13,13 +13,6 @@ namespace {
 
 constexpr double mu = 200e6, bulk = 200e6, lame = bulk - 2 * mu / 3, rate = 1e-5;
 
-std::string text(double x) {
-  std::ostringstream out;
-  out.precision(17);
-  out << x;
-  return out.str();
-}
-
 // sigma_xy after n backward-Euler steps of dt: overstress decays by 1/(1 + dt/eta) per step.
 double backward_euler(double resistance, double eta, double dt, int n) {
   const int elastic_steps = static_cast<int>(std::floor(resistance / (mu * rate * dt)));

@@ -75,7 +75,7 @@ TEST_CASE("its stress turns with the body, and plane stress has none out of plan
   CHECK(flat.F(2, 2) < 1);
 }
 
-TEST_CASE("elements of a viscoelastic solid come in pairs", "[materials]") {
+TEST_CASE("elements of a viscoelastic solid are given as pairs", "[materials]") {
   using Catch::Contains;
   CHECK_THROWS_WITH(make_material("7", {{"rho", "1"}, {"K", "5"}, {"G0", "1"}, {"Gk", "2"}}),
                     Contains("as many <Gk> as <tauk>"));

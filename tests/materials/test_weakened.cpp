@@ -11,17 +11,6 @@ using namespace tribo::test;
 
 namespace {
 
-Properties with(Properties properties, const Properties& more) {
-  properties.insert(properties.end(), more.begin(), more.end());
-  return properties;
-}
-
-std::string text(double value) {
-  char buffer[32];
-  std::snprintf(buffer, sizeof buffer, "%.17g", value);
-  return buffer;
-}
-
 // Angle of which the tangent is that of `degrees` over the factor.
 std::string angle(double degrees, double factor) {
   constexpr double pi = std::numbers::pi;

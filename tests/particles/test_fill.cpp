@@ -67,7 +67,7 @@ long count(const std::vector<Seed>& seeds, int piece) {
 
 }  // namespace
 
-TEST_CASE("points sit at the fractions (2k-1)/(2n) of a cell, cell by cell and x fastest", "[fill]") {
+TEST_CASE("points lie at the fractions (2k-1)/(2n) of a cell, cell by cell and x fastest", "[fill]") {
   auto model = plane();
   model.grid.thickness = 3;
   model.pieces.push_back(body(rectangle(1, 3, 2, 3)));
@@ -246,7 +246,7 @@ TEST_CASE("a deformed piece is found undeformed, moves with its F, and takes no 
   CHECK(seeds[4].piece == 1);
 
   model.pieces[0].deformation->F[0] = {function("0"), function("1"), std::nullopt};
-  CHECK_THROWS_WITH(place_points(model), Catch::Contains("turns the body inside out"));
+  CHECK_THROWS_WITH(place_points(model), Catch::Contains("is singular or inverts the body"));
   model.pieces[0].deformation = InitialDeformation{};
   model.pieces[0].deformation->shift[1] = function("-1");
   CHECK_THROWS_WITH(place_points(model), Catch::Contains("moves a point out of the grid"));

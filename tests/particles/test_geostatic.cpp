@@ -39,7 +39,7 @@ Mat3 stress_at(const std::vector<Seed>& seeds, double x, double y) {
 
 }  // namespace
 
-TEST_CASE("ground at rest carries the weight of what lies above, up to its real surface", "[geostatic]") {
+TEST_CASE("the geostatic stress is the weight of the material above, up to the actual surface", "[geostatic]") {
   const auto seeds = place_points(ground());
   // 1 of light soil over 1.75 of heavy one; under the higher half 2 of light soil
   for (const auto& [x, y, weight] : {std::tuple{0.25, 0.25, 20 + 175.0},
@@ -55,7 +55,8 @@ TEST_CASE("ground at rest carries the weight of what lies above, up to its real 
   }
 }
 
-TEST_CASE("gravity may pull to any side, and a body without K0 weighs but has no stress", "[geostatic]") {
+TEST_CASE("gravity may have any axis direction, and a body without K0 has weight but no initial stress",
+          "[geostatic]") {
   auto model = ground();
   model.body_force.gravity = {10, 0, 0};
   model.pieces[1].K0.reset();
@@ -66,7 +67,7 @@ TEST_CASE("gravity may pull to any side, and a body without K0 weighs but has no
   CHECK(stress_at(seeds, 2.25, 2.25).norm() == 0.0);
 }
 
-TEST_CASE("points of other sizes and squeezed bodies weigh what their domains weigh", "[geostatic]") {
+TEST_CASE("the weight of points of other sizes and of deformed bodies is that of their domains", "[geostatic]") {
   auto model = ground();
   model.pieces[1].points_per_axis = {3, 3, 1};
   InitialDeformation squeeze;
@@ -78,7 +79,7 @@ TEST_CASE("points of other sizes and squeezed bodies weigh what their domains we
   CHECK(stress_at(seeds, 3.25, 0.25)(1, 1) == Approx(-215.0));
 }
 
-TEST_CASE("a stress at rest needs gravity along an axis, and a law that keeps stress", "[geostatic]") {
+TEST_CASE("a geostatic stress needs gravity along an axis and a law that keeps initial stress", "[geostatic]") {
   auto model = ground();
   model.body_force.gravity = {0, 0, 0};
   CHECK_THROWS_WITH(place_points(model), Catch::Contains("needs gravity along an axis"));
@@ -89,7 +90,7 @@ TEST_CASE("a stress at rest needs gravity along an axis, and a law that keeps st
   CHECK_THROWS_WITH(place_points(model), Catch::Contains("'light' keeps no initial stress"));
 }
 
-TEST_CASE("which laws keep a stress", "[materials]") {
+TEST_CASE("laws that keep an initial stress", "[materials]") {
   CHECK(keeps_stress(*soil("1")));
   CHECK(keeps_stress(
       *make_material("MohrCoulomb", {{"rho", "1"}, {"E", "1"}, {"nu", "0.3"}, {"cohesion", "1"}, {"friction", "30"}})));

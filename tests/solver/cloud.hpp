@@ -89,7 +89,7 @@ void settle(System<Dim>& system) {
     body.refresh();
     if (body.domain)
       for (std::size_t k = 0; k < Dim * Dim; ++k)
-        std::copy_n(body.particles.F()[k], body.particles.size(), body.particles.column(*body.domain + k));
+        std::copy_n(body.particles.F()[k], body.particles.size(), body.particles[body.domain][k]);
   }
   auto& field = system.fields[0];
   field.map.rebuild(occupied);

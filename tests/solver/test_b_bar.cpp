@@ -100,7 +100,7 @@ TEMPLATE_TEST_CASE_SIG("with B-bar, energy goes from motion to strain", "[b_bar]
   CHECK(imbalance[1] / imbalance[0] == Approx(0.5).epsilon(0.1));
 }
 
-TEST_CASE("B-bar in axisymmetry counts the hoop", "[b_bar]") {
+TEST_CASE("B-bar in axisymmetry includes the hoop strain", "[b_bar]") {
   Model model = with_means<2>(Kernel::linear, UpdateOrder::usl, false);
   model.analysis = Analysis::axisymmetric;
   auto system = build_system<2>(model, lattice_seeds<2>(model, 2, 7));

@@ -70,7 +70,7 @@ CrackTip measured(double angle, double K1, double K2, double turn = 0) {
 
 }  // namespace
 
-TEST_CASE("the ring around a tip finds the stress intensities of its field", "[fracture]") {
+TEST_CASE("the interaction integral reproduces the stress intensity factors of a tip field", "[fracture]") {
   const double angle = GENERATE(0.0, 0.4, 2.0);
   const double E = young / (1 - poisson * poisson);
   for (const auto& [K1, K2] : {std::pair(1.0, 0.0), std::pair(0.0, 1.0), std::pair(2.0, -1.0)}) {
@@ -221,7 +221,7 @@ TEST_CASE("a crack stops in front of another one", "[fracture]") {
   CHECK_FALSE(crack.grow(2, 0));
 }
 
-TEST_CASE("what an end of a crack is can be said", "[fracture]") {
+TEST_CASE("the type of an end of a crack can be specified", "[fracture]") {
   Model model = cracked(0.0);
   const auto seeds = lattice_seeds<2>(model, 8, 32);
   const auto tips = [&](CrackSpec::End first, CrackSpec::End last) {

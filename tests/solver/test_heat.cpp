@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Conduction: heat is kept, flows from hot to cold, and knows planes, held nodes and fluxes.
+/// Conduction: heat is conserved and flows from hot to cold; symmetry planes, prescribed temperatures and fluxes.
 
 #include "cloud.hpp"
 
@@ -18,8 +18,8 @@ Model heat_model(Kernel kernel) {
   return model;
 }
 
-double& temperature(Body<2>& body, std::size_t i) { return body.particles.column(*body.temperature)[i]; }
-double& temperature(Body<3>& body, std::size_t i) { return body.particles.column(*body.temperature)[i]; }
+double& temperature(Body<2>& body, std::size_t i) { return body.particles[body.temperature][i]; }
+double& temperature(Body<3>& body, std::size_t i) { return body.particles[body.temperature][i]; }
 
 template <int Dim>
 void set_temperature(Body<Dim>& body, const std::function<double(const Vec<Dim>&)>& f) {
@@ -39,7 +39,7 @@ TEMPLATE_TEST_CASE_SIG("conduction keeps the heat, whatever the temperatures", "
   const Kernel kernel = GENERATE(from_range(all_kernels));
   INFO(name(kernel));
   Model model = heat_model<Dim>(kernel);
-  model.materials[0].conductivity = 5e4;  // details settle several times
+  model.materials[0].conductivity = 5e4;  // small-scale differences are smoothed several times
   auto system = build_system<Dim>(model, lattice_seeds<Dim>(model, 8, 12, 2, kernel == Kernel::cpdi ? 0.0 : 0.2));
   std::mt19937 random(3);
   std::uniform_real_distribution<double> any(0, 100);
@@ -133,7 +133,7 @@ TEST_CASE("what held nodes and fluxes supply is the heat gained", "[heat]") {
     ParticleCondition c;
     c.kind = ParticleCondition::Kind::heat_flux;
     c.where = rectangle(8, 16, 15.5, 16);
-    c.face = 3;
+    c.face = DomainFace::high_y;
     c.value.value = 7;
     model.particle_conditions.push_back(c);
     auto system = build_system<2>(model, lattice_seeds<2>(model, 8, 16));

@@ -9,7 +9,7 @@ using namespace tribo::test;
 
 namespace {
 
-ParticleCondition traction(int face, int direction, double value, const Bounds& where) {
+ParticleCondition traction(DomainFace face, LoadDirection direction, double value, const Bounds& where) {
   ParticleCondition c;
   c.kind = ParticleCondition::Kind::traction;
   c.where = box(where.low, where.high);
@@ -36,8 +36,9 @@ TEMPLATE_TEST_CASE_SIG("a traction pushes with its stress times the undeformed a
   Model model = grid_model<Dim>(kernel, Transfer::flip, order, false);
   Bounds top;
   top.low = Vec3(8, 15.5, Dim == 3 ? 8 : -1), top.high = Vec3(16, 16, Dim == 3 ? 16 : 1);
-  model.particle_conditions.push_back(traction(3, 10, -7.0, top));  // pressure on the upper faces
-  model.particle_conditions.push_back(traction(3, 0, 2.0, top));    // and shear along x
+  model.particle_conditions.push_back(
+      traction(DomainFace::high_y, LoadDirection::normal, -7.0, top));  // pressure on the upper faces
+  model.particle_conditions.push_back(traction(DomainFace::high_y, LoadDirection::x, 2.0, top));  // and shear along x
   auto system = build_system<Dim>(model, lattice_seeds<Dim>(model, 8, 16));
   Stepper<Dim> stepper(model, system);
   stepper.advance(1e-3);
@@ -54,7 +55,7 @@ TEST_CASE("a traction beside a crack pushes its own side only", "[loads][cracks]
   model.cracks.push_back(line(Vec3(6, 12, 0), Vec3(18, 12, 0), 24));
   Bounds right;
   right.low = Vec3(15.5, 12, -1), right.high = Vec3(16, 16, 1);
-  model.particle_conditions.push_back(traction(2, 0, 2.0, right));
+  model.particle_conditions.push_back(traction(DomainFace::high_x, LoadDirection::x, 2.0, right));
   auto system = build_system<2>(model, lattice_seeds<2>(model, 8, 16));
   Stepper<2> stepper(model, system);
   stepper.advance(1e-3);
@@ -73,7 +74,7 @@ TEST_CASE("a traction spares nodes that its body hardly reaches", "[loads]") {
   for (Seed& s : seeds) s.x[0] -= 0.24;
   Bounds right;
   right.low = Vec3(15.25, 8, -1), right.high = Vec3(16, 16, 1);
-  model.particle_conditions.push_back(traction(2, 0, 1.0, right));
+  model.particle_conditions.push_back(traction(DomainFace::high_x, LoadDirection::x, 1.0, right));
   auto system = build_system<2>(model, seeds);
   Stepper<2> stepper(model, system);
   const auto& law = *system.bodies[0].law;
@@ -91,7 +92,7 @@ TEST_CASE("the work of a traction is the energy it brings", "[loads]") {
   Model model = grid_model<2>(Kernel::gimp, Transfer::flip, UpdateOrder::usl, false);
   Bounds top;
   top.low = Vec3(8, 15.5, -1), top.high = Vec3(16, 16, 1);
-  model.particle_conditions.push_back(traction(3, 10, -700.0, top));
+  model.particle_conditions.push_back(traction(DomainFace::high_y, LoadDirection::normal, -700.0, top));
   auto system = build_system<2>(model, lattice_seeds<2>(model, 8, 16));
   Stepper<2> stepper(model, system);
   for (int k = 0; k < 200; ++k) stepper.advance(2e-3);
@@ -118,7 +119,7 @@ TEST_CASE("body forces of particles know where these started", "[loads]") {
   CHECK(std::abs(p[1]) < 1e-9);
 }
 
-TEST_CASE("deformation follows the particles: a rotation by chords strains nothing", "[loads]") {
+TEST_CASE("deformation follows the particles: a finite rotation per step causes no strain", "[loads]") {
   // Velocities of a half step turn every particle exactly by its angle: x1 = R x0. F must be R, stress stay zero.
   Model model = grid_model<2>(Kernel::gimp, Transfer::pic);
   auto system = build_system<2>(model, lattice_seeds<2>(model, 8, 16));

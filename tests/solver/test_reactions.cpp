@@ -3,6 +3,7 @@
 
 #include "cloud.hpp"
 
+#include "model/output_fields.hpp"
 #include "model/quantities.hpp"
 
 using namespace tribo;
@@ -16,7 +17,7 @@ int add_rigid(Model& model, double velocity, int mirrored = 0) {
   spec.name = "grip";
   Problems problems;
   spec.law = materials().find("Rigid")->make({}, {}, Units{}, problems);
-  spec.rigid_directions = 1;
+  spec.sets_velocity = {true, false, false};
   spec.rigid_velocity[0] = Expression(velocity);
   spec.mirrored = mirrored;
   model.materials.push_back(spec);
@@ -125,13 +126,13 @@ TEST_CASE("crossings of cells are counted", "[reactions]") {
   for (int k = 0; k < 300; ++k) stepper.advance(0.01);  // three cells along both axes, at the same time
   const auto& body = system.bodies[0];
   for (std::size_t i = 0; i < body.particles.size(); ++i) {
-    const double count = system.bodies[0].particles.column(*body.crossings)[i];
+    const double count = system.bodies[0].particles[body.crossings][i];
     CHECK(count >= 3);
     CHECK(count <= 6);
   }
 }
 
-TEST_CASE("quantities have the names of the dialect, too", "[reactions]") {
+TEST_CASE("quantities can be given by the names of NairnMPM", "[reactions]") {
   CHECK(find_global_quantity("temp")->name == "Temperature");
   CHECK(find_global_quantity("sRR")->name == "sxx");
   CHECK(find_global_quantity("sZZ")->name == "syy");

@@ -17,7 +17,7 @@ using namespace tribo;
 
 namespace {
 
-/// An elastic cube between -1 and 1 floats in a box, and whatever block is given.
+/// A free elastic cube between -1 and 1 in a box, with the given blocks.
 std::string floating(int dimension, const std::string& block, const std::string& more = "") {
   const std::string z = dimension == 3 ? " zmin='-4' zmax='4'" : "",
                     depth = dimension == 3 ? "<Depth cellsize='0.25'/>" : "";
@@ -69,8 +69,7 @@ Momentum momentum(Run<Dim>& run) {
     x.head<Dim>() = body.particles.position(i), v.head<Dim>() = body.particles.velocity(i);
     Mat3 B = Mat3::Zero();
     for (int r = 0; r < Dim; ++r)
-      for (int c = 0; c < Dim; ++c)
-        B(r, c) = body.particles.column(*body.affine + static_cast<std::size_t>(Dim * r + c))[i];
+      for (int c = 0; c < Dim; ++c) B(r, c) = body.particles[body.affine][static_cast<std::size_t>(Dim * r + c)][i];
     out.linear += m * v;
     out.angular += m * (x.cross(v) + Vec3(B(2, 1) - B(1, 2), B(0, 2) - B(2, 0), B(1, 0) - B(0, 1)));
   }
@@ -101,7 +100,7 @@ TEST_CASE("A block and the matter it hits keep their momentum to round-off, also
     const Vec3 v = run.system.blocks->motion[0].v;
     for (int k = 0; k < steps; ++k) {
       run.steps(1, dt);
-      const BlockPush& push = run.system.blocks->pushes[0];  // places on the surface, a cell or two beside the nodes
+      const GridForce& push = run.system.blocks->grid_forces[0];  // places on the surface, a cell or two beside the nodes
       const Mat3& s = push.spread;
       const Vec3 turning(s(2, 1) - s(1, 2), s(0, 2) - s(2, 0), s(1, 0) - s(0, 1));
       CHECK((turning - push.moment).norm() <= 2 * run.system.lattice.spacing.maxCoeff() * push.force.norm());

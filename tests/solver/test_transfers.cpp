@@ -11,7 +11,7 @@ namespace {
 
 // Nodal velocities from a function of position, in every node that exists.
 template <int Dim>
-void set_nodes(Field<Dim>& field, const std::function<Vec<Dim>(const Vec<Dim>&)>& f) {
+void set_nodal_momentum(Field<Dim>& field, const std::function<Vec<Dim>(const Vec<Dim>&)>& f) {
   for (std::int64_t n = 0; n < field.map.node_count(); ++n) {
     const Vec<Dim> v = f(field.map.lattice().position(field.map.node_at(n)));
     Node& node = field.nodes[static_cast<std::size_t>(n)];
@@ -76,8 +76,7 @@ TEMPLATE_TEST_CASE_SIG("the scatter conserves mass and momentum and gives no net
                     [&](const Vec<Dim>&) -> Vec<Dim> { return Vec<Dim>::NullaryExpr([&] { return unit(random); }); });
   if (body.affine)
     for (std::size_t k = 0; k < Dim * Dim; ++k)
-      for (std::size_t i = 0; i < body.particles.size(); ++i)
-        body.particles.column(*body.affine + k)[i] = 0.1 * unit(random);
+      for (std::size_t i = 0; i < body.particles.size(); ++i) body.particles[body.affine][k][i] = 0.1 * unit(random);
   auto& field = system.fields[0];
   make_transfers<Dim>(model.scheme)->scatter(body, {field.map, field.nodes}, Scatter::momentum_and_force, false, false);
   double mass = 0, scale = 0;
@@ -160,7 +159,7 @@ TEST_CASE("the affine moment is the kernel's second moment", "[transfer]") {
     what.move = true, what.dt = 1e-12, what.flip = 0;
     auto& body = system.bodies[0];
     make_transfers<2>(model.scheme)->gather(body, {system.fields[0].map, system.fields[0].nodes}, what);
-    const auto B = [&](std::size_t c) { return body.particles.column(*body.affine + c)[0]; };
+    const auto B = [&](std::size_t c) { return body.particles[body.affine][c][0]; };
     CHECK(std::abs(B(0) - expected[static_cast<std::size_t>(k)]) < 1e-13);
     CHECK(std::abs(B(3) - expected[static_cast<std::size_t>(k)]) < 1e-13);
     CHECK(std::abs(B(1)) < 1e-13);

@@ -95,10 +95,10 @@ void NodalConditions<Dim>::impose_update(NodeLayer& nodes, const Exchange<Dim>& 
 }
 
 template <int Dim>
-void NodalConditions<Dim>::release(NodeLayer& nodes) const {
+void NodalConditions<Dim>::release(AlignedVector<FilterNode>& nodes) const {
   for (const Located& l : located_) {
     const auto& direction = chosen_[l.chosen].direction;
-    Eigen::Map<Vec<Dim>> v(nodes[static_cast<std::size_t>(l.node)].velocity);
+    Eigen::Map<Vec<Dim>> v(nodes[static_cast<std::size_t>(l.node)].increment);
     v -= v.dot(direction) * direction;
   }
 }

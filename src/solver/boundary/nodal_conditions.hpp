@@ -27,17 +27,22 @@ class NodalConditions {
   void impose_update(NodeLayer& nodes, const Exchange<Dim>& exchange, double time, double dt, bool after_impose,
                      bool first);
   /// Removes the prescribed components from the increments of a velocity filter.
-  void release(NodeLayer& nodes) const;
+  void release(AlignedVector<FilterNode>& nodes) const;
 
   /// Reaction force of the last step by condition [force].
   const std::vector<Vec3>& reactions() const { return reactions_; }
   /// Work done on the material since the start of the run [energy].
   double work() const { return work_; }
-  void set_work(double work) { work_ = work; }
   /// Impulse of the conditions on the material since the start of the run [momentum]; without symmetry planes and
   /// walls.
   const Vec3& impulse() const { return impulse_; }
-  void set_impulse(const Vec3& impulse) { impulse_ = impulse; }
+
+  /// The reactions are those of the last step; all else but the sums belongs to the model and the present nodes.
+  friend void archive(Archive& a, NodalConditions& conditions) {
+    auto& [model, lattice, chosen, located, reactions, work, impulse] = conditions;
+    a.version(1);
+    a("work", work), a("impulse", impulse);
+  }
 
  private:
   // A node with the conditions on it that share a direction.

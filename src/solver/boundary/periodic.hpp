@@ -9,13 +9,13 @@ namespace tribo {
 /// Moves particles beyond an edge of a periodic axis in through the other, and the positions they started from with
 /// them, so that displacements go on growing.
 template <int Dim>
-void bring_home(const GridSpec& grid, const Lattice<Dim>& lattice, Body<Dim>& body) {
+void return_through_period(const GridSpec& grid, const Lattice<Dim>& lattice, Body<Dim>& body) {
   const auto x = body.particles.x();
   for (std::size_t d = 0; d < Dim; ++d) {
     if (!grid.periodic[d]) continue;
     const auto axis = static_cast<Eigen::Index>(d);
     const double low = lattice.low[axis], period = lattice.high[axis] - low;
-    double* from = body.origin ? body.particles.column(*body.origin + d) : nullptr;
+    double* from = body.origin ? body.particles[body.origin][d] : nullptr;
     for (std::size_t i = 0; i < body.particles.size(); ++i) {
       const double shift = period * std::floor((x[d][i] - low) / period);
       if (shift == 0.0 || !std::isfinite(shift)) continue;
@@ -28,7 +28,7 @@ void bring_home(const GridSpec& grid, const Lattice<Dim>& lattice, Body<Dim>& bo
 /// Adds to the blocks with particles those at both edges of a periodic axis, if there are particles at one of them:
 /// what is scattered across an edge then finds its nodes.
 template <int Dim>
-void reach_across(const GridSpec& grid, const Lattice<Dim>& lattice, std::vector<std::int64_t>& blocks) {
+void add_periodic_blocks(const GridSpec& grid, const Lattice<Dim>& lattice, std::vector<std::int64_t>& blocks) {
   for (std::size_t d = 0; d < Dim; ++d) {
     if (!grid.periodic[d]) continue;
     const int low = Lattice<Dim>::padding / block_edge<Dim>;

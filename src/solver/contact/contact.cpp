@@ -2,6 +2,7 @@
 #include "solver/contact/contact.hpp"
 
 #include "base/parallel.hpp"
+#include "grid/kernels.hpp"
 #include "solver/contact/contact_view.hpp"
 
 #include <algorithm>
@@ -11,9 +12,7 @@ namespace tribo {
 namespace {
 
 // Particles at most this far from a node determine its faces [cells].
-double particle_reach(Kernel kernel) {
-  return kernel == Kernel::cubic_spline ? 3.0 : kernel == Kernel::quadratic_spline ? 2.5 : 2.0;
-}
+double particle_reach(Kernel kernel) { return reach_of(kernel) + 1.0; }
 
 bool keeps_start_impulses(Transfer transfer) {
   return transfer == Transfer::flip || transfer == Transfer::blend || transfer == Transfer::xpic;
@@ -85,14 +84,14 @@ void Contact<Dim>::find(const Exchanges<Dim>& exchanges, const Joints<Dim>& join
 template <int Dim>
 void Contact<Dim>::find_crack_faces() {
   if (!cracks_.active()) return;
-  cracks_.weigh();
+  cracks_.find_carrying_nodes();
   auto& contacts = search_.found();
   parallel_for(static_cast<std::ptrdiff_t>(contacts.nodes.size()), [&](std::ptrdiff_t k) {
     const ContactNode<Dim>& node = contacts.nodes[static_cast<std::size_t>(k)];
     for (ContactPair& pair : contacts.pairs_of(node)) {
       if (pair.crack < 0) continue;
       const auto side = [&](std::size_t member) { return system_.fields[contacts.members[member].field].side; };
-      pair.has_no_face = !cracks_.meet(pair, node.index, side(pair.a), side(pair.b));
+      pair.has_no_face = !cracks_.find_faces(pair, node.index, side(pair.a), side(pair.b));
       for (int d = 0; d < Dim; ++d)
         if (node.mirrored_axes >> d & 1) pair.state.normal[d] = 0.0;
       pair.has_no_face = pair.has_no_face || !(pair.state.normal.norm() > 1e-6);
@@ -150,7 +149,7 @@ void Contact<Dim>::leave_to_joints(const Joints<Dim>& joints) {
       ContactPair& pair = contacts.pairs[p];
       if (pair.crack >= 0) continue;
       const auto home = [&](std::size_t member) { return system_.fields[contacts.members[member].field].home; };
-      const auto joint = joints.next(home(pair.a), home(pair.b), system_.lattice.position(node.index));
+      const auto joint = joints.nearest_joint(home(pair.a), home(pair.b), system_.lattice.position(node.index));
       const ContactFace& face = cache_.face(p);
       const bool beyond = !pair.has_no_face && pair.law->uses_face() && joint.distance > face.offset_along_face + h_ &&
                           std::abs(face.normal.template head<Dim>().dot(joint.normal)) > min_cosine;
@@ -205,11 +204,11 @@ void Contact<Dim>::record(double dt) {
   const auto lap = watch.lap();
   auto& contacts = search_.found();
   if (cracks_.active()) {
-    cracks_.begin_memory();
+    cracks_.begin_record();
     for (const auto& node : contacts.nodes)
       for (const ContactPair& pair : contacts.pairs_of(node))
-        if (pair.crack >= 0 && !pair.has_no_face) cracks_.remember(pair, node.index);
-    cracks_.end_memory();
+        if (pair.crack >= 0 && !pair.has_no_face) cracks_.record(pair, node.index);
+    cracks_.end_record();
   }
   ledger_.record(contacts, dt);
   if (laws_.any_has_memory()) memory_.update();

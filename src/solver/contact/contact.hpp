@@ -80,6 +80,12 @@ class Contact {
 
   Stopwatch watch;  ///< time spent in contact
 
+  /// The sums over the run. The faces that are kept from step to step are not saved: see interruptible().
+  friend void archive(Archive& a, Contact& contact) {
+    a.version(1);
+    a("ledger", contact.ledger_);
+  }
+
  private:
   void find_crack_faces();
   void find_faces(const Exchanges<Dim>& exchanges, bool all);

@@ -21,6 +21,13 @@ struct PairLedger {
   double area = 0.0;          ///< of the faces on which an impulse acted in the last step                [length^2]
 };
 
+inline void archive(Archive& a, PairLedger& pair) {
+  auto& [force, friction, impact, interface, stored, area] = pair;
+  a.version(1);
+  a("force", force), a("friction", friction), a("impact", impact);
+  a("interface", interface), a("stored", stored), a("area", area);
+}
+
 /// What a field of prescribed velocity received from all others in the last step, and the mass of the others at the
 /// nodes where they touch it. Moments are about the origin of the coordinates.
 struct RigidExchange {
@@ -53,6 +60,14 @@ class ContactLedger {
   std::map<Key, PairLedger> pairs;    ///< by pair of fields
   double rigid_work = 0.0;            ///< done on deformable bodies by the motion of rigid ones so far  [energy]
   Vec3 rigid_impulse = Vec3::Zero();  ///< given to deformable bodies by rigid ones so far               [mass velocity]
+
+  /// The exchanges with rigid bodies are those of the last step.
+  friend void archive(Archive& a, ContactLedger& ledger) {
+    auto& [pairs, rigid_work, rigid_impulse, system, rigid_exchanges] = ledger;
+    a.version(1);
+    a.map("pairs", pairs);
+    a("rigid_work", rigid_work), a("rigid_impulse", rigid_impulse);
+  }
 
  private:
   Key key(const ContactNodes<Dim>& contacts, const ContactPair& pair) const;

@@ -14,10 +14,10 @@ void ContactMemory<Dim>::read(const ContactNode<Dim>& node, ContactPair& pair, c
   double total = 0.0, slip = 0.0, whole = 0.0, broken = 0.0;
   const auto add = [&](const ParticleDomain<Dim>& p, const ParticleLabel& label) {
     auto& body = *bodies_[label.body];
-    if (!body.contact_memory) return;
+    if (!body.contact_slip) return;
     const double w = particle_weight<Dim>(p.x - centre, system_.lattice.spacing);
-    const double bond = body.particles.column(*body.contact_memory + 1)[label.particle];
-    total += w, slip += w * body.particles.column(*body.contact_memory)[label.particle];
+    const double bond = body.particles[body.contact_bond][label.particle];
+    total += w, slip += w * body.particles[body.contact_slip][label.particle];
     whole += bond > 0 ? w : 0.0, broken += bond < 0 ? w : 0.0;
   };
   for (const auto& groups : near.groups) each_particle<Dim>(cloud_, groups, centre, add);
@@ -34,7 +34,7 @@ void ContactMemory<Dim>::update() const {
   parallel_for(static_cast<std::ptrdiff_t>(cloud_.size()), [&](std::ptrdiff_t k) {
     const ParticleLabel& label = cloud_.label(static_cast<std::size_t>(k));
     auto& body = *bodies_[label.body];
-    if (!body.contact_memory) return;
+    if (!body.contact_slip) return;
     double touching = 0.0, sliding = 0.0, way = 0.0, whole = 0.0, broken = 0.0;
     each_pair_near(search_, system_.lattice, cloud_.domain(static_cast<std::size_t>(k)), label.field,
                    [&](const ContactPair& pair, double w, double) {
@@ -49,10 +49,9 @@ void ContactMemory<Dim>::update() const {
                      if (pair.response.bond == Bond::broken) broken += w;
                    });
     // Slip is the distance of sliding since the faces last stuck or separated.
-    double& slip = body.particles.column(*body.contact_memory)[label.particle];
+    double& slip = body.particles[body.contact_slip][label.particle];
     slip = sliding > 0.5 * touching ? slip + way / sliding : 0.0;
-    if (whole + broken > 0)
-      body.particles.column(*body.contact_memory + 1)[label.particle] = broken > whole ? -1.0 : 1.0;
+    if (whole + broken > 0) body.particles[body.contact_bond][label.particle] = broken > whole ? -1.0 : 1.0;
   });
 }
 

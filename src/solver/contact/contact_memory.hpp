@@ -6,7 +6,7 @@
 
 namespace tribo {
 
-/// Transfers slip and bonds between contact nodes and particles (columns Body::contact_memory).
+/// Transfers slip and bonds between contact nodes and particles (columns Body::contact_slip).
 template <int Dim>
 class ContactMemory {
  public:

@@ -11,13 +11,16 @@ void fill_contact_view(const System<Dim>& system, const ContactSearch<Dim>& sear
   constexpr double closed = 0.1;  // a larger gap counts as open [cells]
   const double h = system.lattice.spacing.maxCoeff();
   for (auto* body : bodies)
-    if (body->contact_view)
-      for (std::size_t k = 0; k < 1 + 2 * Dim; ++k)
-        std::fill_n(body->particles.column(*body->contact_view + k), body->particles.size(), 0.0);
+    if (body->contact_state) {
+      const std::size_t count = body->particles.size();
+      std::fill_n(body->particles[body->contact_state], count, 0.0);
+      for (const auto& vector : {body->contact_traction, body->contact_normal})
+        for (double* component : body->particles[vector]) std::fill_n(component, count, 0.0);
+    }
   for (std::size_t k = 0; k < cloud.size(); ++k) {
     const ParticleLabel& label = cloud.label(k);
     auto& body = *bodies[label.body];
-    if (!body.contact_view) continue;
+    if (!body.contact_state) continue;
     double slip = 0.0, stick = 0.0, total = 0.0;
     Vec<Dim> traction = Vec<Dim>::Zero(), normal = Vec<Dim>::Zero();
     each_pair_near(search, system.lattice, cloud.domain(k), label.field,
@@ -32,12 +35,12 @@ void fill_contact_view(const System<Dim>& system, const ContactSearch<Dim>& sear
                      traction += side * w / pair.state.dt * pair.update_impulse.template head<Dim>();
                    });
     if (slip + stick == 0.0) continue;
-    body.particles.column(*body.contact_view)[label.particle] = slip > stick ? 2.0 : 1.0;
+    body.particles[body.contact_state][label.particle] = slip > stick ? 2.0 : 1.0;
     if (total > 0) traction /= total;
     if (normal.norm() > 0) normal.normalize();
     for (std::size_t d = 0; d < Dim; ++d) {
-      body.particles.column(*body.contact_view + 1 + d)[label.particle] = traction[static_cast<Eigen::Index>(d)];
-      body.particles.column(*body.contact_view + 1 + Dim + d)[label.particle] = normal[static_cast<Eigen::Index>(d)];
+      body.particles[body.contact_traction][d][label.particle] = traction[static_cast<Eigen::Index>(d)];
+      body.particles[body.contact_normal][d][label.particle] = normal[static_cast<Eigen::Index>(d)];
     }
   }
 }

@@ -71,8 +71,8 @@ template <int Dim>
 double FaceFinder<Dim>::area(const ContactNode<Dim>& node, const ContactMember& a, const ContactMember& b,
                              bool interface, NearParticles<Dim>& near, const Vec<Dim>& n) const {
   const auto projected_gradient = [&](const ContactMember& m) {
-    const Node& v = system_.fields[m.field].volumes[static_cast<std::size_t>(m.node)];
-    return std::abs(Eigen::Map<const Vec<Dim>>(v.acceleration).dot(n));
+    const VolumeNode& v = system_.fields[m.field].volumes[static_cast<std::size_t>(m.node)];
+    return std::abs(Eigen::Map<const Vec<Dim>>(v.gradient).dot(n));
   };
   const double of_a = projected_gradient(a), of_b = projected_gradient(b);
   if (needs_areas_) {
@@ -110,8 +110,8 @@ double FaceFinder<Dim>::gap_between_sides(const ContactNode<Dim>& node, const Co
   }
   // The first moment of the volume at the node holds positions or displacements.
   const auto mean = [&](const ContactMember& m) {
-    const Node& v = system_.fields[m.field].volumes[static_cast<std::size_t>(m.node)];
-    return Vec<Dim>(Eigen::Map<const Vec<Dim>>(v.velocity) / v.mass);
+    const VolumeNode& v = system_.fields[m.field].volumes[static_cast<std::size_t>(m.node)];
+    return Vec<Dim>(Eigen::Map<const Vec<Dim>>(v.moment) / v.volume);
   };
   const Vec<Dim> xa = mean(a), xb = mean(b);
   if (c.separation == Separation::displacements) return (xb - xa).dot(n);

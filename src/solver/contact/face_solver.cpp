@@ -191,7 +191,7 @@ void FaceSolver<Dim>::remove() {
 template <int Dim>
 void FaceSolver<Dim>::constrain_increments(ContactPass pass) {
   const auto increment = [&](const NodalVelocity& p) {
-    return Eigen::Map<Vec3>(system_.fields[p.field].filter[static_cast<std::size_t>(p.node)].velocity);
+    return Eigen::Map<Vec3>(system_.fields[p.field].filter[static_cast<std::size_t>(p.node)].increment);
   };
   for (Constraint& c : constraints_)
     c.trial_velocity += weighted_sum(c, [&](const NodalVelocity& p) { return Vec3(increment(p)); });

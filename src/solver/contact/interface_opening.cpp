@@ -18,7 +18,7 @@ Vec3 interface_opening(const ParticleCloud<Dim>& cloud, const std::vector<Body<D
       const double w = particle_weight<Dim>(p.x - centre, spacing);
       if (!(w > 0)) return;
       auto& body = *bodies[label.body];
-      const auto origin = body.particles.vector(*body.origin);
+      const auto origin = body.particles[body.origin];
       Vec<Dim> u = p.x;
       for (std::size_t d = 0; d < Dim; ++d) u[static_cast<Eigen::Index>(d)] -= origin[d][label.particle];
       if (body.particles.has_deformation()) {
@@ -28,7 +28,7 @@ Vec3 interface_opening(const ParticleCloud<Dim>& cloud, const std::vector<Body<D
           Mat<Dim> first;
           for (std::size_t k = 0; k < Dim * Dim; ++k)
             first(static_cast<int>(k) / Dim, static_cast<int>(k) % Dim) =
-                body.particles.column(*body.first_inverse + k)[label.particle];
+                body.particles[body.first_inverse][k][label.particle];
           since_start *= first;
         }
         u += (Mat<Dim>::Identity() - since_start.inverse()) * (at - p.x).dot(n) * n;

@@ -35,7 +35,7 @@ void NodalVolumes<Dim>::scatter(const ContactNodes<Dim>& contacts, const std::ve
   mark_blocks(contacts);
   for (auto& field : system_.fields) {
     field.volumes.resize(field.nodes.size());
-    std::fill(field.volumes.begin(), field.volumes.end(), Node{});
+    std::fill(field.volumes.begin(), field.volumes.end(), VolumeNode{});
   }
   for (auto* body : bodies)
     transfers_.scatter(*body, Target<Dim>(*body, system_.fields, &Field<Dim>::volumes), Scatter::volume, false,

@@ -53,7 +53,7 @@ void NodeImpulses<Dim>::constrain_increments(ContactPass pass) {
     if (node.solved_on_faces) return;
     const auto pairs = contacts_.pairs_of(node);
     const auto increment = [&](const ContactMember& m) {
-      return Eigen::Map<Vec3>(system_.fields[m.field].filter[static_cast<std::size_t>(m.node)].velocity);
+      return Eigen::Map<Vec3>(system_.fields[m.field].filter[static_cast<std::size_t>(m.node)].increment);
     };
     // The increment becomes the velocity after contact with it minus the velocity after contact without it.
     for (std::size_t i = node.first_member; i < node.end_member; ++i) {

@@ -38,11 +38,11 @@ std::optional<Vec<Dim>> NormalFinder<Dim>::find(const ContactNode<Dim>& node, co
 template <int Dim>
 Vec<Dim> NormalFinder<Dim>::gradient_normal(const ContactMember& a, const ContactMember& b) const {
   const auto outward = [&](const ContactMember& m) {
-    const Node& node = system_.fields[m.field].volumes[static_cast<std::size_t>(m.node)];
-    return Vec<Dim>(Eigen::Map<const Vec<Dim>>(node.acceleration));
+    const VolumeNode& node = system_.fields[m.field].volumes[static_cast<std::size_t>(m.node)];
+    return Vec<Dim>(Eigen::Map<const Vec<Dim>>(node.gradient));
   };
   const auto volume = [&](const ContactMember& m) {
-    return system_.fields[m.field].volumes[static_cast<std::size_t>(m.node)].mass;
+    return system_.fields[m.field].volumes[static_cast<std::size_t>(m.node)].volume;
   };
   const Vec<Dim> ga = outward(a), gb = outward(b);
   const double bias = spec_.rigid_bias;

@@ -120,7 +120,7 @@ void find_ends(Crack<2>& crack, const CrackSpec& spec, const BodyOccupancy<2>& m
       throw InputError(spec.origin, std::string("this crack's ") + (end == 0 ? "first" : "last") +
                                         " point is said to be a tip but lies in no body");
     } else {
-      go_on(crack, tip, cell, asked == End::exterior ? cells : free / probes);
+      extend_straight(crack, tip, cell, asked == End::exterior ? cells : free / probes);
     }
   }
 }
@@ -139,7 +139,7 @@ BodyOccupancy<Dim> around_cracks(const Model& model, System<Dim>& system) {
 
 }  // namespace
 
-void go_on(Crack<2>& crack, const CrackTip& tip, double cell, int cells) {
+void extend_straight(Crack<2>& crack, const CrackTip& tip, double cell, int cells) {
   auto from = tip.point;
   const Vec<2> end = crack.x[from], ahead = cell * (end - crack.x[tip.behind]).normalized();
   for (int k = 1; k <= cells; ++k) {
@@ -151,7 +151,7 @@ void go_on(Crack<2>& crack, const CrackTip& tip, double cell, int cells) {
   }
 }
 
-void grow_by(Crack<2>& crack, CrackTip& tip, const Vec<2>& x) {
+void grow_to(Crack<2>& crack, CrackTip& tip, const Vec<2>& x) {
   const auto next = static_cast<std::uint32_t>(crack.drawn_points);
   for (auto& piece : crack.pieces)
     for (auto& point : piece) point += point >= next;

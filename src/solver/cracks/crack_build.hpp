@@ -12,8 +12,8 @@ template <int Dim>
 void add_cracks(const Model& model, System<Dim>& system, int width);
 
 /// Lets a crack go on straight beyond an end, by pieces of a cell's size.
-void go_on(Crack<2>& crack, const CrackTip& end, double cell, int cells);
+void extend_straight(Crack<2>& crack, const CrackTip& end, double cell, int cells);
 /// Lets a crack grow from a tip to a point.
-void grow_by(Crack<2>& crack, CrackTip& tip, const Vec<2>& x);
+void grow_to(Crack<2>& crack, CrackTip& tip, const Vec<2>& x);
 
 }  // namespace tribo

@@ -54,7 +54,7 @@ template <int Dim>
 auto Cracks<Dim>::nearest(std::uint32_t c, const Vec<Dim>& x) const -> Nearest {
   Nearest out;
   double least = std::numeric_limits<double>::infinity();
-  for (const PieceOf& p : near(x).pieces) {
+  for (const PlacedPiece& p : near(x).pieces) {
     if (p.crack != c) continue;
     const auto& corners = p.corners;
     const auto share = nearest_share(corners, x);
@@ -80,10 +80,10 @@ auto Cracks<Dim>::nearest(std::uint32_t c, const Vec<Dim>& x) const -> Nearest {
 }
 
 template <int Dim>
-auto Cracks<Dim>::seen(std::uint32_t c, const Vec<Dim>& node, const Nearest& nearest) const -> Seen {
+auto Cracks<Dim>::average_faces(std::uint32_t c, const Vec<Dim>& node, const Nearest& nearest) const -> FaceAverages {
   const Crack<Dim>& crack = system_.cracks[c];
-  Seen out;
-  const auto add = [&](const PieceOf& piece, const auto& share, double w) {
+  FaceAverages out;
+  const auto add = [&](const PlacedPiece& piece, const auto& share, double w) {
     for (std::size_t k = 0; k < share.size(); ++k) {
       const auto point = piece.points[k];
       out.opening += w * share[k] * piece.opening(crack, point), out.gap += w * share[k] * crack.gap[point];
@@ -91,7 +91,7 @@ auto Cracks<Dim>::seen(std::uint32_t c, const Vec<Dim>& node, const Nearest& nea
     }
   };
   const Vec<Dim> reach = 2 * system_.lattice.spacing;
-  for (const PieceOf& p : near(node).pieces) {
+  for (const PlacedPiece& p : near(node).pieces) {
     if (p.crack != c || ((p.low - reach).array() > node.array()).any() ||
         ((p.high + reach).array() < node.array()).any())
       continue;
@@ -103,7 +103,7 @@ auto Cracks<Dim>::seen(std::uint32_t c, const Vec<Dim>& node, const Nearest& nea
       if (p.points != crack.pieces[p.piece]) std::swap(share[0], share[1]);
       Vec<Dim> x = Vec<Dim>::Zero();
       for (std::size_t k = 0; k < share.size(); ++k) x += share[k] * corners[k];
-      double w = around_.weight(x - node) * whole * carried_[c][p.piece * gauss<Dim>().size() + g];
+      double w = around_.weight(x - node) * whole * weight_factor_[c][p.piece * gauss<Dim>().size() + g];
       if (!(w > 0)) continue;
       if (system_.analysis == Analysis::axisymmetric)
         w *= x[0];
@@ -117,7 +117,7 @@ auto Cracks<Dim>::seen(std::uint32_t c, const Vec<Dim>& node, const Nearest& nea
   if (out.area > least) {
     out.opening /= out.area, out.gap /= out.area, out.slip /= out.area, out.bond /= out.area;
   } else {
-    out = Seen{};
+    out = FaceAverages{};
     add(*nearest.piece, nearest.share, 1.0);
   }
   return out;
@@ -135,18 +135,18 @@ bool Cracks<Dim>::both_sides(std::uint32_t c, const Index<Dim>& n) const {
     bit = first == static_cast<int>(c) ? 1 : 2;
   }
   Vec<Dim> v;
-  const auto is = [&](int side) { return of_side(n, side, v) > 0; };
+  const auto is = [&](int side) { return velocity_on_side(n, side, v) > 0; };
   return (is(0) && is(bit)) || (is(3 - bit) && is(3));
 }
 
 // The share of a face that falls on nodes which only one side reaches goes to the others: no traction is lost.
 template <int Dim>
-void Cracks<Dim>::weigh() {
-  carried_.resize(system_.cracks.size());
+void Cracks<Dim>::find_carrying_nodes() {
+  weight_factor_.resize(system_.cracks.size());
   constexpr std::size_t points = gauss<Dim>().size();
   for (std::uint32_t c = 0; c < system_.cracks.size(); ++c) {
     const Crack<Dim>& crack = system_.cracks[c];
-    carried_[c].assign(crack.pieces.size() * points, 0.0);
+    weight_factor_[c].assign(crack.pieces.size() * points, 0.0);
     parallel_for(static_cast<std::ptrdiff_t>(crack.pieces.size()), [&](std::ptrdiff_t piece) {
       const auto p = static_cast<std::size_t>(piece);
       const auto corners = crack.corners(p);
@@ -159,14 +159,14 @@ void Cracks<Dim>::weigh() {
           if (both_sides(c, n)) both += w;
         });
         constexpr double enough = 0.25;  // else it lies at an end, outside of the bodies, or gapes
-        if (both > enough * all) carried_[c][p * points + g] = all / both;
+        if (both > enough * all) weight_factor_[c][p * points + g] = all / both;
       }
     });
   }
 }
 
 template <int Dim>
-bool Cracks<Dim>::meet(ContactPair& pair, const Index<Dim>& node, int side_a, int side_b) const {
+bool Cracks<Dim>::find_faces(ContactPair& pair, const Index<Dim>& node, int side_a, int side_b) const {
   const int between = side_a ^ side_b;
   std::uint32_t c = 0;
   if (system_.cracks.size() > 1) {
@@ -184,7 +184,7 @@ bool Cracks<Dim>::meet(ContactPair& pair, const Index<Dim>& node, int side_a, in
   if (!here.piece) return false;
   // a is on the node's own side unless it is the field across
   const int of_a = side_a & between ? -here.side : here.side;
-  const Seen faces = seen(c, x, here);
+  const FaceAverages faces = average_faces(c, x, here);
   ContactState& m = pair.state;
   m.normal.setZero(), m.opening.setZero();
   m.normal.template head<Dim>() = -of_a * here.normal;
@@ -201,7 +201,7 @@ bool Cracks<Dim>::meet(ContactPair& pair, const Index<Dim>& node, int side_a, in
 
 // Mass and velocity at a node of all that lies on one side there.
 template <int Dim>
-double Cracks<Dim>::of_side(Index<Dim> n, int side, Vec<Dim>& v) const {
+double Cracks<Dim>::velocity_on_side(Index<Dim> n, int side, Vec<Dim>& v) const {
   const Vec<Dim> mirror = around_.fold(n);
   double mass = 0.0;
   Vec<Dim> momentum = Vec<Dim>::Zero();
@@ -226,12 +226,13 @@ bool Cracks<Dim>::face_velocities(const Crack<Dim>& crack, std::size_t k, const 
                                   std::array<Vec<Dim>, 2>& v) const {
   const Vec<Dim> aside = 1e-6 * system_.lattice.spacing.minCoeff() * normal;
   const std::array<Vec<Dim>, 2> beside{crack.x[k] - aside, crack.x[k] + aside};
-  thread_local Sight sight;
-  look(crack.x[k], sight);
+  thread_local NearbyPieces nearby;
+  find_nearby(crack.x[k], nearby);
   double heaviest = 0.0;
   Vec<Dim> here;
   around_.each(crack.x[k], [&](double, const Index<Dim>& n) {
-    for (const Vec<Dim>& at : beside) heaviest = std::max(heaviest, of_side(n, side(sight, at, n), here));
+    for (const Vec<Dim>& at : beside)
+      heaviest = std::max(heaviest, velocity_on_side(n, side_of_node(nearby, at, n), here));
   });
   // nodes with next to no mass may fly away in one step
   constexpr double light = 1e-3;
@@ -243,7 +244,7 @@ bool Cracks<Dim>::face_velocities(const Crack<Dim>& crack, std::size_t k, const 
     std::array<double, 2> part;
     for (std::size_t f = 0; f < 2; ++f) {
       of[f].setZero();
-      part[f] = share(of_side(n, side(sight, beside[f], n), of[f]));
+      part[f] = share(velocity_on_side(n, side_of_node(nearby, beside[f], n), of[f]));
     }
     const auto [less, more] = std::minmax(part[0], part[1]);
     if (!(more > 0)) return;
@@ -259,9 +260,9 @@ bool Cracks<Dim>::face_velocities(const Crack<Dim>& crack, std::size_t k, const 
   for (std::size_t f = 0; f < 2; ++f) {
     double sum = 0.0;
     v[f].setZero();
-    look(crack.face[f][k], sight);
+    find_nearby(crack.face[f][k], nearby);
     around_.each(crack.face[f][k], [&](double w, const Index<Dim>& n) {
-      if (const double part = share(of_side(n, side(sight, beside[f], n), here)); part > 0)
+      if (const double part = share(velocity_on_side(n, side_of_node(nearby, beside[f], n), here)); part > 0)
         sum += w * part, v[f] += w * part * here;
     });
     found[f] = sum > 0;
@@ -281,8 +282,8 @@ void Cracks<Dim>::move(double dt) {
     std::vector<char> carried(count, 0);
     parallel_for(static_cast<std::ptrdiff_t>(count), [&](std::ptrdiff_t point) {
       const auto k = static_cast<std::size_t>(point);
-      if (!crack.led.empty() && crack.led[k])
-        carried[k] = 1, v[k] = crack.lead[k];
+      if (!crack.is_led.empty() && crack.is_led[k])
+        carried[k] = 1, v[k] = crack.led_velocity[k];
       else
         carried[k] = face_velocities(crack, k, normals[k], v[k]);
     });
@@ -303,23 +304,23 @@ void Cracks<Dim>::move(double dt) {
 }
 
 template <int Dim>
-void Cracks<Dim>::begin_memory() {
-  memory_.resize(system_.cracks.size());
-  for (std::size_t c = 0; c < memory_.size(); ++c) memory_[c].assign(system_.cracks[c].x.size(), {});
+void Cracks<Dim>::begin_record() {
+  records_.resize(system_.cracks.size());
+  for (std::size_t c = 0; c < records_.size(); ++c) records_[c].assign(system_.cracks[c].x.size(), {});
 }
 
 template <int Dim>
-void Cracks<Dim>::remember(const ContactPair& pair, const Index<Dim>& node) {
+void Cracks<Dim>::record(const ContactPair& pair, const Index<Dim>& node) {
   const Vec<Dim> x = system_.lattice.position(node);
   const Vec3 v = pair.state.velocity - pair.impulse / pair.state.mass;
   const Vec3 along = v - v.dot(pair.state.normal) * pair.state.normal;
-  for (const PieceOf& p : near(x).pieces) {
+  for (const PlacedPiece& p : near(x).pieces) {
     if (static_cast<int>(p.crack) != pair.crack) continue;
     const double of_lower = pair.state.normal.template head<Dim>().dot(p.area()) > 0 ? 1.0 : -1.0;
     for (std::size_t k = 0; k < p.points.size(); ++k) {
       const double w = around_.weight(p.corners[k] - x);
       if (!(w > 0)) continue;
-      Memory& m = memory_[p.crack][p.points[k]];
+      PointRecord& m = records_[p.crack][p.points[k]];
       m.area += w * pair.state.area;
       m.force += w * of_lower / pair.state.dt * p.mirror.cwiseProduct(pair.impulse.template head<Dim>());
       (pair.response.status == ContactStatus::open   ? m.open
@@ -333,11 +334,11 @@ void Cracks<Dim>::remember(const ContactPair& pair, const Index<Dim>& node) {
 }
 
 template <int Dim>
-void Cracks<Dim>::end_memory() {
-  for (std::size_t c = 0; c < memory_.size(); ++c) {
+void Cracks<Dim>::end_record() {
+  for (std::size_t c = 0; c < records_.size(); ++c) {
     Crack<Dim>& crack = system_.cracks[c];
     for (std::size_t k = 0; k < crack.x.size(); ++k) {
-      const Memory& m = memory_[c][k];
+      const PointRecord& m = records_[c][k];
       const bool touches = m.slides + m.sticks > m.open, slides = touches && m.slides > m.sticks;
       crack.status[k] = slides ? 2.0 : touches ? 1.0 : 0.0;
       crack.slip[k] = slides ? crack.slip[k] + m.way / m.slides : 0.0;

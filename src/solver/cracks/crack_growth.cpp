@@ -124,7 +124,7 @@ void CrackTips<2>::extend(std::size_t c, CrackTip& tip, double angle) {
       length = std::min(length, 0.99 * area.dot(corners[0] - from) / area.dot(ahead));
       tip.lives = false;
     }
-  grow_by(crack, tip, from + length * ahead);
+  grow_to(crack, tip, from + length * ahead);
   const auto& law = *system_.bodies[tip.body].law;
   const double shear_speed =
       std::sqrt((moduli_[tip.body] ? moduli_[tip.body]->G : law.wave_modulus() / 3) / law.density());
@@ -136,7 +136,7 @@ void CrackTips<2>::extend(std::size_t c, CrackTip& tip, double angle) {
   // between particles that stretched there may be gaps
   if (matter.at(crack.x[tip.point], 0.5)) return;
   tip.lives = false;
-  go_on(crack, tip, cell_, beyond_);
+  extend_straight(crack, tip, cell_, beyond_);
 }
 
 }  // namespace tribo

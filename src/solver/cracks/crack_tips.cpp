@@ -96,12 +96,12 @@ CrackTips<2>::Ring CrackTips<2>::ring(const Crack<2>& crack, const CrackTip& tip
 
 // Of the nodes, with the fields that a particle at x feels.
 Vec<2> CrackTips<2>::acceleration(const Body<2>& body, const Vec<2>& x) const {
-  thread_local Cracks<2>::Sight sight;
-  cracks_.look(x, sight);
+  thread_local Cracks<2>::NearbyPieces nearby;
+  cracks_.find_nearby(x, nearby);
   double all = 0.0;
   Vec<2> sum = Vec<2>::Zero();
   around_.each(x, [&](double w, Index<2> n) {
-    const int side = cracks_.side(sight, x, n);
+    const int side = cracks_.side_of_node(nearby, x, n);
     const Vec<2> mirror = around_.fold(n);
     const auto& field = system_.fields[side == 0 ? body.field : body.across[static_cast<std::size_t>(side) - 1]];
     const auto at = field.map.node(n);

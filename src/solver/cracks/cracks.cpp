@@ -46,11 +46,11 @@ void each_block(const Lattice<Dim>& lattice, const Vec<Dim>& low, const Vec<Dim>
 // Calls f for a piece and, near symmetry planes, for its images and theirs: a crack that ends there goes on beyond.
 template <int Dim>
 template <class F>
-void Cracks<Dim>::each_image(const PieceOf& piece, F&& f) const {
-  std::vector<PieceOf> images{piece};
+void Cracks<Dim>::each_image(const PlacedPiece& piece, F&& f) const {
+  std::vector<PlacedPiece> images{piece};
   for (std::size_t k = 0; k < images.size(); ++k)
     for (const SymmetryPlane& plane : around_.planes()) {
-      PieceOf image = images[k];
+      PlacedPiece image = images[k];
       for (auto& corner : image.corners) corner[plane.axis] = 2 * plane.at - corner[plane.axis];
       image.mirror[plane.axis] *= -1;
       std::swap(image.corners[0], image.corners[1]), std::swap(image.points[0], image.points[1]);
@@ -59,17 +59,17 @@ void Cracks<Dim>::each_image(const PieceOf& piece, F&& f) const {
         image.low = image.low.cwiseMin(corner), image.high = image.high.cwiseMax(corner);
       const double h = system_.lattice.spacing[plane.axis];
       const double beyond = plane.inward > 0 ? plane.at - image.high[plane.axis] : image.low[plane.axis] - plane.at;
-      const bool known = std::any_of(images.begin(), images.end(), [&](const PieceOf& other) {
+      const bool known = std::any_of(images.begin(), images.end(), [&](const PlacedPiece& other) {
         return (other.low - image.low).norm() + (other.high - image.high).norm() < 1e-9 * h;
       });
       if (beyond >= -1e-9 * h && beyond <= (width_ + 1.0) * h && !known) images.push_back(image);
     }
-  for (const PieceOf& image : images) f(image);
+  for (const PlacedPiece& image : images) f(image);
 }
 
 // A piece is listed at every block in which a way may begin or end that crosses it.
 template <int Dim>
-void Cracks<Dim>::list_piece(const PieceOf& piece) {
+void Cracks<Dim>::register_piece(const PlacedPiece& piece) {
   const Vec<Dim> reach = (width_ + 1.0) * system_.lattice.spacing;
   each_block<Dim>(system_.lattice, piece.low - reach, piece.high + reach, [&](std::int64_t block) {
     int& list = list_of_[static_cast<std::size_t>(block)];
@@ -88,18 +88,19 @@ void Cracks<Dim>::list_piece(const PieceOf& piece) {
 }
 
 template <int Dim>
-void Cracks<Dim>::list_pieces() {
+void Cracks<Dim>::register_pieces() {
   for (const auto block : listed_) list_of_[static_cast<std::size_t>(block)] = -1;
   listed_.clear();
   for (auto& list : lists_) list.pieces.clear(), list.cracks.clear();
   for (std::uint32_t c = 0; c < system_.cracks.size(); ++c) {
     const Crack<Dim>& crack = system_.cracks[c];
     for (std::size_t p = 0; p < crack.pieces.size(); ++p) {
-      PieceOf piece{c, static_cast<std::uint32_t>(p), 0, crack.pieces[p], crack.corners(p), Vec<Dim>::Ones(), {}, {}};
+      PlacedPiece piece{c, static_cast<std::uint32_t>(p), 0, crack.pieces[p], crack.corners(p), Vec<Dim>::Ones(), {},
+                        {}};
       piece.low = piece.high = piece.corners[0];
       for (const auto& corner : piece.corners)
         piece.low = piece.low.cwiseMin(corner), piece.high = piece.high.cwiseMax(corner);
-      each_image(piece, [&](const PieceOf& image) { list_piece(image); });
+      each_image(piece, [&](const PlacedPiece& image) { register_piece(image); });
     }
   }
 }
@@ -151,9 +152,9 @@ void Cracks<Dim>::add_blocks(const Field<Dim>& field, std::vector<std::int64_t>&
 template <int Dim>
 void Cracks<Dim>::find() {
   if (!active()) return;
-  list_pieces();
+  register_pieces();
   parallel_for(static_cast<std::ptrdiff_t>(cut_.size()), [&](std::ptrdiff_t k) {
-    const BinOf& at = cut_[static_cast<std::size_t>(k)];
+    const CutBinPlace& at = cut_[static_cast<std::size_t>(k)];
     auto& cut = at.body->cut_bins[static_cast<std::size_t>(at.body->cut[at.bin])];
     find_bin(*at.body, at.body->bins.list()[at.bin], cut);
   });
@@ -162,11 +163,11 @@ void Cracks<Dim>::find() {
 
 // Bits of the cracks that a way crosses an odd number of times.
 template <int Dim>
-std::uint64_t Cracks<Dim>::crossed(const std::vector<const PieceOf*>& pieces, const Vec<Dim>& from,
+std::uint64_t Cracks<Dim>::crossed(const std::vector<const PlacedPiece*>& pieces, const Vec<Dim>& from,
                                    const Vec<Dim>& to) const {
   std::uint64_t out = 0;
   const Vec<Dim> low = from.cwiseMin(to), high = from.cwiseMax(to);
-  for (const PieceOf* p : pieces)
+  for (const PlacedPiece* p : pieces)
     if ((p->low.array() <= high.array()).all() && (low.array() <= p->high.array()).all() &&
         crossing(p->corners, from, to) != 0)
       out ^= std::uint64_t{1} << p->bit;
@@ -183,7 +184,7 @@ void Cracks<Dim>::find_bin(Body<Dim>& body, const Bin& bin, CutBin& cut) {
   const int list = list_of_[static_cast<std::size_t>(bin.block)];
   if (list < 0) return;
   thread_local std::vector<Index<Dim>> lowest;
-  thread_local std::vector<const PieceOf*> close;
+  thread_local std::vector<const PlacedPiece*> close;
   transfers_.lowest_nodes(body, system_.lattice, bin, lowest);
   const int nodes = Dim == 2 ? width_ * width_ : width_ * width_ * width_;
   const Vec<Dim> span = (width_ - 1.0) * system_.lattice.spacing;
@@ -191,7 +192,7 @@ void Cracks<Dim>::find_bin(Body<Dim>& body, const Bin& bin, CutBin& cut) {
     const Vec<Dim> x = body.particles.position(bin.begin + i), base = system_.lattice.position(lowest[i]);
     const Vec<Dim> low = base.cwiseMin(x), high = (base + span).cwiseMax(x);
     close.clear();
-    for (const PieceOf& p : lists_[static_cast<std::size_t>(list)].pieces)
+    for (const PlacedPiece& p : lists_[static_cast<std::size_t>(list)].pieces)
       if ((p.low.array() <= high.array()).all() && (low.array() <= p.high.array()).all()) close.push_back(&p);
     if (close.empty()) continue;
     const std::size_t first = cut.sides.size();
@@ -258,12 +259,12 @@ void Cracks<Dim>::number_node_cracks() {
     }
   });
   each([&](const Index<Dim>& node, std::uint64_t bits, const List& list, std::uint8_t& side) {
-    side = static_cast<std::uint8_t>(to_sides(node, bits, list));
+    side = static_cast<std::uint8_t>(side_from_crossings(node, bits, list));
   });
 }
 
 template <int Dim>
-int Cracks<Dim>::to_sides(const Index<Dim>& node, std::uint64_t crossed, const List& list) const {
+int Cracks<Dim>::side_from_crossings(const Index<Dim>& node, std::uint64_t crossed, const List& list) const {
   if (system_.cracks.size() == 1 || crossed == 0) return crossed != 0 ? 1 : 0;
   const auto found = node_cracks_.find(flat(node));
   if (found == node_cracks_.end()) return 0;
@@ -275,18 +276,20 @@ int Cracks<Dim>::to_sides(const Index<Dim>& node, std::uint64_t crossed, const L
 }
 
 template <int Dim>
-void Cracks<Dim>::look(const Vec<Dim>& x, Sight& sight) const {
-  sight.list = &near(x);
-  sight.close.clear();
+void Cracks<Dim>::find_nearby(const Vec<Dim>& x, NearbyPieces& nearby) const {
+  nearby.list = &near(x);
+  nearby.close.clear();
   const Vec<Dim> reach = 2.01 * system_.lattice.spacing;
   const Vec<Dim> low = x - reach, high = x + reach;
-  for (const PieceOf& p : sight.list->pieces)
-    if ((p.low.array() <= high.array()).all() && (low.array() <= p.high.array()).all()) sight.close.push_back(&p);
+  for (const PlacedPiece& p : nearby.list->pieces)
+    if ((p.low.array() <= high.array()).all() && (low.array() <= p.high.array()).all()) nearby.close.push_back(&p);
 }
 
 template <int Dim>
-int Cracks<Dim>::side(const Sight& sight, const Vec<Dim>& x, const Index<Dim>& node) const {
-  return sight.close.empty() ? 0 : to_sides(node, crossed(sight.close, x, system_.lattice.position(node)), *sight.list);
+int Cracks<Dim>::side_of_node(const NearbyPieces& nearby, const Vec<Dim>& x, const Index<Dim>& node) const {
+  return nearby.close.empty()
+             ? 0
+             : side_from_crossings(node, crossed(nearby.close, x, system_.lattice.position(node)), *nearby.list);
 }
 
 template class Cracks<2>;

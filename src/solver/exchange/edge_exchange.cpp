@@ -79,24 +79,25 @@ auto EdgeExchange<Dim>::image_of(const Plane& plane, std::int64_t at, Index<Dim>
 }
 
 template <int Dim>
-void EdgeExchange<Dim>::sum_images(NodeLayer& nodes, ImageValues values) const {
-  const auto scattered = [&](const Node& node) {
-    const Wide all = Wide::load(node.data());
+void EdgeExchange<Dim>::sum_images(NodeNumbers nodes, ImageValues values) const {
+  constexpr int first = NodeNumbers::first_vector, second = NodeNumbers::second_vector;
+  const auto scattered = [&](const double* node) {
+    const Wide all = Wide::load(node);
     return values != ImageValues::forces ? all : Wide::join(Vec4{}, all.high());
   };
-  const auto add = [](Node& to, const Wide& w) { (Wide::load(to.data()) + w).store(to.data()); };
+  const auto add = [](double* to, const Wide& w) { (Wide::load(to) + w).store(to); };
   for (std::size_t p = 0; p < planes_.size(); ++p) {
     const Plane& plane = planes_[p];
     if (values == ImageValues::cells && plane.kind != Edge::period) continue;
     for (const Image& i : images_[p]) {
-      Node& image = nodes[static_cast<std::size_t>(i.image)];
-      Node& inside = nodes[static_cast<std::size_t>(i.inside)];
-      Node beyond{};
-      scattered(image).store(beyond.data());
+      double* image = nodes[static_cast<std::size_t>(i.image)];
+      double* inside = nodes[static_cast<std::size_t>(i.inside)];
+      alignas(64) double beyond[NodeNumbers::per_node];
+      scattered(image).store(beyond);
       if (plane.kind != Edge::wall) {
         if (plane.kind == Edge::symmetry && values != ImageValues::scalars) {
-          beyond.velocity[plane.axis] = -beyond.velocity[plane.axis];
-          beyond.acceleration[plane.axis] = -beyond.acceleration[plane.axis];
+          beyond[first + plane.axis] = -beyond[first + plane.axis];
+          beyond[second + plane.axis] = -beyond[second + plane.axis];
         }
         add(inside, scattered(beyond));
       } else {
@@ -104,41 +105,41 @@ void EdgeExchange<Dim>::sum_images(NodeLayer& nodes, ImageValues values) const {
         add(inside, -static_cast<double>(i.depth) * scattered(beyond));
       }
       if (values != ImageValues::forces)
-        Wide::zero().store(image.data());
+        Wide::zero().store(image);
       else
-        store4(image.data() + 4, Vec4{});
+        store4(image + 4, Vec4{});
     }
     // Nodes on planes are their own mirror images, once all images of their axis have been added.
     if (p + 1 < planes_.size() && planes_[p + 1].axis == plane.axis) continue;
     for (const OnPlane& on : mirror_nodes_[plane.axis]) {
-      Node& node = nodes[static_cast<std::size_t>(on.node)];
+      double* node = nodes[static_cast<std::size_t>(on.node)];
       add(node, scattered(node));
-      if (values != ImageValues::scalars) node.velocity[plane.axis] = node.acceleration[plane.axis] = 0.0;
+      if (values != ImageValues::scalars) node[first + plane.axis] = node[second + plane.axis] = 0.0;
     }
   }
 }
 
 template <int Dim>
-void EdgeExchange<Dim>::copy_images(NodeLayer& nodes, ImageValues values) const {
+void EdgeExchange<Dim>::copy_images(NodeNumbers nodes, ImageValues values) const {
+  constexpr int first = NodeNumbers::first_vector, second = NodeNumbers::second_vector;
   for (std::size_t p = planes_.size(); p-- > 0;) {
     const Plane& plane = planes_[p];
     if (values == ImageValues::cells && plane.kind != Edge::period) continue;
     for (const Image& i : images_[p]) {
-      Node& image = nodes[static_cast<std::size_t>(i.image)];
-      const Node& inside = nodes[static_cast<std::size_t>(i.inside)];
-      const double mass = image.mass;
+      double* image = nodes[static_cast<std::size_t>(i.image)];
+      const double* inside = nodes[static_cast<std::size_t>(i.inside)];
+      const double weight = image[0];
       if (plane.kind != Edge::wall) {
-        Wide::load(inside.data()).store(image.data());
+        Wide::load(inside).store(image);
         if (plane.kind == Edge::symmetry && values != ImageValues::scalars) {
-          image.velocity[plane.axis] = -image.velocity[plane.axis];
-          image.acceleration[plane.axis] = -image.acceleration[plane.axis];
+          image[first + plane.axis] = -image[first + plane.axis];
+          image[second + plane.axis] = -image[second + plane.axis];
         }
       } else {
-        const Node& on = nodes[static_cast<std::size_t>(i.plane)];
-        ((i.depth + 1.0) * Wide::load(on.data()) + -static_cast<double>(i.depth) * Wide::load(inside.data()))
-            .store(image.data());
+        const double* on = nodes[static_cast<std::size_t>(i.plane)];
+        ((i.depth + 1.0) * Wide::load(on) + -static_cast<double>(i.depth) * Wide::load(inside)).store(image);
       }
-      image.mass = mass;
+      image[0] = weight;
     }
   }
 }
@@ -171,10 +172,10 @@ void EdgeExchange<Dim>::add_plane_reactions(const NodeLayer& nodes) {
   for (std::size_t p = 0; p < planes_.size(); ++p)
     if (planes_[p].kind == Edge::symmetry)
       for (const Image& i : images_[p])
-        reactions_[p] -= 2 * nodes[static_cast<std::size_t>(i.image)].acceleration[planes_[p].axis];
+        reactions_[p] -= 2 * nodes[static_cast<std::size_t>(i.image)].force[planes_[p].axis];
   for (int axis = 0; axis < Dim; ++axis)
     for (const OnPlane& on : mirror_nodes_[axis])
-      reactions_[on.plane] -= nodes[static_cast<std::size_t>(on.node)].acceleration[axis];
+      reactions_[on.plane] -= nodes[static_cast<std::size_t>(on.node)].force[axis];
 }
 
 template <int Dim>

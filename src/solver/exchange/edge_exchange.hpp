@@ -14,8 +14,8 @@ template <int Dim>
 class OpenExchange final : public Exchange<Dim> {
  public:
   void locate(const BlockMap<Dim>&) override {}
-  void sum_images(NodeLayer&, ImageValues) const override {}
-  void copy_images(NodeLayer&, ImageValues) const override {}
+  void sum_images(NodeNumbers, ImageValues) const override {}
+  void copy_images(NodeNumbers, ImageValues) const override {}
   double ownership(std::int64_t) const override { return 1.0; }
   bool is_image(const Index<Dim>&) const override { return false; }
   int mirrored_axes(const Index<Dim>&) const override { return 0; }
@@ -39,8 +39,8 @@ class EdgeExchange final : public Exchange<Dim> {
   /// Whether there is any plane, wall or periodic edge.
   bool any() const { return !planes_.empty(); }
   void locate(const BlockMap<Dim>& map) override;
-  void sum_images(NodeLayer& nodes, ImageValues values) const override;
-  void copy_images(NodeLayer& nodes, ImageValues values) const override;
+  void sum_images(NodeNumbers nodes, ImageValues values) const override;
+  void copy_images(NodeNumbers nodes, ImageValues values) const override;
   double ownership(std::int64_t node) const override {
     return ownership_.empty() ? 1.0 : ownership_[static_cast<std::size_t>(node)];
   }

@@ -32,9 +32,9 @@ class Exchange {
   /// Finds the images among the blocks that exist; to be called after every change of the field's map.
   virtual void locate(const BlockMap<Dim>& map) = 0;
   /// Adds the values of the images to the nodes that they stand for, and sets them to zero.
-  virtual void sum_images(NodeLayer& nodes, ImageValues values = ImageValues::vectors) const = 0;
+  virtual void sum_images(NodeNumbers nodes, ImageValues values = ImageValues::vectors) const = 0;
   /// Gives the images the values of the nodes that they stand for: the transpose of sum_images.
-  virtual void copy_images(NodeLayer& nodes, ImageValues values = ImageValues::vectors) const = 0;
+  virtual void copy_images(NodeNumbers nodes, ImageValues values = ImageValues::vectors) const = 0;
   /// The share with which a node (its position in the layers) counts in sums over nodes: a node on a symmetry plane
   /// also carries the mass of its mirror image and counts one half for every such plane.
   virtual double ownership(std::int64_t node) const = 0;

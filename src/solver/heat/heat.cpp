@@ -8,27 +8,17 @@
 #include <cmath>
 
 namespace tribo {
-namespace {
-
-// On the nodes of the heat layer.
-double& capacity(Node& node) { return node.mass; }
-double& temperature(Node& node) { return node.velocity[0]; }
-double& power(Node& node) { return node.acceleration[0]; }  // into the node
-double& rate(Node& node) { return node.acceleration[0]; }   // dT/dt, once divided by the capacity
-
-}  // namespace
-
 template <int Dim>
 HeatConduction<Dim>::HeatConduction(const Model& model, System<Dim>& system, const Transfers<Dim>& transfers)
     : model_(model), system_(system), transfers_(transfers), active_(model.heat.conduction) {
   if (!active_) return;
   Problems problems;
   for (std::size_t c = 0; c < model.temperature_conditions.size(); ++c) {
-    const std::size_t before = held_.size();
+    const std::size_t before = prescribed_.size();
     each_node_in<Dim>(system.lattice, *model.temperature_conditions[c].where, [&](const Index<Dim>& node) {
-      held_.push_back({node, c});
+      prescribed_.push_back({node, c});
     });
-    if (held_.size() == before)
+    if (prescribed_.size() == before)
       problems.add(model.temperature_conditions[c].origin, "this condition selects no node of the grid");
   }
   problems.raise();
@@ -44,20 +34,20 @@ template <int Dim>
 void HeatConduction<Dim>::conduct(double dt, const Contact<Dim>& contact, const Exchanges<Dim>& exchanges) {
   if (!active_) return;
   if (system_.step == 0) {  // no step before this one gave the particles a gradient
-    collect(0.0, contact, exchanges);
-    join(contact);
-    give(0.0, exchanges);
+    find_rates(0.0, contact, exchanges);
+    equalize_contact(contact);
+    update_particles(0.0, exchanges);
   }
-  collect(dt, contact, exchanges);
-  join(contact);
-  hold(dt, exchanges);
-  give(dt, exchanges);
-  settle(dt, contact, exchanges);
+  find_rates(dt, contact, exchanges);
+  equalize_contact(contact);
+  impose_temperatures(dt, exchanges);
+  update_particles(dt, exchanges);
+  reduce_detail(dt, contact, exchanges);
 }
 
 template <int Dim>
 void HeatConduction<Dim>::scatter(Scatter what) {
-  for (auto& field : system_.fields) std::fill(field.heat.begin(), field.heat.end(), Node{});
+  for (auto& field : system_.fields) std::fill(field.heat.begin(), field.heat.end(), HeatNode{});
   for (auto& body : system_.bodies) {
     transfers_.scatter(body, Target<Dim>(body, system_.fields, &Field<Dim>::heat), what, false, false);
   }
@@ -65,27 +55,27 @@ void HeatConduction<Dim>::scatter(Scatter what) {
 
 // Temperatures of the nodes and, from the gradients of the particles and fluxes through their faces, their rates.
 template <int Dim>
-void HeatConduction<Dim>::collect(double dt, const Contact<Dim>& contact, const Exchanges<Dim>& exchanges) {
+void HeatConduction<Dim>::find_rates(double dt, const Contact<Dim>& contact, const Exchanges<Dim>& exchanges) {
   scatter(Scatter::heat);
   each_loaded(model_, system_, ParticleCondition::Kind::heat_flux,
               [&](const ParticleCondition& condition, Body<Dim>& body, std::size_t particle) {
-                flow_in(dt, condition, body, particle, exchanges);
+                add_flux(dt, condition, body, particle, exchanges);
               });
-  if (model_.heat.contact_heating && dt > 0) rub(dt, contact, exchanges);
+  if (model_.heat.contact_heating && dt > 0) add_friction_heat(dt, contact, exchanges);
   for (std::size_t f = 0; f < system_.fields.size(); ++f) {
     auto& nodes = system_.fields[f].heat;
     exchanges[f]->sum_images(nodes, ImageValues::scalars);
-    for (Node& node : nodes) {
-      if (!(capacity(node) > 0)) continue;
-      temperature(node) /= capacity(node);
-      rate(node) = power(node) / capacity(node);
+    for (HeatNode& node : nodes) {
+      if (!(node.capacity > 0)) continue;
+      node.temperature = node.heat / node.capacity;
+      node.rate = node.power / node.capacity;
     }
   }
 }
 
 template <int Dim>
-void HeatConduction<Dim>::flow_in(double dt, const ParticleCondition& condition, Body<Dim>& body, std::size_t particle,
-                                  const Exchanges<Dim>& exchanges) {
+void HeatConduction<Dim>::add_flux(double dt, const ParticleCondition& condition, Body<Dim>& body, std::size_t particle,
+                                   const Exchanges<Dim>& exchanges) {
   const auto face = ParticleFace<Dim>::of(system_, body, particle, condition.face);
   Vec3 x = Vec3::Zero();
   x.head<Dim>() = body.particles.position(particle);
@@ -95,7 +85,7 @@ void HeatConduction<Dim>::flow_in(double dt, const ParticleCondition& condition,
     const PointShares<Dim> to(model_.scheme.kernel, system_.fields, exchanges, at,
                               [&](const Index<Dim>&) { return body.field; });
     for (std::size_t k = 0; k < static_cast<std::size_t>(to.count); ++k)
-      power(field.heat[static_cast<std::size_t>(to.node[k])]) +=
+      field.heat[static_cast<std::size_t>(to.node[k])].power +=
           to.share[k] * whole / static_cast<double>(face.points.size());
   }
   supplied += dt * whole;
@@ -104,12 +94,12 @@ void HeatConduction<Dim>::flow_in(double dt, const ParticleCondition& condition,
 // The work of sliding becomes heat where it is done, on the face; each side takes its share by capacity, which is no
 // matter as they have one temperature there. Rigid bodies take none.
 template <int Dim>
-void HeatConduction<Dim>::rub(double dt, const Contact<Dim>& contact, const Exchanges<Dim>& exchanges) {
+void HeatConduction<Dim>::add_friction_heat(double dt, const Contact<Dim>& contact, const Exchanges<Dim>& exchanges) {
   contact.each_closed_pair([&](const ContactPair& pair, const ContactMember& a, const ContactMember& b, double share) {
-    const double both = capacity(on(a)) + capacity(on(b));
+    const double both = node_of(a).capacity + node_of(b).capacity;
     if (pair.friction_work == 0.0 || !(both > 0)) return;
     for (const ContactMember* side : {&a, &b}) {
-      const double part = capacity(on(*side)) / both;
+      const double part = node_of(*side).capacity / both;
       if (!(part > 0)) continue;
       auto& field = system_.fields[side->field];
       const Vec<Dim> face = system_.lattice.position(field.map.node_at(side->node)) +
@@ -117,7 +107,7 @@ void HeatConduction<Dim>::rub(double dt, const Contact<Dim>& contact, const Exch
       const PointShares<Dim> to(model_.scheme.kernel, system_.fields, exchanges, face,
                                 [&](const Index<Dim>&) { return side->field; });
       for (std::size_t k = 0; k < static_cast<std::size_t>(to.count); ++k)
-        power(field.heat[static_cast<std::size_t>(to.node[k])]) += to.share[k] * share * part * pair.friction_work / dt;
+        field.heat[static_cast<std::size_t>(to.node[k])].power += to.share[k] * share * part * pair.friction_work / dt;
     }
     from_contact += share * pair.friction_work;
   });
@@ -126,17 +116,17 @@ void HeatConduction<Dim>::rub(double dt, const Contact<Dim>& contact, const Exch
 // Where faces touch, both nodes take the mean temperature and the mean rate, weighted by their capacities. Means of
 // pairs converge to the mean of all where three bodies meet.
 template <int Dim>
-void HeatConduction<Dim>::join(const Contact<Dim>& contact) {
+void HeatConduction<Dim>::equalize_contact(const Contact<Dim>& contact) {
   static constexpr int most_sweeps = 20;
   static constexpr double tolerance = 1e-13;
   for (int sweep = 0; sweep < most_sweeps; ++sweep) {
     double change = 0.0;
     contact.each_closed_pair([&](const ContactPair&, const ContactMember& a, const ContactMember& b, double) {
-      Node &at_a = on(a), &at_b = on(b);
-      const double ca = capacity(at_a), cb = capacity(at_b);
+      HeatNode &at_a = node_of(a), &at_b = node_of(b);
+      const double ca = at_a.capacity, cb = at_b.capacity;
       if (!(ca > 0) || !(cb > 0)) return;
-      for (double& (*value)(Node&) : {temperature, rate}) {
-        double &va = value(at_a), &vb = value(at_b);
+      for (const auto value : {&HeatNode::temperature, &HeatNode::rate}) {
+        double &va = at_a.*value, &vb = at_b.*value;
         const double mean = (ca * va + cb * vb) / (ca + cb);
         change = std::max(change, std::abs(va - vb) - tolerance * std::abs(mean));
         va = vb = mean;
@@ -149,35 +139,35 @@ void HeatConduction<Dim>::join(const Contact<Dim>& contact) {
 // As with velocities, rates follow the prescribed values; only in the first step does the difference count that the
 // particles began with.
 template <int Dim>
-void HeatConduction<Dim>::hold(double dt, const Exchanges<Dim>& exchanges) {
-  for (const Held& held : held_) {
-    const auto& condition = model_.temperature_conditions[held.condition];
+void HeatConduction<Dim>::impose_temperatures(double dt, const Exchanges<Dim>& exchanges) {
+  for (const PrescribedTemperature& node_condition : prescribed_) {
+    const auto& condition = model_.temperature_conditions[node_condition.condition];
     Vec3 x = Vec3::Zero();
-    x.head<Dim>() = system_.lattice.position(held.index);
+    x.head<Dim>() = system_.lattice.position(node_condition.index);
     const double wanted = condition.temperature.at(system_.time + dt, x, dt);
     for (std::size_t f = 0; f < system_.fields.size(); ++f) {
-      const auto at = system_.fields[f].map.node(held.index);
+      const auto at = system_.fields[f].map.node(node_condition.index);
       if (at < 0) continue;
-      Node& node = system_.fields[f].heat[static_cast<std::size_t>(at)];
-      if (!(capacity(node) > 0)) continue;
-      const double before = system_.step == 0 ? temperature(node) : condition.temperature.at(system_.time, x, dt);
-      const double correction = (wanted - before) / dt - rate(node);
-      rate(node) += correction;
-      temperature(node) = wanted - dt * rate(node);
-      supplied += exchanges[f]->ownership(at) * dt * capacity(node) * correction;
+      HeatNode& node = system_.fields[f].heat[static_cast<std::size_t>(at)];
+      if (!(node.capacity > 0)) continue;
+      const double before = system_.step == 0 ? node.temperature : condition.temperature.at(system_.time, x, dt);
+      const double correction = (wanted - before) / dt - node.rate;
+      node.rate += correction;
+      node.temperature = wanted - dt * node.rate;
+      supplied += exchanges[f]->ownership(at) * dt * node.capacity * correction;
     }
   }
 }
 
 // Rates to the particles, with the gradient of the temperatures at the end of the step.
 template <int Dim>
-void HeatConduction<Dim>::give(double dt, const Exchanges<Dim>& exchanges) {
+void HeatConduction<Dim>::update_particles(double dt, const Exchanges<Dim>& exchanges) {
   Gather what;
-  what.heat = true;
+  what.task = GatherTask::temperature;
   what.dt = dt;
   for (std::size_t f = 0; f < system_.fields.size(); ++f) {
     auto& nodes = system_.fields[f].heat;
-    for (Node& node : nodes) temperature(node) += dt * rate(node);
+    for (HeatNode& node : nodes) node.temperature += dt * node.rate;
     exchanges[f]->copy_images(nodes, ImageValues::scalars);
   }
   for (auto& body : system_.bodies) {
@@ -190,27 +180,28 @@ void HeatConduction<Dim>::give(double dt, const Exchanges<Dim>& exchanges) {
 }
 
 template <int Dim>
-void HeatConduction<Dim>::settle(double dt, const Contact<Dim>& contact, const Exchanges<Dim>& exchanges) {
+void HeatConduction<Dim>::reduce_detail(double dt, const Contact<Dim>& contact, const Exchanges<Dim>& exchanges) {
   static constexpr double least_share = 0.25;  // so that it costs little where steps are short
-  waited += dt;
+  time_since_reduction += dt;
   const double h = system_.lattice.smallest_spacing();
   double most = 0.0;
   for (auto& body : system_.bodies) {
-    body.detail_share = std::min(1.0, waited * body.conductivity / (body.law->density() * body.heat_capacity * h * h));
+    body.detail_share =
+        std::min(1.0, time_since_reduction * body.conductivity / (body.law->density() * body.heat_capacity * h * h));
     most = std::max(most, body.detail_share);
   }
   if (most < least_share) return;
-  waited = 0.0;
+  time_since_reduction = 0.0;
   scatter(Scatter::heat_detail);
   for (std::size_t f = 0; f < system_.fields.size(); ++f) {
     auto& nodes = system_.fields[f].heat;
     exchanges[f]->sum_images(nodes, ImageValues::scalars);
-    for (Node& node : nodes)
-      if (capacity(node) > 0) temperature(node) /= capacity(node);
+    for (HeatNode& node : nodes)
+      if (node.capacity > 0) node.temperature = node.heat / node.capacity;
   }
-  join(contact);
+  equalize_contact(contact);
   Gather what;
-  what.heat_detail = true;
+  what.task = GatherTask::temperature_detail;
   for (std::size_t f = 0; f < system_.fields.size(); ++f)
     exchanges[f]->copy_images(system_.fields[f].heat, ImageValues::scalars);
   for (auto& body : system_.bodies) {

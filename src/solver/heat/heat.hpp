@@ -33,31 +33,37 @@ class HeatConduction {
   /// of this step as heat if the model says so. Faces that touch have one temperature; faces apart exchange nothing.
   void conduct(double dt, const Contact<Dim>& contact, const Exchanges<Dim>& exchanges);
 
-  double supplied = 0.0;      ///< heat that came in through conditions so far    [energy]
-  double from_contact = 0.0;  ///< heat from sliding contact so far               [energy]
-  double waited = 0.0;        ///< time since details last settled; kept for restart
+  double supplied = 0.0;              ///< heat that came in through conditions so far    [energy]
+  double from_contact = 0.0;          ///< heat from sliding contact so far               [energy]
+  double time_since_reduction = 0.0;  ///< time since the detail was last reduced [time]
+
+  friend void archive(Archive& a, HeatConduction& heat) {
+    auto& [supplied, from_contact, time_since_reduction, model, system, transfers, active, prescribed] = heat;
+    a.version(1);
+    a("supplied", supplied), a("from_contact", from_contact), a("time_since_reduction", time_since_reduction);
+  }
 
  private:
-  struct Held {
+  struct PrescribedTemperature {
     Index<Dim> index;
     std::size_t condition;
   };
-  Node& on(const ContactMember& m) { return system_.fields[m.field].heat[static_cast<std::size_t>(m.node)]; }
-  void collect(double dt, const Contact<Dim>& contact, const Exchanges<Dim>& exchanges);
-  void flow_in(double dt, const ParticleCondition& condition, Body<Dim>& body, std::size_t particle,
-               const Exchanges<Dim>& exchanges);
-  void rub(double dt, const Contact<Dim>& contact, const Exchanges<Dim>& exchanges);
-  void join(const Contact<Dim>& contact);
-  void hold(double dt, const Exchanges<Dim>& exchanges);
-  void give(double dt, const Exchanges<Dim>& exchanges);
-  void settle(double dt, const Contact<Dim>& contact, const Exchanges<Dim>& exchanges);
+  HeatNode& node_of(const ContactMember& m) { return system_.fields[m.field].heat[static_cast<std::size_t>(m.node)]; }
+  void find_rates(double dt, const Contact<Dim>& contact, const Exchanges<Dim>& exchanges);
+  void add_flux(double dt, const ParticleCondition& condition, Body<Dim>& body, std::size_t particle,
+                const Exchanges<Dim>& exchanges);
+  void add_friction_heat(double dt, const Contact<Dim>& contact, const Exchanges<Dim>& exchanges);
+  void equalize_contact(const Contact<Dim>& contact);
+  void impose_temperatures(double dt, const Exchanges<Dim>& exchanges);
+  void update_particles(double dt, const Exchanges<Dim>& exchanges);
+  void reduce_detail(double dt, const Contact<Dim>& contact, const Exchanges<Dim>& exchanges);
   void scatter(Scatter what);
 
   const Model& model_;
   System<Dim>& system_;
   const Transfers<Dim>& transfers_;
   bool active_ = false;
-  std::vector<Held> held_;  ///< nodes with prescribed temperature
+  std::vector<PrescribedTemperature> prescribed_;  ///< nodes with prescribed temperature
 };
 
 }  // namespace tribo

@@ -25,28 +25,28 @@ Index<Dim> block_of(const Lattice<Dim>& lattice, const Vec<Dim>& x) {
 // Lists the points between bodies by blocks.
 template <int Dim>
 void Joints<Dim>::list_points() {
-  for (const auto block : listed_) points_[static_cast<std::size_t>(block)].clear();
-  listed_.clear();
+  for (const auto block : listed_blocks_) points_of_block_[static_cast<std::size_t>(block)].clear();
+  listed_blocks_.clear();
   for (std::size_t s = 0; s < system_.joints.size(); ++s) {
     const JointSurface<Dim>& surface = system_.joints[s];
     if (surface.crack != JointSurface<Dim>::none) continue;
     for (std::size_t k = 0; k < surface.joints.size(); ++k) {
-      if (!holds(s, k)) continue;
+      if (!is_supported(s, k)) continue;
       const auto block = system_.lattice.block_index(block_of(system_.lattice, surface.x[k]));
-      auto& list = points_[static_cast<std::size_t>(block)];
-      if (list.empty()) listed_.push_back(block);
+      auto& list = points_of_block_[static_cast<std::size_t>(block)];
+      if (list.empty()) listed_blocks_.push_back(block);
       list.push_back({static_cast<std::uint32_t>(s), static_cast<std::uint32_t>(k)});
     }
   }
 }
 
 template <int Dim>
-auto Joints<Dim>::next(std::size_t a, std::size_t b, const Vec<Dim>& x) const -> Next {
-  Next out;
-  if (points_.empty()) return out;
+auto Joints<Dim>::nearest_joint(std::size_t a, std::size_t b, const Vec<Dim>& x) const -> NearestJoint {
+  NearestJoint out;
+  if (points_of_block_.empty()) return out;
   const Vec<Dim> reach = Vec<Dim>::Constant(reach_);
-  const auto look = [&](const Index<Dim>& block) {
-    for (const PointOf& point : points_[static_cast<std::size_t>(system_.lattice.block_index(block))]) {
+  const auto list_joints_of = [&](const Index<Dim>& block) {
+    for (const PointOf& point : points_of_block_[static_cast<std::size_t>(system_.lattice.block_index(block))]) {
       const JointSurface<Dim>& surface = system_.joints[point.surface];
       const auto& [one, two] = surface.home;
       if (!((one == a && two == b) || (one == b && two == a))) continue;
@@ -63,18 +63,18 @@ auto Joints<Dim>::next(std::size_t a, std::size_t b, const Vec<Dim>& x) const ->
     for (block[1] = low[1]; block[1] <= high[1]; ++block[1])
       for (block[0] = low[0]; block[0] <= high[0]; ++block[0]) {
         if constexpr (Dim == 3) block[2] = z;
-        look(block);
+        list_joints_of(block);
       }
   return out;
 }
 
 // Joints push rigid bodies, too, which do not give way but keep their motion.
 template <int Dim>
-void Joints<Dim>::work_on_rigid(std::size_t s, const std::vector<Vec3>& before, double dt) {
+void Joints<Dim>::record_rigid_work(std::size_t s, const std::vector<Vec3>& before, double dt) {
   const JointSurface<Dim>& surface = system_.joints[s];
   for (std::size_t f = 0; f < 2; ++f)
     for (std::size_t k = 0; k < surface.joints.size() && rigid(surface, f); ++k) {
-      if (!holds(s, k)) continue;
+      if (!is_supported(s, k)) continue;
       const double sign = f == 0 ? 1.0 : -1.0;  // what it gives is opposite to what acts on it
       const Vec3 mean = 0.5 * (before[k] + surface.force(k));
       Vec3 velocity = Vec3::Zero();
@@ -84,10 +84,10 @@ void Joints<Dim>::work_on_rigid(std::size_t s, const std::vector<Vec3>& before, 
 }
 
 template void Joints<2>::list_points();
-template auto Joints<2>::next(std::size_t, std::size_t, const Vec<2>&) const -> Next;
-template void Joints<2>::work_on_rigid(std::size_t, const std::vector<Vec3>&, double);
+template auto Joints<2>::nearest_joint(std::size_t, std::size_t, const Vec<2>&) const -> NearestJoint;
+template void Joints<2>::record_rigid_work(std::size_t, const std::vector<Vec3>&, double);
 template void Joints<3>::list_points();
-template auto Joints<3>::next(std::size_t, std::size_t, const Vec<3>&) const -> Next;
-template void Joints<3>::work_on_rigid(std::size_t, const std::vector<Vec3>&, double);
+template auto Joints<3>::nearest_joint(std::size_t, std::size_t, const Vec<3>&) const -> NearestJoint;
+template void Joints<3>::record_rigid_work(std::size_t, const std::vector<Vec3>&, double);
 
 }  // namespace tribo

@@ -13,11 +13,10 @@ template <int Dim>
 Joints<Dim>::Joints(const Model& model, System<Dim>& system, const Cracks<Dim>& cracks)
     : system_(system), cracks_(cracks), around_(model, system.lattice), surfaces_(system.joints.size()) {
   // Particles give to nodes from so far away, with domains of up to a cell.
-  const double cells = model.scheme.kernel == Kernel::cubic_spline ? 2.0 : 1.5;
-  reach_ = (cells + 0.5) * system.lattice.spacing.maxCoeff();
+  reach_ = (std::max(1.5, reach_of(model.scheme.kernel)) + 0.5) * system.lattice.spacing.maxCoeff();
   for (const auto& surface : system.joints)
     if (surface.crack == JointSurface<Dim>::none)
-      points_.resize(static_cast<std::size_t>(system.lattice.block_count()));
+      points_of_block_.resize(static_cast<std::size_t>(system.lattice.block_count()));
 }
 
 // Weights of a fit of a linear velocity to what the nodes on one side have, by least squares: rigid motion opens
@@ -25,7 +24,7 @@ Joints<Dim>::Joints(const Model& model, System<Dim>& system, const Cracks<Dim>& 
 // mass count less, so that little force acts on them.
 template <int Dim>
 double Joints<Dim>::find_side(const JointSurface<Dim>& surface, const Vec<Dim>& x, const Vec<Dim>& n, std::size_t side,
-                              std::vector<Share>& out) const {
+                              std::vector<NodeShare>& out) const {
   constexpr int size = Dim + 1;
   using Basis = Eigen::Matrix<double, size, 1>;
   using Moments = Eigen::Matrix<double, size, size>;
@@ -40,8 +39,8 @@ double Joints<Dim>::find_side(const JointSurface<Dim>& surface, const Vec<Dim>& 
     return p;
   };
   out.clear();
-  thread_local typename Cracks<Dim>::Sight sight;
-  if (cracks_.active()) cracks_.look(x, sight);
+  thread_local typename Cracks<Dim>::NearbyPieces nearby;
+  if (cracks_.active()) cracks_.find_nearby(x, nearby);
   double shapes = 0.0, mass = 0.0;
   thread_local std::vector<Basis> at;
   thread_local std::vector<double> masses;
@@ -49,7 +48,7 @@ double Joints<Dim>::find_side(const JointSurface<Dim>& surface, const Vec<Dim>& 
   around_.each(x, [&](double weight, const Index<Dim>& node) {
     Index<Dim> inside = node;
     const Vec<Dim> mirror = around_.fold(inside);
-    const int across = cracks_.active() ? cracks_.side(sight, beside, node) : 0;
+    const int across = cracks_.active() ? cracks_.side_of_node(nearby, beside, node) : 0;
     const Basis p = basis(system_.lattice.position(node) - x);
     const double images = std::exp2(around_.planes_through(inside));  // such a node holds their mass, too
     const std::size_t first = out.size();
@@ -111,28 +110,28 @@ void Joints<Dim>::find() {
     mine.samples.resize(surface.samples.size());
     parallel_for(static_cast<std::ptrdiff_t>(mine.samples.size()), [&](std::ptrdiff_t sample) {
       const auto k = static_cast<std::size_t>(sample);
-      Reach& reach = mine.samples[k];
-      if (surface.mass[0][k] == surface.gone) {
-        for (auto& side : reach.side) side.clear();
+      SampleNodes& sample_nodes = mine.samples[k];
+      if (surface.mass[0][k] == surface.lost) {
+        for (auto& side : sample_nodes.side) side.clear();
         return;
       }
       const auto [x, n] = place(surface, k);
       double inverse = 0.0;
       for (std::size_t f = 0; f < 2; ++f) {
-        const double mass = find_side(surface, x, n, f, reach.side[f]);
+        const double mass = find_side(surface, x, n, f, sample_nodes.side[f]);
         double& first = surface.mass[f][k];
         if (first == 0) first = mass;
         constexpr double enough = 0.05;  // else the body has gone
-        if (mass < enough * first) reach.side[f].clear();
-        for (const Share& share : reach.side[f])
+        if (mass < enough * first) sample_nodes.side[f].clear();
+        for (const NodeShare& share : sample_nodes.side[f])
           inverse += share.images * share.weight * share.weight * inverse_mass(share);
       }
-      if (surface.crack == JointSurface<Dim>::none && !reach.whole())
-        surface.mass[0][k] = surface.mass[1][k] = surface.gone;
-      reach.mass = inverse > 0 ? 1 / inverse : 0.0;
+      if (surface.crack == JointSurface<Dim>::none && !sample_nodes.whole())
+        surface.mass[0][k] = surface.mass[1][k] = surface.lost;
+      sample_nodes.mass = inverse > 0 ? 1 / inverse : 0.0;
     });
-    mine.held.assign(surface.joints.size(), 0.0);
-    each_part(s, [&](Reach&, std::uint32_t joint, double part) { mine.held[joint] += part; });
+    mine.supported.assign(surface.joints.size(), 0.0);
+    each_part(s, [&](SampleNodes&, std::uint32_t joint, double part) { mine.supported[joint] += part; });
   }
   list_points();
   find_stable_step();
@@ -144,10 +143,10 @@ template <class F>
 void Joints<Dim>::each_part(std::size_t s, F&& f) {
   const auto& samples = system_.joints[s].samples;
   for (std::size_t k = 0; k < samples.size(); ++k) {
-    Reach& reach = surfaces_[s].samples[k];
-    if (!reach.whole()) continue;
+    SampleNodes& sample_nodes = surfaces_[s].samples[k];
+    if (!sample_nodes.whole()) continue;
     for (std::size_t c = 0; c < samples[k].part.size(); ++c)
-      if (samples[k].part[c] > 0) f(reach, samples[k].joint[c], samples[k].part[c]);
+      if (samples[k].part[c] > 0) f(sample_nodes, samples[k].joint[c], samples[k].part[c]);
   }
 }
 
@@ -155,33 +154,33 @@ void Joints<Dim>::each_part(std::size_t s, F&& f) {
 template <int Dim>
 void Joints<Dim>::find_stable_step() {
   stiffness_.resize(system_.fields.size());
-  const auto each_share = [&](const Reach& reach, auto&& f) {
-    for (const auto& side : reach.side)
-      for (const Share& share : side) f(share);
+  const auto each_share = [&](const SampleNodes& sample_nodes, auto&& f) {
+    for (const auto& side : sample_nodes.side)
+      for (const NodeShare& share : side) f(share);
   };
-  const auto stiffness = [&](const Share& share) -> double& {
+  const auto stiffness = [&](const NodeShare& share) -> double& {
     return stiffness_[share.field][static_cast<std::size_t>(share.node)];
   };
   for (auto& mine : surfaces_)
-    for (const Reach& reach : mine.samples)
-      each_share(reach, [&](const Share& share) {
+    for (const SampleNodes& sample_nodes : mine.samples)
+      each_share(sample_nodes, [&](const NodeShare& share) {
         stiffness_[share.field].resize(system_.fields[share.field].nodes.size());
         stiffness(share) = 0.0;
       });
-  const auto scaled = [&](const Share& share) {
+  const auto scaled = [&](const NodeShare& share) {
     return std::abs(share.weight) * std::sqrt(share.images * inverse_mass(share));
   };
   double largest = 0.0;
   for (std::size_t s = 0; s < surfaces_.size(); ++s) {
     auto& joints = system_.joints[s].joints;
     row_.assign(joints.size(), 0.0);
-    each_part(s, [&](Reach& reach, std::uint32_t joint, double part) {
-      each_share(reach, [&](const Share& share) { row_[joint] += part * scaled(share); });
+    each_part(s, [&](SampleNodes& sample_nodes, std::uint32_t joint, double part) {
+      each_share(sample_nodes, [&](const NodeShare& share) { row_[joint] += part * scaled(share); });
     });
-    each_part(s, [&](Reach& reach, std::uint32_t joint, double part) {
+    each_part(s, [&](SampleNodes& sample_nodes, std::uint32_t joint, double part) {
       const Joint& j = joints[joint];
       const double pull = std::max(j.kn, j.ks) * j.area * row_[joint] * part;
-      each_share(reach, [&](const Share& share) {
+      each_share(sample_nodes, [&](const NodeShare& share) {
         double& sum = stiffness(share);
         sum += pull * scaled(share);
         largest = std::max(largest, sum);
@@ -193,14 +192,14 @@ void Joints<Dim>::find_stable_step() {
 }
 
 template <int Dim>
-void Joints<Dim>::push(double dt) {
+void Joints<Dim>::add_forces(double dt) {
   for (std::size_t s = 0; s < system_.joints.size(); ++s) {
     const JointSurface<Dim>& surface = system_.joints[s];
-    each_part(s, [&](Reach& reach, std::uint32_t joint, double part) {
-      if (!holds(s, joint)) return;
-      const Vec<Dim> force = part / surfaces_[s].held[joint] * surface.force(joint).template head<Dim>();
+    each_part(s, [&](SampleNodes& sample_nodes, std::uint32_t joint, double part) {
+      if (!is_supported(s, joint)) return;
+      const Vec<Dim> force = part / surfaces_[s].supported[joint] * surface.force(joint).template head<Dim>();
       for (std::size_t f = 0; f < 2; ++f)
-        for (const Share& share : reach.side[f]) {
+        for (const NodeShare& share : sample_nodes.side[f]) {
           Node& at = node(share);
           const double shared = (f == 0 ? -1.0 : 1.0) * share.images * share.weight * inverse_mass(share);
           const Vec<Dim> a = shared * share.mirror.cwiseProduct(force);
@@ -212,9 +211,9 @@ void Joints<Dim>::push(double dt) {
 
 // Velocity and its gradient, as the nodes of one side have it.
 template <int Dim>
-auto Joints<Dim>::motion(const std::vector<Share>& shares) const -> Motion {
+auto Joints<Dim>::motion(const std::vector<NodeShare>& shares) const -> Motion {
   Motion out;
-  for (const Share& share : shares) {
+  for (const NodeShare& share : shares) {
     const Vec<Dim> v = share.mirror.cwiseProduct(Eigen::Map<const Vec<Dim>>(node(share).velocity));
     out.velocity += share.weight * v;
     out.gradient += v * share.slope.transpose();
@@ -223,22 +222,22 @@ auto Joints<Dim>::motion(const std::vector<Share>& shares) const -> Motion {
 }
 
 template <int Dim>
-void Joints<Dim>::follow(double dt) {
+void Joints<Dim>::update_laws(double dt) {
   for (std::size_t s = 0; s < system_.joints.size(); ++s) {
     JointSurface<Dim>& surface = system_.joints[s];
     Surface& mine = surfaces_[s];
     const std::size_t count = surface.joints.size();
     mine.motion.assign(count, {});
     increments_.assign(count, {});
-    for (Reach& reach : mine.samples)
-      for (std::size_t f = 0; f < 2; ++f) reach.motion[f] = motion(reach.side[f]);
-    each_part(s, [&](Reach& reach, std::uint32_t joint, double part) {
-      const double share = part / mine.held[joint];
+    for (SampleNodes& sample_nodes : mine.samples)
+      for (std::size_t f = 0; f < 2; ++f) sample_nodes.motion[f] = motion(sample_nodes.side[f]);
+    each_part(s, [&](SampleNodes& sample_nodes, std::uint32_t joint, double part) {
+      const double share = part / mine.supported[joint];
       for (std::size_t f = 0; f < 2; ++f) {
-        mine.motion[joint][f].velocity += share * reach.motion[f].velocity;
-        mine.motion[joint][f].gradient += share * reach.motion[f].gradient;
+        mine.motion[joint][f].velocity += share * sample_nodes.motion[f].velocity;
+        mine.motion[joint][f].gradient += share * sample_nodes.motion[f].gradient;
       }
-      increments_[joint].mass += share * reach.mass;
+      increments_[joint].mass += share * sample_nodes.mass;
     });
     for (std::size_t k = 0; k < count; ++k) {
       Vec3 apart = Vec3::Zero();
@@ -252,21 +251,21 @@ void Joints<Dim>::follow(double dt) {
       for (std::size_t k = 0; k < count; ++k) before.push_back(surface.force(k));
     // in runs of neighbours that have both faces
     for (std::size_t first = 0, end = 0; first < count; first = end + 1) {
-      for (end = first; end < count && holds(s, end);) ++end;
+      for (end = first; end < count && is_supported(s, end);) ++end;
       update(surface, s, first, end, dt);
-      if (end < count) let_go(surface.joints[end]);
+      if (end < count) release(surface.joints[end]);
     }
-    if (surface.crack != JointSurface<Dim>::none) lead(s);
-    if (!before.empty()) work_on_rigid(s, before, dt);
+    if (surface.crack != JointSurface<Dim>::none) lead_faces(s);
+    if (!before.empty()) record_rigid_work(s, before, dt);
   }
 }
 
 template <int Dim>
 void Joints<Dim>::update(JointSurface<Dim>& surface, std::size_t s, std::size_t first, std::size_t end, double dt) {
-  happened_.clear();
+  new_events_.clear();
   surface.law->update({surface.joints.data() + first, end - first}, {increments_.data() + first, end - first},
-                      happened_);
-  for (JointEvent& event : happened_) {
+                      new_events_);
+  for (JointEvent& event : new_events_) {
     event.contact += first;
     Vec3 x = Vec3::Zero();
     x.template head<Dim>() = surface.x[event.contact];
@@ -276,29 +275,29 @@ void Joints<Dim>::update(JointSurface<Dim>& surface, std::size_t s, std::size_t 
 
 // A face has gone, and what the joint carried with it.
 template <int Dim>
-void Joints<Dim>::let_go(Joint& joint) {
+void Joints<Dim>::release(Joint& joint) {
   joint.Fn = joint.dashpot_normal = joint.strain = 0.0;
   joint.Fs = joint.dashpot_shear = Tangent{};
 }
 
 // The faces of the crack go with the joints.
 template <int Dim>
-void Joints<Dim>::lead(std::size_t s) {
+void Joints<Dim>::lead_faces(std::size_t s) {
   const JointSurface<Dim>& surface = system_.joints[s];
   Crack<Dim>& crack = system_.cracks[surface.crack];
-  crack.led.assign(crack.x.size(), 0);
-  crack.lead.resize(crack.x.size());
+  crack.is_led.assign(crack.x.size(), 0);
+  crack.led_velocity.resize(crack.x.size());
   for (std::size_t k = 0; k < surface.joints.size(); ++k) {
-    if (!holds(s, k)) continue;
-    crack.led[surface.point[k]] = 1;
-    for (std::size_t f = 0; f < 2; ++f) crack.lead[surface.point[k]][f] = surfaces_[s].motion[k][f].velocity;
+    if (!is_supported(s, k)) continue;
+    crack.is_led[surface.point[k]] = 1;
+    for (std::size_t f = 0; f < 2; ++f) crack.led_velocity[surface.point[k]][f] = surfaces_[s].motion[k][f].velocity;
   }
 }
 
 // Points of cracks are where these are; points between bodies go with the mean of both, and their normals turn with
 // the faces.
 template <int Dim>
-void Joints<Dim>::settle(double dt) {
+void Joints<Dim>::move_points(double dt) {
   for (std::size_t s = 0; s < system_.joints.size(); ++s) {
     JointSurface<Dim>& surface = system_.joints[s];
     std::vector<Vec<Dim>> normals;
@@ -322,12 +321,12 @@ void Joints<Dim>::settle(double dt) {
       }
       surface.axes[k].follow(normal.normalized(), spin);
     }
-    if (!normals.empty()) show(surface);
+    if (!normals.empty()) copy_to_crack(surface);
   }
 }
 
 template <int Dim>
-void Joints<Dim>::show(const JointSurface<Dim>& surface) {
+void Joints<Dim>::copy_to_crack(const JointSurface<Dim>& surface) {
   Crack<Dim>& crack = system_.cracks[surface.crack];
   for (std::size_t k = 0; k < surface.joints.size(); ++k) {
     const std::size_t point = surface.point[k];

@@ -41,6 +41,13 @@ class VelocityDamping {
   double grid = 0.0, particle = 0.0;                    ///< present coefficients                     [1/time]
   double grid_feedback = 0.0, particle_feedback = 0.0;  ///< the part of them built up by feedback    [1/time]
 
+  friend void archive(Archive& a, VelocityDamping& damping) {
+    auto& [grid, particle, grid_feedback, particle_feedback, model, system, sum, ledger] = damping;
+    a.version(1);
+    a("grid", grid), a("particle", particle);
+    a("grid_feedback", grid_feedback), a("particle_feedback", particle_feedback);
+  }
+
  private:
   const Damping& damping_;
   System<Dim>& system_;

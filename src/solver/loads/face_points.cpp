@@ -9,27 +9,28 @@
 namespace tribo {
 namespace {
 
-Vec3 face_normal(int face) {
+Vec3 face_normal(DomainFace face) {
   switch (face) {
-    case 1:
+    case DomainFace::low_y:
       return -Vec3::UnitY();
-    case 2:
+    case DomainFace::high_x:
       return Vec3::UnitX();
-    case 3:
+    case DomainFace::high_y:
       return Vec3::UnitY();
-    case 4:
+    case DomainFace::low_x:
       return -Vec3::UnitX();
-    case 5:
+    case DomainFace::low_z:
       return -Vec3::UnitZ();
-    default:
-      return Vec3::UnitZ();
+    case DomainFace::high_z:
+      break;
   }
+  return Vec3::UnitZ();
 }
 
 }  // namespace
 
 template <int Dim>
-ParticleFace<Dim> ParticleFace<Dim>::of(const System<Dim>& system, Body<Dim>& body, std::size_t i, int face) {
+ParticleFace<Dim> ParticleFace<Dim>::of(const System<Dim>& system, Body<Dim>& body, std::size_t i, DomainFace face) {
   auto& particles = body.particles;
   ParticleFace out;
   out.normal = face_normal(face);
@@ -37,10 +38,10 @@ ParticleFace<Dim> ParticleFace<Dim>::of(const System<Dim>& system, Body<Dim>& bo
   while (out.normal[axis] == 0.0) ++axis;
   Vec<Dim> half = body.uniform_half_size;
   if (body.half_size)
-    for (int d = 0; d < Dim; ++d) half[d] = particles.column(*body.half_size + static_cast<std::size_t>(d))[i];
+    for (int d = 0; d < Dim; ++d) half[d] = particles[body.half_size][static_cast<std::size_t>(d)][i];
   out.area = particles.mass()[i] / body.law->density() / (2 * half[axis]);
   if (system.analysis == Analysis::axisymmetric && axis == 0) {  // a face at another radius than the particle
-    const double r = particles.column(*body.origin)[i];
+    const double r = particles[body.origin][0][i];
     out.area *= (r + out.normal[0] * half[0]) / r;
   }
   for (std::size_t point = 0; point < count; ++point) {
@@ -58,12 +59,7 @@ ParticleFace<Dim> ParticleFace<Dim>::of(const System<Dim>& system, Body<Dim>& bo
 
 template <int Dim>
 void PointShares<Dim>::spread(Kernel kernel, const Lattice<Dim>& lattice, const Vec<Dim>& x) {
-  if (kernel == Kernel::quadratic_spline)
-    spread<QuadraticKernel>(lattice, x);
-  else if (kernel == Kernel::cubic_spline)
-    spread<CubicKernel>(lattice, x);
-  else
-    spread<LinearKernel>(lattice, x);
+  with_kernel(kernel, [&](auto k) { spread<typename decltype(k)::Point>(lattice, x); });
 }
 
 template <int Dim>

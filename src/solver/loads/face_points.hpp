@@ -15,8 +15,8 @@ struct ParticleFace {
   double area = 0.0;  ///< before deformation: loads are nominal                              [length^2]
   std::array<Vec<Dim>, count> points;
 
-  /// `face`: the dialect's number, 2D 1 bottom 2 right 3 top 4 left; 3D 1-4 likewise, 5 bottom 6 top in z.
-  static ParticleFace of(const System<Dim>& system, Body<Dim>& body, std::size_t particle, int face);
+  /// Face `face` of the particle with index `particle` in `body`.
+  static ParticleFace of(const System<Dim>& system, Body<Dim>& body, std::size_t particle, DomainFace face);
 };
 
 /// The nodes around a point with the kernel's weights there; the shares sum to one. Nodes without mass, beyond the

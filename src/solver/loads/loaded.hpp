@@ -21,7 +21,7 @@ void each_loaded(const Model& model, System<Dim>& system, ParticleCondition::Kin
   if (std::none_of(conditions.begin(), conditions.end(), [&](const auto& c) { return c.kind == kind; })) return;
   for (auto& body : system.bodies) {
     if (!body.load_set) continue;
-    const double* set = body.particles.column(*body.load_set);
+    const double* set = body.particles[body.load_set];
     for (std::size_t i = 0; i < body.particles.size(); ++i) {
       if (set[i] == 0.0) continue;
       for (std::size_t c = 0; c < conditions.size(); ++c)

@@ -27,7 +27,7 @@ std::vector<double> find_loaded(const Model& model, System<Dim>& system) {
   for (std::size_t c = 0; c < conditions.size(); ++c) {
     std::size_t found = 0;
     for (auto& body : system.bodies) {
-      double* set = body.particles.column(*body.load_set);
+      double* set = body.particles[body.load_set];
       for (std::size_t i = 0; i < body.particles.size(); ++i) {
         Vec3 x = Vec3::Zero();
         x.head<Dim>() = body.particles.position(i);
@@ -48,17 +48,17 @@ Vec3 ParticleLoads<Dim>::force_on(Body<Dim>& body, std::size_t i, double dt) con
   Vec3 sum = Vec3::Zero(), x = Vec3::Zero();
   x.head<Dim>() = body.particles.position(i);
   if (body.load_set) {
-    const auto bits = static_cast<std::uint64_t>(body.particles.column(*body.load_set)[i]);
+    const auto bits = static_cast<std::uint64_t>(body.particles[body.load_set][i]);
     if (bits != 0)
       for (std::size_t c = 0; c < model_.particle_conditions.size(); ++c) {
         const auto& condition = model_.particle_conditions[c];
         if ((bits >> c & 1U) && condition.kind == ParticleCondition::Kind::force)
-          sum[condition.direction] += factor_[c] * condition.value.at(system_.time, x);
+          sum[static_cast<int>(condition.direction)] += factor_[c] * condition.value.at(system_.time, x);
       }
   }
   const BodyForce& force = model_.body_force;
   if (force.acts_on_particles()) {
-    const auto origin = body.particles.vector(*body.origin);
+    const auto origin = body.particles[body.origin];
     auto at = Variables::at(x, system_.time / force.function_time);
     at.dt = dt / force.function_time;
     at.x0 = origin[0][i], at.y0 = origin[1][i], at.z0 = Dim == 3 ? origin[Dim - 1][i] : 0.0;
@@ -73,7 +73,7 @@ template <int Dim>
 void ParticleLoads<Dim>::apply(double dt) {
   for (auto& body : system_.bodies) {
     if (!body.load) continue;
-    const auto load = body.particles.vector(*body.load);
+    const auto load = body.particles[body.load];
     parallel_for(static_cast<std::ptrdiff_t>(body.particles.size()), [&](std::ptrdiff_t k) {
       const auto i = static_cast<std::size_t>(k);
       const Vec3 sum = force_on(body, i, dt);
@@ -88,7 +88,7 @@ void ParticleLoads<Dim>::record(double dt) {
   static constexpr std::ptrdiff_t piece = 4096;
   for (auto& body : system_.bodies) {
     if (!body.load) continue;
-    const auto load = body.particles.vector(*body.load), v = body.particles.v();
+    const auto load = body.particles[body.load], v = body.particles.v();
     const auto n = static_cast<std::ptrdiff_t>(body.particles.size());
     partial_.assign(static_cast<std::size_t>((n + piece - 1) / piece), WorkAndImpulse::Zero());
     parallel_for(static_cast<std::ptrdiff_t>(partial_.size()), [&](std::ptrdiff_t k) {

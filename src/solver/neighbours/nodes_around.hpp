@@ -2,6 +2,7 @@
 /// The nodes around a point, and what stands for those beyond symmetry planes.
 #pragma once
 
+#include "grid/kernels.hpp"
 #include "grid/lattice.hpp"
 #include "model/model.hpp"
 
@@ -20,7 +21,10 @@ struct SymmetryPlane {
 template <int Dim>
 class NodesAround {
  public:
-  NodesAround(const Model& model, const Lattice<Dim>& lattice) : kernel_(model.scheme.kernel), lattice_(lattice) {
+  NodesAround(const Model& model, const Lattice<Dim>& lattice)
+      : reach_(reach_of(model.scheme.kernel)),
+        value_(with_kernel(model.scheme.kernel, [](auto k) { return &decltype(k)::Point::value; })),
+        lattice_(lattice) {
     for (int axis = 0; axis < Dim; ++axis)
       for (std::size_t end = 0; end < 2; ++end)
         if (const auto& at = model.grid.symmetry[static_cast<std::size_t>(axis)][end])
@@ -29,10 +33,10 @@ class NodesAround {
 
   const std::vector<SymmetryPlane>& planes() const { return planes_; }
 
-  /// Of a node's shape function at a point; uGIMP and CPDI interpolate with hats.
+  /// Value of a node's shape function at a point without a domain; `distance` from the node to the point [length].
   double weight(const Vec<Dim>& distance) const {
     double w = 1.0;
-    for (int d = 0; d < Dim; ++d) w *= shape(std::abs(distance[d]) / lattice_.spacing[d]);
+    for (int d = 0; d < Dim; ++d) w *= value_(std::abs(distance[d]) / lattice_.spacing[d]);
     return w;
   }
 
@@ -43,7 +47,7 @@ class NodesAround {
     for (std::size_t d = 0; d < Dim; ++d) {
       const auto axis = static_cast<Eigen::Index>(d);
       const double s = (x[axis] - lattice_.origin[axis]) / lattice_.spacing[axis];
-      low[d] = static_cast<int>(std::ceil(s - reach())), high[d] = static_cast<int>(std::floor(s + reach()));
+      low[d] = static_cast<int>(std::ceil(s - reach_)), high[d] = static_cast<int>(std::floor(s + reach_));
       if (low[d] < 0 || high[d] >= lattice_.blocks[d] * block_edge<Dim>) return false;
     }
     Index<Dim> n = low;
@@ -74,18 +78,8 @@ class NodesAround {
   }
 
  private:
-  double reach() const {
-    return kernel_ == Kernel::cubic_spline ? 2.0 : kernel_ == Kernel::quadratic_spline ? 1.5 : 1.0;
-  }
-  double shape(double s) const {
-    if (kernel_ == Kernel::quadratic_spline)
-      return s <= 0.5 ? 0.75 - s * s : s < 1.5 ? 0.5 * (1.5 - s) * (1.5 - s) : 0.0;
-    if (kernel_ == Kernel::cubic_spline)
-      return s <= 1 ? 2.0 / 3 - s * s * (1 - 0.5 * s) : s < 2 ? (2 - s) * (2 - s) * (2 - s) / 6 : 0.0;
-    return std::max(0.0, 1 - s);
-  }
-
-  Kernel kernel_;
+  double reach_;             // of the shape function [cells]
+  double (*value_)(double);  // of the shape function, by distance [cells]
   const Lattice<Dim>& lattice_;
   std::vector<SymmetryPlane> planes_;
 };

@@ -28,7 +28,7 @@ Vec3 in_space(const Vec<Dim>& x) {
 }  // namespace
 
 template <int Dim>
-void RigidBlocks<Dim>::set_particles() {
+void RigidBlocks<Dim>::set_particle_velocities() {
   if (!active()) return;
   each_block(system_, [&](Body<Dim>& body, std::size_t k) {
     const BlockMotion& m = system_.blocks->motion[k];
@@ -41,7 +41,7 @@ void RigidBlocks<Dim>::set_particles() {
 }
 
 template <int Dim>
-void RigidBlocks<Dim>::set_nodes(const Body<Dim>& body) {
+void RigidBlocks<Dim>::set_nodal_momentum(const Body<Dim>& body) {
   if (body.block < 0) return;
   const BlockMotion& m = system_.blocks->motion[static_cast<std::size_t>(body.block)];
   Field<Dim>& field = system_.fields[body.field];
@@ -50,15 +50,15 @@ void RigidBlocks<Dim>::set_nodes(const Body<Dim>& body) {
     if (!(node.mass > 0)) continue;
     const Vec3 x = in_space<Dim>(system_.lattice.position(field.map.node_at(static_cast<std::int64_t>(n))));
     const Vec3 momentum = node.mass * (m.v + m.w.cross(x - m.x));
-    for (int d = 0; d < Dim; ++d) node.velocity[d] = momentum[d];
+    for (int d = 0; d < Dim; ++d) node.momentum[d] = momentum[d];
   }
 }
 
 template <int Dim>
-void RigidBlocks<Dim>::take(const std::vector<RigidExchange>& exchanges, double dt) {
+void RigidBlocks<Dim>::take_contact_forces(const std::vector<RigidExchange>& exchanges, double dt) {
   if (!active()) return;
   each_block(system_, [&](Body<Dim>& body, std::size_t k) {
-    BlockPush& push = system_.blocks->pushes[k];
+    GridForce& push = system_.blocks->grid_forces[k];
     push = {};
     if (exchanges.empty()) return;
     const RigidExchange& exchange = exchanges[body.field];
@@ -66,7 +66,7 @@ void RigidBlocks<Dim>::take(const std::vector<RigidExchange>& exchanges, double 
     const Vec3& centre = system_.blocks->motion[k].x;
     push.moment = (exchange.moment - centre.cross(exchange.impulse)) / dt;
     push.spread = (exchange.moment_tensor - exchange.impulse * centre.transpose()) / dt;
-    check_weight(body, exchange);
+    check_stability(body, exchange);
   });
 }
 
@@ -74,7 +74,7 @@ void RigidBlocks<Dim>::take(const std::vector<RigidExchange>& exchanges, double 
 // sum m (1/M + r^2/I) < 2 over the nodes it touches, r from the block's centre. The left side bounds the largest
 // eigenvalue of what the matter adds to the block's inertia.
 template <int Dim>
-void RigidBlocks<Dim>::check_weight(const Body<Dim>& body, const RigidExchange& exchange) const {
+void RigidBlocks<Dim>::check_stability(const Body<Dim>& body, const RigidExchange& exchange) const {
   const auto k = static_cast<std::size_t>(body.block);
   const BlockBody& block = system_.blocks->bodies[k];
   const Vec3& c = system_.blocks->motion[k].x;
@@ -97,14 +97,14 @@ double RigidBlocks<Dim>::move(double dt) {
   for (const BlockMotion& m : blocks.motion) before_.push_back(m.R);
   const int parts = std::max(1, static_cast<int>(std::ceil(dt / blocks.critical_step() * (1 - 1e-12))));
   for (int part = 0; part < parts; ++part) blocks.advance(dt / parts);
-  if (!blocks.sound())
+  if (!blocks.is_finite())
     throw SimulationError("the motion of the blocks grew without bound at time " + std::to_string(blocks.time));
   if (system_.step % 64 == 0) blocks.check_contacts();
   double travel = 0.0;
   each_block(system_, [&](Body<Dim>& body, std::size_t k) {
     const BlockMotion& m = blocks.motion[k];
     const Mat3 turned = m.R * before_[k].transpose();
-    const auto x = body.particles.x(), origin = body.particles.vector(*body.origin);
+    const auto x = body.particles.x(), origin = body.particles[body.origin];
     const auto F = body.particles.F();
     for (std::size_t i = 0; i < body.particles.size(); ++i) {
       Vec<Dim> start;

@@ -30,7 +30,7 @@ void RigidBodies<Dim>::set_velocities(double dt) {
     }
     if (body.field != Body<Dim>::no_field) continue;
     for (auto& field : system_.fields) {
-      std::fill(field.rigid[r].begin(), field.rigid[r].end(), Node{});
+      std::fill(field.rigid[r].begin(), field.rigid[r].end(), PrescribedNode{});
       transfers_.scatter(body, Target<Dim>(field.map, field.rigid[r]), Scatter::momentum, false, false);
     }
   }
@@ -74,15 +74,15 @@ template <class F>
 void RigidBodies<Dim>::each_prescribed(F&& f) {
   for (std::size_t r = 0; r < system_.rigids.size(); ++r) {
     if (system_.rigids[r].field != Body<Dim>::no_field) continue;
-    const int directions = model_.materials[static_cast<std::size_t>(system_.rigids[r].material)].rigid_directions;
+    const auto& sets = model_.materials[static_cast<std::size_t>(system_.rigids[r].material)].sets_velocity;
     for (std::size_t k = 0; k < system_.fields.size(); ++k) {
       Field<Dim>& field = system_.fields[k];
       for (std::size_t n = 0; n < field.nodes.size(); ++n) {
-        Node& rigid = field.rigid[r][n];
+        PrescribedNode& rigid = field.rigid[r][n];
         if (!(rigid.mass > 0) || !(field.nodes[n].mass > 0)) continue;
         for (int d = 0; d < Dim; ++d) {
-          if (!(directions >> d & 1)) continue;
-          const double prescribed = rigid.velocity[d] / rigid.mass;
+          if (!sets[static_cast<std::size_t>(d)]) continue;
+          const double prescribed = rigid.momentum[d] / rigid.mass;
           const double* image = mirror_image(field, r, n, d);
           f(k, r, n, field.nodes[n], rigid, d, image ? 2 * prescribed - *image : prescribed);
         }
@@ -93,8 +93,8 @@ void RigidBodies<Dim>::each_prescribed(F&& f) {
 
 template <int Dim>
 void RigidBodies<Dim>::impose() {
-  each_prescribed([](std::size_t, std::size_t, std::size_t, Node& node, Node& rigid, int d, double wanted) {
-    rigid.acceleration[d] = wanted - node.velocity[d];
+  each_prescribed([](std::size_t, std::size_t, std::size_t, Node& node, PrescribedNode& rigid, int d, double wanted) {
+    rigid.change[d] = wanted - node.velocity[d];
     node.velocity[d] = wanted;
   });
 }
@@ -102,16 +102,17 @@ void RigidBodies<Dim>::impose() {
 template <int Dim>
 void RigidBodies<Dim>::impose_update(double dt, bool after_impose) {
   reactions_.assign(system_.rigids.size(), Vec3::Zero());
-  each_prescribed([&](std::size_t f, std::size_t r, std::size_t n, Node& node, Node& rigid, int d, double wanted) {
-    const double change = wanted - node.velocity[d];
-    node.velocity[d] = wanted;
-    const double correction = (change + (after_impose ? rigid.acceleration[d] : 0.0)) / dt;
-    node.acceleration[d] += correction;
-    const double force = exchanges_[f]->ownership(static_cast<std::int64_t>(n)) * node.mass * correction;
-    reactions_[r][d] += force;
-    ledger_.impulse[d] += dt * force;
-    ledger_.rigid_work += dt * force * (wanted - 0.5 * dt * node.acceleration[d]);
-  });
+  each_prescribed(
+      [&](std::size_t f, std::size_t r, std::size_t n, Node& node, PrescribedNode& rigid, int d, double wanted) {
+        const double change = wanted - node.velocity[d];
+        node.velocity[d] = wanted;
+        const double correction = (change + (after_impose ? rigid.change[d] : 0.0)) / dt;
+        node.acceleration[d] += correction;
+        const double force = exchanges_[f]->ownership(static_cast<std::int64_t>(n)) * node.mass * correction;
+        reactions_[r][d] += force;
+        ledger_.impulse[d] += dt * force;
+        ledger_.rigid_work += dt * force * (wanted - 0.5 * dt * node.acceleration[d]);
+      });
 }
 
 template class RigidBodies<2>;

@@ -2,6 +2,7 @@
 /// A crack: a surface with two faces that the bodies around it move.
 #pragma once
 
+#include "base/archive.hpp"
 #include "base/types.hpp"
 #include "contact/contact_law.hpp"
 
@@ -23,6 +24,14 @@ struct CrackTip {
   Vec<2> start = Vec<2>::Zero();        ///< its direction in the beginning
 };
 
+/// The end and the first direction of a tip belong to the model.
+inline void archive(Archive& a, CrackTip& tip) {
+  auto& [point, behind, end, lives, body, J, K, rest, start] = tip;
+  a.version(1);
+  a("point", point), a("behind", behind), a("lives", lives), a("body", body);
+  a("J", J), a("K", K), a("rest", rest);
+}
+
 /// Straight pieces in two dimensions, triangles in three. Seen along a line, or with the corners of a triangle
 /// counter-clockwise, the normal points to the left (up): to the upper face.
 template <int Dim>
@@ -35,13 +44,13 @@ struct Crack {
   std::vector<Piece> pieces;
   std::vector<double> inside;                      ///< part of each piece that lay in bodies at the start
   std::size_t drawn_points = 0, drawn_pieces = 0;  ///< the others go on from where the crack leaves a body
-  std::vector<double> gap;                    ///< sum of what they parted along the normal                 [length]
-  std::vector<double> slip;                   ///< way slid since the faces last stuck                    [length]
-  std::vector<double> bond;                   ///< 1 whole, -1 broken, 0 none
-  std::vector<double> status;                 ///< in the last step: 0 open, 1 stick, 2 slip
-  std::vector<Vec<Dim>> traction;             ///< on the lower face in the last step                     [stress]
-  std::vector<char> led;                      ///< points whose faces joints lead in this step; empty: none
-  std::vector<std::array<Vec<Dim>, 2>> lead;  ///< their velocities
+  std::vector<double> gap;         ///< sum of what they parted along the normal                 [length]
+  std::vector<double> slip;        ///< way slid since the faces last stuck                    [length]
+  std::vector<double> bond;        ///< 1 whole, -1 broken, 0 none
+  std::vector<double> status;      ///< in the last step: 0 open, 1 stick, 2 slip
+  std::vector<Vec<Dim>> traction;  ///< on the lower face in the last step                     [stress]
+  std::vector<char> is_led;        ///< points whose faces joints lead in this step; empty: none
+  std::vector<std::array<Vec<Dim>, 2>> led_velocity;  ///< their velocities
   std::vector<CrackTip> tips;
   double whole_bond = 0.0;  ///< `bond` of new points
   bool fixed = false;       ///< x stays where it is
@@ -53,9 +62,9 @@ struct Crack {
     };
     insert(x, at), insert(face[0], at), insert(face[1], at), insert(traction, Vec<Dim>(Vec<Dim>::Zero()));
     insert(gap, 0.0), insert(slip, 0.0), insert(bond, whole_bond), insert(status, 0.0);
-    if (led.empty()) return;
+    if (is_led.empty()) return;
     const Vec<Dim> still = Vec<Dim>::Zero();
-    insert(led, char{0}), insert(lead, std::array{still, still});
+    insert(is_led, char{0}), insert(led_velocity, std::array{still, still});
   }
 
   std::array<Vec<Dim>, static_cast<std::size_t>(Dim)> corners(std::size_t piece) const {
@@ -81,5 +90,27 @@ struct Crack {
       return 0.5 * (c[1] - c[0]).cross(c[2] - c[0]);
   }
 };
+
+/// A crack may have grown: its points are added first, so that all lists of points have the size that was saved. The
+/// velocities that joints prescribe are set anew in every step.
+template <int Dim>
+void archive(Archive& a, Crack<Dim>& crack) {
+  auto& [law, x, face, pieces, inside, drawn_points, drawn_pieces, gap, slip, bond, status, traction, is_led,
+         led_velocity, tips, whole_bond, fixed] = crack;
+  a.version(1);
+  std::size_t points = x.size();
+  a("points", points);
+  while (x.size() < points) crack.add_point(x.size(), Vec<Dim>::Zero());
+  a("x", x), a("lower", face[0]), a("upper", face[1]);
+  a("drawn_points", drawn_points), a("drawn_pieces", drawn_pieces);
+  a.resizable("inside", inside);
+  pieces.resize(inside.size());
+  std::vector<std::uint32_t> corners;
+  for (const auto& piece : pieces) corners.insert(corners.end(), piece.begin(), piece.end());
+  a("pieces", corners);
+  for (std::size_t k = 0; k < corners.size(); ++k) pieces[k / Dim][k % Dim] = corners[k];
+  a("gap", gap), a("slip", slip), a("bond", bond), a("status", status), a("traction", traction);
+  a("tips", tips);
+}
 
 }  // namespace tribo

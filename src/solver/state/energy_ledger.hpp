@@ -2,6 +2,7 @@
 /// Energy and momentum that enter and leave the bodies during a run.
 #pragma once
 
+#include "base/archive.hpp"
 #include "base/types.hpp"
 
 namespace tribo {
@@ -16,5 +17,12 @@ struct EnergyLedger {
   double rigid_work = 0.0;      ///< done by rigid particles                      [energy]
   Vec3 impulse = Vec3::Zero();  ///< of all of these together                     [momentum]
 };
+
+inline void archive(Archive& a, EnergyLedger& ledger) {
+  auto& [external_work, damping_work, rigid_work, impulse] = ledger;
+  a.version(1);
+  a("external_work", external_work), a("damping_work", damping_work);
+  a("rigid_work", rigid_work), a("impulse", impulse);
+}
 
 }  // namespace tribo

@@ -2,6 +2,7 @@
 /// Joints along a crack or between two bodies.
 #pragma once
 
+#include "base/archive.hpp"
 #include "base/types.hpp"
 #include "contact/joint_geometry.hpp"
 #include "contact/joint_law.hpp"
@@ -37,9 +38,9 @@ struct JointSurface {
   std::vector<Vec<Dim>> x;  ///< halfway between the faces                       [length]
   std::vector<JointAxes> axes;
   std::vector<Joint> joints;
-  /// Around the faces at each sample at the start; 0: not known yet, `gone`: between bodies, once a face has left.
+  /// Around the faces at each sample at the start; 0: not known yet, `lost`: between bodies, once a face has left.
   std::array<std::vector<double>, 2> mass;
-  static constexpr double gone = -1.0;
+  static constexpr double lost = -1.0;
 
   /// On body 2, dashpots included.
   Vec3 force(std::size_t k) const {
@@ -47,5 +48,13 @@ struct JointSurface {
     return -(j.Fn + j.dashpot_normal) * axes[k].n + axes[k].vector(j.Fs + j.dashpot_shear);
   }
 };
+
+/// Where the samples lie on the surface belongs to the model.
+template <int Dim>
+void archive(Archive& a, JointSurface<Dim>& surface) {
+  auto& [law, crack, home, material, point, samples, x, axes, joints, mass] = surface;
+  a.version(1);
+  a("x", x), a("axes", axes), a("joints", joints), a("mass1", mass[0]), a("mass2", mass[1]);
+}
 
 }  // namespace tribo

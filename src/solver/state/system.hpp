@@ -11,7 +11,6 @@
 #include "solver/state/joint_surface.hpp"
 
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,16 +37,16 @@ struct Field {
   explicit Field(const Lattice<Dim>& lattice) : map(lattice) {}
   BlockMap<Dim> map;
   NodeLayer nodes;
-  std::vector<NodeLayer> rigid;  ///< per rigid body: the velocity its particles prescribe
-  NodeLayer filter;              ///< XPIC, FMPM: increment and sum of the filter; empty without
-  NodeLayer increment;           ///< XPIC, FMPM: what is scattered during filtering; empty without
-  NodeLayer volumes;             ///< contact: volume, its first moment and its gradient; empty without
-  NodeLayer heat;                ///< conduction, see heat.hpp; empty without
-  NodeLayer cells;               ///< B-bar: volume and mean of the volumetric part in a cell; empty without
-  bool rigid_contact = false;    ///< the field of a rigid body that others touch: its velocity is prescribed
-  std::int64_t block = -1;       ///< the rigid block whose field it is
-  std::size_t home = 0;          ///< the field of the same bodies on the nodes' own side of cracks
-  int side = 0;                  ///< as in CutBin
+  std::vector<AlignedVector<PrescribedNode>> rigid;  ///< per rigid body without a field of its own
+  AlignedVector<FilterNode> filter;                  ///< XPIC, FMPM; empty without
+  NodeLayer increment;                               ///< XPIC, FMPM: momentum scattered by the filter; empty without
+  AlignedVector<VolumeNode> volumes;                 ///< contact; empty without
+  AlignedVector<HeatNode> heat;                      ///< conduction; empty without
+  AlignedVector<CellNode> cells;                     ///< B-bar; empty without
+  bool rigid_contact = false;  ///< the field of a rigid body that others touch: its velocity is prescribed
+  std::int64_t block = -1;     ///< the rigid block whose field it is
+  std::size_t home = 0;        ///< the field of the same bodies on the nodes' own side of cracks
+  int side = 0;                ///< as in CutBin
 };
 
 /// The particles of one material.
@@ -72,29 +71,35 @@ struct Body {
   Bins<Dim> bins;
   std::size_t history = 0;               ///< first history column
   std::vector<double*> history_columns;  ///< refreshed after every sort
-  std::optional<std::size_t> affine;     ///< APIC: first column of sum w v (x_i - x)^T, Dim x Dim row by row
-  std::optional<std::size_t> filtered;   ///< XPIC, FMPM: columns of the filtered velocity
-  std::optional<std::size_t> start;      ///< "+" schemes: columns of the position at the start of the step
-  std::optional<std::size_t> half_size;  ///< GIMP, CPDI with mixed particle sizes: columns of the domain's half widths
-  Vec<Dim> uniform_half_size = Vec<Dim>::Zero();
-  std::optional<std::size_t> domain;          ///< CPDI: F at the start of the step, Dim x Dim columns row by row
-  std::optional<std::size_t> load;            ///< external force on particles, Dim columns
-  std::optional<std::size_t> origin;          ///< position at the start of the run, Dim columns, for displacements
-  std::optional<std::size_t> first_inverse;   ///< F^-1 at the start where that was no identity, Dim x Dim columns
-  std::optional<std::size_t> load_set;        ///< bit k set: particle condition k acts on the particle
-  std::optional<std::size_t> contact_memory;  ///< laws that remember: columns slip, bond
-  std::optional<std::size_t> contact_view;    ///< for output: columns state, traction, normal
-  std::optional<std::size_t> temperature;     ///< with conduction followed by its gradient, and its detail
-  std::optional<std::size_t> heated;          ///< dissipated work per initial volume that is heat already
-  std::optional<std::size_t> crossings;       ///< for output: how often it changed its cell, and the cell it is in
-  std::optional<std::size_t> volumetric;      ///< B-bar: rate of volume change or stress while it is averaged
-  double heat_capacity = 0.0;                 ///< [energy/(mass temperature)]
-  double conductivity = 0.0;                  ///< [power/(length temperature)]
-  double taylor_quinney = 0.0;                ///< share of the dissipated work that becomes heat
-  double reference_temperature = 0.0;         ///< of the given properties [temperature]
-  Vec3 cell = Vec3::Ones();                   ///< edges of the grid's cells [length]
-  double detail_share = 0.0;                  ///< of the detail of the temperature that goes in this step
-  bool volume_of_displacement = false;        ///< contact looks at displacements, not positions
+  MatrixColumn affine;     ///< APIC: sum over nodes of w v (x_i - x)^T                    [velocity length]
+  VectorColumn filtered;   ///< XPIC, FMPM: the filtered velocity                          [velocity]
+  VectorColumn start;      ///< "+" schemes: position at the start of the step             [length]
+  VectorColumn half_size;  ///< half widths of the domains where these differ              [length]
+  Vec<Dim> uniform_half_size = Vec<Dim>::Zero();  ///< half widths of the domains where all are alike  [length]
+  MatrixColumn domain;                            ///< CPDI: F at the start of the step
+  VectorColumn load;                    ///< external force                                             [force]
+  VectorColumn origin;                  ///< position at the start of the run                           [length]
+  MatrixColumn first_inverse;           ///< F^-1 at the start of the run where F was not the identity
+  ScalarColumn load_set;                ///< bit k set: particle condition k acts on the particle
+  ScalarColumn contact_slip;            ///< laws with memory: distance slid since the faces last stuck  [length]
+  ScalarColumn contact_bond;            ///< laws with memory: 1 whole, -1 broken, 0 no bond
+  ScalarColumn contact_state;           ///< for output: 0 open, 1 stick, 2 slip
+  VectorColumn contact_traction;        ///< for output                                                 [stress]
+  VectorColumn contact_normal;          ///< for output
+  ScalarColumn temperature;             ///< [temperature]
+  VectorColumn temperature_gradient;    ///< conduction                                             [temperature/length]
+  ScalarColumn temperature_detail;      ///< conduction: what of the temperature the nodes do not see  [temperature]
+  ScalarColumn heated;                  ///< dissipated work per initial volume that is heat already   [stress]
+  ScalarColumn crossings;               ///< for output: how often the particle changed its cell
+  ScalarColumn cell_number;             ///< for output: number of the cell it is in, -1 before the first look
+  ScalarColumn volumetric;              ///< B-bar: rate of volume change or mean stress while it is averaged
+  double heat_capacity = 0.0;           ///< [energy/(mass temperature)]
+  double conductivity = 0.0;            ///< [power/(length temperature)]
+  double taylor_quinney = 0.0;          ///< share of the dissipated work that becomes heat
+  double reference_temperature = 0.0;   ///< of the given properties [temperature]
+  Vec3 cell = Vec3::Ones();             ///< edges of the grid's cells [length]
+  double detail_share = 0.0;            ///< of the detail of the temperature that goes in this step
+  bool volume_of_displacement = false;  ///< contact looks at displacements, not positions
   double particle_damping = 0.0;
   double total_mass = 0.0;
 
@@ -112,7 +117,7 @@ struct Body {
     for (auto* by : {&read_by_scatter, &read_by_gather}) {
       read(*by, particles.x()), read(*by, particles.v()), read(*by, particles.stress());
       by->push_back(particles.volume());
-      for (std::size_t k = 0; affine && k < Dim * Dim; ++k) by->push_back(particles.column(*affine + k));
+      if (affine) read(*by, particles[affine]);
     }
     read_by_scatter.push_back(particles.mass());
     read(read_by_gather, particles.F());
@@ -136,5 +141,34 @@ struct System {
   double drift = 0.0;  ///< largest distance any particle may have moved since the last sort [cells]
   bool sorted = false;
 };
+
+/// The particles and their bins. Columns, fields and material belong to the model; the rest follows from the particles
+/// when they are sorted, or serves within a step.
+template <int Dim>
+void archive(Archive& a, Body<Dim>& body, const Lattice<Dim>& lattice) {
+  auto& [name, law, material, field, block, across, cut, cut_bins, particles, bins, history, history_columns, affine,
+         filtered, start, half_size, uniform_half_size, domain, load, origin, first_inverse, load_set, contact_slip,
+         contact_bond, contact_state, contact_traction, contact_normal, temperature, temperature_gradient,
+         temperature_detail, heated, crossings, cell_number, volumetric, heat_capacity, conductivity, taylor_quinney,
+         reference_temperature, cell, detail_share, volume_of_displacement, particle_damping, total_mass,
+         read_by_scatter, read_by_gather] = body;
+  a("particles", particles), archive(a, bins, lattice);
+}
+
+/// Bodies, cracks, joints and the time. Fields are those of a step; blocks archive themselves, as they also run without
+/// a grid.
+template <int Dim>
+void archive(Archive& a, System<Dim>& system) {
+  auto& [lattice, analysis, fields, bodies, cracks, joints, rigids, blocks, time, step, drift, sorted] = system;
+  a.version(1);
+  a("time", time), a("step", step), a("drift", drift), a("sorted", sorted);
+  a.each("crack", cracks), a.each("joints", joints);
+  for (auto* list : {&bodies, &rigids})
+    for (std::size_t k = 0; k < list->size(); ++k) {
+      a.enter((list == &bodies ? "body" : "rigid") + std::to_string(k));
+      archive(a, (*list)[k], lattice);
+      a.leave();
+    }
+}
 
 }  // namespace tribo

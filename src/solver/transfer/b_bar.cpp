@@ -19,11 +19,12 @@ void BBar<Dim>::locate() {
 }
 
 template <int Dim>
-void BBar<Dim>::average_rates(Gather& what, NodeLayer Field<Dim>::*layer) {
+template <class N>
+void BBar<Dim>::average_rates(Gather& what, AlignedVector<N> Field<Dim>::*layer) {
   if (!cells_ || !(what.strain_dt > 0)) return;
   what.b_bar = true;
   Gather rate;
-  rate.volume_rate = true;
+  rate.task = GatherTask::volume_rate;
   rate.from_start = what.from_start;
   rate.axisymmetric = what.axisymmetric;
   for (auto& body : system_.bodies) {
@@ -39,7 +40,7 @@ void BBar<Dim>::average_stress() {
   const bool three = Dim == 3 || system_.analysis == Analysis::axisymmetric;
   for (auto& body : system_.bodies) {
     const auto stress = body.particles.stress();
-    double* part = body.particles.column(*body.volumetric);
+    double* part = body.particles[body.volumetric];
     const auto own = [&](std::size_t i) {
       return three ? (stress[0][i] + stress[1][i] + stress[2][i]) / 3 : (stress[0][i] + stress[1][i]) / 2;
     };
@@ -56,16 +57,20 @@ void BBar<Dim>::average(Body<Dim>& body, bool from_start) {
   zero(field.cells);
   cells_->scatter(body, Target<Dim>(field.map, field.cells), Scatter::volumetric, from_start, false);
   exchanges_[body.field]->sum_images(field.cells, ImageValues::cells);
-  each_node(field.cells, [](Node& cell) {
-    if (cell.mass > 0) cell.velocity[0] /= cell.mass;
+  each_node(field.cells, [](CellNode& cell) {
+    if (cell.volume > 0) cell.mean = cell.sum / cell.volume;
   });
   exchanges_[body.field]->copy_images(field.cells, ImageValues::cells);
   Gather mean;
-  mean.volumetric = true;
+  mean.task = GatherTask::cell_mean;
   mean.from_start = from_start;
   cells_->gather(body, Target<Dim>(field.map, field.cells), mean);
 }
 
+template void BBar<2>::average_rates(Gather&, AlignedVector<Node> Field<2>::*);
+template void BBar<3>::average_rates(Gather&, AlignedVector<Node> Field<3>::*);
+template void BBar<2>::average_rates(Gather&, AlignedVector<FilterNode> Field<2>::*);
+template void BBar<3>::average_rates(Gather&, AlignedVector<FilterNode> Field<3>::*);
 template class BBar<2>;
 template class BBar<3>;
 

@@ -26,7 +26,8 @@ class BBar {
   /// Makes room on the present nodes; after every change of the fields' maps.
   void locate();
   /// Lets the strain that `what` is about to gather from a layer of the nodes use mean rates of volume change.
-  void average_rates(Gather& what, NodeLayer Field<Dim>::*layer);
+  template <class N>
+  void average_rates(Gather& what, AlignedVector<N> Field<Dim>::*layer);
   /// Lets the forces that are about to be scattered use mean volumetric stresses.
   void average_stress();
 

@@ -90,10 +90,9 @@ class CpdiTransfers final : public Transfers<Dim> {
     Mat<Dim> R;
     for (int c = 0; c < Dim; ++c) {
       const auto k = static_cast<std::size_t>(c);
-      const double half = body.half_size ? body.particles.column(*body.half_size + k)[i] : body.uniform_half_size[c];
+      const double half = body.half_size ? body.particles[body.half_size][k][i] : body.uniform_half_size[c];
       for (int r = 0; r < Dim; ++r)
-        R(r, c) =
-            half * body.particles.column(*body.domain + static_cast<std::size_t>(r * Dim + c))[i] / lattice.spacing[r];
+        R(r, c) = half * body.particles[body.domain][static_cast<std::size_t>(r * Dim + c)][i] / lattice.spacing[r];
     }
     const double reach = R.cwiseAbs().rowwise().sum().maxCoeff();
     if (reach > limit_) R *= limit_ / reach;
@@ -148,7 +147,7 @@ class CpdiTransfers final : public Transfers<Dim> {
   static Mat<Dim> affine_momentum(Body<Dim>& body, const Stencil& s, const Lattice<Dim>& lattice, std::size_t i) {
     Mat<Dim> B, D = Mat<Dim>::Zero();
     for (std::size_t k = 0; k < Dim * Dim; ++k)
-      B(static_cast<int>(k) / Dim, static_cast<int>(k) % Dim) = body.particles.column(*body.affine + k)[i];
+      B(static_cast<int>(k) / Dim, static_cast<int>(k) % Dim) = body.particles[body.affine][k][i];
     for (int n = 0; n < nodes_per_particle; ++n) {
       const Vec<Dim> r = distance(s, lattice, n);
       D += s.w[n] * r * r.transpose();
@@ -162,7 +161,7 @@ class CpdiTransfers final : public Transfers<Dim> {
     const BlockMap<Dim>& map = *target.map[0];
     const auto& lattice = map.lattice();
     const auto block = lattice.block_at(bin.block);
-    const auto x = from_start ? body.particles.vector(*body.start) : body.particles.x();
+    const auto x = from_start ? body.particles[body.start] : body.particles.x();
     const bool affine = body.affine && (what == Scatter::momentum || what == Scatter::momentum_and_force);
     NodePatch patch;
     patch.clear();
@@ -192,9 +191,9 @@ class CpdiTransfers final : public Transfers<Dim> {
         }
       }
     }
-    patch.add_to(map.neighbours(bin.block), *target.nodes[0]);
+    patch.add_to(map.neighbours(bin.block), target.nodes[0]);
     across.each(target, [&](std::size_t k, NodePatch& beyond) {
-      beyond.add_to(target.map[k]->neighbours(bin.block), *target.nodes[k]);
+      beyond.add_to(target.map[k]->neighbours(bin.block), target.nodes[k]);
     });
   }
 
@@ -203,12 +202,12 @@ class CpdiTransfers final : public Transfers<Dim> {
     const BlockMap<Dim>& map = *target.map[0];
     const auto& lattice = map.lattice();
     const auto block = lattice.block_at(bin.block);
-    const auto x = what.from_start ? body.particles.vector(*body.start) : body.particles.x();
+    const auto x = what.from_start ? body.particles[body.start] : body.particles.x();
     NodePatch patch;
-    patch.load(map.neighbours(bin.block), *target.nodes[0]);
+    patch.load(map.neighbours(bin.block), target.nodes[0]);
     Across across(cut != nullptr);
     across.each(target, [&](std::size_t k, NodePatch& beyond) {
-      beyond.load(target.map[k]->neighbours(bin.block), *target.nodes[k]);
+      beyond.load(target.map[k]->neighbours(bin.block), target.nodes[k]);
     });
     GatherSums<Dim> got;
     for (std::uint32_t first = bin.begin; first < bin.end; first += batch) {

@@ -15,7 +15,7 @@ MaterialPoints<Dim> points_of(Body<Dim>& body, std::uint32_t first, int count, H
   points.volume = body.particles.volume() + first;
   for (std::size_t k = 0; k < body.history_columns.size(); ++k) history[k] = body.history_columns[k] + first;
   points.history = {history.data(), body.history_columns.size()};
-  if (body.temperature) points.temperature = body.particles.column(*body.temperature) + first;
+  if (body.temperature) points.temperature = body.particles[body.temperature] + first;
   points.reference_temperature = body.reference_temperature;
   points.cell = body.cell;
   return points;

@@ -48,27 +48,27 @@ void move(Body<Dim>& body, const Lattice<Dim>& lattice, std::uint32_t first, int
 }
 
 template <int Dim>
-void warm(Body<Dim>& body, std::uint32_t first, int count, double dt, const GatherSums<Dim>& got,
-          GatherResult& result) {
-  double* temperature = body.particles.column(*body.temperature) + first;
-  double* detail = body.particles.column(*body.temperature + 1 + Dim) + first;
+void update_temperature(Body<Dim>& body, std::uint32_t first, int count, double dt, const GatherSums<Dim>& got,
+                        GatherResult& result) {
+  double* temperature = body.particles[body.temperature] + first;
+  double* detail = body.particles[body.temperature_detail] + first;
   double poison = 0.0;
   for (int i = 0; i < count; ++i) {
     temperature[i] += dt * got.acceleration[0][i];
     detail[i] = temperature[i] - got.velocity[0][i];
     poison += 0.0 * temperature[i];
   }
-  for (std::size_t d = 0; d < Dim; ++d)
-    std::copy_n(got.L[d], count, body.particles.column(*body.temperature + 1 + d) + first);
+  const auto gradient = body.particles[body.temperature_gradient];
+  for (std::size_t d = 0; d < Dim; ++d) std::copy_n(got.L[d], count, gradient[d] + first);
   if (!(poison == 0.0)) result.valid = false;
 }
 
 // What the law has dissipated since the last step becomes heat where it was done.
 template <int Dim>
-void warm_by_work(Body<Dim>& body, std::uint32_t first, int count) {
+void heat_by_dissipation(Body<Dim>& body, std::uint32_t first, int count) {
   const double* work = body.history_columns[static_cast<std::size_t>(body.law->dissipation_index())] + first;
-  double* heated = body.particles.column(*body.heated) + first;
-  double* temperature = body.particles.column(*body.temperature) + first;
+  double* heated = body.particles[body.heated] + first;
+  double* temperature = body.particles[body.temperature] + first;
   const double per_work = body.taylor_quinney / (body.law->density() * body.heat_capacity);
   for (int i = 0; i < count; ++i) {
     temperature[i] += per_work * (work[i] - heated[i]);
@@ -77,9 +77,9 @@ void warm_by_work(Body<Dim>& body, std::uint32_t first, int count) {
 }
 
 template <int Dim>
-void drop_detail(Body<Dim>& body, std::uint32_t first, int count, const GatherSums<Dim>& got) {
-  double* temperature = body.particles.column(*body.temperature) + first;
-  const double* detail = body.particles.column(*body.temperature + 1 + Dim) + first;
+void reduce_temperature_detail(Body<Dim>& body, std::uint32_t first, int count, const GatherSums<Dim>& got) {
+  double* temperature = body.particles[body.temperature] + first;
+  const double* detail = body.particles[body.temperature_detail] + first;
   for (int i = 0; i < count; ++i) temperature[i] -= body.detail_share * detail[i] - got.velocity[0][i];
 }
 
@@ -87,7 +87,7 @@ template <int Dim>
 void out_of_plane(Body<Dim>& body, std::uint32_t first, int count, const Gather& what, GatherSums<Dim>& got) {
   if constexpr (Dim == 2) {
     if (what.axisymmetric) {
-      const double* r = (what.from_start ? body.particles.vector(*body.start) : body.particles.x())[0] + first;
+      const double* r = (what.from_start ? body.particles[body.start] : body.particles.x())[0] + first;
       for (int i = 0; i < count; ++i) got.L[4][i] = got.velocity[0][i] / r[i];
     } else {
       std::fill_n(got.L[4], count, 0.0);
@@ -114,7 +114,7 @@ struct Diagonal {
 template <int Dim>
 void take_mean_rate(Body<Dim>& body, std::uint32_t first, int count, const Gather& what, GatherSums<Dim>& got) {
   const Diagonal<Dim> rate(got, what.axisymmetric);
-  const double* mean = body.particles.column(*body.volumetric) + first;
+  const double* mean = body.particles[body.volumetric] + first;
   for (int i = 0; i < count; ++i) {
     const double change = (mean[i] - rate.sum(i)) / rate.count;
     for (int d = 0; d < rate.count; ++d) rate.rate[static_cast<std::size_t>(d)][i] += change;
@@ -185,30 +185,32 @@ void deform(Particles<3>& particles, std::uint32_t first, int count, double dt, 
 template <int Dim>
 void update_particles(Body<Dim>& body, const Lattice<Dim>& lattice, std::uint32_t first, int count, const Gather& what,
                       GatherSums<Dim>& got, GatherResult& result) {
-  if (what.filtered) {
-    const auto to = body.particles.vector(*body.filtered);
-    for (int d = 0; d < Dim; ++d) std::copy_n(got.velocity[d], count, to[static_cast<std::size_t>(d)] + first);
-    return;
+  switch (what.task) {
+    case GatherTask::filtered_velocity: {
+      const auto to = body.particles[body.filtered];
+      for (int d = 0; d < Dim; ++d) std::copy_n(got.velocity[d], count, to[static_cast<std::size_t>(d)] + first);
+      return;
+    }
+    case GatherTask::temperature:
+      update_temperature(body, first, count, what.dt, got, result);
+      return;
+    case GatherTask::temperature_detail:
+      reduce_temperature_detail(body, first, count, got);
+      return;
+    case GatherTask::cell_mean:
+      std::copy_n(got.velocity[0], count, body.particles[body.volumetric] + first);
+      return;
+    case GatherTask::volume_rate: {
+      out_of_plane(body, first, count, what, got);
+      const Diagonal<Dim> rate(got, what.axisymmetric);
+      double* to = body.particles[body.volumetric] + first;
+      for (int i = 0; i < count; ++i) to[i] = rate.sum(i);
+      return;
+    }
+    case GatherTask::update:
+      break;
   }
-  if (what.heat) {
-    warm(body, first, count, what.dt, got, result);
-    return;
-  }
-  if (what.heat_detail) {
-    drop_detail(body, first, count, got);
-    return;
-  }
-  if (what.volumetric) {
-    std::copy_n(got.velocity[0], count, body.particles.column(*body.volumetric) + first);
-    return;
-  }
-  if (what.strain_dt > 0 || what.volume_rate) out_of_plane(body, first, count, what, got);
-  if (what.volume_rate) {
-    const Diagonal<Dim> rate(got, what.axisymmetric);
-    double* to = body.particles.column(*body.volumetric) + first;
-    for (int i = 0; i < count; ++i) to[i] = rate.sum(i);
-    return;
-  }
+  if (what.strain_dt > 0) out_of_plane(body, first, count, what, got);
   if (what.strain_dt > 0) {
     if (what.b_bar) take_mean_rate(body, first, count, what, got);
     // The nodes of a step's end moved the particles; those of its start are reached by the motion of the step before.
@@ -228,13 +230,13 @@ void update_particles(Body<Dim>& body, const Lattice<Dim>& lattice, std::uint32_
     points.plane_stress = what.plane_stress;
     for (std::size_t k = 0; k < points.L.size(); ++k) points.L[k] = got.L[k];
     body.law->update(points);
-    if (body.heated) warm_by_work(body, first, count);
+    if (body.heated) heat_by_dissipation(body, first, count);
   }
   if (what.move) {
     move(body, lattice, first, count, what, got, result);
     if (body.affine)
       for (std::size_t k = 0; k < Dim * Dim; ++k)
-        std::copy_n(got.affine[k], count, body.particles.column(*body.affine + k) + first);
+        std::copy_n(got.affine[k], count, body.particles[body.affine][k] + first);
   }
 }
 

@@ -76,7 +76,8 @@ class ProductTransfers final : public Transfers<Dim> {
       auto& result = collector.mine();
       const Bin& bin = bins[static_cast<std::size_t>(k)];
       const CutBin* cut = body.cut_bin(static_cast<std::size_t>(k));
-      if (what.filtered || what.heat_detail || what.volumetric)
+      if (what.task == GatherTask::filtered_velocity || what.task == GatherTask::temperature_detail ||
+          what.task == GatherTask::cell_mean)
         gather_bin<false, false>(body, target, bin, cut, what, result);
       else if (body.affine && what.move)
         gather_bin<true, true>(body, target, bin, cut, what, result);
@@ -90,10 +91,8 @@ class ProductTransfers final : public Transfers<Dim> {
   using Across = CutPatches<Dim, width>;
 
   static std::array<const double*, Dim> half_sizes(const Body<Dim>& body) {
-    std::array<const double*, Dim> half{};
-    if (Kernel::sized && body.half_size)
-      for (std::size_t d = 0; d < Dim; ++d) half[d] = body.particles.column(*body.half_size + d);
-    return half;
+    if (Kernel::sized && body.half_size) return body.particles[body.half_size];
+    return {};
   }
 
   template <bool Force, bool Affine>
@@ -101,7 +100,7 @@ class ProductTransfers final : public Transfers<Dim> {
                    bool from_start, bool axisymmetric) const {
     const BlockMap<Dim>& map = *target.map[0];
     const auto block = map.lattice().block_at(bin.block);
-    const auto x = from_start ? body.particles.vector(*body.start) : body.particles.x();
+    const auto x = from_start ? body.particles[body.start] : body.particles.x();
     const auto half = half_sizes(body);
     NodePatch patch;
     patch.clear();
@@ -122,9 +121,9 @@ class ProductTransfers final : public Transfers<Dim> {
           add<Force, Affine>(stencils, given, map.lattice(), i, patch.data);
       }
     }
-    patch.add_to(map.neighbours(bin.block), *target.nodes[0]);
+    patch.add_to(map.neighbours(bin.block), target.nodes[0]);
     across.each(target, [&](std::size_t k, NodePatch& beyond) {
-      beyond.add_to(target.map[k]->neighbours(bin.block), *target.nodes[k]);
+      beyond.add_to(target.map[k]->neighbours(bin.block), target.nodes[k]);
     });
   }
 
@@ -133,6 +132,7 @@ class ProductTransfers final : public Transfers<Dim> {
   static void prepare_affine(Body<Dim>& body, const Lattice<Dim>& lattice, const Stencils<Dim, Kernel>& stencils,
                              std::uint32_t first, int count, ScatterTerms<Dim>& given) {
     const double* m = body.particles.mass() + first;
+    const auto affine = body.particles[body.affine];
     for (int d = 0; d < Dim; ++d)
       for (int i = 0; i < count; ++i) {
         double moment = 0.0;
@@ -145,9 +145,7 @@ class ProductTransfers final : public Transfers<Dim> {
         double* to = given.affine[d][i];
         to[0] = 0.0, to[3] = 0.0;
         for (int c = 0; c < Dim; ++c)
-          to[1 + c] =
-              scale * body.particles.column(
-                          *body.affine + static_cast<std::size_t>(c * Dim + d))[first + static_cast<std::uint32_t>(i)];
+          to[1 + c] = scale * affine[static_cast<std::size_t>(c * Dim + d)][first + static_cast<std::uint32_t>(i)];
       }
   }
 
@@ -211,13 +209,13 @@ class ProductTransfers final : public Transfers<Dim> {
                   GatherResult& result) const {
     const BlockMap<Dim>& map = *target.map[0];
     const auto block = map.lattice().block_at(bin.block);
-    const auto x = what.from_start ? body.particles.vector(*body.start) : body.particles.x();
+    const auto x = what.from_start ? body.particles[body.start] : body.particles.x();
     const auto half = half_sizes(body);
     NodePatch patch;
-    patch.load(map.neighbours(bin.block), *target.nodes[0]);
+    patch.load(map.neighbours(bin.block), target.nodes[0]);
     Across across(cut != nullptr);
     across.each(target, [&](std::size_t k, NodePatch& beyond) {
-      beyond.load(target.map[k]->neighbours(bin.block), *target.nodes[k]);
+      beyond.load(target.map[k]->neighbours(bin.block), target.nodes[k]);
     });
     Stencils<Dim, Kernel> stencils;
     GatherSums<Dim> got;

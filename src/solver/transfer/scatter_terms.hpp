@@ -41,7 +41,7 @@ struct ScatterTerms {
       return;
     }
     const double* m = body.particles.mass() + first;
-    const auto v = what == Scatter::filtered ? body.particles.vector(*body.filtered) : body.particles.v();
+    const auto v = what == Scatter::filtered ? body.particles[body.filtered] : body.particles.v();
     const bool momentum = what != Scatter::force;
     for (int i = 0; i < count; i += 4) {
       const Vec4 mass = momentum ? load4(m + i) : Vec4{};
@@ -59,7 +59,7 @@ struct ScatterTerms {
   void prepare_volume(Body<Dim>& body, std::uint32_t first, int count, bool axisymmetric) {
     const double* volume = body.particles.volume() + first;
     const auto x = body.particles.x();
-    const auto origin = body.particles.vector(*body.origin);
+    const auto origin = body.particles[body.origin];
     for (int i = 0; i < count; ++i) {
       const double v = volume[i];
       const auto p = first + static_cast<std::uint32_t>(i);
@@ -79,8 +79,8 @@ struct ScatterTerms {
   void prepare_heat(Body<Dim>& body, std::uint32_t first, int count) {
     const double* m = body.particles.mass() + first;
     const double* volume = body.particles.volume() + first;
-    const double* temperature = body.particles.column(*body.temperature) + first;
-    const auto gradient = body.particles.vector(*body.temperature + 1);
+    const double* temperature = body.particles[body.temperature] + first;
+    const auto gradient = body.particles[body.temperature_gradient];
     for (int i = 0; i < count; ++i) {
       const double capacity = m[i] * body.heat_capacity;
       for (double& w : whole[i]) w = 0.0;
@@ -97,7 +97,7 @@ struct ScatterTerms {
 
   void prepare_detail(Body<Dim>& body, std::uint32_t first, int count) {
     const double* m = body.particles.mass() + first;
-    const double* detail = body.particles.column(*body.temperature + 1 + Dim) + first;
+    const double* detail = body.particles[body.temperature_detail] + first;
     for (int i = 0; i < count; ++i) {
       const double capacity = m[i] * body.heat_capacity;
       for (double& w : whole[i]) w = 0.0;
@@ -107,7 +107,7 @@ struct ScatterTerms {
 
   void prepare_volumetric(Body<Dim>& body, std::uint32_t first, int count) {
     const double* volume = body.particles.volume() + first;
-    const double* part = body.particles.column(*body.volumetric) + first;
+    const double* part = body.particles[body.volumetric] + first;
     for (int i = 0; i < count; ++i) {
       for (double& w : whole[i]) w = 0.0;
       whole[i][0] = volume[i], whole[i][1] = volume[i] * part[i];
@@ -117,7 +117,7 @@ struct ScatterTerms {
   void prepare_force(Body<Dim>& body, std::uint32_t first, int count, bool axisymmetric) {
     const auto s = body.particles.stress();
     const double* volume = body.particles.volume() + first;
-    const double* mean = body.volumetric ? body.particles.column(*body.volumetric) + first : nullptr;
+    const double* mean = body.volumetric ? body.particles[body.volumetric] + first : nullptr;
     for (int i = 0; i < count; i += 4) {
       const Vec4 k = -load4(volume + i);
       const Vec4 more = mean ? k * load4(mean + i) : Vec4{};
@@ -134,7 +134,7 @@ struct ScatterTerms {
       }
     }
     if (body.load) {
-      const auto f = body.particles.vector(*body.load);
+      const auto f = body.particles[body.load];
       for (int i = 0; i < count; ++i)
         for (std::size_t d = 0; d < Dim; ++d) whole[i][5 + d] += f[d][first + static_cast<std::uint32_t>(i)];
     }

@@ -40,15 +40,15 @@ struct Patch {
 
   using Slots = std::array<int, BlockMap<Dim>::neighbour_count>;
 
-  void load(const Slots& slots, const NodeLayer& nodes) {
+  void load(const Slots& slots, NodeNumbers nodes) {
     each_run(slots, [&](double* patch, std::size_t node, auto count) {
-      std::memcpy(patch, nodes[node].data(), sizeof(Node) * count);
+      std::memcpy(patch, nodes[node], sizeof(double) * NodeNumbers::per_node * count);
     });
   }
 
-  void add_to(const Slots& slots, NodeLayer& nodes) {
+  void add_to(const Slots& slots, NodeNumbers nodes) {
     each_run(slots, [&](const double* patch, std::size_t node, auto count) {
-      double* to = nodes[node].data();
+      double* to = nodes[node];
       for (int i = 0; i < static_cast<int>(8 * count); i += 8)
         (Wide::load(to + i) + Wide::load(patch + i)).store(to + i);
     });

@@ -5,24 +5,19 @@
 #include "solver/transfer/product_transfer.hpp"
 
 #include <stdexcept>
+#include <type_traits>
 
 namespace tribo {
 
 template <int Dim>
 std::unique_ptr<Transfers<Dim>> make_transfers(const Scheme& scheme) {
-  switch (scheme.kernel) {
-    case Kernel::linear:
-      return std::make_unique<ProductTransfers<Dim, LinearKernel>>();
-    case Kernel::gimp:
-      return std::make_unique<ProductTransfers<Dim, GimpKernel>>();
-    case Kernel::quadratic_spline:
-      return std::make_unique<ProductTransfers<Dim, QuadraticKernel>>();
-    case Kernel::cubic_spline:
-      return std::make_unique<ProductTransfers<Dim, CubicKernel>>();
-    case Kernel::cpdi:
+  return with_kernel(scheme.kernel, [&](auto k) -> std::unique_ptr<Transfers<Dim>> {
+    using K = decltype(k);
+    if constexpr (std::is_same_v<K, CpdiCornerKernel>)
       return std::make_unique<CpdiTransfers<Dim>>(scheme.cpdi_limit);
-  }
-  throw std::logic_error("no such kernel");
+    else
+      return std::make_unique<ProductTransfers<Dim, K>>();
+  });
 }
 
 template <int Dim>

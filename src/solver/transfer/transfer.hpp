@@ -26,20 +26,26 @@ inline bool pulls(Scatter what) {
          what == Scatter::volume;
 }
 
-/// What a gather does to the particles.
+/// What a gather computes for the particles. S f is the sum of w_Ip f_I over the nodes.
+enum class GatherTask {
+  update,              ///< velocity, position, deformation and stress, as the members of Gather say
+  filtered_velocity,   ///< filtered velocity = S v
+  temperature,         ///< temperature += dt S dT/dt, its gradient, and detail = temperature - S T
+  temperature_detail,  ///< temperature -= share of the detail - S of that
+  volume_rate,         ///< volumetric column = div v
+  cell_mean            ///< volumetric column = S of the cells' values
+};
+
+/// A gather: its task and the options of an update.
 struct Gather {
-  bool move = false;         ///< velocity and position
-  double dt = 0.0;           ///< of the motion                                            [time]
-  double flip = 1.0;         ///< share of v + dt S a; the rest is S v
-  double damping = 0.0;      ///< particle damping, subtracts damping dt S v               [1/time]
-  double strain_dt = 0.0;    ///< > 0: deformation, stress and history over this time      [time]
-  bool heat = false;         ///< only: temperature += dt S dT/dt, its gradient, and detail = temperature - S T
-  bool heat_detail = false;  ///< only: temperature -= share of detail - S of that
-  bool volume_rate = false;  ///< only: volumetric column = div v
-  bool volumetric = false;   ///< only: volumetric column = S of x
-  bool filtered = false;     ///< only: filtered velocity columns = S v
-  bool from_start = false;   ///< weights at the positions of the start of the step
-  bool b_bar = false;        ///< the strain changes volume at the rate in the volumetric column, not at div v
+  GatherTask task = GatherTask::update;
+  bool move = false;        ///< velocity and position
+  double dt = 0.0;          ///< of the motion                                            [time]
+  double flip = 1.0;        ///< share of v + dt S a; the rest is S v
+  double damping = 0.0;     ///< particle damping, subtracts damping dt S v               [1/time]
+  double strain_dt = 0.0;   ///< > 0: deformation, stress and history over this time      [time]
+  bool from_start = false;  ///< weights at the positions of the start of the step
+  bool b_bar = false;       ///< the strain changes volume at the rate in the volumetric column, not at div v
   bool plane_stress = false, axisymmetric = false;
   bool exponential = false;  ///< F <- exp(L dt) F to second order, not the motion of the particles
 };
@@ -54,15 +60,16 @@ struct GatherResult {
 template <int Dim>
 struct Target {
   std::array<const BlockMap<Dim>*, 4> map{};
-  std::array<NodeLayer*, 4> nodes{};
+  std::array<NodeNumbers, 4> nodes{};
 
-  Target(const BlockMap<Dim>& own_map, NodeLayer& own_nodes) : map{&own_map}, nodes{&own_nodes} {}
+  Target(const BlockMap<Dim>& own_map, NodeNumbers own_nodes) : map{&own_map}, nodes{own_nodes} {}
   /// One layer of all fields of a body.
-  Target(const Body<Dim>& body, std::vector<Field<Dim>>& fields, NodeLayer Field<Dim>::*layer)
+  template <class N>
+  Target(const Body<Dim>& body, std::vector<Field<Dim>>& fields, AlignedVector<N> Field<Dim>::*layer)
       : Target(fields[body.field].map, fields[body.field].*layer) {
     for (std::size_t k = 0; k < body.across.size(); ++k)
       if (body.across[k] < fields.size())
-        map[k + 1] = &fields[body.across[k]].map, nodes[k + 1] = &(fields[body.across[k]].*layer);
+        map[k + 1] = &fields[body.across[k]].map, nodes[k + 1] = fields[body.across[k]].*layer;
   }
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "geometry/strewn.hpp"
+#include "geometry/point_sets.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -8,11 +8,11 @@
 
 using namespace tribo;
 
-TEST_CASE("Strewn points keep their distance, lie inside, and are the same for a seed", "[geometry]") {
+TEST_CASE("random points keep their distance, lie inside, and are reproducible for a seed", "[geometry]") {
   const Vec3 low(1, 2, 3), high(3, 3, 5);
   for (const bool plane : {true, false}) {
     const std::size_t count = 300;
-    const auto points = strewn_points(count, low, high, plane, 0.7, 5);
+    const auto points = random_points(count, low, high, plane, 0.7, 5);
     REQUIRE(points.size() == count);
     const double due = plane ? std::sqrt(2.0 / 300) : std::cbrt(4.0 / 300);
     double nearest = 1e300;
@@ -23,12 +23,12 @@ TEST_CASE("Strewn points keep their distance, lie inside, and are the same for a
     }
     CHECK(nearest >= 0.7 * due);
     CHECK(nearest < 0.75 * due);
-    CHECK(strewn_points(count, low, high, plane, 0.7, 5) == points);
-    CHECK(strewn_points(count, low, high, plane, 0.7, 6) != points);
+    CHECK(random_points(count, low, high, plane, 0.7, 5) == points);
+    CHECK(random_points(count, low, high, plane, 0.7, 6) != points);
   }
-  CHECK(strewn_points(1, low, high, true, 0.6, 1).size() == 1);
-  CHECK(strewn_points(50, low, high, true, 0.0, 1).size() == 50);
-  CHECK_THROWS_AS(strewn_points(500, low, high, true, 1.05, 1), std::runtime_error);
+  CHECK(random_points(1, low, high, true, 0.6, 1).size() == 1);
+  CHECK(random_points(50, low, high, true, 0.0, 1).size() == 50);
+  CHECK_THROWS_AS(random_points(500, low, high, true, 1.05, 1), std::runtime_error);
 }
 
 TEST_CASE("lattices fill a box from its low corner on", "[geometry]") {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// What the bodies of contacts found on the way do: polygons and polyhedra that overlap, balls beside faces.
+/// Increments of contacts whose position is computed in every step: overlapping polygons and polyhedra, balls on faces.
 
 #include "blocks/kinematics.hpp"
 
@@ -18,29 +18,29 @@ Vec3 Assembly::nearest_on(std::size_t k, const Vec3& x) const {
   return m.x + m.R * nearest_point(shapes[k], m.R.transpose() * (x - m.x), plane_).at;
 }
 
-// Moves a contact to a place and normal, and counts what its bodies do there. An overlap may jump to another face: then
-// the old forces act in the first half of the step where they were, the new ones in the other half.
+// Moves a contact to a position and normal, and computes the increments of its bodies there. An overlap may jump to
+// another face: then the old forces act in the first half of the step at the old position, the new ones in the second.
 template <bool Plane>
 void Assembly::move_contact(std::size_t k, const Vec3& n, const Vec3& at, double dt, JointIncrement& d) {
   BlockContact& c = contacts[k];
   const BlockMotion &a = motion[c.a], &b = motion[c.b];
-  const ContactFrame before{c.axes, given[k].at};
+  const ContactFrame before{c.axes, contact_forces[k].at};
   c.axes = carried<Plane>(c.axes, n, a, b, dt);
   const ContactFrame now{c.axes, at};
   Joint& j = joints[k];
   const double reach = plane_ ? j.area / thickness_ : std::sqrt(j.area);
   const bool jumps = before.axes.n.dot(n) < 1 - 1e-5 || (at - before.at).norm() > 0.02 * reach;
   count_increment<Plane>(a, b, Vec3::Zero(), Vec3::Zero(), jumps ? now : before, now, dt, d);
-  if (jumps && !given[k].all.isZero(0.0)) {
+  if (jumps && !contact_forces[k].all.isZero(0.0)) {
     JointIncrement old;
     count_increment<Plane>(a, b, Vec3::Zero(), Vec3::Zero(), before, before, dt, old);
     j.work += half_work(j, old) - half_work(j, d);
     dashpot_work[k] += 0.5 * (j.dashpot_normal * (old.normal - d.normal) - j.dashpot_shear.dot(old.shear - d.shear));
   }
-  given[k].at = at, d.mass = c.mass;
+  contact_forces[k].at = at, d.mass = c.mass;
 }
 
-// What leaves a contact takes its share of the shear along. In this step the whole of it acts still.
+// Area that leaves a contact takes its fraction of the shear force along. In this step the whole force still acts.
 void Assembly::resize(Joint& j, double area, const JointIncrement& d) const {
   if (const double kept = area / j.area; kept < 1) {
     j.work -= 0.5 * (1 - kept) * (j.Fs.dot(d.shear) + j.Mt * d.twist + j.Mb.dot(d.bend));
@@ -68,7 +68,7 @@ void Assembly::overlap_increments(const Batch& batch, double dt, JointIncrement*
       d->gap = apart.gap;
       continue;
     }
-    if (!shared) {  // cut along the axes of this step, which all parts of a pair have
+    if (!shared) {  // cut along the axes of this step, which all parts of a pair use
       const auto& carry = plane_ ? carried<true> : carried<false>;
       share(a, b, carry(c.axes, apart.n, motion[c.a], motion[c.b], dt), plane_, parts);
       shared = true;
@@ -80,7 +80,7 @@ void Assembly::overlap_increments(const Batch& batch, double dt, JointIncrement*
   }
 }
 
-void Assembly::beside_increments(const Batch& batch, double dt, JointIncrement* d) {
+void Assembly::ball_on_face_increments(const Batch& batch, double dt, JointIncrement* d) {
   for (std::size_t k = batch.begin; k < batch.end; ++k, ++d) {
     const BlockContact& c = contacts[k];
     const bool first = shapes[c.a].ball();

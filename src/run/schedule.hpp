@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// When to write, and how large the steps are.
+/// Output times.
 #pragma once
 
 #include "model/model.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "geometry/strewn.hpp"
+#include "geometry/point_sets.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 namespace tribo {
 namespace {
 
-/// Places in a box, found by the square (cube) of one least distance they lie in: at most a few each.
+/// Points in a box, stored in square (cubic) cells with the smallest allowed distance as edge: at most a few per cell.
 class Places {
  public:
   Places(const Vec3& low, const Vec3& high, double distance, bool plane)
@@ -50,20 +50,20 @@ class Places {
 
 }  // namespace
 
-std::vector<Vec3> strewn_points(std::size_t count, const Vec3& low, const Vec3& high, bool plane, double apart,
+std::vector<Vec3> random_points(std::size_t count, const Vec3& low, const Vec3& high, bool plane, double apart,
                                 std::uint64_t seed) {
   const Vec3 size = high - low;
-  const double room = (plane ? size[0] * size[1] : size.prod()) / static_cast<double>(count);
-  const double distance = apart * (plane ? std::sqrt(room) : std::cbrt(room));
-  // The generator's bits are the same everywhere; the library's distributions are not.
+  const double volume_per_point = (plane ? size[0] * size[1] : size.prod()) / static_cast<double>(count);
+  const double distance = apart * (plane ? std::sqrt(volume_per_point) : std::cbrt(volume_per_point));
+  // The generator gives the same bits on every platform; the distributions of the standard library do not.
   std::mt19937_64 bits(seed);
   const auto some = [&] { return std::ldexp(static_cast<double>((bits() >> 11) | 1), -53); };
-  Places places(low, high, std::max(distance, 1e-3 * std::cbrt(room)), plane);
+  Places places(low, high, std::max(distance, 1e-3 * std::cbrt(volume_per_point)), plane);
   std::vector<Vec3> out;
   for (std::size_t tries = 0; out.size() < count; ++tries) {
     if (tries > 2000 * count)
-      throw std::runtime_error("found room for " + std::to_string(out.size()) + " of " + std::to_string(count) +
-                               " nuclei only; make 'apart' smaller");
+      throw std::runtime_error("only " + std::to_string(out.size()) + " of " + std::to_string(count) +
+                               " nuclei could be placed; reduce 'apart'");
     Vec3 x = low;
     for (int d = 0; d < (plane ? 2 : 3); ++d) x[d] += some() * size[d];
     if (!places.free(x)) continue;
@@ -74,7 +74,7 @@ std::vector<Vec3> strewn_points(std::size_t count, const Vec3& low, const Vec3& 
 
 std::vector<Vec3> lattice_points(PointLattice lattice, double spacing, const Vec3& low, const Vec3& high, bool plane) {
   Vec3 cell = Vec3::Ones();
-  std::vector<Vec3> basis{Vec3::Constant(0.5)};  // of a cell
+  std::vector<Vec3> basis{Vec3::Constant(0.5)};  // points of one cell
   if (lattice == PointLattice::hexagons)
     cell[0] = std::sqrt(3.0), basis = {{0.25, 0.25, 0}, {0.75, 0.75, 0}};
   else if (lattice == PointLattice::octahedra)

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-/// The sheet before a run of blocks.
+/// The pre-flight report of a model of blocks.
 
 #include "base/parallel.hpp"
 #include "base/text.hpp"
 #include "run/block_run.hpp"
-#include "run/clock.hpp"
+#include "run/schedule.hpp"
 
 #include <chrono>
 #include <map>

@@ -3,6 +3,7 @@
 
 #include "output/number.hpp"
 #include "run/columns.hpp"
+#include "run/result_folder.hpp"
 #include "run/results.hpp"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// What the pre-flight sheet says of cracks and of joints between materials.
+/// The part of the pre-flight report on cracks and on joints between materials.
 #pragma once
 
 #include "solver/state/system.hpp"
@@ -9,16 +9,16 @@
 
 namespace tribo {
 
-struct CrackSheet {
+struct CrackReport {
   std::vector<std::string> lines;   ///< one per crack or pair: pieces, size, cells
   std::vector<std::string> advice;  ///< what the grid cannot resolve
 };
 
-/// Before the first step.
+/// Of a system before the first step.
 template <int Dim>
-CrackSheet describe_cracks(const System<Dim>& system);
+CrackReport describe_cracks(const System<Dim>& system);
 /// The same of joints between materials: points, size, cells.
 template <int Dim>
-CrackSheet describe_interfaces(const System<Dim>& system);
+CrackReport describe_interfaces(const System<Dim>& system);
 
 }  // namespace tribo

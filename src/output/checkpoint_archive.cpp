@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#include "output/checkpoint_archive.hpp"
+
+#include <algorithm>
+
+namespace tribo {
+
+template <class T>
+void RestoringArchive::take(std::string_view name, std::vector<T> saved, std::span<T> values) {
+  if (saved.size() != values.size())
+    throw FileError("the entry '" + full_name(name) + "' of the checkpoint has " + std::to_string(saved.size()) +
+                    " numbers, not " + std::to_string(values.size()) + "; it belongs to another command file");
+  std::copy(saved.begin(), saved.end(), values.begin());
+  visited_.insert(full_name(name));
+}
+
+void RestoringArchive::doubles(std::string_view name, std::span<double> values) {
+  take(name, from_.doubles(full_name(name)), values);
+}
+
+void RestoringArchive::integers(std::string_view name, std::span<std::int64_t> values) {
+  take(name, from_.integers(full_name(name)), values);
+}
+
+void RestoringArchive::finish() const {
+  for (const auto& name : from_.names())
+    if (visited_.count(name) == 0)
+      throw FileError("the entry '" + name + "' of the checkpoint is unknown; it belongs to another command file");
+}
+
+}  // namespace tribo

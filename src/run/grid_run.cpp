@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include "run/grid_run.hpp"
+
+#include "base/parallel.hpp"
+#include "solver/build.hpp"
+
+#include <cmath>
+
+namespace tribo {
+
+template <int Dim>
+GridRun<Dim>::GridRun(const Model& model)
+    : model_(model),
+      system_(build_system<Dim>(model, place_points(model))),
+      stepper_(model, system_),
+      step_size_(model, system_) {}
+
+template <int Dim>
+void GridRun<Dim>::choose_threads(int wanted) const {
+  set_threads(sensible_threads(wanted, particle_count(system_)));
+}
+
+template <int Dim>
+double GridRun<Dim>::advance() {
+  dt_ = step_size_.next(dt_);
+  const double step = step_size_.up_to_end(std::min(dt_, stepper_.joints().stable_step()));
+  stepper_.damping().update(step, [&] { return measure(system_).kinetic; });
+  stepper_.advance(step);
+  return step;
+}
+
+template <int Dim>
+CheckpointWriter GridRun<Dim>::save(RunState run) {
+  run.dt = dt_;
+  if (results_) run.initial_energy = results_->initial_energy;
+  if (results_ && results_->blocks) run.initial_block_energy = results_->blocks->initial_energy;
+  CheckpointWriter out = save_state(run, system_, stepper_);
+  stepper_.contact().clear_cache();  // as in a run that continues from the checkpoint
+  return out;
+}
+
+template <int Dim>
+RunState GridRun<Dim>::restore(const Checkpoint& checkpoint) {
+  restored_ = load_state(checkpoint, system_, stepper_);
+  dt_ = restored_.dt;
+  return restored_;
+}
+
+template <int Dim>
+void GridRun<Dim>::open_results(const std::filesystem::path& folder, std::optional<double> resume_time) {
+  results_.emplace(model_, system_, stepper_, folder, resume_time);
+  results_->initial_energy = restored_.initial_energy;
+  if (results_->blocks) results_->blocks->initial_energy = restored_.initial_block_energy;
+}
+
+template <int Dim>
+std::map<std::string, std::string> GridRun<Dim>::facts() const {
+  std::map<std::string, std::string> out;
+  for (const auto& body : system_.bodies) out["particles of " + body.name] = std::to_string(body.particles.size());
+  if (system_.blocks) out["blocks"] = std::to_string(system_.blocks->block_count());
+  return out;
+}
+
+template <int Dim>
+std::map<std::string, double> GridRun<Dim>::seconds_of(double) const {
+  const StepWatches& w = stepper_.watches();
+  const double contact = stepper_.contact().watch.seconds(), filter = stepper_.filter().watch.seconds();
+  double named = contact + filter;
+  for (const Stopwatch* watch : {&w.sort, &w.scatter, &w.grid, &w.gather}) named += watch->seconds();
+  return {{"sorting", w.sort.seconds()},
+          {"particles to nodes", w.scatter.seconds()},
+          {"nodes", w.grid.seconds()},
+          {"nodes to particles, stress", w.gather.seconds()},
+          {"contact", contact},
+          {"filter (XPIC, FMPM)", filter},
+          {"loads, heat, rest of the step", std::max(0.0, w.all.seconds() - named)}};
+}
+
+template <int Dim>
+double GridRun<Dim>::largest_displacement() {
+  double most = 0.0;
+  for (auto& body : system_.bodies) {
+    const auto x = body.particles.x(), origin = body.particles[body.origin];
+    for (std::size_t i = 0; i < body.particles.size(); ++i) {
+      double square = 0.0;
+      for (std::size_t d = 0; d < Dim; ++d) square += (x[d][i] - origin[d][i]) * (x[d][i] - origin[d][i]);
+      most = std::max(most, square);
+    }
+  }
+  return std::sqrt(most);
+}
+
+template class GridRun<2>;
+template class GridRun<3>;
+
+}  // namespace tribo

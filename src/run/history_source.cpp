@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#include "run/history_source.hpp"
+
+namespace tribo {
+
+// Force on the material: of a rigid body, of the conditions or the symmetry plane with an id, or of all but the planes.
+template <int Dim>
+Vec3 RunHistorySource<Dim>::reaction() const {
+  const HistoryQuantity& q = quantity_;
+  Vec3 sum = Vec3::Zero();
+  const auto& rigid = stepper_.rigid_bodies().reactions();
+  for (std::size_t r = 0; r < rigid.size(); ++r)
+    if (q.material >= 0 ? system_.rigids[r].material == q.material : q.condition_id == 0) sum += rigid[r];
+  if (q.material >= 0) return sum;
+  for (std::size_t f = 0; f < system_.fields.size(); ++f) {
+    const auto& conditions = stepper_.conditions(f);
+    for (std::size_t c = 0; c < model_.node_conditions.size(); ++c)
+      if (q.condition_id == 0 || model_.node_conditions[c].id == q.condition_id) sum += conditions.reactions()[c];
+    for (int axis = 0; axis < Dim; ++axis)
+      for (int side = 0; side < 2; ++side)
+        if (q.condition_id == symmetry_plane_id(axis, side))
+          sum[axis] += stepper_.exchange(f).plane_reaction(axis, side);
+  }
+  return sum;
+}
+
+template <int Dim>
+bool RunHistorySource<Dim>::has_material(std::size_t field, int material) const {
+  for (auto* list : {&system_.bodies, &system_.rigids})
+    for (const auto& body : *list)
+      if (body.field == field && body.material == material) return true;
+  return false;
+}
+
+// Sum over the pairs that the quantity asks for; force on its material, or on the first of each pair.
+template <int Dim>
+ContactSums RunHistorySource<Dim>::contact() const {
+  const HistoryQuantity& q = quantity_;
+  ContactSums sum;
+  for (const auto& [pair, entry] : stepper_.contact().ledger().pairs) {
+    double sign = 1.0;
+    if (q.material >= 0) {
+      const bool first = has_material(pair.first, q.material);
+      if (!first && !has_material(pair.second, q.material)) continue;
+      if (q.other >= 0 && !has_material(first ? pair.second : pair.first, q.other)) continue;
+      sign = first ? 1.0 : -1.0;
+    }
+    sum.force += sign * entry.force;
+    sum.friction += entry.friction, sum.impact += entry.impact, sum.stored += entry.stored, sum.area += entry.area;
+  }
+  return sum;
+}
+
+template class RunHistorySource<2>;
+template class RunHistorySource<3>;
+
+}  // namespace tribo

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: MIT
+#include "run/run_loop.hpp"
+
+#include "base/parallel.hpp"
+#include "base/stopwatch.hpp"
+#include "output/atomic_file.hpp"
+#include "output/progress.hpp"
+#include "output/provenance.hpp"
+#include "run/schedule.hpp"
+#include "run/signals.hpp"
+
+#include <chrono>
+
+namespace tribo {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
+
+Schedule every(double interval, const OutputSpec& output) {
+  return interval > 0 ? Schedule::every(interval) : Schedule(output.archive);
+}
+
+std::map<std::string, std::string> facts_of(const Model& model, const SteppedModel& stepped) {
+  std::map<std::string, std::string> out = unit_facts(model);
+  out["title"] = model.title;
+  out.merge(stepped.facts());
+  return out;
+}
+
+class RunLoop {
+ public:
+  RunLoop(const Model& model, SteppedModel& stepped, const RunOptions& options)
+      : model_(model),
+        stepped_(stepped),
+        options_(options),
+        checkpoint_(options.folder / "checkpoint.bin"),
+        resume_time_(prepare()),
+        begin_time_(stepped.time()),
+        provenance_(options.folder / "provenance.json", options.command_line, model.file, threads(),
+                    facts_of(model, stepped)),
+        progress_(options.quiet, stepped.time(), model.time.end, stepped.moving().first, stepped.moving().second) {}
+
+  Outcome run() {
+    report("running", "");
+    if (!resume_time_) write_due();
+    const std::int64_t first_step = stepped_.step();
+    try {
+      while (!stepped_.at_end()) {
+        if (wants_stop() && stepped_.may_stop()) {
+          save();
+          report("stopped", signals_.stop() ? "signal" : "wall time");
+          return Outcome::stopped;
+        }
+        if (signals_.checkpoint() && stepped_.may_stop()) signals_.checkpoint_done(), save();
+        step();
+      }
+    } catch (const SimulationError& error) {
+      report("failed", error.what());
+      const bool usable = std::filesystem::exists(checkpoint_);
+      throw SimulationError(std::string(error.what()) +
+                            (usable ? "\nThe last checkpoint is in '" + checkpoint_.string() + "'." : std::string()));
+    }
+    if (stepped_.step() > first_step) write_last_state();
+    save();
+    report("finished", "");
+    progress_.finish(stepped_.time(), stepped_.step());
+    return Outcome::finished;
+  }
+
+ private:
+  static constexpr double between_reports = 2.0;        // seconds
+  static constexpr std::int64_t steps_per_report = 16;  // the clock is read only then
+
+  // Builds or restores the state and opens the files. Returns the time from which the run continues, if it does.
+  std::optional<double> prepare() {
+    stepped_.choose_threads(options_.threads);
+    std::optional<double> resume_time;
+    if (options_.resume) {
+      const RunState state = stepped_.restore(Checkpoint(checkpoint_));
+      resume_time = stepped_.time();
+      files_.set_count(state.archive), histories_.set_count(state.history), checkpoints_.set_count(state.checkpoint);
+    } else {
+      // Where the model came from, for 'tribo resume'
+      write_atomically(options_.folder / "model.path", source_of(model_));
+    }
+    stepped_.open_results(options_.folder, resume_time);
+    if (!resume_time) stepped_.start();
+    return resume_time;
+  }
+
+  bool wants_stop() const {
+    return signals_.stop() || (options_.max_wall > 0 && seconds_since(begin_) > options_.max_wall);
+  }
+
+  void step() {
+    const double size = stepped_.advance();
+    stepped_.write_events();
+    write_due();
+    stepped_.check();
+    if (stepped_.step() % steps_per_report == 0 && seconds_since(reported_) > between_reports) {
+      report("running", "");
+      reported_ = Clock::now();
+    }
+    progress_.step(stepped_.time(), stepped_.step(), size);
+  }
+
+  void write_due() {
+    const auto lap = output_.lap();
+    const double time = stepped_.time(), tolerance = 1e-6 * stepped_.step_size();
+    const bool last = stepped_.history_of_last_step() && stepped_.step() > 0 && stepped_.at_end();
+    if (histories_.due(time, tolerance) || last) stepped_.write_history();
+    if (files_.due(time, tolerance)) stepped_.write_files(files_.count() - 1);
+    if (checkpoints_.due(time, tolerance)) save();
+  }
+
+  // The last state is always on disk, also if the end is no output time.
+  void write_last_state() {
+    Schedule before = files_;
+    before.set_count(files_.count() - 1);
+    const double time = stepped_.time(), dt = stepped_.step_size();
+    const bool written =
+        files_.count() > 0 && before.due(time, 1e-6 * dt) && !Schedule(before).due(time - 0.5 * dt, 0.0);
+    if (written) return;
+    if (!stepped_.history_of_last_step()) stepped_.write_history();
+    stepped_.write_files(files_.count());
+  }
+
+  void save() {
+    RunState state;
+    state.archive = files_.count(), state.history = histories_.count(), state.checkpoint = checkpoints_.count();
+    stepped_.save(state).save(checkpoint_);
+  }
+
+  void report(const std::string& status, const std::string& reason) {
+    Provenance::Progress p;
+    p.end_time = model_.time.end, p.step = stepped_.step_size(), p.seconds = seconds_since(begin_);
+    const double done = stepped_.time() - begin_time_;
+    p.seconds_left = done > 0 ? p.seconds * (model_.time.end - stepped_.time()) / done : 0.0;
+    p.seconds_of = stepped_.seconds_of(p.seconds - output_.seconds());
+    p.seconds_of["output"] = output_.seconds();
+    provenance_.set_progress(p);
+    provenance_.write(status, reason, stepped_.time(), static_cast<long>(stepped_.step()));
+  }
+
+  const Model& model_;
+  SteppedModel& stepped_;
+  const RunOptions& options_;
+  SignalGuard signals_;
+  Clock::time_point begin_ = Clock::now(), reported_ = begin_;
+  Stopwatch output_;
+  Schedule files_{model_.output.archive};
+  Schedule histories_ = every(model_.output.history_interval, model_.output);
+  Schedule checkpoints_ = every(model_.output.checkpoint_interval, model_.output);
+  std::filesystem::path checkpoint_;
+  std::optional<double> resume_time_;
+  double begin_time_;
+  Provenance provenance_;
+  Progress progress_;
+};
+
+}  // namespace
+
+Outcome run_to_end(const Model& model, SteppedModel& stepped, const RunOptions& options) {
+  return RunLoop(model, stepped, options).run();
+}
+
+}  // namespace tribo

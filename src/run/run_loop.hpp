@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+/// The loop of every run: steps, output times, checkpoints, signals and the record of the run.
+#pragma once
+
+#include "output/checkpoint.hpp"
+#include "run/restart.hpp"
+#include "run/simulation.hpp"
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+
+namespace tribo {
+
+/// A model that advances in time: particles on a grid, or rigid blocks alone.
+class SteppedModel {
+ public:
+  SteppedModel() = default;
+  virtual ~SteppedModel() = default;
+  SteppedModel(const SteppedModel&) = delete;
+  SteppedModel& operator=(const SteppedModel&) = delete;
+
+  virtual double time() const = 0;        ///< [time]
+  virtual std::int64_t step() const = 0;  ///< number of steps done
+  virtual double step_size() const = 0;   ///< of the present step [time]
+  virtual bool at_end() const = 0;
+
+  /// Chooses the number of threads, at most `wanted`. Results do not depend on it.
+  virtual void choose_threads(int wanted) const = 0;
+  /// Chooses the first step of a run that starts at time 0. Throws SimulationError if there is none.
+  virtual void start() = 0;
+  /// Takes one step; returns its size [time]. Throws SimulationError.
+  virtual double advance() = 0;
+  /// Called after the output of a step. Throws SimulationError if the state has lost its meaning.
+  virtual void check() {}
+
+  /// False while something is kept from step to step that a checkpoint does not hold, so that a run which stops here
+  /// would not continue to the bit. This lasts a few steps.
+  virtual bool may_stop() const { return true; }
+  /// The complete state; `run` holds the counters of the loop. Without open results the energies at the start are zero.
+  virtual CheckpointWriter save(RunState run) = 0;
+  /// Restores a freshly built model. Throws FileError if the checkpoint is of another model.
+  virtual RunState restore(const Checkpoint& checkpoint) = 0;
+
+  /// Starts the files of results, or continues them after `resume_time`. Throws FileError.
+  virtual void open_results(const std::filesystem::path& folder, std::optional<double> resume_time) = 0;
+  /// One row of the histories and of the energies.
+  virtual void write_history() = 0;
+  /// Files of the state under a number.
+  virtual void write_files(std::int64_t number) = 0;
+  /// The events since the last call.
+  virtual void write_events() = 0;
+  /// True if the histories always have a row of the last step; false if they have it when an output time, of histories
+  /// or files, requires it.
+  virtual bool history_of_last_step() const = 0;
+
+  /// What moves, for the display of progress: how many, and their name in the singular.
+  virtual std::pair<std::int64_t, std::string> moving() const = 0;
+  /// Further entries of the record of the run.
+  virtual std::map<std::string, std::string> facts() const = 0;
+  /// Seconds spent by part of the step; `steps` is the time spent outside of output.
+  virtual std::map<std::string, double> seconds_of(double steps) const = 0;
+};
+
+/// Runs a model, or continues it from the checkpoint of the folder, to its end. Throws SimulationError (the last
+/// checkpoint remains), FileError.
+Outcome run_to_end(const Model& model, SteppedModel& stepped, const RunOptions& options);
+
+}  // namespace tribo

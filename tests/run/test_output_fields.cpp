@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+/// Fields of particle and grid files.
+
+#include "../solver/cloud.hpp"
+
+#include "contact/contact_cases.hpp"
+#include "run/grid_file.hpp"
+#include "run/particle_fields.hpp"
+
+using namespace tribo;
+using namespace tribo::test;
+
+namespace {
+
+// One material on the other, with velocity fields of their own.
+Model two_layers() {
+  Model model = grid_model<2>(Kernel::quadratic_spline, Transfer::apic, UpdateOrder::usl, false, 24);
+  model.materials.push_back(model.materials.front());
+  model.contact.active = true;
+  model.contact.default_law = make_law("CoulombFriction", {{"coeff", "0"}});
+  return model;
+}
+
+std::vector<Seed> layers_of(const Model& model) {
+  auto seeds = lattice_seeds<2>(model, 8, 14);
+  for (auto& s : seeds) {
+    s.material = s.x[1] > 11 ? 1 : 0;
+    s.v = s.material == 0 ? Vec3(1, 0, 0) : Vec3(3, 0, 0);
+  }
+  return seeds;
+}
+
+}  // namespace
+
+TEST_CASE("grid fields add up over all velocity fields of a node", "[output]") {
+  const Model model = two_layers();
+  auto system = build_system<2>(model, layers_of(model));
+  Stepper<2> stepper(model, system);
+  stepper.advance(1e-6);
+  double mass = 0.0;
+  Vec3 momentum = Vec3::Zero();
+  bool mixed = false;
+  for (int j = 0; j <= model.grid.cells[1]; ++j)
+    for (int i = 0; i <= model.grid.cells[0]; ++i) {
+      const Index<2> n{i + Lattice<2>::padding, j + Lattice<2>::padding};
+      const GridNodeState state = grid_node_state(system, n);
+      mass += state.mass, momentum += state.mass * state.velocity;
+      mixed = mixed || (state.velocity[0] > 1.1 && state.velocity[0] < 2.9);
+    }
+  const Measures all = measure(system);
+  CHECK(mass == Approx(all.mass).epsilon(1e-12));
+  CHECK((momentum - all.momentum).norm() < 1e-12 * all.momentum.norm());
+  CHECK(mixed);  // at the nodes that both have
+}
+
+TEST_CASE("the velocity of a single field goes to the grid file to the bit", "[output]") {
+  Model model = two_layers();
+  model.contact.active = false;
+  auto system = build_system<2>(model, layers_of(model));
+  REQUIRE(system.fields.size() == 1);
+  Stepper<2> stepper(model, system);
+  stepper.advance(1e-6);
+  int nodes = 0;
+  for (int j = 0; j <= model.grid.cells[1]; ++j)
+    for (int i = 0; i <= model.grid.cells[0]; ++i) {
+      const Index<2> n{i + Lattice<2>::padding, j + Lattice<2>::padding};
+      const auto position = system.fields[0].map.node(n);
+      if (position < 0) continue;
+      const Node& node = system.fields[0].nodes[static_cast<std::size_t>(position)];
+      if (!(node.mass > 0)) continue;
+      const GridNodeState state = grid_node_state(system, n);
+      CHECK(
+          (state.mass == node.mass && state.velocity[0] == node.velocity[0] && state.velocity[1] == node.velocity[1]));
+      ++nodes;
+    }
+  CHECK(nodes > 30);
+}
+
+TEST_CASE("every field of the table can be written", "[output]") {
+  Model model = two_layers();
+  for (const auto& field : particle_fields()) model.output.particle_fields.emplace_back(field.name);
+  auto system = build_system<2>(model, layers_of(model));
+  Stepper<2> stepper(model, system);
+  stepper.advance(1e-6);
+  stepper.contact().fill_view();
+  const ParticleFields<2> fields(model, {&system.bodies[0], &system.bodies[1]}, model.output.particle_fields);
+  std::map<std::string, const OutputField*> by_name;
+  for (const auto& field : fields.fields()) by_name[field.name] = &field;
+  for (const auto& field : particle_fields()) {
+    if (field.value.history) continue;
+    INFO(field.name);
+    const bool written = by_name.count(std::string(field.name)) == 1;
+    CHECK(written == (field.needs != ParticleField::Needs::heat));  // the model has contact but no heat
+    if (written) CHECK(by_name[std::string(field.name)]->components.size() == field.value.components);
+  }
+  CHECK(standard_particle_fields() == std::vector<std::string>{"id", "material", "velocity", "displacement", "stress",
+                                                               "pressure", "von_mises", "volume_ratio", "contact_state",
+                                                               "contact_traction", "contact_normal", "temperature",
+                                                               "history"});
+}
