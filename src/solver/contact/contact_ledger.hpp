@@ -35,8 +35,8 @@ struct RigidExchange {
   Vec3 moment = Vec3::Zero();         ///< sum of x cross impulse                               [mass velocity length]
   Mat3 moment_tensor = Mat3::Zero();  ///< of blocks: sum of impulse x^T, x on the surface      [mass velocity length]
   double mass = 0.0;                  ///< of the other fields                                  [mass]
-  Vec3 first_moment = Vec3::Zero();   ///< sum of m x                                           [mass length]
   double second_moment = 0.0;         ///< sum of m |x|^2                                       [mass length^2]
+  Vec3 first_moment = Vec3::Zero();   ///< sum of m x                                           [mass length]
 };
 
 /// Records what contact does in each step.
