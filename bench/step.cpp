@@ -56,10 +56,7 @@ int run(Kernel kernel, Transfer transfer, UpdateOrder order, int cells, int step
   Body<Dim> body(n, law->needs_deformation(), transfers->shift(), transfers->colours_per_axis());
   body.name = "block", body.law = law;
   body.uniform_half_size.setConstant(h / 4);
-  if (transfer == Transfer::apic)
-    body.affine = body.particles.add("affine", Dimension::none), [&] {
-      for (int k = 1; k < Dim * Dim; ++k) body.particles.add("affine", Dimension::none);
-    }();
+  if (transfer == Transfer::apic) body.affine = body.particles.add_matrix("affine", Dimension::none);
   if (transfer == Transfer::fmpm || transfer == Transfer::xpic)
     body.filtered = body.particles.add_vector("filtered", Dimension::velocity);
   std::mt19937 random(1);
