@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// Rigid blocks among the matter in the grid: they prescribe the velocity of their nodes, and contact exerts forces on them.
+/// Rigid blocks among the matter in the grid: they prescribe the velocity of their nodes, and contact exerts forces on
+/// them.
 #pragma once
 
 #include "solver/contact/contact.hpp"
