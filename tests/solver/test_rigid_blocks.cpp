@@ -100,7 +100,8 @@ TEST_CASE("A block and the matter it hits keep their momentum to round-off, also
     const Vec3 v = run.system.blocks->motion[0].v;
     for (int k = 0; k < steps; ++k) {
       run.steps(1, dt);
-      const GridForce& push = run.system.blocks->grid_forces[0];  // places on the surface, a cell or two beside the nodes
+      const GridForce& push =
+          run.system.blocks->grid_forces[0];  // places on the surface, a cell or two beside the nodes
       const Mat3& s = push.spread;
       const Vec3 turning(s(2, 1) - s(1, 2), s(0, 2) - s(2, 0), s(1, 0) - s(0, 1));
       CHECK((turning - push.moment).norm() <= 2 * run.system.lattice.spacing.maxCoeff() * push.force.norm());
