@@ -4,6 +4,7 @@
 #include "base/strain.hpp"
 #include "model/find_name.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <cmath>
 
 namespace tribo {
@@ -14,6 +15,11 @@ using P = ParticleState;
 double von_mises(const Mat3& s) {
   const Mat3 deviator = s - s.trace() / 3.0 * Mat3::Identity();
   return std::sqrt(1.5 * deviator.squaredNorm());
+}
+
+// In descending order: with tension positive, the most tensile one is the first.
+Vec3 principal_values(const Mat3& s) {
+  return Eigen::SelfAdjointEigenSolver<Mat3>(s, Eigen::EigenvaluesOnly).eigenvalues().reverse();
 }
 
 // The kinds of fields. `F` is a function of a particle without captures.
@@ -83,6 +89,8 @@ const std::vector<ParticleField>& particle_fields() {
        scalar([](const P& p) { return -p.stress().trace() / 3.0; })},
       {"von_mises", "stress", "sqrt(3 J2)", Standard::yes, Needs::nothing,
        scalar([](const P& p) { return von_mises(p.stress()); })},
+      {"principal_stress", "stress", "principal values of the Cauchy stress, the most tensile first", Standard::no,
+       Needs::nothing, vector([](const P& p) { return principal_values(p.stress()); })},
       {"strain", "-", "Biot strain V - 1 with F = V R, in the current configuration", Standard::no, Needs::deformation,
        symmetric([](const P& p) { return biot_strain(p.deformation_gradient()); })},
       {"rotation", "rad", "rotation vector of R: axis times angle", Standard::no, Needs::deformation,
