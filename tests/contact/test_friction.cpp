@@ -107,6 +107,89 @@ TEST_CASE("static friction holds until faces slide, and falls along the way they
   }
 }
 
+TEST_CASE("Stribeck friction gives the traction of its curve at the sliding speed", "[contact]") {
+  ContactState m;
+  m.mass = 1.2, m.dt = 1, m.area = 1;
+  const double N = 0.8;
+  struct Curve {
+    const char *dynamic, *fixed, *speed, *viscous;
+  };
+  // The third curve decreases so fast that the sliding speed at the onset is not small.
+  for (const Curve& at : {Curve{"0.2", "0.5", "2", "0"}, {"0.2", "0.5", "2", "0.3"}, {"0.1", "0.9", "0.05", "0.1"}}) {
+    const auto law = make_law(
+        "StribeckFriction", {{"coeff", at.dynamic}, {"coeffStatic", at.fixed}, {"vs", at.speed}, {"kmu", at.viscous}});
+    const double mu_d = std::stod(at.dynamic), mu_s = std::stod(at.fixed), speed = std::stod(at.speed);
+    const auto friction = [&](double v) {
+      return mu_d + (mu_s - mu_d) * std::exp(-v / speed) + std::stod(at.viscous) * v;
+    };
+    int sliding = 0;
+    for (const double v : {1e-6, 1e-3, 0.1, 0.5, 2.0, 30.0}) {
+      // The sliding speed before friction, for which v is the speed after it
+      const double before = v + friction(v) * N / m.mass;
+      if (before * m.mass <= mu_s * N) continue;
+      m.velocity = Vec3(-N / m.mass, 0.6 * before, -0.8 * before);
+      const ContactResponse got = law->response(m);
+      CHECK(got.status == ContactStatus::slip);
+      CHECK(got.impulse[0] == Approx(-N).epsilon(1e-14));
+      CHECK(got.impulse[1] == Approx(0.6 * friction(v) * N).epsilon(1e-12));
+      CHECK(got.impulse[2] == Approx(-0.8 * friction(v) * N).epsilon(1e-12));
+      ++sliding;
+    }
+    CHECK(sliding >= 3);
+    m.velocity = Vec3(-N / m.mass, 0.999999 * mu_s * N / m.mass, 0);
+    CHECK(law->response(m).status == ContactStatus::stick);
+    CHECK((law->response(m).impulse - m.mass * m.velocity).norm() < 1e-15);
+    m.velocity[1] *= 1.000002;
+    CHECK(law->response(m).status == ContactStatus::slip);
+    m.velocity = Vec3(0.1, 1, 0);
+    CHECK(law->response(m).status == ContactStatus::open);
+    CHECK(law->response(m).impulse.norm() == 0.0);
+    CHECK_FALSE(law->has_memory());
+  }
+}
+
+TEST_CASE("Stribeck friction without decrease is Coulomb friction, and overlapping faces under tension slide freely",
+          "[contact]") {
+  std::mt19937 random(7);
+  const auto stribeck = make_law("StribeckFriction", {{"coeff", "0.4"}, {"coeffStatic", "0.4"}, {"vs", "1"}});
+  const auto coulomb = make_law("CoulombFriction", {{"coeff", "0.4"}});
+  for (int n = 0; n < 500; ++n) {
+    const ContactState m = random_meeting(random);
+    const ContactResponse a = stribeck->response(m), b = coulomb->response(m);
+    CHECK(a.status == b.status);
+    CHECK((a.impulse - b.impulse).norm() < 1e-14);
+  }
+  const auto held =
+      make_law("StribeckFriction", {{"coeff", "0.4"}, {"coeffStatic", "0.5"}, {"vs", "1"}, {"displacementOnly", "1"}});
+  ContactState m;
+  m.gap = -0.1, m.velocity = Vec3(1, 2, 0);
+  m.mass = 2, m.dt = 1, m.area = 1;
+  check_impulse(held->response(m), 2, 0);
+}
+
+TEST_CASE("the onset of Stribeck sliding jumps only if friction decreases faster than the inertia of a step",
+          "[contact]") {
+  const auto law = make_law("StribeckFriction", {{"coeff", "0.2"}, {"coeffStatic", "0.6"}, {"vs", "0.1"}});
+  const auto speed_at_onset = [&](double N) {
+    ContactState m;
+    m.mass = 1, m.dt = 1, m.area = 1;
+    m.velocity = Vec3(-N, 0.6 * N * (1 + 1e-9), 0);
+    return m.velocity[1] - law->response(m).impulse[1];
+  };
+  // N (mu_s - mu_d)/(v_s m) = 0.96 and 2: the root of 2 (1 - exp(-x)) = x is 1.5936242600400401
+  CHECK(speed_at_onset(0.24) < 1e-7);
+  CHECK(speed_at_onset(0.5) == Approx(0.15936242600400401).epsilon(1e-6));
+}
+
+TEST_CASE("Stribeck friction refuses a static coefficient below the dynamic one", "[contact]") {
+  using Catch::Matchers::Contains;
+  REQUIRE_THROWS_WITH(make_law("StribeckFriction", {{"coeff", "0.5"}, {"coeffStatic", "0.4"}, {"vs", "1"}}),
+                      Contains("must not be less than <coeff>"));
+  REQUIRE_THROWS_WITH(make_law("StribeckFriction", {{"coeff", "0.5"}, {"coeffStatic", "0.6"}}), Contains("vs"));
+  REQUIRE_THROWS_WITH(make_law("StribeckFriction", {{"coeff", "0.5"}, {"coeffStatic", "0.6"}, {"vs", "0"}}),
+                      Contains("vs"));
+}
+
 TEST_CASE("bonds hold inside their envelope and break for good", "[contact]") {
   const auto law = make_law("63", {{"coeff", "0.3"}, {"Sa", "2"}, {"Na", "1"}});
   const auto forever = make_law("63", {{"coeff", "0.3"}, {"Sa", "2"}, {"Na", "1"}, {"rebond", "1"}});
@@ -166,9 +249,11 @@ TEST_CASE("frictional laws dissipate, mirror, and are continuous in the velocity
   laws.push_back(make_law("61", {{"coeff", "-1"}}));
   laws.push_back(make_law("63", {{"coeff", "0.2"}, {"Sa", "3"}, {"kmu", "0.3"}}));
   laws.push_back(make_law("63", {{"coeff", "0.2"}, {"coeffStatic", "0.5"}, {"vhalf", "2"}, {"kmu", "0.1"}}));
+  laws.push_back(make_law("StribeckFriction", {{"coeff", "0.2"}, {"coeffStatic", "0.5"}, {"vs", "4"}, {"kmu", "0.1"}}));
   laws.push_back(make_law("64", {{"coeff", "5"}, {"LiquidPhase", "1"}}));
   laws.back()->set_viscosity([](double rate) { return 1 + 1 / (1 + rate); });
   const std::size_t continuous = laws.size();
+  laws.push_back(make_law("StribeckFriction", {{"coeff", "0.1"}, {"coeffStatic", "0.9"}, {"vs", "0.01"}}));
   laws.push_back(make_law("61", {{"coeff", "0.2"}, {"coeffStatic", "0.6"}}));
   laws.push_back(make_law("63", {{"coeff", "0.2"}, {"Sa", "30"}, {"Na", "20"}}));
   for (std::size_t k = 0; k < laws.size(); ++k)
