@@ -24,6 +24,7 @@ Laws all_laws() {
         std::string("MooneyRivlin ") + option,
         make_material("8", {{"rho", "1"}, {"G1", "300"}, {"G2", "100"}, {"K", "900"}, {"UJOption", option}}));
   }
+  laws.emplace_back("Hencky", make_material("Hencky", {{"rho", "1"}, {"E", "1000"}, {"nu", "0.3"}}));
   return laws;
 }
 
@@ -96,6 +97,61 @@ TEST_CASE("neo-Hookean simple shear has sigma_xy = mu gamma and sigma_xx = mu ga
       REQUIRE(std::abs(point.stress(1, 1)) + std::abs(point.stress(2, 2)) < 1e-10);
     }
   }
+}
+
+TEST_CASE("the Hencky solid matches its closed forms", "[materials]") {
+  const double E = 1000, nu = 0.3, mu = E / (2 + 2 * nu), lambda = E * nu / ((1 + nu) * (1 - 2 * nu));
+  const auto law = make_material("Hencky", {{"rho", "1"}, {"E", "1000"}, {"nu", "0.3"}});
+  const auto at = [&](const Mat3& F) {
+    MaterialPoint<3> point(*law);
+    point.deform(F);
+    return point.stress;
+  };
+  for (const double l : {0.4, 0.8, 1.3, 2.0}) {
+    // uniaxial stress: lateral stretch l^-nu and J sigma = E ln l, along an axis that is not one of the coordinates
+    const double lateral = std::pow(l, -nu), J = std::pow(l, 1 - 2 * nu);
+    const Vec3 n = Vec3(1, 2, -2) / 3;
+    const Mat3 along = n * n.transpose();
+    const Mat3 s = at(lateral * (Mat3::Identity() - along) + l * along);
+    CHECK((s - E * std::log(l) / J * along).norm() < 1e-12 * s.norm());
+    // uniform and uniaxial strain
+    const Mat3 bulk = at(l * Mat3::Identity());
+    CHECK((bulk - (3 * lambda + 2 * mu) * std::log(l) / (l * l * l) * Mat3::Identity()).norm() < 1e-12 * bulk.norm());
+    const Mat3 confined = at(Vec3(1, l, 1).asDiagonal());
+    CHECK(confined(1, 1) == Approx((lambda + 2 * mu) * std::log(l) / l).epsilon(1e-13));
+    CHECK(confined(2, 2) == Approx(lambda * std::log(l) / l).epsilon(1e-13));
+  }
+  for (const double gamma : {0.01, 0.5, 2.0, -1.0}) {
+    // simple shear: stretches exp(+-asinh(gamma/2)), tau_xy = 2 mu asinh(gamma/2)/sqrt(1 + gamma^2/4)
+    Mat3 F = Mat3::Identity();
+    F(0, 1) = gamma;
+    const Mat3 s = at(F);
+    const double shear = 2 * mu * std::asinh(gamma / 2) / std::sqrt(1 + gamma * gamma / 4);
+    CHECK(s(0, 1) == Approx(shear).epsilon(1e-12));
+    CHECK(s(0, 0) == Approx(0.5 * gamma * shear).epsilon(1e-11).margin(1e-12));
+    CHECK(s(1, 1) == Approx(-0.5 * gamma * shear).epsilon(1e-11).margin(1e-12));
+    CHECK(std::abs(s(2, 2)) < 1e-12 * mu);
+  }
+  // small strains: Hooke's law
+  const Mat3 e = 1e-7 * symmetric(1, -2, 3, 0.5, -1, 2);
+  CHECK((at(Mat3::Identity() + e) - lambda * e.trace() * Mat3::Identity() - 2 * mu * e).norm() < 1e-9);
+}
+
+TEST_CASE("the Hencky solid softens in tension and stiffens in compression as its acoustic tensor says",
+          "[materials]") {
+  // A wave along the axis of a bar in uniaxial strain: J times the acoustic tensor is lambda + 2 mu - J sigma
+  const double E = 1000, nu = 0.3, M = E * (1 - nu) / ((1 + nu) * (1 - 2 * nu));
+  const auto law = make_material("Hencky", {{"rho", "1"}, {"E", "1000"}, {"nu", "0.3"}});
+  MaterialPoint<3> point(*law);
+  point.F = Vec3(0.7, 1, 1).asDiagonal();
+  const double exact = M * (1 - std::log(0.7));
+  CHECK(point.wave_modulus() > exact * (1 - 1e-14));
+  CHECK(point.wave_modulus() < 1.3 * exact);
+  MaterialPoint<2> inverted(*law);
+  inverted.F = Vec3(-0.1, 1, 1).asDiagonal();
+  REQUIRE_THROWS_AS(inverted.step(Mat3::Zero(), 1.0), SimulationError);
+  REQUIRE_THROWS_WITH(make_material("Hencky", {{"rho", "1"}, {"E", "1"}, {"G", "1"}}),
+                      Catch::Matchers::Contains("given: E and G"));
 }
 
 TEST_CASE("Mooney-Rivlin stress differences of isochoric motions match the incompressible forms", "[materials]") {
