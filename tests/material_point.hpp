@@ -55,6 +55,9 @@ inline std::string text(double value) {
   return buffer;
 }
 
+/// A diagonal tensor.
+inline Mat3 diagonal(double x, double y, double z) { return Vec3(x, y, z).asDiagonal(); }
+
 /// A symmetric tensor from its components in the order xx yy zz xy yz xz.
 inline Mat3 symmetric(double xx, double yy, double zz, double xy = 0, double yz = 0, double xz = 0) {
   Mat3 m;

@@ -41,12 +41,10 @@ class CellTable {
       };
       first[d] = cell(low[axis]), last[d] = cell(high[axis]);
     }
-    for (int z = Dim == 3 ? first[Dim - 1] : 0; z <= (Dim == 3 ? last[Dim - 1] : 0); ++z)
-      for (int y = first[1]; y <= last[1]; ++y)
-        for (int x = first[0]; x <= last[0]; ++x) {
-          constexpr std::int64_t row = std::int64_t{1} << 20;
-          f((z * row + y) * row + x);
-        }
+    each_in_box<Dim>(first, last, [&](const Index<Dim>& cell) {
+      constexpr std::int64_t row = std::int64_t{1} << 20;
+      f(((Dim == 3 ? cell[Dim - 1] : 0) * row + cell[1]) * row + cell[0]);
+    });
   }
 
   const Lattice<Dim>& lattice_;

@@ -4,6 +4,7 @@
 
 #include "base/types.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -18,6 +19,18 @@ inline constexpr int block_nodes = 64;  // 8^2 and 4^3
 
 template <int Dim>
 using Index = std::array<int, static_cast<std::size_t>(Dim)>;
+
+/// Calls f(index) for all indices of a box, low <= index <= high along every axis, x fastest.
+template <int Dim, class F>
+void each_in_box(const Index<Dim>& low, const Index<Dim>& high, F&& f) {
+  Index<Dim> n = low;
+  for (int z = Dim == 3 ? low[Dim - 1] : 0; z <= (Dim == 3 ? high[Dim - 1] : 0); ++z)
+    for (n[1] = low[1]; n[1] <= high[1]; ++n[1])
+      for (n[0] = low[0]; n[0] <= high[0]; ++n[0]) {
+        if constexpr (Dim == 3) n[2] = z;
+        f(n);
+      }
+}
 
 /// Geometry only; nodal data are in nodes.hpp. The grid of the input is surrounded by padding, so that the blocks of
 /// all stencils of points inside it, and the neighbours of these blocks, always exist.
@@ -54,6 +67,16 @@ struct Lattice {
     Index<Dim> b{};
     for (std::size_t d = 0; d < Dim; ++d) b[d] = static_cast<int>(index % blocks[d]), index /= blocks[d];
     return b;
+  }
+  /// The block that contains a point, or the nearest one for points outside.
+  Index<Dim> block_of(const Vec<Dim>& x) const {
+    Index<Dim> block;
+    for (std::size_t d = 0; d < Dim; ++d) {
+      const auto axis = static_cast<Eigen::Index>(d);
+      const double edge = spacing[axis] * block_edge<Dim>;
+      block[d] = static_cast<int>(std::clamp(std::floor((x[axis] - origin[axis]) / edge), 0.0, blocks[d] - 1.0));
+    }
+    return block;
   }
   Vec<Dim> position(const Index<Dim>& node) const {
     Vec<Dim> x;

@@ -61,6 +61,14 @@ std::int64_t Bins<Dim>::sort(const Lattice<Dim>& lattice, Particles<Dim>& partic
     bins_.push_back({occupied[b], start[b * block_nodes<Dim>], start[(b + 1) * block_nodes<Dim>]});
   std::vector<std::uint32_t> order(n);
   for (std::size_t i = 0; i < n; ++i) order[start[dense(key[i])]++] = static_cast<std::uint32_t>(i);
+  // Now start[c] is the end of cell c. Within a cell the particles are ordered by number, so that the order, and with
+  // it every sum over particles, does not depend on how the particles came there.
+  parallel_for(static_cast<std::ptrdiff_t>(occupied.size()), [&](std::ptrdiff_t b) {
+    for (std::size_t c = static_cast<std::size_t>(b) * block_nodes<Dim>;
+         c < (static_cast<std::size_t>(b) + 1) * block_nodes<Dim>; ++c)
+      std::sort(order.begin() + (c == 0 ? 0 : start[c - 1]), order.begin() + start[c],
+                [&](std::uint32_t i, std::uint32_t j) { return particles.id[i] < particles.id[j]; });
+  });
 
   particles.reorder(order);
   paint(lattice);

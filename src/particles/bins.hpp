@@ -31,7 +31,8 @@ class Bins {
   /// `shift`: that of the kernel; `colours_per_axis`: 2 if stencil plus drift fit into two blocks, otherwise 3.
   Bins(double shift, int colours_per_axis) : shift_(shift), colours_per_axis_(colours_per_axis) {}
 
-  /// Sorts the particles. Returns the index of a particle outside the input grid (or with a NaN position), or -1.
+  /// Sorts the particles by block, cell and number. Returns the index of a particle outside the input grid (or with a
+  /// NaN position), or -1.
   std::int64_t sort(const Lattice<Dim>& lattice, Particles<Dim>& particles);
 
   /// The particles must be in the order of the bins. Colours follow from the bins.

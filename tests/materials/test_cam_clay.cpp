@@ -23,8 +23,6 @@ MaterialPoint<3> consolidated(const Material& law, double p) {
 }
 double pressure(const MaterialPoint<3>& point) { return -point.stress.trace() / 3; }
 double shear(const MaterialPoint<3>& point) { return pressure_shear(point.stress).q; }
-Mat3 diagonal(double x, double y, double z) { return Vec3(x, y, z).asDiagonal(); }
-
 }  // namespace
 
 TEST_CASE("clay swells and consolidates along its lines, whatever the steps", "[materials]") {

@@ -28,8 +28,6 @@ MaterialPoint<3> sheared(const Material& law, double gamma, int steps) {
   return point;
 }
 
-Mat3 diagonal(double x, double y, double z) { return Vec3(x, y, z).asDiagonal(); }
-
 }  // namespace
 
 TEST_CASE("shear strength of Drucker and Prager's cones", "[materials]") {

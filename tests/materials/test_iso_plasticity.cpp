@@ -11,8 +11,6 @@ namespace {
 
 const Properties steel{{"rho", "1"}, {"E", "200e3"}, {"nu", "0.3"}, {"yield", "250"}, {"Khard", "1000"}};
 
-Mat3 diagonal(double x, double y, double z) { return Vec3(x, y, z).asDiagonal(); }
-
 // Uniaxial stress to the logarithmic strain `strain`.
 MaterialPoint<3> pulled(const Material& law, double strain, int steps, double dt = 1.0) {
   MaterialPoint<3> point(law);

@@ -20,7 +20,7 @@ const Properties rock{
 Mat3 stretch(double e) { return symmetric(e, 0, 0); }
 
 // The tension of a face that was pulled apart by `e` of a length of 1: what opens and what stretches.
-double pulled(double e, bool exponential) {
+double stress_at(double e, bool exponential) {
   const double strength = 2, length = exponential ? 0.5 : 1.0;
   double open = 0, far = e;
   for (int k = 0; k < 200; ++k) {
@@ -45,7 +45,7 @@ double largest_r(const Mat3& T, double sigmac, double tauc) {
   return most;
 }
 
-std::string complaint(const Properties& properties) {
+std::string refusal(const Properties& properties) {
   try {
     make_material("IsoSoftening", properties);
   } catch (const InputError& error) {
@@ -68,7 +68,7 @@ TEST_CASE("an opening crack follows its softening law and dissipates its fractur
     if (e < 2.0 / 140 * 0.999)
       REQUIRE(point.stress(0, 0) == Approx(140 * e).epsilon(1e-10));
     else if (k % 100 == 0)
-      REQUIRE(point.stress(0, 0) == Approx(pulled(e, exponential)).margin(1e-9));
+      REQUIRE(point.stress(0, 0) == Approx(stress_at(e, exponential)).margin(1e-9));
   }
   CHECK(point.history_value("crack_normal_x") * point.history_value("crack_normal_x") == Approx(1));
   CHECK(point.history_value("damage") > 0.9999);
@@ -185,11 +185,11 @@ TEST_CASE("random paths of a cracking solid only lose energy", "[materials]") {
 TEST_CASE("invalid properties of a cracking solid are reported", "[materials]") {
   using Catch::Contains;
   const Properties base{{"rho", "1"}, {"E", "100"}, {"nu", "0.3"}, {"sigmac", "2"}, {"I-Gc", "1"}};
-  CHECK(complaint(base).empty());
-  CHECK_THAT(complaint(with(base, {{"II-Gc", "1"}})), Contains("<II-Gc> needs <tauc>"));
-  CHECK_THAT(complaint(with(base, {{"SofteningI", "Lineer"}})), Contains("did you mean 'Linear'"));
-  CHECK_THAT(complaint(with(base, {{"SofteningII", "Exponential"}})), Contains("must equal <SofteningI>"));
-  CHECK_THAT(complaint(with(base, {{"Initiation", "Tresca"}})), Contains("valid: MaxPrinciple"));
+  CHECK(refusal(base).empty());
+  CHECK_THAT(refusal(with(base, {{"II-Gc", "1"}})), Contains("<II-Gc> needs <tauc>"));
+  CHECK_THAT(refusal(with(base, {{"SofteningI", "Lineer"}})), Contains("did you mean 'Linear'"));
+  CHECK_THAT(refusal(with(base, {{"SofteningII", "Exponential"}})), Contains("must equal <SofteningI>"));
+  CHECK_THAT(refusal(with(base, {{"Initiation", "Tresca"}})), Contains("valid: MaxPrinciple"));
   CHECK(make_material("50", base)->largest_cell() == Approx(2 * 1 * 134.6153846 / 4));
   CHECK(make_material("50", rock)->largest_cell() == Approx(2 * 0.25 * 40 / 1));
   CHECK(make_material("50", with(rock, {{"SofteningI", "2"}}))->largest_cell() == Approx(0.25 * 40 / 1));

@@ -10,7 +10,7 @@ using namespace tribo::test;
 
 namespace {
 
-std::unique_ptr<Material> steel() { return make_material("1", {{"rho", "1"}, {"E", "1000"}, {"nu", "0.3"}}); }
+std::unique_ptr<Material> unit_steel() { return make_material("1", {{"rho", "1"}, {"E", "1000"}, {"nu", "0.3"}}); }
 constexpr double mu = 1000 / 2.6;
 
 // Hooke's law written for one point, as a user would, with the simplest objective update.
@@ -38,7 +38,7 @@ struct PointwiseHooke {
 }  // namespace
 
 TEST_CASE("linear elasticity has Hooke's uniaxial strain, uniaxial stress and free lateral strain", "[materials]") {
-  const auto law = steel();
+  const auto law = unit_steel();
   MaterialPoint<3> strain(*law), stress(*law);
   strain.step(symmetric(0.01, 0, 0), 1.0);
   REQUIRE(strain.stress(0, 0) == Approx(13.461538461538463).epsilon(1e-13));
@@ -54,7 +54,7 @@ TEST_CASE("linear elasticity has Hooke's uniaxial strain, uniaxial stress and fr
 }
 
 TEST_CASE("linear elasticity in large shear is the Jaumann rate, to second order", "[materials]") {
-  const auto law = steel();
+  const auto law = unit_steel();
   const auto run = [&](auto point, double gamma, int count) {
     Mat3 L = Mat3::Zero();
     L(0, 1) = gamma / count;
@@ -77,7 +77,7 @@ TEST_CASE("linear elasticity in large shear is the Jaumann rate, to second order
 }
 
 TEST_CASE("linear elastic stress turns with the body through a full circle", "[materials]") {
-  const auto law = steel();
+  const auto law = unit_steel();
   for (const int count : {3, 1000}) {  // large and small angles per step
     MaterialPoint<2> flat(*law);
     MaterialPoint<3> solid(*law);
@@ -104,7 +104,7 @@ TEST_CASE("linear elastic stress turns with the body through a full circle", "[m
 }
 
 TEST_CASE("linear elastic plane stress has E/(1 - nu^2) and thins the sheet", "[materials]") {
-  const auto law = steel();
+  const auto law = unit_steel();
   MaterialPoint<2> sheet(*law, true);
   sheet.step(symmetric(0.01, 0, 0), 1.0);
   REQUIRE(sheet.stress(0, 0) == Approx(1000 / 0.91 * 0.01).epsilon(1e-13));
@@ -117,7 +117,7 @@ TEST_CASE("linear elastic plane stress has E/(1 - nu^2) and thins the sheet", "[
 }
 
 TEST_CASE("a law written for one point gives what the batch gives, in plane stress too", "[materials]") {
-  const auto law = steel();
+  const auto law = unit_steel();
   const PointwiseMaterial<PointwiseHooke> pointwise{PointwiseHooke{}};
   for (const bool plane_stress : {false, true}) {
     MaterialPoint<2> a(*law, plane_stress), b(pointwise, plane_stress);
@@ -149,5 +149,5 @@ TEST_CASE("rigid materials have motion only", "[materials]") {
     REQUIRE(point.stress == Mat3::Zero());
     REQUIRE_THROWS_AS(make_material(type, {{"E", "1"}}), InputError);
   }
-  REQUIRE_FALSE(steel()->rigid());
+  REQUIRE_FALSE(unit_steel()->rigid());
 }

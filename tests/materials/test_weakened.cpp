@@ -18,7 +18,7 @@ std::string angle(double degrees, double factor) {
 }
 
 // Shear, then stretch, far beyond yield.
-Mat3 stress_after(const Material& law) {
+Mat3 weakened_stress(const Material& law) {
   MaterialPoint<3> point(law);
   Mat3 L = Mat3::Zero();
   for (int k = 0; k < 50; ++k) {
@@ -32,10 +32,10 @@ void check_same(const std::string& type, const Properties& strong, const Propert
   const auto law = make_material(type, strong);
   const auto weakened = law->weakened(1.7);
   REQUIRE(weakened);
-  const Mat3 wanted = stress_after(*make_material(type, weak));
-  CHECK((stress_after(*weakened) - wanted).norm() < 1e-12 * wanted.norm());
-  CHECK((stress_after(*law) - wanted).norm() > 0.05 * wanted.norm());
-  CHECK((stress_after(*law->weakened(1.0)) - stress_after(*law)).norm() < 1e-12 * wanted.norm());
+  const Mat3 wanted = weakened_stress(*make_material(type, weak));
+  CHECK((weakened_stress(*weakened) - wanted).norm() < 1e-12 * wanted.norm());
+  CHECK((weakened_stress(*law) - wanted).norm() > 0.05 * wanted.norm());
+  CHECK((weakened_stress(*law->weakened(1.0)) - weakened_stress(*law)).norm() < 1e-12 * wanted.norm());
 }
 
 }  // namespace

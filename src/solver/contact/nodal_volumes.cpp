@@ -19,13 +19,8 @@ void NodalVolumes<Dim>::mark_blocks(const ContactNodes<Dim>& contacts) {
       low[d] = std::max(0, (node.index[d] - 5) / block_edge<Dim>);
       high[d] = std::min(lattice.blocks[d] - 1, (node.index[d] + 1) / block_edge<Dim>);
     }
-    Index<Dim> b = low;
-    for (int z = Dim == 3 ? low[Dim - 1] : 0; z <= (Dim == 3 ? high[Dim - 1] : 0); ++z)
-      for (b[1] = low[1]; b[1] <= high[1]; ++b[1])
-        for (b[0] = low[0]; b[0] <= high[0]; ++b[0]) {
-          if constexpr (Dim == 3) b[2] = z;
-          near_[static_cast<std::size_t>(lattice.block_index(b))] = 1;
-        }
+    each_in_box<Dim>(low, high,
+                     [&](const Index<Dim>& block) { near_[static_cast<std::size_t>(lattice.block_index(block))] = 1; });
   }
 }
 

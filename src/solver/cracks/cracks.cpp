@@ -23,22 +23,8 @@ namespace {
 // Calls f(block) for all blocks of a lattice that intersect a box.
 template <int Dim, class F>
 void each_block(const Lattice<Dim>& lattice, const Vec<Dim>& low, const Vec<Dim>& high, F&& f) {
-  Index<Dim> first, last, b;
-  for (std::size_t d = 0; d < Dim; ++d) {
-    const auto axis = static_cast<Eigen::Index>(d);
-    const double edge = lattice.spacing[axis] * block_edge<Dim>;
-    const auto block = [&](double x) {
-      return static_cast<int>(std::clamp(std::floor((x - lattice.origin[axis]) / edge), 0.0, lattice.blocks[d] - 1.0));
-    };
-    first[d] = block(low[axis]), last[d] = block(high[axis]);
-  }
-  b = first;
-  for (int z = Dim == 3 ? first[Dim - 1] : 0; z <= (Dim == 3 ? last[Dim - 1] : 0); ++z)
-    for (b[1] = first[1]; b[1] <= last[1]; ++b[1])
-      for (b[0] = first[0]; b[0] <= last[0]; ++b[0]) {
-        if constexpr (Dim == 3) b[2] = z;
-        f(lattice.block_index(b));
-      }
+  each_in_box<Dim>(lattice.block_of(low), lattice.block_of(high),
+                   [&](const Index<Dim>& block) { f(lattice.block_index(block)); });
 }
 
 }  // namespace

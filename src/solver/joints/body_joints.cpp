@@ -7,21 +7,6 @@
 #include <cmath>
 
 namespace tribo {
-namespace {
-
-template <int Dim>
-Index<Dim> block_of(const Lattice<Dim>& lattice, const Vec<Dim>& x) {
-  Index<Dim> block;
-  for (std::size_t d = 0; d < Dim; ++d) {
-    const auto axis = static_cast<Eigen::Index>(d);
-    const double at = (x[axis] - lattice.origin[axis]) / (lattice.spacing[axis] * block_edge<Dim>);
-    block[d] = static_cast<int>(std::clamp(std::floor(at), 0.0, lattice.blocks[d] - 1.0));
-  }
-  return block;
-}
-
-}  // namespace
-
 // Lists the joints between bodies by lattice blocks.
 template <int Dim>
 void Joints<Dim>::list_points() {
@@ -32,7 +17,7 @@ void Joints<Dim>::list_points() {
     if (surface.crack != JointSurface<Dim>::none) continue;
     for (std::size_t k = 0; k < surface.joints.size(); ++k) {
       if (!is_supported(s, k)) continue;
-      const auto block = system_.lattice.block_index(block_of(system_.lattice, surface.x[k]));
+      const auto block = system_.lattice.block_index(system_.lattice.block_of(surface.x[k]));
       auto& list = points_of_block_[static_cast<std::size_t>(block)];
       if (list.empty()) listed_blocks_.push_back(block);
       list.push_back({static_cast<std::uint32_t>(s), static_cast<std::uint32_t>(k)});
@@ -56,15 +41,7 @@ auto Joints<Dim>::nearest_joint(std::size_t a, std::size_t b, const Vec<Dim>& x)
       if (distance < out.distance) out.distance = distance, out.normal = n;
     }
   };
-  const Index<Dim> low = block_of(system_.lattice, Vec<Dim>(x - reach)),
-                   high = block_of(system_.lattice, Vec<Dim>(x + reach));
-  Index<Dim> block = low;
-  for (int z = Dim == 3 ? low[Dim - 1] : 0; z <= (Dim == 3 ? high[Dim - 1] : 0); ++z)
-    for (block[1] = low[1]; block[1] <= high[1]; ++block[1])
-      for (block[0] = low[0]; block[0] <= high[0]; ++block[0]) {
-        if constexpr (Dim == 3) block[2] = z;
-        list_joints_of(block);
-      }
+  each_in_box<Dim>(system_.lattice.block_of(x - reach), system_.lattice.block_of(x + reach), list_joints_of);
   return out;
 }
 

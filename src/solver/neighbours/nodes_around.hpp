@@ -53,13 +53,9 @@ class NodesAround {
       low[d] = static_cast<int>(std::ceil(s - reach_)), high[d] = static_cast<int>(std::floor(s + reach_));
       if (low[d] < 0 || high[d] >= lattice_.blocks[d] * block_edge<Dim>) return false;
     }
-    Index<Dim> n = low;
-    for (int z = Dim == 3 ? low[Dim - 1] : 0; z <= (Dim == 3 ? high[Dim - 1] : 0); ++z)
-      for (n[1] = low[1]; n[1] <= high[1]; ++n[1])
-        for (n[0] = low[0]; n[0] <= high[0]; ++n[0]) {
-          if constexpr (Dim == 3) n[2] = z;
-          if (const double w = weight(x - lattice_.position(n)); w > 0) f(w, n);
-        }
+    each_in_box<Dim>(low, high, [&](const Index<Dim>& n) {
+      if (const double w = weight(x - lattice_.position(n)); w > 0) f(w, n);
+    });
     return true;
   }
 
