@@ -13,8 +13,8 @@ namespace {
 template <int Dim>
 double distance(const Crack<Dim>& a, const Crack<Dim>& b) {
   double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < a.drawn_points; ++i)
-    for (std::size_t j = 0; j < b.drawn_points; ++j) least = std::min(least, (a.x[i] - b.x[j]).norm());
+  for (std::size_t i = 0; i < a.main_points; ++i)
+    for (std::size_t j = 0; j < b.main_points; ++j) least = std::min(least, (a.x[i] - b.x[j]).norm());
   return least;
 }
 
@@ -23,8 +23,8 @@ template <int Dim>
 bool has_tips(const Crack<Dim>& crack, double inside, double whole) {
   if (Dim == 3) return inside > 0.999 * whole;
   std::size_t out = 0;
-  for (std::size_t p = crack.drawn_pieces; p < crack.pieces.size(); ++p)
-    for (const auto point : crack.pieces[p]) out += point < crack.drawn_points;
+  for (std::size_t p = crack.main_pieces; p < crack.pieces.size(); ++p)
+    for (const auto point : crack.pieces[p]) out += point < crack.main_points;
   return out < 2;
 }
 
@@ -38,7 +38,7 @@ CrackReport describe_cracks(const System<Dim>& system) {
   for (std::size_t c = 0; c < system.cracks.size(); ++c) {
     const Crack<Dim>& crack = system.cracks[c];
     double whole = 0.0, inside = 0.0, longest = 0.0;
-    for (std::size_t p = 0; p < crack.drawn_pieces; ++p) {
+    for (std::size_t p = 0; p < crack.main_pieces; ++p) {
       const auto corners = crack.corners(p);
       const double size = Crack<Dim>::area(corners).norm();
       whole += size, inside += crack.inside[p] * size;
@@ -47,7 +47,7 @@ CrackReport describe_cracks(const System<Dim>& system) {
     }
     const double across = Dim == 2 ? inside / h : std::sqrt(inside) / h;
     const std::string who = format("crack %zu", c + 1);
-    out.lines.push_back(who + format(": %zu pieces, %s %.6g, %.6g of it in bodies: %.3g cells %s", crack.drawn_pieces,
+    out.lines.push_back(who + format(": %zu pieces, %s %.6g, %.6g of it in bodies: %.3g cells %s", crack.main_pieces,
                                      Dim == 2 ? "length" : "area", whole, inside, across,
                                      Dim == 2 ? "long" : "across"));
     if (inside == 0)

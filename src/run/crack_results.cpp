@@ -17,10 +17,10 @@ void Results<Dim>::write_cracks(std::int64_t number) {
   for (std::size_t c = 0; c < system_.cracks.size(); ++c) {
     const Crack<Dim>& crack = system_.cracks[c];
     const auto first = static_cast<std::uint32_t>(out.size());
-    for (std::size_t p = 0; p < crack.drawn_pieces; ++p)
+    for (std::size_t p = 0; p < crack.main_pieces; ++p)
       for (const auto point : crack.pieces[p]) cells.push_back(first + point);
     const auto normals = crack.normals();
-    for (std::size_t k = 0; k < crack.drawn_points; ++k) {
+    for (std::size_t k = 0; k < crack.main_points; ++k) {
       const Vec<Dim> apart = crack.opening(k);
       out.vector("position", crack.x[k]);
       out.integer("crack", static_cast<std::int64_t>(c) + 1);
@@ -79,7 +79,7 @@ void Results<Dim>::write_tips() {
   for (std::size_t c = 0; c < system_.cracks.size(); ++c) {
     const Crack<Dim>& crack = system_.cracks[c];
     double length = 0.0;
-    for (std::size_t p = 0; p < crack.drawn_pieces; ++p) length += Crack<Dim>::area(crack.corners(p)).norm();
+    for (std::size_t p = 0; p < crack.main_pieces; ++p) length += Crack<Dim>::area(crack.corners(p)).norm();
     for (const CrackTip& tip : crack.tips) {
       const auto& x = crack.x[tip.point];
       tips_->add(std::array{system_.time, c + 1.0, tip.end + 1.0, x[0], x[1], length, tip.J, tip.K[0], tip.K[1]});

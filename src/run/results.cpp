@@ -105,7 +105,7 @@ RunEnergies Results<Dim>::energies(const Measures& all) const {
   l.interface = contact.stored;
   l.contact = contact.friction + contact.impact + contact.interface - contact.stored;
   const auto joints = stepper_.joints().energies();
-  l.interface += joints.stored, l.contact += joints.lost;
+  l.interface += joints.stored, l.contact += joints.dissipated;
   l.boundary_work += stepper_.contact().ledger().rigid_work;
   for (std::size_t f = 0; f < system_.fields.size(); ++f) l.boundary_work += stepper_.conditions(f).work();
   return l;

@@ -26,7 +26,7 @@ void keep_temperature(const Model& model, Body<Dim>& body) {
   body.temperature = particles.add("temperature", Dimension::temperature);
   if (model.heat.conduction) {
     body.temperature_gradient = particles.add_vector("temperature_gradient", Dimension::none);
-    body.temperature_detail = particles.add("temperature_detail", Dimension::temperature);
+    body.temperature_residual = particles.add("temperature_detail", Dimension::temperature);
   }
   if (model.heat.work_heating && body.law->dissipation_index() >= 0) {
     body.heated = particles.add("heated", Dimension::stress);
@@ -158,24 +158,25 @@ void add_blocks(const Model& model, System<Dim>& system, const Transfers<Dim>& t
   }
 }
 
-// With cracks each field of bodies has others beyond them.
+// Adds the additional fields for the other sides of cracks to each field of deformable bodies.
 template <int Dim>
 void add_sides(System<Dim>& system) {
-  for (std::size_t f = 0; f < system.fields.size(); ++f) system.fields[f].home = f;
+  for (std::size_t f = 0; f < system.fields.size(); ++f) system.fields[f].base_field = f;
   if (system.cracks.empty()) return;
-  const std::size_t homes = system.fields.size(), sides = system.cracks.size() == 1 ? 1 : 3;
-  for (std::size_t home = 0; home < homes; ++home) {
-    if (system.fields[home].rigid_contact) continue;
+  const std::size_t bases = system.fields.size(), sides = system.cracks.size() == 1 ? 1 : 3;
+  for (std::size_t base = 0; base < bases; ++base) {
+    if (system.fields[base].rigid_contact) continue;
     for (std::size_t side = 1; side <= sides; ++side) {
       for (auto& body : system.bodies)
-        if (body.field == home) body.across[side - 1] = system.fields.size();
+        if (body.field == base) body.across_fields[side - 1] = system.fields.size();
       system.fields.emplace_back(system.lattice);
-      system.fields.back().home = home, system.fields.back().side = static_cast<int>(side);
+      system.fields.back().base_field = base, system.fields.back().side = static_cast<int>(side);
     }
   }
 }
 
-// One field for all, or with contact one per material (or group of materials that share).
+// Assigns velocity fields to bodies: one field for all without contact, else one per material or per group of
+// materials that share a field.
 template <int Dim>
 void assign_fields(const Model& model, System<Dim>& system) {
   if (!model.contact.active) {

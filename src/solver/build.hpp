@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// From the model to what a step works on.
+/// Construction of the state of a run from the model.
 #pragma once
 
 #include "particles/seed.hpp"
@@ -7,8 +7,8 @@
 
 namespace tribo {
 
-/// Lattice, one velocity field, one body per material that has particles. `seeds` from place_points.
-/// Throws InputError if the model cannot run.
+/// Creates the lattice, the velocity fields, one body per material with particles, rigid blocks, cracks and joints.
+/// `seeds`: initial particles, from place_points(). Throws InputError if the model is not consistent.
 template <int Dim>
 System<Dim> build_system(const Model& model, const std::vector<Seed>& seeds);
 

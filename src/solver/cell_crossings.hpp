@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// How often particles went from one cell of the grid to another, counted if the output asks for it.
+/// Counts how often particles move to another cell of the grid, if the output contains this quantity.
 #pragma once
 
 #include "base/parallel.hpp"
@@ -9,7 +9,8 @@
 
 namespace tribo {
 
-/// Compares every particle's cell with the one it was in at the last call; the first call only looks.
+/// Compares the cell of each particle with that of the previous call and counts the changes. The first call only
+/// stores the cells.
 template <int Dim>
 void count_crossings(Body<Dim>& body, const Lattice<Dim>& lattice) {
   if (!body.crossings) return;

@@ -18,15 +18,16 @@ void stop_at_bad_particle(const System<Dim>& system) {
         if (inside && volume > 0) continue;
         std::string at;
         for (int d = 0; d < Dim; ++d) at += (d ? ", " : "") + std::to_string(x[d]);
-        const std::string who =
+        const std::string particle =
             "particle " + std::to_string(body.particles.id[i]) + " of '" + body.name + "' at (" + at + ")";
         if (finite && volume > 0)
           throw SimulationError(
-              who + " left the grid" + when +
+              particle + " left the grid" + when +
               ": it moves too far, or the run became unstable. Enlarge <Grid>, check the conditions that should "
               "hold it, or return such particles with <LeaveLimit>.");
         throw SimulationError(
-            who + (crushed ? " was compressed to no volume" : " has a velocity or strain that is not a number") + when +
+            particle + (crushed ? " was compressed to no volume" : " has a velocity or strain that is not a number") +
+            when +
             ": usually the step is too large for the present stiffness. Try a smaller <TimeFactor>, adaptive steps "
             "(custom task AdjustTimeStep), or more particles per cell.");
       }

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
-/// Explains why a run cannot go on.
+/// Error messages for runs that cannot continue.
 #pragma once
 
 #include "solver/state/system.hpp"
 
 namespace tribo {
 
-/// Throws SimulationError that names the first particle that left the grid, lost its volume or has a value that is not
-/// a number, and says what helps. If no particle is at fault, a value on the grid is not a number.
+/// Throws a SimulationError that names the first particle outside of the grid, without a positive volume or with a
+/// value that is not finite, and suggests remedies. If there is no such particle, it reports that a nodal value is not
+/// finite.
 template <int Dim>
 [[noreturn]] void stop_at_bad_particle(const System<Dim>& system);
 

@@ -24,14 +24,15 @@ void add(Measures& to, const Measures& from) {
   to.least_volume_ratio = std::min(to.least_volume_ratio, from.least_volume_ratio);
 }
 
-// Sums become means.
+// Converts sums into means.
 void average(Measures& m) {
   if (m.mass > 0) m.centre /= m.mass, m.displacement /= m.mass;
-  if (m.temperature > 0) m.temperature = m.heat / m.temperature;  // until here the sum of the heat capacities
+  // m.temperature is the sum of the heat capacities before this line
+  if (m.temperature > 0) m.temperature = m.heat / m.temperature;
   if (m.volume > 0) m.stress /= m.volume, m.deformation /= m.volume, m.strain /= m.volume;
 }
 
-// Mass times the angular velocity part of the affine velocity: L = sum_p m eps : C D (Jiang et al., JCP 338 (2017)
+// Angular momentum per mass of the affine velocity field of a particle: eps : C D (Jiang et al., JCP 338 (2017)
 // 137-164).
 template <int Dim>
 Vec3 affine_spin(Body<Dim>& body, std::size_t i) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// Sums over all particles, always added up in the same order: energies, momenta, means.
+/// Energies, momenta and means of bodies: sums over particles in an order that does not depend on the number of
+/// threads.
 #pragma once
 
 #include "model/measures.hpp"
@@ -7,12 +8,13 @@
 
 namespace tribo {
 
+/// Measures of one body. `strain`: include the mean Biot strain, which requires F.
 template <int Dim>
 Measures measure(Body<Dim>& body, bool strain = false);
-/// Of one particle.
+/// Measures of one particle.
 template <int Dim>
 Measures measure_particle(Body<Dim>& body, std::size_t particle, bool strain);
-/// Sum over bodies; means weighted by mass or volume.
+/// Measures of all deformable bodies together; means are weighted by mass or volume.
 template <int Dim>
 Measures measure(System<Dim>& system, bool strain = false);
 

@@ -23,7 +23,7 @@ void ParticleSort<Dim>::sort() {
   system_.sorted = true;
 }
 
-// Particles that left the grid return to its edge and lose the velocity component that took them out.
+// Moves particles that left the grid to its edge and sets the velocity component in this direction to zero.
 template <int Dim>
 void ParticleSort<Dim>::return_to_grid(Body<Dim>& body) {
   if (!model_.leave_limit) stop_at_bad_particle(system_);

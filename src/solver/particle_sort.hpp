@@ -6,15 +6,17 @@
 
 namespace tribo {
 
-/// Sorts when a particle may have left the reach of its bin, and returns particles that left the grid, as often as the
-/// model allows.
+/// Sorts the particles when one of them may have moved by a cell since the last sort, and returns particles that left
+/// the grid, as often as the model permits.
 template <int Dim>
 class ParticleSort {
  public:
   ParticleSort(const Model& model, System<Dim>& system) : model_(model), system_(system) {}
 
+  /// Whether the particles must be sorted before the next step.
   bool is_due() const { return !system_.sorted || system_.drift >= 1.0 - 1e-6; }
-  /// Throws SimulationError if a particle left the grid, or a position is not a number.
+  /// Sorts the particles of all bodies. Throws SimulationError if a position is not finite, or if a particle left the
+  /// grid more often than Model::leave_limit permits.
   void sort();
   /// Number of times that a particle was returned to the grid, see Model::leave_limit.
   long returned = 0;

@@ -9,8 +9,8 @@
 
 namespace tribo {
 
-// Notation: w_Ip is the weight of node I at particle p; S gathers from nodes to particles; S+ scatters to the nodes and
-// divides by the nodal mass.
+// Notation: w_Ip is the shape function of node I at particle p; S interpolates from nodes to particles; S+ scatters to
+// the nodes and divides by the nodal mass.
 template <int Dim>
 void Stepper<Dim>::advance(double dt) {
   const UpdateOrder order = model_.scheme.order;
@@ -19,7 +19,7 @@ void Stepper<Dim>::advance(double dt) {
   const auto lap = watches_.all.lap();
   begin_step();
 
-  // 1. Particles to nodes: mass and momentum; the forces too if the stress is updated last.
+  // 1. Transfer mass and momentum to the nodes, and the forces if the stress is updated last.
   loads_.apply(dt);
   rigid_blocks_.set_particle_velocities();
   rigid_bodies_.set_velocities(dt);
@@ -29,7 +29,8 @@ void Stepper<Dim>::advance(double dt) {
   joints_.find();
 
   if (!stress_last) {
-    // 2. Strain and stress first, or half of them, from extrapolated velocities that obey contact and conditions.
+    // 2. Stress first, or half of the increment: strain from the transferred velocities, corrected by contact and
+    // conditions.
     divide_by_mass();
     find_contact();
     contact_.apply(dt, ContactPass::predictor);
@@ -51,7 +52,7 @@ void Stepper<Dim>::advance(double dt) {
     update_momentum(dt, Known::momentum);
   }
 
-  // 3. m a = f, v += dt a hold at the nodes now; joints, contact and prescribed velocities correct both.
+  // 3. The nodes now satisfy m a = f and v += dt a. Joints, contact and prescribed velocities correct both a and v.
   add_joint_forces(dt);
   if (stress_last && !contact_.keeps_start_impulses()) find_contact();
   contact_.apply(dt, ContactPass::corrector);
@@ -59,19 +60,19 @@ void Stepper<Dim>::advance(double dt) {
   tractions_.record(dt);
   body_forces_.record(dt);
 
-  // 4. XPIC and FMPM sharpen the velocities.
+  // 4. XPIC and FMPM filter the velocities.
   if (filter_.active()) {
     filter_.filter(dt, false);
     filter_.use(dt);
   }
 
-  // 5. What contact did goes to ledgers, rigid blocks and crack tips; heat is conducted.
+  // 5. Record contact, set the contact forces on rigid blocks, evaluate crack tips and conduct heat.
   contact_.record(dt);
   rigid_blocks_.take_contact_forces(contact_.ledger().rigid_exchanges(), dt);
   measure_crack_tips(dt);
   heat_.conduct(dt, contact_, exchanges_);
 
-  // 6. Joints, cracks and particles follow the nodes; the stress is updated last unless it waits for better velocities.
+  // 6. Update joints, cracks and particles from the nodes. The stress is updated here except in the "+" variants.
   copy_images();
   joints_.update_laws(dt);
   record_joints();
@@ -82,7 +83,8 @@ void Stepper<Dim>::advance(double dt) {
   move_particles(dt, again ? 0.0 : strain_dt);
   loads_.record(0.5 * dt);
 
-  // 7. "+" variants: strain from the velocities of the moved particles, with the weights of the step's start.
+  // 7. "+" variants: strain from the velocities of the updated particles, with the shape functions at the start of the
+  // step.
   if (again) strain_again(dt, strain_dt);
 
   system_.time += dt;
@@ -237,7 +239,7 @@ void Stepper<Dim>::update_momentum(double dt, Known known) {
   for (const auto& body : system_.bodies) ledger_.impulse += dt * body.total_mass * model_.body_force.gravity;
 }
 
-// The forces that the joints carry since the last step.
+// Adds the joint forces from the end of the previous step.
 template <int Dim>
 void Stepper<Dim>::add_joint_forces(double dt) {
   if (!joints_.active()) return;
@@ -300,7 +302,7 @@ void Stepper<Dim>::strain_again(double dt, double strain_dt) {
   strain(strain_dt, true);
 }
 
-// Forces, areas and work of joints between bodies belong to contact in the histories.
+// Adds forces, areas and work of joints between bodies to the contact quantities of the histories.
 template <int Dim>
 void Stepper<Dim>::record_joints() {
   joints_.each_pair([&](std::size_t one, std::size_t two, const Vec3& force, double area) {
@@ -329,7 +331,7 @@ void Stepper<Dim>::grow_cracks() {
   }
 }
 
-// Share of FLIP in the update of the particle velocities.
+// FLIP fraction in the update of the particle velocities.
 double flip_share(const Scheme& scheme, bool filtered) {
   switch (scheme.transfer) {
     case Transfer::flip:

@@ -25,19 +25,20 @@ struct StepWatches {
   Stopwatch all, sort, scatter, grid, gather;
 };
 
+/// Advances a system by time steps and owns all parts of the algorithm.
 template <int Dim>
 class Stepper {
  public:
-  /// Throws InputError if a condition or load selects nothing.
+  /// Throws InputError if a nodal condition, a temperature condition or a load selects no node or particle.
   Stepper(const Model& model, System<Dim>& system);
 
-  /// Advances the system by dt [time]. Sorts the particles first if one of them may have left the reach of its bin.
-  /// Throws SimulationError if a particle left the grid or a value is not a number.
+  /// Advances the system by dt [time]. Sorts the particles first if one of them may have moved by a cell since the
+  /// last sort. Throws SimulationError if a particle left the grid or a value is not finite.
   void advance(double dt);
   /// Rebuilds blocks and nodes for the present bins; needed after a restart.
   void locate_nodes();
 
-  /// Prescribed velocities, and the exchange between nodes, of a velocity field.
+  /// Nodal conditions and image exchange of a velocity field.
   NodalConditions<Dim>& conditions(std::size_t field) { return conditions_[field]; }
   const Exchange<Dim>& exchange(std::size_t field) const { return *exchanges_[field]; }
   const Transfers<Dim>& transfers() const { return *transfers_; }
@@ -55,8 +56,8 @@ class Stepper {
   const RigidBodies<Dim>& rigid_bodies() const { return rigid_bodies_; }
   const StepWatches& watches() const { return watches_; }
 
-  /// All that changes from step to step, the system included. A stepper of the same model must have been built before
-  /// it is restored.
+  /// Saves and restores all data that change from step to step, including the system. To restore, the stepper must
+  /// have been constructed from the same model.
   friend void archive(Archive& a, Stepper& stepper) {
     auto& [model, system, ledger, watches, transfers, sort, exchanges, conditions, cracks, crack_tips, joints, contact,
            loads, tractions, body_forces, damping, rigid_bodies, rigid_blocks, heat, b_bar, filter] = stepper;
@@ -68,7 +69,7 @@ class Stepper {
   }
 
  private:
-  /// What the nodes hold in place of the velocity before the momentum update.
+  /// Which quantity the nodes store before the momentum update.
   enum class Known { momentum, velocity };
 
   void begin_step();

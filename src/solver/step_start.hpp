@@ -8,7 +8,7 @@
 
 namespace tribo {
 
-/// CPDI keeps the weights of a step although stress-first schemes change F within it.
+/// Stores F for CPDI, whose shape functions stay constant within a step although stress-first schemes update F.
 template <int Dim>
 void keep_start_domains(System<Dim>& system) {
   for (auto* bodies : {&system.bodies, &system.rigids})
@@ -20,7 +20,8 @@ void keep_start_domains(System<Dim>& system) {
     }
 }
 
-/// The "+" schemes strain the moved particles with the weights at their positions before the motion.
+/// Stores the positions for the "+" schemes, which compute the strain of the moved particles with the shape functions
+/// at their earlier positions.
 template <int Dim>
 void keep_start_positions(System<Dim>& system) {
   for (auto* bodies : {&system.bodies, &system.rigids})

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-/// XPIC and FMPM: velocities sharper than those of the lumped mass matrix.
+/// XPIC and FMPM: velocity filters that approximate the consistent mass matrix more closely than the lumped one.
 ///
 ///   v(k) = sum over j < k of (1 - S+ S)^j v
 ///
-/// S gathers from nodes to particles, S+ scatters back and divides by the nodal mass. FMPM filters the velocities after
-/// the momentum update, XPIC those before the forces; strains follow the filtered velocities. Hammerquist & Nairn,
+/// S interpolates from nodes to particles, S+ scatters from particles to nodes and divides by the nodal mass. FMPM
+/// filters the velocities after the momentum update, XPIC those before it; strains use the filtered velocities.
+/// Hammerquist & Nairn,
 /// CMAME 318 (2017) 724-753; Nairn & Hammerquist, CMAME 377 (2021) 113686.
 #pragma once
 
@@ -15,6 +16,7 @@
 
 namespace tribo {
 
+/// Filters the nodal velocities of all fields of deformable bodies.
 template <int Dim>
 class VelocityFilter {
  public:
@@ -28,23 +30,25 @@ class VelocityFilter {
         conditions_(conditions),
         contact_(contact) {}
 
-  /// Decides whether the filter acts in the step that begins.
+  /// Determines whether the filter acts in the current step. To be called at the start of a step.
   void begin_step();
-  /// True if it does.
+  /// Whether the filter acts in this step.
   bool active() const { return active_; }
-  /// Makes room on the present nodes; to be called after every change of the fields' maps.
+  /// Allocates the nodal layers of the filter. To be called after every change of the block maps of the fields.
   void locate();
-  /// Leaves v(k) in the velocities of the layer `filter`. dt > 0: after the momentum update, from which XPIC first
-  /// takes the forces out. `from_start`: with the weights of the step's start.
+  /// Computes v(k) and stores it in the velocities of the layer `filter`. dt > 0: call after the momentum update; XPIC
+  /// then subtracts dt times the acceleration first. `from_start`: use the shape functions at the positions at the
+  /// start of the step.
   void filter(double dt, bool from_start);
-  /// Gives the filtered velocities to the nodes.
+  /// Replaces the nodal velocities by the filtered ones; XPIC adds dt times the acceleration again.
   void use(double dt);
 
   /// Time of the next filtered step if the filter acts by period.
   double next = 0.0;
+  /// Time spent in the filter.
   Stopwatch watch;
 
-  /// Whether the filter acts is decided in every step.
+  /// Saves and restores the time of the next filtered step.
   friend void archive(Archive& a, VelocityFilter& filter) {
     auto& [next, watch, scheme, system, transfers, exchanges, conditions, contact, active] = filter;
     a.version(1);

@@ -20,7 +20,7 @@ struct Fields {
     grid.high = {16, 16, 0}, grid.cells = {16, 16, 1};
     for (std::size_t f = 0; f < count; ++f) {
       auto& field = system.fields.emplace_back(system.lattice);
-      field.home = f;
+      field.base_field = f;
       field.map.rebuild(std::vector<std::int64_t>{system.lattice.block_index(block_of({8, 8}))});
       field.nodes.resize(static_cast<std::size_t>(field.map.node_count()), Node{});
     }
@@ -127,7 +127,7 @@ TEST_CASE("fields on two sides of one crack form a pair of crack faces, on two s
   Fields fields(3);
   for (std::size_t f = 0; f < 3; ++f) {
     fields.system.fields[f].side = static_cast<int>(f);  // 0: own side, 1 and 2: across the first and second crack
-    fields.system.fields[f].home = 0;
+    fields.system.fields[f].base_field = 0;
     fields.set_mass(f, 8, 8, 1.0);
   }
   fields.make_exchanges();

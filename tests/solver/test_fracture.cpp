@@ -129,7 +129,7 @@ struct Growing {
       const Vec<2> d = crack.corners(piece)[1] - crack.corners(piece)[0];
       return std::atan2(d[1], d[0]);
     };
-    return (direction(crack.drawn_pieces - 1) - direction(crack.drawn_pieces - 2)) * 180 / std::numbers::pi;
+    return (direction(crack.main_pieces - 1) - direction(crack.main_pieces - 2)) * 180 / std::numbers::pi;
   }
 };
 
@@ -141,10 +141,10 @@ TEST_CASE("cracks grow towards the largest hoop stress", "[fracture]") {
   for (const double sign : {1.0, -1.0}) {
     Growing crack({Growth::When::hoop_stress});
     CHECK_FALSE(crack.grow(0, sign * 0.999 * std::sqrt(3) / 2));
-    CHECK(crack.system.cracks[0].drawn_pieces == 12);
+    CHECK(crack.system.cracks[0].main_pieces == 12);
     const Vec<2> before = crack.end();
     CHECK(crack.grow(0, sign * 1.001 * std::sqrt(3) / 2));
-    CHECK(crack.system.cracks[0].drawn_pieces == 13);
+    CHECK(crack.system.cracks[0].main_pieces == 13);
     CHECK(crack.kink() == Approx(-sign * 70.5287794).epsilon(1e-8));
     CHECK((crack.end() - before).norm() == Approx(0.5 * crack.system.lattice.spacing[0]));
   }
@@ -164,7 +164,7 @@ TEST_CASE("a tip rests until a surface wave has run along its new piece", "[frac
   CHECK_FALSE(crack.grow(2, 0));
   crack.system.time = 1.01 * hop / (0.9 * shear_waves);
   CHECK(crack.grow(2, 0));
-  CHECK(crack.system.cracks[0].drawn_pieces == 14);
+  CHECK(crack.system.cracks[0].main_pieces == 14);
 }
 
 TEST_CASE("other criteria of growth have their own thresholds and angles", "[fracture]") {
@@ -195,7 +195,7 @@ TEST_CASE("the direction of growth may be chosen", "[fracture]") {
     Growing crack({Growth::When::hoop_stress, way});
     auto& c = crack.system.cracks[0];
     const Vec<2> along(std::cos(0.3), std::sin(0.3)), up(-along[1], along[0]);
-    c.face[1][crack.tip().behind] += opens * up + slides * along;
+    c.face[1][crack.tip().previous] += opens * up + slides * along;
     REQUIRE(crack.grow(0, 2));
     return crack.kink();
   };
@@ -215,7 +215,7 @@ TEST_CASE("a crack stops in front of another one", "[fracture]") {
   Growing crack({Growth::When::hoop_stress}, 0, line(Vec3(20.1 + ahead, 18, 0), Vec3(20.1 + ahead, 22, 0), 4));
   const double before = crack.end()[0];
   REQUIRE(crack.grow(2, 0));
-  CHECK_FALSE(crack.tip().lives);
+  CHECK_FALSE(crack.tip().active);
   CHECK(crack.end()[0] - before == Approx(0.99 * ahead).epsilon(0.01));
   crack.system.time = 1e9;
   CHECK_FALSE(crack.grow(2, 0));

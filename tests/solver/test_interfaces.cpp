@@ -334,8 +334,8 @@ TEST_CASE("a joint between materials needs faces that touch", "[joints][interfac
     blocks[1].low[1] += shift, blocks[1].high[1] += shift;
     return build_system<2>(model, turned<2>(model, blocks, 0));
   };
-  CHECK_THROWS_WITH(with(0.1), Catch::Contains("'lower' and 'upper' touch nowhere at the start"));
-  CHECK_THROWS_WITH(with(-0.5), Catch::Contains("touch nowhere at the start"));  // one row over the other
+  CHECK_THROWS_WITH(with(0.1), Catch::Contains("'lower' and 'upper' have no common face at the start"));
+  CHECK_THROWS_WITH(with(-0.5), Catch::Contains("have no common face at the start"));  // one row over the other
   CHECK_THROWS_WITH(build_system<2>(model, turned<2>(model, {halves[0]}, 0)),
                     Catch::Contains("there is none of 'upper'"));
   CHECK(with(0.01).joints.at(0).joints.size() == 16);

@@ -142,7 +142,7 @@ TEST_CASE("What blocks do to the grid is the same to the bit for any number of t
 TEST_CASE("A block too light for the matter at its nodes is an error that says why") {
   Run<2> run(floating(
       2, "<BoxBlock matname='stone' name='feather' xmin='-0.5' xmax='0.5' ymin='1' ymax='1.1' rho='20' vy='-1'/>"));
-  CHECK_THROWS_WITH(run.steps(20, 5e-4), Catch::Contains("'feather' touches is too heavy for it"));
+  CHECK_THROWS_WITH(run.steps(20, 5e-4), Catch::Contains("'feather' is too large compared with its own"));
 }
 
 TEST_CASE("The points of a block add up to it and cover its faces") {

@@ -11,7 +11,7 @@ template <int Dim>
 NodalConditions<Dim>::NodalConditions(const Model& model, const Lattice<Dim>& lattice)
     : model_(model), lattice_(lattice), reactions_(model.node_conditions.size(), Vec3::Zero()) {
   Problems problems;
-  // Of the user's grid and one layer around it; farther out is nothing
+  // Whether a node belongs to the grid of the model or to the layer of nodes around it
   const auto near_grid = [&](const Index<Dim>& node) {
     for (std::size_t d = 0; d < Dim; ++d)
       if (const int n = node[d] - Lattice<Dim>::padding; n < -1 || n > model.grid.cells[d] + 1) return false;
@@ -89,7 +89,8 @@ void NodalConditions<Dim>::impose_update(NodeLayer& nodes, const Exchange<Dim>& 
     const double mass = exchange.ownership(l.node) * node.mass;
     force.head<Dim>() = mass * correction * chosen.direction;
     for (const auto c : chosen.conditions) reactions_[c] += force / static_cast<double>(chosen.conditions.size());
-    work_ += dt * mass * correction * (wanted - 0.5 * dt * a.dot(chosen.direction));  // force times mid-step velocity
+    // force times mid-step velocity
+    work_ += dt * mass * correction * (wanted - 0.5 * dt * a.dot(chosen.direction));
     impulse_ += dt * force;
   }
 }

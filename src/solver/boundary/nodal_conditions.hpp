@@ -8,7 +8,7 @@
 
 namespace tribo {
 
-/// Nodal conditions of the model, translated to the nodes that exist at present.
+/// The nodal conditions of the model, applied to the nodes that exist at present.
 template <int Dim>
 class NodalConditions {
  public:
@@ -18,26 +18,28 @@ class NodalConditions {
   /// Finds the selected nodes among the blocks that exist; to be called after every change of the map.
   void locate(const BlockMap<Dim>& map);
 
-  /// Sets the velocities prescribed at `time` before a strain update, and stores by how much each velocity changed.
+  /// Sets the velocities prescribed at `time` before a strain update, and stores the change of each velocity.
   void impose(NodeLayer& nodes, double time, double dt);
-  /// Sets the velocities prescribed at time + dt after the momentum update. The accelerations follow the prescribed
-  /// velocity from `time` to time + dt, not the difference that extrapolation left at a node. Only in the `first` step,
-  /// when a body may start with another velocity than its supports, is that difference part of the reaction.
+  /// Sets the velocities prescribed at time + dt after the momentum update. The acceleration is the change of the
+  /// prescribed velocity from `time` to time + dt; it does not include the difference between the prescribed velocity
+  /// and the nodal velocity that the transfer from the particles gives. Only in the `first` step, that difference is
+  /// part of the reaction, since a body may start with a velocity that differs from that of its supports.
   /// `after_impose`: impose() was called earlier in the step.
   void impose_update(NodeLayer& nodes, const Exchange<Dim>& exchange, double time, double dt, bool after_impose,
                      bool first);
   /// Removes the prescribed components from the increments of a velocity filter.
   void release(AlignedVector<FilterNode>& nodes) const;
 
-  /// Reaction force of the last step by condition [force].
+  /// Reaction force of each condition on the material in the last step [force].
   const std::vector<Vec3>& reactions() const { return reactions_; }
   /// Work done on the material since the start of the run [energy].
   double work() const { return work_; }
-  /// Impulse of the conditions on the material since the start of the run [momentum]; without symmetry planes and
-  /// walls.
+  /// Impulse of the conditions on the material since the start of the run [momentum]; symmetry planes and walls are
+  /// not included.
   const Vec3& impulse() const { return impulse_; }
 
-  /// The reactions are those of the last step; all else but the sums belongs to the model and the present nodes.
+  /// Saves and restores the sums of work and impulse. The reactions are computed in every step; all other members
+  /// follow from the model and the current nodes.
   friend void archive(Archive& a, NodalConditions& conditions) {
     auto& [model, lattice, chosen, located, reactions, work, impulse] = conditions;
     a.version(1);
@@ -45,16 +47,17 @@ class NodalConditions {
   }
 
  private:
-  // A node with the conditions on it that share a direction.
+  // A node and its conditions with the same direction.
   struct Chosen {
     Index<Dim> node;
     Vec<Dim> direction;
     std::vector<std::size_t> conditions;
   };
+  // A selected node that exists at present.
   struct Located {
     std::int64_t node;
     std::size_t chosen;
-    double pending = 0.0;  // change of the velocity component by impose()
+    double pending = 0.0;  // change of the velocity component in impose()
   };
 
   double prescribed(const Chosen& chosen, const Vec<Dim>& x, double time, double dt) const;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-/// Grids whose two edges along an axis are one. The nodes' part is in conditions.hpp.
+/// Periodic axes: particles that leave the grid, and the blocks at the edges. EdgeExchange treats the nodes.
 #pragma once
 
 #include "solver/state/system.hpp"
 
 namespace tribo {
 
-/// Moves particles beyond an edge of a periodic axis in through the other, and the positions they started from with
-/// them, so that displacements go on growing.
+/// Moves particles beyond an edge of a periodic axis by whole periods back into the grid. Their initial positions are
+/// moved equally, so that displacements remain continuous.
 template <int Dim>
 void return_through_period(const GridSpec& grid, const Lattice<Dim>& lattice, Body<Dim>& body) {
   const auto x = body.particles.x();
@@ -25,8 +25,8 @@ void return_through_period(const GridSpec& grid, const Lattice<Dim>& lattice, Bo
   }
 }
 
-/// Adds to the blocks with particles those at both edges of a periodic axis, if there are particles at one of them:
-/// what is scattered across an edge then finds its nodes.
+/// Adds the blocks at both edges of a periodic axis to the list of blocks with particles if there are particles near
+/// one of the edges. The nodes that receive sums across the edge then exist.
 template <int Dim>
 void add_periodic_blocks(const GridSpec& grid, const Lattice<Dim>& lattice, std::vector<std::int64_t>& blocks) {
   for (std::size_t d = 0; d < Dim; ++d) {

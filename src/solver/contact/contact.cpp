@@ -84,7 +84,7 @@ void Contact<Dim>::find(const Exchanges<Dim>& exchanges, const Joints<Dim>& join
 template <int Dim>
 void Contact<Dim>::find_crack_faces() {
   if (!cracks_.active()) return;
-  cracks_.find_carrying_nodes();
+  cracks_.find_face_weights();
   auto& contacts = search_.found();
   parallel_for(static_cast<std::ptrdiff_t>(contacts.nodes.size()), [&](std::ptrdiff_t k) {
     const ContactNode<Dim>& node = contacts.nodes[static_cast<std::size_t>(k)];
@@ -148,7 +148,7 @@ void Contact<Dim>::leave_to_joints(const Joints<Dim>& joints) {
     for (std::size_t p = node.first_pair; p < node.end_pair; ++p) {
       ContactPair& pair = contacts.pairs[p];
       if (pair.crack >= 0) continue;
-      const auto home = [&](std::size_t member) { return system_.fields[contacts.members[member].field].home; };
+      const auto home = [&](std::size_t member) { return system_.fields[contacts.members[member].field].base_field; };
       const auto joint = joints.nearest_joint(home(pair.a), home(pair.b), system_.lattice.position(node.index));
       const ContactFace& face = cache_.face(p);
       const bool beyond = !pair.has_no_face && pair.law->uses_face() && joint.distance > face.offset_along_face + h_ &&

@@ -10,7 +10,8 @@ template <int Dim>
 auto ContactLedger<Dim>::key(const ContactNodes<Dim>& contacts, const ContactPair& pair) const -> Key {
   const std::size_t field_count = system_.fields.size();
   if (pair.crack >= 0) return {field_count + static_cast<std::size_t>(pair.crack), field_count};
-  return {system_.fields[contacts.members[pair.a].field].home, system_.fields[contacts.members[pair.b].field].home};
+  return {system_.fields[contacts.members[pair.a].field].base_field,
+          system_.fields[contacts.members[pair.b].field].base_field};
 }
 
 template <int Dim>

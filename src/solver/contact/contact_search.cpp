@@ -87,7 +87,7 @@ void ContactSearch<Dim>::list_pairs(ContactNode<Dim>& node) {
       pair.a = a, pair.b = b;
       pair.state.mass = 1.0 / (of_a.inverse_mass + of_b.inverse_mass);
       if (between == 0)
-        pair.law = laws_.between(field_a.home, field_b.home), node.between_bodies = true;
+        pair.law = laws_.between(field_a.base_field, field_b.base_field), node.between_bodies = true;
       else
         pair.crack = 0;
       found_.pairs.push_back(pair);

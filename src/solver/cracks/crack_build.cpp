@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Cracks and their joints before the first step: where they run through bodies, and how they go on where they leave
-/// them.
+/// Construction of cracks: which parts lie within bodies, and the extension of a crack beyond the surface of a body.
 
 #include "solver/cracks/crack_build.hpp"
 
@@ -11,13 +10,14 @@
 namespace tribo {
 namespace {
 
-/// A sample of a piece: shares of its corners, and the part of the piece's area it stands for.
+/// An integration point of a piece: its barycentric coordinates, and the fraction of the area of the piece that it
+/// represents.
 template <std::size_t count>
-using Part = std::pair<std::array<double, count>, double>;
+using PieceSample = std::pair<std::array<double, count>, double>;
 
-/// Samples of what of a piece lies in bodies.
-std::vector<Part<2>> samples(const std::array<Vec<2>, 2>& corners, const BodyOccupancy<2>& matter) {
-  const auto inside = [&](double t) { return matter.at((1 - t) * corners[0] + t * corners[1]); };
+/// Integration points on the part of a piece that lies within bodies.
+std::vector<PieceSample<2>> samples(const std::array<Vec<2>, 2>& corners, const BodyOccupancy<2>& occupancy) {
+  const auto inside = [&](double t) { return occupancy.contains((1 - t) * corners[0] + t * corners[1]); };
   constexpr int steps = 16;
   int first = 0, last = steps - 1;
   const auto middle = [](int k) { return (k + 0.5) / steps; };
@@ -31,47 +31,47 @@ std::vector<Part<2>> samples(const std::array<Vec<2>, 2>& corners, const BodyOcc
   };
   const double begin = edge(middle(first), first == 0 ? 0.0 : middle(first - 1)),
                end = edge(middle(last), last == steps - 1 ? 1.0 : middle(last + 1));
-  std::vector<Part<2>> out;
+  std::vector<PieceSample<2>> out;
   for (const double gauss : {0.5 - 0.5 / std::sqrt(3.0), 0.5 + 0.5 / std::sqrt(3.0)}) {
     const double t = begin + gauss * (end - begin);
     out.push_back({{1 - t, t}, 0.5 * (end - begin)});
   }
   return out;
 }
-std::vector<Part<3>> samples(const std::array<Vec3, 3>& corners, const BodyOccupancy<3>& matter) {
+std::vector<PieceSample<3>> samples(const std::array<Vec3, 3>& corners, const BodyOccupancy<3>& occupancy) {
   int inside = 0, all = 0;
   constexpr int steps = 5;
   for (int i = 0; i < steps; ++i)
     for (int j = 0; j < 2 * (steps - i) - 1; ++j, ++all) {
-      // middles of small triangles, every second one stands on its head
+      // centroids of small triangles, every second one inverted
       const double third = j % 2 == 0 ? 1.0 / 3 : 2.0 / 3;
       const int column = j / 2;
       const double u = (i + third) / steps, v = (column + third) / steps;
-      inside += matter.at(corners[0] + u * (corners[1] - corners[0]) + v * (corners[2] - corners[0]));
+      inside += occupancy.contains(corners[0] + u * (corners[1] - corners[0]) + v * (corners[2] - corners[0]));
     }
   if (inside == 0) return {};
   return {{{1.0 / 3, 1.0 / 3, 1.0 / 3}, static_cast<double>(inside) / all}};
 }
 
-/// The joints of the last crack.
+/// Adds the joints along the last crack of the system.
 template <int Dim>
-void add_joint(const Model& model, const CrackSpec& spec, const BodyOccupancy<Dim>& matter, System<Dim>& system) {
+void add_joint(const Model& model, const CrackSpec& spec, const BodyOccupancy<Dim>& occupancy, System<Dim>& system) {
   const Crack<Dim>& crack = system.cracks.back();
   JointSurface<Dim> surface;
   surface.law = spec.joint.get(), surface.crack = system.cracks.size() - 1;
   std::vector<double> areas(crack.x.size(), 0.0);
   for (std::size_t p = 0; p < crack.pieces.size(); ++p) {
     const auto corners = crack.corners(p);
-    for (const auto& [share, fraction] : samples(corners, matter)) {
+    for (const auto& [share, fraction] : samples(corners, occupancy)) {
       double area = fraction * Crack<Dim>::area(corners).norm();
       JointSample<Dim> sample;
-      sample.point = crack.pieces[p], sample.share = share;
+      sample.point = crack.pieces[p], sample.weight = share;
       if (model.analysis == Analysis::axisymmetric)
         area *= share[0] * corners[0][0] + share[1] * corners[1][0];
       else if (Dim == 2)
         area *= model.grid.thickness;
       for (std::size_t k = 0; k < share.size(); ++k)
-        sample.part[k] = share[k] * area, areas[sample.point[k]] += sample.part[k];
+        sample.area_fraction[k] = share[k] * area, areas[sample.point[k]] += sample.area_fraction[k];
       surface.samples.push_back(sample);
     }
   }
@@ -93,40 +93,41 @@ void add_joint(const Model& model, const CrackSpec& spec, const BodyOccupancy<Di
   }
   for (auto& sample : surface.samples)
     for (std::size_t k = 0; k < sample.point.size(); ++k)
-      sample.joint[k] = joint_of[sample.point[k]], sample.part[k] /= areas[sample.point[k]];
+      sample.joint[k] = joint_of[sample.point[k]], sample.area_fraction[k] /= areas[sample.point[k]];
   surface.mass.fill(std::vector<double>(surface.samples.size(), 0.0));
   system.joints.push_back(std::move(surface));
 }
 
-/// Where a line ends: a tip in a body, or it goes on beyond the body's surface, as far as nodes see particles: else
-/// nodes out there would join its two sides.
-void find_ends(Crack<2>& crack, const CrackSpec& spec, const BodyOccupancy<2>& matter, double cell, int cells) {
+/// Treats both ends of a line. An end within a body is a tip. Beyond an end outside of the bodies, the crack is
+/// extended over the width of a stencil; otherwise nodes beyond the surface would couple its two sides.
+void find_ends(Crack<2>& crack, const CrackSpec& spec, const BodyOccupancy<2>& occupancy, double cell, int cells) {
   using End = CrackSpec::End;
-  if ((crack.x.front() - crack.x[crack.drawn_points - 1]).norm() < 1e-9 * cell) return;  // a ring
+  if ((crack.x.front() - crack.x[crack.main_points - 1]).norm() < 1e-9 * cell) return;  // a closed line
   for (const int end : {0, 1}) {
-    const auto& piece = crack.pieces[end == 0 ? 0 : crack.drawn_pieces - 1];
+    const auto& piece = crack.pieces[end == 0 ? 0 : crack.main_pieces - 1];
     CrackTip tip;
     tip.end = end;
-    tip.point = piece[end == 0 ? 0 : 1], tip.behind = piece[end == 0 ? 1 : 0];
-    const End asked = spec.ends[static_cast<std::size_t>(end)];
-    const Vec<2> x = crack.x[tip.point], ahead = cell * (x - crack.x[tip.behind]).normalized();
+    tip.point = piece[end == 0 ? 0 : 1], tip.previous = piece[end == 0 ? 1 : 0];
+    const End requested = spec.ends[static_cast<std::size_t>(end)];
+    const Vec<2> x = crack.x[tip.point], ahead = cell * (x - crack.x[tip.previous]).normalized();
     constexpr int probes = 8;  // per cell
-    int free = 0;
-    while (free < probes * cells && !matter.at(x + (free + 0.5) / probes * ahead)) ++free;
-    if (free == 0 && !matter.mirrored(x + 1e-6 * ahead) && (asked == End::found || asked == End::tip)) {
-      tip.start = ahead / cell;
+    int outside = 0;
+    while (outside < probes * cells && !occupancy.contains(x + (outside + 0.5) / probes * ahead)) ++outside;
+    if (outside == 0 && !occupancy.is_mirrored(x + 1e-6 * ahead) &&
+        (requested == End::found || requested == End::tip)) {
+      tip.initial_direction = ahead / cell;
       crack.tips.push_back(tip);
-    } else if (asked == End::tip) {
+    } else if (requested == End::tip) {
       throw InputError(spec.origin, std::string("this crack's ") + (end == 0 ? "first" : "last") +
                                         " point is said to be a tip but lies in no body");
     } else {
-      extend_straight(crack, tip, cell, asked == End::exterior ? cells : free / probes);
+      extend_straight(crack, tip, cell, requested == End::exterior ? cells : outside / probes);
     }
   }
 }
 void find_ends(Crack<3>&, const CrackSpec&, const BodyOccupancy<3>&, double, int) {}
 
-/// What of the bodies lies around the model's cracks.
+/// Occupancy of the region around all cracks of the model.
 template <int Dim>
 BodyOccupancy<Dim> around_cracks(const Model& model, System<Dim>& system) {
   Vec<Dim> low = Vec<Dim>::Constant(std::numeric_limits<double>::infinity()), high = -low;
@@ -141,7 +142,7 @@ BodyOccupancy<Dim> around_cracks(const Model& model, System<Dim>& system) {
 
 void extend_straight(Crack<2>& crack, const CrackTip& tip, double cell, int cells) {
   auto from = tip.point;
-  const Vec<2> end = crack.x[from], ahead = cell * (end - crack.x[tip.behind]).normalized();
+  const Vec<2> end = crack.x[from], ahead = cell * (end - crack.x[tip.previous]).normalized();
   for (int k = 1; k <= cells; ++k) {
     const auto next = static_cast<std::uint32_t>(crack.x.size());
     crack.add_point(crack.x.size(), end + k * ahead);
@@ -152,38 +153,38 @@ void extend_straight(Crack<2>& crack, const CrackTip& tip, double cell, int cell
 }
 
 void grow_to(Crack<2>& crack, CrackTip& tip, const Vec<2>& x) {
-  const auto next = static_cast<std::uint32_t>(crack.drawn_points);
+  const auto next = static_cast<std::uint32_t>(crack.main_points);
   for (auto& piece : crack.pieces)
     for (auto& point : piece) point += point >= next;
-  crack.add_point(crack.drawn_points++, x);
-  const auto at = static_cast<std::ptrdiff_t>(crack.drawn_pieces++);
+  crack.add_point(crack.main_points++, x);
+  const auto at = static_cast<std::ptrdiff_t>(crack.main_pieces++);
   crack.pieces.insert(crack.pieces.begin() + at,
                       tip.end == 1 ? Crack<2>::Piece{tip.point, next} : Crack<2>::Piece{next, tip.point});
   crack.inside.insert(crack.inside.begin() + at, 1.0);
-  tip.behind = tip.point, tip.point = next;
+  tip.previous = tip.point, tip.point = next;
 }
 
 template <int Dim>
 void add_cracks(const Model& model, System<Dim>& system, int width) {
-  const BodyOccupancy<Dim> matter = around_cracks(model, system);
+  const BodyOccupancy<Dim> occupancy = around_cracks(model, system);
   for (const CrackSpec& spec : model.cracks) {
     Crack<Dim> crack;
     crack.law = spec.law.get(), crack.fixed = spec.fixed;
-    // faces that touch at the start are bonded if their law bonds
-    crack.whole_bond = crack.law && crack.law->has_memory() ? 1.0 : 0.0;
+    // closed faces are bonded at the start if their contact law has bonds
+    crack.initial_bond = crack.law && crack.law->has_memory() ? 1.0 : 0.0;
     for (const Vec3& x : spec.points) crack.add_point(crack.x.size(), x.template head<Dim>());
     for (const auto& piece : spec.pieces) {
       typename Crack<Dim>::Piece corners;
       std::copy_n(piece.begin(), corners.size(), corners.begin());
       crack.pieces.push_back(corners);
     }
-    crack.drawn_points = crack.x.size(), crack.drawn_pieces = crack.pieces.size();
-    find_ends(crack, spec, matter, system.lattice.spacing.maxCoeff(), width + 1);
+    crack.main_points = crack.x.size(), crack.main_pieces = crack.pieces.size();
+    find_ends(crack, spec, occupancy, system.lattice.spacing.maxCoeff(), width + 1);
     crack.inside.assign(crack.pieces.size(), 0.0);
     for (std::size_t p = 0; p < crack.pieces.size(); ++p)
-      for (const auto& [share, part] : samples(crack.corners(p), matter)) crack.inside[p] += part;
+      for (const auto& [share, fraction] : samples(crack.corners(p), occupancy)) crack.inside[p] += fraction;
     system.cracks.push_back(std::move(crack));
-    if (spec.joint) add_joint(model, spec, matter, system);
+    if (spec.joint) add_joint(model, spec, occupancy, system);
   }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// The two faces of cracks: how they meet at nodes, what they remember, how they move.
+/// The two faces of cracks: contact at nodes, history variables and motion.
 
 #include "base/parallel.hpp"
 #include "geometry/crossing.hpp"
@@ -11,7 +11,7 @@
 namespace tribo {
 namespace {
 
-/// Nearest point of a piece and the shares of its corners in it.
+/// Barycentric coordinates of the point of a piece that is closest to x.
 std::array<double, 2> nearest_share(const std::array<Vec<2>, 2>& c, const Vec<2>& x) {
   const Vec<2> along = c[1] - c[0];
   const double t = std::clamp(along.dot(x - c[0]) / along.squaredNorm(), 0.0, 1.0);
@@ -35,7 +35,7 @@ std::array<double, 3> nearest_share(const std::array<Vec3, 3>& c, const Vec3& x)
   return {va / sum, vb / sum, vc / sum};
 }
 
-// Points at which integrals over a piece are summed: shares of the corners; all have the same weight.
+// Quadrature points of a piece in barycentric coordinates; all have the same weight.
 constexpr std::array<std::array<double, 2>, 2> gauss2{
     {{0.7886751345948129, 0.2113248654051871}, {0.2113248654051871, 0.7886751345948129}}};
 constexpr std::array<std::array<double, 3>, 3> gauss3{
@@ -61,14 +61,15 @@ auto Cracks<Dim>::nearest(std::uint32_t c, const Vec<Dim>& x) const -> Nearest {
     Vec<Dim> at = Vec<Dim>::Zero();
     for (std::size_t k = 0; k < share.size(); ++k) at += share[k] * corners[k];
     const double distance = (x - at).norm();
-    constexpr double same = 1e-9;  // cells: corners that pieces share
+    constexpr double same = 1e-9;  // [cells]: tolerance for a corner that two pieces have in common
     if (distance > least + same * system_.lattice.spacing.maxCoeff()) continue;
     const Vec<Dim> area = p.area();
     if (distance < least - same * system_.lattice.spacing.maxCoeff()) {
       out = {&p, at, area.normalized(), share, 1};
       least = distance;
     } else {
-      out.normal += area.normalized();  // pieces that meet where they are nearest: their mean
+      // several pieces have this closest point in common: mean of their normals
+      out.normal += area.normalized();
     }
   }
   if (!out.piece) return out;
@@ -98,12 +99,12 @@ auto Cracks<Dim>::average_faces(std::uint32_t c, const Vec<Dim>& node, const Nea
     const auto& corners = p.corners;
     const double whole = crack.inside[p.piece] * p.area().norm() / static_cast<double>(gauss<Dim>().size());
     for (std::size_t g = 0; g < gauss<Dim>().size(); ++g) {
-      // the corners of images stand in another order
+      // the corners of images are in a different order
       auto share = gauss<Dim>()[g];
       if (p.points != crack.pieces[p.piece]) std::swap(share[0], share[1]);
       Vec<Dim> x = Vec<Dim>::Zero();
       for (std::size_t k = 0; k < share.size(); ++k) x += share[k] * corners[k];
-      double w = around_.weight(x - node) * whole * weight_factor_[c][p.piece * gauss<Dim>().size() + g];
+      double w = nodes_around_.weight(x - node) * whole * weight_factor_[c][p.piece * gauss<Dim>().size() + g];
       if (!(w > 0)) continue;
       if (system_.analysis == Analysis::axisymmetric)
         w *= x[0];
@@ -123,7 +124,7 @@ auto Cracks<Dim>::average_faces(std::uint32_t c, const Vec<Dim>& node, const Nea
   return out;
 }
 
-// Whether fields on both sides of a crack have mass at a node.
+// Whether a node has mass in the fields on both sides of a crack.
 template <int Dim>
 bool Cracks<Dim>::both_sides(std::uint32_t c, const Index<Dim>& n) const {
   int bit = 1;
@@ -139,9 +140,10 @@ bool Cracks<Dim>::both_sides(std::uint32_t c, const Index<Dim>& n) const {
   return (is(0) && is(bit)) || (is(3 - bit) && is(3));
 }
 
-// The share of a face that falls on nodes which only one side reaches goes to the others: no traction is lost.
+// The fraction of the tractions at nodes with mass on one side only is transferred to the other nodes, so that the
+// resultant of the tractions is exact.
 template <int Dim>
-void Cracks<Dim>::find_carrying_nodes() {
+void Cracks<Dim>::find_face_weights() {
   weight_factor_.resize(system_.cracks.size());
   constexpr std::size_t points = gauss<Dim>().size();
   for (std::uint32_t c = 0; c < system_.cracks.size(); ++c) {
@@ -154,11 +156,12 @@ void Cracks<Dim>::find_carrying_nodes() {
         Vec<Dim> x = Vec<Dim>::Zero();
         for (std::size_t k = 0; k < corners.size(); ++k) x += gauss<Dim>()[g][k] * corners[k];
         double all = 0.0, both = 0.0;
-        around_.each(x, [&](double w, const Index<Dim>& n) {
+        nodes_around_.each(x, [&](double w, const Index<Dim>& n) {
           all += w;
           if (both_sides(c, n)) both += w;
         });
-        constexpr double enough = 0.25;  // else it lies at an end, outside of the bodies, or gapes
+        // otherwise the point lies at an end or outside of the bodies, or the crack is wide open
+        constexpr double enough = 0.25;
         if (both > enough * all) weight_factor_[c][p * points + g] = all / both;
       }
     });
@@ -182,15 +185,16 @@ bool Cracks<Dim>::find_faces(ContactPair& pair, const Index<Dim>& node, int side
   const Vec<Dim> x = system_.lattice.position(node);
   const Nearest here = nearest(c, x);
   if (!here.piece) return false;
-  // a is on the node's own side unless it is the field across
-  const int of_a = side_a & between ? -here.side : here.side;
+  // field a is on the side of the node unless it is the additional field of this crack
+  const int side_of_a = side_a & between ? -here.side : here.side;
   const FaceAverages faces = average_faces(c, x, here);
   ContactState& m = pair.state;
   m.normal.setZero(), m.opening.setZero();
-  m.normal.template head<Dim>() = -of_a * here.normal;
-  // Across, the faces are as far apart as they moved apart; what they slid may lie at an angle to the normal of now.
+  m.normal.template head<Dim>() = -side_of_a * here.normal;
+  // The normal component of the opening is the stored gap. The tangential component of the displacement jump is
+  // projected, since earlier slip may be inclined to the current normal.
   const Vec<Dim> along = faces.opening - faces.opening.dot(here.normal) * here.normal;
-  m.opening.template head<Dim>() = -of_a * (along + faces.gap * here.normal);
+  m.opening.template head<Dim>() = -side_of_a * (along + faces.gap * here.normal);
   m.gap = faces.gap;
   m.area = faces.area;
   m.slip = faces.slip;
@@ -199,10 +203,10 @@ bool Cracks<Dim>::find_faces(ContactPair& pair, const Index<Dim>& node, int side
   return true;
 }
 
-// Mass and velocity at a node of all that lies on one side there.
+// Total mass at a node of the fields on one side, and their mean velocity v.
 template <int Dim>
 double Cracks<Dim>::velocity_on_side(Index<Dim> n, int side, Vec<Dim>& v) const {
-  const Vec<Dim> mirror = around_.fold(n);
+  const Vec<Dim> mirror = nodes_around_.fold(n);
   double mass = 0.0;
   Vec<Dim> momentum = Vec<Dim>::Zero();
   for (const auto& field : system_.fields) {
@@ -218,42 +222,43 @@ double Cracks<Dim>::velocity_on_side(Index<Dim> n, int side, Vec<Dim>& v) const 
   return mass;
 }
 
-// Velocities of the two faces at a point. While they are near each other, their difference is that at the nodes which
-// both reach, where contact acts, too, and their mean that of all nodes, which is exact where velocities are linear.
-// Once they are farther apart each goes with the nodes around itself.
+// Velocities of the two faces at a point. While the faces are close, their velocity jump is interpolated from the
+// nodes with mass on both sides, where contact acts as well. Their mean velocity is interpolated from all nodes, which
+// is exact for linear velocities. Once the faces are farther apart, the velocity of each face is interpolated from the
+// nodes around it.
 template <int Dim>
 bool Cracks<Dim>::face_velocities(const Crack<Dim>& crack, std::size_t k, const Vec<Dim>& normal,
                                   std::array<Vec<Dim>, 2>& v) const {
-  const Vec<Dim> aside = 1e-6 * system_.lattice.spacing.minCoeff() * normal;
-  const std::array<Vec<Dim>, 2> beside{crack.x[k] - aside, crack.x[k] + aside};
+  const Vec<Dim> offset = 1e-6 * system_.lattice.spacing.minCoeff() * normal;
+  const std::array<Vec<Dim>, 2> side_points{crack.x[k] - offset, crack.x[k] + offset};
   thread_local NearbyPieces nearby;
   find_nearby(crack.x[k], nearby);
   double heaviest = 0.0;
   Vec<Dim> here;
-  around_.each(crack.x[k], [&](double, const Index<Dim>& n) {
-    for (const Vec<Dim>& at : beside)
+  nodes_around_.each(crack.x[k], [&](double, const Index<Dim>& n) {
+    for (const Vec<Dim>& at : side_points)
       heaviest = std::max(heaviest, velocity_on_side(n, side_of_node(nearby, at, n), here));
   });
-  // nodes with next to no mass may fly away in one step
+  // the velocities of nodes with very little mass are inaccurate, so their weights are reduced
   constexpr double light = 1e-3;
   const auto share = [&](double mass) { return mass > 0 ? std::min(1.0, mass / (light * heaviest)) : 0.0; };
   double all = 0.0, both = 0.0;
-  Vec<Dim> mean = Vec<Dim>::Zero(), apart = mean;
-  around_.each(crack.x[k], [&](double w, const Index<Dim>& n) {
+  Vec<Dim> mean = Vec<Dim>::Zero(), jump = mean;
+  nodes_around_.each(crack.x[k], [&](double w, const Index<Dim>& n) {
     std::array<Vec<Dim>, 2> of;
     std::array<double, 2> part;
     for (std::size_t f = 0; f < 2; ++f) {
       of[f].setZero();
-      part[f] = share(velocity_on_side(n, side_of_node(nearby, beside[f], n), of[f]));
+      part[f] = share(velocity_on_side(n, side_of_node(nearby, side_points[f], n), of[f]));
     }
     const auto [less, more] = std::minmax(part[0], part[1]);
     if (!(more > 0)) return;
     all += w * more, mean += w * more * (part[0] * of[0] + part[1] * of[1]) / (part[0] + part[1]);
-    both += w * less, apart += w * less * (of[1] - of[0]);
+    both += w * less, jump += w * less * (of[1] - of[0]);
   });
   constexpr double enough = 0.25;
   if (both > enough * all) {
-    v = {mean / all - 0.5 * apart / both, mean / all + 0.5 * apart / both};
+    v = {mean / all - 0.5 * jump / both, mean / all + 0.5 * jump / both};
     return true;
   }
   std::array<bool, 2> found{};
@@ -261,8 +266,8 @@ bool Cracks<Dim>::face_velocities(const Crack<Dim>& crack, std::size_t k, const 
     double sum = 0.0;
     v[f].setZero();
     find_nearby(crack.face[f][k], nearby);
-    around_.each(crack.face[f][k], [&](double w, const Index<Dim>& n) {
-      if (const double part = share(velocity_on_side(n, side_of_node(nearby, beside[f], n), here)); part > 0)
+    nodes_around_.each(crack.face[f][k], [&](double w, const Index<Dim>& n) {
+      if (const double part = share(velocity_on_side(n, side_of_node(nearby, side_points[f], n), here)); part > 0)
         sum += w * part, v[f] += w * part * here;
     });
     found[f] = sum > 0;
@@ -272,7 +277,7 @@ bool Cracks<Dim>::face_velocities(const Crack<Dim>& crack, std::size_t k, const 
   return found[0] || found[1];
 }
 
-// Points outside of all bodies go with the nearest one that is inside.
+// Points outside of all bodies move with the nearest point within a body.
 template <int Dim>
 void Cracks<Dim>::move(double dt) {
   for (auto& crack : system_.cracks) {
@@ -282,8 +287,8 @@ void Cracks<Dim>::move(double dt) {
     std::vector<char> carried(count, 0);
     parallel_for(static_cast<std::ptrdiff_t>(count), [&](std::ptrdiff_t point) {
       const auto k = static_cast<std::size_t>(point);
-      if (!crack.is_led.empty() && crack.is_led[k])
-        carried[k] = 1, v[k] = crack.led_velocity[k];
+      if (!crack.is_prescribed.empty() && crack.is_prescribed[k])
+        carried[k] = 1, v[k] = crack.prescribed_velocity[k];
       else
         carried[k] = face_velocities(crack, k, normals[k], v[k]);
     });
@@ -316,18 +321,18 @@ void Cracks<Dim>::record(const ContactPair& pair, const Index<Dim>& node) {
   const Vec3 along = v - v.dot(pair.state.normal) * pair.state.normal;
   for (const PlacedPiece& p : near(x).pieces) {
     if (static_cast<int>(p.crack) != pair.crack) continue;
-    const double of_lower = pair.state.normal.template head<Dim>().dot(p.area()) > 0 ? 1.0 : -1.0;
+    const double face_sign = pair.state.normal.template head<Dim>().dot(p.area()) > 0 ? 1.0 : -1.0;
     for (std::size_t k = 0; k < p.points.size(); ++k) {
-      const double w = around_.weight(p.corners[k] - x);
+      const double w = nodes_around_.weight(p.corners[k] - x);
       if (!(w > 0)) continue;
       PointRecord& m = records_[p.crack][p.points[k]];
       m.area += w * pair.state.area;
-      m.force += w * of_lower / pair.state.dt * p.mirror.cwiseProduct(pair.impulse.template head<Dim>());
-      (pair.response.status == ContactStatus::open   ? m.open
-       : pair.response.status == ContactStatus::slip ? m.slides
-                                                     : m.sticks) += w;
-      if (pair.response.status == ContactStatus::slip) m.way += w * pair.state.dt * along.norm();
-      if (pair.response.bond == Bond::whole) m.whole += w;
+      m.force += w * face_sign / pair.state.dt * p.mirror.cwiseProduct(pair.impulse.template head<Dim>());
+      (pair.response.status == ContactStatus::open   ? m.open_weight
+       : pair.response.status == ContactStatus::slip ? m.slip_weight
+                                                     : m.stick_weight) += w;
+      if (pair.response.status == ContactStatus::slip) m.slip_length += w * pair.state.dt * along.norm();
+      if (pair.response.bond == Bond::whole) m.bonded += w;
       if (pair.response.bond == Bond::broken) m.broken += w;
     }
   }
@@ -339,10 +344,11 @@ void Cracks<Dim>::end_record() {
     Crack<Dim>& crack = system_.cracks[c];
     for (std::size_t k = 0; k < crack.x.size(); ++k) {
       const PointRecord& m = records_[c][k];
-      const bool touches = m.slides + m.sticks > m.open, slides = touches && m.slides > m.sticks;
+      const bool touches = m.slip_weight + m.stick_weight > m.open_weight,
+                 slides = touches && m.slip_weight > m.stick_weight;
       crack.status[k] = slides ? 2.0 : touches ? 1.0 : 0.0;
-      crack.slip[k] = slides ? crack.slip[k] + m.way / m.slides : 0.0;
-      if (m.whole + m.broken > 0) crack.bond[k] = m.broken > m.whole ? -1.0 : 1.0;
+      crack.slip[k] = slides ? crack.slip[k] + m.slip_length / m.slip_weight : 0.0;
+      if (m.bonded + m.broken > 0) crack.bond[k] = m.broken > m.bonded ? -1.0 : 1.0;
       crack.traction[k] = m.area > 0 ? Vec<Dim>(m.force / m.area) : Vec<Dim>(Vec<Dim>::Zero());
     }
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// When and where tips of cracks grow.
+/// Criteria for the growth of crack tips, and the direction of growth.
 
 #include "geometry/crossing.hpp"
 #include "solver/cracks/crack_build.hpp"
@@ -11,19 +11,20 @@
 namespace tribo {
 namespace {
 
-/// Angle at which the hoop stress is largest. Erdogan, Sih, J. Basic Eng. 85 (1963) 519-525.
+/// Angle of the largest hoop stress. Erdogan, Sih, J. Basic Eng. 85 (1963) 519-525.
 double hoop_angle(double K1, double K2) {
   if (K2 == 0) return 0.0;
   return 2 * std::atan((K1 - std::hypot(K1, std::sqrt(8.0) * K2)) / (4 * K2));
 }
 
-/// Of the mode 1 that has the same hoop stress there.
+/// Stress intensity factor of the pure mode 1 that has the same hoop stress at this angle.
 double hoop_intensity(double K1, double K2, double angle) {
   const double c = std::cos(0.5 * angle);
   return c * (K1 * c * c - 1.5 * K2 * std::sin(angle));
 }
 
-/// The least strain energy density at a distance r, near the largest hoop stress: times 16 pi G r, and its angle. Sih,
+/// The local minimum of the strain energy density near the angle of the largest hoop stress. Returns the density at
+/// the distance r times 16 pi G r, and its angle. Sih,
 /// Int. J. Fracture 10 (1974) 305-321.
 std::pair<double, double> least_energy_density(double K1, double K2, double kappa) {
   const auto density = [&](double a) {
@@ -57,10 +58,10 @@ std::optional<double> CrackTips<2>::angle_of_growth(const Crack<2>& crack, const
       break;
     case Growth::When::energy_density: {
       const double k = kappa(*moduli_[tip.body]);
-      const auto [density, where] = least_energy_density(K1, K2, k);
+      const auto [density, density_angle] = least_energy_density(K1, K2, k);
       if (!(hoop_intensity(K1, K2, angle) > 0 && density >= 2 * (k - 1) * *toughness.KIc * *toughness.KIc))
         return std::nullopt;
-      angle = where;
+      angle = density_angle;
       break;
     }
     case Growth::When::empirical:
@@ -74,20 +75,20 @@ std::optional<double> CrackTips<2>::angle_of_growth(const Crack<2>& crack, const
       angle = 0.0;
       break;
   }
-  const Vec<2> along = (crack.x[tip.point] - crack.x[tip.behind]).normalized(), up(-along[1], along[0]);
-  const Vec<2> apart = (tip.end == 1 ? 1 : -1) * crack.opening(tip.behind);
-  const double opens = apart.dot(up), slides = apart.dot(along);
+  const Vec<2> along = (crack.x[tip.point] - crack.x[tip.previous]).normalized(), up(-along[1], along[0]);
+  const Vec<2> opening = (tip.end == 1 ? 1 : -1) * crack.opening(tip.previous);
+  const double normal_opening = opening.dot(up), shear_opening = opening.dot(along);
   switch (material.growth.way) {
     case Growth::Way::of_criterion:
       return angle;
     case Growth::Way::straight_on:
       return 0.0;
     case Growth::Way::normal_to_opening:
-      return std::atan2(-slides, opens);
+      return std::atan2(-shear_opening, normal_opening);
     case Growth::Way::hoop_of_opening:
-      return hoop_angle(opens, slides);
+      return hoop_angle(normal_opening, shear_opening);
     case Growth::Way::as_at_start:
-      return std::atan2(tip.start.dot(up), tip.start.dot(along));
+      return std::atan2(tip.initial_direction.dot(up), tip.initial_direction.dot(along));
   }
   return std::nullopt;
 }
@@ -97,7 +98,7 @@ bool CrackTips<2>::grow() {
   for (std::size_t c = 0; c < system_.cracks.size(); ++c)
     for (std::size_t t = 0; t < system_.cracks[c].tips.size(); ++t) {
       CrackTip& tip = system_.cracks[c].tips[t];
-      if (!tip.lives || system_.time < tip.rest) continue;
+      if (!tip.active || system_.time < tip.earliest_growth) continue;
       const auto angle = angle_of_growth(system_.cracks[c], tip);
       if (!angle) continue;
       extend(c, tip, *angle);
@@ -106,37 +107,37 @@ bool CrackTips<2>::grow() {
   return grew;
 }
 
-// By one hop; not faster than waves run along a surface.
+// Extends the tip by one increment. The speed of growth is limited by the speed of surface waves.
 void CrackTips<2>::extend(std::size_t c, CrackTip& tip, double angle) {
   Crack<2>& crack = system_.cracks[c];
-  const double hop = model_.fracture->hop * system_.lattice.smallest_spacing();
+  const double full_length = model_.fracture->hop * system_.lattice.smallest_spacing();
   const Vec<2> from = crack.x[tip.point];
-  const Vec<2> ahead = Eigen::Rotation2Dd(angle) * (from - crack.x[tip.behind]).normalized();
-  double length = hop;
+  const Vec<2> ahead = Eigen::Rotation2Dd(angle) * (from - crack.x[tip.previous]).normalized();
+  double length = full_length;
   for (const auto& other : system_.cracks)
-    for (std::size_t p = 0; p < other.drawn_pieces; ++p) {
+    for (std::size_t p = 0; p < other.main_pieces; ++p) {
       const auto [a, b] = other.pieces[p];
       if (&other == &crack && (a == tip.point || b == tip.point)) continue;
       const auto corners = other.corners(p);
-      if (crossing(corners, from, from + 1.1 * hop * ahead) == 0) continue;
-      // it ends just before the other crack
+      if (crossing(corners, from, from + 1.1 * full_length * ahead) == 0) continue;
+      // the tip stops just before the other crack
       const Vec<2> area = Crack<2>::area(corners);
       length = std::min(length, 0.99 * area.dot(corners[0] - from) / area.dot(ahead));
-      tip.lives = false;
+      tip.active = false;
     }
   grow_to(crack, tip, from + length * ahead);
   const auto& law = *system_.bodies[tip.body].law;
   const double shear_speed =
       std::sqrt((moduli_[tip.body] ? moduli_[tip.body]->G : law.wave_modulus() / 3) / law.density());
-  constexpr double surface_waves = 0.9;  // of the speed of shear waves
-  tip.rest = system_.time + length / (surface_waves * shear_speed);
+  constexpr double rayleigh_ratio = 0.9;  // speed of surface waves over that of shear waves
+  tip.earliest_growth = system_.time + length / (rayleigh_ratio * shear_speed);
 
   const Vec<2> reach = Vec<2>::Constant(8 * cell_);
-  const BodyOccupancy<2> matter(model_, system_, from - reach, from + reach);
-  // between particles that stretched there may be gaps
-  if (matter.at(crack.x[tip.point], 0.5)) return;
-  tip.lives = false;
-  extend_straight(crack, tip, cell_, beyond_);
+  const BodyOccupancy<2> occupancy(model_, system_, from - reach, from + reach);
+  // the tolerance spans gaps between stretched particles
+  if (occupancy.contains(crack.x[tip.point], 0.5)) return;
+  tip.active = false;
+  extend_straight(crack, tip, cell_, extension_cells_);
 }
 
 }  // namespace tribo

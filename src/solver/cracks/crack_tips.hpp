@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-/// Tips of cracks: what drives them, and where they grow (plane analyses).
+/// Crack tips in plane analyses: energy release rate, stress intensity factors and growth.
 ///
-/// The energy release rate is the J integral over a ring of particles around the tip, in the form for domains; stress
-/// intensities come from its interaction with the fields of pure modes. Shih, Moran, Nakamura, Int. J. Fracture 30
+/// The energy release rate is the J integral in its domain form over the particles around the tip. The stress
+/// intensity factors follow from interaction integrals with the fields of the pure modes. Shih, Moran, Nakamura, Int.
+/// J. Fracture 30
 /// (1986) 79-102; Yau, Wang, Corten, J. Appl. Mech. 47 (1980) 335-341.
 #pragma once
 
@@ -13,6 +14,7 @@
 
 namespace tribo {
 
+/// In three dimensions there are no crack tips.
 template <int Dim>
 class CrackTips {
  public:
@@ -22,28 +24,29 @@ class CrackTips {
 template <>
 class CrackTips<2> {
  public:
-  /// Acceleration of matter at x with velocity v that no stress causes.
+  /// Acceleration by body forces and damping at the position x [length] for the velocity v [velocity].
   using Force = std::function<Vec<2>(const Vec<2>& x, const Vec<2>& v)>;
 
-  /// `width`: nodes of a stencil along an axis.
+  /// `width`: number of nodes of a stencil along an axis.
   CrackTips(const Model& model, System<2>& system, const Cracks<2>& cracks, int width);
 
   bool active() const { return active_; }
-  /// Loads of all tips, from the particles at the start of a step and the accelerations of the nodes in it.
+  /// Computes J and the stress intensity factors of all tips from the particles at the start of a step and the nodal
+  /// accelerations of the step.
   void measure(const Force& force);
-  /// Lets tips grow by what measure() found. True if one did.
+  /// Extends the tips for which the last measure() satisfies the growth criterion. Returns true if any tip has grown.
   bool grow();
 
  private:
-  struct Ring;
-  Ring ring(const Crack<2>& crack, const CrackTip& tip) const;
+  struct TipDomain;
+  TipDomain tip_domain(const Crack<2>& crack, const CrackTip& tip) const;
   void measure(const Crack<2>& crack, CrackTip& tip, const Force& force);
   Vec<2> acceleration(const Body<2>& body, const Vec<2>& x) const;
   double kappa(const ElasticModuli& moduli) const;
   template <class F>
-  void each_loaded_face(const Crack<2>& crack, const CrackTip& tip, const Ring& ring, F&& f) const;
-  double work_of_faces(const Crack<2>& crack, const CrackTip& tip, const Ring& ring) const;
-  std::array<double, 2> work_of_faces_in_modes(const Crack<2>& crack, const CrackTip& tip, const Ring& ring,
+  void each_loaded_face(const Crack<2>& crack, const CrackTip& tip, const TipDomain& tip_domain, F&& f) const;
+  double work_of_faces(const Crack<2>& crack, const CrackTip& tip, const TipDomain& tip_domain) const;
+  std::array<double, 2> work_of_faces_in_modes(const Crack<2>& crack, const CrackTip& tip, const TipDomain& tip_domain,
                                                const ElasticModuli& moduli) const;
   std::optional<double> angle_of_growth(const Crack<2>& crack, const CrackTip& tip) const;
   void extend(std::size_t crack, CrackTip& tip, double angle);
@@ -51,10 +54,10 @@ class CrackTips<2> {
   const Model& model_;
   System<2>& system_;
   const Cracks<2>& cracks_;
-  NodesAround<2> around_;
+  NodesAround<2> nodes_around_;
   bool active_;
   double cell_;
-  int beyond_;                                        ///< cells by which a crack goes on beyond a surface
+  int extension_cells_;  ///< number of cells by which a crack is extended beyond the surface of a body
   std::vector<std::optional<ElasticModuli>> moduli_;  ///< by body
 };
 

@@ -15,12 +15,12 @@ Cracks<Dim>::Cracks(const Model& model, System<Dim>& system, const Transfers<Dim
       system_(system),
       transfers_(transfers),
       width_(transfers.stencil_width()),
-      around_(model, system.lattice),
+      nodes_around_(model, system.lattice),
       list_of_(active() ? static_cast<std::size_t>(system_.lattice.block_count()) : 0, -1) {}
 
 namespace {
 
-// Calls f(block) for all blocks of a lattice that a box touches.
+// Calls f(block) for all blocks of a lattice that intersect a box.
 template <int Dim, class F>
 void each_block(const Lattice<Dim>& lattice, const Vec<Dim>& low, const Vec<Dim>& high, F&& f) {
   each_in_box<Dim>(lattice.block_of(low), lattice.block_of(high),
@@ -29,13 +29,14 @@ void each_block(const Lattice<Dim>& lattice, const Vec<Dim>& low, const Vec<Dim>
 
 }  // namespace
 
-// Calls f for a piece and, near symmetry planes, for its images and theirs: a crack that ends there goes on beyond.
+// Calls f for a piece and, near symmetry planes, for its images and their images, so that a crack that ends on a plane
+// continues beyond it.
 template <int Dim>
 template <class F>
 void Cracks<Dim>::each_image(const PlacedPiece& piece, F&& f) const {
   std::vector<PlacedPiece> images{piece};
   for (std::size_t k = 0; k < images.size(); ++k)
-    for (const SymmetryPlane& plane : around_.planes()) {
+    for (const SymmetryPlane& plane : nodes_around_.planes()) {
       PlacedPiece image = images[k];
       for (auto& corner : image.corners) corner[plane.axis] = 2 * plane.at - corner[plane.axis];
       image.mirror[plane.axis] *= -1;
@@ -53,7 +54,7 @@ void Cracks<Dim>::each_image(const PlacedPiece& piece, F&& f) const {
   for (const PlacedPiece& image : images) f(image);
 }
 
-// A piece is listed at every block in which a way may begin or end that crosses it.
+// A piece is listed at every block that may contain an end of a segment that crosses it.
 template <int Dim>
 void Cracks<Dim>::register_piece(const PlacedPiece& piece) {
   const Vec<Dim> reach = (width_ + 1.0) * system_.lattice.spacing;
@@ -101,7 +102,7 @@ auto Cracks<Dim>::near(const Vec<Dim>& x) const -> const List& {
   return *found;
 }
 
-// Particles and cracks move by less than a cell between two sorts.
+// The margin includes the motion between two sorts, since particles and cracks then move by less than a cell.
 template <int Dim>
 void Cracks<Dim>::locate() {
   if (!active()) return;
@@ -132,7 +133,7 @@ void Cracks<Dim>::locate() {
 template <int Dim>
 void Cracks<Dim>::add_blocks(const Field<Dim>& field, std::vector<std::int64_t>& blocks) const {
   for (const auto& cut : cut_)
-    if (cut.body->field == field.home) blocks.push_back(cut.body->bins.list()[cut.bin].block);
+    if (cut.body->field == field.base_field) blocks.push_back(cut.body->bins.list()[cut.bin].block);
 }
 
 template <int Dim>
@@ -147,7 +148,7 @@ void Cracks<Dim>::find() {
   if (system_.cracks.size() > 1) number_node_cracks();
 }
 
-// Bits of the cracks that a way crosses an odd number of times.
+// Bits of the cracks that the segment crosses an odd number of times.
 template <int Dim>
 std::uint64_t Cracks<Dim>::crossed(const std::vector<const PlacedPiece*>& pieces, const Vec<Dim>& from,
                                    const Vec<Dim>& to) const {
@@ -160,7 +161,8 @@ std::uint64_t Cracks<Dim>::crossed(const std::vector<const PlacedPiece*>& pieces
   return out;
 }
 
-// With one crack what is crossed is a side; with several, number_node_cracks finds out which.
+// With one crack, a crossing gives the side directly. With several, number_node_cracks() converts the crossings into
+// sides.
 template <int Dim>
 void Cracks<Dim>::find_bin(Body<Dim>& body, const Bin& bin, CutBin& cut) {
   const std::uint32_t count = bin.end - bin.begin;
@@ -208,7 +210,8 @@ std::int64_t Cracks<Dim>::flat(const Index<Dim>& node) const {
   return n;
 }
 
-// Of the cracks that are seen from a node the two with the lowest numbers make its fields; others it does not feel.
+// Of the cracks between a node and its particles, the two with the lowest numbers define the fields of the node;
+// further cracks have no effect there.
 template <int Dim>
 void Cracks<Dim>::number_node_cracks() {
   constexpr int none = -1;

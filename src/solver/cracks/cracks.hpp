@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-/// Cracks in the grid: which field a particle gives to at a node, where faces meet, how they move.
+/// Cracks in the grid: the velocity field of each particle at each node, contact between the crack faces, and their
+/// motion.
 ///
-/// A particle gives to a node's own field unless the straight way between them crosses a crack; then to the field
-/// across. Each node so has one velocity on either side of up to two cracks. Nairn, CMES 4 (2003) 649-663.
+/// A particle belongs to the base field of a node unless the segment between them crosses a crack; then it belongs to
+/// an additional field. A node thus has a separate velocity on either side of up to two cracks. Nairn, CMES 4 (2003)
+/// 649-663.
 #pragma once
 
 #include "solver/exchange/exchange.hpp"
@@ -18,20 +20,20 @@ template <int Dim>
 class Cracks {
   using Points = typename Crack<Dim>::Piece;
   using Corners = std::array<Vec<Dim>, static_cast<std::size_t>(Dim)>;
-  /// A piece, or its image in a symmetry plane.
+  /// A piece of a crack, or its image in a symmetry plane.
   struct PlacedPiece {
     std::uint32_t crack, piece;
-    std::uint32_t bit;  // of the crack in its list
+    std::uint32_t bit;  // position of the crack in List::cracks
     Points points;
     Corners corners;
-    Vec<Dim> mirror;  // factors of vectors: -1 along the axes of the planes
+    Vec<Dim> mirror;  // factors of vector components: -1 along the normals of the symmetry planes of an image
     Vec<Dim> low, high;
 
-    /// Normal times area, to the upper side.
+    /// Area times the unit normal to the upper side.
     Vec<Dim> area() const { return Crack<Dim>::area(corners); }
     Vec<Dim> opening(const Crack<Dim>& of, std::size_t point) const { return mirror.cwiseProduct(of.opening(point)); }
   };
-  /// Pieces that ways from or to one block may cross, and their cracks.
+  /// Pieces that segments between particles and nodes near one block may cross, and the numbers of their cracks.
   struct List {
     std::vector<PlacedPiece> pieces;
     std::vector<std::uint32_t> cracks;
@@ -41,41 +43,44 @@ class Cracks {
   Cracks(const Model& model, System<Dim>& system, const Transfers<Dim>& transfers);
 
   bool active() const { return !system_.cracks.empty(); }
-  /// Finds the bins that cracks may cut until the next sort.
+  /// Finds the bins whose particles may have nodes on both sides of a crack until the next sort.
   void locate();
-  /// Blocks of the lattice that the across fields of a field need.
+  /// Appends to `blocks` the lattice blocks that `field`, an additional field of a crack, needs.
   void add_blocks(const Field<Dim>& field, std::vector<std::int64_t>& blocks) const;
-  /// Finds the sides of all particles near cracks; at the start of a step.
+  /// Finds the sides of all particles near cracks at the nodes of their stencils. To be called at the start of a step.
   void find();
-  /// Finds which nodes carry the faces; once the masses of a step are known, before meet().
-  void find_carrying_nodes();
-  /// Whether fields of these sides face each other across a crack of this node; if so the pair's law, normal, gap,
-  /// area, opening and memory. False if nothing acts between them.
+  /// Finds which nodes have mass on both sides of a crack and thus carry its tractions. To be called once the nodal
+  /// masses of a step are known and before find_faces().
+  void find_face_weights();
+  /// Sets the contact law, normal, gap, area, opening, slip and bond of a pair of fields with the given sides at a
+  /// node. Returns false if no crack with a contact law separates these fields at the node.
   bool find_faces(ContactPair& pair, const Index<Dim>& node, int side_a, int side_b) const;
-  /// Moves the faces with the velocities of the nodes.
+  /// Moves the crack faces with the nodal velocities over a time dt.
   void move(double dt);
-  /// The pieces that ways from a point to the nodes around it may cross.
+  /// The pieces that segments from a point to the nodes around it may cross.
   struct NearbyPieces {
     std::vector<const PlacedPiece*> close;
     const List* list = nullptr;
   };
+  /// Finds these pieces for the point x [length].
   void find_nearby(const Vec<Dim>& x, NearbyPieces& nearby) const;
-  /// Side, as in CutBin, on which a way ends at a node that begins in `x`, next to where look() was.
+  /// Side, as in CutBin, of the point x [length] at a node. `nearby`: result of find_nearby() for a point near x.
   int side_of_node(const NearbyPieces& nearby, const Vec<Dim>& x, const Index<Dim>& node) const;
-  /// Shows and remembers what a pair did at a node; begin() before the first of a step, end() after the last.
+  /// Stores the contact status, slip, bond and traction of a pair at a node for the points of the crack.
+  /// begin_record() is called before the first pair of a step and end_record() after the last.
   void begin_record();
   void record(const ContactPair& pair, const Index<Dim>& node);
   void end_record();
 
  private:
-  /// Where a crack is nearest to a point.
+  /// The closest point of a crack.
   struct Nearest {
     const PlacedPiece* piece = nullptr;
-    Vec<Dim> at, normal;            // to the upper side
-    std::array<double, Dim> share;  // of the corners
-    int side = 1;                   // the point's: 1 above
+    Vec<Dim> at, normal;            // closest point [length], unit normal to the upper side
+    std::array<double, Dim> share;  // barycentric coordinates of `at`
+    int side = 1;                   // side of the point from which the search started: 1 upper, -1 lower
   };
-  /// What the points of a crack say at a node, weighted by its shape function.
+  /// Averages over the crack points near a node, weighted by the shape function of the node.
   struct FaceAverages {
     double area = 0.0, gap = 0.0, slip = 0.0, bond = 0.0;
     Vec<Dim> opening = Vec<Dim>::Zero();
@@ -102,22 +107,24 @@ class Cracks {
   System<Dim>& system_;
   const Transfers<Dim>& transfers_;
   int width_;
-  NodesAround<Dim> around_;
-  /// Per crack, piece and point of its sums: over the share of the weight at nodes that both faces reach; 0: too small.
+  NodesAround<Dim> nodes_around_;
+  /// Per crack and integration point of its pieces: the sum of all shape functions divided by their sum over the nodes
+  /// with mass on both sides; 0 if the latter is too small.
   std::vector<std::vector<double>> weight_factor_;
   std::vector<List> lists_;
-  std::vector<int> list_of_;          ///< per lattice block: which of lists_, or -1
-  std::vector<std::int64_t> listed_;  ///< blocks that have one
+  std::vector<int> list_of_;          ///< per lattice block: its index in lists_, or -1
+  std::vector<std::int64_t> listed_;  ///< blocks with a list
   const List none_;
-  /// With several cracks: numbers of the first two at each node they touch.
+  /// With several cracks: numbers of the first two cracks at each node that is separated from particles by cracks.
   std::unordered_map<std::int64_t, std::array<int, 2>> node_cracks_;
   struct CutBinPlace {
     Body<Dim>* body;
     std::size_t bin;
   };
-  std::vector<CutBinPlace> cut_;  ///< all cut bins
+  std::vector<CutBinPlace> cut_;  ///< all bins near cracks
   struct PointRecord {
-    double area = 0.0, open = 0.0, slides = 0.0, sticks = 0.0, way = 0.0, whole = 0.0, broken = 0.0;
+    double area = 0.0, open_weight = 0.0, slip_weight = 0.0, stick_weight = 0.0, slip_length = 0.0, bonded = 0.0,
+           broken = 0.0;
     Vec<Dim> force = Vec<Dim>::Zero();
   };
   std::vector<std::vector<PointRecord>> records_;  ///< scratch: per crack and point

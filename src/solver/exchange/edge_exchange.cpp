@@ -55,8 +55,8 @@ void EdgeExchange<Dim>::locate(const BlockMap<Dim>& map) {
   }
 }
 
-// Particles reach two nodes beyond a plane. They may cross a periodic edge between two sorts and then reach three
-// nodes.
+// The stencils of particles extend up to two nodes beyond a plane, and up to three beyond a periodic edge, which
+// particles may cross between two sorts.
 template <int Dim>
 auto EdgeExchange<Dim>::image_of(const Plane& plane, std::int64_t at, Index<Dim> node, const BlockMap<Dim>& map) const
     -> std::optional<Image> {
@@ -109,7 +109,7 @@ void EdgeExchange<Dim>::sum_images(NodeNumbers nodes, ImageValues values) const 
       else
         store4(image + 4, Vec4{});
     }
-    // Nodes on planes are their own mirror images, once all images of their axis have been added.
+    // Nodes on planes are their own mirror images. They are doubled once all images of their axis have been added.
     if (p + 1 < planes_.size() && planes_[p + 1].axis == plane.axis) continue;
     for (const OnPlane& on : mirror_nodes_[plane.axis]) {
       double* node = nodes[static_cast<std::size_t>(on.node)];
@@ -168,7 +168,8 @@ void EdgeExchange<Dim>::begin_step() {
 
 template <int Dim>
 void EdgeExchange<Dim>::add_plane_reactions(const NodeLayer& nodes) {
-  // A node inside receives the difference of its own force and the image's force; a node on the plane keeps none.
+  // In the normal direction, a node inside receives its own force minus that of its image, and a node on the plane
+  // receives no force.
   for (std::size_t p = 0; p < planes_.size(); ++p)
     if (planes_[p].kind == Edge::symmetry)
       for (const Image& i : images_[p])

@@ -9,7 +9,7 @@
 
 namespace tribo {
 
-/// A grid whose edges have no images: every node stands for itself.
+/// The exchange of a grid without images.
 template <int Dim>
 class OpenExchange final : public Exchange<Dim> {
  public:
@@ -25,11 +25,12 @@ class OpenExchange final : public Exchange<Dim> {
   double plane_reaction(int, int) const override { return 0.0; }
 };
 
-/// Symmetry planes, walls and periodic edges. A symmetry plane adds the mirror image. A wall gives the
-/// boundary-modified shape functions, in which the node k beyond the wall stands for (k+1) v0 - k v1 of the first two
-/// nodes inside (Steffen, Kirby & Berzins, Int. J. Numer. Meth. Engng 76 (2008) 922-948); it is exact for linear
-/// fields. On a periodic axis the nodes from the lowest to the last but one stand for all nodes that are a whole number
-/// of periods away.
+/// The exchange of a grid with symmetry planes, walls or periodic edges. A symmetry plane adds the mirror image. A
+/// wall yields the boundary-modified shape functions, in which the k-th node beyond the wall has the value (k+1) v0 -
+/// k v1 of the first two nodes inside (Steffen, Kirby & Berzins, Int. J. Numer. Meth. Engng 76 (2008) 922-948); it is
+/// exact for linear
+/// fields. On a periodic axis the nodes from the lowest to the last but one represent all nodes at a distance of a
+/// whole number of periods.
 template <int Dim>
 class EdgeExchange final : public Exchange<Dim> {
  public:
@@ -54,11 +55,11 @@ class EdgeExchange final : public Exchange<Dim> {
  private:
   enum class Edge { symmetry, wall, period };
   struct Plane {
-    int axis, node, inward;  // inward: +1 at the low end, -1 at the high end; of a period its number of cells
+    int axis, node, inward;  // inward: +1 at the low end, -1 at the high end; for a period, its number of cells
     Edge kind;
   };
-  // An image node k beyond a plane, with its plane node and the node inside that it stands for in a mirror or a period,
-  // or the first node behind a wall.
+  // An image `depth` nodes beyond a plane, with the node on the plane, and the node inside: its counterpart for a
+  // mirror or a period, or the first node inside of a wall.
   struct Image {
     std::int64_t image, plane, inside;
     int depth;

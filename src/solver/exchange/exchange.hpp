@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-/// Which nodes of a velocity field stand for each other, who owns a node, and how sums over nodes are formed.
+/// Nodes of a velocity field that represent the same degrees of freedom, the ownership of nodes, and sums over nodes.
 ///
 /// A scatter also writes to nodes beyond symmetry planes, walls and periodic edges. These nodes are images: their
-/// values belong to nodes inside. After every scatter the values of the images are added to the nodes inside
+/// values are contributions to nodes inside. After every scatter the values of the images are added to the nodes
+/// inside
 /// (sum_images); before every gather the images receive the values of the nodes inside (copy_images). All sums over
-/// nodes weight a node with its ownership, so that a node that several images or several machines hold counts once.
+/// nodes weight a node with its ownership, so that the mass of a node is counted once.
 #pragma once
 
 #include "solver/state/energy_ledger.hpp"
@@ -15,15 +16,16 @@
 
 namespace tribo {
 
-/// What a layer of nodes holds, which decides how its images are treated.
+/// The kind of nodal values, which determines the treatment of images.
 enum class ImageValues {
-  vectors,  ///< mass, momentum (or velocity) and force (or acceleration): components turn over in a mirror
+  /// Mass, momentum (or velocity) and force (or acceleration): normal components change sign in a mirror image.
+  vectors,
   forces,   ///< the same, but only the forces were scattered since the last sum
-  scalars,  ///< no component turns over in a mirror
+  scalars,  ///< no component changes sign in a mirror image
   cells     ///< values of cells, stored at their lowest node: only periodic edges have images
 };
 
-/// The exchange between the nodes of one velocity field.
+/// The exchange of values between images and the nodes inside, for one velocity field.
 template <int Dim>
 class Exchange {
  public:
@@ -31,29 +33,29 @@ class Exchange {
 
   /// Finds the images among the blocks that exist; to be called after every change of the field's map.
   virtual void locate(const BlockMap<Dim>& map) = 0;
-  /// Adds the values of the images to the nodes that they stand for, and sets them to zero.
+  /// Adds the values of the images to the nodes inside, and sets the images to zero.
   virtual void sum_images(NodeNumbers nodes, ImageValues values = ImageValues::vectors) const = 0;
-  /// Gives the images the values of the nodes that they stand for: the transpose of sum_images.
+  /// Copies the values of the nodes inside to their images: the transpose of sum_images.
   virtual void copy_images(NodeNumbers nodes, ImageValues values = ImageValues::vectors) const = 0;
-  /// The share with which a node (its position in the layers) counts in sums over nodes: a node on a symmetry plane
-  /// also carries the mass of its mirror image and counts one half for every such plane.
+  /// The weight of a node (its position in the nodal arrays) in sums over nodes. A node on a symmetry plane also
+  /// carries the mass of its mirror image, so its weight is reduced by one half for every such plane.
   virtual double ownership(std::int64_t node) const = 0;
-  /// Whether this node is an image, so that sum_images empties it.
+  /// Whether this node is an image, which sum_images sets to zero.
   virtual bool is_image(const Index<Dim>& node) const = 0;
   /// Bit d is set if a symmetry plane normal to axis d passes through this node.
   virtual int mirrored_axes(const Index<Dim>& node) const = 0;
 
-  /// Forgets the reactions of the symmetry planes at the start of a step.
+  /// Sets the reactions of the symmetry planes to zero at the start of a step.
   virtual void begin_step() = 0;
   /// Adds the scattered forces that cross the symmetry planes to the reactions; to be called before sum_images.
   virtual void add_plane_reactions(const NodeLayer& nodes) = 0;
-  /// Removes velocities and accelerations normal to symmetry planes at the nodes on them; what forces such as gravity
-  /// put there is added to the reactions.
+  /// Sets the velocities and accelerations normal to symmetry planes to zero at the nodes on them. The corresponding
+  /// forces, for example by gravity, are added to the reactions.
   virtual void hold_planes(NodeLayer& nodes) = 0;
   /// Force of the symmetry plane at the low (0) or high (1) end of an axis on the material since begin_step() [force].
   virtual double plane_reaction(int axis, int side) const = 0;
 
-  /// Total of sums that were formed block by block, added in the order of the blocks: the same for any number of
+  /// Total of the sums of all blocks, added in the order of the blocks, so that it does not depend on the number of
   /// threads.
   WorkAndImpulse total(std::span<const WorkAndImpulse> by_block) const {
     WorkAndImpulse sum = WorkAndImpulse::Zero();

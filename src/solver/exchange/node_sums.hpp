@@ -15,7 +15,7 @@ class NodeSums {
  public:
   NodeSums(System<Dim>& system, const Exchanges<Dim>& exchanges) : system_(system), exchanges_(exchanges) {}
 
-  /// Sum of term(position in the layers, node), weighted by ownership, over the nodes of field f that have mass.
+  /// Sum of term(position in the nodal arrays, node), weighted by ownership, over the nodes of field f with mass.
   template <class F>
   WorkAndImpulse operator()(std::size_t f, F&& term) {
     auto& field = system_.fields[f];

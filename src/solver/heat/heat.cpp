@@ -33,7 +33,7 @@ void HeatConduction<Dim>::locate() {
 template <int Dim>
 void HeatConduction<Dim>::conduct(double dt, const Contact<Dim>& contact, const Exchanges<Dim>& exchanges) {
   if (!active_) return;
-  if (system_.step == 0) {  // no step before this one gave the particles a gradient
+  if (system_.step == 0) {  // there is no previous step that computed the particle gradients
     find_rates(0.0, contact, exchanges);
     equalize_contact(contact);
     update_particles(0.0, exchanges);
@@ -42,7 +42,7 @@ void HeatConduction<Dim>::conduct(double dt, const Contact<Dim>& contact, const 
   equalize_contact(contact);
   impose_temperatures(dt, exchanges);
   update_particles(dt, exchanges);
-  reduce_detail(dt, contact, exchanges);
+  reduce_residual(dt, contact, exchanges);
 }
 
 template <int Dim>
@@ -53,7 +53,8 @@ void HeatConduction<Dim>::scatter(Scatter what) {
   }
 }
 
-// Temperatures of the nodes and, from the gradients of the particles and fluxes through their faces, their rates.
+// Nodal temperatures and, from the gradients of the particles and the fluxes through their faces, their rates of
+// change.
 template <int Dim>
 void HeatConduction<Dim>::find_rates(double dt, const Contact<Dim>& contact, const Exchanges<Dim>& exchanges) {
   scatter(Scatter::heat);
@@ -91,8 +92,9 @@ void HeatConduction<Dim>::add_flux(double dt, const ParticleCondition& condition
   supplied += dt * whole;
 }
 
-// The work of sliding becomes heat where it is done, on the face; each side takes its share by capacity, which is no
-// matter as they have one temperature there. Rigid bodies take none.
+// Frictional work becomes heat on the contact face. It is divided between the two sides in proportion to their heat
+// capacities; since both have the same temperature there, the division does not affect the result. Rigid bodies
+// receive no heat.
 template <int Dim>
 void HeatConduction<Dim>::add_friction_heat(double dt, const Contact<Dim>& contact, const Exchanges<Dim>& exchanges) {
   contact.each_closed_pair([&](const ContactPair& pair, const ContactMember& a, const ContactMember& b, double share) {
@@ -113,8 +115,8 @@ void HeatConduction<Dim>::add_friction_heat(double dt, const Contact<Dim>& conta
   });
 }
 
-// Where faces touch, both nodes take the mean temperature and the mean rate, weighted by their capacities. Means of
-// pairs converge to the mean of all where three bodies meet.
+// At closed contact pairs, both fields get the mean temperature and the mean rate, weighted by their heat capacities.
+// Where three or more bodies are in contact at a node, repeated averaging of the pairs converges to the mean of all.
 template <int Dim>
 void HeatConduction<Dim>::equalize_contact(const Contact<Dim>& contact) {
   static constexpr int most_sweeps = 20;
@@ -136,8 +138,8 @@ void HeatConduction<Dim>::equalize_contact(const Contact<Dim>& contact) {
   }
 }
 
-// As with velocities, rates follow the prescribed values; only in the first step does the difference count that the
-// particles began with.
+// As with velocities, the rates follow from the change of the prescribed temperature. Only in the first step, the rate
+// includes the difference between the initial nodal temperature and the prescribed one.
 template <int Dim>
 void HeatConduction<Dim>::impose_temperatures(double dt, const Exchanges<Dim>& exchanges) {
   for (const PrescribedTemperature& node_condition : prescribed_) {
@@ -159,7 +161,7 @@ void HeatConduction<Dim>::impose_temperatures(double dt, const Exchanges<Dim>& e
   }
 }
 
-// Rates to the particles, with the gradient of the temperatures at the end of the step.
+// Interpolates the rates to the particles, and the temperature gradient at the end of the step.
 template <int Dim>
 void HeatConduction<Dim>::update_particles(double dt, const Exchanges<Dim>& exchanges) {
   Gather what;
@@ -180,19 +182,20 @@ void HeatConduction<Dim>::update_particles(double dt, const Exchanges<Dim>& exch
 }
 
 template <int Dim>
-void HeatConduction<Dim>::reduce_detail(double dt, const Contact<Dim>& contact, const Exchanges<Dim>& exchanges) {
-  static constexpr double least_share = 0.25;  // so that it costs little where steps are short
+void HeatConduction<Dim>::reduce_residual(double dt, const Contact<Dim>& contact, const Exchanges<Dim>& exchanges) {
+  // a larger threshold means fewer sweeps over the particles if steps are short
+  static constexpr double least_share = 0.25;
   time_since_reduction += dt;
   const double h = system_.lattice.smallest_spacing();
   double most = 0.0;
   for (auto& body : system_.bodies) {
-    body.detail_share =
+    body.residual_share =
         std::min(1.0, time_since_reduction * body.conductivity / (body.law->density() * body.heat_capacity * h * h));
-    most = std::max(most, body.detail_share);
+    most = std::max(most, body.residual_share);
   }
   if (most < least_share) return;
   time_since_reduction = 0.0;
-  scatter(Scatter::heat_detail);
+  scatter(Scatter::heat_residual);
   for (std::size_t f = 0; f < system_.fields.size(); ++f) {
     auto& nodes = system_.fields[f].heat;
     exchanges[f]->sum_images(nodes, ImageValues::scalars);
@@ -201,7 +204,7 @@ void HeatConduction<Dim>::reduce_detail(double dt, const Contact<Dim>& contact, 
   }
   equalize_contact(contact);
   Gather what;
-  what.task = GatherTask::temperature_detail;
+  what.task = GatherTask::temperature_residual;
   for (std::size_t f = 0; f < system_.fields.size(); ++f)
     exchanges[f]->copy_images(system_.fields[f].heat, ImageValues::scalars);
   for (auto& body : system_.bodies) {

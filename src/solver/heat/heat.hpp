@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: MIT
-/// Conduction of heat between the particles of each velocity field, and across the contact of two.
+/// Heat conduction within each velocity field, and between two fields in contact.
 ///
 ///   C_I T_I = sum_p w_Ip m_p c (T_p + (x_I - x_p) . grad T_p),      C_I = sum_p w_Ip m_p c
 ///   C_I dT_I/dt = sum_p V_p q_p . grad w_Ip + sources,              q = -k grad T
 ///   T_p <- T_p + dt sum_I w_Ip dT_I/dt
 ///
-/// Explicit, with the gradient that the nodes gave the particles at the end of the step before: the counterpart of
-/// the momentum balance with stress last. Nairn & Guilkey, Int. J. Numer. Meth. Engng 102 (2015) 1347-1372. What
-/// differs within a cell is not seen by the nodes; it dies out at the rate of conduction in a cell, s = t k / (rho c
-/// h^2):
+/// The scheme is explicit and uses the particle gradients from the end of the previous step, like the momentum balance
+/// with stress updated last. Nairn & Guilkey, Int. J. Numer. Meth. Engng 102 (2015) 1347-1372. The temperature
+/// residual (1 - S S+) T_p, the particle temperature minus the interpolated nodal temperature, does not affect the
+/// nodes. It is reduced at the rate of conduction within a cell, by the fraction s = t k / (rho c h^2):
 ///
 ///   T_p <- T_p - (1 - S S+) s (1 - S S+) T_p
 ///
-/// Both keep the heat m c T of the particles to round-off.
+/// S interpolates from nodes to particles, and S+ is the mass-weighted average from particles to nodes. Both updates
+/// conserve the heat m c T of the particles to round-off.
 #pragma once
 
 #include "solver/contact/contact.hpp"
@@ -20,22 +21,24 @@
 
 namespace tribo {
 
+/// Explicit heat conduction, one step at a time.
 template <int Dim>
 class HeatConduction {
  public:
-  /// Throws InputError for a condition that selects no node.
+  /// Throws InputError if a temperature condition selects no node.
   HeatConduction(const Model& model, System<Dim>& system, const Transfers<Dim>& transfers);
 
   bool active() const { return active_; }
-  /// Makes room on the present nodes; after every change of the fields' maps.
+  /// Allocates the nodal temperatures. To be called after every change of the block maps of the fields.
   void locate();
-  /// One step of the temperatures, with the particles still where the step found them. Sliding contact gives its work
-  /// of this step as heat if the model says so. Faces that touch have one temperature; faces apart exchange nothing.
+  /// Advances the temperatures by a time step dt, with the particles at their positions at the start of the step.
+  /// Frictional work of this step becomes heat if the model requests it. Closed contact faces have the same
+  /// temperature; open ones exchange no heat.
   void conduct(double dt, const Contact<Dim>& contact, const Exchanges<Dim>& exchanges);
 
-  double supplied = 0.0;              ///< heat that came in through conditions so far    [energy]
-  double from_contact = 0.0;          ///< heat from sliding contact so far               [energy]
-  double time_since_reduction = 0.0;  ///< time since the detail was last reduced [time]
+  double supplied = 0.0;      ///< heat supplied by boundary conditions since the start of the run    [energy]
+  double from_contact = 0.0;  ///< heat from frictional sliding since the start of the run               [energy]
+  double time_since_reduction = 0.0;  ///< time since the temperature residual was last reduced [time]
 
   friend void archive(Archive& a, HeatConduction& heat) {
     auto& [supplied, from_contact, time_since_reduction, model, system, transfers, active, prescribed] = heat;
@@ -56,7 +59,7 @@ class HeatConduction {
   void equalize_contact(const Contact<Dim>& contact);
   void impose_temperatures(double dt, const Exchanges<Dim>& exchanges);
   void update_particles(double dt, const Exchanges<Dim>& exchanges);
-  void reduce_detail(double dt, const Contact<Dim>& contact, const Exchanges<Dim>& exchanges);
+  void reduce_residual(double dt, const Contact<Dim>& contact, const Exchanges<Dim>& exchanges);
   void scatter(Scatter what);
 
   const Model& model_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// What joints between bodies have of their own: who feels them, and rigid bodies on one side.
+/// Functions for joints between bodies only: the range of the joints, and rigid bodies on one side.
 
 #include "solver/joints/joints.hpp"
 
@@ -7,7 +7,7 @@
 #include <cmath>
 
 namespace tribo {
-// Lists the points between bodies by blocks.
+// Lists the joints between bodies by lattice blocks.
 template <int Dim>
 void Joints<Dim>::list_points() {
   for (const auto block : listed_blocks_) points_of_block_[static_cast<std::size_t>(block)].clear();
@@ -33,7 +33,7 @@ auto Joints<Dim>::nearest_joint(std::size_t a, std::size_t b, const Vec<Dim>& x)
   const auto list_joints_of = [&](const Index<Dim>& block) {
     for (const PointOf& point : points_of_block_[static_cast<std::size_t>(system_.lattice.block_index(block))]) {
       const JointSurface<Dim>& surface = system_.joints[point.surface];
-      const auto& [one, two] = surface.home;
+      const auto& [one, two] = surface.field;
       if (!((one == a && two == b) || (one == b && two == a))) continue;
       const Vec<Dim> from = x - surface.x[point.joint], n = surface.axes[point.joint].n.template head<Dim>();
       if (!(from.cwiseAbs().maxCoeff() <= reach_)) continue;
@@ -45,14 +45,15 @@ auto Joints<Dim>::nearest_joint(std::size_t a, std::size_t b, const Vec<Dim>& x)
   return out;
 }
 
-// Joints push rigid bodies, too, which do not give way but keep their motion.
+// Records work and impulse of rigid bodies, whose motion is prescribed, on the joints.
 template <int Dim>
 void Joints<Dim>::record_rigid_work(std::size_t s, const std::vector<Vec3>& before, double dt) {
   const JointSurface<Dim>& surface = system_.joints[s];
   for (std::size_t f = 0; f < 2; ++f)
     for (std::size_t k = 0; k < surface.joints.size() && rigid(surface, f); ++k) {
       if (!is_supported(s, k)) continue;
-      const double sign = f == 0 ? 1.0 : -1.0;  // what it gives is opposite to what acts on it
+      // the force of the rigid body is opposite to the joint force on it
+      const double sign = f == 0 ? 1.0 : -1.0;
       const Vec3 mean = 0.5 * (before[k] + surface.force(k));
       Vec3 velocity = Vec3::Zero();
       velocity.template head<Dim>() = surfaces_[s].motion[k][f].velocity;

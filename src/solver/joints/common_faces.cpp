@@ -10,11 +10,11 @@
 namespace tribo {
 namespace {
 
-constexpr double closest = 0.05;         // faces that touch are not farther apart [cells]
-constexpr double opposite = 0.866;       // cosine of the angle that their normals may differ by
-constexpr double most_of_a_point = 0.5;  // [cells]
+constexpr double largest_gap = 0.05;    // largest distance between two sides with a common face [cells]
+constexpr double least_cosine = 0.866;  // cosine of the largest angle between their normals
+constexpr double largest_piece = 0.5;   // largest edge of a piece [cells]
 
-/// A side of a particle's domain: a stretch or a parallelogram.
+/// A side of a particle domain: a segment in two dimensions, a parallelogram in three.
 template <int Dim>
 struct DomainSide {
   Vec<Dim> middle, normal;                   // outwards
@@ -23,7 +23,7 @@ struct DomainSide {
 
   Vec<Dim> extent() const { return half.cwiseAbs().rowwise().sum(); }
   double largest() const { return 2 * half.colwise().norm().maxCoeff(); }
-  /// How far a line along n through `at` goes until it meets the plane of the side.
+  /// Signed distance from `at` to the plane of the side along n.
   double height(const Vec<Dim>& at, const Vec<Dim>& n) const { return (middle - at).dot(normal) / n.dot(normal); }
 };
 
@@ -60,16 +60,17 @@ void each_part(const DomainSide<Dim>& side, double most, F&& f) {
     }
 }
 
-/// A place between two sides, anywhere along the normal, and the size of what they share around it.
+/// A point of the intersection of two sides, projected along the normal, and the length or area that it represents.
 template <int Dim>
-using Shared = std::pair<Vec<Dim>, double>;
+using OverlapPoint = std::pair<Vec<Dim>, double>;
 
-std::vector<Shared<2>> in_common(const DomainSide<2>& a, const DomainSide<2>& b, const Vec<2>& n, double nothing) {
+std::vector<OverlapPoint<2>> overlap(const DomainSide<2>& a, const DomainSide<2>& b, const Vec<2>& n,
+                                     double negligible) {
   const Vec<2> t(-n[1], n[0]);
   const auto reach = [&](const DomainSide<2>& side) { return std::abs(side.half.col(0).dot(t)); };
   const double low = std::max(a.middle.dot(t) - reach(a), b.middle.dot(t) - reach(b)),
                high = std::min(a.middle.dot(t) + reach(a), b.middle.dot(t) + reach(b));
-  if (high - low <= nothing) return {};
+  if (high - low <= negligible) return {};
   const Vec<2> middle = a.middle + (0.5 * (low + high) - a.middle.dot(t)) * t;
   const double gauss = (high - low) / std::sqrt(12.0);
   return {{middle - gauss * t, 0.5 * (high - low)}, {middle + gauss * t, 0.5 * (high - low)}};
@@ -78,8 +79,8 @@ std::vector<Shared<2>> in_common(const DomainSide<2>& a, const DomainSide<2>& b,
 using Polygon = std::vector<Tangent>;
 double cross(const Tangent& a, const Tangent& b) { return a.s * b.t - a.t * b.s; }
 
-/// What lies to the left of the way from p to q (Sutherland and Hodgman, Comm. ACM 17, 1974).
-Polygon left_of(const Polygon& polygon, const Tangent& p, const Tangent& q) {
+/// Clips a polygon to the half plane to the left of the line from p to q (Sutherland and Hodgman, Comm. ACM 17, 1974).
+Polygon clip(const Polygon& polygon, const Tangent& p, const Tangent& q) {
   Polygon out;
   for (std::size_t k = 0; k < polygon.size(); ++k) {
     const Tangent &from = polygon[k], &to = polygon[(k + 1) % polygon.size()];
@@ -90,7 +91,7 @@ Polygon left_of(const Polygon& polygon, const Tangent& p, const Tangent& q) {
   return out;
 }
 
-std::vector<Shared<3>> in_common(const DomainSide<3>& a, const DomainSide<3>& b, const Vec3& n, double nothing) {
+std::vector<OverlapPoint<3>> overlap(const DomainSide<3>& a, const DomainSide<3>& b, const Vec3& n, double negligible) {
   const JointAxes axes = JointAxes::of_normal(n);
   const auto outline = [&](const DomainSide<3>& side) {
     Tangent u = axes.tangent(side.half.col(0)), v = axes.tangent(side.half.col(1));
@@ -100,14 +101,14 @@ std::vector<Shared<3>> in_common(const DomainSide<3>& a, const DomainSide<3>& b,
   };
   Polygon common = outline(a);
   const Polygon other = outline(b);
-  for (std::size_t k = 0; k < other.size(); ++k) common = left_of(common, other[k], other[(k + 1) % other.size()]);
+  for (std::size_t k = 0; k < other.size(); ++k) common = clip(common, other[k], other[(k + 1) % other.size()]);
   if (common.size() < 3) return {};
   const PolygonMoments found = polygon_moments(common);
-  if (found.area <= nothing * nothing) return {};
+  if (found.area <= negligible * negligible) return {};
   return {{a.middle + axes.vector(found.centroid), found.area}};
 }
 
-/// Thickness of a particle, all along the third direction in two dimensions.
+/// Thickness of a particle in the third direction in two dimensions; 1 in three dimensions.
 template <int Dim>
 double thickness(Body<Dim>& body, std::uint32_t i, const ParticleDomain<Dim>& domain) {
   return Dim == 2 ? body.particles.volume()[i] / std::abs(4 * domain.axes.determinant()) : 1.0;
@@ -118,7 +119,7 @@ double thickness(Body<Dim>& body, std::uint32_t i, const ParticleDomain<Dim>& do
 template <int Dim>
 std::vector<CommonFacePiece<Dim>> common_face_pieces(const Model& model, System<Dim>& system, Body<Dim>& a,
                                                      Body<Dim>& b) {
-  const double h = system.lattice.spacing.maxCoeff(), near = closest * h;
+  const double h = system.lattice.spacing.maxCoeff(), near = largest_gap * h;
   const auto box = [&](Body<Dim>& body) {
     Vec<Dim> low = Vec<Dim>::Constant(std::numeric_limits<double>::infinity()), high = -low;
     for (std::size_t i = 0; i < body.particles.size(); ++i)
@@ -129,9 +130,9 @@ std::vector<CommonFacePiece<Dim>> common_face_pieces(const Model& model, System<
   const auto [low_b, high_b] = box(b);
   const Vec<Dim> margin = Vec<Dim>::Constant(2 * h), low = low_a.cwiseMax(low_b) - margin,
                  high = high_a.cwiseMin(high_b) + margin;
-  std::array<BodyOccupancy<Dim>, 2> matter{BodyOccupancy<Dim>(model, system.lattice, low, high),
-                                           BodyOccupancy<Dim>(model, system.lattice, low, high)};
-  matter[0].add(a), matter[1].add(b);
+  std::array<BodyOccupancy<Dim>, 2> occupancy{BodyOccupancy<Dim>(model, system.lattice, low, high),
+                                              BodyOccupancy<Dim>(model, system.lattice, low, high)};
+  occupancy[0].add(a), occupancy[1].add(b);
 
   const auto each_near = [&](Body<Dim>& body, auto&& f) {
     const DomainReader<Dim> domains(body);
@@ -153,19 +154,19 @@ std::vector<CommonFacePiece<Dim>> common_face_pieces(const Model& model, System<
   std::vector<std::uint32_t> candidates;
   std::uint32_t number = 0;
   const Vec<Dim> around = Vec<Dim>::Constant(near);
-  const auto meet = [&](const DomainSide<Dim>& one, const DomainSide<Dim>& two) {
-    if (-one.normal.dot(two.normal) < opposite) return;
+  const auto add_pieces = [&](const DomainSide<Dim>& one, const DomainSide<Dim>& two) {
+    if (-one.normal.dot(two.normal) < least_cosine) return;
     const Vec<Dim> n = (one.normal - two.normal).normalized();
-    for (const auto& [at, size] : in_common(one, two, n, 1e-9 * h)) {
+    for (const auto& [at, size] : overlap(one, two, n, 1e-9 * h)) {
       const double below = one.height(at, n), above = two.height(at, n);
       if (std::abs(above - below) > near) continue;
       CommonFacePiece<Dim> piece;
       piece.x = at + 0.5 * (below + above) * n, piece.n = n;
-      // sides within a body, where two bodies lie over each other, are no faces
-      if (matter[0].at(piece.x + near * n) || matter[1].at(piece.x - near * n)) continue;
+      // a side inside of the other body, where two bodies overlap, is no face
+      if (occupancy[0].contains(piece.x + near * n) || occupancy[1].contains(piece.x - near * n)) continue;
       piece.area =
           size * (model.analysis == Analysis::axisymmetric ? piece.x[0] : std::min(one.thickness, two.thickness));
-      piece.size = std::max(one.largest(), two.largest()), piece.side_of = number;
+      piece.size = std::max(one.largest(), two.largest()), piece.side_number = number;
       out.push_back(piece);
     }
   };
@@ -176,8 +177,8 @@ std::vector<CommonFacePiece<Dim>> common_face_pieces(const Model& model, System<
     if (candidates.empty()) return;
     std::sort(candidates.begin(), candidates.end());
     candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
-    each_part<Dim>(side, most_of_a_point * h, [&](const DomainSide<Dim>& part) {
-      for (const auto k : candidates) meet(part, sides_b[k]);
+    each_part<Dim>(side, largest_piece * h, [&](const DomainSide<Dim>& part) {
+      for (const auto k : candidates) add_pieces(part, sides_b[k]);
       ++number;
     });
   });
@@ -185,23 +186,23 @@ std::vector<CommonFacePiece<Dim>> common_face_pieces(const Model& model, System<
 }
 
 template <int Dim>
-void level_steps(const Lattice<Dim>& lattice, std::vector<CommonFacePiece<Dim>>& pieces) {
+void smooth_steps(const Lattice<Dim>& lattice, std::vector<CommonFacePiece<Dim>>& pieces) {
   const double h = lattice.spacing.maxCoeff();
   const std::array radii{2.5 * h, 1.5 * h};
-  const std::vector<CommonFacePiece<Dim>> raw = pieces;
+  const std::vector<CommonFacePiece<Dim>> original = pieces;
   CellTable<Dim, std::uint32_t> table(lattice);
-  for (std::uint32_t k = 0; k < raw.size(); ++k) table.add(raw[k].x, raw[k].x, k);
+  for (std::uint32_t k = 0; k < original.size(); ++k) table.add(original[k].x, original[k].x, k);
   for (CommonFacePiece<Dim>& piece : pieces) {
     const auto each_around = [&](double radius, auto&& f) {
       const Vec<Dim> reach = Vec<Dim>::Constant(radius);
       table.each(piece.x - reach, piece.x + reach, [&](std::uint32_t k) {
-        const double share = (raw[k].x - piece.x).squaredNorm() / (radius * radius);
-        if (share < 1) f(raw[k], (1 - share) * (1 - share) * raw[k].area);
+        const double share = (original[k].x - piece.x).squaredNorm() / (radius * radius);
+        if (share < 1) f(original[k], (1 - share) * (1 - share) * original[k].area);
       });
     };
     const CommonFacePiece<Dim> own = piece;
     bool stepped = false;
-    each_around(radii[0], [&](const auto& other, double) { stepped = stepped || other.n.dot(own.n) < opposite; });
+    each_around(radii[0], [&](const auto& other, double) { stepped = stepped || other.n.dot(own.n) < least_cosine; });
     for (std::size_t r = 0; stepped && r < radii.size(); ++r) {
       Vec<Dim> n = Vec<Dim>::Zero(), centre = n;
       double total = 0.0, highest = 0.0;
@@ -212,7 +213,7 @@ void level_steps(const Lattice<Dim>& lattice, std::vector<CommonFacePiece<Dim>>&
       n.normalize(), centre /= total;
       each_around(radii[r],
                   [&](const auto& other, double) { highest = std::max(highest, std::abs((other.x - centre).dot(n))); });
-      // the steps of a stair, and round faces of a radius of five cells; a corner's legs are higher
+      // this height admits steps and curved faces with a radius of at least five cells; corners exceed it
       if (highest > 0.5 * own.size + 0.1 * h) continue;
       piece.n = n, piece.x = own.x - (own.x - centre).dot(n) * n;
       piece.area = own.area * std::max(0.0, own.n.dot(n));
@@ -224,7 +225,7 @@ void level_steps(const Lattice<Dim>& lattice, std::vector<CommonFacePiece<Dim>>&
 
 template std::vector<CommonFacePiece<2>> common_face_pieces(const Model&, System<2>&, Body<2>&, Body<2>&);
 template std::vector<CommonFacePiece<3>> common_face_pieces(const Model&, System<3>&, Body<3>&, Body<3>&);
-template void level_steps(const Lattice<2>&, std::vector<CommonFacePiece<2>>&);
-template void level_steps(const Lattice<3>&, std::vector<CommonFacePiece<3>>&);
+template void smooth_steps(const Lattice<2>&, std::vector<CommonFacePiece<2>>&);
+template void smooth_steps(const Lattice<3>&, std::vector<CommonFacePiece<3>>&);
 
 }  // namespace tribo

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Where the particles of two bodies touch.
+/// The common face of two bodies, from the intersection of the sides of their particle domains.
 #pragma once
 
 #include "solver/state/system.hpp"
@@ -11,25 +11,28 @@ namespace tribo {
 /// A piece of the common face of two bodies.
 template <int Dim>
 struct CommonFacePiece {
-  Vec<Dim> x;               ///< halfway between the faces                                    [length]
-  Vec<Dim> n;               ///< unit normal out of the first body
-  double area = 0.0;        ///< as the model counts areas: with thickness, or per radian     [length^2]
-  double size = 0.0;        ///< largest edge of the particles                                [length]
-  std::uint32_t side_of{};  ///< pieces of one part of one side of a particle have the same number, one after the other
+  Vec<Dim> x;  ///< position halfway between the faces                                    [length]
+  Vec<Dim> n;  ///< unit normal out of the first body
+  /// Area, in plane analyses times the thickness, in axisymmetric ones per radian [length^2].
+  double area = 0.0;
+  double size = 0.0;  ///< largest edge of the two particle domains                                [length]
+  std::uint32_t
+      /// Number of the part of a side of the first body; consecutive pieces of the same part have the same number.
+      side_number{};
 };
 
-/// Pieces of the common face of two bodies, as their particles' domains lie now: where sides of domains are opposite
-/// each other, with normals that differ by less than 30 degrees, and closer than a twentieth of a cell. In two
-/// dimensions the points of Gauss's rule, in three the centroids of what two sides have in common; sums over pieces are
-/// exact for linear functions.
+/// Pieces of the common face of two bodies in the current configuration. Two sides of particle domains have a common
+/// face if they are opposite each other, their normals are antiparallel to within 30 degrees, and their distance is at
+/// most a twentieth of a cell. In two dimensions the pieces are the Gauss points of the intersection of two sides, in
+/// three its centroid; sums over the pieces are exact for linear functions.
 template <int Dim>
 std::vector<CommonFacePiece<Dim>> common_face_pieces(const Model& model, System<Dim>& system, Body<Dim>& a,
                                                      Body<Dim>& b);
 
-/// Levels steps: where sides of domains make a stair along a smooth face, all pieces get the place and normal of the
-/// plane through those around them and the area they cover of it. Flat faces, corners and curved faces stay as they
-/// are.
+/// Smooths stepped faces. Where the sides of particle domains approximate a smooth face by steps, each piece is
+/// projected to the mean plane of the pieces around it: it gets the normal of this plane, and its position and area
+/// are those of its projection. Flat faces, corners and curved faces do not change.
 template <int Dim>
-void level_steps(const Lattice<Dim>& lattice, std::vector<CommonFacePiece<Dim>>& pieces);
+void smooth_steps(const Lattice<Dim>& lattice, std::vector<CommonFacePiece<Dim>>& pieces);
 
 }  // namespace tribo

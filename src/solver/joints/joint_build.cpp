@@ -15,7 +15,7 @@ Body<Dim>& body_of(const Model& model, System<Dim>& system, int material, const 
                                model.materials[static_cast<std::size_t>(material)].name + "'");
 }
 
-/// Makes a joint of the pieces first to end - 1.
+/// Adds one joint that consists of the pieces first ... end - 1.
 template <int Dim>
 void add_joint(const std::vector<CommonFacePiece<Dim>>& pieces, std::size_t first, std::size_t end, double thickness,
                JointSurface<Dim>& surface) {
@@ -31,12 +31,12 @@ void add_joint(const std::vector<CommonFacePiece<Dim>>& pieces, std::size_t firs
   const auto number = static_cast<std::uint32_t>(surface.joints.size());
   surface.x.push_back(x / area), surface.axes.push_back(axes), surface.joints.push_back(surface.law->start(site));
   for (std::size_t k = first; k < end; ++k) {
-    Vec3 apart = Vec3::Zero();
-    apart.template head<Dim>() = pieces[k].x - surface.x.back();
-    const Tangent along = axes.tangent(apart);
+    Vec3 offset = Vec3::Zero();
+    offset.template head<Dim>() = pieces[k].x - surface.x.back();
+    const Tangent along = axes.tangent(offset);
     JointSample<Dim> sample;
-    sample.joint[0] = number, sample.part[0] = pieces[k].area / area;
-    sample.local = Vec3(apart.dot(axes.n), along.s, along.t);
+    sample.joint[0] = number, sample.area_fraction[0] = pieces[k].area / area;
+    sample.local = Vec3(offset.dot(axes.n), along.s, along.t);
     surface.samples.push_back(sample);
   }
 }
@@ -54,18 +54,18 @@ void add_interfaces(const Model& model, System<Dim>& system) {
     if (one.law->rigid() && two.law->rigid())
       throw InputError(joint.origin, both + " are rigid; a joint needs a body on one side that can move");
     auto pieces = common_face_pieces(model, system, one, two);
-    level_steps(system.lattice, pieces);
+    smooth_steps(system.lattice, pieces);
     if (pieces.empty())
-      throw InputError(joint.origin,
-                       both +
-                           " touch nowhere at the start, and a joint law joins faces that touch then: let them end on "
-                           "the same line, without a gap and without lying over each other, or "
-                           "take a contact law");
+      throw InputError(joint.origin, both +
+                                         " have no common face at the start, and a joint law acts only on faces in "
+                                         "contact then: let the bodies end on "
+                                         "the same line, without a gap or an overlap, or "
+                                         "take a contact law");
     JointSurface<Dim> surface;
     surface.law = joint.law.get();
-    surface.home = {one.field, two.field}, surface.material = {first, second};
+    surface.field = {one.field, two.field}, surface.material = {first, second};
     for (std::size_t begin = 0, end = 0; begin < pieces.size(); begin = end) {
-      while (end < pieces.size() && pieces[end].side_of == pieces[begin].side_of) ++end;
+      while (end < pieces.size() && pieces[end].side_number == pieces[begin].side_number) ++end;
       add_joint(pieces, begin, end, model.grid.thickness, surface);
     }
     surface.mass.fill(std::vector<double>(surface.samples.size(), 0.0));

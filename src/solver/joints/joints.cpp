@@ -11,28 +11,28 @@ namespace tribo {
 
 template <int Dim>
 Joints<Dim>::Joints(const Model& model, System<Dim>& system, const Cracks<Dim>& cracks)
-    : system_(system), cracks_(cracks), around_(model, system.lattice), surfaces_(system.joints.size()) {
-  // Particles give to nodes from so far away, with domains of up to a cell.
+    : system_(system), cracks_(cracks), nodes_around_(model, system.lattice), surfaces_(system.joints.size()) {
+  // The range is that of transfers from particles with domains of up to one cell.
   reach_ = (std::max(1.5, reach_of(model.scheme.kernel)) + 0.5) * system.lattice.spacing.maxCoeff();
   for (const auto& surface : system.joints)
     if (surface.crack == JointSurface<Dim>::none)
       points_of_block_.resize(static_cast<std::size_t>(system.lattice.block_count()));
 }
 
-// Weights of a fit of a linear velocity to what the nodes on one side have, by least squares: rigid motion opens
-// nothing. They are the shape functions where those reproduce linear velocities already; nodes with little
-// mass count less, so that little force acts on them.
+// Weights of a least-squares fit of a linear velocity to the nodal velocities on one side, so that a rigid motion
+// causes no displacement jump. The weights are the shape functions wherever these reproduce linear velocities. Nodes
+// with little mass get smaller weights, so that only small forces act on them.
 template <int Dim>
-double Joints<Dim>::find_side(const JointSurface<Dim>& surface, const Vec<Dim>& x, const Vec<Dim>& n, std::size_t side,
-                              std::vector<NodeShare>& out) const {
+double Joints<Dim>::find_face_nodes(const JointSurface<Dim>& surface, const Vec<Dim>& x, const Vec<Dim>& n,
+                                    std::size_t side, std::vector<NodeWeight>& out) const {
   constexpr int size = Dim + 1;
   using Basis = Eigen::Matrix<double, size, 1>;
   using Moments = Eigen::Matrix<double, size, size>;
-  constexpr double stiffening = 1e-5;  // of slopes that the nodes do not tell
-  constexpr double light = 0.1;        // nodes with less than this share of the mean mass count less
+  constexpr double stiffening = 1e-5;  // regularises gradients that the nodes do not determine
+  constexpr double light = 0.1;        // fraction of the mean mass below which the weights of nodes are reduced
   const double h = system_.lattice.spacing.maxCoeff();
   const bool of_crack = surface.crack != JointSurface<Dim>::none;
-  const Vec<Dim> beside = of_crack ? Vec<Dim>(x + (side == 0 ? -1e-6 : 1e-6) * h * n) : x;
+  const Vec<Dim> side_point = of_crack ? Vec<Dim>(x + (side == 0 ? -1e-6 : 1e-6) * h * n) : x;
   const auto basis = [&](const Vec<Dim>& distance) {
     Basis p;
     p[0] = 1.0, p.template tail<Dim>() = distance / h;
@@ -45,17 +45,18 @@ double Joints<Dim>::find_side(const JointSurface<Dim>& surface, const Vec<Dim>& 
   thread_local std::vector<Basis> at;
   thread_local std::vector<double> masses;
   at.clear(), masses.clear();
-  around_.each(x, [&](double weight, const Index<Dim>& node) {
+  nodes_around_.each(x, [&](double weight, const Index<Dim>& node) {
     Index<Dim> inside = node;
-    const Vec<Dim> mirror = around_.fold(inside);
-    const int across = cracks_.active() ? cracks_.side_of_node(nearby, beside, node) : 0;
+    const Vec<Dim> mirror = nodes_around_.fold(inside);
+    const int across = cracks_.active() ? cracks_.side_of_node(nearby, side_point, node) : 0;
     const Basis p = basis(system_.lattice.position(node) - x);
-    const double images = std::exp2(around_.planes_through(inside));  // such a node holds their mass, too
+    // the nodal mass includes the mass of the images
+    const double images = std::exp2(nodes_around_.planes_through(inside));
     const std::size_t first = out.size();
     double total = 0.0;
     for (std::size_t f = 0; f < system_.fields.size(); ++f) {
       const Field<Dim>& field = system_.fields[f];
-      if (field.side != across || (of_crack ? field.rigid_contact : field.home != surface.home[side])) continue;
+      if (field.side != across || (of_crack ? field.rigid_contact : field.base_field != surface.field[side])) continue;
       const auto position = field.map.node(inside);
       if (position < 0) continue;
       const double m = field.nodes[static_cast<std::size_t>(position)].mass;
@@ -84,20 +85,20 @@ double Joints<Dim>::find_side(const JointSurface<Dim>& surface, const Vec<Dim>& 
   return mass;
 }
 
-// Where a sample is now, and the normal there.
+// Current position of an integration point and the normal there.
 template <int Dim>
 std::pair<Vec<Dim>, Vec<Dim>> Joints<Dim>::place(const JointSurface<Dim>& surface, std::size_t s) const {
   const JointSample<Dim>& sample = surface.samples[s];
   if (surface.crack == JointSurface<Dim>::none) {
     const JointAxes& axes = surface.axes[sample.joint[0]];
-    const Vec3 beside = sample.local[0] * axes.n + axes.vector({sample.local[1], sample.local[2]});
-    return {surface.x[sample.joint[0]] + beside.template head<Dim>(), axes.n.template head<Dim>()};
+    const Vec3 offset = sample.local[0] * axes.n + axes.vector({sample.local[1], sample.local[2]});
+    return {surface.x[sample.joint[0]] + offset.template head<Dim>(), axes.n.template head<Dim>()};
   }
   const Crack<Dim>& crack = system_.cracks[surface.crack];
   typename JointSample<Dim>::Corners corners;
   Vec<Dim> x = Vec<Dim>::Zero();
   for (std::size_t k = 0; k < corners.size(); ++k)
-    corners[k] = crack.x[sample.point[k]], x += sample.share[k] * corners[k];
+    corners[k] = crack.x[sample.point[k]], x += sample.weight[k] * corners[k];
   return {x, Crack<Dim>::area(corners).normalized()};
 }
 
@@ -106,83 +107,86 @@ void Joints<Dim>::find() {
   if (!active()) return;
   for (std::size_t s = 0; s < system_.joints.size(); ++s) {
     JointSurface<Dim>& surface = system_.joints[s];
-    Surface& mine = surfaces_[s];
-    mine.samples.resize(surface.samples.size());
-    parallel_for(static_cast<std::ptrdiff_t>(mine.samples.size()), [&](std::ptrdiff_t sample) {
+    Surface& surface_nodes = surfaces_[s];
+    surface_nodes.samples.resize(surface.samples.size());
+    parallel_for(static_cast<std::ptrdiff_t>(surface_nodes.samples.size()), [&](std::ptrdiff_t sample) {
       const auto k = static_cast<std::size_t>(sample);
-      SampleNodes& sample_nodes = mine.samples[k];
-      if (surface.mass[0][k] == surface.lost) {
+      SampleNodes& sample_nodes = surface_nodes.samples[k];
+      if (surface.mass[0][k] == surface.detached) {
         for (auto& side : sample_nodes.side) side.clear();
         return;
       }
       const auto [x, n] = place(surface, k);
       double inverse = 0.0;
       for (std::size_t f = 0; f < 2; ++f) {
-        const double mass = find_side(surface, x, n, f, sample_nodes.side[f]);
+        const double mass = find_face_nodes(surface, x, n, f, sample_nodes.side[f]);
         double& first = surface.mass[f][k];
         if (first == 0) first = mass;
-        constexpr double enough = 0.05;  // else the body has gone
+        constexpr double enough = 0.05;  // below this fraction of the first mass, the face has moved away
         if (mass < enough * first) sample_nodes.side[f].clear();
-        for (const NodeShare& share : sample_nodes.side[f])
+        for (const NodeWeight& share : sample_nodes.side[f])
           inverse += share.images * share.weight * share.weight * inverse_mass(share);
       }
-      if (surface.crack == JointSurface<Dim>::none && !sample_nodes.whole())
-        surface.mass[0][k] = surface.mass[1][k] = surface.lost;
+      if (surface.crack == JointSurface<Dim>::none && !sample_nodes.has_both_faces())
+        surface.mass[0][k] = surface.mass[1][k] = surface.detached;
       sample_nodes.mass = inverse > 0 ? 1 / inverse : 0.0;
     });
-    mine.supported.assign(surface.joints.size(), 0.0);
-    each_part(s, [&](SampleNodes&, std::uint32_t joint, double part) { mine.supported[joint] += part; });
+    surface_nodes.supported_fraction.assign(surface.joints.size(), 0.0);
+    each_contribution(s, [&](SampleNodes&, std::uint32_t joint, double fraction) {
+      surface_nodes.supported_fraction[joint] += fraction;
+    });
   }
   list_points();
   find_stable_step();
 }
 
-// Calls f(reach, joint, part) for the samples that have both faces.
+// Calls f(nodes, joint, area fraction) for the joints of all integration points with both faces.
 template <int Dim>
 template <class F>
-void Joints<Dim>::each_part(std::size_t s, F&& f) {
+void Joints<Dim>::each_contribution(std::size_t s, F&& f) {
   const auto& samples = system_.joints[s].samples;
   for (std::size_t k = 0; k < samples.size(); ++k) {
     SampleNodes& sample_nodes = surfaces_[s].samples[k];
-    if (!sample_nodes.whole()) continue;
-    for (std::size_t c = 0; c < samples[k].part.size(); ++c)
-      if (samples[k].part[c] > 0) f(sample_nodes, samples[k].joint[c], samples[k].part[c]);
+    if (!sample_nodes.has_both_faces()) continue;
+    for (std::size_t c = 0; c < samples[k].area_fraction.size(); ++c)
+      if (samples[k].area_fraction[c] > 0) f(sample_nodes, samples[k].joint[c], samples[k].area_fraction[c]);
   }
 }
 
-// Leapfrog is stable if the largest eigenvalue of M^-1/2 K M^-1/2 is below 4/dt^2; sums of rows bound it (Gershgorin).
+// The leapfrog scheme is stable if the largest eigenvalue of M^-1/2 K M^-1/2 is below 4/dt^2; the largest row sum
+// bounds this eigenvalue (Gershgorin).
 template <int Dim>
 void Joints<Dim>::find_stable_step() {
   stiffness_.resize(system_.fields.size());
   const auto each_share = [&](const SampleNodes& sample_nodes, auto&& f) {
     for (const auto& side : sample_nodes.side)
-      for (const NodeShare& share : side) f(share);
+      for (const NodeWeight& share : side) f(share);
   };
-  const auto stiffness = [&](const NodeShare& share) -> double& {
+  const auto stiffness = [&](const NodeWeight& share) -> double& {
     return stiffness_[share.field][static_cast<std::size_t>(share.node)];
   };
-  for (auto& mine : surfaces_)
-    for (const SampleNodes& sample_nodes : mine.samples)
-      each_share(sample_nodes, [&](const NodeShare& share) {
+  for (auto& surface_nodes : surfaces_)
+    for (const SampleNodes& sample_nodes : surface_nodes.samples)
+      each_share(sample_nodes, [&](const NodeWeight& share) {
         stiffness_[share.field].resize(system_.fields[share.field].nodes.size());
         stiffness(share) = 0.0;
       });
-  const auto scaled = [&](const NodeShare& share) {
+  const auto scaled = [&](const NodeWeight& share) {
     return std::abs(share.weight) * std::sqrt(share.images * inverse_mass(share));
   };
   double largest = 0.0;
   for (std::size_t s = 0; s < surfaces_.size(); ++s) {
     auto& joints = system_.joints[s].joints;
     row_.assign(joints.size(), 0.0);
-    each_part(s, [&](SampleNodes& sample_nodes, std::uint32_t joint, double part) {
-      each_share(sample_nodes, [&](const NodeShare& share) { row_[joint] += part * scaled(share); });
+    each_contribution(s, [&](SampleNodes& sample_nodes, std::uint32_t joint, double fraction) {
+      each_share(sample_nodes, [&](const NodeWeight& share) { row_[joint] += fraction * scaled(share); });
     });
-    each_part(s, [&](SampleNodes& sample_nodes, std::uint32_t joint, double part) {
+    each_contribution(s, [&](SampleNodes& sample_nodes, std::uint32_t joint, double fraction) {
       const Joint& j = joints[joint];
-      const double pull = std::max(j.kn, j.ks) * j.area * row_[joint] * part;
-      each_share(sample_nodes, [&](const NodeShare& share) {
+      const double row_factor = std::max(j.kn, j.ks) * j.area * row_[joint] * fraction;
+      each_share(sample_nodes, [&](const NodeWeight& share) {
         double& sum = stiffness(share);
-        sum += pull * scaled(share);
+        sum += row_factor * scaled(share);
         largest = std::max(largest, sum);
       });
     });
@@ -195,11 +199,12 @@ template <int Dim>
 void Joints<Dim>::add_forces(double dt) {
   for (std::size_t s = 0; s < system_.joints.size(); ++s) {
     const JointSurface<Dim>& surface = system_.joints[s];
-    each_part(s, [&](SampleNodes& sample_nodes, std::uint32_t joint, double part) {
+    each_contribution(s, [&](SampleNodes& sample_nodes, std::uint32_t joint, double fraction) {
       if (!is_supported(s, joint)) return;
-      const Vec<Dim> force = part / surfaces_[s].supported[joint] * surface.force(joint).template head<Dim>();
+      const Vec<Dim> force =
+          fraction / surfaces_[s].supported_fraction[joint] * surface.force(joint).template head<Dim>();
       for (std::size_t f = 0; f < 2; ++f)
-        for (const NodeShare& share : sample_nodes.side[f]) {
+        for (const NodeWeight& share : sample_nodes.side[f]) {
           Node& at = node(share);
           const double shared = (f == 0 ? -1.0 : 1.0) * share.images * share.weight * inverse_mass(share);
           const Vec<Dim> a = shared * share.mirror.cwiseProduct(force);
@@ -209,11 +214,11 @@ void Joints<Dim>::add_forces(double dt) {
   }
 }
 
-// Velocity and its gradient, as the nodes of one side have it.
+// Velocity and velocity gradient of a face, interpolated from the nodes of one side.
 template <int Dim>
-auto Joints<Dim>::motion(const std::vector<NodeShare>& shares) const -> Motion {
+auto Joints<Dim>::motion(const std::vector<NodeWeight>& shares) const -> Motion {
   Motion out;
-  for (const NodeShare& share : shares) {
+  for (const NodeWeight& share : shares) {
     const Vec<Dim> v = share.mirror.cwiseProduct(Eigen::Map<const Vec<Dim>>(node(share).velocity));
     out.velocity += share.weight * v;
     out.gradient += v * share.slope.transpose();
@@ -225,37 +230,37 @@ template <int Dim>
 void Joints<Dim>::update_laws(double dt) {
   for (std::size_t s = 0; s < system_.joints.size(); ++s) {
     JointSurface<Dim>& surface = system_.joints[s];
-    Surface& mine = surfaces_[s];
+    Surface& surface_nodes = surfaces_[s];
     const std::size_t count = surface.joints.size();
-    mine.motion.assign(count, {});
+    surface_nodes.motion.assign(count, {});
     increments_.assign(count, {});
-    for (SampleNodes& sample_nodes : mine.samples)
+    for (SampleNodes& sample_nodes : surface_nodes.samples)
       for (std::size_t f = 0; f < 2; ++f) sample_nodes.motion[f] = motion(sample_nodes.side[f]);
-    each_part(s, [&](SampleNodes& sample_nodes, std::uint32_t joint, double part) {
-      const double share = part / mine.supported[joint];
+    each_contribution(s, [&](SampleNodes& sample_nodes, std::uint32_t joint, double fraction) {
+      const double share = fraction / surface_nodes.supported_fraction[joint];
       for (std::size_t f = 0; f < 2; ++f) {
-        mine.motion[joint][f].velocity += share * sample_nodes.motion[f].velocity;
-        mine.motion[joint][f].gradient += share * sample_nodes.motion[f].gradient;
+        surface_nodes.motion[joint][f].velocity += share * sample_nodes.motion[f].velocity;
+        surface_nodes.motion[joint][f].gradient += share * sample_nodes.motion[f].gradient;
       }
       increments_[joint].mass += share * sample_nodes.mass;
     });
     for (std::size_t k = 0; k < count; ++k) {
-      Vec3 apart = Vec3::Zero();
-      apart.template head<Dim>() = mine.motion[k][1].velocity - mine.motion[k][0].velocity;
+      Vec3 jump = Vec3::Zero();
+      jump.template head<Dim>() = surface_nodes.motion[k][1].velocity - surface_nodes.motion[k][0].velocity;
       JointIncrement& d = increments_[k];
-      d.normal = dt * apart.dot(surface.axes[k].n), d.shear = dt * surface.axes[k].tangent(apart);
+      d.normal = dt * jump.dot(surface.axes[k].n), d.shear = dt * surface.axes[k].tangent(jump);
       d.gap = surface.joints[k].gap + d.normal, d.dt = dt;
     }
     std::vector<Vec3> before;
     if (rigid(surface, 0) || rigid(surface, 1))
       for (std::size_t k = 0; k < count; ++k) before.push_back(surface.force(k));
-    // in runs of neighbours that have both faces
+    // the law is evaluated for ranges of consecutive joints with both faces
     for (std::size_t first = 0, end = 0; first < count; first = end + 1) {
       for (end = first; end < count && is_supported(s, end);) ++end;
       update(surface, s, first, end, dt);
       if (end < count) release(surface.joints[end]);
     }
-    if (surface.crack != JointSurface<Dim>::none) lead_faces(s);
+    if (surface.crack != JointSurface<Dim>::none) prescribe_face_velocities(s);
     if (!before.empty()) record_rigid_work(s, before, dt);
   }
 }
@@ -273,29 +278,30 @@ void Joints<Dim>::update(JointSurface<Dim>& surface, std::size_t s, std::size_t 
   }
 }
 
-// A face has gone, and what the joint carried with it.
+// Removes the forces of a joint one of whose faces has moved away.
 template <int Dim>
 void Joints<Dim>::release(Joint& joint) {
   joint.Fn = joint.dashpot_normal = joint.strain = 0.0;
   joint.Fs = joint.dashpot_shear = Tangent{};
 }
 
-// The faces of the crack go with the joints.
+// Prescribes the velocities of the crack faces at the joints.
 template <int Dim>
-void Joints<Dim>::lead_faces(std::size_t s) {
+void Joints<Dim>::prescribe_face_velocities(std::size_t s) {
   const JointSurface<Dim>& surface = system_.joints[s];
   Crack<Dim>& crack = system_.cracks[surface.crack];
-  crack.is_led.assign(crack.x.size(), 0);
-  crack.led_velocity.resize(crack.x.size());
+  crack.is_prescribed.assign(crack.x.size(), 0);
+  crack.prescribed_velocity.resize(crack.x.size());
   for (std::size_t k = 0; k < surface.joints.size(); ++k) {
     if (!is_supported(s, k)) continue;
-    crack.is_led[surface.point[k]] = 1;
-    for (std::size_t f = 0; f < 2; ++f) crack.led_velocity[surface.point[k]][f] = surfaces_[s].motion[k][f].velocity;
+    crack.is_prescribed[surface.point[k]] = 1;
+    for (std::size_t f = 0; f < 2; ++f)
+      crack.prescribed_velocity[surface.point[k]][f] = surfaces_[s].motion[k][f].velocity;
   }
 }
 
-// Points of cracks are where these are; points between bodies go with the mean of both, and their normals turn with
-// the faces.
+// Joints on cracks are at the crack points. Joints between bodies move with the mean velocity of both faces, and their
+// normals rotate with the faces.
 template <int Dim>
 void Joints<Dim>::move_points(double dt) {
   for (std::size_t s = 0; s < system_.joints.size(); ++s) {
@@ -342,7 +348,7 @@ auto Joints<Dim>::energies() const -> Energies {
   Energies out;
   for (const auto& surface : system_.joints)
     for (const Joint& joint : surface.joints)
-      out.stored += joint.strain, out.lost += joint.released() - joint.slid - joint.damped;
+      out.stored += joint.strain, out.dissipated += joint.released() - joint.slid - joint.damped;
   return out;
 }
 

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
-/// Joints in the grid: points on cracks and between bodies that carry a joint law and what it remembers.
+/// Joints in the grid: points on cracks and between bodies with a joint law and its history variables.
 ///
-/// A point takes the velocities of its two faces from the nodes and gives them its force, with the same weights, so
-/// that what the joint gains the nodes lose. The law runs once per step, after the velocities are known; its force acts
-/// in the next one.
+/// The velocities of the two faces at a joint are interpolated from the nodes, and the force of the joint is
+/// distributed to the nodes with the same weights. The work of the joint is therefore equal and opposite to that of
+/// the nodal forces. The joint law is evaluated once per step, after the momentum update, and its force acts in the
+/// next step.
 ///
-/// Between bodies a point moves with the mean of both faces and its normal turns with them. Once one of its faces has
-/// gone it is finished for good: the contact law of the two bodies takes over, there and wherever else they meet.
+/// A joint between bodies moves with the mean velocity of both faces, and its normal rotates with them. Once one of
+/// its faces has moved away, the joint is permanently inactive. The contact law of the two bodies then acts there, as
+/// at all nodes out of the range of joints.
 #pragma once
 
 #include "solver/cracks/cracks.hpp"
@@ -17,47 +19,52 @@
 
 namespace tribo {
 
-/// Something that happened at a joint, as it goes to the list of events.
+/// An event at a joint, with its time and place, for the list of events.
 struct PlacedEvent {
   double time = 0.0;
   std::size_t surface = 0;
   Vec3 x = Vec3::Zero();
-  JointEvent event;  ///< `contact` numbers the points of the surface
+  JointEvent event;  ///< `event.contact` is the number of the joint on the surface
 };
 
+/// All joints of a system.
 template <int Dim>
 class Joints {
  public:
   Joints(const Model& model, System<Dim>& system, const Cracks<Dim>& cracks);
 
   bool active() const { return !system_.joints.empty(); }
-  /// Finds the nodes of all points; once the masses of a step are known.
+  /// Finds the nodes and weights of all integration points, and the stable time step. To be called once the nodal
+  /// masses of a step are known.
   void find();
-  /// The point between two bodies, given by their fields, that is nearest to a node, along the face: how far, and the
-  /// normal there; infinity if the node is out of reach of all points that still have both faces [length]. After
-  /// find().
+  /// The joint between two bodies that is closest to a node: the distance along the face [length] and the normal. The
+  /// distance is infinite if the node is out of the range of all joints with both faces.
   struct NearestJoint {
     double distance = std::numeric_limits<double>::infinity();
     Vec<Dim> normal = Vec<Dim>::Zero();
   };
+  /// The bodies are identified by their velocity fields. `node`: position of the node [length]. To be called after
+  /// find().
   NearestJoint nearest_joint(std::size_t field_a, std::size_t field_b, const Vec<Dim>& node) const;
-  /// The forces of the joints on velocities and accelerations of the nodes.
+  /// Adds the joint forces to the nodal accelerations, and their effect over a time dt to the nodal velocities.
   void add_forces(double dt);
-  /// What the faces do in this step, and what the law makes of it; before anything moves.
+  /// Computes the displacement increments of the joints from the nodal velocities and evaluates the joint laws. To be
+  /// called before cracks and particles move.
   void update_laws(double dt);
-  /// Where the points are after cracks have moved.
+  /// Updates positions and axes of the joints. To be called after cracks have moved.
   void move_points(double dt);
-  /// Largest step that is stable with all joints, as find() last saw them; infinity without.
+  /// Largest stable time step with all joints [time], computed by the last find(); infinite without joints.
   double stable_step() const { return stable_step_; }
 
   struct Energies {
-    double stored = 0.0;  ///< in the springs
-    double lost = 0.0;    ///< friction, dashpots, broken bonds
+    double stored = 0.0;      ///< elastic energy of the joints [energy]
+    double dissipated = 0.0;  ///< dissipated by friction, dashpots and broken bonds [energy]
   };
   Energies energies() const;
-  /// Events since the last call.
+  /// Returns the events since the last call and clears the list.
   std::vector<PlacedEvent> take_events();
-  /// Calls f(field of body 1, field of body 2, force on body 1, area that is not open) for the joints between bodies.
+  /// Calls f(field of body 1, field of body 2, force on body 1, closed area) for every surface of joints between
+  /// bodies.
   template <class F>
   void each_pair(F&& f) const {
     for (std::size_t s = 0; s < system_.joints.size(); ++s) {
@@ -68,75 +75,82 @@ class Joints {
       for (std::size_t k = 0; k < surface.joints.size(); ++k)
         if (is_supported(s, k))
           force -= surface.force(k), area += surface.joints[k].away ? 0.0 : surface.joints[k].area;
-      f(surface.home[0], surface.home[1], force, area);
+      f(surface.field[0], surface.field[1], force, area);
     }
   }
-  /// Work that rigid bodies did on joints, and momentum they gave through them, since the last call [energy, momentum].
+  /// Work of rigid bodies on joints and the impulse of rigid bodies transferred by joints since the last call [energy,
+  /// momentum].
   std::pair<double, Vec3> take_rigid_exchange() { return std::exchange(rigid_, {0.0, Vec3::Zero()}); }
 
-  /// The joints themselves belong to the system; all else but the stable step is found anew in every step, or taken
-  /// from here before the step ends.
+  /// Saves and restores the stable step. The joints are part of the system; all other members are computed in every
+  /// step or are emptied before it ends.
   friend void archive(Archive& a, Joints& joints) {
-    auto& [system, cracks, around, surfaces, stiffness, row, increments, happened, events, rigid_sums, reach, points,
+    auto& [system, cracks, around, surfaces, stiffness, row, increments, new_events, events, rigid_sums, reach, points,
            listed, stable] = joints;
     a.version(1);
     a("stable_step", stable);
   }
 
  private:
-  /// One field at one node, as a point sees it.
-  struct NodeShare {
+  /// One velocity field at one node, with its weights for an integration point.
+  struct NodeWeight {
     std::uint32_t field;
-    std::int64_t node;  ///< position in the field's layers
-    double weight;      ///< of its velocity in the point's, and of the point's force on it
-    double images;      ///< how many of the point's images push the node with it
-    Vec<Dim> slope;     ///< of its velocity in the gradient of the velocities there
-    Vec<Dim> mirror;    ///< factors of vectors if the node stands for its image in a symmetry plane
+    std::int64_t node;  ///< position in the nodal arrays of the field
+    /// Weight of the nodal velocity in the velocity of the face, and of the joint force on the node.
+    double weight;
+    double images;    ///< number of mirror images of the integration point that act on the node, itself included
+    Vec<Dim> slope;   ///< weight of the nodal velocity in the velocity gradient
+    Vec<Dim> mirror;  ///< factors of vector components if the node replaces its image in a symmetry plane
   };
+  /// Velocity of a face and its gradient.
   struct Motion {
     Vec<Dim> velocity = Vec<Dim>::Zero();
     Mat<Dim> gradient = Mat<Dim>::Zero();
   };
-  /// Of a sample.
+  /// The nodes around an integration point and the motion of its two faces.
   struct SampleNodes {
-    std::array<std::vector<NodeShare>, 2> side;  ///< of body 1 and 2; empty: nothing is there
+    /// Nodes of body 1 and body 2; empty: the face has moved away.
+    std::array<std::vector<NodeWeight>, 2> side;
     std::array<Motion, 2> motion;
-    double mass = 0.0;  ///< reduced, of the two faces
-    bool whole() const { return !side[0].empty() && !side[1].empty(); }
+    double mass = 0.0;  ///< reduced mass of the two faces
+    bool has_both_faces() const { return !side[0].empty() && !side[1].empty(); }
   };
+  /// Data of one surface of joints within a step.
   struct Surface {
     std::vector<SampleNodes> samples;
-    std::vector<double> supported;              ///< per joint: part of its surface that has both faces
+    std::vector<double> supported_fraction;     ///< per joint: fraction of its surface with both faces
     std::vector<std::array<Motion, 2>> motion;  ///< per joint
   };
-  Node& node(const NodeShare& share) const {
+  Node& node(const NodeWeight& share) const {
     return system_.fields[share.field].nodes[static_cast<std::size_t>(share.node)];
   }
-  /// 0 of rigid bodies.
-  double inverse_mass(const NodeShare& share) const {
+  /// Inverse mass of a node; 0 for rigid bodies.
+  double inverse_mass(const NodeWeight& share) const {
     return system_.fields[share.field].rigid_contact ? 0.0 : 1.0 / node(share).mass;
   }
   bool rigid(const JointSurface<Dim>& surface, std::size_t side) const {
-    return surface.crack == JointSurface<Dim>::none && system_.fields[surface.home[side]].rigid_contact;
+    return surface.crack == JointSurface<Dim>::none && system_.fields[surface.field[side]].rigid_contact;
   }
-  bool is_supported(std::size_t surface, std::size_t joint) const { return surfaces_[surface].supported[joint] > 0.25; }
+  bool is_supported(std::size_t surface, std::size_t joint) const {
+    return surfaces_[surface].supported_fraction[joint] > 0.25;
+  }
   std::pair<Vec<Dim>, Vec<Dim>> place(const JointSurface<Dim>& surface, std::size_t sample) const;
-  double find_side(const JointSurface<Dim>& surface, const Vec<Dim>& x, const Vec<Dim>& n, std::size_t side,
-                   std::vector<NodeShare>& out) const;
+  double find_face_nodes(const JointSurface<Dim>& surface, const Vec<Dim>& x, const Vec<Dim>& n, std::size_t side,
+                         std::vector<NodeWeight>& out) const;
   template <class F>
-  void each_part(std::size_t surface, F&& f);
+  void each_contribution(std::size_t surface, F&& f);
   void list_points();
   void find_stable_step();
   void record_rigid_work(std::size_t surface, const std::vector<Vec3>& before, double dt);
-  Motion motion(const std::vector<NodeShare>& shares) const;
+  Motion motion(const std::vector<NodeWeight>& shares) const;
   void update(JointSurface<Dim>& surface, std::size_t s, std::size_t first, std::size_t end, double dt);
   static void release(Joint& joint);
-  void lead_faces(std::size_t surface);
+  void prescribe_face_velocities(std::size_t surface);
   void copy_to_crack(const JointSurface<Dim>& surface);
 
   System<Dim>& system_;
   const Cracks<Dim>& cracks_;
-  NodesAround<Dim> around_;
+  NodesAround<Dim> nodes_around_;
   std::vector<Surface> surfaces_;
   std::vector<std::vector<double>> stiffness_;  ///< scratch: per field and node
   std::vector<double> row_;                     ///< scratch: per joint
@@ -147,9 +161,10 @@ class Joints {
   struct PointOf {
     std::uint32_t surface, joint;
   };
-  double reach_ = 0.0;                                 ///< of the nodes that feel a point, along any axis [length]
-  std::vector<std::vector<PointOf>> points_of_block_;  ///< per block: points between bodies that have both faces
-  std::vector<std::int64_t> listed_blocks_;            ///< blocks that have some
+  double reach_ = 0.0;  ///< largest distance along an axis between a joint and the nodes in its range [length]
+  /// Per block: joints between bodies that have both faces.
+  std::vector<std::vector<PointOf>> points_of_block_;
+  std::vector<std::int64_t> listed_blocks_;  ///< blocks with such joints
   double stable_step_ = std::numeric_limits<double>::infinity();
 };
 

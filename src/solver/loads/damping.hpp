@@ -6,15 +6,15 @@
 
 namespace tribo {
 
-/// The coefficients of damping, with feedback from the kinetic energy, and what damping takes out of the bodies.
+/// The damping coefficients, with feedback control by the kinetic energy, and the work and impulse of damping.
 template <int Dim>
 class VelocityDamping {
  public:
   VelocityDamping(const Model& model, System<Dim>& system, const Exchanges<Dim>& exchanges, EnergyLedger& ledger)
       : damping_(model.damping), system_(system), sum_(system, exchanges), ledger_(ledger) {}
 
-  /// Follows the functions of time, and the feedback if there is any, before a step of dt. `kinetic_energy()` is called
-  /// only with feedback.
+  /// Updates the coefficients from their functions of time, and the feedback if there is any, before a step dt.
+  /// `kinetic_energy()` [energy] is called only with feedback.
   template <class Kinetic>
   void update(double dt, Kinetic&& kinetic_energy) {
     Variables at;
@@ -32,14 +32,15 @@ class VelocityDamping {
     follow(damping_.particle, damping_.particle_gain, particle, particle_feedback);
   }
 
-  /// Adds what grid damping took out of field f in the momentum update to the ledger.
+  /// Adds the work and impulse of grid damping on field f in the momentum update to the ledger.
   void record_grid(std::size_t f, double dt);
-  /// Adds the impulse of particle damping on a body to the ledger: the body's share of what the field loses, which is
-  /// exact if all bodies of a field are damped alike.
+  /// Adds the impulse of particle damping with the coefficient `rate` [1/time] on a body to the ledger. It is computed
+  /// as the mass fraction of the body in the impulse on its field, which is exact if all bodies of the field have the
+  /// same coefficient.
   void record_particles(const Body<Dim>& body, double rate, double dt);
 
-  double grid = 0.0, particle = 0.0;                    ///< present coefficients                     [1/time]
-  double grid_feedback = 0.0, particle_feedback = 0.0;  ///< the part of them built up by feedback    [1/time]
+  double grid = 0.0, particle = 0.0;                    ///< current coefficients                     [1/time]
+  double grid_feedback = 0.0, particle_feedback = 0.0;  ///< contributions of the feedback    [1/time]
 
   friend void archive(Archive& a, VelocityDamping& damping) {
     auto& [grid, particle, grid_feedback, particle_feedback, model, system, sum, ledger] = damping;

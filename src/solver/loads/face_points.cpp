@@ -40,7 +40,8 @@ ParticleFace<Dim> ParticleFace<Dim>::of(const System<Dim>& system, Body<Dim>& bo
   if (body.half_size)
     for (int d = 0; d < Dim; ++d) half[d] = particles[body.half_size][static_cast<std::size_t>(d)][i];
   out.area = particles.mass()[i] / body.law->density() / (2 * half[axis]);
-  if (system.analysis == Analysis::axisymmetric && axis == 0) {  // a face at another radius than the particle
+  // the radius of the face differs from that of the particle
+  if (system.analysis == Analysis::axisymmetric && axis == 0) {
     const double r = particles[body.origin][0][i];
     out.area *= (r + out.normal[0] * half[0]) / r;
   }
@@ -48,7 +49,7 @@ ParticleFace<Dim> ParticleFace<Dim>::of(const System<Dim>& system, Body<Dim>& bo
     Vec<Dim> at = Vec<Dim>::Zero();
     for (int d = 0, tangent = 0; d < Dim; ++d)
       at[d] = d == axis ? out.normal[d] * half[d] : (point >> tangent++ & 1 ? 1.0 : -1.0) * half[d] / std::sqrt(3.0);
-    if (body.domain) {  // CPDI: the face has deformed with the particle
+    if (body.domain) {  // CPDI: the face deforms with the particle
       const auto F = particles.F();
       at = (load_full<Dim>(F, static_cast<int>(i)).template topLeftCorner<Dim, Dim>() * at).eval();
     }
@@ -83,13 +84,14 @@ void PointShares<Dim>::spread(const Lattice<Dim>& lattice, const Vec<Dim>& x) {
   }
 }
 
-// A surface reaches nodes that its particles hardly reach. The strain that a force on such a node makes in them goes as
-// share/mass times the node's weight there, which goes as the root of the mass (quadratic splines): shares that
-// go as that root keep it bounded. The bound leaves alone the nodes of edges that lie on grid lines, where the exact
+// A point of a surface may have nodes at which the shape functions of the particles are very small. A force on such a
+// node strains the particles in proportion to share/mass times the shape function. For quadratic splines this shape
+// function is proportional to the square root of the mass, so the strain stays bounded if the share is proportional to
+// that root. The bound is low enough to leave nodes unchanged if the surface lies on a grid line, where the exact
 // share balances a uniform stress.
 template <int Dim>
-void PointShares<Dim>::keep_heavy(const std::vector<Field<Dim>>& fields, const Exchanges<Dim>& exchanges) {
-  constexpr double light = 1e-3;  // of the mean mass
+void PointShares<Dim>::reduce_light_nodes(const std::vector<Field<Dim>>& fields, const Exchanges<Dim>& exchanges) {
+  constexpr double light = 1e-3;  // fraction of the mean mass
   const int around = std::exchange(count, 0);
   std::array<double, most> masses;
   std::array<bool, most> folds;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Faces of particles, where tractions and heat fluxes act: on the face, not at the particle's centre.
+/// Faces of particles, on which tractions and heat fluxes act, and the nodes around a point of a face.
 #pragma once
 
 #include "solver/exchange/exchange.hpp"
@@ -7,42 +7,43 @@
 
 namespace tribo {
 
-/// A face of a particle with two Gauss points along every tangent.
+/// A face of a particle domain, with two Gauss points along each tangent.
 template <int Dim>
 struct ParticleFace {
   static constexpr std::size_t count = Dim == 2 ? 2 : 4;
-  Vec3 normal;        ///< outward, of the undeformed face
-  double area = 0.0;  ///< before deformation: loads are nominal                              [length^2]
-  std::array<Vec<Dim>, count> points;
+  Vec3 normal;        ///< outward unit normal of the undeformed face
+  double area = 0.0;  ///< initial area, since tractions and fluxes are nominal                              [length^2]
+  std::array<Vec<Dim>, count> points;  ///< positions of the Gauss points [length]
 
   /// Face `face` of the particle with index `particle` in `body`.
   static ParticleFace of(const System<Dim>& system, Body<Dim>& body, std::size_t particle, DomainFace face);
 };
 
-/// The nodes around a point with the kernel's weights there; the shares sum to one. Nodes without mass, beyond the
-/// surface, leave theirs to the others, nodes with little mass a part of it.
+/// The nodes around a point and the fractions of a force at the point that they receive. The fractions are the shape
+/// functions, reduced at nodes with little mass and zero at nodes without mass, and normalised to the sum one.
 template <int Dim>
 struct PointShares {
   static constexpr int most = Dim == 2 ? 16 : 64;
   int count = 0;
   std::array<std::size_t, most> field;
-  std::array<std::int64_t, most> node;  ///< position in the layers of `field`
-  std::array<double, most> share;
+  std::array<std::int64_t, most> node;  ///< position in the nodal arrays of `field`
+  std::array<double, most> share;       ///< fraction of the force
 
-  /// `x`: the point; uGIMP and CPDI interpolate with hats. `field_at(index)` says which field a node's share is of.
+  /// `x`: the point [length]. uGIMP and CPDI use linear shape functions. `field_at(index)` returns the number of the
+  /// velocity field to use at a node.
   template <class FieldAt>
   PointShares(Kernel kernel, const std::vector<Field<Dim>>& fields, const Exchanges<Dim>& exchanges, const Vec<Dim>& x,
               FieldAt&& field_at) {
     spread(kernel, fields.front().map.lattice(), x);
     for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k) field[k] = field_at(index_[k]);
-    keep_heavy(fields, exchanges);
+    reduce_light_nodes(fields, exchanges);
   }
 
  private:
   void spread(Kernel kernel, const Lattice<Dim>& lattice, const Vec<Dim>& x);
   template <class K>
   void spread(const Lattice<Dim>& lattice, const Vec<Dim>& x);
-  void keep_heavy(const std::vector<Field<Dim>>& fields, const Exchanges<Dim>& exchanges);
+  void reduce_light_nodes(const std::vector<Field<Dim>>& fields, const Exchanges<Dim>& exchanges);
 
   std::array<Index<Dim>, most> index_;
 };

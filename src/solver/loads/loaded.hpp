@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Which particles carry loads, tractions and heat fluxes.
+/// The particles on which loads, tractions and heat fluxes act.
 #pragma once
 
 #include "solver/state/system.hpp"
@@ -9,12 +9,14 @@
 
 namespace tribo {
 
-/// Marks the particles every condition acts on (column `load_set`); returns per condition the factor of its value, 1 or
-/// one over the number of particles found for net loads. Throws InputError for a condition without particles.
+/// Marks the particles on which each condition acts in the column `load_set`. Returns one factor per condition, by
+/// which its value is multiplied: 1, or for net loads the inverse of the number of its particles. Throws InputError if
+/// a condition selects no particle or if there are more conditions than bits in the column.
 template <int Dim>
 std::vector<double> find_loaded(const Model& model, System<Dim>& system);
 
-/// Calls f(condition, body, particle) for every marked particle and each of its conditions of one kind, in order.
+/// Calls f(condition, body, particle) for every marked particle and each of its conditions of one kind, in the order
+/// of the particles.
 template <int Dim, class F>
 void each_loaded(const Model& model, System<Dim>& system, ParticleCondition::Kind kind, F&& f) {
   const auto& conditions = model.particle_conditions;

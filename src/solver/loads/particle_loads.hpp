@@ -7,19 +7,19 @@
 
 namespace tribo {
 
-/// Point loads, and forces per mass that are functions of the particles' places.
+/// Point loads on particles, and forces per mass that are functions of the positions of particles.
 template <int Dim>
 class ParticleLoads {
  public:
-  /// Marks the particles that carry loads, tractions or heat fluxes. Throws InputError for a condition that selects no
-  /// particle.
+  /// Marks the particles with loads, tractions or heat fluxes. Throws InputError if a condition selects no particle.
   ParticleLoads(const Model& model, System<Dim>& system, EnergyLedger& ledger)
       : model_(model), system_(system), ledger_(ledger), factor_(find_loaded(model, system)) {}
 
-  /// Sets the load column of all particles for a step of dt, which the next scatter adds to the forces.
+  /// Computes the load column of all particles for a step dt, and records the first half of their work. The next
+  /// scatter adds the loads to the nodal forces.
   void apply(double dt);
-  /// Adds impulse, and work with the present velocities of the particles, over a time dt to the ledger. Called with
-  /// half a step at its start and with the other half at its end, this is accurate to second order.
+  /// Adds the impulse of the loads over a time dt, and their work with the current particle velocities, to the ledger.
+  /// Recording half a step at its start and half a step at its end is accurate to second order.
   void record(double dt);
 
  private:
@@ -29,7 +29,7 @@ class ParticleLoads {
   System<Dim>& system_;
   EnergyLedger& ledger_;
   std::vector<double> factor_;           // per condition: 1, or one over the number of particles for net loads
-  std::vector<WorkAndImpulse> partial_;  // per piece of the loop over particles
+  std::vector<WorkAndImpulse> partial_;  // scratch: sums over chunks of particles
 };
 
 }  // namespace tribo

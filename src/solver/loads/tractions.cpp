@@ -18,17 +18,18 @@ void Tractions<Dim>::apply(const ParticleCondition& condition, Body<Dim>& body, 
   x.head<Dim>() = body.particles.position(i);
   v.head<Dim>() = body.particles.velocity(i);
   const double density = body.law->density();
-  const double traction = condition.value.style == Style::silent  // absorbs plane waves, Lysmer & Kuhlemeyer (1969)
+  // absorbing boundary for plane waves, Lysmer & Kuhlemeyer (1969)
+  const double traction = condition.value.style == Style::silent
                               ? -std::sqrt(density * body.law->wave_modulus()) * v.dot(direction)
                               : condition.value.at(system_.time, x);
   const Vec3 force = face.area * traction / static_cast<double>(face.points.size()) * direction;
   thread_local typename Cracks<Dim>::NearbyPieces nearby;
   for (const auto& at : face.points) {
     if (cracks_.active()) cracks_.find_nearby(at, nearby);
-    // the side that the face is on, which may not be its particle's
+    // the side of the crack on which the face lies may differ from that of the particle centre
     const auto field_at = [&](const Index<Dim>& node) {
       const int side = cracks_.active() ? cracks_.side_of_node(nearby, at, node) : 0;
-      return side == 0 ? body.field : body.across[static_cast<std::size_t>(side) - 1];
+      return side == 0 ? body.field : body.across_fields[static_cast<std::size_t>(side) - 1];
     };
     const PointShares<Dim> to(model_.scheme.kernel, system_.fields, exchanges_, at, field_at);
     for (std::size_t k = 0; k < static_cast<std::size_t>(to.count); ++k) {
@@ -48,7 +49,7 @@ void Tractions<Dim>::apply() {
               });
 }
 
-// With the velocities at mid step.
+// The work uses the velocities at mid step, v - a dt/2.
 template <int Dim>
 void Tractions<Dim>::record(double dt) {
   for (const NodalForce& applied : forces_) {

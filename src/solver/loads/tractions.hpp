@@ -8,6 +8,7 @@
 
 namespace tribo {
 
+/// The tractions that the model prescribes on faces of particles.
 template <int Dim>
 class Tractions {
  public:
@@ -15,9 +16,9 @@ class Tractions {
             EnergyLedger& ledger)
       : model_(model), system_(system), exchanges_(exchanges), cracks_(cracks), ledger_(ledger) {}
 
-  /// Adds the forces of all tractions to the nodes, which hold forces at this moment of the step.
+  /// Adds the forces of all tractions to the nodal forces.
   void apply();
-  /// Adds work and impulse of the step to the ledger, with the velocities at mid step.
+  /// Adds work and impulse of the step to the ledger. The work uses the nodal velocities at mid step.
   void record(double dt);
 
  private:
@@ -34,7 +35,7 @@ class Tractions {
   const Exchanges<Dim>& exchanges_;
   const Cracks<Dim>& cracks_;
   EnergyLedger& ledger_;
-  std::vector<NodalForce> forces_;  // in this step
+  std::vector<NodalForce> forces_;  // nodal forces of the tractions in this step
 };
 
 }  // namespace tribo

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Where there are particles.
+/// The region that particles occupy.
 #pragma once
 
 #include "grid/cell_table.hpp"
@@ -10,18 +10,19 @@
 
 namespace tribo {
 
-/// Tells whether a point lies in the domain of a particle.
+/// Determines whether a point lies in the domain of a particle.
 template <int Dim>
 class BodyOccupancy {
  public:
-  /// Of all deformable bodies within a box.
+  /// Occupancy of all deformable bodies. Only particles in the box from `low` to `high` [length] are considered.
   BodyOccupancy(const Model& model, System<Dim>& system, const Vec<Dim>& low, const Vec<Dim>& high)
       : BodyOccupancy(model, system.lattice, low, high) {
     for (auto& body : system.bodies) add(body);
   }
-  /// Of the bodies that are added.
+  /// Occupancy of the bodies that are added with add(), within the same box.
   BodyOccupancy(const Model& model, const Lattice<Dim>& lattice, const Vec<Dim>& low, const Vec<Dim>& high)
-      : around_(model, lattice), cells_(lattice), low_(low), high_(high) {}
+      : nodes_around_(model, lattice), cells_(lattice), low_(low), high_(high) {}
+  /// Adds the particles of a body.
   void add(Body<Dim>& body) {
     const DomainReader<Dim> domains(body);
     const auto x = body.particles.x();
@@ -33,18 +34,19 @@ class BodyOccupancy {
       }
       if (!near) continue;
       const ParticleDomain<Dim> domain = domains(i);
-      const Vec<Dim> half = (1 + widest) * domain.axes.cwiseAbs().rowwise().sum();
+      const Vec<Dim> half = (1 + largest_slack) * domain.axes.cwiseAbs().rowwise().sum();
       cells_.add(domain.x - half, domain.x + half, domain);
     }
   }
   /// Whether a point lies beyond a symmetry plane.
-  bool mirrored(const Vec<Dim>& x) const {
-    return std::any_of(around_.planes().begin(), around_.planes().end(),
+  bool is_mirrored(const Vec<Dim>& x) const {
+    return std::any_of(nodes_around_.planes().begin(), nodes_around_.planes().end(),
                        [&](const SymmetryPlane& plane) { return (plane.at - x[plane.axis]) * plane.inward > 0; });
   }
-  /// `slack`: parts of a particle's size by which a point may lie beside it, up to a half.
-  bool at(Vec<Dim> x, double slack = 1e-9) const {
-    for (const SymmetryPlane& plane : around_.planes())
+  /// Whether the point x [length], or its image inside the symmetry planes, lies in a particle domain. `slack`:
+  /// tolerance in fractions of the particle size, at most 0.5.
+  bool contains(Vec<Dim> x, double slack = 1e-9) const {
+    for (const SymmetryPlane& plane : nodes_around_.planes())
       if ((plane.at - x[plane.axis]) * plane.inward > 0) x[plane.axis] = 2 * plane.at - x[plane.axis];
     bool found = false;
     cells_.each(x, x, [&](const ParticleDomain<Dim>& d) {
@@ -54,9 +56,9 @@ class BodyOccupancy {
   }
 
  private:
-  static constexpr double widest = 1.0;
+  static constexpr double largest_slack = 1.0;
 
-  NodesAround<Dim> around_;
+  NodesAround<Dim> nodes_around_;
   CellTable<Dim, ParticleDomain<Dim>> cells_;
   Vec<Dim> low_, high_;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// The nodes around a point, and what stands for those beyond symmetry planes.
+/// The nodes around a point, and the nodes that replace those beyond symmetry planes.
 #pragma once
 
 #include "grid/kernels.hpp"
@@ -15,9 +15,10 @@ namespace tribo {
 struct SymmetryPlane {
   int axis;
   double at;         ///< position on the axis                                                 [length]
-  int node, inward;  ///< its grid line; +1 at the low end, -1 at the high end
+  int node, inward;  ///< number of its grid line; +1 at the low end of the axis, -1 at the high end
 };
 
+/// Shape functions of the nodes around a point.
 template <int Dim>
 class NodesAround {
  public:
@@ -33,14 +34,16 @@ class NodesAround {
 
   const std::vector<SymmetryPlane>& planes() const { return planes_; }
 
-  /// Value of a node's shape function at a point without a domain; `distance` from the node to the point [length].
+  /// Shape function of a node at a point. `distance`: from the node to the point [length]. Particle domains are not
+  /// considered.
   double weight(const Vec<Dim>& distance) const {
     double w = 1.0;
     for (int d = 0; d < Dim; ++d) w *= value_(std::abs(distance[d]) / lattice_.spacing[d]);
     return w;
   }
 
-  /// Calls f(weight, node) for the nodes around a point; false if some lie outside of the lattice.
+  /// Calls f(weight, node) for all nodes with a positive shape function at the point x [length]. Returns false,
+  /// without a call, if one of them lies outside of the lattice.
   template <class F>
   bool each(const Vec<Dim>& x, F&& f) const {
     Index<Dim> low, high;
@@ -56,8 +59,8 @@ class NodesAround {
     return true;
   }
 
-  /// Takes a node beyond symmetry planes to the one inside that it is the image of; factors of vectors: -1 along the
-  /// axes of the planes.
+  /// Replaces a node beyond symmetry planes by the node inside of which it is the image. Returns the factors of vector
+  /// components: -1 along the normals of these planes, else 1.
   Vec<Dim> fold(Index<Dim>& node) const {
     Vec<Dim> mirror = Vec<Dim>::Ones();
     for (const SymmetryPlane& plane : planes_) {
@@ -74,8 +77,8 @@ class NodesAround {
   }
 
  private:
-  double reach_;             // of the shape function [cells]
-  double (*value_)(double);  // of the shape function, by distance [cells]
+  double reach_;             // radius of the support of the shape function [cells]
+  double (*value_)(double);  // one-dimensional shape function of the distance [cells]
   const Lattice<Dim>& lattice_;
   std::vector<SymmetryPlane> planes_;
 };

@@ -9,22 +9,23 @@ namespace tribo {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr double depth = 0.01;  // of the skin [cells]
+constexpr double depth = 0.01;  // thickness of the surface layer [cells]
 
-/// A piece of the skin: a parallelogram (in two dimensions a line) at the surface, spanned by two half axes.
+/// A piece of the surface: a parallelogram (in two dimensions a segment) with its centre and two half axes [length].
 struct Patch {
   Vec3 centre, u, v;
 };
 
-/// The half plane x . n <= at that a face bounds.
+/// The half space x . n <= at that a face bounds.
 struct Plane {
   Vec3 n;
   double at;
 };
 
-class Skin {
+/// Divides the surface of a block into patches.
+class SurfaceLayer {
  public:
-  explicit Skin(double cell) : cell_(cell) {}
+  explicit SurfaceLayer(double cell) : cell_(cell) {}
   std::vector<Patch> patches;
 
   void edge(const Vec3& a, const Vec3& b, double longest) {
@@ -38,7 +39,7 @@ class Skin {
       for (int j = 0; j < n; ++j)
         patches.push_back({corner + (i + 0.5) / m * u + (j + 0.5) / n * v, 0.5 / m * u, 0.5 / n * v});
   }
-  // At each corner the parallelogram of half its edges: together they cover the triangle, and nothing beside it.
+  // One parallelogram at each corner, spanned by half of the two edges: their union is exactly the triangle.
   void triangle(const Vec3& a, const Vec3& b, const Vec3& c) {
     const std::array<Vec3, 3> x{a, b, c};
     const std::array<double, 3> length{(b - a).norm(), (c - b).norm(), (a - c).norm()};
@@ -57,7 +58,7 @@ class Skin {
     const Vec3 middle = face_geometry(x, false, 1.0).centre;
     for (std::size_t k = 0; k < x.size(); ++k) triangle(x[k], x[(k + 1) % x.size()], middle);
   }
-  // Circumscribed polygon: its faces are as far out as the disc on average to second order.
+  // Circumscribed polygon with short edges; its distance from the disc is of second order in their length.
   void disc(const Vec3& centre, double radius) {
     const int count = std::max(12, static_cast<int>(std::ceil(2 * pi * radius / (0.25 * cell_))));
     const auto at = [&](double k) {
@@ -66,7 +67,7 @@ class Skin {
     };
     for (int k = 0; k < count; ++k) edge(at(k), at(k + 1), 1.0);
   }
-  // Points of a spiral, each with the square of its share of the surface.
+  // Points of a spiral, each with a square whose area is its fraction of the surface.
   void ball(const Vec3& centre, double radius) {
     const int count = std::max(60, static_cast<int>(std::ceil(4 * pi * radius * radius / (0.1 * cell_ * cell_))));
     const double half = 0.5 * radius * std::sqrt(4 * pi / count), golden = pi * (3 - std::sqrt(5.0));
@@ -95,15 +96,16 @@ std::vector<Plane> planes_of(const BlockShape& shape, bool plane) {
   return out;
 }
 
-/// Whether a cube (square) of half edge `half` about x lies within a block about the origin.
-bool holds(const BlockShape& shape, const std::vector<Plane>& planes, const Vec3& x, double half, bool plane) {
+/// Whether a cube (in plane analyses a square) with centre x and half edge `half` lies within a block with its centre
+/// at the origin.
+bool contains(const BlockShape& shape, const std::vector<Plane>& planes, const Vec3& x, double half, bool plane) {
   if (shape.ball()) return x.norm() + half * std::sqrt(plane ? 2.0 : 3.0) <= shape.radius;
   return std::all_of(planes.begin(), planes.end(),
                      [&](const Plane& p) { return p.n.dot(x) + half * p.n.lpNorm<1>() <= p.at; });
 }
 
-/// The domain of half axes `axes` as that of a square one that is deformed.
-Seed seed_of(const Vec3& x, Mat3 axes, double volume) {
+/// A particle whose domain has the half axes `axes`: an orthogonal domain deformed by F.
+Seed seed_from_axes(const Vec3& x, Mat3 axes, double volume) {
   if (axes.determinant() < 0) axes.col(0) *= -1;
   Seed seed;
   seed.x = x;
@@ -123,7 +125,7 @@ std::vector<Seed> block_points(const BlockShape& shape, const Vec3& centre, int 
 
   std::vector<Seed> out;
   double inside = 0.0;
-  const double size = 0.5 * cell, one = size * size * (plane ? thickness : size);
+  const double size = 0.5 * cell, cell_volume = size * size * (plane ? thickness : size);
   const auto planes = planes_of(shape, plane);
   const auto count = [&](int d) { return static_cast<int>(std::ceil(reach[d] / size)); };
   const int layers = plane ? 1 : 2 * count(2);
@@ -131,34 +133,35 @@ std::vector<Seed> block_points(const BlockShape& shape, const Vec3& centre, int 
     for (int j = -count(1); j < count(1); ++j)
       for (int i = -count(0); i < count(0); ++i) {
         const Vec3 x((i + 0.5) * size, (j + 0.5) * size, plane ? 0.0 : (k - count(2) + 0.5) * size);
-        if (!holds(shape, planes, x, 0.5 * size, plane)) continue;
+        if (!contains(shape, planes, x, 0.5 * size, plane)) continue;
         Mat3 axes = 0.5 * size * Mat3::Identity();
         if (plane) axes(2, 2) = 0.5 * thickness;
-        out.push_back(seed_of(centre + x, axes, one));
-        inside += one;
+        out.push_back(seed_from_axes(centre + x, axes, cell_volume));
+        inside += cell_volume;
       }
 
-  Skin skin(cell);
+  SurfaceLayer layer(cell);
   if (shape.ball() && plane)
-    skin.disc(Vec3::Zero(), shape.radius);
+    layer.disc(Vec3::Zero(), shape.radius);
   else if (shape.ball())
-    skin.ball(Vec3::Zero(), shape.radius);
+    layer.ball(Vec3::Zero(), shape.radius);
   else
     for (std::size_t f = 0; f < shape.faces.size(); ++f) {
       const auto corners = shape.face(f);
-      plane ? skin.edge(corners[0], corners[1], 0.5) : skin.face(corners);
+      plane ? layer.edge(corners[0], corners[1], 0.5) : layer.face(corners);
     }
   double area = 0.0;
-  for (const Patch& p : skin.patches) area += p.u.cross(p.v).norm();
+  for (const Patch& p : layer.patches) area += p.u.cross(p.v).norm();
   const double volume = mass_properties(shape, plane, thickness).volume,
                rest = std::max(volume - inside, 1e-3 * volume);
-  for (const Patch& p : skin.patches) {
+  for (const Patch& p : layer.patches) {
     Vec3 n = p.u.cross(p.v).normalized();
     if (n.dot(p.centre) < 0) n = -n;
     Mat3 axes;
     axes << p.u, 0.5 * depth * cell * n, p.v;
     if (plane) axes.col(2) *= 0.5 * thickness;
-    out.push_back(seed_of(centre + p.centre - 0.5 * depth * cell * n, axes, rest * p.u.cross(p.v).norm() / area));
+    out.push_back(
+        seed_from_axes(centre + p.centre - 0.5 * depth * cell * n, axes, rest * p.u.cross(p.v).norm() / area));
   }
   for (Seed& seed : out) seed.material = material, seed.mass = density * seed.volume * seed.F.determinant();
   return out;

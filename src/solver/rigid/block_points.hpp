@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Material points that stand for a rigid block in the grid.
+/// Particles that represent a rigid block in the grid.
 #pragma once
 
 #include "blocks/shape.hpp"
@@ -9,9 +9,10 @@
 
 namespace tribo {
 
-/// Points of a block whose `shape` lies about `centre`: a thin skin of parallelepipeds that covers its faces, so that
-/// contact finds them where they are at any angle to the grid (balls and discs within a hundredth of a cell), and
-/// points of half a cell inside. Their volumes add up to that of the block. `cell`: smallest edge of a cell.
+/// Particles of a block with the given shape and centre [length]. A thin layer of parallelepipeds covers the faces, so
+/// that contact is detected at the exact position of a face at any angle to the grid (for balls and discs within a
+/// hundredth of a cell). Particles of half a cell fill the interior. The volumes sum to that of the block. `density`:
+/// [mass/length^3]; `plane`: plane analysis with `thickness` [length]; `cell`: smallest edge of a cell [length].
 std::vector<Seed> block_points(const BlockShape& shape, const Vec3& centre, int material, double density, bool plane,
                                double thickness, double cell);
 

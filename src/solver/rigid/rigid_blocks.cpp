@@ -11,7 +11,7 @@
 namespace tribo {
 namespace {
 
-/// Calls f(body, number of its block) for the bodies that show blocks to the grid.
+/// Calls f(body, number of its block) for the bodies that represent blocks in the grid.
 template <int Dim, class F>
 void each_block(System<Dim>& system, F&& f) {
   for (auto& body : system.rigids)
@@ -34,8 +34,8 @@ void RigidBlocks<Dim>::set_particle_velocities() {
     const BlockMotion& m = system_.blocks->motion[k];
     const auto v = body.particles.v();
     for (std::size_t i = 0; i < body.particles.size(); ++i) {
-      const Vec3 of = m.v + m.w.cross(in_space<Dim>(body.particles.position(i)) - m.x);
-      for (std::size_t d = 0; d < Dim; ++d) v[d][i] = of[static_cast<Eigen::Index>(d)];
+      const Vec3 velocity = m.v + m.w.cross(in_space<Dim>(body.particles.position(i)) - m.x);
+      for (std::size_t d = 0; d < Dim; ++d) v[d][i] = velocity[static_cast<Eigen::Index>(d)];
     }
   });
 }
@@ -58,33 +58,36 @@ template <int Dim>
 void RigidBlocks<Dim>::take_contact_forces(const std::vector<RigidExchange>& exchanges, double dt) {
   if (!active()) return;
   each_block(system_, [&](Body<Dim>& body, std::size_t k) {
-    GridForce& push = system_.blocks->grid_forces[k];
-    push = {};
+    GridForce& block_force = system_.blocks->grid_forces[k];
+    block_force = {};
     if (exchanges.empty()) return;
     const RigidExchange& exchange = exchanges[body.field];
-    push.force = exchange.impulse / dt;
+    block_force.force = exchange.impulse / dt;
     const Vec3& centre = system_.blocks->motion[k].x;
-    push.moment = (exchange.moment - centre.cross(exchange.impulse)) / dt;
-    push.spread = (exchange.moment_tensor - exchange.impulse * centre.transpose()) / dt;
+    block_force.moment = (exchange.moment - centre.cross(exchange.impulse)) / dt;
+    block_force.spread = (exchange.moment_tensor - exchange.impulse * centre.transpose()) / dt;
     check_stability(body, exchange);
   });
 }
 
-// Nodes of mass m stop at the velocity that the block had: an explicit exchange that is stable as long as
-// sum m (1/M + r^2/I) < 2 over the nodes it touches, r from the block's centre. The left side bounds the largest
-// eigenvalue of what the matter adds to the block's inertia.
+// Contact sets the nodes to the velocity of the block before the exchange. This explicit exchange of momentum is
+// stable if sum m (1/M + r^2/I) < 2 over the nodes in contact, with the nodal mass m, the distance r from the centre
+// of the block, and the mass M and moment of inertia I of the block. The left side bounds the largest eigenvalue of
+// the nodal inertia relative to that of the block.
 template <int Dim>
 void RigidBlocks<Dim>::check_stability(const Body<Dim>& body, const RigidExchange& exchange) const {
   const auto k = static_cast<std::size_t>(body.block);
   const BlockBody& block = system_.blocks->bodies[k];
   const Vec3& c = system_.blocks->motion[k].x;
-  const double around = exchange.second_moment - 2 * c.dot(exchange.first_moment) + c.squaredNorm() * exchange.mass;
+  const double second_moment =
+      exchange.second_moment - 2 * c.dot(exchange.first_moment) + c.squaredNorm() * exchange.mass;
   const double inertia = Dim == 2 ? block.inertia[2] : block.inertia.minCoeff();
-  const double against =
-      ((block.held & 7) == 7 ? 0.0 : exchange.mass / block.mass) + ((block.held & 56) == 56 ? 0.0 : around / inertia);
-  if (against < 2) return;
-  throw SimulationError("the matter at the nodes that '" + body.name + "' touches is too heavy for it in step " +
-                        std::to_string(system_.step + 1) + " at time " + std::to_string(system_.time) +
+  const double mass_ratio = ((block.held & 7) == 7 ? 0.0 : exchange.mass / block.mass) +
+                            ((block.held & 56) == 56 ? 0.0 : second_moment / inertia);
+  if (mass_ratio < 2) return;
+  throw SimulationError("the mass at the nodes in contact with '" + body.name +
+                        "' is too large compared with its own in step " + std::to_string(system_.step + 1) +
+                        " at time " + std::to_string(system_.time) +
                         ": the exchange of momentum would be unstable. Blocks must be some cells thick: take smaller "
                         "cells, or model this one as a stiff material.");
 }
@@ -95,15 +98,15 @@ double RigidBlocks<Dim>::move(double dt) {
   Assembly& blocks = *system_.blocks;
   before_.clear();
   for (const BlockMotion& m : blocks.motion) before_.push_back(m.R);
-  const int parts = std::max(1, static_cast<int>(std::ceil(dt / blocks.critical_step() * (1 - 1e-12))));
-  for (int part = 0; part < parts; ++part) blocks.advance(dt / parts);
+  const int substeps = std::max(1, static_cast<int>(std::ceil(dt / blocks.critical_step() * (1 - 1e-12))));
+  for (int substep = 0; substep < substeps; ++substep) blocks.advance(dt / substeps);
   if (!blocks.is_finite())
     throw SimulationError("the motion of the blocks grew without bound at time " + std::to_string(blocks.time));
   if (system_.step % 64 == 0) blocks.check_contacts();
   double travel = 0.0;
   each_block(system_, [&](Body<Dim>& body, std::size_t k) {
     const BlockMotion& m = blocks.motion[k];
-    const Mat3 turned = m.R * before_[k].transpose();
+    const Mat3 rotation = m.R * before_[k].transpose();
     const auto x = body.particles.x(), origin = body.particles[body.origin];
     const auto F = body.particles.F();
     for (std::size_t i = 0; i < body.particles.size(); ++i) {
@@ -115,7 +118,7 @@ double RigidBlocks<Dim>::move(double dt) {
         travel = std::max(travel, std::abs(now[axis] - x[d][i]) / system_.lattice.spacing[axis]);
         x[d][i] = now[axis];
       }
-      store_full<Dim>(turned * load_full<Dim>(F, static_cast<int>(i)), F, static_cast<int>(i));
+      store_full<Dim>(rotation * load_full<Dim>(F, static_cast<int>(i)), F, static_cast<int>(i));
     }
   });
   return travel;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// Rigid blocks among the matter in the grid: they prescribe the velocity of their nodes, and contact exerts forces on
-/// them.
+/// Rigid blocks in contact with deformable bodies: a block prescribes the velocities of its nodes, and the contact
+/// impulses act on the block.
 #pragma once
 
 #include "solver/contact/contact.hpp"
@@ -8,22 +8,26 @@
 
 namespace tribo {
 
+/// Couples rigid blocks to the velocity fields of the grid.
 template <int Dim>
 class RigidBlocks {
  public:
   explicit RigidBlocks(System<Dim>& system) : system_(system) {}
 
   bool active() const { return system_.blocks != nullptr; }
-  /// Gives the particles of blocks the velocity of their place.
+  /// Sets the particle velocities of all blocks to the rigid-body velocity at their positions.
   void set_particle_velocities();
-  /// Gives the nodes with mass of a block's field the momentum of their own place, exactly.
+  /// Sets the momentum of the nodes with mass in the field of a block to the rigid-body velocity at the node times the
+  /// nodal mass.
   void set_nodal_momentum(const Body<Dim>& body);
-  /// Takes what contact did in a step of dt. Momentum is kept to round-off: blocks get the opposite of what the matter
-  /// got, at the nodes where it acted. Throws SimulationError if a block is so light against the matter at the nodes it
-  /// touches that the exchange would be unstable.
+  /// Sets the forces and moments on the blocks from the contact impulses of a step dt [time]. The opposite of each
+  /// impulse on a deformable body acts on the block at the same node, so momentum is conserved to round-off. Throws
+  /// SimulationError if the mass of a block is so small, compared with the nodal masses in contact with it, that the
+  /// exchange of momentum would be unstable.
   void take_contact_forces(const std::vector<RigidExchange>& exchanges, double dt);
-  /// Moves blocks and their particles, in shorter steps if the contacts between blocks need them. Returns how far the
-  /// fastest particle went [cells].
+  /// Moves the blocks and their particles over a time dt, in shorter steps if contacts between blocks require them.
+  /// Returns the largest displacement of a particle along an axis [cells]. Throws SimulationError if the motion is not
+  /// finite.
   double move(double dt);
 
  private:

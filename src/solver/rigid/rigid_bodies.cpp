@@ -51,7 +51,8 @@ double RigidBodies<Dim>::move(double dt) {
   return travel;
 }
 
-// The velocity of the node that the node `n`, right beyond the face of a mirroring body, is the image of; or null.
+// For the first node `n` behind the face of a rigid body with mirrored velocities: pointer to the velocity of the node
+// in front of the face of which it is the image. Null for all other nodes.
 template <int Dim>
 const double* RigidBodies<Dim>::mirror_image(const Field<Dim>& field, std::size_t r, std::size_t n, int d) const {
   const int mirrored = model_.materials[static_cast<std::size_t>(system_.rigids[r].material)].mirrored;

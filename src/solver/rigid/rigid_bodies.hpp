@@ -7,8 +7,8 @@
 
 namespace tribo {
 
-/// Particles of rigid materials. Bodies that others touch by contact have a velocity field of their own. The other ones
-/// prescribe the velocity of all fields at the nodes around them, in the directions that the material controls.
+/// Bodies of rigid particles. Bodies in contact with others have a velocity field of their own. All other rigid bodies
+/// prescribe the velocities of all fields at the nodes around them, in the directions that the material controls.
 template <int Dim>
 class RigidBodies {
  public:
@@ -16,15 +16,15 @@ class RigidBodies {
               EnergyLedger& ledger)
       : model_(model), system_(system), transfers_(transfers), exchanges_(exchanges), ledger_(ledger) {}
 
-  /// Gives the particles their prescribed velocities at the end of a step of dt, and the nodes those of the bodies
-  /// without a field. Throws SimulationError if a velocity function is not a number.
+  /// Sets the particle velocities to the prescribed ones at the end of a step dt [time], and transfers those of bodies
+  /// without a field to the nodes. Throws SimulationError if the value of a velocity function is not finite.
   void set_velocities(double dt);
-  /// Sets the prescribed velocities of nodes before a strain update, and stores by how much each velocity changed.
+  /// Sets the prescribed nodal velocities before a strain update, and stores the change of each velocity.
   void impose();
-  /// Sets them after the momentum update; reactions, work and impulse follow. `after_impose`: impose() was called
-  /// earlier in the step.
+  /// Sets the prescribed nodal velocities after the momentum update, and computes reactions, work and impulse.
+  /// `after_impose`: impose() was called earlier in the step.
   void impose_update(double dt, bool after_impose);
-  /// Moves the particles and returns the largest displacement along an axis [cells].
+  /// Moves the particles over a time dt and returns the largest displacement along an axis [cells].
   double move(double dt);
   /// Force of each rigid body on the material in the last step, in the order of the bodies [force].
   const std::vector<Vec3>& reactions() const { return reactions_; }

@@ -12,28 +12,29 @@ namespace tribo {
 /// One velocity field at a contact node.
 struct ContactMember {
   std::size_t field = 0;               ///< number of the velocity field
-  std::int64_t node = 0;               ///< position of the node in the node layers of the field
+  std::int64_t node = 0;               ///< position of the node in the nodal arrays of the field
   double mass = 0.0;                   ///< nodal mass                                         [mass]
   double inverse_mass = 0.0;           ///< its inverse; 0 if the velocity is prescribed       [1/mass]
-  Vec3 trial_velocity = Vec3::Zero();  ///< at the end of the step without contact             [velocity]
-  Vec3 start_velocity = Vec3::Zero();  ///< at the start of the step                           [velocity]
+  Vec3 trial_velocity = Vec3::Zero();  ///< velocity at the end of the step without contact             [velocity]
+  Vec3 start_velocity = Vec3::Zero();  ///< velocity at the start of the step                           [velocity]
 };
 
-/// A pair of velocity fields at a contact node: the state that its law reads, and the impulse that they exchange.
+/// A contact pair: two velocity fields at a contact node, the input of their contact law, and the impulse between
+/// them.
 struct ContactPair {
-  std::size_t a = 0, b = 0;            ///< the two members; the normal points from a to b
+  std::size_t a = 0, b = 0;            ///< indices of the two members; the normal points from a to b
   const ContactLaw* law = nullptr;     ///< contact law between them
-  int crack = -1;                      ///< number of the crack whose faces they are; -1: two bodies
-  ContactState state;                  ///< what the law reads
-  Vec3 impulse = Vec3::Zero();         ///< on a, opposite on b                                     [mass velocity]
-  ContactResponse response;            ///< last response of the law
-  Vec3 update_impulse = Vec3::Zero();  ///< impulse of the last momentum update   [mass velocity]
-  ContactStatus update_status = ContactStatus::open;  ///< status in the last momentum update
-  double friction_work = 0.0;          ///< dissipated by sliding in the last momentum update       [energy]
-  bool has_no_face = false;            ///< no common face was found at this node: no impulse acts
-  bool replaced_by_joint = false;      ///< a joint acts here in place of the contact law
-  double face_position = 0.0;          ///< of the common face, along the normal from the node      [length]
-  Vec3 final_velocity = Vec3::Zero();  ///< relative velocity after contact; only set by FaceSolver  [velocity]
+  int crack = -1;                      ///< number of the crack if the fields are its two sides; -1: two bodies
+  ContactState state;                  ///< input of the contact law
+  Vec3 impulse = Vec3::Zero();         ///< contact impulse on a; the opposite acts on b [mass velocity]
+  ContactResponse response;            ///< last contact response of the law
+  Vec3 update_impulse = Vec3::Zero();  ///< contact impulse of the last momentum update   [mass velocity]
+  ContactStatus update_status = ContactStatus::open;  ///< contact status in the last momentum update
+  double friction_work = 0.0;      ///< energy dissipated by sliding in the last momentum update       [energy]
+  bool has_no_face = false;        ///< no common face was found at this node, so no impulse acts
+  bool replaced_by_joint = false;  ///< a joint acts here in place of the contact law
+  double face_position = 0.0;      ///< signed distance of the common face from the node along the normal      [length]
+  Vec3 final_velocity = Vec3::Zero();  ///< relative velocity after contact; set only by FaceSolver  [velocity]
 };
 
 }  // namespace tribo

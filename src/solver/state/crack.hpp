@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// A crack: a surface with two faces that the bodies around it move.
+/// A crack: a surface of discontinuity with two faces, which move with the velocity fields on either side.
 #pragma once
 
 #include "base/archive.hpp"
@@ -12,69 +12,77 @@
 
 namespace tribo {
 
-/// An end of a crack that lies in a body (two dimensions).
+/// An end of a crack that lies within a body (two dimensions).
 struct CrackTip {
-  std::uint32_t point = 0, behind = 0;  ///< of the crack; the crack runs from `behind` to `point`
-  int end = 1;                          ///< 0: of the first point, 1: of the last
-  bool lives = true;                    ///< false: it came out of the body or met another crack
-  std::size_t body = 0;                 ///< around it
-  double J = 0.0;                       ///< energy release rate                          [energy/length^2]
-  std::array<double, 2> K{};            ///< stress intensities, NaN if there are none    [stress length^1/2]
-  double rest = 0.0;                    ///< it does not grow again before               [time]
-  Vec<2> start = Vec<2>::Zero();        ///< its direction in the beginning
+  /// Numbers of the points of the last piece; the crack runs from `previous` to `point`, the tip.
+  std::uint32_t point = 0, previous = 0;
+  int end = 1;           ///< 0: the tip is the first point of the crack; 1: the last
+  bool active = true;    ///< false: the tip has reached a free surface or another crack
+  std::size_t body = 0;  ///< number of the body in which the tip lies
+  double J = 0.0;        ///< energy release rate                          [energy/length^2]
+  /// Stress intensity factors of modes 1 and 2; NaN if the body is not elastic [stress length^1/2].
+  std::array<double, 2> K{};
+  double earliest_growth = 0.0;               ///< the tip does not grow before this time               [time]
+  Vec<2> initial_direction = Vec<2>::Zero();  ///< unit vector along the crack at the start of the run
 };
 
-/// The end and the first direction of a tip belong to the model.
+/// Saves and restores what changes in a run; `end` and `initial_direction` follow from the model.
 inline void archive(Archive& a, CrackTip& tip) {
-  auto& [point, behind, end, lives, body, J, K, rest, start] = tip;
+  auto& [point, previous, end, active, body, J, K, earliest_growth, initial_direction] = tip;
   a.version(1);
-  a("point", point), a("behind", behind), a("lives", lives), a("body", body);
-  a("J", J), a("K", K), a("rest", rest);
+  a("point", point), a("behind", previous), a("lives", active), a("body", body);
+  a("J", J), a("K", K), a("rest", earliest_growth);
 }
 
-/// Straight pieces in two dimensions, triangles in three. Seen along a line, or with the corners of a triangle
-/// counter-clockwise, the normal points to the left (up): to the upper face.
+/// A crack made of straight segments in two dimensions and of triangles in three, called pieces. The normal of a
+/// segment points to its left; seen from the tip of its normal, the corners of a triangle run counter-clockwise. The
+/// normal points to the upper face.
 template <int Dim>
 struct Crack {
   using Piece = std::array<std::uint32_t, static_cast<std::size_t>(Dim)>;
 
-  const ContactLaw* law = nullptr;            ///< between the faces; null: they do not see each other
-  std::vector<Vec<Dim>> x;                    ///< points: halfway between the faces                      [length]
-  std::array<std::vector<Vec<Dim>>, 2> face;  ///< the same points on the lower (0) and upper (1) face    [length]
+  const ContactLaw* law = nullptr;  ///< contact law between the faces; null: the faces do not interact
+  std::vector<Vec<Dim>> x;          ///< points, halfway between the faces                      [length]
+  /// Positions of the points on the lower (0) and the upper (1) face [length].
+  std::array<std::vector<Vec<Dim>>, 2> face;
   std::vector<Piece> pieces;
-  std::vector<double> inside;                      ///< part of each piece that lay in bodies at the start
-  std::size_t drawn_points = 0, drawn_pieces = 0;  ///< the others go on from where the crack leaves a body
-  std::vector<double> gap;         ///< sum of what they parted along the normal                 [length]
-  std::vector<double> slip;        ///< way slid since the faces last stuck                    [length]
-  std::vector<double> bond;        ///< 1 whole, -1 broken, 0 none
+  std::vector<double> inside;  ///< fraction of the area of each piece that lay within bodies at the start
+  /// Numbers of points and pieces of the crack proper; those that follow extend it beyond the surface of a body.
+  std::size_t main_points = 0, main_pieces = 0;
+  std::vector<double> gap;         ///< normal displacement jump between the faces                 [length]
+  std::vector<double> slip;        ///< distance slid since the faces last stuck                    [length]
+  std::vector<double> bond;        ///< 1 intact, -1 broken, 0 no bond
   std::vector<double> status;      ///< in the last step: 0 open, 1 stick, 2 slip
   std::vector<Vec<Dim>> traction;  ///< on the lower face in the last step                     [stress]
-  std::vector<char> is_led;        ///< points whose faces joints lead in this step; empty: none
-  std::vector<std::array<Vec<Dim>, 2>> led_velocity;  ///< their velocities
+  /// Nonzero: joints prescribe the face velocities of the point in this step; empty: of none.
+  std::vector<char> is_prescribed;
+  /// Velocities that joints prescribe on the lower and the upper face [velocity].
+  std::vector<std::array<Vec<Dim>, 2>> prescribed_velocity;
   std::vector<CrackTip> tips;
-  double whole_bond = 0.0;  ///< `bond` of new points
-  bool fixed = false;       ///< x stays where it is
+  double initial_bond = 0.0;  ///< value of `bond` at new points
+  bool fixed = false;         ///< the points x do not move with the faces
 
-  /// Puts a point with closed faces before the k-th.
+  /// Inserts a point with closed faces at position `at` [length] before the k-th point.
   void add_point(std::size_t k, const Vec<Dim>& at) {
     const auto insert = [&](auto& list, const auto& value) {
       list.insert(list.begin() + static_cast<std::ptrdiff_t>(k), value);
     };
     insert(x, at), insert(face[0], at), insert(face[1], at), insert(traction, Vec<Dim>(Vec<Dim>::Zero()));
-    insert(gap, 0.0), insert(slip, 0.0), insert(bond, whole_bond), insert(status, 0.0);
-    if (is_led.empty()) return;
-    const Vec<Dim> still = Vec<Dim>::Zero();
-    insert(is_led, char{0}), insert(led_velocity, std::array{still, still});
+    insert(gap, 0.0), insert(slip, 0.0), insert(bond, initial_bond), insert(status, 0.0);
+    if (is_prescribed.empty()) return;
+    const Vec<Dim> zero = Vec<Dim>::Zero();
+    insert(is_prescribed, char{0}), insert(prescribed_velocity, std::array{zero, zero});
   }
 
+  /// Positions of the corners of a piece [length].
   std::array<Vec<Dim>, static_cast<std::size_t>(Dim)> corners(std::size_t piece) const {
     std::array<Vec<Dim>, static_cast<std::size_t>(Dim)> out;
     for (std::size_t k = 0; k < out.size(); ++k) out[k] = x[pieces[piece][k]];
     return out;
   }
-  /// Upper minus lower face.
+  /// Displacement jump at a point: position on the upper minus position on the lower face [length].
   Vec<Dim> opening(std::size_t point) const { return face[1][point] - face[0][point]; }
-  /// Of all points: mean of the pieces around them.
+  /// Unit normals at all points: means over the adjacent pieces, weighted by their areas.
   std::vector<Vec<Dim>> normals() const {
     std::vector<Vec<Dim>> out(x.size(), Vec<Dim>::Zero());
     for (std::size_t p = 0; p < pieces.size(); ++p)
@@ -82,7 +90,8 @@ struct Crack {
     for (auto& n : out) n.normalize();
     return out;
   }
-  /// Normal times area of a piece, to the upper side (length in two dimensions).
+  /// Area of a piece (length in two dimensions) times the unit normal to its upper side, for the corners `c` [length^2
+  /// or length].
   static Vec<Dim> area(const std::array<Vec<Dim>, static_cast<std::size_t>(Dim)>& c) {
     if constexpr (Dim == 2)
       return {c[0][1] - c[1][1], c[1][0] - c[0][0]};
@@ -91,18 +100,19 @@ struct Crack {
   }
 };
 
-/// A crack may have grown: its points are added first, so that all lists of points have the size that was saved. The
-/// velocities that joints prescribe are set anew in every step.
+/// Saves and restores a crack. A saved crack may have grown, so the missing points are added first: all lists of
+/// points then have the size that was saved. The velocities that joints prescribe are computed in every step and are
+/// not saved.
 template <int Dim>
 void archive(Archive& a, Crack<Dim>& crack) {
-  auto& [law, x, face, pieces, inside, drawn_points, drawn_pieces, gap, slip, bond, status, traction, is_led,
-         led_velocity, tips, whole_bond, fixed] = crack;
+  auto& [law, x, face, pieces, inside, main_points, main_pieces, gap, slip, bond, status, traction, is_prescribed,
+         prescribed_velocity, tips, initial_bond, fixed] = crack;
   a.version(1);
   std::size_t points = x.size();
   a("points", points);
   while (x.size() < points) crack.add_point(x.size(), Vec<Dim>::Zero());
   a("x", x), a("lower", face[0]), a("upper", face[1]);
-  a("drawn_points", drawn_points), a("drawn_pieces", drawn_pieces);
+  a("drawn_points", main_points), a("drawn_pieces", main_pieces);
   a.resizable("inside", inside);
   pieces.resize(inside.size());
   std::vector<std::uint32_t> corners;

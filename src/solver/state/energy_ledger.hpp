@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Energy and momentum that enter and leave the bodies during a run.
+/// Energy and momentum that external actions add to and remove from the bodies during a run.
 #pragma once
 
 #include "base/archive.hpp"
@@ -10,12 +10,12 @@ namespace tribo {
 /// Work (first component) and impulse (the other three) of forces over a step [energy, momentum].
 using WorkAndImpulse = Eigen::Vector4d;
 
-/// What entered or left since the start of the run, besides the work of nodal conditions and of contact.
+/// Cumulative work and impulse since the start of the run. Nodal conditions and contact keep their own sums.
 struct EnergyLedger {
-  double external_work = 0.0;   ///< done by body forces, loads and tractions     [energy]
-  double damping_work = 0.0;    ///< taken out by damping, >= 0                   [energy]
-  double rigid_work = 0.0;      ///< done by rigid particles                      [energy]
-  Vec3 impulse = Vec3::Zero();  ///< of all of these together                     [momentum]
+  double external_work = 0.0;   ///< work of body forces, loads and tractions     [energy]
+  double damping_work = 0.0;    ///< energy removed by damping, >= 0                   [energy]
+  double rigid_work = 0.0;      ///< work of rigid particles                      [energy]
+  Vec3 impulse = Vec3::Zero();  ///< impulse of all of these together                     [momentum]
 };
 
 inline void archive(Archive& a, EnergyLedger& ledger) {

@@ -12,47 +12,57 @@
 
 namespace tribo {
 
-/// A point of integration. Joints feel the mean motion of the faces over their part of the surface, and push all of it.
+/// An integration point on a joint surface. The velocity jump of a joint is the mean over the integration points of
+/// its part of the surface, and its force is distributed over the same points with the same weights.
 template <int Dim>
 struct JointSample {
   static constexpr auto count = static_cast<std::size_t>(Dim);
   using Corners = std::array<Vec<Dim>, count>;
-  std::array<std::uint32_t, count> point{};  ///< of a crack; the sample lies between them
-  std::array<double, count> share{};         ///< of these points in its position
-  std::array<std::uint32_t, count> joint{};  ///< whose surface it stands for
-  std::array<double, count> part{};          ///< of the surface of each; over all samples of a joint their sum is one
-  Vec3 local = Vec3::Zero();                 ///< between bodies: from the joint's point along its n, s, t   [length]
+  /// On a crack: numbers of the corners of the piece that holds the integration point.
+  std::array<std::uint32_t, count> point{};
+  /// Barycentric coordinates of the integration point with respect to these corners.
+  std::array<double, count> weight{};
+  /// Numbers of the joints to whose surfaces the integration point contributes.
+  std::array<std::uint32_t, count> joint{};
+  /// Fraction of the surface area of each of these joints; the fractions of one joint sum to one.
+  std::array<double, count> area_fraction{};
+  /// Between bodies: offset from the joint, components along its axes n, s, t [length].
+  Vec3 local = Vec3::Zero();
 };
 
-/// Points that persist, each with its part of the surface and a joint.
+/// The joints along one crack or on one common face of two bodies. Each joint belongs to a point that persists during
+/// the run and stands for a part of the surface.
 template <int Dim>
 struct JointSurface {
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
   const JointLaw* law = nullptr;
-  std::size_t crack = none;                     ///< whose points these are, from its lower (1) to its upper face (2)
-  std::array<std::size_t, 2> home{none, none};  ///< else: the fields of the bodies 1 and 2
-  std::array<int, 2> material{-1, -1};          ///< and their materials
-  std::vector<std::size_t> point;               ///< of the crack
+  /// Number of the crack; body 1 is then on its lower and body 2 on its upper side; `none`: two bodies.
+  std::size_t crack = none;
+  std::array<std::size_t, 2> field{none, none};  ///< between bodies: the velocity fields of the bodies 1 and 2
+  std::array<int, 2> material{-1, -1};           ///< between bodies: the materials of the bodies 1 and 2
+  std::vector<std::size_t> point;                ///< on a crack: number of the crack point of each joint
   std::vector<JointSample<Dim>> samples;
-  std::vector<Vec<Dim>> x;  ///< halfway between the faces                       [length]
+  std::vector<Vec<Dim>> x;  ///< positions of the joints, halfway between the faces                       [length]
   std::vector<JointAxes> axes;
   std::vector<Joint> joints;
-  /// Around the faces at each sample at the start; 0: not known yet, `lost`: between bodies, once a face has left.
+  /// Nodal mass near the integration points on the side of body 1 and of body 2 at the start of the run, interpolated
+  /// with the shape functions [mass]. 0: not computed yet. `detached`: between bodies, once one of the faces has moved
+  /// away.
   std::array<std::vector<double>, 2> mass;
-  static constexpr double lost = -1.0;
+  static constexpr double detached = -1.0;
 
-  /// On body 2, dashpots included.
+  /// Force of the k-th joint on body 2, dashpots included [force].
   Vec3 force(std::size_t k) const {
     const Joint& j = joints[k];
     return -(j.Fn + j.dashpot_normal) * axes[k].n + axes[k].vector(j.Fs + j.dashpot_shear);
   }
 };
 
-/// Where the samples lie on the surface belongs to the model.
+/// Saves and restores the joints; the integration points follow from the model.
 template <int Dim>
 void archive(Archive& a, JointSurface<Dim>& surface) {
-  auto& [law, crack, home, material, point, samples, x, axes, joints, mass] = surface;
+  auto& [law, crack, field, material, point, samples, x, axes, joints, mass] = surface;
   a.version(1);
   a("x", x), a("axes", axes), a("joints", joints), a("mass1", mass[0]), a("mass2", mass[1]);
 }

@@ -23,8 +23,8 @@ struct ParticleDomain {
   }
 };
 
-/// Reads the present domains of the particles of a body. It holds pointers to the columns of the particles, so it is
-/// valid until the columns move, that is until the next sort.
+/// Computes the current domains of the particles of a body. It holds pointers to the particle columns, so it is valid
+/// until the next sort.
 template <int Dim>
 class DomainReader {
  public:
@@ -43,10 +43,11 @@ class DomainReader {
   }
 
  private:
-  std::array<const double*, Dim> x_{};        // coordinates
-  std::array<const double*, Dim> half_{};     // initial half sizes; null if all particles have the same size
-  std::array<const double*, Dim * Dim> F_{};  // deformation gradient row by row; null if the body does not keep it
-  Vec<Dim> uniform_;                          // the initial half size of all particles if half_ is null
+  std::array<const double*, Dim> x_{};     // coordinates
+  std::array<const double*, Dim> half_{};  // initial half sizes; null if all particles have the same size
+  // deformation gradient row by row; null if the body does not keep it
+  std::array<const double*, Dim * Dim> F_{};
+  Vec<Dim> uniform_;  // the initial half size of all particles if half_ is null
 };
 
 }  // namespace tribo

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// What a step works on.
+/// The state of a run: velocity fields, bodies, cracks, joints and time.
 #pragma once
 
 #include "grid/nodes.hpp"
@@ -18,35 +18,42 @@ namespace tribo {
 
 class Assembly;
 
-/// Which of its fields a particle of a cut bin gives to and takes from, node by node of its stencil, x fastest: 0 what
-/// lies on the node's own side of all cracks, 1 across its first crack, 2 across its second, 3 across both.
+/// For a bin of particles that cracks intersect: the velocity field to which each particle belongs at each node of its
+/// stencil, with the nodes in order, x fastest. The side is found from the segment between particle and node. 0: the
+/// segment crosses no crack; 1: it crosses the first crack of the node; 2: the second; 3: both.
 struct CutBin {
-  std::vector<std::int32_t> first;  ///< per particle of the bin: where its sides begin, or -1: all are 0
-  std::vector<std::uint8_t> sides;
-  std::vector<std::uint64_t> crossed;  ///< with several cracks: bits of those between particle and node
+  /// Per particle of the bin: index of its first entry in `sides`; -1 if all its sides are 0.
+  std::vector<std::int32_t> first;
+  std::vector<std::uint8_t> sides;  ///< 0 to 3, as above
+  /// With several cracks: bit k is set if the segment crosses the k-th crack listed at the block.
+  std::vector<std::uint64_t> crossed;
 
+  /// Sides of a particle of the bin at the nodes of its stencil; null if all are 0.
   const std::uint8_t* of(std::uint32_t particle) const {
     const std::int32_t at = first[particle];
     return at < 0 ? nullptr : sides.data() + at;
   }
 };
 
-/// One velocity field: the nodes that all bodies assigned to it share. What lies across cracks has fields of its own.
+/// One velocity field: the nodes that all bodies assigned to it share. Where cracks intersect the bodies, the
+/// particles on the other side of a crack use additional fields.
 template <int Dim>
 struct Field {
   explicit Field(const Lattice<Dim>& lattice) : map(lattice) {}
   BlockMap<Dim> map;
   NodeLayer nodes;
-  std::vector<AlignedVector<PrescribedNode>> rigid;  ///< per rigid body without a field of its own
-  AlignedVector<FilterNode> filter;                  ///< XPIC, FMPM; empty without
-  NodeLayer increment;                               ///< XPIC, FMPM: momentum scattered by the filter; empty without
-  AlignedVector<VolumeNode> volumes;                 ///< contact; empty without
-  AlignedVector<HeatNode> heat;                      ///< conduction; empty without
-  AlignedVector<CellNode> cells;                     ///< B-bar; empty without
-  bool rigid_contact = false;  ///< the field of a rigid body that others touch: its velocity is prescribed
-  std::int64_t block = -1;     ///< the rigid block whose field it is
-  std::size_t home = 0;        ///< the field of the same bodies on the nodes' own side of cracks
-  int side = 0;                ///< as in CutBin
+  /// Velocities that rigid bodies prescribe, per rigid body without a velocity field of its own.
+  std::vector<AlignedVector<PrescribedNode>> rigid;
+  AlignedVector<FilterNode> filter;   ///< XPIC, FMPM: velocities during filtering; else empty
+  NodeLayer increment;                ///< XPIC, FMPM: momentum scattered by the filter; else empty
+  AlignedVector<VolumeNode> volumes;  ///< contact: nodal volumes and their gradients; else empty
+  AlignedVector<HeatNode> heat;       ///< heat conduction: nodal temperatures; else empty
+  AlignedVector<CellNode> cells;      ///< B-bar: volume means of cells; else empty
+  bool rigid_contact = false;         ///< field of a rigid body in contact with others; its velocity is prescribed
+  std::int64_t block = -1;            ///< number of the rigid block whose field it is; -1: of none
+  /// Number of the field of the same bodies with side 0; the field itself if its side is 0.
+  std::size_t base_field = 0;
+  int side = 0;  ///< side of the cracks as in CutBin, 0 to 3
 };
 
 /// The particles of one material.
@@ -58,54 +65,63 @@ struct Body {
   std::string name;
   std::shared_ptr<const Material> law;
   int material = 0;       ///< index into Model::materials
-  std::size_t field = 0;  ///< of rigid bodies: only if others touch them, else `no_field`
+  std::size_t field = 0;  ///< number of the velocity field; `no_field` for rigid bodies without contact
   static constexpr std::size_t no_field = static_cast<std::size_t>(-1);
-  std::int64_t block = -1;                                          ///< which of System::blocks it shows to the grid
-  std::array<std::size_t, 3> across{no_field, no_field, no_field};  ///< fields of the sides 1, 2, 3
-  std::vector<std::int32_t> cut;                                    ///< per bin: which of `cut_bins`, or -1; or empty
+  /// Number of the rigid block in System::blocks that the particles represent; -1: none.
+  std::int64_t block = -1;
+  /// Numbers of the fields for the sides 1, 2 and 3 of CutBin.
+  std::array<std::size_t, 3> across_fields{no_field, no_field, no_field};
+  /// Per bin: its index in `cut_bins`, or -1 if no crack is near; empty without cracks.
+  std::vector<std::int32_t> cut;
   std::vector<CutBin> cut_bins;
+  /// Sides of the particles of a bin; null if no crack is near.
   const CutBin* cut_bin(std::size_t bin) const {
     return cut.empty() || cut[bin] < 0 ? nullptr : &cut_bins[static_cast<std::size_t>(cut[bin])];
   }
   Particles<Dim> particles;
   Bins<Dim> bins;
   std::size_t history = 0;               ///< first history column
-  std::vector<double*> history_columns;  ///< refreshed after every sort
-  MatrixColumn affine;     ///< APIC: sum over nodes of w v (x_i - x)^T                    [velocity length]
-  VectorColumn filtered;   ///< XPIC, FMPM: the filtered velocity                          [velocity]
-  VectorColumn start;      ///< "+" schemes: position at the start of the step             [length]
-  VectorColumn half_size;  ///< half widths of the domains where these differ              [length]
-  Vec<Dim> uniform_half_size = Vec<Dim>::Zero();  ///< half widths of the domains where all are alike  [length]
-  MatrixColumn domain;                            ///< CPDI: F at the start of the step
-  VectorColumn load;                    ///< external force                                             [force]
-  VectorColumn origin;                  ///< position at the start of the run                           [length]
-  MatrixColumn first_inverse;           ///< F^-1 at the start of the run where F was not the identity
-  ScalarColumn load_set;                ///< bit k set: particle condition k acts on the particle
-  ScalarColumn contact_slip;            ///< laws with memory: distance slid since the faces last stuck  [length]
-  ScalarColumn contact_bond;            ///< laws with memory: 1 whole, -1 broken, 0 no bond
-  ScalarColumn contact_state;           ///< for output: 0 open, 1 stick, 2 slip
-  VectorColumn contact_traction;        ///< for output                                                 [stress]
-  VectorColumn contact_normal;          ///< for output
-  ScalarColumn temperature;             ///< [temperature]
-  VectorColumn temperature_gradient;    ///< conduction                                             [temperature/length]
-  ScalarColumn temperature_detail;      ///< conduction: what of the temperature the nodes do not see  [temperature]
-  ScalarColumn heated;                  ///< dissipated work per initial volume that is heat already   [stress]
-  ScalarColumn crossings;               ///< for output: how often the particle changed its cell
-  ScalarColumn cell_number;             ///< for output: number of the cell it is in, -1 before the first look
-  ScalarColumn volumetric;              ///< B-bar: rate of volume change or mean stress while it is averaged
-  double heat_capacity = 0.0;           ///< [energy/(mass temperature)]
-  double conductivity = 0.0;            ///< [power/(length temperature)]
-  double taylor_quinney = 0.0;          ///< share of the dissipated work that becomes heat
-  double reference_temperature = 0.0;   ///< of the given properties [temperature]
-  Vec3 cell = Vec3::Ones();             ///< edges of the grid's cells [length]
-  double detail_share = 0.0;            ///< of the detail of the temperature that goes in this step
-  bool volume_of_displacement = false;  ///< contact looks at displacements, not positions
+  std::vector<double*> history_columns;  ///< pointers to the history columns, updated after every sort
+  MatrixColumn affine;    ///< APIC: sum over nodes of w v (x_i - x)^T                    [velocity length]
+  VectorColumn filtered;  ///< XPIC, FMPM: the filtered velocity                          [velocity]
+  VectorColumn start;     ///< "+" schemes: position at the start of the step             [length]
+  /// Initial half widths of the particle domains if they differ between particles [length].
+  VectorColumn half_size;
+  /// Initial half widths of the particle domains if all are equal [length].
+  Vec<Dim> uniform_half_size = Vec<Dim>::Zero();
+  MatrixColumn domain;                ///< CPDI: F at the start of the step
+  VectorColumn load;                  ///< external force                                             [force]
+  VectorColumn origin;                ///< position at the start of the run                           [length]
+  MatrixColumn first_inverse;         ///< F^-1 at the start of the run if F was not the identity
+  ScalarColumn load_set;              ///< bit k set: particle condition k acts on the particle
+  ScalarColumn contact_slip;          ///< laws with history: distance slid since the faces last stuck  [length]
+  ScalarColumn contact_bond;          ///< laws with history: 1 intact, -1 broken, 0 no bond
+  ScalarColumn contact_state;         ///< for output: 0 open, 1 stick, 2 slip
+  VectorColumn contact_traction;      ///< for output                                                 [stress]
+  VectorColumn contact_normal;        ///< for output
+  ScalarColumn temperature;           ///< [temperature]
+  VectorColumn temperature_gradient;  ///< conduction                                             [temperature/length]
+  /// Conduction: particle temperature minus the interpolated nodal temperature [temperature].
+  ScalarColumn temperature_residual;
+  ScalarColumn heated;         ///< dissipated work per initial volume that has been converted to heat   [stress]
+  ScalarColumn crossings;      ///< for output: number of times the particle moved to another cell
+  ScalarColumn cell_number;    ///< for output: number of the current cell, -1 before the first count
+  ScalarColumn volumetric;     ///< B-bar: scratch for the rate of volume change or the mean stress
+  double heat_capacity = 0.0;  ///< [energy/(mass temperature)]
+  double conductivity = 0.0;   ///< [power/(length temperature)]
+  /// Taylor-Quinney coefficient: fraction of the dissipated work that becomes heat.
+  double taylor_quinney = 0.0;
+  double reference_temperature = 0.0;   ///< temperature at which the material properties hold [temperature]
+  Vec3 cell = Vec3::Ones();             ///< edge lengths of the grid cells [length]
+  double residual_share = 0.0;          ///< fraction of the temperature residual that is removed in this step
+  bool volume_of_displacement = false;  ///< contact computes gaps from displacements, not from positions
   double particle_damping = 0.0;
   double total_mass = 0.0;
 
-  std::vector<const double*> read_by_scatter, read_by_gather;  ///< columns to bring closer; refreshed after every sort
+  /// Columns to prefetch; updated after every sort.
+  std::vector<const double*> read_by_scatter, read_by_gather;
 
-  /// Points to the columns where they are now.
+  /// Updates the pointers to the particle columns, which move when particles are sorted.
   void refresh() {
     history_columns.clear();
     for (std::size_t k = 0; k < law->history().size(); ++k) history_columns.push_back(particles.column(history + k));
@@ -125,6 +141,7 @@ struct Body {
   }
 };
 
+/// All state of a run on a grid.
 template <int Dim>
 struct System {
   explicit System(const Lattice<Dim>& l) : lattice(l) {}
@@ -134,29 +151,31 @@ struct System {
   std::vector<Body<Dim>> bodies;
   std::vector<Crack<Dim>> cracks;
   std::vector<JointSurface<Dim>> joints;
-  std::vector<Body<Dim>> rigids;  ///< particles that prescribe velocities: `velocity` follows the material's functions
-  std::shared_ptr<Assembly> blocks;  ///< rigid blocks in the grid, each with one of `rigids`; or null
+  /// Bodies of rigid particles; their velocities follow functions of the material or the motion of a block.
+  std::vector<Body<Dim>> rigids;
+  /// Rigid blocks in the grid, each represented by one body of `rigids`; null without blocks.
+  std::shared_ptr<Assembly> blocks;
   double time = 0.0;
   std::int64_t step = 0;
   double drift = 0.0;  ///< largest distance any particle may have moved since the last sort [cells]
   bool sorted = false;
 };
 
-/// The particles and their bins. Columns, fields and material belong to the model; the rest follows from the particles
-/// when they are sorted, or serves within a step.
+/// Saves and restores the particles and their bins. Columns, fields and material follow from the model; all other
+/// members are computed when particles are sorted, or are used within a step only.
 template <int Dim>
 void archive(Archive& a, Body<Dim>& body, const Lattice<Dim>& lattice) {
-  auto& [name, law, material, field, block, across, cut, cut_bins, particles, bins, history, history_columns, affine,
-         filtered, start, half_size, uniform_half_size, domain, load, origin, first_inverse, load_set, contact_slip,
-         contact_bond, contact_state, contact_traction, contact_normal, temperature, temperature_gradient,
-         temperature_detail, heated, crossings, cell_number, volumetric, heat_capacity, conductivity, taylor_quinney,
-         reference_temperature, cell, detail_share, volume_of_displacement, particle_damping, total_mass,
+  auto& [name, law, material, field, block, across_fields, cut, cut_bins, particles, bins, history, history_columns,
+         affine, filtered, start, half_size, uniform_half_size, domain, load, origin, first_inverse, load_set,
+         contact_slip, contact_bond, contact_state, contact_traction, contact_normal, temperature, temperature_gradient,
+         temperature_residual, heated, crossings, cell_number, volumetric, heat_capacity, conductivity, taylor_quinney,
+         reference_temperature, cell, residual_share, volume_of_displacement, particle_damping, total_mass,
          read_by_scatter, read_by_gather] = body;
   a("particles", particles), archive(a, bins, lattice);
 }
 
-/// Bodies, cracks, joints and the time. Fields are those of a step; blocks archive themselves, as they also run without
-/// a grid.
+/// Saves and restores bodies, cracks, joints and time. Fields are computed in every step. Blocks have an archive of
+/// their own, since they also run without a grid.
 template <int Dim>
 void archive(Archive& a, System<Dim>& system) {
   auto& [lattice, analysis, fields, bodies, cracks, joints, rigids, blocks, time, step, drift, sorted] = system;

@@ -33,7 +33,7 @@ void BBar<Dim>::average_rates(Gather& what, AlignedVector<N> Field<Dim>::*layer)
   }
 }
 
-// Leaves in the volumetric column what the means add to the particles' own stresses.
+// Stores the difference between the cell mean and the mean stress of the particle in the volumetric column.
 template <int Dim>
 void BBar<Dim>::average_stress() {
   if (!cells_) return;
@@ -50,7 +50,7 @@ void BBar<Dim>::average_stress() {
   }
 }
 
-// Materials that share a field do not share means.
+// Means are separate for each body, also if several bodies share a velocity field.
 template <int Dim>
 void BBar<Dim>::average(Body<Dim>& body, bool from_start) {
   auto& field = system_.fields[body.field];

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-/// Transfers with linear CPDI: hats averaged over the particle's deformed domain, a parallelogram or parallelepiped.
+/// Transfers with linear CPDI: linear shape functions averaged over the deformed particle domain, a parallelogram or
+/// parallelepiped.
 ///
 ///   w_I = 2^-Dim sum_corners N_I(x_c),     grad w_I = R^-T 2^-Dim sum_corners s_c N_I(x_c)
 ///
-/// R = [r_1 .. r_Dim] half edges of the domain, s_c = (+-1, ..) the corner. Sadeghirad, Brannon & Burghardt, Int. J.
+/// R = [r_1 .. r_Dim] are the half edges of the domain, s_c = (+-1, ..) the natural coordinates of corner c.
+/// Sadeghirad, Brannon & Burghardt, Int. J.
 /// Numer. Meth. Engng 86 (2011) 1435-1456. Domains that reach beyond the limit are scaled: Homel, Brannon & Guilkey,
 /// Int. J. Numer. Meth. Engng 107 (2016) 2, so that the stencil stays four nodes wide.
 #pragma once
@@ -24,7 +26,7 @@ class CpdiTransfers final : public Transfers<Dim> {
   static constexpr int nodes_per_particle = Dim == 2 ? 16 : 64;
   using NodePatch = Patch<Dim, width>;
 
-  /// `limit`: largest reach of a corner from the centre along an axis, in cells, at most 1.
+  /// `limit`: largest distance of a corner from the centre along an axis [cells]; values above 1 act as 1.
   explicit CpdiTransfers(double limit) : limit_(std::min(limit, 1.0)) {}
 
   double shift() const override { return 1.0; }
@@ -43,7 +45,7 @@ class CpdiTransfers final : public Transfers<Dim> {
 
   void scatter(Body<Dim>& body, const Target<Dim>& target, Scatter what, bool from_start, bool axisymmetric,
                const std::vector<char>* only) const override {
-    const bool force = pulls(what);
+    const bool force = uses_gradients(what);
     for (const auto& colour : body.bins.colours())
       parallel_for(static_cast<std::ptrdiff_t>(colour.size()), [&](std::ptrdiff_t k) {
         const Bin& bin = body.bins.list()[colour[static_cast<std::size_t>(k)]];
@@ -68,9 +70,9 @@ class CpdiTransfers final : public Transfers<Dim> {
   using Across = CutPatches<Dim, width>;
 
   struct Stencil {
-    int base;                           ///< of the lowest node in the patch, in doubles
-    double w[nodes_per_particle];       ///< x fastest
-    double g[Dim][nodes_per_particle];  ///< slopes [1/length]
+    int base;                           ///< offset of the lowest node in the patch, in doubles
+    double w[nodes_per_particle];       ///< shape functions of the nodes, x fastest
+    double g[Dim][nodes_per_particle];  ///< gradients of the shape functions [1/length]
     Vec<Dim> to_base;                   ///< lowest node minus particle [length]
   };
 
@@ -166,27 +168,27 @@ class CpdiTransfers final : public Transfers<Dim> {
     NodePatch patch;
     patch.clear();
     Across across(cut != nullptr);
-    ScatterTerms<Dim> given;
+    ScatterTerms<Dim> terms;
     for (std::uint32_t first = bin.begin; first < bin.end; first += batch) {
       const int count = static_cast<int>(std::min<std::uint32_t>(batch, bin.end - first));
-      given.template prepare<Force>(body, first, count, what, axisymmetric);
+      terms.template prepare<Force>(body, first, count, what, axisymmetric);
       for (int i = 0; i < count; ++i) {
         const Stencil s = stencil(body, lattice, block, x, first + static_cast<std::size_t>(i));
         const Mat<Dim> C =
             affine ? affine_momentum(body, s, lattice, first + static_cast<std::size_t>(i)) : Mat<Dim>::Zero();
-        const Wide whole = Wide::load(given.whole[i]);
+        const Wide whole = Wide::load(terms.whole[i]);
         const std::uint8_t* sides = cut ? cut->of(first - bin.begin + static_cast<std::uint32_t>(i)) : nullptr;
         const auto data = across.data(patch);
         for (int n = 0; n < nodes_per_particle; ++n) {
           double* node = data[sides ? sides[n] : 0] + s.base + offset(n);
           Wide sum = Wide::load(node) + s.w[n] * whole;
           if constexpr (Force)
-            for (int d = 0; d < Dim; ++d) sum = sum + s.g[d][n] * Upper::from(load4(given.pull[d][i]));
+            for (int d = 0; d < Dim; ++d) sum = sum + s.g[d][n] * Upper::from(load4(terms.flux[d][i]));
           sum.store(node);
           if (affine) Eigen::Map<Vec<Dim>>(node + 1) += s.w[n] * (C * distance(s, lattice, n));
           if (what == Scatter::heat) {
             const Vec<Dim> r = distance(s, lattice, n);
-            for (int d = 0; d < Dim; ++d) node[1] += s.w[n] * r[d] * given.affine[d][i][1];
+            for (int d = 0; d < Dim; ++d) node[1] += s.w[n] * r[d] * terms.affine[d][i][1];
           }
         }
       }
@@ -209,7 +211,7 @@ class CpdiTransfers final : public Transfers<Dim> {
     across.each(target, [&](std::size_t k, NodePatch& beyond) {
       beyond.load(target.map[k]->neighbours(bin.block), target.nodes[k]);
     });
-    GatherSums<Dim> got;
+    GatherSums<Dim> sums;
     for (std::uint32_t first = bin.begin; first < bin.end; first += batch) {
       const int count = static_cast<int>(std::min<std::uint32_t>(batch, bin.end - first));
       for (int i = 0; i < count; ++i) {
@@ -227,11 +229,11 @@ class CpdiTransfers final : public Transfers<Dim> {
             for (int d = 0; d < Dim; ++d) moment[d] += s.w[n] * r[d] * node.low();
           }
         }
-        value.store(got.whole[i % 4]);
-        for (int d = 0; d < Dim; ++d) store4(got.slope[d][i % 4], slope[d]), store4(got.moment[d][i % 4], moment[d]);
-        if (i % 4 == 3 || i == count - 1) got.template transpose<true, true>(i / 4 * 4);
+        value.store(sums.whole[i % 4]);
+        for (int d = 0; d < Dim; ++d) store4(sums.slope[d][i % 4], slope[d]), store4(sums.moment[d][i % 4], moment[d]);
+        if (i % 4 == 3 || i == count - 1) sums.template transpose<true, true>(i / 4 * 4);
       }
-      update_particles(body, lattice, first, count, what, got, result);
+      update_particles(body, lattice, first, count, what, sums, result);
     }
   }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// What a bin needs where a crack runs through it.
+/// Node patches for the additional velocity fields of bins near cracks.
 #pragma once
 
 #include "solver/transfer/stencils.hpp"
@@ -9,24 +9,26 @@
 
 namespace tribo {
 
-/// The nodes of a bin across cracks: patches that only cut bins have.
+/// Patches of nodes for the sides 1, 2 and 3 of a bin near cracks; other bins do not need them.
 template <int Dim, int width>
 class CutPatches {
  public:
   using NodePatch = Patch<Dim, width>;
 
+  /// `wanted`: whether the bin is near cracks. Sets all nodes to zero.
   explicit CutPatches(bool wanted) {
     if (!wanted) return;
     if (!kept()) kept() = std::make_unique<std::array<NodePatch, 3>>();
     patches_ = kept().get();
     for (NodePatch& patch : *patches_) patch.clear();
   }
-  /// Calls f(side, patch) for the fields there are.
+  /// Calls f(side, patch) for the additional fields that exist.
   template <class F>
   void each(const Target<Dim>& target, F&& f) {
     for (std::size_t k = 1; patches_ && k < 4; ++k)
       if (target.map[k]) f(k, (*patches_)[k - 1]);
   }
+  /// Nodal data by side; `own` is the patch of side 0.
   std::array<double*, 4> data(NodePatch& own) {
     if (!patches_) return {own.data, nullptr, nullptr, nullptr};
     auto& beyond = *patches_;
@@ -34,7 +36,7 @@ class CutPatches {
   }
 
  private:
-  // Of this thread: made once, not in every step.
+  // Patches of the calling thread, allocated once.
   static std::unique_ptr<std::array<NodePatch, 3>>& kept() {
     thread_local std::unique_ptr<std::array<NodePatch, 3>> mine;
     return mine;

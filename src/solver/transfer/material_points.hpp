@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// The view that a material law has of a batch of particles, and the energies that the law computes from it.
+/// Access of a material law to a batch of particles, and the energies that the law computes.
 #pragma once
 
 #include "solver/state/system.hpp"

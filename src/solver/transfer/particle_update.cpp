@@ -18,19 +18,19 @@ void store_some(double* to, Lanes v, int left) {
 
 template <int Dim>
 void move(Body<Dim>& body, const Lattice<Dim>& lattice, std::uint32_t first, int count, const Gather& what,
-          const GatherSums<Dim>& got, GatherResult& result) {
+          const GatherSums<Dim>& sums, GatherResult& result) {
   const auto xs = body.particles.x();
   const auto vs = body.particles.v();
   const double dt = what.dt, flip = what.flip, pic = 1.0 - what.flip, damping = what.damping * what.dt;
-  double travel = result.travel, poison = 0.0;
+  double travel = result.travel, not_finite = 0.0;
   for (int d = 0; d < Dim; ++d) {
     double* __restrict x = xs[static_cast<std::size_t>(d)] + first;
     double* __restrict v = vs[static_cast<std::size_t>(d)] + first;
-    const double* __restrict sv = got.velocity[d];
-    const double* __restrict sa = got.acceleration[d];
+    const double* __restrict sv = sums.velocity[d];
+    const double* __restrict sa = sums.acceleration[d];
     const double inverse = 1.0 / lattice.spacing[d];
     double far = 0.0;
-#pragma omp simd reduction(max : far) reduction(+ : poison)
+#pragma omp simd reduction(max : far) reduction(+ : not_finite)
     for (int i = 0; i < count; ++i) {
       const double old = v[i];
       const double now = flip * (old + dt * sa[i]) + pic * sv[i] - damping * sv[i];
@@ -39,31 +39,31 @@ void move(Body<Dim>& body, const Lattice<Dim>& lattice, std::uint32_t first, int
       x[i] += dx;
       const double cells = std::fabs(dx) * inverse;
       far = cells > far ? cells : far;
-      poison += 0.0 * (now + dx);  // NaN if anything is
+      not_finite += 0.0 * (now + dx);  // NaN if any value is not finite
     }
     travel = far > travel ? far : travel;
   }
   result.travel = travel;
-  if (!(poison == 0.0)) result.valid = false;
+  if (!(not_finite == 0.0)) result.valid = false;
 }
 
 template <int Dim>
-void update_temperature(Body<Dim>& body, std::uint32_t first, int count, double dt, const GatherSums<Dim>& got,
+void update_temperature(Body<Dim>& body, std::uint32_t first, int count, double dt, const GatherSums<Dim>& sums,
                         GatherResult& result) {
   double* temperature = body.particles[body.temperature] + first;
-  double* detail = body.particles[body.temperature_detail] + first;
-  double poison = 0.0;
+  double* residual = body.particles[body.temperature_residual] + first;
+  double not_finite = 0.0;
   for (int i = 0; i < count; ++i) {
-    temperature[i] += dt * got.acceleration[0][i];
-    detail[i] = temperature[i] - got.velocity[0][i];
-    poison += 0.0 * temperature[i];
+    temperature[i] += dt * sums.acceleration[0][i];
+    residual[i] = temperature[i] - sums.velocity[0][i];
+    not_finite += 0.0 * temperature[i];
   }
   const auto gradient = body.particles[body.temperature_gradient];
-  for (std::size_t d = 0; d < Dim; ++d) std::copy_n(got.L[d], count, gradient[d] + first);
-  if (!(poison == 0.0)) result.valid = false;
+  for (std::size_t d = 0; d < Dim; ++d) std::copy_n(sums.L[d], count, gradient[d] + first);
+  if (!(not_finite == 0.0)) result.valid = false;
 }
 
-// What the law has dissipated since the last step becomes heat where it was done.
+// Converts the energy that the law has dissipated since the last step into heat of the particle.
 template <int Dim>
 void heat_by_dissipation(Body<Dim>& body, std::uint32_t first, int count) {
   const double* work = body.history_columns[static_cast<std::size_t>(body.law->dissipation_index())] + first;
@@ -77,32 +77,32 @@ void heat_by_dissipation(Body<Dim>& body, std::uint32_t first, int count) {
 }
 
 template <int Dim>
-void reduce_temperature_detail(Body<Dim>& body, std::uint32_t first, int count, const GatherSums<Dim>& got) {
+void reduce_temperature_residual(Body<Dim>& body, std::uint32_t first, int count, const GatherSums<Dim>& sums) {
   double* temperature = body.particles[body.temperature] + first;
-  const double* detail = body.particles[body.temperature_detail] + first;
-  for (int i = 0; i < count; ++i) temperature[i] -= body.detail_share * detail[i] - got.velocity[0][i];
+  const double* residual = body.particles[body.temperature_residual] + first;
+  for (int i = 0; i < count; ++i) temperature[i] -= body.residual_share * residual[i] - sums.velocity[0][i];
 }
 
 template <int Dim>
-void out_of_plane(Body<Dim>& body, std::uint32_t first, int count, const Gather& what, GatherSums<Dim>& got) {
+void out_of_plane(Body<Dim>& body, std::uint32_t first, int count, const Gather& what, GatherSums<Dim>& sums) {
   if constexpr (Dim == 2) {
     if (what.axisymmetric) {
       const double* r = (what.from_start ? body.particles[body.start] : body.particles.x())[0] + first;
-      for (int i = 0; i < count; ++i) got.L[4][i] = got.velocity[0][i] / r[i];
+      for (int i = 0; i < count; ++i) sums.L[4][i] = sums.velocity[0][i] / r[i];
     } else {
-      std::fill_n(got.L[4], count, 0.0);
+      std::fill_n(sums.L[4], count, 0.0);
     }
   }
 }
 
-// The rates of extension along the axes in which the volume may change.
+// The normal components of the velocity gradient along the axes that contribute to the volume change.
 template <int Dim>
 struct Diagonal {
   std::array<double*, 3> rate;
   int count;
 
-  Diagonal(GatherSums<Dim>& got, bool axisymmetric) : rate{got.L[0], got.L[Dim + 1], nullptr}, count(2) {
-    if (Dim == 3 || axisymmetric) rate[2] = got.L[Layout<Dim>::full - 1], count = 3;
+  Diagonal(GatherSums<Dim>& sums, bool axisymmetric) : rate{sums.L[0], sums.L[Dim + 1], nullptr}, count(2) {
+    if (Dim == 3 || axisymmetric) rate[2] = sums.L[Layout<Dim>::full - 1], count = 3;
   }
   double sum(int i) const {
     double s = 0.0;
@@ -112,8 +112,8 @@ struct Diagonal {
 };
 
 template <int Dim>
-void take_mean_rate(Body<Dim>& body, std::uint32_t first, int count, const Gather& what, GatherSums<Dim>& got) {
-  const Diagonal<Dim> rate(got, what.axisymmetric);
+void use_mean_rate(Body<Dim>& body, std::uint32_t first, int count, const Gather& what, GatherSums<Dim>& sums) {
+  const Diagonal<Dim> rate(sums, what.axisymmetric);
   const double* mean = body.particles[body.volumetric] + first;
   for (int i = 0; i < count; ++i) {
     const double change = (mean[i] - rate.sum(i)) / rate.count;
@@ -122,9 +122,10 @@ void take_mean_rate(Body<Dim>& body, std::uint32_t first, int count, const Gathe
 }
 
 // F <- f F and V <- det(f) V over a time step. With `second` = 0, f = 1 + L dt is the motion x += dt v(x) itself; with
-// 1 it is the inverse of 1 - L dt, to second order: the motion that led to where L is known; 1/2 gives exp(L dt). The
-// law sees the constant rate that leads to f, log(f)/dt, to second order: rotations do not strain it.
-void deform(Particles<2>& particles, std::uint32_t first, int count, double dt, double second, GatherSums<2>& got) {
+// 1 it is the inverse of 1 - L dt to second order, for L at the positions after the motion; 1/2 gives exp(L dt). The
+// material law receives the constant rate that leads to f, log(f)/dt to second order, so that a rotation causes no
+// strain.
+void deform(Particles<2>& particles, std::uint32_t first, int count, double dt, double second, GatherSums<2>& sums) {
   const auto F = particles.F();
   double* __restrict volume = particles.volume() + first;
   const bool keep = particles.has_deformation();
@@ -134,7 +135,7 @@ void deform(Particles<2>& particles, std::uint32_t first, int count, double dt, 
   double* __restrict yx = at_first(2);
   double* __restrict yy = at_first(3);
   double* __restrict zz = at_first(4);
-  auto& L = got.L;
+  auto& L = sums.L;
   const auto apply = [&](int i, double a, double b, double c, double d, double e) {
     volume[i] *= (a * d - b * c) * e;
     if (!keep) return;
@@ -153,18 +154,18 @@ void deform(Particles<2>& particles, std::uint32_t first, int count, double dt, 
   }
 }
 
-void deform(Particles<3>& particles, std::uint32_t first, int count, double dt, double second, GatherSums<3>& got) {
+void deform(Particles<3>& particles, std::uint32_t first, int count, double dt, double second, GatherSums<3>& sums) {
   const auto F = particles.F();
   double* volume = particles.volume() + first;
   const double rate = (second - 0.5) / dt;
   for (int i = 0; i < count; i += lane_count) {
     Lanes l[9], m[9];
-    for (int k = 0; k < 9; ++k) l[k] = dt * load_lanes(got.L[k] + i);
+    for (int k = 0; k < 9; ++k) l[k] = dt * load_lanes(sums.L[k] + i);
     for (int r = 0; r < 9; r += 3)
       for (int c = 0; c < 3; ++c) {
         const Lanes square = l[r] * l[c] + l[r + 1] * l[3 + c] + l[r + 2] * l[6 + c];
         m[r + c] = l[r + c] + second * square;
-        store_lanes(got.L[r + c] + i, load_lanes(got.L[r + c] + i) + rate * square);
+        store_lanes(sums.L[r + c] + i, load_lanes(sums.L[r + c] + i) + rate * square);
       }
     m[0] += 1.0, m[4] += 1.0, m[8] += 1.0;
     const Lanes det =
@@ -184,25 +185,25 @@ void deform(Particles<3>& particles, std::uint32_t first, int count, double dt, 
 
 template <int Dim>
 void update_particles(Body<Dim>& body, const Lattice<Dim>& lattice, std::uint32_t first, int count, const Gather& what,
-                      GatherSums<Dim>& got, GatherResult& result) {
+                      GatherSums<Dim>& sums, GatherResult& result) {
   switch (what.task) {
     case GatherTask::filtered_velocity: {
       const auto to = body.particles[body.filtered];
-      for (int d = 0; d < Dim; ++d) std::copy_n(got.velocity[d], count, to[static_cast<std::size_t>(d)] + first);
+      for (int d = 0; d < Dim; ++d) std::copy_n(sums.velocity[d], count, to[static_cast<std::size_t>(d)] + first);
       return;
     }
     case GatherTask::temperature:
-      update_temperature(body, first, count, what.dt, got, result);
+      update_temperature(body, first, count, what.dt, sums, result);
       return;
-    case GatherTask::temperature_detail:
-      reduce_temperature_detail(body, first, count, got);
+    case GatherTask::temperature_residual:
+      reduce_temperature_residual(body, first, count, sums);
       return;
     case GatherTask::cell_mean:
-      std::copy_n(got.velocity[0], count, body.particles[body.volumetric] + first);
+      std::copy_n(sums.velocity[0], count, body.particles[body.volumetric] + first);
       return;
     case GatherTask::volume_rate: {
-      out_of_plane(body, first, count, what, got);
-      const Diagonal<Dim> rate(got, what.axisymmetric);
+      out_of_plane(body, first, count, what, sums);
+      const Diagonal<Dim> rate(sums, what.axisymmetric);
       double* to = body.particles[body.volumetric] + first;
       for (int i = 0; i < count; ++i) to[i] = rate.sum(i);
       return;
@@ -210,17 +211,18 @@ void update_particles(Body<Dim>& body, const Lattice<Dim>& lattice, std::uint32_
     case GatherTask::update:
       break;
   }
-  if (what.strain_dt > 0) out_of_plane(body, first, count, what, got);
+  if (what.strain_dt > 0) out_of_plane(body, first, count, what, sums);
   if (what.strain_dt > 0) {
-    if (what.b_bar) take_mean_rate(body, first, count, what, got);
-    // The nodes of a step's end moved the particles; those of its start are reached by the motion of the step before.
+    if (what.b_bar) use_mean_rate(body, first, count, what, sums);
+    // Velocities at the end of the step move the particles from their current positions. Velocities at the start of
+    // the step belong to positions after the motion of the previous step.
     const double second = what.exponential ? 0.5 : what.move || what.from_start ? 0.0 : 1.0;
-    deform(body.particles, first, count, what.strain_dt, second, got);
+    deform(body.particles, first, count, what.strain_dt, second, sums);
     const double* volume = body.particles.volume() + first;
     double bad = 0.0;
 #pragma omp simd reduction(+ : bad)
     for (int i = 0; i < count; ++i) bad += volume[i] > 0 ? 0.0 : 1.0;
-    if (bad > 0) {  // the caller finds the particle; no law has to cope with it
+    if (bad > 0) {  // the caller reports the particle; material laws never receive such volumes
       result.valid = false;
       return;
     }
@@ -228,15 +230,15 @@ void update_particles(Body<Dim>& body, const Lattice<Dim>& lattice, std::uint32_
     auto points = points_of(body, first, count, history);
     points.dt = what.strain_dt;
     points.plane_stress = what.plane_stress;
-    for (std::size_t k = 0; k < points.L.size(); ++k) points.L[k] = got.L[k];
+    for (std::size_t k = 0; k < points.L.size(); ++k) points.L[k] = sums.L[k];
     body.law->update(points);
     if (body.heated) heat_by_dissipation(body, first, count);
   }
   if (what.move) {
-    move(body, lattice, first, count, what, got, result);
+    move(body, lattice, first, count, what, sums, result);
     if (body.affine)
       for (std::size_t k = 0; k < Dim * Dim; ++k)
-        std::copy_n(got.affine[k], count, body.particles[body.affine][k] + first);
+        std::copy_n(sums.affine[k], count, body.particles[body.affine][k] + first);
   }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// What happens to particles once the nodes have answered; the same for every kernel.
+/// The update of particles from values interpolated from the nodes; the same for every kernel.
 #pragma once
 
 #include "base/parallel.hpp"
@@ -9,7 +9,8 @@
 
 namespace tribo {
 
-/// Sums over the stencil: four points across components as they come, a batch by component once transposed.
+/// Sums over the stencil of each particle: first for four particles with all components of a particle together
+/// (`whole`, `slope`, `moment`), then for a batch with one array per component.
 template <int Dim>
 struct GatherSums {
   alignas(64) double whole[4][8];
@@ -21,7 +22,7 @@ struct GatherSums {
   alignas(64) double L[Layout<Dim>::full][batch_lanes];  ///< velocity gradient
   alignas(64) double affine[Dim * Dim][batch_lanes];     ///< sum w v (x_i - x)^T
 
-  /// Spreads the four points i ... i + 3.
+  /// Transposes the sums of the particles i ... i + 3 into the arrays by component.
   template <bool Gradient, bool Affine>
   void transpose(int i) {
     const auto spread = [i](const double(*rows)[4], int stride, double* x, double* y, double* z) {
@@ -47,12 +48,13 @@ struct GatherSums {
   }
 };
 
-/// Moves, strains and stresses the particles first ... first + count - 1 of a body as `what` says.
+/// Updates the particles first ... first + count - 1 of a body (position, velocity, deformation, stress, temperature)
+/// according to `what`.
 template <int Dim>
 void update_particles(Body<Dim>& body, const Lattice<Dim>& lattice, std::uint32_t first, int count, const Gather& what,
-                      GatherSums<Dim>& got, GatherResult& result);
+                      GatherSums<Dim>& sums, GatherResult& result);
 
-/// One result per thread; maxima do not depend on the order.
+/// Collects one result per thread; the maximum does not depend on the order of the threads.
 class GatherCollector {
  public:
   static constexpr int most_threads = 256;

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
-/// Transfers for kernels that are products of one-axis functions.
+/// Transfers for kernels that are products of one-dimensional shape functions.
 ///
-///   scatter   m_I = sum_p w_Ip m_p,   (m v)_I = sum_p w_Ip m_p (v_p + C_p (x_I - x_p)),   f_I = sum_p w_Ip f_p - V_p
-///   sigma_p grad w_Ip gather    S v = sum_I w_Ip v_I,   L_p = sum_I v_I (x) grad w_Ip
+///   scatter   m_I = sum_p w_Ip m_p,   (m v)_I = sum_p w_Ip m_p (v_p + C_p (x_I - x_p)),
+///             f_I = sum_p w_Ip f_p - V_p sigma_p grad w_Ip
+///   gather    S v = sum_I w_Ip v_I,   L_p = sum_I v_I (x) grad w_Ip
 ///
-/// A bin works on a small dense patch of nodes with constant strides; weights and particle updates run over batches in
-/// loops the compiler vectorises, the sums over the stencil in vectors across the components of a node.
+/// A bin uses a small dense patch of nodes with constant strides. Shape functions and particle updates are computed
+/// for batches in loops that the compiler vectorises; the sums over the stencil use vectors of the components of a
+/// node.
 #pragma once
 
 #include "base/parallel.hpp"
@@ -48,7 +50,7 @@ class ProductTransfers final : public Transfers<Dim> {
                const std::vector<char>* only) const override {
     const bool affine =
         what == Scatter::heat || (body.affine && (what == Scatter::momentum || what == Scatter::momentum_and_force));
-    const bool force = pulls(what);
+    const bool force = uses_gradients(what);
     for (std::size_t c = 0; c < body.bins.colours().size(); ++c) {
       const auto& colour = body.bins.colours()[c];
       const auto before = [&](std::ptrdiff_t k) { return body.bins.before(c, static_cast<std::size_t>(k)); };
@@ -76,7 +78,7 @@ class ProductTransfers final : public Transfers<Dim> {
       auto& result = collector.mine();
       const Bin& bin = bins[static_cast<std::size_t>(k)];
       const CutBin* cut = body.cut_bin(static_cast<std::size_t>(k));
-      if (what.task == GatherTask::filtered_velocity || what.task == GatherTask::temperature_detail ||
+      if (what.task == GatherTask::filtered_velocity || what.task == GatherTask::temperature_residual ||
           what.task == GatherTask::cell_mean)
         gather_bin<false, false>(body, target, bin, cut, what, result);
       else if (body.affine && what.move)
@@ -106,19 +108,19 @@ class ProductTransfers final : public Transfers<Dim> {
     patch.clear();
     Across across(cut != nullptr);
     Stencils<Dim, Kernel> stencils;
-    ScatterTerms<Dim> given;
+    ScatterTerms<Dim> terms;
     for (std::uint32_t first = bin.begin; first < bin.end; first += batch) {
       const int count = static_cast<int>(std::min<std::uint32_t>(batch, bin.end - first));
       stencils.compute(map.lattice(), block, x, first, count, half, body.uniform_half_size);
-      given.template prepare<Force>(body, first, count, what, axisymmetric);
-      if (Affine && what != Scatter::heat) prepare_affine(body, map.lattice(), stencils, first, count, given);
+      terms.template prepare<Force>(body, first, count, what, axisymmetric);
+      if (Affine && what != Scatter::heat) prepare_affine(body, map.lattice(), stencils, first, count, terms);
       for (int i = 0; i < count; ++i) {
         if (i % 8 == 0) fetch_ahead(body.read_by_scatter, first + static_cast<std::uint32_t>(batch + i));
         const std::uint8_t* sides = cut ? cut->of(first - bin.begin + static_cast<std::uint32_t>(i)) : nullptr;
         if (sides)
-          add_by_side<Force, Affine>(stencils, given, map.lattice(), i, sides, across.data(patch));
+          add_by_side<Force, Affine>(stencils, terms, map.lattice(), i, sides, across.data(patch));
         else
-          add<Force, Affine>(stencils, given, map.lattice(), i, patch.data);
+          add<Force, Affine>(stencils, terms, map.lattice(), i, patch.data);
       }
     }
     patch.add_to(map.neighbours(bin.block), target.nodes[0]);
@@ -128,9 +130,9 @@ class ProductTransfers final : public Transfers<Dim> {
   }
 
   // C = B D^-1 with D = sum w (x_i - x)(x_i - x)^T, diagonal for product kernels. Where D vanishes (a point on a node
-  // of the linear kernel) round-off would be amplified, so there is no affine part.
+  // of the linear kernel), round-off would be amplified, so the affine part is set to zero.
   static void prepare_affine(Body<Dim>& body, const Lattice<Dim>& lattice, const Stencils<Dim, Kernel>& stencils,
-                             std::uint32_t first, int count, ScatterTerms<Dim>& given) {
+                             std::uint32_t first, int count, ScatterTerms<Dim>& terms) {
     const double* m = body.particles.mass() + first;
     const auto affine = body.particles[body.affine];
     for (int d = 0; d < Dim; ++d)
@@ -142,7 +144,7 @@ class ProductTransfers final : public Transfers<Dim> {
         }
         const double h = lattice.spacing[d];
         const double scale = moment > 1e-2 * h * h ? m[i] / moment : 0.0;
-        double* to = given.affine[d][i];
+        double* to = terms.affine[d][i];
         to[0] = 0.0, to[3] = 0.0;
         for (int c = 0; c < Dim; ++c)
           to[1 + c] = scale * affine[static_cast<std::size_t>(c * Dim + d)][first + static_cast<std::uint32_t>(i)];
@@ -150,12 +152,12 @@ class ProductTransfers final : public Transfers<Dim> {
   }
 
   template <bool Force, bool Affine>
-  static void add(const Stencils<Dim, Kernel>& s, const ScatterTerms<Dim>& given, const Lattice<Dim>& lattice, int i,
+  static void add(const Stencils<Dim, Kernel>& s, const ScatterTerms<Dim>& terms, const Lattice<Dim>& lattice, int i,
                   double* data) {
-    const Wide whole = Wide::load(given.whole[i]);
-    [[maybe_unused]] Upper pull[3];
+    const Wide whole = Wide::load(terms.whole[i]);
+    [[maybe_unused]] Upper flux[3];
     if constexpr (Force)
-      for (int d = 0; d < Dim; ++d) pull[d] = Upper::from(load4(given.pull[d][i]));
+      for (int d = 0; d < Dim; ++d) flux[d] = Upper::from(load4(terms.flux[d][i]));
     double wx[width];
     [[maybe_unused]] double gx[width], ax[width];
     for (int n = 0; n < width; ++n) {
@@ -166,13 +168,13 @@ class ProductTransfers final : public Transfers<Dim> {
     double* base = data + s.base[i];
 #pragma GCC unroll 4
     for (int c = 0; c < (Dim == 3 ? width : 1); ++c) {
-      // Products of one axis after the other: for the plane, for the row, for the node.
+      // The products of one-dimensional functions are formed for the plane, then for the row, then for the node.
       const double wz = Dim == 3 ? s.w[Dim - 1][c][i] : 1.0;
       Wide plane = Dim == 3 ? wz * whole : whole;
-      [[maybe_unused]] Upper plane_x = pull[0], plane_y = pull[1];
+      [[maybe_unused]] Upper plane_x = flux[0], plane_y = flux[1];
       if constexpr (Force && Dim == 3) {
-        plane = plane + s.g[Dim - 1][c][i] * pull[2];
-        plane_x = wz * pull[0], plane_y = wz * pull[1];
+        plane = plane + s.g[Dim - 1][c][i] * flux[2];
+        plane_x = wz * flux[0], plane_y = wz * flux[1];
       }
 #pragma GCC unroll 4
       for (int b = 0; b < width; ++b) {
@@ -186,11 +188,11 @@ class ProductTransfers final : public Transfers<Dim> {
         }
         [[maybe_unused]] Wide spin;
         if constexpr (Affine) {
-          Vec4 low = (b - s.r[1][i]) * lattice.spacing[1] * load4(given.affine[1][i]);
+          Vec4 low = (b - s.r[1][i]) * lattice.spacing[1] * load4(terms.affine[1][i]);
           if constexpr (Dim == 3)
-            low += (c - s.r[Dim - 1][i]) * lattice.spacing[Dim - 1] * load4(given.affine[Dim - 1][i]);
+            low += (c - s.r[Dim - 1][i]) * lattice.spacing[Dim - 1] * load4(terms.affine[Dim - 1][i]);
           row = row + Wide::join(wyz * low, Vec4{});
-          spin = Wide::join(wyz * load4(given.affine[0][i]), Vec4{});
+          spin = Wide::join(wyz * load4(terms.affine[0][i]), Vec4{});
         }
         double* node = base + 8 * (c * NodePatch::plane + b * NodePatch::row);
 #pragma GCC unroll 4
@@ -218,7 +220,7 @@ class ProductTransfers final : public Transfers<Dim> {
       beyond.load(target.map[k]->neighbours(bin.block), target.nodes[k]);
     });
     Stencils<Dim, Kernel> stencils;
-    GatherSums<Dim> got;
+    GatherSums<Dim> sums;
     for (std::uint32_t first = bin.begin; first < bin.end; first += batch) {
       const int count = static_cast<int>(std::min<std::uint32_t>(batch, bin.end - first));
       stencils.compute(map.lattice(), block, x, first, count, half, body.uniform_half_size);
@@ -227,19 +229,19 @@ class ProductTransfers final : public Transfers<Dim> {
         for (int k = 0; k < 4 && i + k < count; ++k) {
           const std::uint8_t* sides = cut ? cut->of(first - bin.begin + static_cast<std::uint32_t>(i + k)) : nullptr;
           if (sides)
-            sum_by_side<Gradient, Affine>(stencils, map.lattice(), i + k, sides, across.data(patch), got);
+            sum_by_side<Gradient, Affine>(stencils, map.lattice(), i + k, sides, across.data(patch), sums);
           else
-            sum<Gradient, Affine>(stencils, map.lattice(), i + k, patch.data, got);
+            sum<Gradient, Affine>(stencils, map.lattice(), i + k, patch.data, sums);
         }
-        got.template transpose<Gradient, Affine>(i);
+        sums.template transpose<Gradient, Affine>(i);
       }
-      update_particles(body, map.lattice(), first, count, what, got, result);
+      update_particles(body, map.lattice(), first, count, what, sums, result);
     }
   }
 
   template <bool Gradient, bool Affine>
   static void sum(const Stencils<Dim, Kernel>& s, const Lattice<Dim>& lattice, int i, const double* data,
-                  GatherSums<Dim>& got) {
+                  GatherSums<Dim>& sums) {
     double wx[width];
     [[maybe_unused]] double gx[width], ax[width];
     for (int n = 0; n < width; ++n) {
@@ -285,18 +287,19 @@ class ProductTransfers final : public Transfers<Dim> {
         if constexpr (Gradient) lx += wz * plane_x, ly += wz * plane_y, lz += s.g[Dim - 1][c][i] * plane.low();
       }
     }
-    value.store(got.whole[i % 4]);
+    value.store(sums.whole[i % 4]);
     if constexpr (Gradient) {
-      store4(got.slope[0][i % 4], lx), store4(got.slope[1][i % 4], ly);
-      if constexpr (Dim == 3) store4(got.slope[Dim - 1][i % 4], lz);
+      store4(sums.slope[0][i % 4], lx), store4(sums.slope[1][i % 4], ly);
+      if constexpr (Dim == 3) store4(sums.slope[Dim - 1][i % 4], lz);
     }
     if constexpr (Affine) {
-      store4(got.moment[0][i % 4], bx), store4(got.moment[1][i % 4], by);
-      if constexpr (Dim == 3) store4(got.moment[Dim - 1][i % 4], bz);
+      store4(sums.moment[0][i % 4], bx), store4(sums.moment[1][i % 4], by);
+      if constexpr (Dim == 3) store4(sums.moment[Dim - 1][i % 4], bz);
     }
   }
 
-  /// Calls f(n, offset in a patch, weights and slopes) for the nodes of a stencil, x fastest.
+  /// Calls f(n, offset in a patch, shape function, its gradient, distance [cells]) for the nodes of a stencil, x
+  /// fastest.
   template <class F>
   static void each_stencil_node(const Stencils<Dim, Kernel>& s, int i, F&& f) {
     int n = 0;
@@ -317,18 +320,18 @@ class ProductTransfers final : public Transfers<Dim> {
   }
 
   template <bool Force, bool Affine>
-  static void add_by_side(const Stencils<Dim, Kernel>& s, const ScatterTerms<Dim>& given, const Lattice<Dim>& lattice,
+  static void add_by_side(const Stencils<Dim, Kernel>& s, const ScatterTerms<Dim>& terms, const Lattice<Dim>& lattice,
                           int i, const std::uint8_t* sides, const std::array<double*, 4>& data) {
-    const Wide whole = Wide::load(given.whole[i]);
+    const Wide whole = Wide::load(terms.whole[i]);
     each_stencil_node(
         s, i, [&](int n, int at, double w, [[maybe_unused]] const auto& slope, [[maybe_unused]] const auto& distance) {
           double* node = data[sides[n]] + at;
           Wide sum = Wide::load(node) + w * whole;
           for (std::size_t d = 0; d < Dim; ++d) {
-            if constexpr (Force) sum = sum + slope[d] * Upper::from(load4(given.pull[d][i]));
+            if constexpr (Force) sum = sum + slope[d] * Upper::from(load4(terms.flux[d][i]));
             if constexpr (Affine)
               sum = sum + Wide::join(w * distance[d] * lattice.spacing[static_cast<Eigen::Index>(d)] *
-                                         load4(given.affine[d][i]),
+                                         load4(terms.affine[d][i]),
                                      Vec4{});
           }
           sum.store(node);
@@ -337,7 +340,7 @@ class ProductTransfers final : public Transfers<Dim> {
 
   template <bool Gradient, bool Affine>
   static void sum_by_side(const Stencils<Dim, Kernel>& s, const Lattice<Dim>& lattice, int i, const std::uint8_t* sides,
-                          const std::array<double*, 4>& data, GatherSums<Dim>& got) {
+                          const std::array<double*, 4>& data, GatherSums<Dim>& sums) {
     Wide value = Wide::zero();
     [[maybe_unused]] Vec4 gradient[Dim] = {}, moment[Dim] = {};
     each_stencil_node(
@@ -350,10 +353,10 @@ class ProductTransfers final : public Transfers<Dim> {
               moment[d] += w * distance[d] * lattice.spacing[static_cast<Eigen::Index>(d)] * node.low();
           }
         });
-    value.store(got.whole[i % 4]);
+    value.store(sums.whole[i % 4]);
     for (std::size_t d = 0; d < Dim; ++d) {
-      if constexpr (Gradient) store4(got.slope[d][i % 4], gradient[d]);
-      if constexpr (Affine) store4(got.moment[d][i % 4], moment[d]);
+      if constexpr (Gradient) store4(sums.slope[d][i % 4], gradient[d]);
+      if constexpr (Affine) store4(sums.moment[d][i % 4], moment[d]);
     }
   }
 };

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// What a batch of particles gives to the nodes, ready for vector sums; the same for every kernel.
+/// The terms of a batch of particles in the sums at the nodes, arranged for vector operations; the same for every
+/// kernel.
 #pragma once
 
 #include "base/simd.hpp"
@@ -8,20 +9,20 @@
 
 namespace tribo {
 
-/// Brings eight particles closer that a later batch needs: a bin reads more columns than the hardware prefetcher
-/// follows. Called now and then while the present batch is summed, so that the loads never queue up.
+/// Prefetches eight particles of a later batch, since a bin reads more columns than the hardware prefetcher follows.
+/// The calls are distributed over the sums of the current batch, so that the loads do not queue up.
 inline void fetch_ahead(const std::vector<const double*>& columns, std::uint32_t later) {
   for (const double* column : columns) __builtin_prefetch(column + later);
 }
 
-/// Per particle: the vectors that multiply the weight and its slopes.
+/// Per particle: the vectors that multiply the shape function and its gradient.
 template <int Dim>
 struct ScatterTerms {
   alignas(64) double whole[batch_lanes][8];        ///< times w: (m, m v | 0, f)
-  alignas(64) double pull[Dim][batch_lanes][4];    ///< times dw/dx_d: -V sigma e_d
+  alignas(64) double flux[Dim][batch_lanes][4];    ///< times dw/dx_d: -V sigma e_d
   alignas(64) double affine[Dim][batch_lanes][4];  ///< times w (x_I - x)_d: m C e_d; of heat m c dT/dx_d
 
-  /// Fills `whole`, and `pull` if forces are scattered.
+  /// Computes `whole`, and `flux` if forces are scattered, for the particles first ... first + count - 1.
   template <bool Force>
   void prepare(Body<Dim>& body, std::uint32_t first, int count, Scatter what, bool axisymmetric) {
     if (what == Scatter::volume) {
@@ -32,8 +33,8 @@ struct ScatterTerms {
       prepare_heat(body, first, count);
       return;
     }
-    if (what == Scatter::heat_detail) {
-      prepare_detail(body, first, count);
+    if (what == Scatter::heat_residual) {
+      prepare_residual(body, first, count);
       return;
     }
     if (what == Scatter::volumetric) {
@@ -55,7 +56,7 @@ struct ScatterTerms {
   }
 
  private:
-  // Volumes pull like a unit tension, so that the force is the gradient of the volume.
+  // A unit stress in place of the stress makes the nodal force the gradient of the nodal volume.
   void prepare_volume(Body<Dim>& body, std::uint32_t first, int count, bool axisymmetric) {
     const double* volume = body.particles.volume() + first;
     const auto x = body.particles.x();
@@ -67,15 +68,15 @@ struct ScatterTerms {
       whole[i][0] = v;
       for (std::size_t d = 0; d < Dim; ++d) {
         whole[i][1 + d] = v * (body.volume_of_displacement ? x[d][p] - origin[d][p] : x[d][p]);
-        for (double& w : pull[d][i]) w = 0.0;
-        pull[d][i][1 + d] = v;
+        for (double& w : flux[d][i]) w = 0.0;
+        flux[d][i][1 + d] = v;
       }
       if (axisymmetric) whole[i][5] = v / x[0][p];
     }
   }
 
-  // Conduction, -k grad T, takes the place of the stress. The gradient also carries a particle's temperature to the
-  // nodes, so that a linear field comes out right at surfaces and contact, too.
+  // The heat flux, -k grad T, takes the place of the stress. The particle temperature is extrapolated to the nodes
+  // with its gradient, so that linear temperature fields are exact at surfaces and contacts as well.
   void prepare_heat(Body<Dim>& body, std::uint32_t first, int count) {
     const double* m = body.particles.mass() + first;
     const double* volume = body.particles.volume() + first;
@@ -89,19 +90,19 @@ struct ScatterTerms {
         const double slope = gradient[d][first + static_cast<std::uint32_t>(i)];
         for (double& w : affine[d][i]) w = 0.0;
         affine[d][i][1] = capacity * slope;
-        for (double& w : pull[d][i]) w = 0.0;
-        pull[d][i][1] = -volume[i] * body.conductivity * slope;
+        for (double& w : flux[d][i]) w = 0.0;
+        flux[d][i][1] = -volume[i] * body.conductivity * slope;
       }
     }
   }
 
-  void prepare_detail(Body<Dim>& body, std::uint32_t first, int count) {
+  void prepare_residual(Body<Dim>& body, std::uint32_t first, int count) {
     const double* m = body.particles.mass() + first;
-    const double* detail = body.particles[body.temperature_detail] + first;
+    const double* residual = body.particles[body.temperature_residual] + first;
     for (int i = 0; i < count; ++i) {
       const double capacity = m[i] * body.heat_capacity;
       for (double& w : whole[i]) w = 0.0;
-      whole[i][0] = capacity, whole[i][1] = capacity * body.detail_share * detail[i];
+      whole[i][0] = capacity, whole[i][1] = capacity * body.residual_share * residual[i];
     }
   }
 
@@ -124,13 +125,13 @@ struct ScatterTerms {
       const auto stress = [&](std::size_t c) { return k * load4(s[c] + first + i); };
       const Vec4 xy = stress(3);
       if constexpr (Dim == 2) {
-        spread(pull[0], i, stress(0) + more, xy, Vec4{});
-        spread(pull[1], i, xy, stress(1) + more, Vec4{});
+        spread(flux[0], i, stress(0) + more, xy, Vec4{});
+        spread(flux[1], i, xy, stress(1) + more, Vec4{});
       } else {
         const Vec4 yz = stress(4), xz = stress(5);
-        spread(pull[0], i, stress(0) + more, xy, xz);
-        spread(pull[1], i, xy, stress(1) + more, yz);
-        spread(pull[2], i, xz, yz, stress(2) + more);
+        spread(flux[0], i, stress(0) + more, xy, xz);
+        spread(flux[1], i, xy, stress(1) + more, yz);
+        spread(flux[2], i, xz, yz, stress(2) + more);
       }
     }
     if (body.load) {
@@ -138,7 +139,7 @@ struct ScatterTerms {
       for (int i = 0; i < count; ++i)
         for (std::size_t d = 0; d < Dim; ++d) whole[i][5 + d] += f[d][first + static_cast<std::uint32_t>(i)];
     }
-    if (axisymmetric) {  // hoop stress pulls inwards
+    if (axisymmetric) {  // radial component of the hoop stress
       const double* r = body.particles.x()[0] + first;
       for (int i = 0; i < count; ++i)
         whole[i][5] -= volume[i] * (s[2][first + static_cast<std::uint32_t>(i)] + (mean ? mean[i] : 0.0)) / r[i];

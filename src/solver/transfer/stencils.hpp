@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Weights of a batch of points, and the small dense patch of nodes around one block that a bin works on.
+/// Shape functions of a batch of points, and the dense patch of nodes around one block for the transfers of a bin.
 #pragma once
 
 #include "base/simd.hpp"
@@ -11,20 +11,22 @@
 
 namespace tribo {
 
-/// Points worked on together: large enough to vectorise, small enough for the first-level cache.
+/// Number of points that are processed together: large enough to vectorise, small enough for the first-level cache.
 inline constexpr int batch = 64;
 inline constexpr int batch_lanes = batch;
 
-/// The nodes that points of one block can reach, drift of up to one cell included.
+/// The nodes of the stencils of all points of one block, including drift of up to one cell since the last sort.
 template <int Dim, int width>
 struct Patch {
   static constexpr int edge = block_edge<Dim> + 1 + width;
-  static constexpr int row = edge;               ///< nodes from y to y + 1
-  static constexpr int plane = edge * edge + 1;  ///< nodes from z to z + 1; the odd node avoids aliasing of cache sets
+  static constexpr int row = edge;  ///< nodes from y to y + 1
+  /// Nodes from z to z + 1; the odd node avoids aliasing of cache sets.
+  static constexpr int plane = edge * edge + 1;
   static constexpr int size = Dim == 2 ? edge * edge : plane * edge;
 
   alignas(64) double data[size * 8];
 
+  /// Sets all values to zero.
   void clear() { std::memset(data, 0, sizeof data); }
 
   /// The node of the lattice at an offset, in doubles, of the patch of a block.
@@ -40,12 +42,14 @@ struct Patch {
 
   using Slots = std::array<int, BlockMap<Dim>::neighbour_count>;
 
+  /// Copies the nodes of the blocks in `slots`, the block and its neighbours, to the patch.
   void load(const Slots& slots, NodeNumbers nodes) {
     each_run(slots, [&](double* patch, std::size_t node, auto count) {
       std::memcpy(patch, nodes[node], sizeof(double) * NodeNumbers::per_node * count);
     });
   }
 
+  /// Adds the patch to the nodes of the blocks in `slots`.
   void add_to(const Slots& slots, NodeNumbers nodes) {
     each_run(slots, [&](const double* patch, std::size_t node, auto count) {
       double* to = nodes[node];
@@ -55,8 +59,9 @@ struct Patch {
   }
 
  private:
-  // Calls f(patch, first node in the layers, count) for every run of nodes along x. Per axis the patch takes the last
-  // node of the block below, the block, and the first nodes of the block above. Counts are types so that copies unroll.
+  // Calls f(patch, first node in the layers, count) for every run of nodes along x. Along each axis the patch consists
+  // of the last node of the block below, the nodes of the block, and the first nodes of the block above. Counts are
+  // types, so that the compiler unrolls the copies.
   template <class F>
   void each_run(const Slots& slots, F&& f) {
     constexpr int B = block_edge<Dim>;
@@ -82,14 +87,14 @@ struct Patch {
   }
 };
 
-/// Weights, slopes [1/length] and lowest patch node of a batch.
+/// Shape functions, their derivatives [1/length] and the lowest patch node for a batch of points.
 template <int Dim, class Kernel>
 struct Stencils {
   static constexpr int width = Kernel::width;
   alignas(64) double w[Dim][width][batch_lanes];
   alignas(64) double g[Dim][width][batch_lanes];
   alignas(64) double r[Dim][batch_lanes];  ///< position minus lowest node [cells]
-  alignas(64) int base[batch_lanes];       ///< of the lowest node in the patch, in doubles
+  alignas(64) int base[batch_lanes];       ///< offset of the lowest node in the patch, in doubles
 
   /// `half`: half widths of the particle domains, arrays or null for the uniform value.
   void compute(const Lattice<Dim>& lattice, const Index<Dim>& block, const std::array<double*, Dim>& x,
