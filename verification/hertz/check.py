@@ -5,17 +5,18 @@ import verify
 
 
 def pressure(out, h):
-    """Places along the face, traction against it, and stress normal to it, of the lowest row of particles."""
+    """Places along the face, pressure from the traction on it, and pressure from the stress normal to it, of the lowest row
+    of particles. The plane pushes upwards, so the traction on the lower face is positive; the stress is tension positive."""
     p = verify.last_particles(out)
     X = p["points"] - p["displacement"]
     row = np.flatnonzero((p["von_mises"] > 0) & (p["contact_state"] > 0) & (X[:, 1] - 0.5 * X[:, 0] ** 2 < 0.6 * h))
     row = row[np.argsort(X[row, 0])]
-    return p["points"][row, 0], np.abs(p["contact_traction"][row, 1]), -p["stress"][row, 1]
+    return p["points"][row, 0], p["contact_traction"][row, 1], -p["stress"][row, 1]
 
 
 def fit(x, p, a):
     """Largest pressure and half width of the half ellipse through the inner part."""
-    slope, square = np.polyfit(x[abs(x) < 0.8 * a] ** 2, p[abs(x) < 0.8 * a] ** 2, 1)
+    slope, square = np.polyfit(x[abs(x) < 0.8 * a] ** 2, (p * abs(p))[abs(x) < 0.8 * a], 1)  # no number if p < 0
     return np.sqrt(square), np.sqrt(-square / slope)
 
 

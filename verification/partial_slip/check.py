@@ -4,12 +4,14 @@ import numpy as np
 import verify
 
 ways = ("slip", "tractions", "states")
+signs = np.array([-1, 1])  # sign of the shear force on the upper body, against the load along +x, and of the normal force
 mu, radius, cell, depth, lift, bend = 0.3, 1.0, 0.01, 0.6, 0.003, 0.25
 
 
 def faces(p, back):
     """The upper face's particles from left to right: x at the start, how far they have slipped, state and traction.
-    `back` turns vectors from the grid's axes to those of the bodies."""
+    `back` turns vectors from the grid's axes to those of the bodies. Tractions are (q, p): shear traction against the
+    tangential load, which acts along +x on the upper body, and pressure, which pushes the upper body upwards."""
     order = np.argsort(p["id"])
     u = p["displacement"][order][:, :2] @ back
     at = p["points"][order][:, :2] @ back - u
@@ -22,7 +24,7 @@ def faces(p, back):
         rows.append(row[np.argsort(at[row, 0])])
     upper, lower = rows
     slip = u[upper, 0] - np.interp(at[upper, 0], at[lower, 0], u[lower, 0])
-    return at[upper, 0], slip, p["contact_state"][order][upper], np.abs(p["contact_traction"][order][upper, :2] @ back)
+    return at[upper, 0], slip, p["contact_state"][order][upper], (p["contact_traction"][order][upper, :2] @ back) * signs
 
 
 def exact_slip(x, c):
@@ -51,12 +53,12 @@ def pull(case, angle):
     entities = dict(c=repr(c), s=repr(s)) | (dict(side="1.05") if angle else {}) | (dict(end="20") if case.quick else {})
     out = case.run(f"slip{angle}", entities=entities)
     h = verify.history(out)
-    found, first = [], None
+    found, shear_shares, first = [], [], None
     for t, path in verify.vtp.collection(out):
         if t < 14.9:
             continue
         x, slip, state, traction = faces(verify.vtp.read(path), back)
-        Q, P = np.abs(np.array([np.interp(t, h["time"], h[f"contact{axis}:upper"]) for axis in "xy"]) @ back)
+        Q, P = (np.array([np.interp(t, h["time"], h[f"contact{axis}:upper"]) for axis in "xy"]) @ back) * signs
         a = np.sqrt(8 * P * radius * 0.91 / np.pi)
         if first is None:
             first = slip
@@ -67,11 +69,13 @@ def pull(case, angle):
         share = Q / (mu * P)
         if share < 0.1:
             continue
+        shear_shares.append(traction[:, 0].sum() / traction[:, 1].sum() * P / Q)
         second = (traction * x[:, None] ** 2).sum(0) / traction.sum(0)  # moments of q and p; exact: q over p = 1 + (c/a)^2
         by_traction = np.sqrt(max(0.0, second[0] / second[1] - 1))
         spacing = np.diff(x).min()
         found.append((share, stick_zone(x, slip - first, a) / a, by_traction, spacing * (state == 1).sum() / 2 / a))
     found = np.array(found)
+    case.check(f"{label}shear over normal force from tractions of particles, over Q/P", np.mean(shear_shares), 1, 0.05)
     rising = found[: np.argmax(found[:, 0] > 0.95) if (found[:, 0] > 0.95).any() else len(found)]
     for share in (0.25,) if case.quick else (0.25, 0.5, 0.75):
         for k, way in enumerate(ways if angle == 0 else ways[:2]):
@@ -92,13 +96,13 @@ def ball(case):
         if t < 7.4:
             continue
         p = verify.vtp.read(path)
-        Q, P = (2 * abs(np.interp(t, h["time"], h[f"contact{axis}:upper"])) for axis in "xy")
+        Q, P = signs * [2 * np.interp(t, h["time"], h[f"contact{axis}:upper"]) for axis in "xy"]
         a = (0.75 * P * radius * 2 * 0.91) ** (1 / 3)
         at = p["points"] - p["displacement"]
         square = at[:, 0] ** 2 + at[:, 2] ** 2
         height = (at[:, 1] - lift - bend * square) / (1 - bend * square / depth)
         row = (p["material"] == 1) & (height < 0.3 * cell) & (np.abs(at[:, 0]) < 0.16) & (at[:, 2] < 0.16)
-        state, traction, square = p["contact_state"][row], np.abs(p["contact_traction"][row, :2]), square[row]
+        state, traction, square = p["contact_state"][row], p["contact_traction"][row, :2] * signs, square[row]
         if not found:
             case.check("spheres, radius of the contact, cells, falls short of 10 by", 10 - a / cell, 0, 0, "at most")
             case.check("spheres, largest pressure that particles show", traction[:, 1].max(), 1.5 * P / (np.pi * a**2), 0.03)
