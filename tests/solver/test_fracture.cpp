@@ -204,7 +204,7 @@ TEST_CASE("the direction of growth may be chosen", "[fracture]") {
   CHECK(kink(Way::hoop_of_opening, 0, 1) == Approx(-70.5287794));
 
   Growing start({Growth::When::hoop_stress, Way::as_at_start});
-  start.tip().start = Vec<2>(std::cos(0.5), std::sin(0.5));
+  start.tip().initial_direction = Vec<2>(std::cos(0.5), std::sin(0.5));
   REQUIRE(start.grow(0, 2));
   CHECK(start.kink() == Approx(0.2 * 180 / std::numbers::pi));
 }
