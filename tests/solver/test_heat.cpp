@@ -2,6 +2,7 @@
 /// Conduction: heat is conserved and flows from hot to cold; symmetry planes, prescribed temperatures and fluxes.
 
 #include "cloud.hpp"
+#include "contact/contact_cases.hpp"
 
 using namespace tribo;
 using namespace tribo::test;
@@ -142,4 +143,49 @@ TEST_CASE("what held nodes and fluxes supply is the heat gained", "[heat]") {
     CHECK(heat_of(system) == Approx(50 * step * 7 * 8).epsilon(1e-12));
     CHECK(stepper.heat().supplied == Approx(heat_of(system)).epsilon(1e-12));
   }
+}
+
+TEST_CASE("the work of friction between two sliding blocks is the kinetic energy lost, and becomes heat",
+          "[heat][contact]") {
+  const double friction = 0.3, speed = 0.5, pressing = 1, height = 2, length = 8, dt = 2e-3;
+  Model model = heat_model<2>(Kernel::gimp);
+  model.heat.contact_heating = true;
+  model.materials.push_back(model.materials[0]);
+  model.materials[0].name = "lower", model.materials[1].name = "upper";
+  model.materials[1].heat_capacity = 5;  // the shares of the two sides differ
+  model.contact.active = true;
+  model.contact.default_law = make_law("CoulombFriction", {{"coeff", "0.3"}});
+  // Accelerations towards the interface, in proportion to the distance from it, press the blocks against each other.
+  model.body_force.function[1].emplace("12-y", Origin{});
+  std::vector<Seed> seeds;
+  for (int j = 0; j < 8; ++j)
+    for (int i = 0; i < 16; ++i) {
+      Seed s;
+      s.x = Vec3(8 + 0.5 * i + 0.25, 10 + 0.5 * j + 0.25, 0);
+      s.half_size = Vec3(0.25, 0.25, 0);
+      s.volume = 0.25, s.mass = 250;
+      s.material = j < 4 ? 0 : 1;
+      seeds.push_back(s);
+    }
+  auto system = build_system<2>(model, seeds);
+  Stepper<2> stepper(model, system);
+  set_velocity<2>(system.bodies[0], [&](const Vec<2>&) -> Vec<2> { return {-0.5 * speed, 0.0}; });
+  set_velocity<2>(system.bodies[1], [&](const Vec<2>&) -> Vec<2> { return {0.5 * speed, 0.0}; });
+  const double mass = 1000 * height * length;
+  const int steps = 200;
+  for (int k = 0; k < steps; ++k) stepper.advance(dt);
+  const Measures lower = measure(system.bodies[0], false), upper = measure(system.bodies[1], false);
+  const double time = steps * dt;
+  // The impulse of the normal traction follows from the momentum balance of the upper block across the interface.
+  const double normal_impulse = mass * pressing * height / 2 * time + upper.momentum[1];
+  const double shear_impulse = 0.5 * mass * speed - upper.momentum[0];
+  CHECK(normal_impulse > 0.5 * mass * pressing * height / 2 * time);
+  CHECK(shear_impulse == Approx(friction * normal_impulse).epsilon(0.02));
+  CHECK(lower.momentum[0] == Approx(-upper.momentum[0]).epsilon(1e-9));
+  // Loss of the energy of the two mean motions: that of stress waves is a few per cent of it.
+  const double slower = (upper.momentum[0] - lower.momentum[0]) / mass;
+  const double work = 0.25 * mass * (speed * speed - slower * slower);
+  CHECK(slower < 0.8 * speed);
+  CHECK(stepper.heat().from_contact == Approx(work).epsilon(0.05));
+  CHECK(heat_of(system) == Approx(stepper.heat().from_contact).epsilon(1e-12));
 }

@@ -98,8 +98,12 @@ void patch(const std::vector<Block>& blocks, double angle, double tilt, double a
   auto system = build_system<Dim>(model, turned<Dim>(model, blocks, angle, tilt));
   Stepper<Dim> stepper(model, system);
   stepper.advance(1e-6);
-  stepper.contact().each_closed_pair(
-      [](const ContactPair& pair, const auto&, const auto&, double) { CHECK(pair.replaced_by_joint); });
+  int pairs = 0;
+  stepper.contact().each_closed_pair([&](const ContactPair& pair, const auto&, const auto&, double) {
+    CHECK(pair.replaced_by_joint);
+    ++pairs;
+  });
+  CHECK(pairs > 0);
   stepper.damping().grid = 20;  // critical: 2 sqrt(k A (1/m + 1/m))
   for (int step = 0; step < 600; ++step) stepper.advance(2.5e-3);
   const JointSums sums = means(system, Vec3::UnitX());
@@ -110,6 +114,7 @@ void patch(const std::vector<Block>& blocks, double angle, double tilt, double a
   const double pull =
       a * upper.mass * from.dot(n) - stepper.damping().grid * upper.momentum.template head<Dim>().dot(n);
   CHECK(pull == Approx(a * upper.mass * 2).epsilon(3e-3));
+  CHECK(sums.opening * a > 0);
   CHECK(sums.opening == Approx(pull / (k * sums.area)).epsilon(1e-3));
   CHECK(std::abs(sums.shear) < 1e-3 * std::abs(sums.opening));
   const auto& surface = system.joints[0];

@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <map>
+
 using namespace tribo;
 using namespace tribo::test;
 
@@ -84,12 +86,26 @@ TEST_CASE("the alternating mode in every cell survives FLIP and nothing else", "
                   [](const Vec<2>& x) -> Vec<2> { return Vec<2>(x[0] - std::floor(x[0]) < 0.5 ? 1.0 : -1.0, 0.0); });
   Stepper<2> stepper(model, system);
   stepper.advance(1e-12);
+  int checked = 0;
   for (std::size_t i = 0; i < body.particles.size(); ++i) {
     const Vec<2> x = body.particles.position(i);
     if ((x.array() < 18).any() || (x.array() > 22).any()) continue;  // edges spread by three cells per filter pass
     const double start = x[0] - std::floor(x[0]) < 0.5 ? 1.0 : -1.0;
     CHECK(std::abs(body.particles.velocity(i)[0] - kept * start) < 1e-14);
+    ++checked;
   }
+  CHECK(checked == 64);
+  // FLIP keeps velocities that the nodes do not see; they have the mass of the particles, and no velocity.
+  int nodes = 0;
+  const auto& field = system.fields[0];
+  for (std::int64_t n = 0; n < field.map.node_count(); ++n) {
+    const Vec<2> x = system.lattice.position(field.map.node_at(n));
+    if ((x.array() < 17.5).any() || (x.array() > 22.5).any()) continue;
+    CHECK(field.nodes[static_cast<std::size_t>(n)].mass == Approx(1000));
+    CHECK(std::abs(field.nodes[static_cast<std::size_t>(n)].velocity[0]) < 1e-12);
+    ++nodes;
+  }
+  CHECK(nodes == 25);
 }
 
 TEMPLATE_TEST_CASE_SIG("a free flight across cells leaves velocity and stress alone", "[step]", ((int Dim), Dim), 2,
@@ -106,16 +122,22 @@ TEMPLATE_TEST_CASE_SIG("a free flight across cells leaves velocity and stress al
   Vec<Dim> v = Vec<Dim>::Constant(10.0);
   v[1] = 7;
   set_velocity<Dim>(system.bodies[0], [&](const Vec<Dim>&) { return v; });
+  std::map<std::int64_t, Vec<Dim>> start;
+  for (std::size_t i = 0; i < system.bodies[0].particles.size(); ++i)
+    start[system.bodies[0].particles.id[i]] = system.bodies[0].particles.position(i);
   Stepper<Dim> stepper(model, system);
   const int steps = Dim == 2 ? 500 : 120;
   for (int k = 0; k < steps; ++k) stepper.advance(0.01);
   auto& body = system.bodies[0];
-  double velocity = 0, stress = 0;
+  double velocity = 0, stress = 0, position = 0;
   for (std::size_t i = 0; i < body.particles.size(); ++i) {
+    const Vec<Dim> end = start.at(body.particles.id[i]) + 0.01 * steps * v;
+    position = std::max(position, (body.particles.position(i) - end).cwiseAbs().maxCoeff());
     velocity = std::max(velocity, (body.particles.velocity(i) - v).cwiseAbs().maxCoeff());
     stress = std::max(stress, load_symmetric<Dim>(body.particles.stress(), static_cast<int>(i)).cwiseAbs().maxCoeff());
   }
   CHECK(velocity < 1e-12 * 10);
+  CHECK(position < 1e-10);
   CHECK(stress < 1e-11 * 1e6);  // of E: round-off strains of every step, 1e-16 v dt / h, grow with their number
 }
 
@@ -137,6 +159,13 @@ TEST_CASE("every step conserves momentum to round-off", "[step]") {
     REQUIRE((after - before).norm() < 1e-13 * scale);
     before = after;
   }
+  // The motion had stresses: the test is not one of a free flight.
+  auto& body = system.bodies[0];
+  double stress = 0;
+  for (std::size_t i = 0; i < body.particles.size(); ++i)
+    stress = std::max(stress, load_symmetric<2>(body.particles.stress(), static_cast<int>(i)).cwiseAbs().maxCoeff());
+  CHECK(stress > 1e3);
+  CHECK(before.norm() > 1e-3 * scale);
 }
 
 TEST_CASE("a particle that leaves the grid stops the run by name, or is put back", "[step]") {

@@ -57,13 +57,13 @@ class CpdiTransfers final : public Transfers<Dim> {
   }
 
   GatherResult gather(Body<Dim>& body, const Target<Dim>& target, const Gather& what) const override {
-    GatherCollector collector;
+    collector_.start();
     const auto& bins = body.bins.list();
     parallel_for(static_cast<std::ptrdiff_t>(bins.size()), [&](std::ptrdiff_t k) {
       const auto bin = static_cast<std::size_t>(k);
-      gather_bin(body, target, bins[bin], body.cut_bin(bin), what, collector.mine());
+      gather_bin(body, target, bins[bin], body.cut_bin(bin), what, collector_.mine());
     });
-    return collector.total();
+    return collector_.total();
   }
 
  private:
@@ -238,6 +238,7 @@ class CpdiTransfers final : public Transfers<Dim> {
   }
 
   double limit_;
+  mutable GatherCollector collector_;  ///< used by gather() only, which modifies the particles: one call at a time
 };
 
 }  // namespace tribo

@@ -7,6 +7,9 @@
 #include "solver/transfer/stencils.hpp"
 #include "solver/transfer/transfer.hpp"
 
+#include <cstddef>
+#include <vector>
+
 namespace tribo {
 
 /// Sums over the stencil of each particle: first for four particles with all components of a particle together
@@ -54,11 +57,15 @@ template <int Dim>
 void update_particles(Body<Dim>& body, const Lattice<Dim>& lattice, std::uint32_t first, int count, const Gather& what,
                       GatherSums<Dim>& sums, GatherResult& result);
 
-/// Collects one result per thread; the maximum does not depend on the order of the threads.
+/// Collects one result per thread; the maximum does not depend on the order of the threads. An object is kept from
+/// gather to gather, so that a gather allocates memory only after the number of threads has grown.
 class GatherCollector {
  public:
-  static constexpr int most_threads = 256;
-  GatherResult& mine() { return results_[thread_index() % most_threads].result; }
+  /// Clears the results and provides one for each thread that a parallel loop may use. Call it outside of such a loop.
+  void start() { results_.assign(static_cast<std::size_t>(threads()), Slot{}); }
+  /// The result of the calling thread.
+  GatherResult& mine() { return results_[static_cast<std::size_t>(thread_index())].result; }
+  /// The largest displacement, and whether all results are valid.
   GatherResult total() const {
     GatherResult all;
     for (const auto& r : results_) {
@@ -72,7 +79,7 @@ class GatherCollector {
   struct alignas(64) Slot {
     GatherResult result;
   };
-  std::array<Slot, most_threads> results_{};
+  std::vector<Slot> results_;
 };
 
 }  // namespace tribo
