@@ -91,7 +91,8 @@ class NodeNumbers {
   NodeNumbers() = default;
   template <class N>
   NodeNumbers(AlignedVector<N>& layer) : numbers_(reinterpret_cast<double*>(layer.data())) {
-    static_assert(sizeof(N) == per_node * sizeof(double) && alignof(N) == 64);
+    static_assert(sizeof(N) == per_node * sizeof(double));
+    static_assert(alignof(N) == 64);
   }
   /// The eight numbers of a node.
   double* operator[](std::size_t node) const { return numbers_ + per_node * node; }

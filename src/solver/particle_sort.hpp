@@ -22,9 +22,9 @@ class ParticleSort {
   long returned = 0;
 
   friend void archive(Archive& a, ParticleSort& sort) {
-    auto& [returned, model, system] = sort;
+    auto& [its_returned, model, system] = sort;
     a.version(1);
-    a("returned", returned);
+    a("returned", its_returned);
   }
 
  private:

@@ -50,9 +50,9 @@ class VelocityFilter {
 
   /// Saves and restores the time of the next filtered step.
   friend void archive(Archive& a, VelocityFilter& filter) {
-    auto& [next, watch, scheme, system, transfers, exchanges, conditions, contact, active] = filter;
+    auto& [its_next, its_watch, scheme, system, transfers, exchanges, conditions, contact, active] = filter;
     a.version(1);
-    a("next", next);
+    a("next", its_next);
   }
 
  private:

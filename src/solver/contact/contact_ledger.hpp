@@ -63,10 +63,10 @@ class ContactLedger {
 
   /// The exchanges with rigid bodies are those of the last step.
   friend void archive(Archive& a, ContactLedger& ledger) {
-    auto& [pairs, rigid_work, rigid_impulse, system, rigid_exchanges] = ledger;
+    auto& [its_pairs, its_work, its_impulse, system, rigid_exchanges] = ledger;
     a.version(1);
-    a.map("pairs", pairs);
-    a("rigid_work", rigid_work), a("rigid_impulse", rigid_impulse);
+    a.map("pairs", its_pairs);
+    a("rigid_work", its_work), a("rigid_impulse", its_impulse);
   }
 
  private:

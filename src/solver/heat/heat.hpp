@@ -41,9 +41,9 @@ class HeatConduction {
   double time_since_reduction = 0.0;  ///< time since the temperature residual was last reduced [time]
 
   friend void archive(Archive& a, HeatConduction& heat) {
-    auto& [supplied, from_contact, time_since_reduction, model, system, transfers, active, prescribed] = heat;
+    auto& [its_supplied, its_contact_heat, its_time, model, system, transfers, active, prescribed] = heat;
     a.version(1);
-    a("supplied", supplied), a("from_contact", from_contact), a("time_since_reduction", time_since_reduction);
+    a("supplied", its_supplied), a("from_contact", its_contact_heat), a("time_since_reduction", its_time);
   }
 
  private:

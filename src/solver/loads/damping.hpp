@@ -43,10 +43,10 @@ class VelocityDamping {
   double grid_feedback = 0.0, particle_feedback = 0.0;  ///< contributions of the feedback    [1/time]
 
   friend void archive(Archive& a, VelocityDamping& damping) {
-    auto& [grid, particle, grid_feedback, particle_feedback, model, system, sum, ledger] = damping;
+    auto& [of_grid, of_particle, of_grid_feedback, of_particle_feedback, model, system, sum, ledger] = damping;
     a.version(1);
-    a("grid", grid), a("particle", particle);
-    a("grid_feedback", grid_feedback), a("particle_feedback", particle_feedback);
+    a("grid", of_grid), a("particle", of_particle);
+    a("grid_feedback", of_grid_feedback), a("particle_feedback", of_particle_feedback);
   }
 
  private:
