@@ -58,20 +58,16 @@ RegionPtr Builder::selected(const Statement& s) {
 
 Prescribed Builder::prescribed(const Statement& s, std::string_view value, Dimension dimension) {
   Prescribed p;
-  const std::string style = word(s, "style", has(s, "function") ? "6" : "1");
-  p.style = style == "2" || style == "linear"     ? Style::linear
-            : style == "3" || style == "sine"     ? Style::sine
-            : style == "4" || style == "cosine"   ? Style::cosine
-            : style == "5" || style == "silent"   ? Style::silent
-            : style == "6" || style == "function" ? Style::function
-                                                  : Style::constant;
+  if (const Style* known = style_of(word(s, "style", has(s, "function") ? "function" : "constant"))) p.style = known;
+  must(!p.style->motion || s.name == "TractionBC", s.origin,
+       "style '" + word(s, "style", "") + "' depends on the motion of a surface; it is for <TractionBC> only");
   const double alternative = model_.units.alternative_time();
-  const bool periodic = p.style == Style::sine || p.style == Style::cosine;
   const double time = number(s, has(s, "time") ? "time" : "ftime", Dimension::none);
-  p.time = periodic ? time / alternative : time * alternative;  // an angular frequency, or a time
+  p.time = p.style->time == Style::Time::start ? time * alternative : time / alternative;
   p.value = number(s, value, dimension);
-  if (p.style == Style::linear) p.value /= alternative;  // per unit of time
-  if (p.style == Style::function) {
+  if (p.style->per == Dimension::time) p.value /= alternative;
+  if (p.style->per == Dimension::length) p.value /= model_.units.factor(Dimension::length);
+  if (p.style->function) {
     if (const auto f = function(s, "function"))
       p.function = *f;
     else
@@ -103,8 +99,6 @@ void Builder::node_condition(const Statement& s, const RegionPtr& where) {
        "direction " + dir + " needs a three-dimensional model");
   must(!(has(s, "vel") && has(s, "disp")), s.origin, "give only one of 'vel' and 'disp', which have the same meaning");
   c.velocity = prescribed(s, has(s, "vel") ? "vel" : "disp", Dimension::velocity);
-  must(c.velocity.style != Style::silent, s.origin,
-       "style 'silent' is not for velocities; an absorbing boundary is a <TractionBC style=\"silent\">");
   c.id = static_cast<int>(number(s, "id", Dimension::none));
   must(c.id <= 0, s.origin, "the id of a condition must be 0 or negative");
   model_.node_conditions.push_back(std::move(c));
@@ -136,14 +130,11 @@ void Builder::particle_condition(const Statement& s, const RegionPtr& where, boo
                        : has(s, "load") ? "load"
                                         : "value",
                        traction ? Dimension::stress : Dimension::force);
-  must(traction || c.value.style != Style::silent, s.origin,
-       "style 'silent' is not for forces; use <TractionBC style=\"silent\">");
   model_.particle_conditions.push_back(std::move(c));
 }
 
 void Builder::temperature_condition(const Statement& s, const RegionPtr& where) {
   TemperatureCondition c{where, prescribed(s, "value", Dimension::temperature), s.origin};
-  must(c.temperature.style != Style::silent, s.origin, "style 'silent' is not for temperatures");
   model_.temperature_conditions.push_back(std::move(c));
 }
 
@@ -156,7 +147,6 @@ void Builder::heat_flux(const Statement& s, const RegionPtr& where) {
   must(model_.dimension() == 3 || !needs_three_dimensions(c.face), s.origin,
        "this face needs a three-dimensional model");
   c.value = prescribed(s, "value", Dimension::heat_flux);
-  must(c.value.style != Style::silent, s.origin, "style 'silent' is not for heat fluxes");
   model_.particle_conditions.push_back(std::move(c));
 }
 

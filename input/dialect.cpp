@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "input/dialect.hpp"
 
+#include "model/prescribed.hpp"
 #include "model/shape_functions.hpp"
 
 namespace tribo {
@@ -11,7 +12,6 @@ using T = ValueType;
 constexpr std::string_view times = "ms msec s sec us microsec", lengths = "m cm mm microns in ft",
                            velocities = "m/sec mm/msec mm/sec cm/sec in/sec ft/sec", masses = "kg g mg lbs oz",
                            velocities_and_lengths = "m/sec mm/msec mm/sec cm/sec in/sec ft/sec m cm mm microns in ft";
-constexpr std::string_view styles = "1 2 3 4 5 6 constant linear sine cosine silent function";
 
 AttributeSpec number(std::string_view name, std::string_view meaning, bool required = false) {
   return {name, T::number, meaning, {}, required};
@@ -59,8 +59,8 @@ std::vector<AttributeSpec> body_attributes() {
 }
 
 std::vector<AttributeSpec> condition_attributes() {
-  return {{"style", T::choice, "how the value depends on time (default constant)", styles},
-          number("time", "start time (constant, linear, function) or angular frequency (sine, cosine)"),
+  return {{"style", T::choice, "how the value depends on time or on motion (default constant)", all_style_words()},
+          number("time", "start time, or angular frequency of sine and cosine"),
           number("ftime", "the same as time"),
           function("function", "value for style function"),
           {"id", T::integer, "number <= 0 that identifies the condition in reaction histories"}};

@@ -4,8 +4,6 @@
 #include "model/output_fields.hpp"
 #include "model/quantities.hpp"
 
-#include <cmath>
-
 namespace tribo {
 
 bool OutputSpec::wants_strain() const {
@@ -20,28 +18,6 @@ bool OutputSpec::wants_deformation() const {
            const ParticleField* field = find_particle_field(name);
            return field && field->needs == ParticleField::Needs::deformation;
          });
-}
-
-double Prescribed::at(double t, const Vec3& x, double dt) const {
-  switch (style) {
-    case Style::constant:
-      return t >= time ? value : 0.0;
-    case Style::linear:
-      return t >= time ? value * (t - time) : 0.0;
-    case Style::sine:
-      return value * std::sin(time * t);
-    case Style::cosine:
-      return value * std::cos(time * t);
-    case Style::silent:
-      return 0.0;
-    case Style::function: {
-      if (t < time) return 0.0;
-      auto at = Variables::at(x, (t - time) / function_time);
-      at.dt = dt / function_time;
-      return function_scale * function(at);
-    }
-  }
-  return 0.0;
 }
 
 }  // namespace tribo

@@ -10,6 +10,7 @@
 #include "geometry/region.hpp"
 #include "geometry/scattered.hpp"
 #include "model/blocks.hpp"
+#include "model/prescribed.hpp"
 #include "model/shape_functions.hpp"
 
 #include <algorithm>
@@ -232,20 +233,6 @@ struct PointSpec {
   std::optional<double> temperature;
   double angle = 0.0;
   Origin origin;
-};
-
-enum class Style { constant = 1, linear = 2, sine = 3, cosine = 4, silent = 5, function = 6 };
-
-/// A value with a prescribed dependence on time. The styles and their numbers are those of NairnMPM.
-/// constant: value for t >= time; linear: value (t - time) for t >= time; sine: value sin(time t); cosine: value
-/// cos(time t); silent: absorbing boundary, see Tractions; function: f(t - time, x, y, z) for t >= time.
-struct Prescribed {
-  Style style = Style::constant;
-  double value = 0.0, time = 0.0;
-  Expression function;
-  double function_time = 1.0;   ///< consistent time of one unit of the function's argument t
-  double function_scale = 1.0;  ///< factor of the function's value to consistent units
-  double at(double t, const Vec3& x, double dt = 0.0) const;
 };
 
 /// Prescribed velocity of grid nodes in a region.

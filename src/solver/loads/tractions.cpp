@@ -14,14 +14,15 @@ void Tractions<Dim>::apply(const ParticleCondition& condition, Body<Dim>& body, 
                          : condition.direction == LoadDirection::tangential
                              ? Vec3(face.normal.cross(Vec3::UnitZ()) * -1.0)
                              : Vec3(Mat3::Identity().col(static_cast<int>(condition.direction)));
-  Vec3 x = Vec3::Zero(), v = Vec3::Zero();
-  x.head<Dim>() = body.particles.position(i);
+  ConditionPoint point{.time = system_.time};
+  Vec3 v = Vec3::Zero(), start = Vec3::Zero();
+  point.position.head<Dim>() = body.particles.position(i);
   v.head<Dim>() = body.particles.velocity(i);
-  const double density = body.law->density();
-  // absorbing boundary for plane waves, Lysmer & Kuhlemeyer (1969)
-  const double traction = condition.value.style == Style::silent
-                              ? -std::sqrt(density * body.law->wave_modulus()) * v.dot(direction)
-                              : condition.value.at(system_.time, x);
+  for (int d = 0; d < Dim; ++d) start[d] = body.particles[body.origin][static_cast<std::size_t>(d)][i];
+  point.velocity = v.dot(direction);
+  point.displacement = (point.position - start).dot(direction);
+  point.impedance = std::sqrt(body.law->density() * body.law->wave_modulus());
+  const double traction = condition.value.at(point);
   const Vec3 force = face.area * traction / static_cast<double>(face.points.size()) * direction;
   thread_local typename Cracks<Dim>::NearbyPieces nearby;
   for (const auto& at : face.points) {
