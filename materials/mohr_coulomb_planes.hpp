@@ -5,7 +5,7 @@
 
 #include "materials/mohr_coulomb_law.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/LU>
 
 namespace tribo {
 

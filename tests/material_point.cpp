@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "material_point.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/QR>
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "geometry/scattered.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/QR>
 #include <nanoflann.hpp>
 
 #include <algorithm>

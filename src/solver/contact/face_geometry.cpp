@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "solver/contact/face_geometry.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <array>
 

@@ -3,7 +3,6 @@
 
 #include "solver/contact/face_geometry.hpp"
 
-#include <Eigen/Dense>
 #include <algorithm>
 
 namespace tribo {

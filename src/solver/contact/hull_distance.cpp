@@ -3,7 +3,7 @@
 
 #include "solver/contact/face_geometry.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <array>
 
