@@ -172,7 +172,8 @@ void Builder::check_cell(const MaterialSpec& spec, double size, const Origin& or
 }
 
 void Builder::check_cells() {
-  const bool splines = model_.scheme.kernel == Kernel::quadratic_spline || model_.scheme.kernel == Kernel::cubic_spline;
+  const Kernel kernel = model_.scheme.kernel;
+  const bool splines = kernel != Kernel::linear && kernel != Kernel::gimp && kernel != Kernel::cpdi;
   double size = 0;
   for (std::size_t d = 0; d < static_cast<std::size_t>(model_.dimension()); ++d)
     size = std::max(size, (model_.grid.high[d] - model_.grid.low[d]) / model_.grid.cells[d]);

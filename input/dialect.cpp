@@ -743,13 +743,16 @@ std::vector<ElementSpec> make() {
                    number("value", "the same as load")} +
            condition_attributes()});
   add({"TractionBC", "LdShape BCLine BCArc LdRect BCBox", "traction on a face of the particle domains", T::none,
-       std::vector{AttributeSpec{"dir", T::choice,
-                                 "1 x, 2 y, 3 z, 11 outward normal, 12 tangential: the normal rotated by 90 degrees "
-                                 "counterclockwise (2D)",
-                                 "1 2 3 11 12", true},
-                   AttributeSpec{"face", T::choice, "2D: 1 bottom 2 right 3 top 4 left; 3D also 5, 6: low and high z",
-                                 "1 2 3 4 5 6", true},
-                   number("stress", "traction; along the normal it is positive in tension")} +
+       std::vector{
+           AttributeSpec{"dir", T::choice,
+                         "1 x, 2 y, 3 z, 11 outward normal, 12 tangential: the normal rotated by 90 degrees "
+                         "counterclockwise (2D)",
+                         "1 2 3 11 12", true},
+           AttributeSpec{"face", T::choice, "2D: 1 bottom 2 right 3 top 4 left; 3D also 5, 6: low and high z",
+                         "1 2 3 4 5 6", true},
+           number("stress",
+                  "traction; along the normal it is positive in tension. Style elastic: stiffness k of a support, "
+                  "traction = -k times displacement. Style silent: without effect, the boundary absorbs waves")} +
            condition_attributes()});
 
   add({"HeatFluxBC", "LdShape BCLine BCArc LdRect BCBox",

@@ -33,6 +33,12 @@ constexpr Style styles[] = {
     // Absorbing boundary for plane waves, Lysmer & Kuhlemeyer (1969)
     {.words = "silent 5", .motion = true, .at = [](const P&, const At& at) { return -at.impedance * at.velocity; }},
     {.words = "function 6", .function = true, .at = function_at},
+    // Elastic support (Winkler foundation): the traction is proportional to the displacement
+    {.words = "elastic",
+     .per = Dimension::length,
+     .motion = true,
+     .elastic = true,
+     .at = [](const P& p, const At& at) { return at.time >= p.time ? -p.value * at.displacement : 0.0; }},
 };
 
 }  // namespace

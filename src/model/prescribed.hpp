@@ -30,6 +30,7 @@ struct Style {
   Dimension per = Dimension::none;  ///< the value is given per unit of this: time or length
   bool function = false;            ///< the value is given by the attribute `function`
   bool motion = false;              ///< depends on the motion of particles: for tractions only
+  bool elastic = false;             ///< the value is a stiffness, which limits the time step
   double (*at)(const Prescribed&, const ConditionPoint&) = nullptr;
 };
 
@@ -49,6 +50,8 @@ struct Prescribed {
 
   double at(const ConditionPoint& point) const { return style->at(*this, point); }
   double at(double t, const Vec3& x, double dt = 0.0) const { return at({.time = t, .dt = dt, .position = x}); }
+  /// Stiffness of an elastic condition [stress/length]; 0 for all others.
+  double stiffness() const { return style->elastic ? value : 0.0; }
 };
 
 }  // namespace tribo

@@ -3,9 +3,28 @@
 
 #include "solver/measures.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace tribo {
+namespace {
+
+// The outermost particles on an elastic support of stiffness k are oscillators of mass rho d and stiffness k per area,
+// where d is their thickness. Their limit 2 sqrt(rho d/k) is reduced by the Courant number, as that of waves is.
+template <int Dim>
+double support_limit(const Model& model, Body<Dim>& body) {
+  double stiffness = 0.0;
+  for (const auto& condition : model.particle_conditions) stiffness += condition.value.stiffness();
+  if (!(stiffness > 0)) return std::numeric_limits<double>::infinity();
+  double thickness = 2 * body.uniform_half_size.minCoeff();
+  if (body.half_size)
+    for (const double* half : body.particles[body.half_size])
+      thickness = std::min(thickness, 2 * *std::min_element(half, half + body.particles.size()));
+  return model.time.courant * std::sqrt(body.law->density() * thickness / stiffness);
+}
+
+}  // namespace
 
 template <int Dim>
 typename StepSize<Dim>::First StepSize<Dim>::first() {
@@ -21,6 +40,7 @@ typename StepSize<Dim>::First StepSize<Dim>::first() {
     if (c > 0) limit(model_.time.courant * h / c, "the waves in '" + body.name + "'");
     limit(viscous_limit(body), "the viscosity of '" + body.name + "'");
     limit(conduction_limit(body), "the conduction in '" + body.name + "'");
+    limit(support_limit(model_, body), "the elastic supports of '" + body.name + "'");
   }
   if (!(out.wave_speed > 0)) throw SimulationError("no material has a wave speed; the time step cannot be chosen");
   if (model_.time.max_step < out.size) out.size = model_.time.max_step, out.set_by = "<TimeStep>";
@@ -51,7 +71,8 @@ double StepSize<Dim>::next(double size) {
   const Measures all = measure(system_);
   const double h = system_.lattice.smallest_spacing();
   double wanted = std::min(model_.time.max_step, model_.time.courant * h / all.largest_wave_speed);
-  for (const auto& body : system_.bodies) wanted = std::min({wanted, viscous_limit(body), conduction_limit(body)});
+  for (auto& body : system_.bodies)
+    wanted = std::min({wanted, viscous_limit(body), conduction_limit(body), support_limit(model_, body)});
   if (all.largest_speed > 0) wanted = std::min(wanted, model_.time.velocity_courant * h / all.largest_speed);
   return std::min(wanted, model_.time.max_increase * size);
 }

@@ -103,6 +103,36 @@ TEST_CASE("the work of a traction is the energy it brings", "[loads]") {
   CHECK(content == Approx(stepper.ledger().external_work).epsilon(0.05));
 }
 
+TEMPLATE_TEST_CASE_SIG("a block on an elastic support oscillates with the frequency of its mass and stiffness",
+                       "[loads]", ((int Dim), Dim), 2, 3) {
+  // Stiffness k per area under a block of height H: omega^2 = k/(rho H). The block itself is 500 times as stiff.
+  constexpr double height = 4, stiffness = 2e4, density = 1000, speed = 0.01;
+  Model model = grid_model<Dim>(Kernel::quadratic_spline, Transfer::flip, UpdateOrder::usl, false);
+  model.materials[0].law = elastic(density, 4e7, 0.0);
+  Bounds bottom;
+  bottom.low = Vec3(0, 10, -1), bottom.high = Vec3(24, 10.5, 24);
+  auto support = traction(DomainFace::low_y, LoadDirection::normal, stiffness, bottom);
+  support.value.style = style_of("elastic");
+  model.particle_conditions.push_back(support);
+  auto seeds = lattice_seeds<Dim>(model, 10, 14);
+  for (Seed& s : seeds) s.v = Vec3(0, -speed, 0);
+  auto system = build_system<Dim>(model, seeds);
+  Stepper<Dim> stepper(model, system);
+  const double frequency = std::sqrt(stiffness / (density * height)), quarter = 0.5 * 3.14159265358979 / frequency;
+  const int steps = static_cast<int>(quarter / 2e-3);
+  double lowest = 0.0;
+  for (int k = 0; k < steps; ++k) stepper.advance(quarter / steps);
+  auto& particles = system.bodies[0].particles;
+  for (std::size_t i = 0; i < particles.size(); ++i)
+    lowest +=
+        (particles.position(i)[1] - particles[system.bodies[0].origin][1][i]) / static_cast<double>(particles.size());
+  // The elasticity of the block lowers the frequency by k H/(6 E) = 0.03 %.
+  CHECK(lowest == Approx(-speed / frequency).epsilon(2e-3));
+  CHECK(std::abs(total_momentum(system)[1]) < 5e-3 * speed * density * std::pow(height, Dim));
+  // The support has taken the kinetic energy.
+  CHECK(stepper.ledger().external_work == Approx(-0.5 * density * std::pow(height, Dim) * speed * speed).epsilon(5e-3));
+}
+
 TEST_CASE("body forces of particles know where these started", "[loads]") {
   Model model = grid_model<2>(Kernel::quadratic_spline, Transfer::flip);
   model.body_force.on_particles[0] = Expression("10*(x0 - 12) + t", {});
