@@ -133,6 +133,39 @@ TEMPLATE_TEST_CASE_SIG("a block on an elastic support oscillates with the freque
   CHECK(stepper.ledger().external_work == Approx(-0.5 * density * std::pow(height, Dim) * speed * speed).epsilon(5e-3));
 }
 
+TEST_CASE("a traction on a cylinder acts on the area of its face, not of its outermost particles", "[loads]") {
+  // Per radian the area of a cylinder is its radius times its height.
+  const DomainFace face = GENERATE(DomainFace::high_x, DomainFace::low_x);
+  const bool outer = face == DomainFace::high_x;
+  Model model = grid_model<2>(Kernel::quadratic_spline, Transfer::flip, UpdateOrder::usl, false);
+  model.analysis = Analysis::axisymmetric;
+  Bounds where;
+  where.low = Vec3(outer ? 15.5 : 8, 8, -1), where.high = Vec3(outer ? 16 : 8.5, 16, 1);
+  model.particle_conditions.push_back(traction(face, LoadDirection::normal, 3.0, where));
+  auto seeds = lattice_seeds<2>(model, 8, 16);
+  for (Seed& s : seeds) s.volume *= s.x[0], s.mass *= s.x[0];
+  auto system = build_system<2>(model, seeds);
+  Stepper<2> stepper(model, system);
+  stepper.advance(1e-3);
+  CHECK(total_momentum(system)[0] == Approx(1e-3 * 3.0 * 8 * (outer ? 16 : -8)).epsilon(1e-12));
+}
+
+TEST_CASE("grid damping takes the energy that is recorded", "[loads]") {
+  // A body that moves as a whole loses 1 - (1 - a dt)^2 of its kinetic energy in a step.
+  Model model = grid_model<2>(Kernel::quadratic_spline, Transfer::flip, UpdateOrder::usl, false);
+  auto seeds = lattice_seeds<2>(model, 8, 16);
+  for (Seed& s : seeds) s.v = Vec3(2, -1, 0);
+  auto system = build_system<2>(model, seeds);
+  const double before = measure(system).kinetic, mass = system.bodies[0].total_mass;
+  Stepper<2> stepper(model, system);
+  stepper.damping().grid = 20;
+  stepper.advance(1e-3);
+  CHECK(measure(system).kinetic == Approx(before * 0.98 * 0.98).epsilon(1e-12));
+  CHECK(stepper.ledger().damping_work == Approx(before * (1 - 0.98 * 0.98)).epsilon(1e-12));
+  CHECK(stepper.ledger().impulse[0] == Approx(-0.02 * mass * 2).epsilon(1e-12));
+  CHECK(stepper.ledger().impulse[1] == Approx(0.02 * mass).epsilon(1e-12));
+}
+
 TEST_CASE("body forces of particles know where these started", "[loads]") {
   Model model = grid_model<2>(Kernel::quadratic_spline, Transfer::flip);
   model.body_force.on_particles[0] = Expression("10*(x0 - 12) + t", {});
