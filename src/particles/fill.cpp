@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "materials/material.hpp"
+#include "particles/cut_sites.hpp"
 #include "particles/geostatic.hpp"
 #include "particles/seed.hpp"
 #include "particles/sites.hpp"
@@ -18,6 +19,16 @@ std::optional<int> root(int total, int dimension) {
     if (power == total) return n;
   }
   return std::nullopt;
+}
+
+// Exact volume of a piece (in two dimensions, area), if it is known and the piece is not cut by an earlier one or by
+// the edge of the grid.
+std::optional<double> exact_area(const Model& model, const GridBox& grid, std::size_t p) {
+  const Piece& piece = model.pieces[p];
+  bool whole = grid.holds(piece.region->bounds());
+  for (std::size_t q = 0; q < p && whole && !piece.deformation; ++q)
+    whole = model.pieces[q].deformation || !grid.overlap(piece.region->bounds(), model.pieces[q].region->bounds());
+  return whole ? piece.region->measure() : std::nullopt;
 }
 
 class Filler {
@@ -100,18 +111,83 @@ class Filler {
     if (!hole) {
       Sites& lattice = lattices_[static_cast<std::size_t>(own)];
       const Seed pattern = prepare(p, lattice);
-      lattice.visit(reach, [&](const Vec3& x, std::size_t site) {
-        if (!piece.region->contains(x) || !grid_.contains(x)) return;
-        if (!piece.deformation) {
-          if (lattice.taken[site]) return;
-          lattice.taken[site] = true;
-        }
-        emit(piece, pattern, x);
-        ++count;
-      });
+      count =
+          model_.whole_particles ? emit_whole(piece, pattern, lattice, reach) : emit_cut(p, pattern, lattice, reach);
       if (count == 0) throw InputError(piece.origin, no_points(piece));
     }
     if (!piece.deformation) take_from_others(p, own, reach);
+  }
+
+  // Emits a whole particle for each site in the shape. Returns their number.
+  long emit_whole(const Piece& piece, const Seed& pattern, Sites& lattice, const Bounds& reach) {
+    long count = 0;
+    lattice.visit(reach, [&](const Vec3& x, std::size_t site) {
+      if (!take(piece, lattice, x, site)) return;
+      emit(piece, pattern, x);
+      ++count;
+    });
+    return count;
+  }
+
+  // Whether a site belongs to the piece; then it is taken.
+  bool take(const Piece& piece, Sites& lattice, const Vec3& x, std::size_t site) const {
+    if (!piece.region->contains(x) || !grid_.contains(x)) return false;
+    if (piece.deformation) return true;
+    if (lattice.taken[site]) return false;
+    return lattice.taken[site] = true;
+  }
+
+  // Emits the particles of the shape, those at its surface with the part of their cells inside. Returns their number.
+  long emit_cut(std::size_t p, const Seed& pattern, Sites& lattice, const Bounds& reach) {
+    const Piece& piece = model_.pieces[p];
+    std::vector<bool> centres(lattice.count(), false);
+    bool any = false;
+    lattice.visit(reach, [&](const Vec3& x, std::size_t site) {
+      if (take(piece, lattice, x, site)) centres[site] = any = true;
+    });
+    const auto before = earlier_pieces(p);
+    const auto inside = [&](const Vec3& x) {
+      if (!piece.region->contains(x) || !grid_.contains(x)) return false;
+      return std::none_of(before.begin(), before.end(), [&](const Region* region) { return region->contains(x); });
+    };
+    CutSites sites(lattice, reach, centres, inside, !any);
+    if (const auto exact = exact_area(model_, grid_, p)) sites.scale_to(*exact);
+    long count = 0;
+    const double whole = lattice.spacing.head(lattice.flat ? 2 : 3).prod();
+    lattice.visit(reach, [&](const Vec3& x, std::size_t site) {
+      if (const CutCell* cell = sites.cut(site))
+        emit(piece, cut_seed(pattern, *cell, whole), cell->centroid);
+      else if (sites.is_whole(site))
+        emit(piece, pattern, x);
+      else
+        return;
+      ++count;
+    });
+    return count;
+  }
+
+  // The regions of earlier pieces and holes that may cover a part of a piece.
+  std::vector<const Region*> earlier_pieces(std::size_t p) const {
+    std::vector<const Region*> out;
+    const Piece& piece = model_.pieces[p];
+    if (piece.deformation) return out;
+    for (std::size_t q = 0; q < p; ++q)
+      if (!model_.pieces[q].deformation && grid_.overlap(piece.region->bounds(), model_.pieces[q].region->bounds()))
+        out.push_back(model_.pieces[q].region.get());
+    return out;
+  }
+
+  // The pattern for a cut cell. `whole`: volume of a whole cell, in two dimensions for the thickness 1.
+  Seed cut_seed(const Seed& pattern, const CutCell& cell, double whole) const {
+    Seed seed = pattern;
+    const bool flat = model_.dimension() == 2;
+    seed.volume *= cell.volume / whole;
+    Mat3 axes = cell.half_axes(flat);
+    // Kernels with domains take at most half a grid cell
+    seed.half_size = (0.5 * (cell.high - cell.low)).cwiseMin(Vec3(0.5 * grid_.cell));
+    if (flat) axes(2, 2) = seed.half_size[2] = pattern.half_size[2];
+    seed.half_axes = axes;
+    return seed;
   }
 
   // Marks the sites of other lattices that lie in the shape as taken.
@@ -294,10 +370,7 @@ std::vector<PlacedVolume> volume_error(const Model& model, const std::vector<See
     if (piece.material < 0) continue;
     PlacedVolume entry = by_piece[p];
     entry.piece = static_cast<int>(p);
-    bool whole = model.analysis != Analysis::axisymmetric && grid.holds(piece.region->bounds());
-    for (std::size_t q = 0; q < p && whole && !piece.deformation; ++q)
-      whole = model.pieces[q].deformation || !grid.overlap(piece.region->bounds(), model.pieces[q].region->bounds());
-    if (whole) entry.exact = piece.region->measure();
+    if (model.analysis != Analysis::axisymmetric) entry.exact = exact_area(model, grid, p);
     if (entry.exact && model.dimension() == 2) *entry.exact *= piece.thickness.value_or(model.grid.thickness);
     out.push_back(entry);
   }

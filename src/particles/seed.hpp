@@ -5,6 +5,7 @@
 #include "model/model.hpp"
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace tribo {
@@ -13,11 +14,13 @@ namespace tribo {
 struct Seed {
   Vec3 x = Vec3::Zero();          ///< position after any initial deformation                       [length]
   Vec3 v = Vec3::Zero();          ///< velocity                                                     [velocity]
-  Vec3 half_size = Vec3::Zero();  ///< half edges of the undeformed domain, along the grid axes     [length]
-  Mat3 F = Mat3::Identity();      ///< initial deformation gradient                                 [-]
-  Mat3 stress = Mat3::Zero();     ///< initial Cauchy stress                                        [stress]
-  double volume = 0.0;            ///< before deformation; 2D: times thickness; axisymmetric: times r, per radian
-  double mass = 0.0;              ///< density of its material times volume, unless prescribed
+  Vec3 half_size = Vec3::Zero();  ///< half extents of the undeformed domain along the grid axes    [length]
+  /// Half axes of the undeformed domain as columns, where these are not along the grid axes [length].
+  std::optional<Mat3> half_axes;
+  Mat3 F = Mat3::Identity();   ///< initial deformation gradient                                 [-]
+  Mat3 stress = Mat3::Zero();  ///< initial Cauchy stress                                        [stress]
+  double volume = 0.0;         ///< before deformation; 2D: times thickness; axisymmetric: times r, per radian
+  double mass = 0.0;           ///< density of its material times volume, unless prescribed
   double temperature = 0.0;
   double angle = 0.0;  ///< rotation of the material axes about z [rad]
   int material = 0;    ///< index into Model::materials
@@ -26,6 +29,9 @@ struct Seed {
 
 /// Places particles in the shapes of the model: piece by piece, inside a piece in a fixed order (cells with x fastest,
 /// then y, then z; within a cell likewise), and finally the single points.
+///
+/// The surface of a shape cuts the cells of its outermost particles: these get the volume, the centroid and the surface
+/// facets of the part inside (CutCell), so that the body has the volume and the faces of its shape.
 ///
 /// Sites are at fractions (2k-1)/(2n) of the grid cells. A piece with a `point_size` has its own lattice, which starts
 /// at the low corner of its bounding box, or where this enters the grid. Sites outside the grid are omitted. A site

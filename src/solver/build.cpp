@@ -90,6 +90,11 @@ void fill(Body<Dim>& body, const std::vector<const Seed*>& seeds, std::int64_t f
       v[d][i] = seed.v[axis];
       if (body.half_size) particles[body.half_size][d][i] = seed.half_size[axis];
     }
+    if (body.half_axes) {
+      const Mat3 axes = seed.half_axes.value_or(Mat3(seed.half_size.asDiagonal()));
+      for (std::size_t k = 0; k < Dim * Dim; ++k)
+        particles[body.half_axes][k][i] = axes(static_cast<int>(k) / Dim, static_cast<int>(k) % Dim);
+    }
     particles.mass()[i] = seed.mass;
     body.total_mass += seed.mass;
     particles.volume()[i] = seed.volume * seed.F.determinant();
@@ -118,11 +123,14 @@ Body<Dim> make_body(const Model& model, int material, const std::vector<const Se
   body.material = material;
   body.particle_damping = spec.particle_damping.value_or(0.0);
 
+  body.thickness = 2 * seeds.front()->half_size[2];
   body.uniform_half_size = seeds.front()->half_size.template head<Dim>();
   const bool mixed = std::any_of(seeds.begin(), seeds.end(), [&](const Seed* s) {
     return (s->half_size.template head<Dim>() - body.uniform_half_size).norm() > 1e-12 * body.uniform_half_size.norm();
   });
   if (mixed) body.half_size = body.particles.add_vector("half_size", Dimension::length);
+  if (std::any_of(seeds.begin(), seeds.end(), [](const Seed* s) { return s->half_axes.has_value(); }))
+    body.half_axes = body.particles.add_matrix("half_axes", Dimension::length);
   if (spec.law->history().size() > most_history_variables)
     throw std::logic_error("the law of '" + spec.name + "' has more than " + std::to_string(most_history_variables) +
                            " history variables");

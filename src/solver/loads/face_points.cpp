@@ -29,8 +29,41 @@ Vec3 face_normal(DomainFace face) {
 
 }  // namespace
 
+// The side of a parallelepiped whose normal is nearest to that of the face.
+template <int Dim>
+ParticleFace<Dim> ParticleFace<Dim>::of_half_axes(const System<Dim>& system, Body<Dim>& body, std::size_t i,
+                                                  DomainFace face) {
+  auto& particles = body.particles;
+  Mat<Dim> axes;
+  for (int k = 0; k < Dim * Dim; ++k)
+    axes(k / Dim, k % Dim) = particles[body.half_axes][static_cast<std::size_t>(k)][i];
+  const Mat<Dim> normals = axes.inverse().transpose().colwise().normalized();
+  const Vec<Dim> wanted = face_normal(face).head<Dim>();
+  Eigen::Index side;
+  (normals.transpose() * wanted).cwiseAbs().maxCoeff(&side);
+  const double sign = normals.col(side).dot(wanted) < 0 ? -1.0 : 1.0;
+  ParticleFace out;
+  out.normal = Vec3::Zero();
+  out.normal.head<Dim>() = sign * normals.col(side);
+  const double height = std::abs(axes.col(side).dot(normals.col(side)));
+  out.area = std::ldexp(std::abs(axes.determinant()), Dim) / (2 * height);  // in two dimensions the length
+  if constexpr (Dim == 2)
+    out.area *= system.analysis == Analysis::axisymmetric ? particles[body.origin][0][i] + sign * axes(0, side)
+                                                          : body.thickness;
+  for (std::size_t point = 0; point < count; ++point) {
+    Vec<Dim> at = sign * axes.col(side);
+    for (int d = 0, tangent = 0; d < Dim; ++d)
+      if (d != side) at += (point >> tangent++ & 1 ? 1.0 : -1.0) / std::sqrt(3.0) * axes.col(d);
+    if (body.domain)
+      at = (load_full<Dim>(particles.F(), static_cast<int>(i)).template topLeftCorner<Dim, Dim>() * at).eval();
+    out.points[point] = at + particles.position(i);
+  }
+  return out;
+}
+
 template <int Dim>
 ParticleFace<Dim> ParticleFace<Dim>::of(const System<Dim>& system, Body<Dim>& body, std::size_t i, DomainFace face) {
+  if (body.half_axes) return of_half_axes(system, body, i, face);
   auto& particles = body.particles;
   ParticleFace out;
   out.normal = face_normal(face);

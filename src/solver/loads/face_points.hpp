@@ -17,6 +17,9 @@ struct ParticleFace {
 
   /// Face `face` of the particle with index `particle` in `body`.
   static ParticleFace of(const System<Dim>& system, Body<Dim>& body, std::size_t particle, DomainFace face);
+
+ private:
+  static ParticleFace of_half_axes(const System<Dim>& system, Body<Dim>& body, std::size_t particle, DomainFace face);
 };
 
 /// The nodes around a point and the fractions of a force at the point that they receive. The fractions are the shape

@@ -8,6 +8,8 @@ DomainReader<Dim>::DomainReader(Body<Dim>& body) : uniform_(body.uniform_half_si
   for (std::size_t d = 0; d < Dim; ++d) {
     x_[d] = body.particles.x()[d];
     if (body.half_size) half_[d] = body.particles[body.half_size][d];
+    if (body.half_axes)
+      for (std::size_t k = 0; k < Dim; ++k) axes_[k * Dim + d] = body.particles[body.half_axes][k * Dim + d];
   }
   if (!body.particles.has_deformation()) return;
   for (std::size_t k = 0; k < Layout<Dim>::full; ++k) {

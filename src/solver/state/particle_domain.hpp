@@ -39,12 +39,24 @@ class DomainReader {
       for (std::size_t row = 0; row < Dim; ++row)
         p.axes(static_cast<Eigen::Index>(row), axis) = (F_[0] ? F_[row * Dim + d][i] : row == d ? 1.0 : 0.0) * half;
     }
+    if (axes_[0]) deform_axes(i, p.axes);
     return p;
   }
 
  private:
-  std::array<const double*, Dim> x_{};     // coordinates
-  std::array<const double*, Dim> half_{};  // initial half sizes; null if all particles have the same size
+  void deform_axes(std::uint32_t i, Mat<Dim>& axes) const {
+    Mat<Dim> initial, F = Mat<Dim>::Identity();
+    for (std::size_t k = 0; k < Dim * Dim; ++k) {
+      const auto row = static_cast<Eigen::Index>(k / Dim), column = static_cast<Eigen::Index>(k % Dim);
+      initial(row, column) = axes_[k][i];
+      if (F_[0]) F(row, column) = F_[k][i];
+    }
+    axes = F * initial;
+  }
+
+  std::array<const double*, Dim> x_{};           // coordinates
+  std::array<const double*, Dim> half_{};        // initial half sizes; null if all particles have the same size
+  std::array<const double*, Dim * Dim> axes_{};  // initial half axes row by row; null if they are along the grid axes
   // deformation gradient row by row; null if the body does not keep it
   std::array<const double*, Dim * Dim> F_{};
   Vec<Dim> uniform_;  // the initial half size of all particles if half_ is null

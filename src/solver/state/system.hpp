@@ -87,8 +87,11 @@ struct Body {
   VectorColumn start;     ///< "+" schemes: position at the start of the step             [length]
   /// Initial half widths of the particle domains if they differ between particles [length].
   VectorColumn half_size;
+  /// Half axes of the initial particle domains, row by row, if some are not along the grid axes [length].
+  MatrixColumn half_axes;
   /// Initial half widths of the particle domains if all are equal [length].
   Vec<Dim> uniform_half_size = Vec<Dim>::Zero();
+  double thickness = 1.0;             ///< out of the plane                                           [length]
   MatrixColumn domain;                ///< CPDI: F at the start of the step
   VectorColumn load;                  ///< external force                                             [force]
   VectorColumn origin;                ///< position at the start of the run                           [length]
@@ -166,11 +169,11 @@ struct System {
 template <int Dim>
 void archive(Archive& a, Body<Dim>& body, const Lattice<Dim>& lattice) {
   auto& [name, law, material, field, block, across_fields, cut, cut_bins, particles, bins, history, history_columns,
-         affine, filtered, start, half_size, uniform_half_size, domain, load, origin, first_inverse, load_set,
-         contact_slip, contact_bond, contact_state, contact_traction, contact_normal, temperature, temperature_gradient,
-         temperature_residual, heated, crossings, cell_number, volumetric, heat_capacity, conductivity, taylor_quinney,
-         reference_temperature, cell, residual_share, volume_of_displacement, particle_damping, total_mass,
-         read_by_scatter, read_by_gather] = body;
+         affine, filtered, start, half_size, half_axes, uniform_half_size, thickness, domain, load, origin,
+         first_inverse, load_set, contact_slip, contact_bond, contact_state, contact_traction, contact_normal,
+         temperature, temperature_gradient, temperature_residual, heated, crossings, cell_number, volumetric,
+         heat_capacity, conductivity, taylor_quinney, reference_temperature, cell, residual_share,
+         volume_of_displacement, particle_damping, total_mass, read_by_scatter, read_by_gather] = body;
   a("particles", particles), archive(a, bins, lattice);
 }
 

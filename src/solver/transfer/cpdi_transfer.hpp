@@ -90,7 +90,16 @@ class CpdiTransfers final : public Transfers<Dim> {
                   const typename Particles<Dim>::Vector& x, std::size_t i) const {
     // Half edges of the domain in cells
     Mat<Dim> R;
-    for (int c = 0; c < Dim; ++c) {
+    if (body.half_axes) {
+      Mat<Dim> initial, F;
+      for (int c = 0; c < Dim * Dim; ++c) {
+        const auto k = static_cast<std::size_t>(c);
+        initial(c / Dim, c % Dim) = body.particles[body.half_axes][k][i];
+        F(c / Dim, c % Dim) = body.particles[body.domain][k][i];
+      }
+      R = lattice.spacing.cwiseInverse().asDiagonal() * (F * initial);
+    }
+    for (int c = 0; c < Dim && !body.half_axes; ++c) {
       const auto k = static_cast<std::size_t>(c);
       const double half = body.half_size ? body.particles[body.half_size][k][i] : body.uniform_half_size[c];
       for (int r = 0; r < Dim; ++r)
