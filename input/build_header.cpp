@@ -68,6 +68,7 @@ void Builder::mpm_header() {
          "the number of terms must be 1 or 2; further terms are smaller than (L dt)^3/6 per step");
     scheme.exponential_deformation = terms == 2;
   }
+  model_.whole_particles = h.child("WholeParticles") != nullptr;
   if (const auto* f = h.child("BBar")) {
     must(model_.analysis != Analysis::plane_stress, f->origin,
          "<BBar> is of no use in plane stress, where the free thickness prevents volumetric locking");

@@ -260,6 +260,13 @@ std::vector<ElementSpec> make() {
                "the model fails if its largest displacement grows by this fraction in the last quarter of the run "
                "(default 0.05)")},
        true});
+  add({"WholeParticles",
+       "MPMHeader",
+       "places whole particles only: faces that are not on the lines of the particles become steps, as in NairnMPM. "
+       "Without it, the surfaces of shapes cut the cells of the outermost particles",
+       T::none,
+       {},
+       true});
   add({"BBar",
        "MPMHeader",
        "B-bar: volumetric strain and pressure are averaged around each particle, which avoids locking",

@@ -224,18 +224,16 @@ CutCell whole_cell(const Vec3& low, const Vec3& high) {
   return out;
 }
 
-std::optional<CutCell> cut_cell(const Inside& inside, const Vec3& low, const Vec3& high, bool flat) {
+std::optional<CutCell> cut_cell(const Inside& inside, const Vec3& low, const Vec3& high, bool flat, int probes) {
   // Surfaces within round-off of a side do not cut the cell
   const Vec3 inset = 1e-8 * (high - low);
   Vec3 inner_low = low + inset, inner_high = high - inset;
   if (flat) inner_low[2] = inner_high[2] = 0.0;
   int in = 0, all = 0;
-  for (int k = 0; k < (flat ? 1 : 3); ++k)
-    for (int j = 0; j < 3; ++j)
-      for (int i = 0; i < 3; ++i, ++all) {
-        Vec3 x(inner_low + 0.5 * Vec3(i, j, k).cwiseProduct(inner_high - inner_low));
-        if (inside(x)) ++in;
-      }
+  for (int k = 0; k < (flat ? 1 : probes); ++k)
+    for (int j = 0; j < probes; ++j)
+      for (int i = 0; i < probes; ++i, ++all)
+        if (inside(inner_low + Vec3(i, j, k).cwiseProduct(inner_high - inner_low) / (probes - 1))) ++in;
   if (in == 0) return std::nullopt;
   if (in == all) return whole_cell(low, high);
 
@@ -341,7 +339,7 @@ Mat3 CutCell::half_axes(bool flat) const {
   const double longest = 0.6 * size.head(flat ? 2 : 3).norm();  // domains at acute edges would be longer
   for (int k = 0; k < 3; ++k)
     if (axes.col(k).norm() > longest) axes.col(k) *= longest / axes.col(k).norm();
-  if (axes.determinant() < 0) axes.col(0) *= -1;
+  if (axes.determinant() < 0) axes.col(0).swap(axes.col(1));
   return axes;
 }
 

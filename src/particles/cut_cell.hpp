@@ -37,11 +37,12 @@ struct CutCell {
 /// The part of the box `low`..`high` inside a shape; none if it is empty. Bounded by plane facets, whose normals and
 /// positions follow from points of the surface, found by bisection along lines through the cell.
 ///
-/// `inside`: whether a point lies in the shape; `flat`: two dimensions, only z = 0 is examined. Exact (1e-10 of the
-/// volume) where the surface within the box consists of at most two (in space three) planes; relative error of second
-/// order in the size of the box for smooth surfaces.
+/// `inside`: whether a point lies in the shape; `flat`: two dimensions, only z = 0 is examined; `probes`: number of
+/// points per axis, at least one of which must lie inside. Exact (1e-10 of the volume) where the surface within the box
+/// consists of at most two (in space three) planes; relative error of second order in the size of the box for smooth
+/// surfaces.
 std::optional<CutCell> cut_cell(const std::function<bool(const Vec3&)>& inside, const Vec3& low, const Vec3& high,
-                                bool flat);
+                                bool flat, int probes = 3);
 
 /// The whole box as an uncut part.
 CutCell whole_cell(const Vec3& low, const Vec3& high);

@@ -32,7 +32,7 @@ CutSites::CutSites(const Sites& lattice, const Bounds& reach, const std::vector<
   lattice.visit(reach, [&](const Vec3& x, std::size_t site) {
     if (!all && is_uniform(lattice, centres, site)) return;
     const CutCell whole = box(x);
-    auto part = cut_cell(inside, whole.low, whole.high, lattice.flat);
+    auto part = cut_cell(inside, whole.low, whole.high, lattice.flat, all ? 9 : 3);
     whole_[site] = part && part->volume >= (1 - 1e-9) * whole.volume;
     if (!part || whole_[site]) {
       centre_of_[site] = x;

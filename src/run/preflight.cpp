@@ -16,6 +16,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <set>
 
 namespace tribo {
@@ -23,6 +24,27 @@ namespace {
 
 /// Distance of two materials' particle domains at the start, in cells; negative: they overlap.
 using Gaps = std::map<std::pair<int, int>, double>;
+
+// Half axes of the domain of a particle at the start, as columns.
+template <int Dim>
+Mat<Dim> axes_of(const Seed& seed) {
+  return (seed.F * seed.half_axes.value_or(Mat3(seed.half_size.asDiagonal()))).template topLeftCorner<Dim, Dim>();
+}
+
+// Distance of two parallelepipeds along the one of their face normals where it is largest; negative: they overlap.
+template <int Dim>
+double separation(const Vec<Dim>& between, const Mat<Dim>& a, const Mat<Dim>& b) {
+  double most = -std::numeric_limits<double>::infinity();
+  for (const Mat<Dim>* of : {&a, &b}) {
+    const Mat<Dim> normals = of->inverse().transpose().colwise().normalized();
+    for (int k = 0; k < Dim; ++k) {
+      const auto n = normals.col(k);
+      most = std::max(
+          most, std::abs(between.dot(n)) - (a.transpose() * n).cwiseAbs().sum() - (b.transpose() * n).cwiseAbs().sum());
+    }
+  }
+  return most;
+}
 
 template <int Dim>
 class Report {
@@ -175,11 +197,8 @@ class Report {
         for (const std::size_t i : list)
           for (const std::size_t j : found->second)
             if (seeds_[i].material < seeds_[j].material) {
-              double gap = -1e300;
-              for (Eigen::Index d = 0; d < Dim; ++d)
-                gap = std::max(
-                    gap, (std::abs(seeds_[i].x[d] - seeds_[j].x[d]) - seeds_[i].half_size[d] - seeds_[j].half_size[d]) /
-                             system_.lattice.spacing[d]);
+              const Vec<Dim> between = (seeds_[i].x - seeds_[j].x).template head<Dim>();
+              const double gap = separation<Dim>(between, axes_of<Dim>(seeds_[i]), axes_of<Dim>(seeds_[j])) / h_;
               const auto [known, fresh] = gaps.try_emplace({seeds_[i].material, seeds_[j].material}, gap);
               if (!fresh) known->second = std::min(known->second, gap);
             }

@@ -109,6 +109,48 @@ bool are_wide_faces(ParticleSet<Dim>& a, ParticleSet<Dim>& b, const Vec<Dim>& n,
 }
 
 template <int Dim>
+std::optional<Vec<Dim>> plane_face_normal(ParticleSet<Dim>& side, const Vec<Dim>& out, double length) {
+  constexpr double steepest = 0.9, same_direction = 0.99985;  // cosines of 26 degrees and of one degree
+  // The first guess tilts, so that a part of the plane lies behind its foremost corner.
+  constexpr std::array depths{0.15, 0.05, 0.02};  // cells
+  Vec<Dim> n = out;
+  for (const double depth : depths) {
+    side.facets.clear();
+    double highest = -std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < side.size(); ++i) {
+      const Vec<Dim> x = side.centre(i);
+      const Mat<Dim> axes = side.half_axes(i);
+      const Mat<Dim> normals = axes.inverse().transpose().colwise().normalized();
+      Eigen::Index front;
+      const double along = (normals.transpose() * n).cwiseAbs().maxCoeff(&front);
+      if (along < steepest) continue;
+      const double sign = normals.col(front).dot(n) < 0 ? -1.0 : 1.0;
+      side.facets.push_back({x - x.dot(n) * n, x + sign * axes.col(front), sign * normals.col(front)});
+      highest = std::max(highest, side.facets.back().middle.dot(n));
+    }
+    Vec<Dim> sum = Vec<Dim>::Zero();
+    for (const Facet<Dim>& facet : side.facets)
+      if (facet.middle.dot(n) > highest - depth * length) sum += facet.normal;
+    if (!(sum.norm() > 0)) return std::nullopt;
+    n = sum.normalized();
+  }
+  double highest = -std::numeric_limits<double>::infinity();
+  for (const Facet<Dim>& facet : side.facets) highest = std::max(highest, facet.middle.dot(n));
+  std::vector<Vec<Dim>>& face = side.corners;
+  face.clear();
+  for (const Facet<Dim>& facet : side.facets) {
+    if (facet.middle.dot(n) < highest - depths.back() * length) continue;
+    if (facet.normal.dot(n) < same_direction) return std::nullopt;
+    face.push_back(facet.middle);
+  }
+  for (const Vec<Dim>& t : directions_around<Dim>(n)) {
+    const Extent along = extent<Dim>(face, t, corner_width * length);
+    if (along.length() < corner_width * length) return std::nullopt;
+  }
+  return n;
+}
+
+template <int Dim>
 bool is_flat_face(ParticleSet<Dim>& side, const Vec<Dim>& out, double flatness) {
   const double face = side.max_reach(out, 1.0);
   for (std::size_t i = 0; i < side.size(); ++i) {
@@ -228,6 +270,7 @@ double face_position(ParticleSet<Dim>& side, const Vec<Dim>& n, double band) {
 }
 
 template std::optional<Vec<2>> margin_normal<2>(ParticleSet<2>&, ParticleSet<2>&, const Vec<2>&, double);
+template std::optional<Vec<2>> plane_face_normal<2>(ParticleSet<2>&, const Vec<2>&, double);
 template bool is_flat_face<2>(ParticleSet<2>&, const Vec<2>&, double);
 template bool surrounds_line<2>(ParticleSet<2>&, const Vec<2>&, double, double);
 template bool are_wide_faces<2>(ParticleSet<2>&, ParticleSet<2>&, const Vec<2>&, double);
@@ -235,6 +278,7 @@ template std::optional<Vec<2>> corner_normal<2>(ParticleSet<2>&, ParticleSet<2>&
 template std::optional<Vec<2>> regression_normal<2>(const ParticleSet<2>&, const ParticleSet<2>&, bool, double);
 template double face_position<2>(ParticleSet<2>&, const Vec<2>&, double);
 template std::optional<Vec<3>> margin_normal<3>(ParticleSet<3>&, ParticleSet<3>&, const Vec<3>&, double);
+template std::optional<Vec<3>> plane_face_normal<3>(ParticleSet<3>&, const Vec<3>&, double);
 template bool is_flat_face<3>(ParticleSet<3>&, const Vec<3>&, double);
 template bool surrounds_line<3>(ParticleSet<3>&, const Vec<3>&, double, double);
 template bool are_wide_faces<3>(ParticleSet<3>&, ParticleSet<3>&, const Vec<3>&, double);

@@ -50,6 +50,12 @@ std::optional<Vec<Dim>> corner_normal(ParticleSet<Dim>& a, ParticleSet<Dim>& b, 
 template <int Dim>
 bool are_wide_faces(ParticleSet<Dim>& a, ParticleSet<Dim>& b, const Vec<Dim>& n, double length);
 
+/// Outward unit normal of a plane face near the unit vector `out`: the mean normal of the sides of the foremost
+/// domains, if these sides lie in one plane, deviate from it by less than a degree and are together at least half a
+/// cell wide in every direction; std::nullopt otherwise. `length`: cell size.
+template <int Dim>
+std::optional<Vec<Dim>> plane_face_normal(ParticleSet<Dim>& side, const Vec<Dim>& out, double length);
+
 /// Whether the foremost particles along the unit vector `out` form a plane face normal to `out`, up to deviations of
 /// `flatness` [length]. The face may end within the set.
 template <int Dim>

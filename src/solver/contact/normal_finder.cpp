@@ -204,6 +204,17 @@ auto NormalFinder<Dim>::front_normal(const Vec<Dim>& centre, NearParticles<Dim>&
   return front;
 }
 
+// The normal `n` or, where a side has a plane face, the normal of this face, or the mean of both faces. The domains of
+// cut cells have different depths, so that the plane of largest margin between their shrunk domains tilts.
+template <int Dim>
+Vec<Dim> NormalFinder<Dim>::along_plane_faces(NearParticles<Dim>& near, const Vec<Dim>& n) const {
+  if (!has_cut_cells_) return n;
+  Vec<Dim> sum = Vec<Dim>::Zero();
+  if (const auto out = plane_face_normal<Dim>(near.sides[0], n, h_)) sum += *out;
+  if (const auto out = plane_face_normal<Dim>(near.sides[1], -n, h_)) sum -= *out;
+  return unit<Dim>(sum).value_or(n);
+}
+
 // The normal of largest margin between all particles, found from the foremost ones where they suffice. Where corners or
 // edges face each other, the normal of one of the faces there. `gradient`: fallback if no plane separates the sides.
 template <int Dim>
@@ -214,7 +225,10 @@ std::optional<Vec<Dim>> NormalFinder<Dim>::largest_margin(const Vec<Dim>& centre
   FrontNormal front = front_normal(centre, near, guess);
   // Where faces overhang, the first guess is poor.
   if (front.normal && !front.same_normal) front = front_normal(centre, near, *front.normal);
-  if (front.same_gap && are_wide_faces<Dim>(side_a, side_b, *front.normal, h_)) return near.wide = true, front.normal;
+  if (front.same_gap && are_wide_faces<Dim>(side_a, side_b, *front.normal, h_)) {
+    near.wide = true;
+    return along_plane_faces(near, *front.normal);
+  }
   if (front.same_normal)
     add_band_particles(centre, near, *front.normal);
   else
@@ -222,7 +236,7 @@ std::optional<Vec<Dim>> NormalFinder<Dim>::largest_margin(const Vec<Dim>& centre
   if (side_a.empty() || side_b.empty()) return std::nullopt;
   if (const auto n = front.same_normal ? front.normal : margin_normal<Dim>(side_a, side_b, guess, h_)) {
     near.wide = are_wide_faces<Dim>(side_a, side_b, *n, h_);
-    return near.wide ? n : corner_normal<Dim>(side_a, side_b, *n, h_);
+    return near.wide ? along_plane_faces(near, *n) : corner_normal<Dim>(side_a, side_b, *n, h_);
   }
   if (auto n = regression_normal<Dim>(side_a, side_b, false, h_)) return n;
   return unit<Dim>(gradient);

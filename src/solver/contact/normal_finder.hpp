@@ -15,7 +15,10 @@ class NormalFinder {
  public:
   /// `cloud`: the particles around the contact nodes; it may be collected anew between calls.
   NormalFinder(const ContactSpec& spec, const System<Dim>& system, const ParticleCloud<Dim>& cloud)
-      : spec_(spec), system_(system), cloud_(cloud), h_(system.lattice.spacing.maxCoeff()) {}
+      : spec_(spec), system_(system), cloud_(cloud), h_(system.lattice.spacing.maxCoeff()) {
+    for (const auto* list : {&system.bodies, &system.rigids})
+      for (const Body<Dim>& body : *list) has_cut_cells_ = has_cut_cells_ || body.half_axes;
+  }
 
   /// Unit normal from field a to field b at a node; std::nullopt if the two have no common face there. Fills `near`
   /// with the particles that determine the normal and the gap. Methods based on volume gradients read Field::volumes.
@@ -41,6 +44,7 @@ class NormalFinder {
   bool is_complete(const Vec<Dim>& centre, NearParticles<Dim>& near, std::size_t side, const Vec<Dim>& guess,
                    const Vec<Dim>& out, double limit) const;
   FrontNormal front_normal(const Vec<Dim>& centre, NearParticles<Dim>& near, const Vec<Dim>& guess) const;
+  Vec<Dim> along_plane_faces(NearParticles<Dim>& near, const Vec<Dim>& n) const;
   std::optional<Vec<Dim>> largest_margin(const Vec<Dim>& centre, NearParticles<Dim>& near,
                                          const Vec<Dim>& gradient) const;
   std::optional<Vec<Dim>> chosen_normal(const ContactNode<Dim>& node, NearParticles<Dim>& near, const ContactMember& a,
@@ -49,7 +53,8 @@ class NormalFinder {
   const ContactSpec& spec_;
   const System<Dim>& system_;
   const ParticleCloud<Dim>& cloud_;
-  double h_;  // cell size [length]
+  double h_;                    // cell size [length]
+  bool has_cut_cells_ = false;  // some particles have domains that are not along the grid axes at the start
 };
 
 }  // namespace tribo
