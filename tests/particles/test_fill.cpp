@@ -282,7 +282,9 @@ TEST_CASE("a body without points is an error at its place in the file", "[fill]"
   model.pieces.back().origin = {std::make_shared<const std::string>("deck.xml"), 12, 5};
   CHECK_THROWS_WITH(place_points(model), "deck.xml:12:5: error: this body lies outside the grid");
   model.pieces.back().region = rectangle(0.3, 0.4, 0.3, 0.4);
+  model.whole_particles = true;
   CHECK_THROWS_WITH(place_points(model), Catch::Contains("this body gets no material point"));
+  model.whole_particles = false;
   model.pieces.back().region = rectangle(0, 1, 0, 1);
   model.pieces.back().velocity_function[0] = function("log(-x)");
   CHECK_THROWS_WITH(place_points(model), Catch::Contains("has no finite value at (0.25"));

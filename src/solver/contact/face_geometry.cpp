@@ -108,26 +108,38 @@ bool are_wide_faces(ParticleSet<Dim>& a, ParticleSet<Dim>& b, const Vec<Dim>& n,
   return wide;
 }
 
+namespace {
+
+// Collects the sides of the domains that face along n. Returns the largest distance of a centre of these along n.
+template <int Dim>
+double collect_sides(ParticleSet<Dim>& side, const Vec<Dim>& n) {
+  constexpr double steepest = 0.9;  // cosine of 26 degrees
+  side.facets.clear();
+  double highest = -std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < side.size(); ++i) {
+    const Vec<Dim> x = side.centre(i);
+    const Mat<Dim> axes = side.half_axes(i);
+    const Mat<Dim> normals = axes.inverse().transpose().colwise().normalized();
+    Eigen::Index front;
+    if ((normals.transpose() * n).cwiseAbs().maxCoeff(&front) < steepest) continue;
+    const double sign = normals.col(front).dot(n) < 0 ? -1.0 : 1.0;
+    const Vec<Dim> middle = x + sign * axes.col(front);
+    side.facets.push_back({middle - middle.dot(n) * n, middle, sign * normals.col(front)});
+    highest = std::max(highest, middle.dot(n));
+  }
+  return highest;
+}
+
+}  // namespace
+
 template <int Dim>
 std::optional<Vec<Dim>> plane_face_normal(ParticleSet<Dim>& side, const Vec<Dim>& out, double length) {
-  constexpr double steepest = 0.9, same_direction = 0.99985;  // cosines of 26 degrees and of one degree
+  constexpr double same_direction = 0.99985;  // cosine of one degree
   // The first guess tilts, so that a part of the plane lies behind its foremost corner.
   constexpr std::array depths{0.15, 0.05, 0.02};  // cells
   Vec<Dim> n = out;
   for (const double depth : depths) {
-    side.facets.clear();
-    double highest = -std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < side.size(); ++i) {
-      const Vec<Dim> x = side.centre(i);
-      const Mat<Dim> axes = side.half_axes(i);
-      const Mat<Dim> normals = axes.inverse().transpose().colwise().normalized();
-      Eigen::Index front;
-      const double along = (normals.transpose() * n).cwiseAbs().maxCoeff(&front);
-      if (along < steepest) continue;
-      const double sign = normals.col(front).dot(n) < 0 ? -1.0 : 1.0;
-      side.facets.push_back({x - x.dot(n) * n, x + sign * axes.col(front), sign * normals.col(front)});
-      highest = std::max(highest, side.facets.back().middle.dot(n));
-    }
+    const double highest = collect_sides<Dim>(side, n);
     Vec<Dim> sum = Vec<Dim>::Zero();
     for (const Facet<Dim>& facet : side.facets)
       if (facet.middle.dot(n) > highest - depth * length) sum += facet.normal;
@@ -143,11 +155,45 @@ std::optional<Vec<Dim>> plane_face_normal(ParticleSet<Dim>& side, const Vec<Dim>
     if (facet.normal.dot(n) < same_direction) return std::nullopt;
     face.push_back(facet.middle);
   }
-  for (const Vec<Dim>& t : directions_around<Dim>(n)) {
-    const Extent along = extent<Dim>(face, t, corner_width * length);
-    if (along.length() < corner_width * length) return std::nullopt;
-  }
+  for (const Vec<Dim>& t : directions_around<Dim>(n))
+    if (extent<Dim>(face, t, corner_width * length).length() < corner_width * length) return std::nullopt;
   return n;
+}
+
+template <int Dim>
+std::optional<Vec<Dim>> smooth_face_normal(ParticleSet<Dim>& side, const Vec<Dim>& out, double band, double length) {
+  constexpr double depth = 0.15;           // cells; the sagitta of the faces of a disc of five cells within two cells
+  constexpr double largest_error = 0.035;  // of slopes, two degrees
+  constexpr double cover = 0.3;  // cells; a side is inside the body if another one is this near and in front of it
+  collect_sides<Dim>(side, out);
+  std::vector<Facet<Dim>>& facets = side.facets;
+  const auto is_near = [&](const Facet<Dim>& f) { return f.offset.squaredNorm() <= band * band; };
+  double highest = -std::numeric_limits<double>::infinity();
+  for (const Facet<Dim>& f : facets)
+    if (is_near(f)) highest = std::max(highest, f.middle.dot(out));
+  std::erase_if(facets, [&](const Facet<Dim>& f) { return f.middle.dot(out) < highest - depth * length; });
+  const std::vector<Facet<Dim>> all = facets;
+  const auto is_covered = [&](const Facet<Dim>& f) {
+    return std::any_of(all.begin(), all.end(), [&](const Facet<Dim>& g) {
+      return (g.offset - f.offset).norm() < cover * length &&
+             g.height(out, f.offset) > f.middle.dot(out) + 0.02 * length;
+    });
+  };
+  std::erase_if(facets, [&](const Facet<Dim>& f) { return !is_near(f) || is_covered(f); });
+  if (facets.size() < 2) return std::nullopt;
+  Vec<Dim> place = Vec<Dim>::Zero(), slope = Vec<Dim>::Zero();
+  const auto slope_of = [&](const Facet<Dim>& f) { return Vec<Dim>(f.normal / f.normal.dot(out) - out); };
+  const auto count = static_cast<double>(facets.size());
+  for (const Facet<Dim>& f : facets) place += f.offset / count, slope += slope_of(f) / count;
+  double with = 0.0, square = 0.0;
+  for (const Facet<Dim>& f : facets) {
+    with += (f.offset - place).dot(slope_of(f) - slope);
+    square += (f.offset - place).squaredNorm();
+  }
+  const double curvature = square > 0 ? with / square : 0.0;
+  for (const Facet<Dim>& f : facets)
+    if ((slope_of(f) - slope - curvature * (f.offset - place)).norm() > largest_error) return std::nullopt;
+  return Vec<Dim>(out + slope - curvature * place).normalized();
 }
 
 template <int Dim>
@@ -271,6 +317,7 @@ double face_position(ParticleSet<Dim>& side, const Vec<Dim>& n, double band) {
 
 template std::optional<Vec<2>> margin_normal<2>(ParticleSet<2>&, ParticleSet<2>&, const Vec<2>&, double);
 template std::optional<Vec<2>> plane_face_normal<2>(ParticleSet<2>&, const Vec<2>&, double);
+template std::optional<Vec<2>> smooth_face_normal<2>(ParticleSet<2>&, const Vec<2>&, double, double);
 template bool is_flat_face<2>(ParticleSet<2>&, const Vec<2>&, double);
 template bool surrounds_line<2>(ParticleSet<2>&, const Vec<2>&, double, double);
 template bool are_wide_faces<2>(ParticleSet<2>&, ParticleSet<2>&, const Vec<2>&, double);
@@ -279,6 +326,7 @@ template std::optional<Vec<2>> regression_normal<2>(const ParticleSet<2>&, const
 template double face_position<2>(ParticleSet<2>&, const Vec<2>&, double);
 template std::optional<Vec<3>> margin_normal<3>(ParticleSet<3>&, ParticleSet<3>&, const Vec<3>&, double);
 template std::optional<Vec<3>> plane_face_normal<3>(ParticleSet<3>&, const Vec<3>&, double);
+template std::optional<Vec<3>> smooth_face_normal<3>(ParticleSet<3>&, const Vec<3>&, double, double);
 template bool is_flat_face<3>(ParticleSet<3>&, const Vec<3>&, double);
 template bool surrounds_line<3>(ParticleSet<3>&, const Vec<3>&, double, double);
 template bool are_wide_faces<3>(ParticleSet<3>&, ParticleSet<3>&, const Vec<3>&, double);

@@ -56,6 +56,12 @@ bool are_wide_faces(ParticleSet<Dim>& a, ParticleSet<Dim>& b, const Vec<Dim>& n,
 template <int Dim>
 std::optional<Vec<Dim>> plane_face_normal(ParticleSet<Dim>& side, const Vec<Dim>& out, double length);
 
+/// Outward unit normal of a smooth face on the line through the node along `out`, by linear regression of the normals
+/// of the foremost domains within `band` of this line [length] on their offsets; std::nullopt if one of them deviates
+/// from the regression by more than two degrees, or if there are fewer than two. `length`: cell size.
+template <int Dim>
+std::optional<Vec<Dim>> smooth_face_normal(ParticleSet<Dim>& side, const Vec<Dim>& out, double band, double length);
+
 /// Whether the foremost particles along the unit vector `out` form a plane face normal to `out`, up to deviations of
 /// `flatness` [length]. The face may end within the set.
 template <int Dim>

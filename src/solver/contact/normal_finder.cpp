@@ -204,14 +204,21 @@ auto NormalFinder<Dim>::front_normal(const Vec<Dim>& centre, NearParticles<Dim>&
   return front;
 }
 
-// The normal `n` or, where a side has a plane face, the normal of this face, or the mean of both faces. The domains of
-// cut cells have different depths, so that the plane of largest margin between their shrunk domains tilts.
+// The normal of plane or smooth faces from the sides of the domains, near the normal `n` of largest margin. A plane
+// face of one side determines it alone; else it is the mean of both sides. `n` where the faces are irregular. The
+// domains of cut cells have different depths, so that the plane of largest margin between their shrunk domains tilts.
 template <int Dim>
-Vec<Dim> NormalFinder<Dim>::along_plane_faces(NearParticles<Dim>& near, const Vec<Dim>& n) const {
+Vec<Dim> NormalFinder<Dim>::normal_of_faces(NearParticles<Dim>& near, const Vec<Dim>& n) const {
   if (!has_cut_cells_) return n;
+  auto& [side_a, side_b] = near.sides;
   Vec<Dim> sum = Vec<Dim>::Zero();
-  if (const auto out = plane_face_normal<Dim>(near.sides[0], n, h_)) sum += *out;
-  if (const auto out = plane_face_normal<Dim>(near.sides[1], -n, h_)) sum -= *out;
+  if (const auto out = plane_face_normal<Dim>(side_a, n, h_)) sum += *out;
+  if (const auto out = plane_face_normal<Dim>(side_b, -n, h_)) sum -= *out;
+  if (sum.isZero()) {
+    const auto of_a = smooth_face_normal<Dim>(side_a, n, band * h_, h_);
+    const auto of_b = smooth_face_normal<Dim>(side_b, -n, band * h_, h_);
+    if (of_a && of_b) sum = *of_a - *of_b;
+  }
   return unit<Dim>(sum).value_or(n);
 }
 
@@ -227,7 +234,7 @@ std::optional<Vec<Dim>> NormalFinder<Dim>::largest_margin(const Vec<Dim>& centre
   if (front.normal && !front.same_normal) front = front_normal(centre, near, *front.normal);
   if (front.same_gap && are_wide_faces<Dim>(side_a, side_b, *front.normal, h_)) {
     near.wide = true;
-    return along_plane_faces(near, *front.normal);
+    return normal_of_faces(near, *front.normal);
   }
   if (front.same_normal)
     add_band_particles(centre, near, *front.normal);
@@ -236,7 +243,7 @@ std::optional<Vec<Dim>> NormalFinder<Dim>::largest_margin(const Vec<Dim>& centre
   if (side_a.empty() || side_b.empty()) return std::nullopt;
   if (const auto n = front.same_normal ? front.normal : margin_normal<Dim>(side_a, side_b, guess, h_)) {
     near.wide = are_wide_faces<Dim>(side_a, side_b, *n, h_);
-    return near.wide ? along_plane_faces(near, *n) : corner_normal<Dim>(side_a, side_b, *n, h_);
+    return near.wide ? normal_of_faces(near, *n) : corner_normal<Dim>(side_a, side_b, *n, h_);
   }
   if (auto n = regression_normal<Dim>(side_a, side_b, false, h_)) return n;
   return unit<Dim>(gradient);
