@@ -1,0 +1,61 @@
+# SPDX-License-Identifier: MIT
+import numpy as np
+
+import verify
+
+apic, flip = "<Transfer type='APIC'/>", "<Transfer type='FLIP'/>"
+R, rho, spin = 0.5, 1000, 1.0
+
+
+def impact(case):
+    for name, transfer in (("APIC", apic), ("FLIP", flip)):
+        got = verify.history(case.run(f"impact_{name}", "impact.xml", dict(transfer=transfer)))
+        mass = got["px:disc"][0] / 1.0
+        case.check(f"{name}: mass of the disc", mass, rho * np.pi * R**2, 1e-10)
+        along, against = got["px:disc"][0] - got["px:disc"][-1], got["py:disc"][-1] - got["py:disc"][0]
+        own = got["Lpz:disc"] - (got["posx:disc"] * got["py:disc"] - got["posy:disc"] * got["px:disc"])
+        case.check(f"{name}: oblique impact, tangential over normal impulse", along / against, 0.2, 2e-3)
+        # The force acts at the flattened face, 0.5 m/s times the square root of mass over stiffness behind the circle
+        flattened = 0.5 * np.sqrt(mass / (np.pi / 4 * 1e6 / 0.91)) * 2 / np.pi
+        case.check(f"{name}: oblique impact, spin over tangential impulse", -own[-1] / along, R - flattened, 0.03)
+
+
+def wedge(case):
+    slope, M, m, g = np.pi / 6, 0.5 * 3 * np.sqrt(3), 0.4, 9.81
+    s, c = np.sin(slope), np.cos(slope)
+    of_wedge, of_block = -m * g * s * c / (M + m * s * s), (M + m) * g * s / (M + m * s * s)
+    for name, transfer, kernel, impulses in (("uGIMP, FLIP", flip, "uGIMP", "nodes"), ("quadratic, APIC", apic, "quadratic", "nodes"),
+                                             ("quadratic, APIC, faces", apic, "quadratic", "faces")):
+        entities = dict(transfer=transfer, kernel=kernel, impulses=impulses)
+        got = verify.history(case.run("wedge" + name.replace(", ", "_"), "wedge.xml", entities))
+        t = got["time"]
+        # Weighted with t: the bodies start to vibrate when gravity is switched on
+        slope_of = lambda v: (v * t).sum() / (t * t).sum()
+        case.check(f"{name}: acceleration of the wedge", slope_of(got["velx:wedge"]), of_wedge, 5e-3)
+        case.check(f"{name}: acceleration of the block along x", slope_of(got["velx:block"]), of_wedge + of_block * c, 5e-3)
+
+
+def journal(case):
+    inertia = np.pi / 2 * rho * np.array([R**4, 1 - R**4])
+    k_eta = 200
+    film = ("<Material Type='TaitLiquid' Name='oil'><rho>1000</rho><K>1e6</K><viscosity>1e-3</viscosity></Material>"
+            "<Material Type='LiquidContact' Name='law'><coeff>2e5</coeff><LiquidPhase>3</LiquidPhase><displacementOnly>1</displacementOnly></Material>")
+
+    def decay(label, **entities):
+        got = verify.history(case.run(label, "journal.xml", entities))
+        case.check(f"{label}: angular momentum of both bodies, relative change", abs(
+            (got["Lpz:shaft"] + got["Lpz:ring"])[-1] / got["Lpz:shaft"][0] - 1), 0, 1e-12, "at most")
+        relative = got["Lpz:shaft"] / inertia[0] - got["Lpz:ring"] / inertia[1]
+        return -np.log(relative[-1] / relative[0]) / got["time"][-1]
+
+    exact = 2 * np.pi * k_eta * R**3 * (1 / inertia).sum()
+    for cells, tolerance in ((10, 0.05), (20, 0.02)):
+        h = str(R / cells)
+        case.check(f"shaft without friction, {cells} cells: decay of the spin [1/s]", decay(f"free{cells}", h=h), 0, 0.01, "absolute")
+        case.check(f"shaft in a film of liquid, {cells} cells: decay of the spin", decay(f"film{cells}", h=h, law=film), exact, tolerance)
+
+
+def run(case):
+    impact(case)
+    wedge(case)
+    journal(case)
