@@ -184,7 +184,7 @@ class Filler {
     seed.volume *= cell.volume / whole;
     Mat3 axes = cell.half_axes(flat);
     // Kernels with domains take at most half a grid cell
-    seed.half_size = (0.5 * (cell.high - cell.low)).cwiseMin(Vec3(0.5 * grid_.cell));
+    seed.half_size = pattern.half_size * std::pow(cell.volume / whole, flat ? 0.5 : 1.0 / 3);
     if (flat) axes(2, 2) = seed.half_size[2] = pattern.half_size[2];
     seed.half_axes = axes;
     return seed;

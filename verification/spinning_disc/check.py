@@ -2,17 +2,25 @@
 import numpy as np
 
 import verify
+import vtp
 
 
 def stress_errors(out, n):
-    data = verify.last_particles(out)
-    x, s = data["points"], data["stress"]
-    r = np.hypot(x[:, 0], x[:, 1])
-    c, k = x[:, 0] / r, x[:, 1] / r
-    hoop = s[:, 0] * k**2 + s[:, 1] * c**2 - 2 * s[:, 3] * c * k
-    inside = r < 0.09
-    slope, centre = np.polyfit(r[inside] ** 2, hoop[inside], 1)
-    return centre / (1.25e4 * (3 + n)) - 1, (centre + 0.01 * slope) / (1.25e4 * (2 - 2 * n)) - 1
+    """Errors of the stress in the centre and of the hoop stress at the rim, means of the outputs of one revolution.
+
+    The particles start with the exact stress, but not in the equilibrium of the grid, so that the disc vibrates, undamped, by some per cent.
+    """
+    errors = []
+    for _, file in vtp.collection(out)[1:]:
+        data = vtp.read(file)
+        x, s = data["points"], data["stress"]
+        r = np.hypot(x[:, 0], x[:, 1])
+        c, k = x[:, 0] / r, x[:, 1] / r
+        hoop = s[:, 0] * k**2 + s[:, 1] * c**2 - 2 * s[:, 3] * c * k
+        inside = r < 0.09
+        slope, centre = np.polyfit(r[inside] ** 2, hoop[inside], 1)
+        errors.append((centre / (1.25e4 * (3 + n)) - 1, (centre + 0.01 * slope) / (1.25e4 * (2 - 2 * n)) - 1))
+    return np.mean(errors, axis=0)
 
 
 def run(case):
