@@ -333,7 +333,7 @@ struct Model {
   Scheme scheme;
   TimeControl time;
   GridSpec grid;
-  int points_per_cell = 0;  ///< particles per cell; 0: the default, 4 in two dimensions and 8 in three
+  int points_per_cell = 0;       ///< particles per cell; 0: the default, 4 in two dimensions and 8 in three
   bool whole_particles = false;  ///< the surfaces of shapes do not cut the cells of particles
   std::vector<MaterialSpec> materials;
   std::vector<Piece> pieces;
