@@ -86,13 +86,15 @@ struct CamClay {
 
   struct State {
     double consolidation = 0, plastic_volume = 0, plastic_shear = 0, dissipation = 0;
+    double opening = 0;  ///< volume strain beyond the state of least pressure that has not closed again
   };
-  State initial_state() const { return {consolidation, 0, 0, 0}; }
+  State initial_state() const { return {consolidation, 0, 0, 0, 0}; }
   static auto history() {
     return std::make_tuple(StateVariable<State>{"consolidation", Dimension::stress, &State::consolidation},
                            StateVariable<State>{"plastic_volume", Dimension::none, &State::plastic_volume},
                            StateVariable<State>{"plastic_shear", Dimension::none, &State::plastic_shear},
-                           StateVariable<State>{"dissipation", Dimension::stress, &State::dissipation});
+                           StateVariable<State>{"dissipation", Dimension::stress, &State::dissipation},
+                           StateVariable<State>{"opening", Dimension::none, &State::opening});
   }
 
   double bulk(double p) const { return std::max(p, least_pressure) / k; }
@@ -137,7 +139,10 @@ struct CamClay {
     const Mat3 half = spin_rotation(motion.L, 0.5 * motion.dt);
     const Mat3 D = 0.5 * motion.dt * (motion.L + motion.L.transpose());
     const double before = std::max(-old.trace() / 3, least_pressure), G = shear(before);
-    const double p_trial = std::max(before * std::exp(-D.trace() / k), least_pressure);
+    // What opens at the least pressure closes again before the pressure grows.
+    const double closing = std::clamp(-D.trace(), 0.0, state.opening);
+    const double alone = before * std::exp(-(D.trace() + closing) / k), p_trial = std::max(alone, least_pressure);
+    state.opening += k * std::log(p_trial / alone) - closing;
     const Mat3 deviator = old - old.trace() / 3 * Mat3::Identity();
     const Mat3 trial =
         half * (half * deviator * half.transpose() + 2 * G * (D - D.trace() / 3 * Mat3::Identity())) * half.transpose();

@@ -102,22 +102,32 @@ struct DruckerPrager {
 
   struct State {
     double plastic_shear = 0, plastic_volume = 0, dissipation = 0;
+    double opening = 0;  ///< volume strain by which the apex has opened and not closed again
   };
   static auto history() {
     return std::make_tuple(StateVariable<State>{"plastic_shear", Dimension::none, &State::plastic_shear},
                            StateVariable<State>{"plastic_volume", Dimension::none, &State::plastic_volume},
-                           StateVariable<State>{"dissipation", Dimension::stress, &State::dissipation});
+                           StateVariable<State>{"dissipation", Dimension::stress, &State::dissipation},
+                           StateVariable<State>{"opening", Dimension::none, &State::opening});
   }
 
-  PressureShear returned(const PressureShear& trial, const ReturnStep& step, State& state) const {
-    const double G = elastic.mu, K = elastic.bulk(), excess = trial.q + A * trial.p - B;
+  PressureShear returned(PressureShear trial, const ReturnStep& step, State& state) const {
+    const double G = elastic.mu, K = elastic.bulk();
+    if (state.opening > 0 && trial.p < 0) {  // what is open closes before it is pressed
+      const double closing = std::min(-trial.p / K, state.opening);
+      trial.p += K * closing;
+      state.opening -= closing, state.plastic_volume -= closing;
+    }
+    const double excess = trial.q + A * trial.p - B;
     if (!(excess > 0)) return trial;
     const double flow = excess / (3 * G + K * A * A_psi);
     PressureShear to{trial.p - K * A_psi * flow, trial.q - 3 * G * flow};
-    if (to.q < 0) to = {B / A, 0.0};  // the apex; without friction q > 0 always
+    const bool apex = to.q < 0;  // without friction q > 0 always
+    if (apex) to = {B / A, 0.0};
     const double shear = (trial.q - to.q) / (3 * G), volume = (trial.p - to.p) / K;
     state.plastic_shear += 0.5 * std::sqrt(3.0) * shear;
     state.plastic_volume += volume;
+    if (apex) state.opening += volume;
     state.dissipation += step.J * (to.q * shear + to.p * volume);
     return to;
   }

@@ -29,7 +29,7 @@ class MohrCoulomb final : public Material {
   }
   const std::vector<HistoryVariable>& history() const override {
     static const std::vector<HistoryVariable> variables{
-        {"plastic_shear"}, {"plastic_volume"}, {"tension_strain"}, {"dissipation", Dimension::stress}};
+        {"plastic_shear"}, {"plastic_volume"}, {"tension_strain"}, {"dissipation", Dimension::stress}, {"opening"}};
     return variables;
   }
 
@@ -45,8 +45,47 @@ class MohrCoulomb final : public Material {
         }
       }
       elastic_step<Dim>(slice.points, law_.elastic);
+      close_openings(slice);
       yield_beyond(slice);
     }
+  }
+
+  // Closes what is open before it is pressed, see MohrCoulombLaw::close.
+  template <int Dim>
+  void close_openings(const Slice<Dim>& slice) const {
+    double* __restrict volume = slice.columns[1];
+    double* __restrict opening = slice.columns[4];
+    const int count = slice.points.count;
+    if (!(*std::max_element(opening, opening + count) > 0)) return;
+    if (!law_.cohesionless()) {
+      for (int i = 0; i < count; ++i)
+        if (opening[i] > 0) close_point(slice, i);
+      return;
+    }
+    double* __restrict xx = slice.points.stress[0];
+    double* __restrict yy = slice.points.stress[1];
+    double* __restrict zz = slice.points.stress[2];
+    const double bulk = law_.elastic.bulk(), compliance = 1 / (3 * bulk);
+#pragma omp simd
+    for (int i = 0; i < count; ++i) {
+      const double strain = std::min(std::max(-compliance * (xx[i] + yy[i] + zz[i]), 0.0), opening[i]);
+      opening[i] -= strain, volume[i] -= strain;
+      xx[i] += bulk * strain, yy[i] += bulk * strain, zz[i] += bulk * strain;
+    }
+  }
+
+  template <int Dim>
+  void close_point(const Slice<Dim>& slice, int i) const {
+    Mat3 stress = load_symmetric<Dim>(slice.points.stress, i);
+    const Principal p = principal(stress);
+    MohrCoulombState state = slice.load(i);
+    const Triple change = law_.close(p.value, state);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3 n(p.axis[k][0], p.axis[k][1], p.axis[k][2]);
+      stress += change[k] * n * n.transpose();
+    }
+    store_symmetric<Dim>(stress, slice.points.stress, i);
+    slice.store(state, i);
   }
 
   template <int Dim>

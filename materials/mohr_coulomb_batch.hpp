@@ -18,7 +18,7 @@ inline constexpr int chunk = 128;  ///< points per run; their trial stresses fit
 template <int Dim>
 struct Slice {
   MaterialPoints<Dim> points;
-  std::array<double*, 4> columns;
+  std::array<double*, 5> columns;
 
   Slice(const MaterialPoints<Dim>& all, int begin) : points(all) {
     points.count = std::min(chunk, all.count - begin);
@@ -28,10 +28,12 @@ struct Slice {
     points.volume += begin;
     for (std::size_t k = 0; k < columns.size(); ++k) columns[k] = all.history[k] + begin;
   }
-  MohrCoulombState load(int i) const { return {columns[0][i], columns[1][i], columns[2][i], columns[3][i]}; }
+  MohrCoulombState load(int i) const {
+    return {columns[0][i], columns[1][i], columns[2][i], columns[3][i], columns[4][i]};
+  }
   void store(const MohrCoulombState& s, int i) const {
     columns[0][i] = s.plastic_shear, columns[1][i] = s.plastic_volume;
-    columns[2][i] = s.tension_strain, columns[3][i] = s.dissipation;
+    columns[2][i] = s.tension_strain, columns[3][i] = s.dissipation, columns[4][i] = s.opening;
   }
 };
 
@@ -88,6 +90,7 @@ struct PlasticHistory {
   double* __restrict volume;
   double* __restrict tension;
   double* __restrict dissipation;
+  double* __restrict opening;
   double half_compliance, third_compliance;  // 1/(2 mu), 1/(3 K)
 
   template <int Dim>
@@ -96,6 +99,7 @@ struct PlasticHistory {
         volume(slice.columns[1]),
         tension(slice.columns[2]),
         dissipation(slice.columns[3]),
+        opening(slice.columns[4]),
         half_compliance(0.5 / e.mu),
         third_compliance(1 / (3 * e.bulk())) {}
 
@@ -105,6 +109,7 @@ struct PlasticHistory {
     shear[i] += half_compliance * std::sqrt(0.5 * (d1 * d1 + d2 * d2 + d3 * d3));
     volume[i] += 3 * share;
     tension[i] += c.opening;
+    opening[i] += c.opening;
     dissipation[i] += J * ((S1 - c.c1) * (half_compliance * d1 + share) + (S2 - c.c2) * (half_compliance * d2 + share) +
                            (S3 - c.c3) * (half_compliance * d3 + share));
   }

@@ -168,6 +168,7 @@ Returned MohrCoulombLaw::return_implicitly(const Triple& trial, double share, do
     now = pyramid_->nearest(trial, drag);
     state.plastic_shear += shear_of(now);
     state.tension_strain += share * now.opening;
+    state.opening += share * now.opening;
     return now;
   }
   const auto attempt = [&](double dk, double dt) {
@@ -191,7 +192,31 @@ Returned MohrCoulombLaw::return_implicitly(const Triple& trial, double share, do
   attempt(sheared, opened);
   state.plastic_shear += sheared;
   state.tension_strain += opened;
+  state.opening += share * now.opening;
   return now;
+}
+
+Triple MohrCoulombLaw::close(const Triple& trial, MohrCoulombState& state) const {
+  Triple change{};
+  if (!(state.opening > 0)) return change;
+  const double before = state.opening;
+  if (cohesionless()) {
+    const double mean = (trial[0] + trial[1] + trial[2]) / 3;
+    const double strain = std::clamp(-mean / elastic.bulk(), 0.0, state.opening);
+    state.opening -= strain;
+    change.fill(elastic.bulk() * strain);
+  } else {
+    // Cracks normal to the third axis close first, then those normal to the second and first.
+    for (std::size_t i = 3; i-- > 0;) {
+      const double modulus = elastic.lambda + 2 * elastic.mu;
+      const double strain = std::clamp(-(trial[i] + change[i]) / modulus, 0.0, state.opening);
+      if (!(strain > 0)) break;
+      state.opening -= strain;
+      for (std::size_t k = 0; k < 3; ++k) change[k] += (k == i ? modulus : elastic.lambda) * strain;
+    }
+  }
+  state.plastic_volume -= before - state.opening;
+  return change;
 }
 
 Triple MohrCoulombLaw::flow(const Triple& trial, double dt, double J, MohrCoulombState& state) const {
@@ -210,18 +235,24 @@ Triple MohrCoulombLaw::flow(const Triple& trial, double dt, double J, MohrCoulom
 }
 
 Mat3 MohrCoulombLaw::stress(const Motion& motion, const Mat3& old, MohrCoulombState& state) const {
-  const Mat3 trial = elastic_trial(elastic, motion, old);
-  const Principal p = principal(trial);
+  Mat3 trial = elastic_trial(elastic, motion, old);
+  Principal p = principal(trial);
+  const auto add = [&p](Mat3& to, const Triple& change, double sign) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3 n(p.axis[k][0], p.axis[k][1], p.axis[k][2]);
+      to += sign * change[k] * n * n.transpose();
+    }
+  };
+  if (state.opening > 0) {
+    add(trial, close(p.value, state), 1.0);
+    p = principal(trial);
+  }
   if (!Pyramid(elastic, softens_ ? strength(state.plastic_shear, state.tension_strain) : pyramid_->strength())
            .yields(p.value[0], p.value[2]))
     return trial;
   const Triple change = flow(p.value, motion.dt, motion.F.determinant(), state);
-  Mat3 result = trial;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Vec3 n(p.axis[k][0], p.axis[k][1], p.axis[k][2]);
-    result -= change[k] * n * n.transpose();
-  }
-  return result;
+  add(trial, change, -1.0);
+  return trial;
 }
 
 }  // namespace tribo

@@ -12,6 +12,7 @@ struct MohrCoulombState {
   double plastic_volume = 0;  ///< trace of the plastic strain, positive: dilation
   double tension_strain = 0;  ///< kappa_t: plastic volume strain of the tension cut-off
   double dissipation = 0;     ///< plastic work per initial volume [stress]
+  double opening = 0;         ///< volume strain by which the tension planes have opened and not closed again
 };
 
 struct MohrCoulombLaw {
@@ -37,6 +38,14 @@ struct MohrCoulombLaw {
   bool softens() const { return softens_; }
   /// The yield surface before softening.
   const Pyramid& pyramid() const { return *pyramid_; }
+
+  /// Closes what is open before it is pressed: reduces a compressive trial stress by the elastic stress of the closing
+  /// strain, and state.opening by this strain. Without cohesion the mean stress is relieved, as the grains have no
+  /// contact in any direction; with cohesion the stress normal to a crack, the largest principal stress. Returns the
+  /// change to be added to the sorted principal trial stress.
+  Triple close(const Triple& trial, MohrCoulombState& state) const;
+  /// Whether there is no cohesion, at any plastic strain.
+  bool cohesionless() const { return cohesion == 0 && cohesion_residual == 0; }
 
   /// Viscoplastic flow in one step from a sorted principal trial stress beyond yield. Returns the change to be
   /// subtracted from the trial stress and advances the state. `J` is the volume ratio det F.
