@@ -56,12 +56,7 @@ class MohrCoulomb final : public Material {
     double* __restrict volume = slice.columns[1];
     double* __restrict opening = slice.columns[4];
     const int count = slice.points.count;
-    if (!(*std::max_element(opening, opening + count) > 0)) return;
-    if (!law_.cohesionless()) {
-      for (int i = 0; i < count; ++i)
-        if (opening[i] > 0) close_point(slice, i);
-      return;
-    }
+    if (!law_.cohesionless() || !(*std::max_element(opening, opening + count) > 0)) return;
     double* __restrict xx = slice.points.stress[0];
     double* __restrict yy = slice.points.stress[1];
     double* __restrict zz = slice.points.stress[2];
@@ -72,20 +67,6 @@ class MohrCoulomb final : public Material {
       opening[i] -= strain, volume[i] -= strain;
       xx[i] += bulk * strain, yy[i] += bulk * strain, zz[i] += bulk * strain;
     }
-  }
-
-  template <int Dim>
-  void close_point(const Slice<Dim>& slice, int i) const {
-    Mat3 stress = load_symmetric<Dim>(slice.points.stress, i);
-    const Principal p = principal(stress);
-    MohrCoulombState state = slice.load(i);
-    const Triple change = law_.close(p.value, state);
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Vec3 n(p.axis[k][0], p.axis[k][1], p.axis[k][2]);
-      stress += change[k] * n * n.transpose();
-    }
-    store_symmetric<Dim>(stress, slice.points.stress, i);
-    slice.store(state, i);
   }
 
   template <int Dim>

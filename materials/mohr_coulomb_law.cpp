@@ -198,24 +198,11 @@ Returned MohrCoulombLaw::return_implicitly(const Triple& trial, double share, do
 
 Triple MohrCoulombLaw::close(const Triple& trial, MohrCoulombState& state) const {
   Triple change{};
-  if (!(state.opening > 0)) return change;
-  const double before = state.opening;
-  if (cohesionless()) {
-    const double mean = (trial[0] + trial[1] + trial[2]) / 3;
-    const double strain = std::clamp(-mean / elastic.bulk(), 0.0, state.opening);
-    state.opening -= strain;
-    change.fill(elastic.bulk() * strain);
-  } else {
-    // Cracks normal to the third axis close first, then those normal to the second and first.
-    for (std::size_t i = 3; i-- > 0;) {
-      const double modulus = elastic.lambda + 2 * elastic.mu;
-      const double strain = std::clamp(-(trial[i] + change[i]) / modulus, 0.0, state.opening);
-      if (!(strain > 0)) break;
-      state.opening -= strain;
-      for (std::size_t k = 0; k < 3; ++k) change[k] += (k == i ? modulus : elastic.lambda) * strain;
-    }
-  }
-  state.plastic_volume -= before - state.opening;
+  if (!cohesionless() || !(state.opening > 0)) return change;
+  const double mean = (trial[0] + trial[1] + trial[2]) / 3;
+  const double strain = std::clamp(-mean / elastic.bulk(), 0.0, state.opening);
+  state.opening -= strain, state.plastic_volume -= strain;
+  change.fill(elastic.bulk() * strain);
   return change;
 }
 

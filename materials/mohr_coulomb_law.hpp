@@ -39,10 +39,9 @@ struct MohrCoulombLaw {
   /// The yield surface before softening.
   const Pyramid& pyramid() const { return *pyramid_; }
 
-  /// Closes what is open before it is pressed: reduces a compressive trial stress by the elastic stress of the closing
-  /// strain, and state.opening by this strain. Without cohesion the mean stress is relieved, as the grains have no
-  /// contact in any direction; with cohesion the stress normal to a crack, the largest principal stress. Returns the
-  /// change to be added to the sorted principal trial stress.
+  /// Without cohesion, closes what is open before it is pressed: a negative mean trial stress is reduced by the bulk
+  /// modulus times the closing strain, at most state.opening, which is reduced by this strain. Returns the change to be
+  /// added to the principal trial stresses. With cohesion there is no change: cracks stay open.
   Triple close(const Triple& trial, MohrCoulombState& state) const;
   /// Whether there is no cohesion, at any plastic strain.
   bool cohesionless() const { return cohesion == 0 && cohesion_residual == 0; }

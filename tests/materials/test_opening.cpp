@@ -74,30 +74,6 @@ TEST_CASE("noise in the strain of loose sand opens nothing for good", "[material
   CHECK(pressure(point.stress) < 2e-3 * bulk);
 }
 
-TEST_CASE("a crack in rock closes before it carries pressure, and does not relieve the pressure along it",
-          "[materials]") {
-  const auto law = make_material("MohrCoulomb", {{"rho", "1"},
-                                                 {"E", "10e9"},
-                                                 {"nu", "0"},
-                                                 {"cohesion", "10e6"},
-                                                 {"friction", "40"},
-                                                 {"dilation", "0"},
-                                                 {"tension", "1e6"}});
-  MaterialPoint<3> point(*law);
-  march(point, diagonal(0, -5e-4, 0), 0.1, 10);  // 5 MPa along y
-  march(point, diagonal(1e-2, 0, 0), 0.1, 10);   // opens a crack normal to x
-  const double opened = 1e-2 - 1e6 / 10e9;
-  CHECK(point.history_value("opening") == Approx(opened).epsilon(1e-6));
-  CHECK(point.stress(0, 0) == Approx(1e6));
-  CHECK(point.stress(1, 1) == Approx(-5e6).epsilon(1e-3));
-  march(point, diagonal(-9e-3, 0, 0), 0.1, 10);
-  CHECK(std::abs(point.stress(0, 0)) < 1.0);
-  CHECK(point.stress(1, 1) == Approx(-5e6).epsilon(1e-3));
-  march(point, diagonal(-2e-3, 0, 0), 0.1, 10);
-  CHECK(point.history_value("opening") == 0.0);
-  CHECK(point.stress(0, 0) == Approx(-10e9 * 1e-3).epsilon(1e-3));
-}
-
 TEST_CASE("clay beyond its least pressure closes before it is pressed", "[materials]") {
   const auto law = make_material("CamClay", {{"rho", "1"},
                                              {"lambda", "0.2"},
