@@ -66,9 +66,9 @@ struct Sites {
   std::size_t count() const { return taken.size(); }
   /// Index of the neighbour of a site along an axis, at the low (-1) or high (+1) side; none beyond the covered range.
   std::optional<std::size_t> neighbour(std::size_t site, std::size_t axis, int side) const {
-    const std::size_t stride = axis == 0 ? 1 : axis == 1 ? width_(0) : width_(0) * width_(1);
-    const std::size_t at = site / stride % width_(axis);
-    if (side < 0 ? at == 0 : at + 1 == width_(axis)) return std::nullopt;
+    const std::size_t stride = axis == 0 ? 1 : axis == 1 ? sites_along(0) : sites_along(0) * sites_along(1);
+    const std::size_t at = site / stride % sites_along(axis);
+    if (side < 0 ? at == 0 : at + 1 == sites_along(axis)) return std::nullopt;
     return side < 0 ? site - stride : site + stride;
   }
 
@@ -92,7 +92,7 @@ struct Sites {
  private:
   static bool empty(const Range& r) { return r[0][0] >= r[0][1] || r[1][0] >= r[1][1] || r[2][0] >= r[2][1]; }
   std::int64_t width(std::size_t k) const { return (extent_[k][1] - extent_[k][0]) * per_cell[k]; }
-  std::size_t width_(std::size_t k) const { return static_cast<std::size_t>(width(k)); }
+  std::size_t sites_along(std::size_t k) const { return static_cast<std::size_t>(width(k)); }
   std::size_t index(const std::array<std::int64_t, 3>& site) const {
     const auto in = [&](std::size_t k) { return site[k] - extent_[k][0] * per_cell[k]; };
     return static_cast<std::size_t>((in(2) * width(1) + in(1)) * width(0) + in(0));
