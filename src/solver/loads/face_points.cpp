@@ -44,7 +44,7 @@ ParticleFace<Dim> ParticleFace<Dim>::of_half_axes(const System<Dim>& system, Bod
   const double sign = normals.col(side).dot(wanted) < 0 ? -1.0 : 1.0;
   ParticleFace out;
   out.normal = Vec3::Zero();
-  out.normal.head<Dim>() = sign * normals.col(side);
+  out.normal.template head<Dim>() = sign * normals.col(side);
   const double height = std::abs(axes.col(side).dot(normals.col(side)));
   out.area = std::ldexp(std::abs(axes.determinant()), Dim) / (2 * height);  // in two dimensions the length
   if constexpr (Dim == 2)
