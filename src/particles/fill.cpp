@@ -183,8 +183,9 @@ class Filler {
     const bool flat = model_.dimension() == 2;
     seed.volume *= cell.volume / whole;
     Mat3 axes = cell.half_axes(flat);
-    // Kernels with domains take at most half a grid cell
+    // A box of the same volume; joined cells are not larger than the grid's, as uGIMP needs
     seed.half_size = pattern.half_size * std::pow(cell.volume / whole, flat ? 0.5 : 1.0 / 3);
+    seed.half_size = seed.half_size.cwiseMin(pattern.half_size.cwiseMax(0.5 * grid_.cell));
     if (flat) axes(2, 2) = seed.half_size[2] = pattern.half_size[2];
     seed.half_axes = axes;
     return seed;

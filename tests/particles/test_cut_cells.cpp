@@ -224,6 +224,17 @@ TEST_CASE("faces on the lines of particles cut nothing", "[cut_cells]") {
   for (const Seed& s : seeds) CHECK(!s.half_axes);
 }
 
+TEST_CASE("with one particle per cell no box is larger than a cell", "[cut_cells]") {
+  auto model = model_of(2, {oval(3.3, 11.3, 4.1, 12.1)});
+  model.points_per_cell = 1;
+  double largest = 0.0;
+  for (const Seed& s : place_points(model)) {
+    CHECK(s.half_size.head<2>().maxCoeff() <= 0.5);
+    largest = std::max(largest, s.volume);
+  }
+  CHECK(largest > 1.05);  // of a joined cell
+}
+
 TEST_CASE("whole particles can be asked for", "[cut_cells]") {
   auto model = model_of(2, {oval(3.3, 11.3, 4.1, 12.1)});
   model.whole_particles = true;
