@@ -67,6 +67,7 @@ Prescribed Builder::prescribed(const Statement& s, std::string_view value, Dimen
   p.value = number(s, value, dimension);
   if (p.style->per == Dimension::time) p.value /= alternative;
   if (p.style->per == Dimension::length) p.value /= model_.units.factor(Dimension::length);
+  must(!p.style->elastic || p.value >= 0, s.origin, "the stiffness of an elastic support must not be negative");
   if (p.style->function) {
     if (const auto f = function(s, "function"))
       p.function = *f;
