@@ -50,7 +50,7 @@ def pull(case, angle):
     c, s = np.cos(np.radians(angle)), np.sin(np.radians(angle))
     back = np.array([[c, -s], [s, c]])
     label = f"turned by {angle} degrees, " if angle else ""
-    entities = dict(c=repr(c), s=repr(s)) | (dict(side="1.05") if angle else {}) | (dict(end="20") if case.quick else {})
+    entities = dict(c=repr(c), s=repr(s)) | (dict(side="1.05") if angle else {}) | (dict(end="18.5") if case.quick else {})
     out = case.run(f"slip{angle}", entities=entities)
     h = verify.history(out)
     found, shear_shares, first = [], [], None

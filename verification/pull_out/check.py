@@ -8,7 +8,7 @@ beta = np.sqrt(2 * D / (r * E))
 
 
 def run(case):
-    out = case.run("pull_out")
+    out = case.run("pull_out", entities=dict(h="0.025", top="1.99") if case.quick else {})
     p = verify.last_particles(out)
     fibre = p["von_mises"] > 1e-6
     y, u, stress = p["points"][fibre, 1] - p["displacement"][fibre, 1], p["displacement"][fibre, 1], p["stress"][fibre, 1]
