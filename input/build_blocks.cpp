@@ -16,7 +16,6 @@ bool lists(const std::vector<std::string_view>& list, const std::string& name) {
   return std::find(list.begin(), list.end(), name) != list.end();
 }
 
-bool yes(const std::string& flag) { return flag == "yes" || flag == "1" || flag == "true"; }
 
 }  // namespace
 

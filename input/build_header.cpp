@@ -69,6 +69,14 @@ void Builder::mpm_header() {
     scheme.exponential_deformation = terms == 2;
   }
   model_.whole_particles = h.child("WholeParticles") != nullptr;
+  if (const auto* split = h.child("SplitParticles")) {
+    SplittingSpec& spec = model_.splitting.emplace();
+    spec.longest = number(*split, "longest", Dimension::none, spec.longest);
+    spec.generations = static_cast<int>(number(*split, "generations", Dimension::none, spec.generations));
+    spec.merge = yes(word(*split, "merge", "yes"));
+    must(spec.longest >= 0.25 && spec.longest <= 4, split->origin, "'longest' must be in [0.25, 4] cells");
+    must(spec.generations >= 1 && spec.generations <= 30, split->origin, "'generations' must be in 1 ... 30");
+  }
   if (const auto* f = h.child("BBar")) {
     must(model_.analysis != Analysis::plane_stress, f->origin,
          "<BBar> is of no use in plane stress, where the free thickness prevents volumetric locking");

@@ -16,6 +16,9 @@
 
 namespace tribo {
 
+/// Whether an attribute of type flag, which has been checked, says yes.
+inline bool yes(std::string_view flag) { return flag == "yes" || flag == "1" || flag == "true"; }
+
 class Builder {
  public:
   Builder(const Statement& root, std::filesystem::path folder) : root_(root), folder_(std::move(folder)) {}

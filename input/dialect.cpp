@@ -267,6 +267,16 @@ std::vector<ElementSpec> make() {
        T::none,
        {},
        true});
+  add({"SplitParticles",
+       "MPMHeader",
+       "particles that stretch beyond a length split in two, and small neighbours merge, so that flowing matter does "
+       "not "
+       "separate numerically",
+       T::none,
+       {number("longest", "length above which the domain of a particle splits, in cells (default 1)"),
+        number("generations", "how often a particle and its halves may split (default 6)"),
+        {"merge", T::flag, "neighbours that are small again merge (default yes)"}},
+       true});
   add({"BBar",
        "MPMHeader",
        "B-bar: volumetric strain and pressure are averaged around each particle, which avoids locking",

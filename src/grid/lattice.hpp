@@ -78,6 +78,14 @@ struct Lattice {
     }
     return block;
   }
+  /// Number of the cell that contains a point, which must be within the padding.
+  std::int64_t cell_number(const Vec<Dim>& x) const {
+    std::int64_t n = 0;
+    for (int d = Dim; d-- > 0;)
+      n = n * blocks[static_cast<std::size_t>(d)] * block_edge<Dim> +
+          static_cast<std::int64_t>(std::floor((x[d] - origin[d]) / spacing[d]));
+    return n;
+  }
   Vec<Dim> position(const Index<Dim>& node) const {
     Vec<Dim> x;
     for (int d = 0; d < Dim; ++d) x[d] = origin[d] + spacing[d] * node[static_cast<std::size_t>(d)];

@@ -271,6 +271,13 @@ struct Damping {
   double max_alpha = 0.0;  ///< 0: unlimited
 };
 
+/// Splitting of stretched particles and merging of crushed ones.
+struct SplittingSpec {
+  double longest = 1.0;  ///< length of a particle's domain above which it splits [cells]
+  int generations = 6;   ///< how often a particle and its halves may split
+  bool merge = true;     ///< neighbours that are small again merge
+};
+
 /// Strength reduction method: search for the factor of safety by which all strengths are divided at failure.
 struct StrengthReduction {
   double low = 1.0, high = 2.0;  ///< initial bracket
@@ -335,6 +342,7 @@ struct Model {
   GridSpec grid;
   int points_per_cell = 0;       ///< particles per cell; 0: the default, 4 in two dimensions and 8 in three
   bool whole_particles = false;  ///< the surfaces of shapes do not cut the cells of particles
+  std::optional<SplittingSpec> splitting;
   std::vector<MaterialSpec> materials;
   std::vector<Piece> pieces;
   std::vector<PointSpec> points;

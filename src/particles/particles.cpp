@@ -9,6 +9,7 @@ template <int Dim>
 void Particles<Dim>::reorder(std::span<const std::uint32_t> order) {
   // One spare column is exchanged with each sorted column, so sorting needs no second copy of the particles.
   static constexpr std::ptrdiff_t piece = 1 << 14;
+  count_ = order.size();
   const auto n = static_cast<std::ptrdiff_t>(count_);
   const std::ptrdiff_t pieces = (n + piece - 1) / piece;
   spare_.resize(count_ + padding, 0.0);
@@ -24,6 +25,15 @@ void Particles<Dim>::reorder(std::span<const std::uint32_t> order) {
   std::vector<std::int64_t> ids(count_);
   for (std::size_t i = 0; i < count_; ++i) ids[i] = id[order[i]];
   id.swap(ids);
+}
+
+template <int Dim>
+void Particles<Dim>::append_copies(std::span<const std::uint32_t> originals, std::int64_t first_id) {
+  const std::size_t before = count_;
+  resize(before + originals.size());
+  for (Column& column : columns_)
+    for (std::size_t k = 0; k < originals.size(); ++k) column.data[before + k] = column.data[originals[k]];
+  for (std::size_t k = 0; k < originals.size(); ++k) id.push_back(first_id + static_cast<std::int64_t>(k));
 }
 
 template class Particles<2>;

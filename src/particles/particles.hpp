@@ -109,18 +109,25 @@ class Particles {
   Vec<Dim> position(std::size_t i) const { return gather_vector(x_.first(), i); }
   Vec<Dim> velocity(std::size_t i) const { return gather_vector(v_.first(), i); }
 
-  /// particle i becomes the former particle order[i].
+  /// particle i becomes the former particle order[i]; particles that are not in `order` are removed.
   void reorder(std::span<const std::uint32_t> order);
+  /// Appends a copy of each particle of `originals`. The copies receive the numbers first_id, first_id + 1, ...
+  void append_copies(std::span<const std::uint32_t> originals, std::int64_t first_id);
 
   /// Columns without their padding.
   friend void archive(Archive& a, Particles& particles) {
     auto& [count, columns, spare, x, v, mass, volume, F, stress, ids] = particles;
-    a.version(1);
-    a("id", ids);
+    a.version(2);
+    a.resizable("id", ids);
+    if (a.reading()) particles.resize(ids.size());
     for (Column& column : columns) a.doubles(column.name, {column.data.data(), count});
   }
 
  private:
+  void resize(std::size_t count) {
+    count_ = count;
+    for (Column& column : columns_) column.data.resize(count + padding, 0.0);
+  }
   std::size_t add_tensor(const std::string& name, Dimension dimension) {
     for (const auto& [i, j] : Layout<Dim>::full_at) add(name + suffix(i, j), dimension);
     return columns_.size() - Layout<Dim>::full;
@@ -153,7 +160,7 @@ class Particles {
   std::size_t F_ = 0, stress_ = 0;  // first columns of tensors in the layout of the analysis
 
  public:
-  std::vector<std::int64_t> id;  ///< assigned at the start, never changed
+  std::vector<std::int64_t> id;  ///< unique within the run, never changed
 };
 
 }  // namespace tribo

@@ -116,7 +116,8 @@ Body<Dim> make_body(const Model& model, int material, const std::vector<const Se
                     const Transfers<Dim>& transfers) {
   const MaterialSpec& spec = model.materials[static_cast<std::size_t>(material)];
   const bool keep_deformation = spec.law->needs_deformation() || model.scheme.kernel == Kernel::cpdi ||
-                                model.contact.active || model.output.wants_deformation() || model.fracture;
+                                model.contact.active || model.output.wants_deformation() || model.fracture ||
+                                model.splitting;
   Body<Dim> body(seeds.size(), keep_deformation, transfers.shift(), transfers.colours_per_axis());
   body.name = spec.name;
   body.law = spec.law;
@@ -128,8 +129,11 @@ Body<Dim> make_body(const Model& model, int material, const std::vector<const Se
   const bool mixed = std::any_of(seeds.begin(), seeds.end(), [&](const Seed* s) {
     return (s->half_size.template head<Dim>() - body.uniform_half_size).norm() > 1e-12 * body.uniform_half_size.norm();
   });
-  if (mixed) body.half_size = body.particles.add_vector("half_size", Dimension::length);
-  if (std::any_of(seeds.begin(), seeds.end(), [](const Seed* s) { return s->half_axes.has_value(); }))
+  const bool splits = model.splitting && !spec.law->rigid();
+  if (mixed || (splits && model.scheme.kernel == Kernel::gimp))
+    body.half_size = body.particles.add_vector("half_size", Dimension::length);
+  if (splits) body.generation = body.particles.add("generation", Dimension::none);
+  if (splits || std::any_of(seeds.begin(), seeds.end(), [](const Seed* s) { return s->half_axes.has_value(); }))
     body.half_axes = body.particles.add_matrix("half_axes", Dimension::length);
   if (spec.law->history().size() > most_history_variables)
     throw std::logic_error("the law of '" + spec.name + "' has more than " + std::to_string(most_history_variables) +

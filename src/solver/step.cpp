@@ -98,6 +98,7 @@ Stepper<Dim>::Stepper(const Model& model, System<Dim>& system)
       system_(system),
       transfers_(make_transfers<Dim>(model.scheme)),
       sort_(model, system),
+      splitting_(model, system, ledger_),
       cracks_(model, system, *transfers_),
       crack_tips_(model, system, cracks_, transfers_->stencil_width()),
       joints_(model, system, cracks_),
@@ -134,6 +135,7 @@ template <int Dim>
 void Stepper<Dim>::sort() {
   const auto lap = watches_.sort.lap();
   sort_.sort();
+  if (splitting_.apply()) sort_.sort();
   locate_nodes();
 }
 

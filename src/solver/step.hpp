@@ -13,6 +13,7 @@
 #include "solver/loads/particle_loads.hpp"
 #include "solver/loads/tractions.hpp"
 #include "solver/particle_sort.hpp"
+#include "solver/particle_splitting.hpp"
 #include "solver/rigid/rigid_blocks.hpp"
 #include "solver/rigid/rigid_bodies.hpp"
 #include "solver/transfer/b_bar.hpp"
@@ -53,17 +54,20 @@ class Stepper {
   VelocityFilter<Dim>& filter() { return filter_; }
   const VelocityFilter<Dim>& filter() const { return filter_; }
   ParticleSort<Dim>& particle_sort() { return sort_; }
+  const ParticleSplitting<Dim>& splitting() const { return splitting_; }
   const RigidBodies<Dim>& rigid_bodies() const { return rigid_bodies_; }
   const StepWatches& watches() const { return watches_; }
 
   /// Saves and restores all data that change from step to step, including the system. To restore, the stepper must
   /// have been constructed from the same model.
   friend void archive(Archive& a, Stepper& stepper) {
-    auto& [model, system, ledger, watches, transfers, sort, exchanges, conditions, cracks, crack_tips, joints, contact,
-           loads, tractions, body_forces, damping, rigid_bodies, rigid_blocks, heat, b_bar, filter] = stepper;
-    a.version(1);
+    auto& [model, system, ledger, watches, transfers, sort, splitting, exchanges, conditions, cracks, crack_tips,
+           joints, contact, loads, tractions, body_forces, damping, rigid_bodies, rigid_blocks, heat, b_bar, filter] =
+        stepper;
+    a.version(2);
     a("system", system);
-    a("ledger", ledger), a("sort", sort), a.each("conditions", conditions), a("joints", joints);
+    a("ledger", ledger), a("sort", sort), a("splitting", splitting), a.each("conditions", conditions),
+        a("joints", joints);
     a("contact", contact), a("damping", damping), a("heat", heat), a("filter", filter);
     if (a.reading() && system.sorted) stepper.locate_nodes();
   }
@@ -97,6 +101,7 @@ class Stepper {
   StepWatches watches_;
   std::unique_ptr<Transfers<Dim>> transfers_;
   ParticleSort<Dim> sort_;
+  ParticleSplitting<Dim> splitting_;
   Exchanges<Dim> exchanges_;                      // per velocity field
   std::vector<NodalConditions<Dim>> conditions_;  // per velocity field
   Cracks<Dim> cracks_;

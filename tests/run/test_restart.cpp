@@ -121,6 +121,16 @@ TEST_CASE("rigid bodies, CPDI and averaged volumes continue to the bit", "[resta
   check_resume({"input/examples/rubber_ring.xml", {}, 40}, {"stepper.system.body0.particles.F_xx"});
 }
 
+TEST_CASE("particles that split and merge continue to the bit", "[restart]") {
+  check_resume({"verification/stretching/case.xml",
+                {{"<SplitParticles/>", "<SplitParticles longest='0.5'/>"},
+                 {"exp(t)</Set", "exp(20*t)*20</Set"},
+                 {"vel0X>x<", "vel0X>20*x<"},
+                 {"vel0Y>-y<", "vel0Y>-20*y<"}},
+                2000},
+               {"stepper.splitting.split", "stepper.splitting.next_id"});
+}
+
 TEST_CASE("filters by period, damping with feedback and returned particles continue to the bit", "[restart]") {
   check_resume({"tests/input/legacy_disks.xml",
                 {{"<GIMP/>",

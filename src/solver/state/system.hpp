@@ -89,6 +89,7 @@ struct Body {
   VectorColumn half_size;
   /// Half axes of the initial particle domains, row by row, if some are not along the grid axes [length].
   MatrixColumn half_axes;
+  ScalarColumn generation;  ///< splitting: number of times that the particle has been halved
   /// Initial half widths of the particle domains if all are equal [length].
   Vec<Dim> uniform_half_size = Vec<Dim>::Zero();
   double thickness = 1.0;             ///< out of the plane                                           [length]
@@ -169,7 +170,7 @@ struct System {
 template <int Dim>
 void archive(Archive& a, Body<Dim>& body, const Lattice<Dim>& lattice) {
   auto& [name, law, material, field, block, across_fields, cut, cut_bins, particles, bins, history, history_columns,
-         affine, filtered, start, half_size, half_axes, uniform_half_size, thickness, domain, load, origin,
+         affine, filtered, start, half_size, half_axes, generation, uniform_half_size, thickness, domain, load, origin,
          first_inverse, load_set, contact_slip, contact_bond, contact_state, contact_traction, contact_normal,
          temperature, temperature_gradient, temperature_residual, heated, crossings, cell_number, volumetric,
          heat_capacity, conductivity, taylor_quinney, reference_temperature, cell, residual_share,

@@ -1,0 +1,301 @@
+// SPDX-License-Identifier: MIT
+#include "solver/particle_splitting.hpp"
+
+#include "base/parallel.hpp"
+#include "solver/measures.hpp"
+#include "solver/state/particle_domain.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <optional>
+
+namespace tribo {
+namespace {
+
+template <int Dim>
+Mat<Dim> initial_axes(const Body<Dim>& body, std::size_t i) {
+  Mat<Dim> axes;
+  for (int k = 0; k < Dim * Dim; ++k)
+    axes(k / Dim, k % Dim) = body.particles.column(body.half_axes.first() + static_cast<std::size_t>(k))[i];
+  return axes;
+}
+
+template <int Dim>
+void set_initial_axes(Body<Dim>& body, std::size_t i, const Mat<Dim>& axes) {
+  for (int k = 0; k < Dim * Dim; ++k)
+    body.particles[body.half_axes][static_cast<std::size_t>(k)][i] = axes(k / Dim, k % Dim);
+}
+
+template <int Dim>
+void displace(const typename Particles<Dim>::Vector& x, std::size_t i, const Vec<Dim>& by) {
+  for (std::size_t d = 0; d < Dim; ++d) x[d][i] += by[static_cast<Eigen::Index>(d)];
+}
+
+// Scales the deformation gradient in the plane or in space to the volume ratio of the particle: the mean of two
+// deformation gradients has not the mean of their determinants.
+template <int Dim>
+void scale_deformation(Body<Dim>& body, std::uint32_t i) {
+  auto& particles = body.particles;
+  if (!particles.has_deformation()) return;
+  const auto at = static_cast<int>(i);
+  Mat3 F = load_full<Dim>(particles.F(), at);
+  const double ratio = particles.volume()[i] * body.law->density() / (particles.mass()[i] * F.determinant());
+  F.template topLeftCorner<Dim, Dim>() *= std::pow(ratio, 1.0 / Dim);
+  store_full<Dim>(F, particles.F(), at);
+}
+
+// Edge lengths of a domain in cells.
+template <int Dim>
+Vec<Dim> edges(const Mat<Dim>& axes, const Vec<Dim>& cell) {
+  return 2 * (cell.cwiseInverse().asDiagonal() * axes).colwise().norm().transpose();
+}
+
+}  // namespace
+
+template <int Dim>
+DomainBasis<Dim> reduced(DomainBasis<Dim> basis, const Vec<Dim>& cell) {
+  const Mat<Dim> to_cells = cell.cwiseInverse().asDiagonal();
+  for (bool shorter = true; shorter;) {
+    shorter = false;
+    for (int i = 0; i < Dim; ++i)
+      for (int j = 0; j < Dim; ++j) {
+        if (i == j) continue;
+        const Vec<Dim> a = to_cells * basis.current.col(i), b = to_cells * basis.current.col(j);
+        const double times = std::round(a.dot(b) / b.squaredNorm());
+        if (!((a - times * b).squaredNorm() < (1 - 1e-9) * a.squaredNorm())) continue;
+        basis.current.col(i) -= times * basis.current.col(j);
+        basis.initial.col(i) -= times * basis.initial.col(j);
+        shorter = true;
+      }
+  }
+  return basis;
+}
+
+template <int Dim>
+ParticleSplitting<Dim>::ParticleSplitting(const Model& model, System<Dim>& system, EnergyLedger& ledger)
+    : spec_(model.splitting), system_(system), ledger_(ledger) {
+  for (auto* bodies : {&system.bodies, &system.rigids})
+    for (const auto& body : *bodies)
+      for (const std::int64_t id : body.particles.id) next_id_ = std::max(next_id_, id + 1);
+}
+
+template <int Dim>
+bool ParticleSplitting<Dim>::apply() {
+  if (!spec_) return false;
+  const std::int64_t before = split_ + merged_;
+  for (auto& body : system_.bodies) {
+    split(body);
+    if (spec_->merge) merge(body);
+    set_half_sizes(body);
+  }
+  return split_ + merged_ != before;
+}
+
+// Shape functions of finite width take a box along the grid axes: the one around the domain, reduced to the volume of
+// the domain, within a cell.
+template <int Dim>
+void ParticleSplitting<Dim>::set_half_sizes(Body<Dim>& body) {
+  if (!body.half_size) return;
+  const Vec<Dim>& cell = system_.lattice.spacing;
+  const DomainReader<Dim> domain(body);
+  const auto half_size = body.particles[body.half_size];
+  parallel_for(static_cast<std::ptrdiff_t>(body.particles.size()), [&](std::ptrdiff_t k) {
+    const auto i = static_cast<std::uint32_t>(k);
+    const Mat<Dim> axes = reduced<Dim>({domain(i).axes, Mat<Dim>::Identity()}, cell).current;
+    Vec<Dim> half = axes.cwiseAbs().rowwise().sum();
+    half *= std::pow(std::abs(axes.determinant()) / half.prod(), 1.0 / Dim);
+    half = half.cwiseMin(0.5 * cell);
+    for (std::size_t d = 0; d < Dim; ++d) half_size[d][i] = half[static_cast<Eigen::Index>(d)];
+  });
+}
+
+// A domain that was stretched by more than twice the limit splits more than once.
+template <int Dim>
+void ParticleSplitting<Dim>::split(Body<Dim>& body) {
+  for (int pass = 0; pass < 8 && split_once(body); ++pass) {
+  }
+}
+
+template <int Dim>
+bool ParticleSplitting<Dim>::split_once(Body<Dim>& body) {
+  const Vec<Dim>& cell = system_.lattice.spacing;
+  auto& particles = body.particles;
+  const DomainReader<Dim> domain(body);
+  const double* generation = particles[body.generation];
+  const double* loaded = body.load_set ? particles[body.load_set] : nullptr;
+  std::vector<std::uint32_t> long_ones;
+  for (std::uint32_t i = 0; i < particles.size(); ++i)
+    if (generation[i] < spec_->generations && !(loaded && loaded[i] != 0.0) &&
+        edges<Dim>(domain(i).axes, cell).maxCoeff() > spec_->longest)
+      long_ones.push_back(i);
+
+  struct Half {
+    std::uint32_t particle;
+    DomainBasis<Dim> basis;
+    int axis;
+  };
+  std::vector<Half> halves;
+  std::vector<std::uint32_t> parents;
+  for (const std::uint32_t i : long_ones) {
+    const auto basis = reduced<Dim>({domain(i).axes, initial_axes(body, i)}, cell);
+    int axis;
+    const double longest = edges<Dim>(basis.current, cell).maxCoeff(&axis);
+    const double start = 2 * std::pow(std::abs(basis.initial.determinant()) / cell.prod(), 1.0 / Dim);
+    const Vec<Dim> half = 0.5 * basis.current.col(axis), x = particles.position(i);
+    const auto inside = [&](const Vec<Dim>& at) {
+      return (at.array() > system_.lattice.low.array()).all() && (at.array() < system_.lattice.high.array()).all();
+    };
+    if (longest > std::max(spec_->longest, 1.5 * start) && inside(x - half) && inside(x + half))
+      halves.push_back({i, basis, axis}), parents.push_back(i);
+  }
+  if (halves.empty()) return false;
+
+  auto second = static_cast<std::uint32_t>(particles.size());
+  particles.append_copies(parents, next_id_);
+  next_id_ += static_cast<std::int64_t>(parents.size());
+  split_ += static_cast<std::int64_t>(parents.size());
+  for (auto& [first, basis, axis] : halves) {
+    const Vec<Dim> shift = 0.5 * basis.current.col(axis), shift_of_origin = 0.5 * basis.initial.col(axis);
+    basis.current.col(axis) *= 0.5, basis.initial.col(axis) *= 0.5;
+    for (const auto& [i, sign] : {std::pair(first, -1.0), std::pair(second, 1.0)}) {
+      displace<Dim>(particles.x(), i, sign * shift);
+      displace<Dim>(particles[body.origin], i, sign * shift_of_origin);
+      set_initial_axes(body, i, basis.initial);
+      particles.mass()[i] *= 0.5, particles.volume()[i] *= 0.5;
+      if (body.load)
+        for (double* load : particles[body.load]) load[i] *= 0.5;
+      particles[body.generation][i] += 1.0;
+    }
+    ++second;
+  }
+  body.refresh();
+  return true;
+}
+
+template <int Dim>
+void ParticleSplitting<Dim>::merge(Body<Dim>& body) {
+  const auto pairs = pairs_to_merge(body);
+  if (pairs.empty()) return;
+  std::vector<bool> gone(body.particles.size(), false);
+  for (const Pair& pair : pairs) merge_pair(body, pair), gone[pair.second] = true;
+  std::vector<std::uint32_t> kept;
+  for (std::uint32_t i = 0; i < gone.size(); ++i)
+    if (!gone[i]) kept.push_back(i);
+  body.particles.reorder(kept);
+  body.refresh();
+  merged_ += static_cast<std::int64_t>(pairs.size());
+}
+
+// Neighbours in the same cell merge if they are the next ones along their shortest axis and if the pair is not longer
+// than three quarters of the limit and not larger than a particle at the start of the run.
+template <int Dim>
+auto ParticleSplitting<Dim>::pairs_to_merge(Body<Dim>& body) const -> std::vector<Pair> {
+  const Vec<Dim>& cell = system_.lattice.spacing;
+  auto& particles = body.particles;
+  const DomainReader<Dim> domain(body);
+  const double* mass = particles.mass();
+  const double* volume = particles.volume();
+  const double* loaded = body.load_set ? particles[body.load_set] : nullptr;
+  const double* bond = body.contact_bond ? particles[body.contact_bond] : nullptr;
+  const double* generation = particles[body.generation];
+  // The volume at the start of the run of a particle that has never been split.
+  const auto largest = [&](std::uint32_t i) {
+    return 1.1 * std::ldexp(mass[i] / body.law->density(), static_cast<int>(generation[i]));
+  };
+  const auto small = [&](std::uint32_t i) { return !(loaded && loaded[i] != 0.0) && volume[i] < largest(i); };
+
+  // Particles in the order of their cells.
+  std::vector<std::pair<std::int64_t, std::uint32_t>> by_cell;
+  for (std::uint32_t i = 0; i < particles.size(); ++i)
+    if (small(i)) by_cell.emplace_back(system_.lattice.cell_number(particles.position(i)), i);
+  std::sort(by_cell.begin(), by_cell.end(), [&](const auto& a, const auto& b) {
+    return a.first != b.first ? a.first < b.first : particles.id[a.second] < particles.id[b.second];
+  });
+
+  std::vector<Pair> pairs;
+  std::vector<bool> taken(particles.size(), false);
+  for (std::size_t first = 0, end = 0; first < by_cell.size(); first = end) {
+    while (end < by_cell.size() && by_cell[end].first == by_cell[first].first) ++end;
+    for (std::size_t a = first; a < end; ++a) {
+      const std::uint32_t i = by_cell[a].second;
+      if (taken[i]) continue;
+      const auto axes = reduced<Dim>({domain(i).axes, initial_axes(body, i)}, cell).current;
+      Vec<Dim> edge = edges<Dim>(axes, cell);
+      int axis;
+      edge.minCoeff(&axis);
+      edge[axis] *= 2;
+      if (edge.maxCoeff() > 0.75 * spec_->longest) continue;
+      // In units of the edges the next neighbour along the axis is at distance one.
+      const Mat<Dim> to_edges = (2 * axes).inverse();
+      std::optional<std::uint32_t> partner;
+      double nearest = 0.75;
+      for (std::size_t b = a + 1; b < end; ++b) {
+        const std::uint32_t j = by_cell[b].second;
+        if (taken[j] || volume[i] + volume[j] > largest(i) || (bond && bond[i] != bond[j])) continue;
+        if (mass[j] > 2.01 * mass[i] || mass[i] > 2.01 * mass[j]) continue;
+        Vec<Dim> apart = to_edges * (particles.position(j) - particles.position(i));
+        apart[axis] = std::max(std::abs(apart[axis]) - 1, 0.0);
+        if (apart.norm() < nearest) nearest = apart.norm(), partner = j;
+      }
+      if (partner) pairs.emplace_back(i, *partner), taken[i] = taken[*partner] = true;
+    }
+  }
+  return pairs;
+}
+
+template <int Dim>
+double ParticleSplitting<Dim>::energy(Body<Dim>& body, std::uint32_t i) const {
+  const Measures m = measure_particle(body, i, false);
+  return m.kinetic + m.stored;
+}
+
+// The first particle of the pair becomes the sum of both.
+template <int Dim>
+void ParticleSplitting<Dim>::merge_pair(Body<Dim>& body, const Pair& pair) {
+  auto& particles = body.particles;
+  const auto [i, j] = pair;
+  const Vec<Dim>& cell = system_.lattice.spacing;
+  const double before = energy(body, i) + energy(body, j);
+  const double mass = particles.mass()[i] + particles.mass()[j], share = particles.mass()[j] / mass;
+  const double volume = particles.volume()[i] + particles.volume()[j];
+  const double stress_share = particles.volume()[j] / volume;
+  const Vec<Dim> apart = particles.position(j) - particles.position(i);
+  const Vec<Dim> faster = particles.velocity(j) - particles.velocity(i);
+
+  auto basis = reduced<Dim>({DomainReader<Dim>(body)(i).axes, initial_axes(body, i)}, cell);
+  int axis;
+  edges<Dim>(basis.current, cell).minCoeff(&axis);
+  basis.current.col(axis) *= mass / particles.mass()[i], basis.initial.col(axis) *= mass / particles.mass()[i];
+
+  const auto stress = particles.stress();
+  const auto is_stress = [&](const double* column) {
+    return std::find(stress.begin(), stress.end(), column) != stress.end();
+  };
+  const double generation = std::min(particles[body.generation][i], particles[body.generation][j]) - 1;
+  for (std::size_t k = 0; k < particles.columns().size(); ++k) {
+    double* column = particles.column(k);
+    column[i] += (is_stress(column) ? stress_share : share) * (column[j] - column[i]);
+  }
+  particles.mass()[i] = mass, particles.volume()[i] = volume;
+  particles[body.generation][i] = generation;
+  if (body.load)
+    for (double* load : particles[body.load]) load[i] += load[i];
+  set_initial_axes(body, i, basis.initial);
+  scale_deformation(body, i);
+  // The affine velocity field takes up the angular momentum of the relative motion.
+  if (body.affine)
+    for (std::size_t k = 0; k < Dim * Dim; ++k) {
+      const auto r = static_cast<Eigen::Index>(k / Dim), c = static_cast<Eigen::Index>(k % Dim);
+      particles[body.affine][k][i] += share * (1 - share) * faster[r] * apart[c];
+    }
+  ledger_.damping_work += before - energy(body, i);
+}
+
+template DomainBasis<2> reduced(DomainBasis<2>, const Vec<2>&);
+template DomainBasis<3> reduced(DomainBasis<3>, const Vec<3>&);
+template class ParticleSplitting<2>;
+template class ParticleSplitting<3>;
+
+}  // namespace tribo
