@@ -1,0 +1,31 @@
+# SPDX-License-Identifier: MIT
+import numpy as np
+
+import verify
+
+
+def slide(case, label, **entities):
+    out = case.run(label.replace(", ", "_").replace(" ", "_"), entities=entities)
+    p = verify.last_particles(out)
+    sand = p["material"] == 1
+    ratio, mass = p["volume_ratio"][sand], p["mass"][sand]
+    moving = verify.history(out)["Kinetic Energy:sand"]
+    case.check(f"{label}: kinetic energy left over the largest", moving[-1] / moving.max(), 0, 1e-3, "at most")
+    case.check(f"{label}: volume of the deposit over that of the wedge", np.average(ratio, weights=mass), 1, 0.02)
+    case.check(f"{label}: largest volume ratio of a particle", ratio.max(), 0, 1.3, "at most")
+    return p["points"][sand], ratio
+
+
+def run(case):
+    points, ratio = slide(case, "APIC, 0.2 m")
+    if case.quick:
+        return
+    slide(case, "APIC, 0.1 m", h="0.1")
+
+    def draw(axes):
+        axes.plot([2, 10, 19.6], [6.6, 1, 1], "k-", linewidth=1)
+        shown = axes.scatter(points[:, 0], points[:, 1], c=ratio, s=6)
+        axes.figure.colorbar(shown, ax=axes, label="volume ratio")
+        axes.set(xlabel="x [m]", ylabel="y [m]", aspect="equal", xlim=(6, 17))
+
+    case.figure("landslide", draw)
