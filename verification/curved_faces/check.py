@@ -15,9 +15,24 @@ def impact(case):
         along, against = got["px:disc"][0] - got["px:disc"][-1], got["py:disc"][-1] - got["py:disc"][0]
         own = got["Lpz:disc"] - (got["posx:disc"] * got["py:disc"] - got["posy:disc"] * got["px:disc"])
         case.check(f"{name}: oblique impact, tangential over normal impulse", along / against, 0.2, 2e-3)
-        # The force acts at the flattened face, 0.5 m/s times the square root of mass over stiffness behind the circle
-        flattened = 0.5 * np.sqrt(mass / (np.pi / 4 * 1e6 / 0.91)) * 2 / np.pi
+        # The force acts at the flattened face, 0.5 m/s times the square root of mass over stiffness behind the circle; the mean
+        # over half a period of a sine, weighted with the sine
+        flattened = 0.5 * np.sqrt(mass / (np.pi / 4 * 1e6 / 0.91)) * np.pi / 4
         case.check(f"{name}: oblique impact, spin over tangential impulse", -own[-1] / along, R - flattened, 0.03)
+
+
+def ball(case):
+    """As for the disc; Hertz gives the indentation."""
+    for name, transfer in (("APIC", apic), ("FLIP", flip)):
+        got = verify.history(case.run(f"ball_{name}", "ball.xml", dict(transfer=transfer)))
+        mass = got["px:ball"][0] / 1.0
+        case.check(f"{name}: mass of the ball", mass, rho * 4 / 3 * np.pi * R**3, 1e-10)
+        along, against = got["px:ball"][0] - got["px:ball"][-1], got["py:ball"][-1] - got["py:ball"][0]
+        own = got["Lpz:ball"] - (got["posx:ball"] * got["py:ball"] - got["posy:ball"] * got["px:ball"])
+        case.check(f"{name}: oblique impact of the ball, tangential over normal impulse", along / against, 0.2, 0.01)
+        indentation = (1.25 * mass * 0.5**2 / (4 / 3 * 1e6 / 0.91 * np.sqrt(R))) ** 0.4
+        # Its mean over the impact, weighted with the force (its power 3/2), if it is half a period of a sine
+        case.check(f"{name}: oblique impact of the ball, spin over tangential impulse", -own[-1] / along, R - 0.823 * indentation, 0.05)
 
 
 def wedge(case):
@@ -57,5 +72,7 @@ def journal(case):
 
 def run(case):
     impact(case)
+    if not case.quick:
+        ball(case)
     wedge(case)
     journal(case)
