@@ -7,11 +7,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <limits>
-#include <optional>
+#include <compare>
 
 namespace tribo {
+
+// A particle and the cell that contains it.
+struct CellParticle {
+  std::int64_t cell, id;
+  std::uint32_t particle;
+  auto operator<=>(const CellParticle&) const = default;
+};
+
 namespace {
 
 template <int Dim>
@@ -118,54 +124,51 @@ void ParticleSplitting<Dim>::split(Body<Dim>& body) {
   }
 }
 
+// A particle is too long if it exceeds the limit, and is much longer than wide or was stretched since its last split.
 template <int Dim>
-bool ParticleSplitting<Dim>::split_once(Body<Dim>& body) {
-  const Vec<Dim>& cell = system_.lattice.spacing;
+auto ParticleSplitting<Dim>::long_ones(Body<Dim>& body) const -> std::vector<LongParticle> {
+  const Lattice<Dim>& lattice = system_.lattice;
+  const Vec<Dim>& cell = lattice.spacing;
   auto& particles = body.particles;
   const DomainReader<Dim> domain(body);
   const double* generation = particles[body.generation];
   const double* loaded = body.load_set ? particles[body.load_set] : nullptr;
-  std::vector<std::uint32_t> long_ones;
-  for (std::uint32_t i = 0; i < particles.size(); ++i)
-    if (generation[i] < spec_->generations && !(loaded && loaded[i] != 0.0) &&
-        edges<Dim>(domain(i).axes, cell).maxCoeff() > spec_->longest)
-      long_ones.push_back(i);
-
-  struct Half {
-    std::uint32_t particle;
-    DomainBasis<Dim> basis;
-    int axis;
+  const auto inside = [&](const Vec<Dim>& at) {
+    return (at.array() > lattice.low.array()).all() && (at.array() < lattice.high.array()).all();
   };
-  std::vector<Half> halves;
-  std::vector<std::uint32_t> parents;
-  for (const std::uint32_t i : long_ones) {
+  std::vector<LongParticle> out;
+  for (std::uint32_t i = 0; i < particles.size(); ++i) {
+    if (generation[i] >= spec_->generations || (loaded && loaded[i] != 0.0)) continue;
+    if (edges<Dim>(domain(i).axes, cell).maxCoeff() <= spec_->longest) continue;  // the reduced edges are not longer
     const auto basis = reduced<Dim>({domain(i).axes, initial_axes(body, i)}, cell);
     int axis;
     const double longest = edges<Dim>(basis.current, cell).maxCoeff(&axis);
     const double start = 2 * std::pow(std::abs(basis.initial.determinant()) / cell.prod(), 1.0 / Dim);
     const Vec<Dim> half = 0.5 * basis.current.col(axis), x = particles.position(i);
-    const auto inside = [&](const Vec<Dim>& at) {
-      return (at.array() > system_.lattice.low.array()).all() && (at.array() < system_.lattice.high.array()).all();
-    };
     if (longest > std::max(spec_->longest, 1.5 * start) && inside(x - half) && inside(x + half))
-      halves.push_back({i, basis, axis}), parents.push_back(i);
+      out.push_back({i, basis, axis});
   }
-  if (halves.empty()) return false;
+  return out;
+}
 
+template <int Dim>
+bool ParticleSplitting<Dim>::split_once(Body<Dim>& body) {
+  const std::vector<LongParticle> list = long_ones(body);
+  if (list.empty()) return false;
+  auto& particles = body.particles;
+  std::vector<std::uint32_t> originals;
+  for (const LongParticle& p : list) originals.push_back(p.particle);
   auto second = static_cast<std::uint32_t>(particles.size());
-  particles.append_copies(parents, next_id_);
-  next_id_ += static_cast<std::int64_t>(parents.size());
-  split_ += static_cast<std::int64_t>(parents.size());
-  for (auto& [first, basis, axis] : halves) {
-    const Vec<Dim> shift = 0.5 * basis.current.col(axis), shift_of_origin = 0.5 * basis.initial.col(axis);
-    basis.current.col(axis) *= 0.5, basis.initial.col(axis) *= 0.5;
-    for (const auto& [i, sign] : {std::pair(first, -1.0), std::pair(second, 1.0)}) {
-      displace<Dim>(particles.x(), i, sign * shift);
-      displace<Dim>(particles[body.origin], i, sign * shift_of_origin);
-      set_initial_axes(body, i, basis.initial);
+  particles.append_copies(originals, next_id_);
+  next_id_ += static_cast<std::int64_t>(list.size()), split_ += static_cast<std::int64_t>(list.size());
+  for (const auto& [first, basis, axis] : list) {
+    Mat<Dim> initial = basis.initial;
+    initial.col(axis) *= 0.5;
+    for (const auto& [i, sign] : {std::pair(first, -0.5), std::pair(second, 0.5)}) {
+      displace<Dim>(particles.x(), i, sign * basis.current.col(axis));
+      displace<Dim>(particles[body.origin], i, sign * basis.initial.col(axis));
+      set_initial_axes(body, i, initial);
       particles.mass()[i] *= 0.5, particles.volume()[i] *= 0.5;
-      if (body.load)
-        for (double* load : particles[body.load]) load[i] *= 0.5;
       particles[body.generation][i] += 1.0;
     }
     ++second;
@@ -188,61 +191,68 @@ void ParticleSplitting<Dim>::merge(Body<Dim>& body) {
   merged_ += static_cast<std::int64_t>(pairs.size());
 }
 
-// Neighbours in the same cell merge if they are the next ones along their shortest axis and if the pair is not longer
-// than three quarters of the limit and not larger than a particle at the start of the run.
+// Particles that may merge, in the order of their cells and numbers.
+template <int Dim>
+std::vector<CellParticle> ParticleSplitting<Dim>::small_ones(Body<Dim>& body) const {
+  auto& particles = body.particles;
+  const double* loaded = body.load_set ? particles[body.load_set] : nullptr;
+  std::vector<CellParticle> out;
+  for (std::uint32_t i = 0; i < particles.size(); ++i)
+    if (!(loaded && loaded[i] != 0.0) && particles.volume()[i] < largest_pair(body, i))
+      out.push_back({system_.lattice.cell_number(particles.position(i)), particles.id[i], i});
+  std::sort(out.begin(), out.end());
+  return out;
+}
+
+// A pair must not be larger than a particle at the start of the run that has not been split.
+template <int Dim>
+double ParticleSplitting<Dim>::largest_pair(Body<Dim>& body, std::uint32_t i) {
+  const auto generation = static_cast<int>(body.particles[body.generation][i]);
+  return 1.1 * std::ldexp(body.particles.mass()[i] / body.law->density(), generation);
+}
+
+// Two particles of a cell merge if one is the neighbour of the other along its shortest axis and if the pair is not
+// longer than three quarters of the limit.
 template <int Dim>
 auto ParticleSplitting<Dim>::pairs_to_merge(Body<Dim>& body) const -> std::vector<Pair> {
-  const Vec<Dim>& cell = system_.lattice.spacing;
-  auto& particles = body.particles;
-  const DomainReader<Dim> domain(body);
-  const double* mass = particles.mass();
-  const double* volume = particles.volume();
-  const double* loaded = body.load_set ? particles[body.load_set] : nullptr;
-  const double* bond = body.contact_bond ? particles[body.contact_bond] : nullptr;
-  const double* generation = particles[body.generation];
-  // The volume at the start of the run of a particle that has never been split.
-  const auto largest = [&](std::uint32_t i) {
-    return 1.1 * std::ldexp(mass[i] / body.law->density(), static_cast<int>(generation[i]));
-  };
-  const auto small = [&](std::uint32_t i) { return !(loaded && loaded[i] != 0.0) && volume[i] < largest(i); };
-
-  // Particles in the order of their cells.
-  std::vector<std::pair<std::int64_t, std::uint32_t>> by_cell;
-  for (std::uint32_t i = 0; i < particles.size(); ++i)
-    if (small(i)) by_cell.emplace_back(system_.lattice.cell_number(particles.position(i)), i);
-  std::sort(by_cell.begin(), by_cell.end(), [&](const auto& a, const auto& b) {
-    return a.first != b.first ? a.first < b.first : particles.id[a.second] < particles.id[b.second];
-  });
-
+  const std::vector<CellParticle> candidates = small_ones(body);
   std::vector<Pair> pairs;
-  std::vector<bool> taken(particles.size(), false);
-  for (std::size_t first = 0, end = 0; first < by_cell.size(); first = end) {
-    while (end < by_cell.size() && by_cell[end].first == by_cell[first].first) ++end;
-    for (std::size_t a = first; a < end; ++a) {
-      const std::uint32_t i = by_cell[a].second;
-      if (taken[i]) continue;
-      const auto axes = reduced<Dim>({domain(i).axes, initial_axes(body, i)}, cell).current;
-      Vec<Dim> edge = edges<Dim>(axes, cell);
-      int axis;
-      edge.minCoeff(&axis);
-      edge[axis] *= 2;
-      if (edge.maxCoeff() > 0.75 * spec_->longest) continue;
-      // In units of the edges the next neighbour along the axis is at distance one.
-      const Mat<Dim> to_edges = (2 * axes).inverse();
-      std::optional<std::uint32_t> partner;
-      double nearest = 0.75;
-      for (std::size_t b = a + 1; b < end; ++b) {
-        const std::uint32_t j = by_cell[b].second;
-        if (taken[j] || volume[i] + volume[j] > largest(i) || (bond && bond[i] != bond[j])) continue;
-        if (mass[j] > 2.01 * mass[i] || mass[i] > 2.01 * mass[j]) continue;
-        Vec<Dim> apart = to_edges * (particles.position(j) - particles.position(i));
-        apart[axis] = std::max(std::abs(apart[axis]) - 1, 0.0);
-        if (apart.norm() < nearest) nearest = apart.norm(), partner = j;
-      }
-      if (partner) pairs.emplace_back(i, *partner), taken[i] = taken[*partner] = true;
-    }
+  std::vector<bool> taken(body.particles.size(), false);
+  for (auto a = candidates.begin(); a != candidates.end(); ++a) {
+    if (taken[a->particle]) continue;
+    const auto end = std::find_if(a, candidates.end(), [&](const CellParticle& b) { return b.cell != a->cell; });
+    if (const auto partner = partner_of(body, a->particle, {a + 1, end}, taken))
+      pairs.emplace_back(a->particle, *partner), taken[a->particle] = taken[*partner] = true;
   }
   return pairs;
+}
+
+template <int Dim>
+std::optional<std::uint32_t> ParticleSplitting<Dim>::partner_of(Body<Dim>& body, std::uint32_t i,
+                                                                std::span<const CellParticle> others,
+                                                                const std::vector<bool>& taken) const {
+  const Vec<Dim>& cell = system_.lattice.spacing;
+  auto& particles = body.particles;
+  const double *mass = particles.mass(), *volume = particles.volume();
+  const double* bond = body.contact_bond ? particles[body.contact_bond] : nullptr;
+  const auto axes = reduced<Dim>({DomainReader<Dim>(body)(i).axes, initial_axes(body, i)}, cell).current;
+  Vec<Dim> edge = edges<Dim>(axes, cell);
+  int axis;
+  edge.minCoeff(&axis);
+  edge[axis] *= 2;
+  if (edge.maxCoeff() > 0.75 * spec_->longest) return {};
+  // In units of the edges the next neighbour along the axis is at distance one.
+  const Mat<Dim> to_edges = (2 * axes).inverse();
+  std::optional<std::uint32_t> partner;
+  double nearest = 0.75;
+  for (const auto& [its_cell, id, j] : others) {
+    const bool alike = mass[j] < 2.01 * mass[i] && mass[i] < 2.01 * mass[j] && !(bond && bond[i] != bond[j]);
+    if (taken[j] || !alike || volume[i] + volume[j] > largest_pair(body, i)) continue;
+    Vec<Dim> apart = to_edges * (particles.position(j) - particles.position(i));
+    apart[axis] = std::max(std::abs(apart[axis]) - 1, 0.0);
+    if (apart.norm() < nearest) nearest = apart.norm(), partner = j;
+  }
+  return partner;
 }
 
 template <int Dim>
@@ -280,8 +290,6 @@ void ParticleSplitting<Dim>::merge_pair(Body<Dim>& body, const Pair& pair) {
   }
   particles.mass()[i] = mass, particles.volume()[i] = volume;
   particles[body.generation][i] = generation;
-  if (body.load)
-    for (double* load : particles[body.load]) load[i] += load[i];
   set_initial_axes(body, i, basis.initial);
   scale_deformation(body, i);
   // The affine velocity field takes up the angular momentum of the relative motion.

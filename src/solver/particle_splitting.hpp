@@ -6,10 +6,26 @@
 #include "solver/state/system.hpp"
 
 #include <cstdint>
+#include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
 namespace tribo {
+
+struct CellParticle;
+
+/// The basis of a lattice of particles: its current half axes and those of the initial domains.
+template <int Dim>
+struct DomainBasis {
+  Mat<Dim> current;  ///< columns: current half axes [length]
+  Mat<Dim> initial;  ///< columns: initial half axes [length]
+};
+
+/// Replaces the axes by shorter ones of the same lattice as long as there are any, by Lagrange's algorithm for each
+/// pair of axes. Lengths are measured in cells of the given edges [length]. The volumes of the domains do not change.
+template <int Dim>
+DomainBasis<Dim> reduced(DomainBasis<Dim> basis, const Vec<Dim>& cell);
 
 /// Keeps the distance of particles within the range of the shape functions, so that flowing matter does not separate
 /// numerically: a particle whose domain has become longer than a number of cells splits in two along that direction,
@@ -45,12 +61,23 @@ class ParticleSplitting {
 
  private:
   using Pair = std::pair<std::uint32_t, std::uint32_t>;
+  // A particle that splits along an axis of the reduced basis.
+  struct LongParticle {
+    std::uint32_t particle;
+    DomainBasis<Dim> basis;
+    int axis;
+  };
 
   void set_half_sizes(Body<Dim>& body);
   void split(Body<Dim>& body);
+  std::vector<LongParticle> long_ones(Body<Dim>& body) const;
   bool split_once(Body<Dim>& body);
   void merge(Body<Dim>& body);
+  static double largest_pair(Body<Dim>& body, std::uint32_t i);
+  std::vector<CellParticle> small_ones(Body<Dim>& body) const;
   std::vector<Pair> pairs_to_merge(Body<Dim>& body) const;
+  std::optional<std::uint32_t> partner_of(Body<Dim>& body, std::uint32_t i, std::span<const CellParticle> others,
+                                          const std::vector<bool>& taken) const;
   void merge_pair(Body<Dim>& body, const Pair& pair);
   double energy(Body<Dim>& body, std::uint32_t i) const;
 
@@ -60,17 +87,5 @@ class ParticleSplitting {
   std::int64_t next_id_ = 0;
   std::int64_t split_ = 0, merged_ = 0;
 };
-
-/// The basis of a lattice of particles: its current half axes and those of the initial domains.
-template <int Dim>
-struct DomainBasis {
-  Mat<Dim> current;  ///< columns: current half axes [length]
-  Mat<Dim> initial;  ///< columns: initial half axes [length]
-};
-
-/// Replaces the axes by shorter ones of the same lattice as long as there are any, by Lagrange's algorithm for each
-/// pair of axes. Lengths are measured in cells of the given edges [length]. The volumes of the domains do not change.
-template <int Dim>
-DomainBasis<Dim> reduced(DomainBasis<Dim> basis, const Vec<Dim>& cell);
 
 }  // namespace tribo
