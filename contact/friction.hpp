@@ -27,6 +27,7 @@ struct SlipWeakening {
   /// The coefficient for the slip of the state.
   double coefficient(const ContactState& m) const {
     if (!(static_coefficient > 0)) return dynamic_coefficient;
+    if (!(m.slip > 0)) return static_coefficient;
     const double length = distance >= 0 ? distance : 0.01 * m.cell;
     return m.slip < length ? static_coefficient + (dynamic_coefficient - static_coefficient) * m.slip / length
                            : dynamic_coefficient;
