@@ -23,10 +23,11 @@ struct NormalContactRule {
 struct SlipWeakening {
   double static_coefficient = -1.0;  ///< not positive: always the dynamic coefficient
   double dynamic_coefficient = 0.0;
-  double distance = -1.0;  ///< weakening distance [length]; negative: 0.01 cells
+  double distance = -1.0;  ///< weakening distance [length]; 0: sudden drop; negative: 0.01 cells
   /// The coefficient for the slip of the state.
   double coefficient(const ContactState& m) const {
     if (!(static_coefficient > 0)) return dynamic_coefficient;
+    if (!(m.slip > 0)) return static_coefficient;
     const double length = distance >= 0 ? distance : 0.01 * m.cell;
     return m.slip < length ? static_coefficient + (dynamic_coefficient - static_coefficient) * m.slip / length
                            : dynamic_coefficient;
@@ -100,7 +101,7 @@ Parameter<Law> weakening_parameter(double Law::*member) {
           member,
           Dimension::length,
           any_value,
-          "way of sliding along which friction falls from static to dynamic; negative: 0.01 cells",
+          "way of sliding along which friction falls from static to dynamic; 0: at once; negative: 0.01 cells",
           -1.0};
 }
 /// Table entry of the parameter compliance_stiffness of NormalContactRule.

@@ -69,6 +69,7 @@ class Report {
     stiffness();
     interfaces();
     glued();
+    sudden_gravity();
     cracks();
     travel();
     steps();
@@ -277,6 +278,28 @@ class Report {
                         " is glued to the nodes that are fixed in all directions: no law of contact acts there. "
                         "If it should slide, take a RigidContact body, or fix only the normal direction");
     }
+  }
+
+  // Constant gravity on bodies without stress makes them vibrate with amplitudes of their whole pressure. Undamped,
+  // they slip whenever the pressure is low, however large the static friction.
+  void sudden_gravity() {
+    const Damping& d = model_.damping;
+    if (!model_.contact.active || model_.body_force.gravity.isZero() || d.grid || d.particle || d.grid_gain ||
+        d.particle_gain)
+      return;
+    const auto has_friction = [](const ContactLaw* law) {
+      if (!law || !law->uses_face() || law->is_interface() || law->liquid() != 0) return false;
+      ContactState m;
+      m.mass = m.dt = m.area = 1.0, m.velocity = Vec3(-1, 1, 0);
+      return law->response(m).impulse[1] > 0;
+    };
+    bool rubs = has_friction(model_.contact.default_law.get());
+    for (const auto& [materials, law] : model_.contact.pair_laws) rubs = rubs || has_friction(law.get());
+    const auto unstressed = [](const Seed& s) { return s.stress.isZero(); };
+    if (rubs && std::all_of(seeds_.begin(), seeds_.end(), unstressed))
+      advice_.push_back(
+          "gravity acts suddenly on bodies without stress or damping: they vibrate, and faces that would stick slip "
+          "whenever the pressure is low; let gravity grow (<GridBodyYForce> as a function of t), or damp the start");
   }
 
   void cracks() {

@@ -182,3 +182,35 @@ TEST_CASE("the contact search follows a change of the fields' maps", "[contact][
   CHECK(search.found().nodes.empty());
   CHECK(search.node_at(Fields::at(8, 8)) == nullptr);
 }
+
+TEST_CASE("the search knows the pairs that friction held in the last step", "[contact][search]") {
+  Fields fields(3);
+  for (std::size_t f = 0; f < 3; ++f) fields.set_mass(f, 8, 8, 1.0), fields.set_mass(f, 9, 8, 1.0);
+  fields.make_exchanges();
+  const ContactLaws<2> laws(fields.model, fields.system);
+  ContactSearch<2> search(fields.system, laws);
+  search.locate();
+  search.find(fields.exchanges);
+  REQUIRE(search.found().pairs.size() == 6);
+  const auto set = [&](std::size_t k, ContactStatus status, const Vec3& impulse) {
+    ContactPair& pair = search.found().pairs[k];
+    pair.state.normal = Vec3(0.6, 0.8, 0), pair.update_status = status, pair.update_impulse = impulse;
+  };
+  const Vec3 normal(-0.6, -0.8, 0);
+  set(0, ContactStatus::slip, normal + Vec3::UnitZ());
+  set(1, ContactStatus::stick, normal + Vec3::UnitZ());
+  set(2, ContactStatus::stick, normal);  // without a shear impulse friction holds nothing
+  set(5, ContactStatus::stick, normal + 1e-6 * Vec3::UnitZ());
+  search.remember_stuck();
+  fields.set_mass(0, 8, 8, 0.0);  // the pair 1, of the fields 0 and 2, is gone
+  fields.set_mass(0, 7, 8, 1.0), fields.set_mass(1, 7, 8, 1.0);
+  search.locate();
+  search.find(fields.exchanges);
+  std::vector<std::array<std::int64_t, 3>> stuck;
+  for (const auto& node : search.found().nodes)
+    for (const auto& pair : search.found().pairs_of(node)) {
+      const auto field = [&](std::size_t m) { return static_cast<std::int64_t>(search.found().members[m].field); };
+      if (pair.stuck) stuck.push_back({node.index[0] - Lattice<2>::padding, field(pair.a), field(pair.b)});
+    }
+  CHECK(stuck == std::vector<std::array<std::int64_t, 3>>{{9, 1, 2}});
+}

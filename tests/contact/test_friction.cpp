@@ -101,6 +101,9 @@ TEST_CASE("static friction holds until faces slide, and falls along the way they
     CHECK(friction(*law, 0.02) == Approx(0.3));
     CHECK(friction(*given, 0.25) == Approx(0.5));
     CHECK(law->has_memory());
+    const auto sudden = make_law(type, {{"coeff", "0.3"}, {"coeffStatic", "0.7"}, {"weakening", "0"}});
+    CHECK(friction(*sudden, 0) == Approx(0.7));
+    CHECK(friction(*sudden, 1e-12) == Approx(0.3));
     m.slip = 0, m.velocity = Vec3(-1, 0.69, 0);
     CHECK(law->response(m).status == ContactStatus::stick);
     m.velocity = Vec3(-1, 10, 0);

@@ -113,6 +113,16 @@ TEST_CASE("the summary reports the time step that joints allow", "[preflight]") 
   CHECK_THAT(with("1e4"), Contains("set by the stiffness of the joints") && Contains("shorten the step"));
 }
 
+TEST_CASE("the summary warns of friction under sudden gravity", "[preflight]") {
+  const std::string rough = "<MultiMaterialMode><Friction>0.5</Friction></MultiMaterialMode>";
+  const std::string falls = "<Gravity><BodyYForce>-9.81</BodyYForce></Gravity>";
+  const std::string grows = "<Gravity><GridBodyYForce>-9.81*min(t,1)</GridBodyYForce></Gravity>";
+  CHECK_THAT(sheet("0", rough, falls), Contains("gravity acts suddenly"));
+  CHECK_THAT(sheet("0", rough, grows), !Contains("gravity acts suddenly"));
+  CHECK_THAT(sheet("0", contact, falls), !Contains("gravity acts suddenly"));  // nothing to stick without friction
+  CHECK_THAT(sheet("0", rough + "<PDamping>1</PDamping>", falls), !Contains("gravity acts suddenly"));
+}
+
 TEST_CASE("the summary reports bodies that stick to fixed nodes and bodies that leave the grid", "[preflight]") {
   const std::string glue =
       "<GridBCs><BCLine x1='0' x2='20' y1='2' y2='2' tolerance='*0.1'><DisBC dir='1' vel='0'/><DisBC dir='2' vel='0'/>"

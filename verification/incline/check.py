@@ -54,8 +54,52 @@ def rigid(resistance):
     return times, speeds
 
 
+def rigid_with_static(static, dynamic, way, end):
+    """Speed at the end of a rigid block whose friction falls from the static to the dynamic coefficient along a way."""
+    dt, v, slip = 1e-5, 0.0, 0.0
+    for t in np.arange(0.3, end, dt):
+        turn = min((t - 0.3) / 0.2, 1)
+        pull = 0.5 * g * turn**2 * (3 - 2 * turn)
+        share = min(slip / way, 1.0) if way > 0 else float(slip > 0)
+        v = max(0.0, v + dt * (pull - g * c30 * (static + (dynamic - static) * share)))
+        slip += dt * v
+    return v
+
+
+default = dict(method="USAVG", skip="", kernel="uGIMP", transfer="<Transfer type='FLIP'/>")  # of the dialect
+
+
+def hold_and_slide(case):
+    """Static friction with the default scheme of the dialect, undamped: it holds, and then falls to the dynamic one."""
+    ramp = "(min(t/0.1,1))^2*(3-2*min(t/0.1,1))"
+    both = friction("<coeff>0.3</coeff><coeffStatic>0.7</coeffStatic>")
+    for turned in (0, 17) if not case.quick else (0,):
+        c, s = math.cos(math.radians(turned)), math.sin(math.radians(turned))
+        pull, press = (f"({g * f(math.radians(30))!r}*{ramp})" for f in (math.sin, math.cos))
+        grid = dict(grid="<Grid xmin='-1.5' xmax='3.5' ymin='-1.5' ymax='3.5'><Horiz cellsize='0.05'/><Vert cellsize='0.05'/></Grid>") if turned else {}
+        out = case.run(f"hold_default_{turned}", entities=dict(c=repr(c), s=repr(s), along=pull, press=press, damping="0", E="1e8", end="1.2", **grid, **default, **both))
+        got = verify.history(out)
+        x = c * got["dispx:block"] + s * got["dispy:block"]
+        label = f"default scheme, undamped, static 0.7 at 30 degrees, turned by {turned}"
+        case.check(f"{label}: displacement over length of the block", abs(x[-1]), 0, 2e-6, "at most")
+        case.check(f"{label}: creep in 0.9 s over the cell (holds)", abs(x[-1] - np.interp(0.3, got["time"], x)) / 0.05, 0, 1e-6, "at most")
+    if case.quick:
+        return
+    for h in (0.05, 0.025):
+        grid = f"<Grid xmin='-1' xmax='3.5' ymin='-0.4' ymax='0.5'><Horiz cellsize='{h}'/><Vert cellsize='{h}'/></Grid>"
+        for name in ("FLIP", "APIC", "FMPM"):
+            for way in (0.01 * h, 0.0):
+                text = "<coeff>0.3</coeff><coeffStatic>0.5</coeffStatic>" + ("" if way > 0 else "<weakening>0</weakening>")
+                scheme = default | dict(transfer=f"<Transfer type='{name}'/>")
+                t, v, x, _, _ = slide(case, f"static_{name}_{h}_{way > 0}", grid=grid, damping="20", **scheme, **friction(text))
+                label = f"default scheme, {name}, cells of {h} m, static 0.5, dynamic 0.3" + ("" if way > 0 else ", sudden drop")
+                case.check(f"{label}: velocity after 1 s", v[-1], rigid_with_static(0.5, 0.3, way, 1), 0.01)
+                case.check(f"{label}: acceleration", acceleration(t, v, 0.7), coulomb(0.3), 2e-3)
+
+
 def run(case):
     rows = []
+    hold_and_slide(case)
     for turned in (0, 17, 45) if not case.quick else (17,):
         for mu, tolerance in ((0.0, 1e-5), (0.3, 5e-4)) if not case.quick else ((0.3, 5e-4),):
             t, v, x, normal, _ = slide(case, f"mu{mu}_{turned}", turned=turned, **friction(f"<coeff>{mu}</coeff>"))

@@ -80,10 +80,11 @@ class Contact {
 
   Stopwatch watch;  ///< time spent in contact
 
-  /// The sums over the run. The faces that are kept from step to step are not saved: see interruptible().
+  /// The sums over the run, and the pairs that stick. The faces that are kept from step to step are not saved: see
+  /// interruptible().
   friend void archive(Archive& a, Contact& contact) {
-    a.version(1);
-    a("ledger", contact.ledger_);
+    a.version(2);
+    a("ledger", contact.ledger_), a("search", contact.search_);
   }
 
  private:

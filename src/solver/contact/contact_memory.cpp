@@ -39,18 +39,22 @@ void ContactMemory<Dim>::update() const {
     each_pair_near(search_, system_.lattice, cloud_.domain(static_cast<std::size_t>(k)), label.field,
                    [&](const ContactPair& pair, double w, double) {
                      if (!pair.law->has_memory()) return;
-                     if (pair.response.status != ContactStatus::open) touching += w;
+                     // Nodes on the two sides of a face share its pressure, often unevenly; those with little of it
+                     // slide in the vibrations of bodies that stick.
+                     const double force = w * std::max(0.0, -pair.impulse.dot(pair.state.normal));
+                     if (pair.response.status != ContactStatus::open) touching += force;
                      if (pair.response.status == ContactStatus::slip) {
                        const Vec3 v = pair.state.velocity - pair.impulse / pair.state.mass;
-                       sliding += w;
-                       way += w * pair.state.dt * (v - v.dot(pair.state.normal) * pair.state.normal).norm();
+                       sliding += force;
+                       way += force * pair.state.dt * (v - v.dot(pair.state.normal) * pair.state.normal).norm();
                      }
                      if (pair.response.bond == Bond::whole) whole += w;
                      if (pair.response.bond == Bond::broken) broken += w;
                    });
-    // Slip is the distance of sliding since the faces last stuck or separated.
+    // Slip is the distance of sliding since the faces last stuck. While they do not touch it stays, so that chatter
+    // does not give back the static friction.
     double& slip = body.particles[body.contact_slip][label.particle];
-    slip = sliding > 0.5 * touching ? slip + way / sliding : 0.0;
+    if (touching > 0) slip = sliding > 0.5 * touching ? slip + way / sliding : 0.0;
     if (whole + broken > 0) body.particles[body.contact_bond][label.particle] = broken > whole ? -1.0 : 1.0;
   });
 }

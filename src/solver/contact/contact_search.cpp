@@ -30,6 +30,7 @@ template <int Dim>
 void ContactSearch<Dim>::find(const Exchanges<Dim>& exchanges) {
   std::fill(node_of_.begin(), node_of_.end(), -1);
   found_.clear();
+  next_stuck_ = 0;
   for (std::size_t s = 0; s < shared_.size(); ++s) {
     const SharedBlock& shared = shared_[s];
     for (int local = 0; local < block_nodes<Dim>; ++local) {
@@ -41,7 +42,7 @@ void ContactSearch<Dim>::find(const Exchanges<Dim>& exchanges) {
       const ContactMember& first = found_.members[node.first_member];
       node.mirrored_axes = exchanges[first.field]->mirrored_axes(node.index);
       node.ownership = exchanges[first.field]->ownership(first.node);
-      list_pairs(node);
+      list_pairs(node, place_of(node.number));
       node_of_[s * block_nodes<Dim> + static_cast<std::size_t>(local)] = static_cast<int>(found_.nodes.size());
       found_.nodes.push_back(node);
     }
@@ -74,7 +75,7 @@ bool ContactSearch<Dim>::list_members(const SharedBlock& shared, int local, Cont
 // Two fields on the same side of all cracks follow the law of their materials. The law of two fields on the two sides
 // of one crack is that of the crack.
 template <int Dim>
-void ContactSearch<Dim>::list_pairs(ContactNode<Dim>& node) {
+void ContactSearch<Dim>::list_pairs(ContactNode<Dim>& node, std::int64_t place) {
   constexpr int two_cracks = 3;  // both bits of Field::side differ
   node.first_pair = found_.pairs.size();
   for (std::size_t a = node.first_member; a < node.end_member; ++a)
@@ -90,9 +91,34 @@ void ContactSearch<Dim>::list_pairs(ContactNode<Dim>& node) {
         pair.law = laws_.between(field_a.base_field, field_b.base_field), node.between_bodies = true;
       else
         pair.crack = 0;
+      const StuckPair self{place, static_cast<std::int64_t>(of_a.field), static_cast<std::int64_t>(of_b.field)};
+      while (next_stuck_ < stuck_.size() && stuck_[next_stuck_] < self) ++next_stuck_;
+      pair.stuck = next_stuck_ < stuck_.size() && stuck_[next_stuck_] == self;
       found_.pairs.push_back(pair);
     }
   node.end_pair = found_.pairs.size();
+}
+
+template <int Dim>
+std::int64_t ContactSearch<Dim>::place_of(std::int64_t number) const {
+  return shared_[static_cast<std::size_t>(number / block_nodes<Dim>)].block * block_nodes<Dim> +
+         number % block_nodes<Dim>;
+}
+
+// Without friction a pair without tangential motion has the status stick, too, but no tangential impulse.
+template <int Dim>
+void ContactSearch<Dim>::remember_stuck() {
+  constexpr double round_off = 1e-12;
+  stuck_.clear();
+  for (const ContactNode<Dim>& node : found_.nodes)
+    for (ContactPair& pair : found_.pairs_of(node)) {
+      const Vec3 &impulse = pair.update_impulse, &n = pair.state.normal;
+      pair.stuck = pair.update_status == ContactStatus::stick &&
+                   (impulse - impulse.dot(n) * n).norm() > round_off * impulse.norm();
+      if (!pair.stuck) continue;
+      const auto field = [&](std::size_t member) { return static_cast<std::int64_t>(found_.members[member].field); };
+      stuck_.push_back({place_of(node.number), field(pair.a), field(pair.b)});
+    }
 }
 
 template <int Dim>

@@ -6,6 +6,7 @@
 #include "solver/contact/contact_nodes.hpp"
 #include "solver/exchange/exchange.hpp"
 
+#include <array>
 #include <vector>
 
 namespace tribo {
@@ -27,13 +28,28 @@ class ContactSearch {
   /// crack 0 and no law; Cracks then finds which crack it is. `exchanges`: one for each field.
   void find(const Exchanges<Dim>& exchanges);
 
+  /// Sets ContactPair::stuck after a momentum update, for the rest of the step and for the next find().
+  void remember_stuck();
+
   /// What was found.
   ContactNodes<Dim>& found() { return found_; }
   const ContactNodes<Dim>& found() const { return found_; }
   /// The contact node at an index of the lattice; null if there is none.
   const ContactNode<Dim>* node_at(const Index<Dim>& index) const;
 
+  friend void archive(Archive& a, ContactSearch& search) {
+    a.version(1);
+    std::vector<std::int64_t> numbers;
+    for (const StuckPair& pair : search.stuck_) numbers.insert(numbers.end(), pair.begin(), pair.end());
+    a.resizable("stuck", numbers);
+    search.stuck_.resize(numbers.size() / 3);
+    for (std::size_t k = 0; k < numbers.size(); ++k) search.stuck_[k / 3][k % 3] = numbers[k];
+  }
+
  private:
+  // Position of the node among those of all blocks of the lattice, and the two fields.
+  using StuckPair = std::array<std::int64_t, 3>;
+
   // A block of nodes that two or more fields have.
   struct SharedBlock {
     std::int64_t block;                              // in the lattice
@@ -41,14 +57,17 @@ class ContactSearch {
   };
 
   bool list_members(const SharedBlock& shared, int local, ContactNode<Dim>& node);
-  void list_pairs(ContactNode<Dim>& node);
+  void list_pairs(ContactNode<Dim>& node, std::int64_t place);
+  std::int64_t place_of(std::int64_t number) const;
 
   const System<Dim>& system_;
   const ContactLaws<Dim>& laws_;
   ContactNodes<Dim> found_;
   std::vector<SharedBlock> shared_;
-  std::vector<int> shared_at_;  // per block of the lattice: its position in shared_, or -1
-  std::vector<int> node_of_;    // per shared block and node: its position in found_.nodes, or -1
+  std::vector<int> shared_at_;    // per block of the lattice: its position in shared_, or -1
+  std::vector<StuckPair> stuck_;  // in ascending order
+  std::size_t next_stuck_ = 0;    // the first that find() has not passed
+  std::vector<int> node_of_;      // per shared block and node: its position in found_.nodes, or -1
 };
 
 }  // namespace tribo

@@ -107,13 +107,13 @@ Vec3 FaceSolver<Dim>::weighted_sum(const Constraint& c, Value&& value) const {
 // Computes the impulse of a pair by its law from the velocity without that impulse. `mass`: impulse over the change of
 // relative velocity that the law shall assume.
 template <int Dim>
-void FaceSolver<Dim>::update_impulse(Constraint& c, double mass) {
+void FaceSolver<Dim>::update_impulse(Constraint& c, double mass, ContactPass pass) {
   ContactPair& pair = *c.pair;
   ContactState& m = pair.state;
   m.mass = mass;
   pair.final_velocity = c.trial_velocity + weighted_sum(c, [](const NodalVelocity& p) { return p.change; });
   m.velocity = pair.final_velocity + pair.impulse / mass;
-  pair.response = pair.law->response(m);
+  pair.response = response_of(pair, pass);
   c.impulse_change = pair.response.impulse - pair.impulse;
   pair.impulse = pair.response.impulse;
 }
@@ -137,7 +137,7 @@ void FaceSolver<Dim>::solve(ContactPass pass) {
   };
   for (int sweep = 0; sweep < jacobi_sweeps; ++sweep) {
     for (Constraint& c : constraints_)
-      if (!is_inactive(c)) update_impulse(c, c.lumped_mass);
+      if (!is_inactive(c)) update_impulse(c, c.lumped_mass, pass);
     for (Constraint& c : constraints_)
       if (!is_inactive(c)) distribute(c, c.impulse_change);
   }
@@ -146,7 +146,7 @@ void FaceSolver<Dim>::solve(ContactPass pass) {
     for (std::size_t k = 0; k < constraints_.size(); ++k) {
       Constraint& c = constraints_[sweep % 2 == 0 ? k : constraints_.size() - 1 - k];
       if (is_inactive(c)) continue;
-      update_impulse(c, c.effective_mass);
+      update_impulse(c, c.effective_mass, pass);
       distribute(c, c.impulse_change);
       change += c.impulse_change.squaredNorm(), size += c.pair->impulse.squaredNorm();
     }

@@ -67,7 +67,7 @@ class FaceSolver {
   void add_image(const ContactPair& pair, const ContactMember& member, const Index<Dim>& index);
   template <class Value>
   Vec3 weighted_sum(const Constraint& c, Value&& value) const;
-  void update_impulse(Constraint& c, double mass);
+  void update_impulse(Constraint& c, double mass, ContactPass pass);
   void distribute(const Constraint& c, const Vec3& impulse);
   void solve(ContactPass pass);
 

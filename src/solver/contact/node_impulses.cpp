@@ -20,7 +20,7 @@ void NodeImpulses<Dim>::apply(double dt, ContactPass pass) {
       if (pass == ContactPass::corrector) m.start_velocity -= dt * Eigen::Map<const Vec3>(at.acceleration);
     }
     for (std::size_t p = node.first_pair; p < node.end_pair; ++p) pairs[p].state.dt = dt;
-    solve_node(members, contacts_.pairs_of(node), pass == ContactPass::corrector, false);
+    solve_node(members, contacts_.pairs_of(node), pass, false);
     for (std::size_t p = node.first_pair; p < node.end_pair; ++p)
       for (const auto& [i, sign] : {std::pair{pairs[p].a, 1.0}, std::pair{pairs[p].b, -1.0}}) {
         Node& at = system_.fields[members[i].field].nodes[static_cast<std::size_t>(members[i].node)];
@@ -63,7 +63,7 @@ void NodeImpulses<Dim>::constrain_increments(ContactPass pass) {
       m.trial_velocity += increment(m);
       increment(m) = -before;
     }
-    solve_node(members, pairs, pass == ContactPass::corrector, true);
+    solve_node(members, pairs, pass, true);
     for (std::size_t i = node.first_member; i < node.end_member; ++i)
       if (members[i].inverse_mass > 0.0) increment(members[i]) += velocity_after(members, pairs, i);
   });

@@ -19,7 +19,7 @@ Vec3 velocity_after(std::span<const ContactMember> members, std::span<const Cont
   return v;
 }
 
-void solve_node(std::span<const ContactMember> members, std::span<ContactPair> pairs, bool interfaces,
+void solve_node(std::span<const ContactMember> members, std::span<ContactPair> pairs, ContactPass pass,
                 bool warm_start) {
   if (!warm_start)
     for (ContactPair& pair : pairs) pair.impulse.setZero(), pair.response = {};
@@ -28,13 +28,14 @@ void solve_node(std::span<const ContactMember> members, std::span<ContactPair> p
     double change = 0.0, size = 0.0;
     for (std::size_t k = 0; k < count; ++k) {
       ContactPair& pair = pairs[sweep % 2 == 0 ? k : count - 1 - k];
-      if (pair.has_no_face || pair.replaced_by_joint || (!interfaces && pair.law->is_interface())) continue;
+      if (pair.has_no_face || pair.replaced_by_joint || (pass == ContactPass::predictor && pair.law->is_interface()))
+        continue;
       ContactState& m = pair.state;
       // The law reads the relative velocity without the impulse of its own pair.
       m.velocity =
           velocity_after(members, pairs, pair.b) - velocity_after(members, pairs, pair.a) + pair.impulse / m.mass;
       m.start = members[pair.b].start_velocity - members[pair.a].start_velocity;
-      pair.response = pair.law->response(m);
+      pair.response = response_of(pair, pass);
       change += (pair.response.impulse - pair.impulse).squaredNorm();
       size +=
           pair.response.impulse.squaredNorm() + pair.impulse.squaredNorm() + m.mass * m.mass * m.velocity.squaredNorm();

@@ -2,7 +2,7 @@
 /// Contact impulses between all pairs of fields at one node.
 #pragma once
 
-#include "solver/state/contact_pair.hpp"
+#include "solver/contact/contact_nodes.hpp"
 
 #include <cstddef>
 #include <span>
@@ -21,7 +21,9 @@ Vec3 velocity_after(std::span<const ContactMember> members, std::span<const Cont
 /// frictionless laws the result minimises the kinetic energy under the constraint that no gap closes further.
 ///
 /// `members`: their trial and start velocities, masses. `pairs`: in, ContactState without velocities; out, impulse and
-/// response. `interfaces`: imperfect interfaces act, too. `warm_start`: begin with the present impulses, not with zero.
-void solve_node(std::span<const ContactMember> members, std::span<ContactPair> pairs, bool interfaces, bool warm_start);
+/// response. `pass`: imperfect interfaces act in the corrector only, see also response_of. `warm_start`: begin with the
+/// present impulses, not with zero.
+void solve_node(std::span<const ContactMember> members, std::span<ContactPair> pairs, ContactPass pass,
+                bool warm_start);
 
 }  // namespace tribo

@@ -30,6 +30,7 @@ struct ContactPair {
   ContactResponse response;            ///< last contact response of the law
   Vec3 update_impulse = Vec3::Zero();  ///< contact impulse of the last momentum update   [mass velocity]
   ContactStatus update_status = ContactStatus::open;  ///< contact status in the last momentum update
+  bool stuck = false;                                 ///< friction held the faces in the last momentum update
   double friction_work = 0.0;      ///< energy dissipated by sliding in the last momentum update       [energy]
   bool has_no_face = false;        ///< no common face was found at this node, so no impulse acts
   bool replaced_by_joint = false;  ///< a joint acts here in place of the contact law
