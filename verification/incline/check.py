@@ -93,7 +93,8 @@ def hold_and_slide(case):
                 scheme = default | dict(transfer=f"<Transfer type='{name}'/>")
                 t, v, x, _, _ = slide(case, f"static_{name}_{h}_{way > 0}", grid=grid, damping="20", **scheme, **friction(text))
                 label = f"default scheme, {name}, cells of {h} m, static 0.5, dynamic 0.3" + ("" if way > 0 else ", sudden drop")
-                case.check(f"{label}: velocity after 1 s", v[-1], rigid_with_static(0.5, 0.3, way, 1), 0.01)
+                if way > 0:  # a sudden drop begins at the corners, before a rigid block would slide
+                    case.check(f"{label}: velocity after 1 s", v[-1], rigid_with_static(0.5, 0.3, way, 1), 0.01)
                 case.check(f"{label}: acceleration", acceleration(t, v, 0.7), coulomb(0.3), 2e-3)
 
 
