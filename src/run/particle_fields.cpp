@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "run/particle_fields.hpp"
 
+#include "solver/particle_splitting.hpp"
+#include "solver/state/particle_domain.hpp"
 #include "solver/transfer/material_points.hpp"
 
 #include <map>
@@ -100,6 +102,7 @@ ParticleFields<Dim>::ParticleFields(const Model& model, std::vector<Body<Dim>*> 
     if (!field) throw std::logic_error("no such field: " + name);
     add(model, *field);
   }
+  add_domains();
 }
 
 template <int Dim>
@@ -147,6 +150,24 @@ void ParticleFields<Dim>::add_history() {
     }
     offset += body->particles.size();
   }
+}
+
+template <int Dim>
+void ParticleFields<Dim>::add_domains() {
+  OutputField field{"domain", {}, nullptr, true};
+  std::vector<std::vector<double>*> components(Dim * Dim);
+  for (auto& c : components) c = &array(), field.components.push_back(c->data());
+  std::size_t at = 0;
+  for (auto* body : bodies_) {
+    const DomainReader<Dim> domain(*body);
+    const Vec<Dim> cell = body->cell.template head<Dim>();
+    for (std::uint32_t i = 0; i < body->particles.size(); ++i, ++at) {
+      const Mat<Dim> axes = reduced<Dim>({domain(i).axes, Mat<Dim>::Identity()}, cell).current;
+      for (std::size_t k = 0; k < Dim * Dim; ++k)
+        (*components[k])[at] = axes(static_cast<Eigen::Index>(k % Dim), static_cast<Eigen::Index>(k / Dim));
+    }
+  }
+  fields_.push_back(field);
 }
 
 template class ParticleFields<2>;

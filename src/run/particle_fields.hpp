@@ -10,7 +10,8 @@
 
 namespace tribo {
 
-/// Values of all particles of some bodies, one body after the other, as the files need them.
+/// Values of all particles of some bodies, one body after the other, as the files need them. The field `domain` is
+/// always there: the half axes of the domains, one after the other, in the reduced basis of the lattice of particles.
 template <int Dim>
 class ParticleFields {
  public:
@@ -26,6 +27,7 @@ class ParticleFields {
   void add_integer(const ParticleField& field);
   void add_numbers(const ParticleField& field);
   void add_history();
+  void add_domains();
   std::vector<double>& array() { return arrays_.emplace_back(count_, 0.0); }
 
   std::vector<Body<Dim>*> bodies_;

@@ -245,15 +245,28 @@ std::optional<Box> box_in(const Frame& frame) {
   return box;
 }
 
+// The corners of the boxes around the domains.
+std::optional<Box> box_in_domains(const ParticleFrame& frame) {
+  auto box = box_in(frame);
+  for (std::size_t i = 0; i < frame.domains.size(); ++i)
+    for (std::size_t d = 0; d < 3; ++d) {
+      double reach = 0;
+      for (const auto& axis : frame.domains[i]) reach += std::abs(axis[d]);
+      (*box)[0][d] = std::min((*box)[0][d], frame.position[i][d] - reach);
+      (*box)[1][d] = std::max((*box)[1][d], frame.position[i][d] + reach);
+    }
+  return box;
+}
+
 }  // namespace
 
 Box box_of(const ParticleFrame& frame) {
-  if (const auto box = box_in(frame)) return *box;
+  if (const auto box = box_in_domains(frame)) return *box;
   throw FileError("the file holds no particles");
 }
 
 Box box_of(const Scene& scene) {
-  const auto blocks = box_in(scene.blocks), particles = box_in(scene.particles);
+  const auto blocks = box_in(scene.blocks), particles = box_in_domains(scene.particles);
   if (!blocks) return box_of(scene.particles);
   return particles ? joined(*particles, *blocks) : *blocks;
 }
@@ -266,6 +279,42 @@ Box joined(const Box& a, const Box& b) {
 
 namespace {
 
+// The domains of the particles as parallelograms, or as the sides of parallelepipeds that face the eye.
+void draw_domains(Canvas& canvas, const ParticleFrame& frame, const Camera& eye, bool flat,
+                  const std::function<Colour(std::size_t)>& colour) {
+  for (std::size_t i = 0; i < frame.count(); ++i) {
+    const Vec3 x = eye.project(frame.position[i]);
+    std::array<Vec3, 3> axes;
+    for (std::size_t k = 0; k < 3; ++k) axes[k] = eye.project(frame.domains[i][k]);
+    const auto side = [&](const Vec3& centre, const Vec3& a, const Vec3& b) {
+      canvas.polygon({centre - a - b, centre + a - b, centre + a + b, centre - a + b}, colour(i), !flat, false);
+    };
+    if (flat) {
+      side(x, axes[0], axes[1]);
+      continue;
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3 &a = axes[(k + 1) % 3], &b = axes[(k + 2) % 3], normal = a.cross(b);
+      side(normal.dot(axes[k]) * normal[2] > 0 ? Vec3(x + axes[k]) : Vec3(x - axes[k]), a, b);
+    }
+  }
+}
+
+// The median width of the domains [length].
+double width_of(const std::vector<HalfAxes>& domains) {
+  std::vector<double> widths;
+  for (const HalfAxes& axes : domains) {
+    Mat3 m;
+    for (int k = 0; k < 3; ++k) m.col(k) = Vec3::Map(axes[static_cast<std::size_t>(k)].data());
+    const bool plane = m.col(2).isZero();
+    if (plane) m(2, 2) = 1;
+    widths.push_back(2 * std::pow(std::abs(m.determinant()), plane ? 0.5 : 1.0 / 3));
+  }
+  const auto middle = widths.begin() + static_cast<std::ptrdiff_t>(widths.size() / 2);
+  std::nth_element(widths.begin(), middle, widths.end());
+  return widths.empty() ? 0.0 : *middle;
+}
+
 // Polygons of blocks, and strokes along the edges of facets whose bond broke.
 void draw_blocks(Canvas& canvas, const Scene& scene, const Camera& eye, bool space, double size,
                  const std::function<Colour(std::size_t)>& colour) {
@@ -274,7 +323,8 @@ void draw_blocks(Canvas& canvas, const Scene& scene, const Camera& eye, bool spa
     for (const auto k : frame.cells[c]) out.push_back(eye.project(frame.position[k]));
     return out;
   };
-  for (std::size_t c = 0; c < scene.blocks.count(); ++c) canvas.polygon(corners(scene.blocks, c), colour(c), space);
+  for (std::size_t c = 0; c < scene.blocks.count(); ++c)
+    canvas.polygon(corners(scene.blocks, c), colour(c), space, true);
   const auto* broke = scene.contacts.field("broke");
   constexpr Colour torn{214, 39, 40}, sheared{31, 90, 200};
   for (std::size_t c = 0; broke && c < scene.contacts.count(); ++c) {
@@ -301,7 +351,12 @@ std::string picture(const Scene& scene, const PictureOptions& options) {
   const std::string view = !options.view.empty() ? options.view : flat ? "xy" : "iso";
   const Camera eye = camera(view);
   const bool axes = !eye.right_name.empty();
-  const double spacing = spacing_of(frame.position), radius = flat ? 0.54 * spacing : 0.62 * spacing;
+  const bool domains = !frame.domains.empty();
+  const double spacing = domains ? width_of(frame.domains) : spacing_of(frame.position);
+  // Domains leave narrow slits where the deformation varies, and where rotations are not kept.
+  const double slit = (domains ? 0.25 : 0.45) * spacing;
+  // Around domains there is twice the width of a slit, so that nothing is filled at the edge of the picture.
+  const double radius = domains ? (flat ? 2 * slit : 0.0) : flat ? 0.54 * spacing : 0.62 * spacing;
   Box box = options.box.value_or(particles);
   for (std::size_t d = 0; d < 3; ++d)
     if (d < 2 || !flat) box[0][d] -= radius, box[1][d] += radius;
@@ -314,9 +369,12 @@ std::string picture(const Scene& scene, const PictureOptions& options) {
     if (std::isnan(v)) return Colour{186, 184, 178};  // stone
     return shade.integers ? distinct(static_cast<int>(v) - 1) : viridis((v - range[0]) / (range[1] - range[0]));
   };
-  for (std::size_t i = 0; i < frame.count(); ++i)
-    canvas.particle(eye.project(frame.position[i]), radius, colour(i), !flat);
-  if (flat && frame.count() > 0) canvas.close_gaps(0.45 * spacing);
+  if (domains)
+    draw_domains(canvas, frame, eye, flat, colour);
+  else
+    for (std::size_t i = 0; i < frame.count(); ++i)
+      canvas.particle(eye.project(frame.position[i]), radius, colour(i), !flat);
+  if (flat && frame.count() > 0) canvas.close_gaps(slit);
   const double size = std::max(particles[1][0] - particles[0][0], particles[1][1] - particles[0][1]);
   draw_blocks(canvas, scene, eye, !flat, size, [&](std::size_t c) { return colour(frame.count() + c); });
   const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, l.picture_width, l.picture_height));

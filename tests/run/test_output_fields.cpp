@@ -99,6 +99,30 @@ TEST_CASE("every field of the table can be written", "[output]") {
                                                                "history"});
 }
 
+TEST_CASE("particle files carry the half axes of the domains in the reduced basis", "[output]") {
+  const Model model = two_layers();
+  auto system = build_system<2>(model, layers_of(model));
+  auto& body = system.bodies[0];
+  REQUIRE(body.particles.has_deformation());
+  // Shear by 5.25: the reduced basis has the shear 5.25 - 5 of the square lattice.
+  const Vec<2> half = body.uniform_half_size;
+  REQUIRE(half[0] == Approx(half[1]));
+  Mat3 F = Mat3::Identity();
+  F(0, 1) = 5.25;
+  store_full<2>(F, body.particles.F(), 3);
+  const ParticleFields<2> fields(model, {&body}, {"velocity"});
+  const OutputField& domain = fields.fields().back();
+  CHECK(domain.name == "domain");
+  CHECK(domain.single);
+  REQUIRE(domain.components.size() == 4);
+  const auto component = [&](std::size_t k, std::size_t i) { return domain.components[k][i]; };
+  const std::array<double, 4> box{half[0], 0, 0, half[1]}, sheared{half[0], 0, 0.25 * half[0], half[1]};
+  for (std::size_t k = 0; k < 4; ++k) {
+    CHECK(component(k, 2) == Approx(box[k]));
+    CHECK(component(k, 3) == Approx(sheared[k]).margin(1e-12));
+  }
+}
+
 TEST_CASE("principal stresses are written in descending order", "[output]") {
   // Turned by 30 degrees about z from principal values 5, -3 in the plane and 1 along z
   struct Particle final : ParticleState {

@@ -121,6 +121,64 @@ TEST_CASE("a picture shows particles where they are, in the colours of their val
   CHECK(m.at(64 + 0.5 * (m.width - 182), 36 + 0.25 * (m.height - 80)) == distinct(1));
 }
 
+TEST_CASE("domains are drawn where they are, with their area and without holes", "[view]") {
+  // Two particles at a distance of 3 and 1.5 high, sheared by 0.5: together a parallelogram of the area 9
+  ParticleFrame frame;
+  frame.position = {{0, 0, 0}, {3, 0, 0}};
+  frame.fields = {{"material", 1, true, {1, 2}}};
+  const HalfAxes axes{{{1.5, 0, 0}, {0.375, 0.75, 0}, {0, 0, 0}}};
+  frame.domains = {axes, axes};
+  const auto box = box_of(frame);
+  CHECK(box[0] == std::array<double, 3>{-1.875, -0.75, 0});
+  CHECK(box[1] == std::array<double, 3>{4.875, 0.75, 0});
+
+  PictureOptions options;
+  options.field = "material", options.width = 1200;
+  const Pixels p = read_png(picture(frame, options));
+  // The sheet: the box, half the width of a domain around it and 2 % of its width, after 64 pixels on the left, with
+  // 118 on the right.
+  const double around = 0.5 * std::sqrt(4.5), margin = around + 0.02 * (6.75 + 2 * around);
+  const double scale = (1200 - 182) / (6.75 + 2 * margin);
+  const double x0 = 64 + (1.875 + margin) * scale, y0 = 36 + (0.75 + margin) * scale;
+  const auto at = [&](double x, double y) { return p.at(x0 + x * scale, y0 - y * scale); };
+  CHECK(at(-1.0, -0.6) == distinct(0));
+  CHECK(at(1.7, 0.7) == distinct(0));   // sheared to the right above, by 0.5 times the height
+  CHECK(at(1.3, -0.7) == distinct(1));  // and to the left below
+  CHECK(at(4.7, 0.7) == distinct(1));
+  CHECK(at(-1.6, 0.6) == Colour{255, 255, 255});
+  CHECK(at(4.6, -0.6) == Colour{255, 255, 255});
+  for (const int k : {0, 1}) CHECK(count(p, distinct(k)) == Approx(4.5 * scale * scale).epsilon(0.02));
+  // No pixel between the two is empty.
+  for (double x = -1.2; x < 4.2; x += 0.01) CHECK(at(x, 0) != Colour{255, 255, 255});
+
+  // Matter that is a particle apart stays apart.
+  frame.position[1][0] = 6;
+  const Pixels apart = read_png(picture(frame, options));
+  for (const int k : {0, 1}) CHECK(count(apart, distinct(k)) > 1000);
+  const double border = around + 0.02 * (9.75 + 2 * around), wide = (1200 - 182) / (9.75 + 2 * border);
+  CHECK(apart.at(64 + (1.875 + border + 3) * wide, 36 + (0.75 + border) * wide) == Colour{255, 255, 255});
+}
+
+TEST_CASE("in space, domains are boxes whose nearer sides hide the others", "[view]") {
+  ParticleFrame frame;
+  frame.position = {{0, 0, 0}, {0, 0, 2}};
+  frame.fields = {{"material", 1, true, {1, 2}}};
+  frame.domains.assign(2, HalfAxes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}});
+  PictureOptions options;
+  options.field = "material", options.view = "xy";  // the eye is at +z
+  const auto bluish = [](const Colour& c) { return c[2] > 1.3 * c[0]; };
+  const auto blue = [&] {
+    const Pixels p = read_png(picture(frame, options));
+    return std::count_if(p.colours.begin(), p.colours.end(), bluish);
+  };
+  CHECK(blue() < 1000);  // the nearer box hides the other; the list of names has a blue square
+  frame.domains[0][2] = {0, 0, 4};
+  CHECK(blue() > 100000);
+  // A box of the other orientation shows the same sides.
+  frame.domains[0][2] = {0, 0, -4};
+  CHECK(blue() > 100000);
+}
+
 TEST_CASE("in space, the nearer ball hides the farther one", "[view]") {
   ParticleFrame frame = small_frame();
   frame.position = {{0, 0, 0}, {0, 0, 5}, {8, 0, 0}, {8, 0, 5}, {0, 8, 0}, {0, 8, 5}};
