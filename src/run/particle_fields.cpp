@@ -5,6 +5,8 @@
 #include "solver/state/particle_domain.hpp"
 #include "solver/transfer/material_points.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 #include <stdexcept>
 
@@ -86,9 +88,28 @@ bool has_what_it_needs(const Model& model, const ParticleField& field) {
 }  // namespace
 
 template <int Dim>
+Mat<Dim> limited(Mat<Dim> axes, const Vec<Dim>& cell) {
+  constexpr double longest = 1.5;
+  const Mat<Dim> to_cells = cell.cwiseInverse().asDiagonal();
+  const auto edge = [&](int k) { return 2 * (to_cells * axes.col(k)).norm(); };
+  std::array<bool, Dim> full{};
+  for (int pass = 0; pass < Dim; ++pass) {
+    double lost = 1;
+    for (int k = 0; k < Dim; ++k)
+      if (edge(k) > longest)
+        lost *= edge(k) / longest, axes.col(k) *= longest / edge(k), full[static_cast<std::size_t>(k)] = true;
+    const auto others = std::count(full.begin(), full.end(), false);
+    if (lost == 1 || others == 0) break;
+    for (int k = 0; k < Dim; ++k)
+      if (!full[static_cast<std::size_t>(k)]) axes.col(k) *= std::pow(lost, 1.0 / static_cast<double>(others));
+  }
+  return axes;
+}
+
+template <int Dim>
 ParticleFields<Dim>::ParticleFields(const Model& model, std::vector<Body<Dim>*> bodies,
                                     const std::vector<std::string>& names)
-    : bodies_(std::move(bodies)) {
+    : bodies_(std::move(bodies)), limits_(model.scheme.kernel != Kernel::cpdi) {
   for (const auto* body : bodies_) count_ += body->particles.size();
   for (std::size_t d = 0; d < 3; ++d) {
     auto& a = array();
@@ -162,7 +183,8 @@ void ParticleFields<Dim>::add_domains() {
     const DomainReader<Dim> domain(*body);
     const Vec<Dim> cell = body->cell.template head<Dim>();
     for (std::uint32_t i = 0; i < body->particles.size(); ++i, ++at) {
-      const Mat<Dim> axes = reduced<Dim>({domain(i).axes, Mat<Dim>::Identity()}, cell).current;
+      Mat<Dim> axes = reduced<Dim>({domain(i).axes, Mat<Dim>::Identity()}, cell).current;
+      if (limits_) axes = limited<Dim>(axes, cell);
       for (std::size_t k = 0; k < Dim * Dim; ++k)
         (*components[k])[at] = axes(static_cast<Eigen::Index>(k % Dim), static_cast<Eigen::Index>(k / Dim));
     }
@@ -170,6 +192,8 @@ void ParticleFields<Dim>::add_domains() {
   fields_.push_back(field);
 }
 
+template Mat<2> limited(Mat<2>, const Vec<2>&);
+template Mat<3> limited(Mat<3>, const Vec<3>&);
 template class ParticleFields<2>;
 template class ParticleFields<3>;
 

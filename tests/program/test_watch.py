@@ -57,7 +57,16 @@ with tempfile.TemporaryDirectory() as folder:
     subprocess.run([tribo, "render", "short", "-o", "film", "--width", "400"], check=True, stdout=subprocess.DEVNULL)
     frames = len(re.findall("<DataSet", open("short/run.pvd").read()))
     check(len([f for f in os.listdir("film") if f.endswith(".png")]) == frames, "a picture for every file")
-    check(os.path.exists("film.mp4") == bool(shutil.which("ffmpeg")), "a film if ffmpeg is there")
+    check(os.path.exists("film/von_mises.mp4") == bool(shutil.which("ffmpeg")), "a film if ffmpeg is there")
+
+    before = {f: os.path.getmtime("film/" + f) for f in os.listdir("film")}
+    subprocess.run([tribo, "render", "short", "-o", "film", "--field", "velocity.x", "--time", "1e9", "--width", "400"], check=True, stdout=subprocess.DEVNULL)
+    check(set(os.listdir("film")) - set(before) == {f"velocity.x_{frames - 1:05d}.png"}, "a picture has the field and the number of its file")
+    check(all(os.path.getmtime("film/" + f) == t for f, t in before.items()), "a picture of another field replaces none")
+    open("few.xml", "w").write(re.sub(r"<Output\b.*?(/>|</Output>)", "", deck, flags=re.S).replace("</MPMHeader>", "<Output fields='velocity'/></MPMHeader>"))
+    check(subprocess.run([tribo, "run", "--quiet", "-o", "few", "few.xml"]).returncode == 0, "a run that writes velocities only")
+    subprocess.run([tribo, "render", "few", "--time", "0", "--width", "400"], check=True, stdout=subprocess.DEVNULL)
+    check(os.listdir("few/pictures") == ["velocity_00000.png"], "without von_mises another field is drawn")
 
     blocks = subprocess.run([tribo, "run", "--quiet", "-o", "blocks", source + "/input/examples/direct_tension.xml"])
     check(blocks.returncode == 0, "a run of blocks")

@@ -98,6 +98,86 @@ TEST_CASE("the range leaves outliers out and is never empty", "[view]") {
   CHECK(range_of({})[1] > range_of({})[0]);
 }
 
+TEST_CASE("a constant field has a range around its value with ticks", "[view]") {
+  for (const double value : {0.0, 5.0, -3e7, 2e-9}) {
+    const Range range = range_of(std::vector<double>(20, value));
+    CHECK(0.5 * (range[0] + range[1]) == Approx(value).margin(1e-300));
+    CHECK(range[1] - range[0] == Approx(value == 0 ? 2 : std::abs(value)));
+    CHECK(ticks(range[0], range[1], 4).size() >= 2);
+  }
+  // Rounding is no variation, a millionth is the limit.
+  CHECK(range_of({1.0, 1.0 + 1e-9})[1] == Approx(1.5));
+  CHECK(range_of({1.0, 1.0 + 1e-5, 1.0 + 1e-5})[1] < 1.1);
+}
+
+TEST_CASE("without a chosen field one is drawn that the run has", "[view]") {
+  Scene scene;
+  scene.particles = small_frame();
+  CHECK(default_field(scene) == "von_mises");
+  auto& fields = scene.particles.fields;
+  fields.erase(fields.begin());
+  CHECK(default_field(scene) == "velocity");
+  fields.erase(fields.begin());
+  CHECK(default_field(scene) == "material");
+  fields.push_back({"plastic_strain", 1, false, std::vector<double>(6, 1.0)});
+  CHECK(default_field(scene) == "plastic_strain");
+  fields = {{"stress", 6, false, std::vector<double>(36, 1.0)}};
+  CHECK(default_field(scene) == "stress.xx");
+  CHECK(picture(scene, {}).size() > 1000);
+  fields.clear();
+  CHECK_THROWS_AS(default_field(scene), UsageError);
+}
+
+TEST_CASE("units and names of materials of a run are read from its record", "[view]") {
+  const ScratchFolder scratch;
+  std::ofstream(scratch.path / "run.pvd") << "";
+  std::ofstream(scratch.path / "provenance.json")
+      << R"({"model": {"unit of time": "s", "unit of length": "m"}, "materials": ["clay", "sand"],
+             "unit_of": {"stress": "Pa", "velx:clay": "m/s"}})";
+  const Legend legend = RunFolder(scratch.path).legend();
+  CHECK(legend.time == "s");
+  CHECK(legend.length == "m");
+  CHECK(legend.materials == std::vector<std::string>{"clay", "sand"});
+  CHECK(legend.unit_of("stress.xy") == "Pa");
+  CHECK(legend.unit_of("velx:clay") == "m/s");
+  CHECK(legend.unit_of("volume_ratio").empty());
+  // Records of earlier versions have none.
+  std::ofstream(scratch.path / "provenance.json") << "{}";
+  CHECK(RunFolder(scratch.path).legend().unit_of("stress").empty());
+
+  // The charts of the report have the units.
+  std::ofstream(scratch.path / "provenance.json")
+      << R"({"model": {"unit of time": "s"}, "unit_of": {"velx:clay": "m/s", "kinetic": "J"}})";
+  std::ofstream(scratch.path / "history.csv") << "time,velx:clay,bonds\n0,1,2\n1,2,2\n";
+  std::ofstream(scratch.path / "energy.csv") << "time,kinetic,residual\n0,1,0\n1,2,0\n";
+  const std::string charts = report_charts(RunFolder(scratch.path));
+  for (const char* text : {"velx [m/s]<", "bonds<", "time [s]<", "energies [J]<"})
+    CHECK(charts.find(text) != std::string::npos);
+}
+
+TEST_CASE("materials have their names beside the picture", "[view]") {
+  // The names are text in a grey that no particle has: more letters, more dark pixels on the right.
+  PictureOptions options;
+  options.field = "material";
+  const auto dark = [&] {
+    const Pixels p = read_png(picture(small_frame(), options));
+    int n = 0;
+    for (int y = 36; y < p.height; ++y)
+      for (int x = p.width - 84; x < p.width; ++x) n += p.at(x, y)[0] < 128 && p.at(x, y)[2] < 128;
+    return n;
+  };
+  const int numbers = dark();
+  options.materials = {"clay", "gravel"};
+  const int names = dark();
+  CHECK(names > 2 * numbers);
+  options.materials = {"clay"};  // the second has no name
+  CHECK(dark() < names);
+  CHECK(dark() > numbers);
+  options.materials = {"clay", "a very long name of a material that does not fit beside it"};
+  const Pixels p = read_png(picture(small_frame(), options));
+  for (int y = 36; y < p.height; ++y) CHECK(p.at(p.width - 2, y) == Colour{255, 255, 255});
+}
+
 TEST_CASE("a picture shows particles where they are, in the colours of their values", "[view]") {
   const ParticleFrame frame = small_frame();
   PictureOptions options;
@@ -135,9 +215,9 @@ TEST_CASE("domains are drawn where they are, with their area and without holes",
   PictureOptions options;
   options.field = "material", options.width = 1200;
   const Pixels p = read_png(picture(frame, options));
-  // The sheet: the box, half the width of a domain around it and 2 % of its width, after 64 pixels on the left, with
-  // 118 on the right.
-  const double around = 0.5 * std::sqrt(4.5), margin = around + 0.02 * (6.75 + 2 * around);
+  // The sheet: the box, 0.8 times the width of a domain around it and 2 % of its width, after 64 pixels on the left,
+  // with 118 on the right.
+  const double around = 0.8 * std::sqrt(4.5), margin = around + 0.02 * (6.75 + 2 * around);
   const double scale = (1200 - 182) / (6.75 + 2 * margin);
   const double x0 = 64 + (1.875 + margin) * scale, y0 = 36 + (0.75 + margin) * scale;
   const auto at = [&](double x, double y) { return p.at(x0 + x * scale, y0 - y * scale); };
