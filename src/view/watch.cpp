@@ -109,8 +109,9 @@ class Answers {
     return state;
   }
 
-  // A line of JSON, then what it counts as 32-bit numbers: places and values of particles, places of the corners of
-  // blocks, their values, and for each block the number of its corners and which; the same of faces whose bonds broke.
+  // A line of JSON, then what it counts as 32-bit numbers: places and values of particles, nine components of their
+  // half axes if the file has domains, places of the corners of blocks, their values, and for each block the number of
+  // its corners and which; the same of faces whose bonds broke.
   std::string frame(std::size_t k, const std::string& field) const {
     const Scene scene = run_.scene(entry(k));
     const Shade shade = shade_of(scene, field.empty() ? default_field(scene) : field);
@@ -121,6 +122,7 @@ class Answers {
     Numbers body;
     body.places(scene.particles.position);
     body.floats(shade.values.begin(), shade.values.begin() + count);
+    for (const HalfAxes& axes : scene.particles.domains) body.places({axes.begin(), axes.end()});
     body.places(blocks.position);
     body.floats(shade.values.begin() + count, shade.values.end());
     body.cells(blocks);
@@ -132,6 +134,7 @@ class Answers {
     };
     const Json head{{"time", scene.time},
                     {"count", count},
+                    {"domains", !scene.particles.domains.empty()},
                     {"blocks", sizes(blocks)},
                     {"torn", sizes(torn)},
                     {"sheared", sizes(sheared)},

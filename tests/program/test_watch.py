@@ -95,9 +95,11 @@ with tempfile.TemporaryDirectory() as folder:
         frame = get("frame/0?field=velocity.x")
         head = json.loads(frame[: frame.index(b"\n")])
         body = frame[frame.index(b"\n") + 1 :]
-        check(len(body) == 16 * head["count"] and head["flat"] and "stress.xy" in head["fields"], "a frame")
-        speeds = set(struct.unpack(f"<{head['count']}f", body[12 * head["count"] :]))
+        check(head["domains"] and len(body) == 52 * head["count"] and head["flat"] and "stress.xy" in head["fields"], "a frame")
+        speeds = set(struct.unpack(f"<{head['count']}f", body[12 * head["count"] : 16 * head["count"]]))
         check(speeds == {2500.0, -2500.0}, "its values")
+        axes = struct.unpack("<9f", body[16 * head["count"] : 16 * head["count"] + 36])
+        check(abs(axes[0] * axes[4] - axes[1] * axes[3]) > 0 and not any(axes[6:]), "the half axes of a domain in the plane")
         check(get("picture/0")[:8] == b"\x89PNG\r\n\x1a\n", "a picture")
         check(b"<svg" in get("charts"), "charts")
         check(code_of("frame/999999") == 400 and code_of("frame/0?field=nothing") == 400, "what is not there")
