@@ -20,7 +20,7 @@ struct Arguments {
   std::vector<std::string> settings;  ///< name=value
   std::string keyword;
   bool markdown = false, names = false;
-  std::string field = "von_mises", view;
+  std::string field, view;  ///< empty: chosen by the run
   std::vector<double> times, range;
   int width = 900, rate = 20, port = 0;
   std::string command_line;

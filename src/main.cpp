@@ -94,7 +94,7 @@ class CommandLine {
     auto* render = add("render", "draw the particles of a run, as pictures and a film", render_command);
     render->add_option("DIR", a.folder, "folder of the run")->required();
     render->add_option("-o,--output", a.output,
-                       "folder of the pictures; the film has the same name with .mp4 (default: DIR/pictures)");
+                       "folder of the pictures FIELD_NUMBER.png and of the film FIELD.mp4 (default: DIR/pictures)");
     shows_field(render);
     render->add_option("--rate", a.rate, "pictures per second of the film (default 20)")->check(CLI::PositiveNumber);
     auto* report = add("report", "write an HTML report of a run: pictures, histories, energies, times", report_command);
@@ -158,8 +158,9 @@ class CommandLine {
         ->check(CLI::PositiveNumber);
   }
   void shows_field(CLI::App* command) {
-    command->add_option("--field", a.field,
-                        "colour by: von_mises (default), velocity, velocity.x, stress.xy, material ...");
+    command->add_option(
+        "--field", a.field,
+        "colour by: von_mises (default if the run has it), velocity, velocity.x, stress.xy, material ...");
     command->add_option("--time", a.times, "draw only the files nearest to these times");
     command->add_option("--range", a.range, "lowest and highest value of the colour scale")->expected(2);
     command->add_option("--view", a.view, "xy, xz, yz, iso (y up) or iso-z");

@@ -6,57 +6,52 @@
 #include "view/report.hpp"
 #include "view/watch.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <map>
 
 namespace tribo {
 namespace {
 
+/// A file of results and its number in the run.
+struct Frame {
+  std::size_t number;
+  CollectionEntry entry;
+};
+
 // All files, or those nearest to the given times.
-std::vector<CollectionEntry> chosen(const std::vector<CollectionEntry>& all, const std::vector<double>& times) {
+std::vector<Frame> chosen(const std::vector<CollectionEntry>& all, const std::vector<double>& times) {
   if (all.empty()) throw FileError("the run has written no particles yet");
-  if (times.empty()) return all;
-  std::vector<CollectionEntry> out;
+  std::vector<Frame> frames;
+  for (std::size_t k = 0; k < all.size(); ++k) frames.push_back({k, all[k]});
+  if (times.empty()) return frames;
+  std::vector<Frame> out;
   for (const double wanted : times) {
     const double t = std::clamp(wanted, all.front().time, all.back().time);
-    out.push_back(*std::min_element(all.begin(), all.end(), [&](const auto& a, const auto& b) {
-      return std::abs(a.time - t) < std::abs(b.time - t);
+    out.push_back(*std::min_element(frames.begin(), frames.end(), [&](const auto& a, const auto& b) {
+      return std::abs(a.entry.time - t) < std::abs(b.entry.time - t);
     }));
   }
   return out;
 }
 
-// The unit of a field, if its name determines its dimension.
-std::string unit_of(const std::string& field, const nlohmann::json& model) {
-  static const std::map<std::string, std::string> dimensions{
-      {"von_mises", "stress"},  {"pressure", "stress"},     {"stress", "stress"}, {"contact_traction", "stress"},
-      {"velocity", "velocity"}, {"displacement", "length"}, {"mass", "mass"}};
-  const auto found = dimensions.find(field.substr(0, field.find('.')));
-  return found == dimensions.end() ? "" : model.value("unit of " + found->second, "");
-}
-
 // The same bounding box and colour range for all pictures.
-PictureOptions common_options(const RunFolder& run, const std::vector<CollectionEntry>& frames, const Arguments& a) {
+PictureOptions common_options(const RunFolder& run, const std::vector<Frame>& frames, const Arguments& a) {
   PictureOptions options;
-  const auto record = nlohmann::json::parse(run.provenance(), nullptr, false);
-  if (record.is_object() && record.contains("model")) {
-    options.unit = unit_of(a.field, record["model"]);
-    options.time_unit = record["model"].value("unit of time", "");
-  }
-  options.field = a.field, options.view = a.view, options.width = a.width;
+  const Legend legend = run.legend();
+  options.field = a.field.empty() ? default_field(run.scene(frames.back().entry)) : a.field;
+  options.unit = legend.unit_of(options.field), options.time_unit = legend.time, options.length_unit = legend.length;
+  options.materials = legend.materials;
+  options.view = a.view, options.width = a.width;
   std::optional<Range> range;
   const std::size_t stride = std::max<std::size_t>(1, frames.size() / 12);
   for (std::size_t k = 0; k < frames.size();
        k = k + 1 < frames.size() ? std::min(k + stride, frames.size() - 1) : k + 1) {
-    const Scene scene = run.scene(frames[k]);
+    const Scene scene = run.scene(frames[k].entry);
     const auto box = box_of(scene);
     options.box = options.box ? joined(*options.box, box) : box;
-    const Range one = range_of(shade_of(scene, a.field).values);
+    const Range one = range_of(shade_of(scene, options.field).values);
     range = range ? Range{std::min((*range)[0], one[0]), std::max((*range)[1], one[1])} : one;
   }
   options.range = a.range.size() == 2 ? Range{a.range[0], a.range[1]} : range;
@@ -84,18 +79,20 @@ int render_command(const Arguments& a) {
   std::error_code refused;
   std::filesystem::create_directories(folder, refused);
   if (refused) throw FileError("cannot create '" + folder.string() + "': " + refused.message());
-  for (std::size_t k = 0; k < frames.size(); ++k) {
+  // Pictures of different fields do not replace each other.
+  for (const auto& [number, entry] : frames) {
     char name[32];
-    std::snprintf(name, sizeof name, "frame_%05zu.png", k);
-    write_atomically(folder / name, picture(run.scene(frames[k]), options));
+    std::snprintf(name, sizeof name, "_%05zu.png", number);
+    write_atomically(folder / (options.field + name), picture(run.scene(entry), options));
   }
   std::printf("%zu pictures in %s\n", frames.size(), folder.c_str());
   if (!a.times.empty()) return done;
-  const std::string film = folder.string() + ".mp4";
+  const std::string film = (folder / (options.field + ".mp4")).string();
   if (!succeeds("command -v ffmpeg"))
     std::printf("no film: ffmpeg is not installed\n");
   else if (succeeds("ffmpeg -y -framerate " + std::to_string(a.rate) + " -i " +
-                    quoted(folder.string() + "/frame_%05d.png") + " -pix_fmt yuv420p " + quoted(film)))
+                    quoted((folder / (options.field + "_%05d.png")).string()) + " -frames:v " +
+                    std::to_string(frames.size()) + " -pix_fmt yuv420p " + quoted(film)))
     std::printf("film: %s\n", film.c_str());
   else
     throw FileError("ffmpeg could not make '" + film + "'");
@@ -113,7 +110,7 @@ int report_command(const Arguments& a) {
   const auto frames = chosen(all, times);
   const PictureOptions options = common_options(run, frames, a);
   std::vector<ReportPicture> pictures;
-  for (const auto& frame : frames) pictures.push_back({frame.time, picture(run.scene(frame), options)});
+  for (const auto& frame : frames) pictures.push_back({frame.entry.time, picture(run.scene(frame.entry), options)});
   const std::filesystem::path file = a.output.empty() ? a.folder / "report.html" : a.output;
   write_atomically(file, report(run, pictures));
   std::printf("%s\n", file.c_str());

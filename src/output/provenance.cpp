@@ -78,6 +78,8 @@ void Provenance::write(const std::string& status, const std::string& reason, dou
   if (status == "running") record["seconds_left"] = progress_.seconds_left, record["process"] = ::getpid();
   for (const auto& [part, seconds] : progress_.seconds_of) record["seconds_of"][part] = seconds;
   for (const auto& [name, value] : facts_) record["model"][name] = value;
+  for (const auto& [name, unit] : units_) record["unit_of"][name] = unit;
+  if (!materials_.empty()) record["materials"] = materials_;
   write_atomically(path_, record.dump(2) + "\n");
 }
 

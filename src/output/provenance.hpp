@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <vector>
 
 namespace tribo {
 
@@ -19,6 +20,10 @@ class Provenance {
   /// Writes the file with a status: running, finished, stopped, failed, and the reason. Throws FileError.
   void write(const std::string& status, const std::string& reason, double time, long step) const;
 
+  /// What pictures and reports write next to numbers: units of fields and columns, and the materials by their number.
+  void set_legend(std::map<std::string, std::string> units, std::vector<std::string> materials) {
+    units_ = std::move(units), materials_ = std::move(materials);
+  }
   /// Progress of the run and its computing time, for the next write().
   struct Progress {
     double end_time = 0.0, step = 0.0;              ///< simulated
@@ -31,7 +36,8 @@ class Provenance {
   std::filesystem::path path_;
   std::string command_line_, input_, input_checksum_, started_;
   int threads_;
-  std::map<std::string, std::string> facts_;
+  std::map<std::string, std::string> facts_, units_;
+  std::vector<std::string> materials_;
   Progress progress_;
 };
 

@@ -9,6 +9,7 @@
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
+#include <vtkFloatArray.h>
 #include <vtkIdList.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
@@ -27,6 +28,25 @@
 namespace tribo {
 namespace {
 
+template <class Array, class Number>
+void add_numbers(vtkDataSetAttributes* data, vtkIdType n, const OutputField& field) {
+  vtkNew<Array> array;
+  const auto components = static_cast<int>(field.components.size());
+  array->SetName(field.name.c_str());
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(n);
+  if (components == 6) {
+    int c = 0;
+    for (const char* label : {"XX", "YY", "ZZ", "XY", "YZ", "XZ"}) array->SetComponentName(c++, label);
+  }
+  Number* to = array->GetPointer(0);
+  for (int c = 0; c < components; ++c) {
+    const double* from = field.components[static_cast<std::size_t>(c)];
+    for (vtkIdType i = 0; i < n; ++i) to[i * components + c] = static_cast<Number>(from ? from[i] : 0.0);
+  }
+  data->AddArray(array);
+}
+
 void add_fields(vtkDataSetAttributes* data, std::size_t count, std::span<const OutputField> fields) {
   const auto n = static_cast<vtkIdType>(count);
   for (const auto& field : fields) {
@@ -38,21 +58,10 @@ void add_fields(vtkDataSetAttributes* data, std::size_t count, std::span<const O
       data->AddArray(array);
       continue;
     }
-    vtkNew<vtkDoubleArray> array;
-    const auto components = static_cast<int>(field.components.size());
-    array->SetName(field.name.c_str());
-    array->SetNumberOfComponents(components);
-    array->SetNumberOfTuples(n);
-    if (components == 6) {
-      int c = 0;
-      for (const char* label : {"XX", "YY", "ZZ", "XY", "YZ", "XZ"}) array->SetComponentName(c++, label);
-    }
-    double* to = array->GetPointer(0);
-    for (int c = 0; c < components; ++c) {
-      const double* from = field.components[static_cast<std::size_t>(c)];
-      for (vtkIdType i = 0; i < n; ++i) to[i * components + c] = from ? from[i] : 0.0;
-    }
-    data->AddArray(array);
+    if (field.single)
+      add_numbers<vtkFloatArray, float>(data, n, field);
+    else
+      add_numbers<vtkDoubleArray, double>(data, n, field);
   }
 }
 
@@ -203,6 +212,21 @@ std::vector<ParticleFrame::Field> fields_of(vtkDataSetAttributes* from) {
   return out;
 }
 
+// The domains are not a field to draw. Four numbers are two vectors in the plane, nine are three in space.
+void take_domains(ParticleFrame& frame) {
+  const auto found = std::find_if(frame.fields.begin(), frame.fields.end(), [](const auto& f) {
+    return f.name == "domain" && (f.components == 4 || f.components == 9);
+  });
+  if (found == frame.fields.end()) return;
+  const std::size_t dimension = found->components == 4 ? 2 : 3;
+  frame.domains.assign(frame.count(), {});
+  auto from = found->values.begin();
+  for (HalfAxes& axes : frame.domains)
+    for (std::size_t k = 0; k < dimension; ++k)
+      for (std::size_t d = 0; d < dimension; ++d) axes[k][d] = *from++;
+  frame.fields.erase(found);
+}
+
 }  // namespace
 
 const ParticleFrame::Field* ParticleFrame::field(std::string_view name) const { return named(fields, name); }
@@ -212,6 +236,7 @@ ParticleFrame read_particles(const std::filesystem::path& path) {
   const auto reader = opened(path);
   auto frame = frame_of<ParticleFrame>(reader->GetOutput());
   frame.fields = fields_of(reader->GetOutput()->GetPointData());
+  take_domains(frame);
   return frame;
 }
 

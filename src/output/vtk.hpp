@@ -18,6 +18,7 @@ struct OutputField {
   std::string name;
   std::vector<const double*> components;
   const std::int64_t* integers = nullptr;  ///< instead of components
+  bool single = false;                     ///< numbers of four bytes each, for fields that only pictures need
 };
 
 /// Writes points as a .vtp with one vertex each, appended and compressed, with the field data TimeValue. Throws
@@ -41,6 +42,9 @@ void write_grid(const std::filesystem::path& path, const std::array<double, 3>& 
                 const std::array<double, 3>& spacing, const std::array<int, 3>& nodes,
                 std::span<const OutputField> fields, double time);
 
+/// Vectors from the centre of a particle's domain to the middles of its sides; in two dimensions the third is zero.
+using HalfAxes = std::array<std::array<double, 3>, 3>;
+
 /// Contents of a particle file.
 struct ParticleFrame {
   struct Field {
@@ -51,6 +55,8 @@ struct ParticleFrame {
   };
   double time = 0.0;
   std::vector<std::array<double, 3>> position;
+  /// Half axes of the domains of the particles, of the array `domain`; empty if the file has none.
+  std::vector<HalfAxes> domains;
   std::vector<Field> fields;
 
   /// The field of this name, or null.

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "run/particle_fields.hpp"
 
+#include "solver/particle_splitting.hpp"
+#include "solver/state/particle_domain.hpp"
 #include "solver/transfer/material_points.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 #include <stdexcept>
 
@@ -84,9 +88,28 @@ bool has_what_it_needs(const Model& model, const ParticleField& field) {
 }  // namespace
 
 template <int Dim>
+Mat<Dim> limited(Mat<Dim> axes, const Vec<Dim>& cell) {
+  constexpr double longest = 1.5;
+  const Mat<Dim> to_cells = cell.cwiseInverse().asDiagonal();
+  const auto edge = [&](int k) { return 2 * (to_cells * axes.col(k)).norm(); };
+  std::array<bool, Dim> full{};
+  for (int pass = 0; pass < Dim; ++pass) {
+    double lost = 1;
+    for (int k = 0; k < Dim; ++k)
+      if (edge(k) > longest)
+        lost *= edge(k) / longest, axes.col(k) *= longest / edge(k), full[static_cast<std::size_t>(k)] = true;
+    const auto others = std::count(full.begin(), full.end(), false);
+    if (lost == 1 || others == 0) break;
+    for (int k = 0; k < Dim; ++k)
+      if (!full[static_cast<std::size_t>(k)]) axes.col(k) *= std::pow(lost, 1.0 / static_cast<double>(others));
+  }
+  return axes;
+}
+
+template <int Dim>
 ParticleFields<Dim>::ParticleFields(const Model& model, std::vector<Body<Dim>*> bodies,
                                     const std::vector<std::string>& names)
-    : bodies_(std::move(bodies)) {
+    : bodies_(std::move(bodies)), limits_(model.scheme.kernel != Kernel::cpdi) {
   for (const auto* body : bodies_) count_ += body->particles.size();
   for (std::size_t d = 0; d < 3; ++d) {
     auto& a = array();
@@ -100,6 +123,7 @@ ParticleFields<Dim>::ParticleFields(const Model& model, std::vector<Body<Dim>*> 
     if (!field) throw std::logic_error("no such field: " + name);
     add(model, *field);
   }
+  add_domains();
 }
 
 template <int Dim>
@@ -149,6 +173,27 @@ void ParticleFields<Dim>::add_history() {
   }
 }
 
+template <int Dim>
+void ParticleFields<Dim>::add_domains() {
+  OutputField field{"domain", {}, nullptr, true};
+  std::vector<std::vector<double>*> components(Dim * Dim);
+  for (auto& c : components) c = &array(), field.components.push_back(c->data());
+  std::size_t at = 0;
+  for (auto* body : bodies_) {
+    const DomainReader<Dim> domain(*body);
+    const Vec<Dim> cell = body->cell.template head<Dim>();
+    for (std::uint32_t i = 0; i < body->particles.size(); ++i, ++at) {
+      Mat<Dim> axes = reduced<Dim>({domain(i).axes, Mat<Dim>::Identity()}, cell).current;
+      if (limits_) axes = limited<Dim>(axes, cell);
+      for (std::size_t k = 0; k < Dim * Dim; ++k)
+        (*components[k])[at] = axes(static_cast<Eigen::Index>(k % Dim), static_cast<Eigen::Index>(k / Dim));
+    }
+  }
+  fields_.push_back(field);
+}
+
+template Mat<2> limited(Mat<2>, const Vec<2>&);
+template Mat<3> limited(Mat<3>, const Vec<3>&);
 template class ParticleFields<2>;
 template class ParticleFields<3>;
 

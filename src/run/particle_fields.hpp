@@ -10,7 +10,15 @@
 
 namespace tribo {
 
-/// Values of all particles of some bodies, one body after the other, as the files need them.
+/// Limits the edges of a domain to 1.5 cells and makes the others longer, up to this length, so that the volume stays:
+/// particles further apart no longer interact, so that a longer domain is a thread which the motion has torn.
+/// `axes`: half axes as columns; `cell`: edges of a cell [length].
+template <int Dim>
+Mat<Dim> limited(Mat<Dim> axes, const Vec<Dim>& cell);
+
+/// Values of all particles of some bodies, one body after the other, as the files need them. The field `domain` is
+/// always there: the half axes of the domains, one after the other, in the reduced basis of the lattice of particles
+/// and limited().
 template <int Dim>
 class ParticleFields {
  public:
@@ -26,10 +34,12 @@ class ParticleFields {
   void add_integer(const ParticleField& field);
   void add_numbers(const ParticleField& field);
   void add_history();
+  void add_domains();
   std::vector<double>& array() { return arrays_.emplace_back(count_, 0.0); }
 
   std::vector<Body<Dim>*> bodies_;
   std::size_t count_ = 0;
+  bool limits_;  ///< CPDI: particles interact as far as their domains reach
   std::array<const double*, 3> positions_{};
   std::vector<OutputField> fields_;
   std::deque<std::vector<double>> arrays_;

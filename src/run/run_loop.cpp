@@ -6,6 +6,7 @@
 #include "output/atomic_file.hpp"
 #include "output/progress.hpp"
 #include "output/provenance.hpp"
+#include "run/result_units.hpp"
 #include "run/schedule.hpp"
 #include "run/signals.hpp"
 
@@ -40,7 +41,11 @@ class RunLoop {
         begin_time_(stepped.time()),
         provenance_(options.folder / "provenance.json", options.command_line, model.file, threads(),
                     facts_of(model, stepped)),
-        progress_(options.quiet, stepped.time(), model.time.end, stepped.moving().first, stepped.moving().second) {}
+        progress_(options.quiet, stepped.time(), model.time.end, stepped.moving().first, stepped.moving().second) {
+    std::vector<std::string> materials;
+    for (const auto& m : model.materials) materials.push_back(m.name);
+    provenance_.set_legend(units_of_results(model), materials);
+  }
 
   Outcome run() {
     report("running", "");

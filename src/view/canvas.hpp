@@ -63,8 +63,8 @@ class Canvas {
       }
   }
 
-  /// A convex polygon with darker edges; in space lighter where it faces the light.
-  void polygon(const std::vector<Vec3>& corners, const Colour& fill, bool space) {
+  /// A convex polygon, with darker edges or without; in space lighter where it faces the light.
+  void polygon(const std::vector<Vec3>& corners, const Colour& fill, bool space, bool edges) {
     Vec3 n = Vec3::Zero();
     for (std::size_t k = 1; k + 1 < corners.size(); ++k)
       n += (corners[k] - corners[0]).cross(corners[k + 1] - corners[0]);
@@ -97,7 +97,7 @@ class Canvas {
         const auto depth =
             static_cast<float>(corners[0][2] - (n[0] * (p[0] - at[0][0]) - n[1] * (p[1] - at[0][1])) / (s * n[2]));
         if (depth < depth_[index(x, y)]) continue;
-        depth_[index(x, y)] = depth, colour_[index(x, y)] = nearest < 0.6 * fine ? edge : inside;
+        depth_[index(x, y)] = depth, colour_[index(x, y)] = edges && nearest < 0.6 * fine ? edge : inside;
       }
   }
 

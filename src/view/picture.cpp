@@ -68,13 +68,30 @@ void write(cairo_t* pen, const std::string& text, double x, double y, Anchor anc
   cairo_show_text(pen, text.c_str());
 }
 
+// Shortens what does not fit, between characters of UTF-8.
+void write_within(cairo_t* pen, std::string text, double x, double y, double end) {
+  cairo_set_font_size(pen, 12);
+  const auto fits = [&](const std::string& t) {
+    cairo_text_extents_t extents;
+    cairo_text_extents(pen, t.c_str(), &extents);
+    return x + extents.x_advance <= end;
+  };
+  if (fits(text)) return write(pen, text, x, y);
+  const auto inside_character = [&] { return (static_cast<unsigned char>(text.back()) & 0xC0U) == 0x80U; };
+  while (!text.empty() && !fits(text + "\u2026")) {
+    while (text.size() > 1 && inside_character()) text.pop_back();
+    text.pop_back();
+  }
+  write(pen, text + "\u2026", x, y);
+}
+
 void line(cairo_t* pen, double x0, double y0, double x1, double y1) {
   cairo_move_to(pen, x0, y0);
   cairo_line_to(pen, x1, y1);
   cairo_stroke(pen);
 }
 
-void draw_axes(cairo_t* pen, const Sheet& l, const Camera& camera) {
+void draw_axes(cairo_t* pen, const Sheet& l, const Camera& camera, const std::string& unit) {
   cairo_set_source_rgb(pen, 0.35, 0.35, 0.35);
   cairo_set_line_width(pen, 1);
   cairo_rectangle(pen, l.left - 0.5, l.top - 0.5, l.width + 1, l.height + 1);
@@ -88,8 +105,9 @@ void draw_axes(cairo_t* pen, const Sheet& l, const Camera& camera) {
     line(pen, l.left - 4, l.y(v), l.left, l.y(v));
     write(pen, short_number(v), l.left - 7, l.y(v) + 4, Anchor::right, 11);
   }
-  write(pen, camera.right_name, l.left + l.width, bottom + 34, Anchor::right);
-  write(pen, camera.up_name, 8, l.top + 12);
+  const std::string in_unit = unit.empty() ? "" : " [" + unit + "]";
+  write(pen, camera.right_name + in_unit, l.left + l.width, bottom + 34, Anchor::right);
+  write(pen, camera.up_name + in_unit, 8, l.top - 2);
 }
 
 // A cross of the three directions where there are no axes.
@@ -129,7 +147,8 @@ void draw_scale(cairo_t* pen, const Sheet& l, const Range& range, const std::str
   write(pen, unit.empty() ? name : name + " [" + unit + "]", l.picture_width - 8.0, l.top - 14, Anchor::right, 13);
 }
 
-void draw_names(cairo_t* pen, const Sheet& l, const std::vector<double>& values, const std::string& name) {
+void draw_names(cairo_t* pen, const Sheet& l, const std::vector<double>& values, const std::string& name,
+                const std::vector<std::string>& names) {
   const std::set<int> things = [&] {
     std::set<int> all;
     for (const double v : values)
@@ -143,7 +162,9 @@ void draw_names(cairo_t* pen, const Sheet& l, const std::vector<double>& values,
     cairo_rectangle(pen, l.left + l.width + 18, y - 10, 14, 12);
     cairo_fill(pen);
     cairo_set_source_rgb(pen, 0.2, 0.2, 0.2);
-    write(pen, std::to_string(k), l.left + l.width + 38, y);
+    const bool named = k >= 1 && static_cast<std::size_t>(k) <= names.size();
+    write_within(pen, named ? names[static_cast<std::size_t>(k) - 1] : std::to_string(k), l.left + l.width + 38, y,
+                 l.picture_width - 4.0);
     y += 19;
   }
   write(pen, name, l.picture_width - 8.0, l.top - 14, Anchor::right, 13);
@@ -217,6 +238,21 @@ Shade shade_of(const Scene& scene, const std::string& wanted) {
   return shade;
 }
 
+std::string default_field(const Scene& scene) {
+  for (const char* name : {"von_mises", "velocity", "displacement", "pressure"})
+    if (scene.particles.field(name) || scene.blocks.field(name)) return name;
+  const std::vector<ParticleFrame::Field>* both[] = {&scene.particles.fields, &scene.blocks.fields};
+  // A scale before categories, and the first component of a tensor at the worst.
+  for (const bool integers : {false, true})
+    for (const auto* fields : both)
+      for (const auto& f : *fields)
+        if (f.integers == integers && f.components <= 3) return f.name;
+  for (const auto* fields : both)
+    for (const auto& f : *fields)
+      if (f.components == 6 || f.components == 9) return f.name + ".xx";
+  throw UsageError("the run has no field that could be drawn");
+}
+
 Range range_of(const std::vector<double>& values) {
   std::vector<double> sorted;
   for (const double v : values)
@@ -227,9 +263,10 @@ Range range_of(const std::vector<double>& values) {
     return sorted[static_cast<std::size_t>(part * static_cast<double>(sorted.size() - 1))];
   };
   Range range{at(0.005), at(0.995)};
-  if (!(range[1] - range[0] > 1e-12 * std::max(std::abs(range[0]), std::abs(range[1])))) {
-    const double half = std::max(1e-30, 0.5 * std::abs(range[0]));
-    range = {range[0] - half, range[1] + half};
+  // Differences below the digits of the ticks are noise.
+  if (!(range[1] - range[0] > 1e-6 * std::max(std::abs(range[0]), std::abs(range[1])))) {
+    const double middle = 0.5 * (range[0] + range[1]), half = middle == 0 ? 1.0 : 0.5 * std::abs(middle);
+    range = {middle - half, middle + half};
   }
   return range;
 }
@@ -245,15 +282,28 @@ std::optional<Box> box_in(const Frame& frame) {
   return box;
 }
 
+// The corners of the boxes around the domains.
+std::optional<Box> box_in_domains(const ParticleFrame& frame) {
+  auto box = box_in(frame);
+  for (std::size_t i = 0; i < frame.domains.size(); ++i)
+    for (std::size_t d = 0; d < 3; ++d) {
+      double reach = 0;
+      for (const auto& axis : frame.domains[i]) reach += std::abs(axis[d]);
+      (*box)[0][d] = std::min((*box)[0][d], frame.position[i][d] - reach);
+      (*box)[1][d] = std::max((*box)[1][d], frame.position[i][d] + reach);
+    }
+  return box;
+}
+
 }  // namespace
 
 Box box_of(const ParticleFrame& frame) {
-  if (const auto box = box_in(frame)) return *box;
+  if (const auto box = box_in_domains(frame)) return *box;
   throw FileError("the file holds no particles");
 }
 
 Box box_of(const Scene& scene) {
-  const auto blocks = box_in(scene.blocks), particles = box_in(scene.particles);
+  const auto blocks = box_in(scene.blocks), particles = box_in_domains(scene.particles);
   if (!blocks) return box_of(scene.particles);
   return particles ? joined(*particles, *blocks) : *blocks;
 }
@@ -266,6 +316,42 @@ Box joined(const Box& a, const Box& b) {
 
 namespace {
 
+// The domains of the particles as parallelograms, or as the sides of parallelepipeds that face the eye.
+void draw_domains(Canvas& canvas, const ParticleFrame& frame, const Camera& eye, bool flat,
+                  const std::function<Colour(std::size_t)>& colour) {
+  for (std::size_t i = 0; i < frame.count(); ++i) {
+    const Vec3 x = eye.project(frame.position[i]);
+    std::array<Vec3, 3> axes;
+    for (std::size_t k = 0; k < 3; ++k) axes[k] = eye.project(frame.domains[i][k]);
+    const auto side = [&](const Vec3& centre, const Vec3& a, const Vec3& b) {
+      canvas.polygon({centre - a - b, centre + a - b, centre + a + b, centre - a + b}, colour(i), !flat, false);
+    };
+    if (flat) {
+      side(x, axes[0], axes[1]);
+      continue;
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3 &a = axes[(k + 1) % 3], &b = axes[(k + 2) % 3], normal = a.cross(b);
+      side(normal.dot(axes[k]) * normal[2] > 0 ? Vec3(x + axes[k]) : Vec3(x - axes[k]), a, b);
+    }
+  }
+}
+
+// The median width of the domains [length].
+double width_of(const std::vector<HalfAxes>& domains) {
+  std::vector<double> widths;
+  for (const HalfAxes& axes : domains) {
+    Mat3 m;
+    for (int k = 0; k < 3; ++k) m.col(k) = Vec3::Map(axes[static_cast<std::size_t>(k)].data());
+    const bool plane = m.col(2).isZero();
+    if (plane) m(2, 2) = 1;
+    widths.push_back(2 * std::pow(std::abs(m.determinant()), plane ? 0.5 : 1.0 / 3));
+  }
+  const auto middle = widths.begin() + static_cast<std::ptrdiff_t>(widths.size() / 2);
+  std::nth_element(widths.begin(), middle, widths.end());
+  return widths.empty() ? 0.0 : *middle;
+}
+
 // Polygons of blocks, and strokes along the edges of facets whose bond broke.
 void draw_blocks(Canvas& canvas, const Scene& scene, const Camera& eye, bool space, double size,
                  const std::function<Colour(std::size_t)>& colour) {
@@ -274,7 +360,8 @@ void draw_blocks(Canvas& canvas, const Scene& scene, const Camera& eye, bool spa
     for (const auto k : frame.cells[c]) out.push_back(eye.project(frame.position[k]));
     return out;
   };
-  for (std::size_t c = 0; c < scene.blocks.count(); ++c) canvas.polygon(corners(scene.blocks, c), colour(c), space);
+  for (std::size_t c = 0; c < scene.blocks.count(); ++c)
+    canvas.polygon(corners(scene.blocks, c), colour(c), space, true);
   const auto* broke = scene.contacts.field("broke");
   constexpr Colour torn{214, 39, 40}, sheared{31, 90, 200};
   for (std::size_t c = 0; broke && c < scene.contacts.count(); ++c) {
@@ -295,13 +382,18 @@ std::string picture(const ParticleFrame& frame, const PictureOptions& options) {
 
 std::string picture(const Scene& scene, const PictureOptions& options) {
   const ParticleFrame& frame = scene.particles;
-  const Shade shade = shade_of(scene, options.field);
+  const Shade shade = shade_of(scene, options.field.empty() ? default_field(scene) : options.field);
   const Box particles = box_of(scene);
   const bool flat = particles[1][2] - particles[0][2] <= 0;
   const std::string view = !options.view.empty() ? options.view : flat ? "xy" : "iso";
   const Camera eye = camera(view);
   const bool axes = !eye.right_name.empty();
-  const double spacing = spacing_of(frame.position), radius = flat ? 0.54 * spacing : 0.62 * spacing;
+  const bool domains = !frame.domains.empty();
+  const double spacing = domains ? width_of(frame.domains) : spacing_of(frame.position);
+  // Domains leave narrow slits where the deformation varies, and where rotations are not kept.
+  const double slit = (domains ? 0.4 : 0.45) * spacing;
+  // Around domains there is twice the width of a slit, so that nothing is filled at the edge of the picture.
+  const double radius = domains ? (flat ? 2 * slit : 0.0) : flat ? 0.54 * spacing : 0.62 * spacing;
   Box box = options.box.value_or(particles);
   for (std::size_t d = 0; d < 3; ++d)
     if (d < 2 || !flat) box[0][d] -= radius, box[1][d] += radius;
@@ -314,9 +406,12 @@ std::string picture(const Scene& scene, const PictureOptions& options) {
     if (std::isnan(v)) return Colour{186, 184, 178};  // stone
     return shade.integers ? distinct(static_cast<int>(v) - 1) : viridis((v - range[0]) / (range[1] - range[0]));
   };
-  for (std::size_t i = 0; i < frame.count(); ++i)
-    canvas.particle(eye.project(frame.position[i]), radius, colour(i), !flat);
-  if (flat && frame.count() > 0) canvas.close_gaps(0.45 * spacing);
+  if (domains)
+    draw_domains(canvas, frame, eye, flat, colour);
+  else
+    for (std::size_t i = 0; i < frame.count(); ++i)
+      canvas.particle(eye.project(frame.position[i]), radius, colour(i), !flat);
+  if (flat && frame.count() > 0) canvas.close_gaps(slit);
   const double size = std::max(particles[1][0] - particles[0][0], particles[1][1] - particles[0][1]);
   draw_blocks(canvas, scene, eye, !flat, size, [&](std::size_t c) { return colour(frame.count() + c); });
   const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, l.picture_width, l.picture_height));
@@ -326,11 +421,12 @@ std::string picture(const Scene& scene, const PictureOptions& options) {
   canvas.copy_to(surface.get());
   cairo_select_font_face(pen.get(), "DejaVu Sans", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
   if (axes)
-    draw_axes(pen.get(), l, eye);
+    draw_axes(pen.get(), l, eye, options.length_unit);
   else
     draw_directions(pen.get(), l, eye);
   if (shade.integers)
-    draw_names(pen.get(), l, shade.values, shade.name);
+    draw_names(pen.get(), l, shade.values, shade.name,
+               shade.name == "material" ? options.materials : std::vector<std::string>());
   else
     draw_scale(pen.get(), l, range, shade.name, options.unit);
   cairo_set_source_rgb(pen.get(), 0.2, 0.2, 0.2);

@@ -21,14 +21,22 @@ Shade shade_of(const ParticleFrame& frame, const std::string& field);
 /// Values of the particles, then of the cells of blocks; NaN if they have no such field.
 Shade shade_of(const Scene& scene, const std::string& field);
 
-/// Lowest and highest value that the colours span: all but the outermost half per cent.
+/// The field to draw if none is chosen: von_mises if the scene has it, else another one that it has. Throws UsageError
+/// if there is none.
+std::string default_field(const Scene& scene);
+
+/// Lowest and highest value that the colours span: all but the outermost half per cent. If all values are equal, a
+/// range around them.
 using Range = std::array<double, 2>;
 Range range_of(const std::vector<double>& values);
 
 struct PictureOptions {
-  std::string field = "von_mises";
-  std::string unit;            ///< shown next to the name of the field
-  std::string time_unit;       ///< shown after the time
+  std::string field;        ///< empty: default_field()
+  std::string unit;         ///< shown next to the name of the field
+  std::string time_unit;    ///< shown after the time
+  std::string length_unit;  ///< shown at the axes
+  /// Names of the materials in their order, shown for the field `material`; empty: numbers.
+  std::vector<std::string> materials;
   std::string view;            ///< of camera(); empty: xy if all particles lie in it, else iso
   int width = 900;             ///< pixels
   std::optional<Range> range;  ///< of the colours; empty: of the frame

@@ -45,10 +45,17 @@ std::string row(const std::string& name, const std::string& value) {
 
 std::string plain(const Json& value) { return value.is_string() ? value.get<std::string>() : value.dump(); }
 
+std::string with_unit(const std::string& name, const std::string& unit) {
+  return unit.empty() ? name : name + " [" + unit + "]";
+}
+
+std::string time_name_of(const Legend& legend) { return with_unit("time", legend.time); }
+
 // Columns of one quantity, `velx:Left` and `velx:Right`, in one chart.
-std::string history_charts(const Table& table, const std::string& time_name, bool contact) {
+std::string history_charts(const Table& table, const Legend& legend, bool contact) {
   std::vector<std::string> order;
   std::map<std::string, std::vector<Curve>> groups;
+  std::map<std::string, std::string> unit;
   for (std::size_t k = 1; k < table.names.size(); ++k) {
     const auto colon = table.names[k].find(':');
     const std::string quantity = table.names[k].substr(0, colon);
@@ -56,11 +63,13 @@ std::string history_charts(const Table& table, const std::string& time_name, boo
                             quantity == "Friction Work" || quantity == "Impact Work" || quantity == "Interface Energy";
     if (is_contact != contact) continue;
     if (!groups.count(quantity)) order.push_back(quantity);
+    unit[quantity] = legend.unit_of(table.names[k]);
     groups[quantity].push_back(
         {colon == std::string::npos ? quantity : table.names[k].substr(colon + 1), table.columns[k]});
   }
   std::string out;
-  for (const auto& quantity : order) out += chart(quantity, time_name, table.columns[0], groups[quantity]);
+  for (const auto& quantity : order)
+    out += chart(with_unit(quantity, unit[quantity]), time_name_of(legend), table.columns[0], groups[quantity]);
   return out.empty() ? out : "<div class='charts'>" + out + "</div>\n";
 }
 
@@ -71,7 +80,8 @@ double largest(const std::vector<double>& values) {
   return most;
 }
 
-std::string energy_section(const Table& table, const std::string& time_name) {
+std::string energy_section(const Table& table, const Legend& legend) {
+  const std::string energy = legend.unit_of("kinetic");
   std::vector<Curve> contents;
   double most = 0.0;
   const std::vector<double>* residual = table.column("residual");
@@ -81,12 +91,16 @@ std::string energy_section(const Table& table, const std::string& time_name) {
     if (const double size = largest(table.columns[k]); size > 0)
       contents.push_back({name, table.columns[k]}), most = std::max(most, size);
   }
-  std::string out = "<div class='charts'>" + chart("energies", time_name, table.columns[0], contents);
-  if (residual) out += chart("residual of the energy ledger", time_name, table.columns[0], {{"residual", *residual}});
+  std::string out =
+      "<div class='charts'>" + chart(with_unit("energies", energy), time_name_of(legend), table.columns[0], contents);
+  if (residual)
+    out += chart(with_unit("residual of the energy ledger", energy), time_name_of(legend), table.columns[0],
+                 {{"residual", *residual}});
   std::vector<Curve> momenta;
   for (const char* name : {"momentum_x", "momentum_y", "momentum_z"})
     if (const auto* column = table.column(name); column && largest(*column) > 0) momenta.push_back({name, *column});
-  if (!momenta.empty()) out += chart("momentum", time_name, table.columns[0], momenta);
+  if (!momenta.empty())
+    out += chart(with_unit("momentum", legend.unit_of("momentum_x")), time_name_of(legend), table.columns[0], momenta);
   out += "</div>\n<table><tr><th>at the end</th><th></th></tr>\n";
   for (const auto& c : contents)
     out += "<tr><td>" + escaped(c.name) + "</td><td class='number'>" + short_number(c.values.back()) + "</td></tr>\n";
@@ -115,29 +129,21 @@ std::string timing_section(const Json& record) {
   return out + "</table>\n";
 }
 
-std::string charts_of(const RunFolder& run, const std::string& time_name) {
+std::string charts_of(const RunFolder& run, const Legend& legend) {
   std::string out;
   const Table history = run.history();
-  if (const std::string charts = history_charts(history, time_name, true); !charts.empty())
+  if (const std::string charts = history_charts(history, legend, true); !charts.empty())
     out += "<h2>Contact</h2>\n" + charts;
-  if (const std::string charts = history_charts(history, time_name, false); !charts.empty())
+  if (const std::string charts = history_charts(history, legend, false); !charts.empty())
     out += "<h2>Histories</h2>\n" + charts;
   if (const Table energy = run.energy(); energy.rows() > 0)
-    out += "<h2>Energy ledger</h2>\n" + energy_section(energy, time_name);
+    out += "<h2>Energy ledger</h2>\n" + energy_section(energy, legend);
   return out;
-}
-
-std::string time_name_of(const Json& record) {
-  const Json model = record.contains("model") ? record["model"] : Json::object();
-  const std::string unit = model.contains("unit of time") ? plain(model["unit of time"]) : "";
-  return unit.empty() ? "time" : "time [" + unit + "]";
 }
 
 }  // namespace
 
-std::string report_charts(const RunFolder& run) {
-  return charts_of(run, time_name_of(Json::parse(run.provenance(), nullptr, false)));
-}
+std::string report_charts(const RunFolder& run) { return charts_of(run, run.legend()); }
 
 std::string report(const RunFolder& run, const std::vector<ReportPicture>& pictures) {
   const Json record = Json::parse(run.provenance(), nullptr, false);
@@ -145,7 +151,6 @@ std::string report(const RunFolder& run, const std::vector<ReportPicture>& pictu
   const Json model = record.contains("model") ? record["model"] : Json::object();
   const std::string title = model.contains("title") ? plain(model["title"]) : "";
   const std::string name = title.empty() ? run.path().filename().string() : title.substr(0, title.find('\n'));
-  const std::string time_name = time_name_of(record);
 
   std::string out = "<!DOCTYPE html>\n<html lang='en'><head><meta charset='utf-8'><title>" + escaped(name) +
                     "</title>\n<style>" + style + "</style></head><body>\n<h1>" + escaped(name) + "</h1>\n";
@@ -160,12 +165,12 @@ std::string report(const RunFolder& run, const std::vector<ReportPicture>& pictu
              base64(p.png) + "'></figure>\n";
     out += "</div>\n";
   }
-  out += charts_of(run, time_name);
+  out += charts_of(run, run.legend());
   if (const std::string timing = timing_section(record); !timing.empty())
     out += "<h2>Where the time went</h2>\n" + timing;
   out += "<h2>Where it comes from</h2>\n<table>\n";
   for (const auto& [key, value] : record.items())
-    if (!value.is_object()) out += row(key, plain(value));
+    if (!value.is_structured()) out += row(key, plain(value));
   for (const auto& [key, value] : model.items()) out += row(key, plain(value));
   return out + "</table>\n</body></html>\n";
 }

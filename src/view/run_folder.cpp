@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 namespace tribo {
@@ -82,6 +83,24 @@ std::string RunFolder::provenance() const {
   text << in.rdbuf();
   if (!in) throw FileError("cannot read '" + (folder_ / "provenance.json").string() + "'");
   return text.str();
+}
+
+std::string Legend::unit_of(const std::string& name) const {
+  const auto whole = units.find(name),
+             found = whole != units.end() ? whole : units.find(name.substr(0, name.find('.')));
+  return found == units.end() ? "" : found->second;
+}
+
+Legend RunFolder::legend() const {
+  using Json = nlohmann::json;
+  Legend out;
+  const Json record = Json::parse(provenance(), nullptr, false);
+  if (!record.is_object()) return out;
+  const Json model = record.value("model", Json::object());
+  out.time = model.value("unit of time", ""), out.length = model.value("unit of length", "");
+  out.units = record.value("unit_of", out.units);
+  out.materials = record.value("materials", out.materials);
+  return out;
 }
 
 }  // namespace tribo

@@ -4,6 +4,8 @@
 
 #include "output/vtk.hpp"
 
+#include <map>
+
 namespace tribo {
 
 /// Columns of numbers with names.
@@ -26,6 +28,15 @@ struct Scene {
   CellFrame blocks, contacts;
 };
 
+/// Units and names of a run, of provenance.json. All are empty if the record has none.
+struct Legend {
+  std::string time, length;                  ///< units
+  std::map<std::string, std::string> units;  ///< of fields, of columns of history.csv and of energy.csv
+  std::vector<std::string> materials;        ///< names in the order of their numbers
+  /// Unit of a field, of a component of it or of a column; empty if it has none.
+  std::string unit_of(const std::string& name) const;
+};
+
 class RunFolder {
  public:
   /// Throws FileError if the folder holds no run.
@@ -39,6 +50,7 @@ class RunFolder {
   Scene scene(const CollectionEntry& frame) const;
   Table history() const { return read_table(folder_ / "history.csv"); }
   Table energy() const { return read_table(folder_ / "energy.csv"); }
+  Legend legend() const;
   /// provenance.json as text.
   std::string provenance() const;
 

@@ -109,17 +109,20 @@ class Answers {
     return state;
   }
 
-  // A line of JSON, then what it counts as 32-bit numbers: places and values of particles, places of the corners of
-  // blocks, their values, and for each block the number of its corners and which; the same of faces whose bonds broke.
+  // A line of JSON, then what it counts as 32-bit numbers: places and values of particles, nine components of their
+  // half axes if the file has domains, places of the corners of blocks, their values, and for each block the number of
+  // its corners and which; the same of faces whose bonds broke.
   std::string frame(std::size_t k, const std::string& field) const {
     const Scene scene = run_.scene(entry(k));
-    const Shade shade = shade_of(scene, field);
+    const Shade shade = shade_of(scene, field.empty() ? default_field(scene) : field);
     const auto box = box_of(scene);
+    const Legend legend = run_.legend();
     const CellFrame &blocks = scene.blocks, torn = broken(scene.contacts, 1), sheared = broken(scene.contacts, 2);
     const auto count = static_cast<std::ptrdiff_t>(scene.particles.count());
     Numbers body;
     body.places(scene.particles.position);
     body.floats(shade.values.begin(), shade.values.begin() + count);
+    for (const HalfAxes& axes : scene.particles.domains) body.places({axes.begin(), axes.end()});
     body.places(blocks.position);
     body.floats(shade.values.begin() + count, shade.values.end());
     body.cells(blocks);
@@ -131,6 +134,7 @@ class Answers {
     };
     const Json head{{"time", scene.time},
                     {"count", count},
+                    {"domains", !scene.particles.domains.empty()},
                     {"blocks", sizes(blocks)},
                     {"torn", sizes(torn)},
                     {"sheared", sizes(sheared)},
@@ -138,6 +142,9 @@ class Answers {
                     {"range", range_of(shade.values)},
                     {"integers", shade.integers},
                     {"flat", box[1][2] - box[0][2] <= 0},
+                    {"field", shade.name},
+                    {"unit", legend.unit_of(shade.name)},
+                    {"names", shade.name == "material" ? legend.materials : std::vector<std::string>()},
                     {"fields", field_names(scene)}};
     std::string out = head.dump();
     out += std::string((4 - (out.size() + 1) % 4) % 4, ' ') + "\n";  // numbers begin at a multiple of four
@@ -145,9 +152,13 @@ class Answers {
   }
 
   std::string image(std::size_t k, const std::string& field) const {
+    const Scene scene = run_.scene(entry(k));
+    const Legend legend = run_.legend();
     PictureOptions options;
-    options.field = field;
-    return picture(run_.scene(entry(k)), options);
+    options.field = field.empty() ? default_field(scene) : field;
+    options.unit = legend.unit_of(options.field), options.time_unit = legend.time, options.length_unit = legend.length;
+    options.materials = legend.materials;
+    return picture(scene, options);
   }
 
   std::string charts() const { return report_charts(run_); }
@@ -201,7 +212,7 @@ void watch(const RunFolder& run, const WatchOptions& options) {
   server.Get("/charts",
              [&](const httplib::Request&, httplib::Response& r) { r.set_content(answers.charts(), "text/html"); });
   const auto field = [](const httplib::Request& q) {
-    return q.has_param("field") ? q.get_param_value("field") : std::string("von_mises");
+    return q.has_param("field") ? q.get_param_value("field") : std::string();
   };
   server.Get(R"(/frame/(\d{1,9}))", [&](const httplib::Request& q, httplib::Response& r) {
     r.set_content(answers.frame(std::stoul(q.matches[1]), field(q)), "application/octet-stream");

@@ -118,6 +118,29 @@ TEST_CASE("a collection lists its files with exact times and continues without d
   CHECK(content(file) == text);
 }
 
+TEST_CASE("domains of particles are written in single precision and read back as half axes", "[output]") {
+  const ScratchFolder scratch;
+  const auto file = scratch.path / "p.vtp";
+  const std::vector<double> x{0, 1};
+  std::vector<std::vector<double>> n;
+  for (int k = 1; k <= 9; ++k) n.push_back({0.5 * k, 0.1 * k});
+  OutputField plane{"domain", {}, nullptr, true}, space = plane;
+  for (std::size_t k = 0; k < 9; ++k) {
+    space.components.push_back(n[k].data());
+    if (k < 4) plane.components.push_back(n[k].data());
+  }
+  write_particles(file, 2, {x.data(), x.data(), nullptr}, std::vector{plane}, 0.0);
+  CHECK(content(file).find("type=\"Float32\" Name=\"domain\" NumberOfComponents=\"4\"") != std::string::npos);
+  ParticleFrame frame = read_particles(file);
+  CHECK(frame.fields.empty());
+  REQUIRE(frame.domains.size() == 2);
+  CHECK(frame.domains[0] == HalfAxes{{{0.5, 1, 0}, {1.5, 2, 0}, {0, 0, 0}}});
+  CHECK(frame.domains[1][1][0] == Approx(0.3).epsilon(1e-7));
+  write_particles(file, 2, {x.data(), x.data(), x.data()}, std::vector{space}, 0.0);
+  frame = read_particles(file);
+  CHECK(frame.domains[0] == HalfAxes{{{0.5, 1, 1.5}, {2, 2.5, 3}, {3.5, 4, 4.5}}});
+}
+
 TEST_CASE("a particle file is written whole, compressed and with its time", "[output]") {
   const ScratchFolder scratch;
   const auto file = scratch.path / "p.vtp";
@@ -132,6 +155,7 @@ TEST_CASE("a particle file is written whole, compressed and with its time", "[ou
   for (const auto word : {"vtkZLibDataCompressor", "NumberOfVerts=\"3\"", "Name=\"stress\"", "ComponentName3=\"XY\"",
                           "TimeValue", "encoding=\"raw\""})
     CHECK(text.find(word) != std::string::npos);
+  CHECK(read_particles(file).domains.empty());
   write_particles(scratch.path / "none.vtp", 0, {nullptr, nullptr, nullptr}, {}, 0.0);
   CHECK(files_in(scratch.path) == 2);
 }

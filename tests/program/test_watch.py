@@ -57,7 +57,16 @@ with tempfile.TemporaryDirectory() as folder:
     subprocess.run([tribo, "render", "short", "-o", "film", "--width", "400"], check=True, stdout=subprocess.DEVNULL)
     frames = len(re.findall("<DataSet", open("short/run.pvd").read()))
     check(len([f for f in os.listdir("film") if f.endswith(".png")]) == frames, "a picture for every file")
-    check(os.path.exists("film.mp4") == bool(shutil.which("ffmpeg")), "a film if ffmpeg is there")
+    check(os.path.exists("film/von_mises.mp4") == bool(shutil.which("ffmpeg")), "a film if ffmpeg is there")
+
+    before = {f: os.path.getmtime("film/" + f) for f in os.listdir("film")}
+    subprocess.run([tribo, "render", "short", "-o", "film", "--field", "velocity.x", "--time", "1e9", "--width", "400"], check=True, stdout=subprocess.DEVNULL)
+    check(set(os.listdir("film")) - set(before) == {f"velocity.x_{frames - 1:05d}.png"}, "a picture has the field and the number of its file")
+    check(all(os.path.getmtime("film/" + f) == t for f, t in before.items()), "a picture of another field replaces none")
+    open("few.xml", "w").write(re.sub(r"<Output\b.*?(/>|</Output>)", "", deck, flags=re.S).replace("</MPMHeader>", "<Output fields='velocity'/></MPMHeader>"))
+    check(subprocess.run([tribo, "run", "--quiet", "-o", "few", "few.xml"]).returncode == 0, "a run that writes velocities only")
+    subprocess.run([tribo, "render", "few", "--time", "0", "--width", "400"], check=True, stdout=subprocess.DEVNULL)
+    check(os.listdir("few/pictures") == ["velocity_00000.png"], "without von_mises another field is drawn")
 
     blocks = subprocess.run([tribo, "run", "--quiet", "-o", "blocks", source + "/input/examples/direct_tension.xml"])
     check(blocks.returncode == 0, "a run of blocks")
@@ -86,9 +95,11 @@ with tempfile.TemporaryDirectory() as folder:
         frame = get("frame/0?field=velocity.x")
         head = json.loads(frame[: frame.index(b"\n")])
         body = frame[frame.index(b"\n") + 1 :]
-        check(len(body) == 16 * head["count"] and head["flat"] and "stress.xy" in head["fields"], "a frame")
-        speeds = set(struct.unpack(f"<{head['count']}f", body[12 * head["count"] :]))
+        check(head["domains"] and len(body) == 52 * head["count"] and head["flat"] and "stress.xy" in head["fields"], "a frame")
+        speeds = set(struct.unpack(f"<{head['count']}f", body[12 * head["count"] : 16 * head["count"]]))
         check(speeds == {2500.0, -2500.0}, "its values")
+        axes = struct.unpack("<9f", body[16 * head["count"] : 16 * head["count"] + 36])
+        check(abs(axes[0] * axes[4] - axes[1] * axes[3]) > 0 and not any(axes[6:]), "the half axes of a domain in the plane")
         check(get("picture/0")[:8] == b"\x89PNG\r\n\x1a\n", "a picture")
         check(b"<svg" in get("charts"), "charts")
         check(code_of("frame/999999") == 400 and code_of("frame/0?field=nothing") == 400, "what is not there")

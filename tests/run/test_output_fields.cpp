@@ -6,6 +6,7 @@
 #include "contact/contact_cases.hpp"
 #include "run/grid_file.hpp"
 #include "run/particle_fields.hpp"
+#include "run/result_units.hpp"
 
 using namespace tribo;
 using namespace tribo::test;
@@ -97,6 +98,75 @@ TEST_CASE("every field of the table can be written", "[output]") {
                                                                "pressure", "von_mises", "volume_ratio", "contact_state",
                                                                "contact_traction", "contact_normal", "temperature",
                                                                "history"});
+}
+
+TEST_CASE("particle files carry the half axes of the domains in the reduced basis", "[output]") {
+  const Model model = two_layers();
+  auto system = build_system<2>(model, layers_of(model));
+  auto& body = system.bodies[0];
+  REQUIRE(body.particles.has_deformation());
+  // Shear by 5.25: the reduced basis has the shear 5.25 - 5 of the square lattice.
+  const Vec<2> half = body.uniform_half_size;
+  REQUIRE(half[0] == Approx(half[1]));
+  Mat3 F = Mat3::Identity();
+  F(0, 1) = 5.25;
+  store_full<2>(F, body.particles.F(), 3);
+  const ParticleFields<2> fields(model, {&body}, {"velocity"});
+  const OutputField& domain = fields.fields().back();
+  CHECK(domain.name == "domain");
+  CHECK(domain.single);
+  REQUIRE(domain.components.size() == 4);
+  const auto component = [&](std::size_t k, std::size_t i) { return domain.components[k][i]; };
+  const std::array<double, 4> box{half[0], 0, 0, half[1]}, sheared{half[0], 0, 0.25 * half[0], half[1]};
+  for (std::size_t k = 0; k < 4; ++k) {
+    CHECK(component(k, 2) == Approx(box[k]));
+    CHECK(component(k, 3) == Approx(sheared[k]).margin(1e-12));
+  }
+}
+
+TEST_CASE("long domains are limited to one and a half cells and keep their volume", "[output]") {
+  const Vec<3> cell(2, 4, 4);  // half axes of at most 1.5, 3 and 3
+  Mat<3> axes = Vec<3>(1, 2, 0.5).asDiagonal();
+  CHECK(limited<3>(axes, cell) == axes);
+  axes(0, 0) = 6;  // four times too long: the others become twice as long, the second up to the limit only
+  Mat<3> expected = Vec<3>(1.5, 3, 6.0 * 2 * 0.5 / (1.5 * 3)).asDiagonal();
+  CHECK((limited<3>(axes, cell) - expected).norm() < 1e-12);
+  axes = Vec<3>(6, 12, 12).asDiagonal();  // more than a cell cannot be kept
+  expected = Vec<3>(1.5, 3, 3).asDiagonal();
+  CHECK((limited<3>(axes, cell) - expected).norm() < 1e-12);
+  // the direction of an oblique edge stays
+  Mat<2> oblique;
+  oblique << 3, -0.05, 4, 0.05;
+  const Mat<2> shorter = limited<2>(oblique, Vec<2>(1, 1));
+  CHECK(shorter.col(0).norm() == Approx(0.75));
+  CHECK(shorter(1, 0) / shorter(0, 0) == Approx(4.0 / 3));
+  CHECK(shorter.determinant() == Approx(oblique.determinant()));
+}
+
+TEST_CASE("generic units are written in the units of the model", "[output]") {
+  Units units{false, "m", "kg", "s"};
+  CHECK(unit_in(units, "-").empty());
+  CHECK(unit_in(units, "stress") == "Pa");
+  CHECK(unit_in(units, "energy") == "J");
+  CHECK(unit_in(units, "length^3") == "m^3");
+  CHECK(unit_in(units, "1/time") == "1/s");
+  CHECK(unit_in(units, "mass velocity") == "kg m/s");
+  CHECK(unit_in(units, "rad") == "rad");
+  units = {false, "mm", "g", "ms"};
+  CHECK(unit_in(units, "energy") == "N mm");
+  units = {false, "ft", "slug", "s"};
+  CHECK(unit_in(units, "energy") == "slug ft^2/s^2");
+
+  Model model = two_layers();
+  model.units = {false, "m", "kg", "s"};
+  model.output.history.push_back({});
+  model.output.history.back().name = "velx", model.output.history.back().column = "velx:upper";
+  model.materials.emplace_back();  // a material of rigid blocks has no law
+  const auto all = units_of_results(model);
+  CHECK(all.at("von_mises") == "Pa");
+  CHECK(all.at("velx:upper") == "m/s");
+  CHECK(all.at("kinetic") == "J");
+  CHECK(all.count("volume_ratio") == 0);
 }
 
 TEST_CASE("principal stresses are written in descending order", "[output]") {

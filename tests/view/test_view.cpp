@@ -98,6 +98,86 @@ TEST_CASE("the range leaves outliers out and is never empty", "[view]") {
   CHECK(range_of({})[1] > range_of({})[0]);
 }
 
+TEST_CASE("a constant field has a range around its value with ticks", "[view]") {
+  for (const double value : {0.0, 5.0, -3e7, 2e-9}) {
+    const Range range = range_of(std::vector<double>(20, value));
+    CHECK(0.5 * (range[0] + range[1]) == Approx(value).margin(1e-300));
+    CHECK(range[1] - range[0] == Approx(value == 0 ? 2 : std::abs(value)));
+    CHECK(ticks(range[0], range[1], 4).size() >= 2);
+  }
+  // Rounding is no variation, a millionth is the limit.
+  CHECK(range_of({1.0, 1.0 + 1e-9})[1] == Approx(1.5));
+  CHECK(range_of({1.0, 1.0 + 1e-5, 1.0 + 1e-5})[1] < 1.1);
+}
+
+TEST_CASE("without a chosen field one is drawn that the run has", "[view]") {
+  Scene scene;
+  scene.particles = small_frame();
+  CHECK(default_field(scene) == "von_mises");
+  auto& fields = scene.particles.fields;
+  fields.erase(fields.begin());
+  CHECK(default_field(scene) == "velocity");
+  fields.erase(fields.begin());
+  CHECK(default_field(scene) == "material");
+  fields.push_back({"plastic_strain", 1, false, std::vector<double>(6, 1.0)});
+  CHECK(default_field(scene) == "plastic_strain");
+  fields = {{"stress", 6, false, std::vector<double>(36, 1.0)}};
+  CHECK(default_field(scene) == "stress.xx");
+  CHECK(picture(scene, {}).size() > 1000);
+  fields.clear();
+  CHECK_THROWS_AS(default_field(scene), UsageError);
+}
+
+TEST_CASE("units and names of materials of a run are read from its record", "[view]") {
+  const ScratchFolder scratch;
+  std::ofstream(scratch.path / "run.pvd") << "";
+  std::ofstream(scratch.path / "provenance.json")
+      << R"({"model": {"unit of time": "s", "unit of length": "m"}, "materials": ["clay", "sand"],
+             "unit_of": {"stress": "Pa", "velx:clay": "m/s"}})";
+  const Legend legend = RunFolder(scratch.path).legend();
+  CHECK(legend.time == "s");
+  CHECK(legend.length == "m");
+  CHECK(legend.materials == std::vector<std::string>{"clay", "sand"});
+  CHECK(legend.unit_of("stress.xy") == "Pa");
+  CHECK(legend.unit_of("velx:clay") == "m/s");
+  CHECK(legend.unit_of("volume_ratio").empty());
+  // Records of earlier versions have none.
+  std::ofstream(scratch.path / "provenance.json") << "{}";
+  CHECK(RunFolder(scratch.path).legend().unit_of("stress").empty());
+
+  // The charts of the report have the units.
+  std::ofstream(scratch.path / "provenance.json")
+      << R"({"model": {"unit of time": "s"}, "unit_of": {"velx:clay": "m/s", "kinetic": "J"}})";
+  std::ofstream(scratch.path / "history.csv") << "time,velx:clay,bonds\n0,1,2\n1,2,2\n";
+  std::ofstream(scratch.path / "energy.csv") << "time,kinetic,residual\n0,1,0\n1,2,0\n";
+  const std::string charts = report_charts(RunFolder(scratch.path));
+  for (const char* text : {"velx [m/s]<", "bonds<", "time [s]<", "energies [J]<"})
+    CHECK(charts.find(text) != std::string::npos);
+}
+
+TEST_CASE("materials have their names beside the picture", "[view]") {
+  // The names are text in a grey that no particle has: more letters, more dark pixels on the right.
+  PictureOptions options;
+  options.field = "material";
+  const auto dark = [&] {
+    const Pixels p = read_png(picture(small_frame(), options));
+    int n = 0;
+    for (int y = 36; y < p.height; ++y)
+      for (int x = p.width - 84; x < p.width; ++x) n += p.at(x, y)[0] < 128 && p.at(x, y)[2] < 128;
+    return n;
+  };
+  const int numbers = dark();
+  options.materials = {"clay", "gravel"};
+  const int names = dark();
+  CHECK(names > 2 * numbers);
+  options.materials = {"clay"};  // the second has no name
+  CHECK(dark() < names);
+  CHECK(dark() > numbers);
+  options.materials = {"clay", "a very long name of a material that does not fit beside it"};
+  const Pixels p = read_png(picture(small_frame(), options));
+  for (int y = 36; y < p.height; ++y) CHECK(p.at(p.width - 2, y) == Colour{255, 255, 255});
+}
+
 TEST_CASE("a picture shows particles where they are, in the colours of their values", "[view]") {
   const ParticleFrame frame = small_frame();
   PictureOptions options;
@@ -119,6 +199,64 @@ TEST_CASE("a picture shows particles where they are, in the colours of their val
   const Pixels m = read_png(picture(frame, options));
   CHECK(m.at(64 + 0.5 * (m.width - 182), 36 + 0.75 * (m.height - 80)) == distinct(0));  // y points up
   CHECK(m.at(64 + 0.5 * (m.width - 182), 36 + 0.25 * (m.height - 80)) == distinct(1));
+}
+
+TEST_CASE("domains are drawn where they are, with their area and without holes", "[view]") {
+  // Two particles at a distance of 3 and 1.5 high, sheared by 0.5: together a parallelogram of the area 9
+  ParticleFrame frame;
+  frame.position = {{0, 0, 0}, {3, 0, 0}};
+  frame.fields = {{"material", 1, true, {1, 2}}};
+  const HalfAxes axes{{{1.5, 0, 0}, {0.375, 0.75, 0}, {0, 0, 0}}};
+  frame.domains = {axes, axes};
+  const auto box = box_of(frame);
+  CHECK(box[0] == std::array<double, 3>{-1.875, -0.75, 0});
+  CHECK(box[1] == std::array<double, 3>{4.875, 0.75, 0});
+
+  PictureOptions options;
+  options.field = "material", options.width = 1200;
+  const Pixels p = read_png(picture(frame, options));
+  // The sheet: the box, 0.8 times the width of a domain around it and 2 % of its width, after 64 pixels on the left,
+  // with 118 on the right.
+  const double around = 0.8 * std::sqrt(4.5), margin = around + 0.02 * (6.75 + 2 * around);
+  const double scale = (1200 - 182) / (6.75 + 2 * margin);
+  const double x0 = 64 + (1.875 + margin) * scale, y0 = 36 + (0.75 + margin) * scale;
+  const auto at = [&](double x, double y) { return p.at(x0 + x * scale, y0 - y * scale); };
+  CHECK(at(-1.0, -0.6) == distinct(0));
+  CHECK(at(1.7, 0.7) == distinct(0));   // sheared to the right above, by 0.5 times the height
+  CHECK(at(1.3, -0.7) == distinct(1));  // and to the left below
+  CHECK(at(4.7, 0.7) == distinct(1));
+  CHECK(at(-1.6, 0.6) == Colour{255, 255, 255});
+  CHECK(at(4.6, -0.6) == Colour{255, 255, 255});
+  for (const int k : {0, 1}) CHECK(count(p, distinct(k)) == Approx(4.5 * scale * scale).epsilon(0.02));
+  // No pixel between the two is empty.
+  for (double x = -1.2; x < 4.2; x += 0.01) CHECK(at(x, 0) != Colour{255, 255, 255});
+
+  // Matter that is a particle apart stays apart.
+  frame.position[1][0] = 6;
+  const Pixels apart = read_png(picture(frame, options));
+  for (const int k : {0, 1}) CHECK(count(apart, distinct(k)) > 1000);
+  const double border = around + 0.02 * (9.75 + 2 * around), wide = (1200 - 182) / (9.75 + 2 * border);
+  CHECK(apart.at(64 + (1.875 + border + 3) * wide, 36 + (0.75 + border) * wide) == Colour{255, 255, 255});
+}
+
+TEST_CASE("in space, domains are boxes whose nearer sides hide the others", "[view]") {
+  ParticleFrame frame;
+  frame.position = {{0, 0, 0}, {0, 0, 2}};
+  frame.fields = {{"material", 1, true, {1, 2}}};
+  frame.domains.assign(2, HalfAxes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}});
+  PictureOptions options;
+  options.field = "material", options.view = "xy";  // the eye is at +z
+  const auto bluish = [](const Colour& c) { return c[2] > 1.3 * c[0]; };
+  const auto blue = [&] {
+    const Pixels p = read_png(picture(frame, options));
+    return std::count_if(p.colours.begin(), p.colours.end(), bluish);
+  };
+  CHECK(blue() < 1000);  // the nearer box hides the other; the list of names has a blue square
+  frame.domains[0][2] = {0, 0, 4};
+  CHECK(blue() > 100000);
+  // A box of the other orientation shows the same sides.
+  frame.domains[0][2] = {0, 0, -4};
+  CHECK(blue() > 100000);
 }
 
 TEST_CASE("in space, the nearer ball hides the farther one", "[view]") {
