@@ -16,7 +16,6 @@ bool lists(const std::vector<std::string_view>& list, const std::string& name) {
   return std::find(list.begin(), list.end(), name) != list.end();
 }
 
-
 }  // namespace
 
 // A model that consists of blocks only has no other sections, and many settings of <MPMHeader> refer to the grid.
