@@ -211,7 +211,7 @@ void Contact<Dim>::record(double dt) {
     cracks_.end_record();
   }
   ledger_.record(contacts, dt);
-  search_.remember_stuck();
+  search_.remember_pairs();
   if (laws_.any_has_memory()) memory_.update();
 }
 

@@ -30,7 +30,7 @@ template <int Dim>
 void ContactSearch<Dim>::find(const Exchanges<Dim>& exchanges) {
   std::fill(node_of_.begin(), node_of_.end(), -1);
   found_.clear();
-  next_stuck_ = 0;
+  next_kept_ = 0;
   for (std::size_t s = 0; s < shared_.size(); ++s) {
     const SharedBlock& shared = shared_[s];
     for (int local = 0; local < block_nodes<Dim>; ++local) {
@@ -91,9 +91,11 @@ void ContactSearch<Dim>::list_pairs(ContactNode<Dim>& node, std::int64_t place) 
         pair.law = laws_.between(field_a.base_field, field_b.base_field), node.between_bodies = true;
       else
         pair.crack = 0;
-      const StuckPair self{place, static_cast<std::int64_t>(of_a.field), static_cast<std::int64_t>(of_b.field)};
-      while (next_stuck_ < stuck_.size() && stuck_[next_stuck_] < self) ++next_stuck_;
-      pair.stuck = next_stuck_ < stuck_.size() && stuck_[next_stuck_] == self;
+      const KeptPair self{place, static_cast<std::int64_t>(of_a.field), static_cast<std::int64_t>(of_b.field), false,
+                          Vec3::Zero()};
+      while (next_kept_ < kept_.size() && kept_[next_kept_].precedes(self)) ++next_kept_;
+      if (next_kept_ < kept_.size() && !self.precedes(kept_[next_kept_]))
+        pair.stuck = kept_[next_kept_].stuck, pair.update_impulse = kept_[next_kept_].impulse;
       found_.pairs.push_back(pair);
     }
   node.end_pair = found_.pairs.size();
@@ -107,17 +109,17 @@ std::int64_t ContactSearch<Dim>::place_of(std::int64_t number) const {
 
 // Without friction a pair without tangential motion has the status stick, too, but no tangential impulse.
 template <int Dim>
-void ContactSearch<Dim>::remember_stuck() {
+void ContactSearch<Dim>::remember_pairs() {
   constexpr double round_off = 1e-12;
-  stuck_.clear();
+  kept_.clear();
   for (const ContactNode<Dim>& node : found_.nodes)
     for (ContactPair& pair : found_.pairs_of(node)) {
       const Vec3 &impulse = pair.update_impulse, &n = pair.state.normal;
       pair.stuck = pair.update_status == ContactStatus::stick &&
                    (impulse - impulse.dot(n) * n).norm() > round_off * impulse.norm();
-      if (!pair.stuck) continue;
+      if (!pair.stuck && impulse.isZero(0)) continue;
       const auto field = [&](std::size_t member) { return static_cast<std::int64_t>(found_.members[member].field); };
-      stuck_.push_back({place_of(node.number), field(pair.a), field(pair.b)});
+      kept_.push_back({place_of(node.number), field(pair.a), field(pair.b), pair.stuck, impulse});
     }
 }
 

@@ -6,7 +6,7 @@
 #include "solver/contact/contact_nodes.hpp"
 #include "solver/exchange/exchange.hpp"
 
-#include <array>
+#include <tuple>
 #include <vector>
 
 namespace tribo {
@@ -28,8 +28,8 @@ class ContactSearch {
   /// crack 0 and no law; Cracks then finds which crack it is. `exchanges`: one for each field.
   void find(const Exchanges<Dim>& exchanges);
 
-  /// Sets ContactPair::stuck after a momentum update, for the rest of the step and for the next find().
-  void remember_stuck();
+  /// Sets ContactPair::stuck after a momentum update, and keeps it and the impulses for the next find().
+  void remember_pairs();
 
   /// What was found.
   ContactNodes<Dim>& found() { return found_; }
@@ -38,17 +38,32 @@ class ContactSearch {
   const ContactNode<Dim>* node_at(const Index<Dim>& index) const;
 
   friend void archive(Archive& a, ContactSearch& search) {
-    a.version(1);
+    a.version(2);
     std::vector<std::int64_t> numbers;
-    for (const StuckPair& pair : search.stuck_) numbers.insert(numbers.end(), pair.begin(), pair.end());
-    a.resizable("stuck", numbers);
-    search.stuck_.resize(numbers.size() / 3);
-    for (std::size_t k = 0; k < numbers.size(); ++k) search.stuck_[k / 3][k % 3] = numbers[k];
+    std::vector<double> impulses;
+    for (const KeptPair& pair : search.kept_) {
+      numbers.insert(numbers.end(), {pair.place, pair.a, pair.b, pair.stuck ? 1 : 0});
+      impulses.insert(impulses.end(), pair.impulse.begin(), pair.impulse.end());
+    }
+    a.resizable("pairs", numbers), a.resizable("impulses", impulses);
+    search.kept_.resize(numbers.size() / 4);
+    for (std::size_t k = 0; k < search.kept_.size(); ++k) {
+      const std::int64_t* n = numbers.data() + 4 * k;
+      search.kept_[k] = {n[0], n[1], n[2], n[3] != 0, Eigen::Map<const Vec3>(impulses.data() + 3 * k)};
+    }
   }
 
  private:
-  // Position of the node among those of all blocks of the lattice, and the two fields.
-  using StuckPair = std::array<std::int64_t, 3>;
+  // What is kept of a pair until the next step.
+  struct KeptPair {
+    std::int64_t place;  // position of the node among those of all blocks of the lattice
+    std::int64_t a, b;   // fields
+    bool stuck;
+    Vec3 impulse;
+    bool precedes(const KeptPair& other) const {
+      return std::tie(place, a, b) < std::tie(other.place, other.a, other.b);
+    }
+  };
 
   // A block of nodes that two or more fields have.
   struct SharedBlock {
@@ -65,8 +80,8 @@ class ContactSearch {
   ContactNodes<Dim> found_;
   std::vector<SharedBlock> shared_;
   std::vector<int> shared_at_;    // per block of the lattice: its position in shared_, or -1
-  std::vector<StuckPair> stuck_;  // in ascending order
-  std::size_t next_stuck_ = 0;    // the first that find() has not passed
+  std::vector<KeptPair> kept_;    // in ascending order
+  std::size_t next_kept_ = 0;     // the first that find() has not passed
   std::vector<int> node_of_;      // per shared block and node: its position in found_.nodes, or -1
 };
 

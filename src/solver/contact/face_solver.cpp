@@ -9,7 +9,7 @@ namespace {
 // In Jacobi sweeps the laws of all pairs read the same velocities, so that pairs that share nodes also share the
 // pressure evenly. Gauss-Seidel sweeps alone would load the first ones most.
 constexpr int jacobi_sweeps = 5;
-constexpr int max_gauss_seidel_sweeps = 50;
+constexpr int max_gauss_seidel_sweeps = 10;
 constexpr double tolerance = 1e-8;  // of the impulses, relative
 
 }  // namespace
@@ -128,24 +128,26 @@ void FaceSolver<Dim>::distribute(const Constraint& c, const Vec3& impulse) {
   }
 }
 
+template <int Dim>
+bool FaceSolver<Dim>::is_inactive(const Constraint& c, ContactPass pass) {
+  return c.pair->has_no_face || c.pair->replaced_by_joint ||
+         (pass == ContactPass::predictor && c.pair->law->is_interface());
+}
+
 // Projected Jacobi sweeps, then projected Gauss-Seidel sweeps, forward and backward in turn.
 template <int Dim>
 void FaceSolver<Dim>::solve(ContactPass pass) {
-  const auto is_inactive = [&](const Constraint& c) {
-    return c.pair->has_no_face || c.pair->replaced_by_joint ||
-           (pass == ContactPass::predictor && c.pair->law->is_interface());
-  };
   for (int sweep = 0; sweep < jacobi_sweeps; ++sweep) {
     for (Constraint& c : constraints_)
-      if (!is_inactive(c)) update_impulse(c, c.lumped_mass, pass);
+      if (!is_inactive(c, pass)) update_impulse(c, c.lumped_mass, pass);
     for (Constraint& c : constraints_)
-      if (!is_inactive(c)) distribute(c, c.impulse_change);
+      if (!is_inactive(c, pass)) distribute(c, c.impulse_change);
   }
   for (int sweep = 0; sweep < max_gauss_seidel_sweeps; ++sweep) {
     double change = 0.0, size = 0.0;
     for (std::size_t k = 0; k < constraints_.size(); ++k) {
       Constraint& c = constraints_[sweep % 2 == 0 ? k : constraints_.size() - 1 - k];
-      if (is_inactive(c)) continue;
+      if (is_inactive(c, pass)) continue;
       update_impulse(c, c.effective_mass, pass);
       distribute(c, c.impulse_change);
       change += c.impulse_change.squaredNorm(), size += c.pair->impulse.squaredNorm();
@@ -174,7 +176,9 @@ void FaceSolver<Dim>::apply(double dt, ContactPass pass) {
                    return Vec3(Eigen::Map<const Vec3>(node(p).acceleration));
                  });
     c.pair->impulse.setZero(), c.pair->response = {};
+    if (pass == ContactPass::corrector && !is_inactive(c, pass)) c.pair->impulse = c.pair->update_impulse;
   }
+  for (const Constraint& c : constraints_) distribute(c, c.pair->impulse);
   solve(pass);
   for (const NodalVelocity& p : dofs_) {
     Eigen::Map<Vec3>(node(p).velocity) += p.change;

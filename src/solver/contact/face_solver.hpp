@@ -69,6 +69,7 @@ class FaceSolver {
   Vec3 weighted_sum(const Constraint& c, Value&& value) const;
   void update_impulse(Constraint& c, double mass, ContactPass pass);
   void distribute(const Constraint& c, const Vec3& impulse);
+  static bool is_inactive(const Constraint& c, ContactPass pass);
   void solve(ContactPass pass);
 
   System<Dim>& system_;

@@ -28,7 +28,7 @@ struct ContactPair {
   ContactState state;                  ///< input of the contact law
   Vec3 impulse = Vec3::Zero();         ///< contact impulse on a; the opposite acts on b [mass velocity]
   ContactResponse response;            ///< last contact response of the law
-  Vec3 update_impulse = Vec3::Zero();  ///< contact impulse of the last momentum update   [mass velocity]
+  Vec3 update_impulse = Vec3::Zero();  ///< impulse on a of the last momentum update      [mass velocity]
   ContactStatus update_status = ContactStatus::open;  ///< contact status in the last momentum update
   bool stuck = false;                                 ///< friction held the faces in the last momentum update
   double friction_work = 0.0;      ///< energy dissipated by sliding in the last momentum update       [energy]
