@@ -77,7 +77,7 @@ void Contact<Dim>::find(const Exchanges<Dim>& exchanges, const Joints<Dim>& join
     find_faces(exchanges, false);
   cache_.count_step();
   leave_to_joints(joints);
-  set_up_face_solver();
+  if (model_.contact.at_faces) face_solver_.set_up(search_.found());
 }
 
 // Fills the pairs of crack faces with the laws and states of their cracks.
@@ -156,23 +156,6 @@ void Contact<Dim>::leave_to_joints(const Joints<Dim>& joints) {
       pair.replaced_by_joint = std::isfinite(joint.distance) && !beyond;
     }
   });
-}
-
-// Adds the pairs whose impulses act on faces, and those that share a node with them, to the face solver.
-template <int Dim>
-void Contact<Dim>::set_up_face_solver() {
-  if (!model_.contact.at_faces) return;
-  face_solver_.clear();
-  const auto has_face = [](const ContactPair& pair) {
-    return !pair.has_no_face && !pair.replaced_by_joint && pair.crack < 0 && pair.law->uses_face();
-  };
-  auto& contacts = search_.found();
-  for (ContactNode<Dim>& node : contacts.nodes) {
-    const auto pairs = contacts.pairs_of(node);
-    node.solved_on_faces = std::any_of(pairs.begin(), pairs.end(), has_face);
-    if (!node.solved_on_faces) continue;
-    for (ContactPair& pair : pairs) face_solver_.add(pair, contacts.members, node.index, has_face(pair));
-  }
 }
 
 template <int Dim>

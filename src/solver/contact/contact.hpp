@@ -92,7 +92,6 @@ class Contact {
   void find_faces(const Exchanges<Dim>& exchanges, bool all);
   void collect_particles();
   void leave_to_joints(const Joints<Dim>& joints);
-  void set_up_face_solver();
 
   const Model& model_;
   System<Dim>& system_;

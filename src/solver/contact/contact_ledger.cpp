@@ -55,7 +55,9 @@ void ContactLedger<Dim>::record_rigid(const ContactNodes<Dim>& contacts, const C
     if (rigid.inverse_mass > 0.0) continue;
     const Node& at = system_.fields[rigid.field].nodes[static_cast<std::size_t>(rigid.node)];
     const Vec3 impulse = sign * node.ownership * pair.impulse;  // on the other field
-    rigid_work += impulse.dot(Eigen::Map<const Vec3>(at.velocity));
+    const Vec3 velocity =
+        node.solved_on_faces ? Vec3(sign * pair.rigid_velocity) : Vec3(Eigen::Map<const Vec3>(at.velocity));
+    rigid_work += impulse.dot(velocity);
     rigid_impulse += impulse;
     Vec3 x = Vec3::Zero();
     x.head<Dim>() = system_.lattice.position(node.index);

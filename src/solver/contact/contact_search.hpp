@@ -79,10 +79,10 @@ class ContactSearch {
   const ContactLaws<Dim>& laws_;
   ContactNodes<Dim> found_;
   std::vector<SharedBlock> shared_;
-  std::vector<int> shared_at_;    // per block of the lattice: its position in shared_, or -1
-  std::vector<KeptPair> kept_;    // in ascending order
-  std::size_t next_kept_ = 0;     // the first that find() has not passed
-  std::vector<int> node_of_;      // per shared block and node: its position in found_.nodes, or -1
+  std::vector<int> shared_at_;  // per block of the lattice: its position in shared_, or -1
+  std::vector<KeptPair> kept_;  // in ascending order
+  std::size_t next_kept_ = 0;   // the first that find() has not passed
+  std::vector<int> node_of_;    // per shared block and node: its position in found_.nodes, or -1
 };
 
 }  // namespace tribo

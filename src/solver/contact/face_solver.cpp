@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "solver/contact/face_solver.hpp"
 
+#include "base/parallel.hpp"
+
+#include <algorithm>
 #include <cmath>
 
 namespace tribo {
@@ -11,72 +14,86 @@ namespace {
 constexpr int jacobi_sweeps = 5;
 constexpr int max_gauss_seidel_sweeps = 10;
 constexpr double tolerance = 1e-8;  // of the impulses, relative
+// Pairs whose node lies farther from its image in the face act on the node only [cells]
+constexpr int max_image_distance = 4;
+constexpr std::ptrdiff_t serial_below = 200;  // constraints
+
+template <int Dim>
+Eigen::Map<const Vec3> velocity_of(const System<Dim>& system, std::size_t field, std::int64_t node) {
+  return Eigen::Map<const Vec3>(system.fields[field].nodes[static_cast<std::size_t>(node)].velocity);
+}
 
 }  // namespace
 
 template <int Dim>
-void FaceSolver<Dim>::clear() {
-  dof_of_.resize(system_.fields.size());
-  for (const NodalVelocity& p : dofs_)
-    if (static_cast<std::size_t>(p.node) < dof_of_[p.field].size())
-      dof_of_[p.field][static_cast<std::size_t>(p.node)] = -1;
-  for (std::size_t f = 0; f < dof_of_.size(); ++f) dof_of_[f].resize(system_.fields[f].nodes.size(), -1);
-  constraints_.clear(), terms_.clear(), dofs_.clear();
+void FaceSolver<Dim>::set_up(ContactNodes<Dim>& contacts) {
+  list_constraints(contacts);
+  each_constraint([&](Constraint& c) { find_terms(c, contacts.members); });
+  number_velocities();
+  each_constraint([&](Constraint& c) { find_masses(c); });
 }
 
 template <int Dim>
-std::size_t FaceSolver<Dim>::dof(std::size_t field, std::int64_t at) {
-  int& number = dof_of_[field][static_cast<std::size_t>(at)];
-  if (number < 0) {
-    number = static_cast<int>(dofs_.size());
-    dofs_.push_back({field, at, 1.0 / system_.fields[field].nodes[static_cast<std::size_t>(at)].mass});
-  }
-  return static_cast<std::size_t>(number);
-}
-
-template <int Dim>
-void FaceSolver<Dim>::add(ContactPair& pair, std::span<const ContactMember> members, const Index<Dim>& index,
-                          bool has_face) {
-  Constraint c{&pair, terms_.size(), 0};
-  const ContactMember &a = members[pair.a], &b = members[pair.b];
-  for (const auto* m : {&a, &b}) {
-    const double sign = m == &a ? -1.0 : 1.0;
-    if (m->inverse_mass == 0.0) {
-      const Node& node = system_.fields[m->field].nodes[static_cast<std::size_t>(m->node)];
-      c.rigid_velocity += sign * Eigen::Map<const Vec3>(node.velocity);
-      continue;
+void FaceSolver<Dim>::list_constraints(ContactNodes<Dim>& contacts) {
+  // Two blocks of the same colour are so far apart that the nodes in reach of their pairs are different ones.
+  constexpr int colours = (2 * max_image_distance + block_edge<Dim> - 1) / block_edge<Dim> + 1;
+  const auto has_face = [](const ContactPair& pair) {
+    return !pair.has_no_face && !pair.replaced_by_joint && pair.crack < 0 && pair.law->uses_face();
+  };
+  constraints_.clear(), groups_.clear(), colour_ends_.clear();
+  Index<Dim> last_block;
+  for (ContactNode<Dim>& node : contacts.nodes) {
+    const auto pairs = contacts.pairs_of(node);
+    node.solved_on_faces = std::any_of(pairs.begin(), pairs.end(), has_face);
+    if (!node.solved_on_faces) continue;
+    Index<Dim> block;
+    int colour = 0;
+    for (std::size_t d = 0; d < Dim; ++d)
+      block[d] = node.index[d] / block_edge<Dim>, colour = colour * colours + block[d] % colours;
+    if (groups_.empty() || block != last_block) groups_.push_back({constraints_.size(), constraints_.size(), colour});
+    last_block = block;
+    for (ContactPair& pair : pairs) {
+      Constraint& c = constraints_.emplace_back();
+      c.pair = &pair, c.node = &node, c.has_face = has_face(pair);
     }
-    terms_.push_back({dof(m->field, m->node), sign});
-    if (has_face) add_image(pair, *m, index);
+    groups_.back().end = constraints_.size();
   }
-  c.end_term = terms_.size();
-  double effective = 0.0, lumped = 0.0;  // inverse masses
-  for (std::size_t t = c.first_term; t < c.end_term; ++t) {
-    const double inverse_mass = dofs_[terms_[t].dof].inverse_mass;
-    lumped += std::abs(terms_[t].weight) * inverse_mass;
-    for (std::size_t u = c.first_term; u < c.end_term; ++u)  // a node may be among the nodes of its own image
-      if (terms_[u].dof == terms_[t].dof) effective += terms_[t].weight * terms_[u].weight * inverse_mass;
+  std::stable_sort(groups_.begin(), groups_.end(), [](const Group& a, const Group& b) { return a.colour < b.colour; });
+  for (std::size_t g = 0; g < groups_.size(); ++g)
+    if (g + 1 == groups_.size() || groups_[g + 1].colour != groups_[g].colour) colour_ends_.push_back(g + 1);
+}
+
+template <int Dim>
+void FaceSolver<Dim>::find_terms(Constraint& c, std::span<const ContactMember> members) const {
+  ContactPair& pair = *c.pair;
+  for (const auto& [member, sign] : {std::pair{&members[pair.a], -1.0}, std::pair{&members[pair.b], 1.0}}) {
+    const std::size_t first = c.term_count;
+    c.terms[c.term_count++] = {static_cast<std::uint32_t>(member->field), 0, member->node, sign};
+    if (c.has_face) add_face_terms(c, *member, sign);
+    if (member->inverse_mass > 0.0) continue;
+    pair.rigid_velocity.setZero();
+    for (std::size_t t = first; t < c.term_count; ++t)
+      pair.rigid_velocity += sign * c.terms[t].weight * velocity_of(system_, c.terms[t].field, c.terms[t].node);
+    c.term_count = first;
   }
-  c.effective_mass = 1.0 / effective, c.lumped_mass = 1.0 / lumped;
-  constraints_.push_back(c);
 }
 
 // Moves half of the weight of the last term to the mirror image of its node in the face. The velocity at the image is
 // interpolated linearly between the nodes of the cell that contains it.
 template <int Dim>
-void FaceSolver<Dim>::add_image(const ContactPair& pair, const ContactMember& member, const Index<Dim>& index) {
+void FaceSolver<Dim>::add_face_terms(Constraint& c, const ContactMember& member, double sign) const {
   const auto& field = system_.fields[member.field];
   Index<Dim> low;
   Vec<Dim> fraction;
   for (int d = 0; d < Dim; ++d) {
     const auto k = static_cast<std::size_t>(d);
-    double at = index[k] + 2 * pair.face_position * pair.state.normal[d] / field.map.lattice().spacing[d];
-    if (std::abs(at - std::round(at)) < 1e-9) at = std::round(at);  // an image on a grid line, but for round-off
-    low[k] = static_cast<int>(std::floor(at));
-    fraction[d] = at - std::floor(at);
+    double offset = 2 * c.pair->face_position * c.pair->state.normal[d] / field.map.lattice().spacing[d];
+    if (!(std::abs(offset) < max_image_distance)) return;
+    if (std::abs(offset - std::round(offset)) < 1e-9) offset = std::round(offset);  // on a grid line, but for round-off
+    low[k] = c.node->index[k] + static_cast<int>(std::floor(offset));
+    fraction[d] = offset - std::floor(offset);
   }
-  const std::size_t first = terms_.size();
-  const double half = 0.5 * terms_[first - 1].weight;
+  const std::size_t first = c.term_count;
   double total = 0.0;
   for (int corner = 0; corner < 1 << Dim; ++corner) {
     Index<Dim> n = low;
@@ -88,20 +105,86 @@ void FaceSolver<Dim>::add_image(const ContactPair& pair, const ContactMember& me
     }
     const std::int64_t at = w > 0 ? field.map.node(n) : -1;
     if (at < 0 || !(field.nodes[static_cast<std::size_t>(at)].mass > 0)) continue;
-    terms_.push_back({dof(member.field, at), w});
+    c.terms[c.term_count++] = {static_cast<std::uint32_t>(member.field), 0, at, w};
     total += w;
   }
   if (total == 0.0) return;
-  terms_[first - 1].weight = half;
-  for (std::size_t t = first; t < terms_.size(); ++t) terms_[t].weight *= half / total;
+  c.terms[first - 1].weight = 0.5 * sign;
+  for (std::size_t t = first; t < c.term_count; ++t) c.terms[t].weight *= 0.5 * sign / total;
+}
+
+// Lists the nodal velocities of all terms.
+template <int Dim>
+void FaceSolver<Dim>::number_velocities() {
+  dof_of_.resize(system_.fields.size());
+  for (const NodalVelocity& p : dofs_)
+    if (static_cast<std::size_t>(p.node) < dof_of_[p.field].size())
+      dof_of_[p.field][static_cast<std::size_t>(p.node)] = -1;
+  for (std::size_t f = 0; f < dof_of_.size(); ++f) dof_of_[f].resize(system_.fields[f].nodes.size(), -1);
+  dofs_.clear();
+  for (Constraint& c : constraints_)
+    for (std::size_t t = 0; t < c.term_count; ++t) {
+      Term& term = c.terms[t];
+      std::int32_t& number = dof_of_[term.field][static_cast<std::size_t>(term.node)];
+      if (number < 0) {
+        number = static_cast<std::int32_t>(dofs_.size());
+        const double mass = system_.fields[term.field].nodes[static_cast<std::size_t>(term.node)].mass;
+        dofs_.push_back({term.field, term.node, 1.0 / mass});
+      }
+      term.dof = static_cast<std::uint32_t>(number);
+    }
+}
+
+template <int Dim>
+void FaceSolver<Dim>::find_masses(Constraint& c) const {
+  double effective = 0.0, lumped = 0.0;  // inverse masses
+  for (std::size_t t = 0; t < c.term_count; ++t) {
+    const double inverse_mass = dofs_[c.terms[t].dof].inverse_mass;
+    lumped += std::abs(c.terms[t].weight) * inverse_mass;
+    for (std::size_t u = 0; u < c.term_count; ++u)  // a node may be among the nodes of its own image
+      if (c.terms[u].dof == c.terms[t].dof) effective += c.terms[t].weight * c.terms[u].weight * inverse_mass;
+  }
+  c.effective_mass = 1.0 / effective, c.lumped_mass = 1.0 / lumped;
 }
 
 template <int Dim>
 template <class Value>
 Vec3 FaceSolver<Dim>::weighted_sum(const Constraint& c, Value&& value) const {
   Vec3 out = Vec3::Zero();
-  for (std::size_t t = c.first_term; t < c.end_term; ++t) out += terms_[t].weight * value(dofs_[terms_[t].dof]);
+  for (std::size_t t = 0; t < c.term_count; ++t) out += c.terms[t].weight * value(dofs_[c.terms[t].dof]);
   return out;
+}
+
+// Calls f(group) for all groups, colour by colour; those of a colour in parallel. `backward`: in reverse order.
+template <int Dim>
+template <class F>
+void FaceSolver<Dim>::each_group(bool backward, F&& f) {
+  const bool in_parallel = static_cast<std::ptrdiff_t>(constraints_.size()) >= serial_below;
+  for (std::size_t k = 0; k < colour_ends_.size(); ++k) {
+    const std::size_t colour = backward ? colour_ends_.size() - 1 - k : k;
+    const std::size_t first = colour == 0 ? 0 : colour_ends_[colour - 1];
+    const auto count = static_cast<std::ptrdiff_t>(colour_ends_[colour] - first);
+    parallel_for(
+        count, [&](std::ptrdiff_t g) { f(groups_[first + static_cast<std::size_t>(g)]); }, in_parallel ? 2 : count + 1);
+  }
+}
+
+// Calls f(constraint) for all constraints in parallel.
+template <int Dim>
+template <class F>
+void FaceSolver<Dim>::each_constraint(F&& f) {
+  parallel_for(
+      static_cast<std::ptrdiff_t>(constraints_.size()),
+      [&](std::ptrdiff_t k) { f(constraints_[static_cast<std::size_t>(k)]); }, serial_below);
+}
+
+// Calls f(nodal velocity) for all of them in parallel.
+template <int Dim>
+template <class F>
+void FaceSolver<Dim>::each_velocity(F&& f) {
+  parallel_for(
+      static_cast<std::ptrdiff_t>(dofs_.size()), [&](std::ptrdiff_t k) { f(dofs_[static_cast<std::size_t>(k)]); },
+      serial_below);
 }
 
 // Computes the impulse of a pair by its law from the velocity without that impulse. `mass`: impulse over the change of
@@ -122,9 +205,9 @@ void FaceSolver<Dim>::update_impulse(Constraint& c, double mass, ContactPass pas
 // the weights of one side sum to one, momentum is conserved.
 template <int Dim>
 void FaceSolver<Dim>::distribute(const Constraint& c, const Vec3& impulse) {
-  for (std::size_t t = c.first_term; t < c.end_term; ++t) {
-    NodalVelocity& p = dofs_[terms_[t].dof];
-    p.change -= terms_[t].weight * p.inverse_mass * impulse;
+  for (std::size_t t = 0; t < c.term_count; ++t) {
+    NodalVelocity& p = dofs_[c.terms[t].dof];
+    p.change -= c.terms[t].weight * p.inverse_mass * impulse;
   }
 }
 
@@ -137,25 +220,37 @@ bool FaceSolver<Dim>::is_inactive(const Constraint& c, ContactPass pass) {
 // Projected Jacobi sweeps, then projected Gauss-Seidel sweeps, forward and backward in turn.
 template <int Dim>
 void FaceSolver<Dim>::solve(ContactPass pass) {
+  const auto each_active = [&](Group& group, bool backward, auto&& f) {
+    for (std::size_t k = group.first; k < group.end; ++k) {
+      Constraint& c = constraints_[backward ? group.end - 1 - (k - group.first) : k];
+      if (!is_inactive(c, pass)) f(c);
+    }
+  };
   for (int sweep = 0; sweep < jacobi_sweeps; ++sweep) {
-    for (Constraint& c : constraints_)
-      if (!is_inactive(c, pass)) update_impulse(c, c.lumped_mass, pass);
-    for (Constraint& c : constraints_)
-      if (!is_inactive(c, pass)) distribute(c, c.impulse_change);
+    each_group(false, [&](Group& group) {
+      each_active(group, false, [&](Constraint& c) { update_impulse(c, c.lumped_mass, pass); });
+    });
+    each_group(false, [&](Group& group) {
+      each_active(group, false, [&](Constraint& c) { distribute(c, c.impulse_change); });
+    });
   }
   for (int sweep = 0; sweep < max_gauss_seidel_sweeps; ++sweep) {
+    const bool backward = sweep % 2 != 0;
+    each_group(backward, [&](Group& group) {
+      group.change = group.size = 0.0;
+      each_active(group, backward, [&](Constraint& c) {
+        update_impulse(c, c.effective_mass, pass);
+        distribute(c, c.impulse_change);
+        group.change += c.impulse_change.squaredNorm(), group.size += c.pair->impulse.squaredNorm();
+      });
+    });
     double change = 0.0, size = 0.0;
-    for (std::size_t k = 0; k < constraints_.size(); ++k) {
-      Constraint& c = constraints_[sweep % 2 == 0 ? k : constraints_.size() - 1 - k];
-      if (is_inactive(c, pass)) continue;
-      update_impulse(c, c.effective_mass, pass);
-      distribute(c, c.impulse_change);
-      change += c.impulse_change.squaredNorm(), size += c.pair->impulse.squaredNorm();
-    }
+    for (const Group& group : groups_) change += group.change, size += group.size;
     if (change <= tolerance * tolerance * size) break;
   }
-  for (Constraint& c : constraints_)
+  each_constraint([&](Constraint& c) {
     c.pair->final_velocity = c.trial_velocity + weighted_sum(c, [](const NodalVelocity& p) { return p.change; });
+  });
 }
 
 template <int Dim>
@@ -163,33 +258,37 @@ void FaceSolver<Dim>::apply(double dt, ContactPass pass) {
   const auto node = [&](const NodalVelocity& p) -> Node& {
     return system_.fields[p.field].nodes[static_cast<std::size_t>(p.node)];
   };
-  for (NodalVelocity& p : dofs_) p.change.setZero();
-  for (Constraint& c : constraints_) {
-    c.trial_velocity = c.rigid_velocity + weighted_sum(c, [&](const NodalVelocity& p) {
+  each_velocity([&](NodalVelocity& p) { p.change.setZero(); });
+  each_constraint([&](Constraint& c) {
+    ContactPair& pair = *c.pair;
+    c.trial_velocity = pair.rigid_velocity + weighted_sum(c, [&](const NodalVelocity& p) {
                          return Vec3(Eigen::Map<const Vec3>(node(p).velocity));
                        });
-    ContactState& m = c.pair->state;
-    m.dt = dt;
-    m.start = c.trial_velocity;
+    pair.state.dt = dt;
+    pair.state.start = c.trial_velocity;
     if (pass == ContactPass::corrector)
-      m.start -= dt * weighted_sum(c, [&](const NodalVelocity& p) {
-                   return Vec3(Eigen::Map<const Vec3>(node(p).acceleration));
-                 });
-    c.pair->impulse.setZero(), c.pair->response = {};
-    if (pass == ContactPass::corrector && !is_inactive(c, pass)) c.pair->impulse = c.pair->update_impulse;
-  }
-  for (const Constraint& c : constraints_) distribute(c, c.pair->impulse);
+      pair.state.start -= dt * weighted_sum(c, [&](const NodalVelocity& p) {
+                            return Vec3(Eigen::Map<const Vec3>(node(p).acceleration));
+                          });
+    pair.response = {};
+    pair.impulse.setZero();
+    if (pass == ContactPass::corrector && !is_inactive(c, pass)) pair.impulse = pair.update_impulse;
+  });
+  each_group(false, [&](Group& group) {
+    for (std::size_t k = group.first; k < group.end; ++k) distribute(constraints_[k], constraints_[k].pair->impulse);
+  });
   solve(pass);
-  for (const NodalVelocity& p : dofs_) {
+  each_velocity([&](const NodalVelocity& p) {
     Eigen::Map<Vec3>(node(p).velocity) += p.change;
     if (pass == ContactPass::corrector) Eigen::Map<Vec3>(node(p).acceleration) += p.change / dt;
-  }
+  });
 }
 
 template <int Dim>
 void FaceSolver<Dim>::remove() {
-  for (const NodalVelocity& p : dofs_)
+  each_velocity([&](const NodalVelocity& p) {
     Eigen::Map<Vec3>(system_.fields[p.field].nodes[static_cast<std::size_t>(p.node)].velocity) -= p.change;
+  });
 }
 
 template <int Dim>
@@ -197,11 +296,12 @@ void FaceSolver<Dim>::constrain_increments(ContactPass pass) {
   const auto increment = [&](const NodalVelocity& p) {
     return Eigen::Map<Vec3>(system_.fields[p.field].filter[static_cast<std::size_t>(p.node)].increment);
   };
-  for (Constraint& c : constraints_)
+  each_constraint([&](Constraint& c) {
     c.trial_velocity += weighted_sum(c, [&](const NodalVelocity& p) { return Vec3(increment(p)); });
-  for (NodalVelocity& p : dofs_) increment(p) -= p.change;
+  });
+  each_velocity([&](NodalVelocity& p) { increment(p) -= p.change; });
   solve(pass);
-  for (NodalVelocity& p : dofs_) increment(p) += p.change;
+  each_velocity([&](NodalVelocity& p) { increment(p) += p.change; });
 }
 
 template class FaceSolver<2>;

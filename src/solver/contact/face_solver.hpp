@@ -14,22 +14,26 @@
 #include "solver/contact/contact_nodes.hpp"
 #include "solver/state/system.hpp"
 
+#include <array>
+#include <cstdint>
 #include <vector>
 
 namespace tribo {
 
-/// Finds the impulses of all pairs that were added so that each obeys its law at its face.
+/// Finds the impulses of all pairs with faces so that each obeys its law at its face.
+///
+/// The iteration starts with the impulses of the last step. Jacobi sweeps spread the pressure evenly over pairs that
+/// share nodes, Gauss-Seidel sweeps converge. The pairs of a block of nodes are solved one after the other; blocks so
+/// far apart that their pairs share no nodes have the same colour and are solved in parallel. The order of the sums
+/// does not depend on the number of threads.
 template <int Dim>
 class FaceSolver {
  public:
   explicit FaceSolver(System<Dim>& system) : system_(system) {}
 
-  /// Removes all pairs; to be called before the pairs of a step are added.
-  void clear();
-  /// Adds a pair of the contact node at `index`; pair.a and pair.b are positions in `members`. `has_face`: the face
-  /// position and the normal of the pair are known; else its law acts on the velocities of the node itself. The pair
-  /// must stay where it is in memory until clear().
-  void add(ContactPair& pair, std::span<const ContactMember> members, const Index<Dim>& index, bool has_face);
+  /// Takes over all pairs of the nodes at which some pair has a face, and sets ContactNode::solved_on_faces. The pairs
+  /// must stay where they are in memory until the next set_up().
+  void set_up(ContactNodes<Dim>& contacts);
 
   /// Applies the laws to the present velocities. In the corrector the accelerations change accordingly. `dt`: step.
   void apply(double dt, ContactPass pass);
@@ -42,14 +46,20 @@ class FaceSolver {
  private:
   // A nodal velocity with its weight in the relative velocity of a pair.
   struct Term {
-    std::size_t dof;  // position in dofs_
+    std::uint32_t field;
+    std::uint32_t dof;  // position in dofs_
+    std::int64_t node;
     double weight;
   };
+  // Of each side the velocity of the node, and those of the nodes of the cell that contains its image.
+  static constexpr std::size_t max_terms = 2 * (1 + (1 << Dim));
   // A pair and its relative velocity at the face as a weighted sum of nodal velocities.
   struct Constraint {
-    ContactPair* pair;
-    std::size_t first_term, end_term;
-    Vec3 rigid_velocity = Vec3::Zero();  // contribution of a field with prescribed velocity
+    ContactPair* pair = nullptr;
+    const ContactNode<Dim>* node = nullptr;
+    bool has_face = false;  // else the law acts on the velocities of the node itself
+    std::size_t term_count = 0;
+    std::array<Term, max_terms> terms;
     Vec3 trial_velocity = Vec3::Zero();  // relative velocity without contact
     double effective_mass = 0.0;         // impulse over change of relative velocity if no other pair acts
     double lumped_mass = 0.0;            // smaller: also stable if all pairs that share nodes act at once
@@ -57,26 +67,42 @@ class FaceSolver {
   };
   // The velocity of one field at one node.
   struct NodalVelocity {
-    std::size_t field;
+    std::uint32_t field;
     std::int64_t node;
     double inverse_mass;
     Vec3 change = Vec3::Zero();  // by contact
   };
+  // The constraints of the contact nodes of one block.
+  struct Group {
+    std::size_t first, end;           // in constraints_
+    int colour;                       // groups of the same colour share no nodes
+    double change = 0.0, size = 0.0;  // squared sums of the impulses in a sweep
+  };
 
-  std::size_t dof(std::size_t field, std::int64_t node);
-  void add_image(const ContactPair& pair, const ContactMember& member, const Index<Dim>& index);
+  static bool is_inactive(const Constraint& c, ContactPass pass);
+  void list_constraints(ContactNodes<Dim>& contacts);
+  void find_terms(Constraint& c, std::span<const ContactMember> members) const;
+  void add_face_terms(Constraint& c, const ContactMember& member, double sign) const;
+  void number_velocities();
+  void find_masses(Constraint& c) const;
   template <class Value>
   Vec3 weighted_sum(const Constraint& c, Value&& value) const;
+  template <class F>
+  void each_group(bool backward, F&& f);
+  template <class F>
+  void each_constraint(F&& f);
+  template <class F>
+  void each_velocity(F&& f);
   void update_impulse(Constraint& c, double mass, ContactPass pass);
   void distribute(const Constraint& c, const Vec3& impulse);
-  static bool is_inactive(const Constraint& c, ContactPass pass);
   void solve(ContactPass pass);
 
   System<Dim>& system_;
   std::vector<Constraint> constraints_;
-  std::vector<Term> terms_;
+  std::vector<Group> groups_;             // sorted by colour
+  std::vector<std::size_t> colour_ends_;  // per colour that occurs: end of its groups
   std::vector<NodalVelocity> dofs_;
-  std::vector<std::vector<int>> dof_of_;  // per field and node: position in dofs_, or -1
+  std::vector<std::vector<std::int32_t>> dof_of_;  // per field and node: position in dofs_, or -1
 };
 
 }  // namespace tribo

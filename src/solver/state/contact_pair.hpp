@@ -36,6 +36,9 @@ struct ContactPair {
   bool replaced_by_joint = false;  ///< a joint acts here in place of the contact law
   double face_position = 0.0;      ///< signed distance of the common face from the node along the normal      [length]
   Vec3 final_velocity = Vec3::Zero();  ///< relative velocity after contact; set only by FaceSolver  [velocity]
+  /// Contribution of a field with prescribed velocity to the relative velocity at the face; set only by FaceSolver
+  /// [velocity].
+  Vec3 rigid_velocity = Vec3::Zero();
 };
 
 }  // namespace tribo
