@@ -201,7 +201,7 @@ TEST_CASE("the search knows the pairs that friction held in the last step", "[co
   set(1, ContactStatus::stick, normal + Vec3::UnitZ());
   set(2, ContactStatus::stick, normal);  // without a shear impulse friction holds nothing
   set(5, ContactStatus::stick, normal + 1e-6 * Vec3::UnitZ());
-  search.remember_stuck();
+  search.remember_pairs();
   fields.set_mass(0, 8, 8, 0.0);  // the pair 1, of the fields 0 and 2, is gone
   fields.set_mass(0, 7, 8, 1.0), fields.set_mass(1, 7, 8, 1.0);
   search.locate();

@@ -12,8 +12,9 @@ namespace {
 // In Jacobi sweeps the laws of all pairs read the same velocities, so that pairs that share nodes also share the
 // pressure evenly. Gauss-Seidel sweeps alone would load the first ones most.
 constexpr int jacobi_sweeps = 5;
-constexpr int max_gauss_seidel_sweeps = 10;
-constexpr double tolerance = 1e-8;  // of the impulses, relative
+constexpr int max_sweeps_from_rest = 50;  // Gauss-Seidel sweeps if no impulses of the last step are known
+constexpr int max_sweeps = 10;            // if they are
+constexpr double tolerance = 1e-8;        // of the impulses, relative
 // Pairs whose node lies farther from its image in the face act on the node only [cells]
 constexpr int max_image_distance = 4;
 constexpr std::ptrdiff_t serial_below = 200;  // constraints
@@ -234,14 +235,17 @@ void FaceSolver<Dim>::solve(ContactPass pass) {
       each_active(group, false, [&](Constraint& c) { distribute(c, c.impulse_change); });
     });
   }
-  for (int sweep = 0; sweep < max_gauss_seidel_sweeps; ++sweep) {
+  const bool from_rest = std::all_of(constraints_.begin(), constraints_.end(),
+                                     [](const Constraint& c) { return c.pair->update_impulse.isZero(0); });
+  for (int sweep = 0; sweep < (from_rest ? max_sweeps_from_rest : max_sweeps); ++sweep) {
     const bool backward = sweep % 2 != 0;
     each_group(backward, [&](Group& group) {
       group.change = group.size = 0.0;
       each_active(group, backward, [&](Constraint& c) {
         update_impulse(c, c.effective_mass, pass);
         distribute(c, c.impulse_change);
-        group.change += c.impulse_change.squaredNorm(), group.size += c.pair->impulse.squaredNorm();
+        group.change += c.impulse_change.squaredNorm(),
+            group.size += std::max(c.pair->impulse.squaredNorm(), c.pair->update_impulse.squaredNorm());
       });
     });
     double change = 0.0, size = 0.0;
