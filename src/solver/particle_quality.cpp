@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#include "solver/particle_quality.hpp"
+
+#include "base/parallel.hpp"
+#include "materials/material.hpp"
+#include "solver/particle_splitting.hpp"
+#include "solver/state/particle_domain.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tribo {
+namespace {
+
+/// Length from which on a domain leaves holes [cells]; and how many times its initial length it must be.
+constexpr double longest_domain = 1.0, least_stretch = 1.5;
+
+// Adds a particle; `worse`: whether its value is worse than the worst so far.
+void take(BadParticles& bad, double value, bool worse, const Vec3& place) {
+  if (bad.count++ == 0 || worse) bad.worst = value, bad.place = place;
+}
+
+// The first of two equally bad particles counts, so that the order of the sums decides nothing else.
+void add(BadParticles& to, const BadParticles& from, bool worse) {
+  if (from.count > 0 && (to.count == 0 || worse)) to.worst = from.worst, to.place = from.place;
+  to.count += from.count;
+}
+
+// Length of the longest of the shortest vectors that span the domain, in cells; 0 if it is no hole.
+template <int Dim>
+double hole(const Mat<Dim>& axes, const Vec<Dim>& cell, double ratio, bool deforms) {
+  const double per_volume = std::pow(2.0, Dim) * std::abs(axes.determinant()) / cell.prod();
+  // Without F the axes are the initial ones.
+  const double start = std::pow(deforms ? per_volume / ratio : per_volume, 1.0 / Dim);
+  const auto longest = [&](const Mat<Dim>& m) {
+    return 2 * (cell.cwiseInverse().asDiagonal() * m).colwise().norm().maxCoeff();
+  };
+  double length = longest(axes);
+  if (!deforms) length *= std::pow(ratio, 1.0 / Dim);
+  if (!(length > std::max(longest_domain, least_stretch * start))) return 0.0;
+  if (deforms) length = longest(reduced<Dim>({axes, Mat<Dim>::Identity()}, cell).current);
+  return length > std::max(longest_domain, least_stretch * start) ? length : 0.0;
+}
+
+template <int Dim>
+ParticleQuality look_at(Body<Dim>& body, const Vec<Dim>& cell, const VolumeRange& ordinary, std::size_t first,
+                        std::size_t last) {
+  ParticleQuality out;
+  auto& particles = body.particles;
+  const double density = body.law->density();
+  const bool deforms = particles.has_deformation();
+  const DomainReader<Dim> domain(body);
+  for (std::size_t i = first; i < last; ++i) {
+    const double ratio = particles.volume()[i] * density / particles.mass()[i];
+    const double length = hole<Dim>(domain(static_cast<std::uint32_t>(i)).axes, cell, ratio, deforms);
+    if (ratio >= ordinary.low && ratio <= ordinary.high && length == 0.0) continue;
+    Vec3 place = Vec3::Zero();
+    place.head<Dim>() = particles.position(i);
+    if (ratio < ordinary.low) take(out.compressed, ratio, ratio < out.compressed.worst, place);
+    if (ratio > ordinary.high) take(out.expanded, ratio, ratio > out.expanded.worst, place);
+    if (length > 0) take(out.stretched, length, length > out.stretched.worst, place);
+  }
+  return out;
+}
+
+}  // namespace
+
+template <int Dim>
+ParticleQuality particle_quality(Body<Dim>& body, const Lattice<Dim>& lattice, const VolumeRange& ordinary) {
+  static constexpr std::size_t piece = 4096;
+  const std::size_t n = body.particles.size();
+  std::vector<ParticleQuality> parts((n + piece - 1) / piece);
+  parallel_for(static_cast<std::ptrdiff_t>(parts.size()), [&](std::ptrdiff_t k) {
+    const std::size_t first = static_cast<std::size_t>(k) * piece;
+    parts[static_cast<std::size_t>(k)] = look_at(body, lattice.spacing, ordinary, first, std::min(n, first + piece));
+  });
+  ParticleQuality all;
+  for (const auto& part : parts) {
+    add(all.compressed, part.compressed, part.compressed.worst < all.compressed.worst);
+    add(all.expanded, part.expanded, part.expanded.worst > all.expanded.worst);
+    add(all.stretched, part.stretched, part.stretched.worst > all.stretched.worst);
+  }
+  return all;
+}
+
+template ParticleQuality particle_quality<2>(Body<2>&, const Lattice<2>&, const VolumeRange&);
+template ParticleQuality particle_quality<3>(Body<3>&, const Lattice<3>&, const VolumeRange&);
+
+}  // namespace tribo
