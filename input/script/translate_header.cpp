@@ -277,7 +277,7 @@ void Translator::gravity(const Command& c) {
   constexpr std::array names{"BodyXForce", "BodyYForce", "BodyZForce"};
   const auto set = [&](const char* name, const Origin& origin, const std::string& text) {
     const Statement* before = document_.find("Gravity", name);
-    if (before && before->text != text)
+    if (before && before->text != text && to_number(before->text) != 0.0)
       document_.problems().warn(origin, "this replaces the gravity of " + before->origin.text() + ", " + before->text +
                                             ": a model has one gravity along each axis");
     document_.set("Gravity", name, origin, text);

@@ -10,8 +10,8 @@
 namespace tribo {
 namespace {
 
-/// Most points along an axis, in two and in three dimensions.
-constexpr double most_flat = 384, most_solid = 48;
+/// Least and most numbers of points along an axis, in two and in three dimensions.
+constexpr std::array<double, 2> flat_points{24, 384}, solid_points{8, 48};
 
 // Calls f(x) for points of a box, about `per_cell` of them per cell and axis; irrational offsets keep them off the
 // faces of shapes with round numbers. Returns the volume per point, in two dimensions the area.
@@ -19,6 +19,7 @@ template <class F>
 double sample(const Bounds& box, const GridBox& grid, double per_cell, F&& f) {
   constexpr std::array offset{0.38196601, 0.61803399, 0.41421356};
   const int dimension = grid.flat ? 2 : 3;
+  const auto& limits = grid.flat ? flat_points : solid_points;
   std::array<int, 3> count{1, 1, 1};
   Vec3 step = Vec3::Zero();
   double volume = 1.0;
@@ -26,8 +27,7 @@ double sample(const Bounds& box, const GridBox& grid, double per_cell, F&& f) {
     const double size = box.high[k] - box.low[k];
     if (!(size > 0)) return 0.0;
     const auto d = static_cast<std::size_t>(k);
-    count[d] = static_cast<int>(
-        std::clamp(std::ceil(per_cell * size / grid.cell[k]), 4.0, grid.flat ? most_flat : most_solid));
+    count[d] = static_cast<int>(std::clamp(std::ceil(per_cell * size / grid.cell[k]), limits[0], limits[1]));
     step[k] = size / count[d], volume *= step[k];
   }
   for (int c = 0; c < count[2]; ++c)

@@ -40,14 +40,21 @@ class Effort {
       : model_(model), system_(system), stepper_(stepper), dt_(dt) {}
 
   Remarks remarks() {
-    stepper_.advance(dt_);
     out_.lines.push_back(format("memory: about %.3g MB", 1e-6 * bytes()));
     const double files = count(Schedule(model_.output.archive));
     out_.lines.push_back(format("particle files: %.0f, up to %.3g MB in all", files,
                                 files * 1e-6 * 250 * static_cast<double>(particle_count(system_))));
     if (files > 2000) out_.advice.push_back(format("%.0f particle files: a larger <ArchiveTime>?", files));
     const double steps = std::ceil(model_.time.end / dt_), output = output_seconds(files);
-    const double free = seconds_per_step(), contact = added_by_contact(free);
+    double free = 0.0;
+    try {
+      stepper_.advance(dt_);
+      free = seconds_per_step();
+    } catch (const SimulationError& error) {
+      out_.advice.push_back(std::string("a trial of some steps failed: ") + error.what());
+      return std::move(out_);
+    }
+    const double contact = added_by_contact(free);
     out_.lines.push_back(format("estimated time: %.3g s on %d thread%s, of which output %.2g s",
                                 steps * (free + contact) + output, threads(), threads() == 1 ? "" : "s", output));
     return std::move(out_);
@@ -68,13 +75,16 @@ class Effort {
     return static_cast<double>(schedule.count());
   }
 
+  // Mean over some steps, within the time of the run.
   double seconds_per_step() {
     static constexpr double enough = 0.2;  // seconds
-    static constexpr int warm = 2, most = 200;
-    for (int k = 0; k < warm; ++k) stepper_.advance(dt_);
+    static constexpr int warm = 2, least = 5, most = 200;
+    const auto at_end = [&] { return !(system_.time < model_.time.end - dt_); };
+    for (int k = 0; k < warm && !at_end(); ++k) stepper_.advance(dt_);
     const auto begin = Clock::now();
     int trial = 0;
-    while (trial < 5 || (seconds_since(begin) < enough && trial < most)) stepper_.advance(dt_), ++trial;
+    while (trial == 0 || (!at_end() && (trial < least || (seconds_since(begin) < enough && trial < most))))
+      stepper_.advance(dt_), ++trial;
     return seconds_since(begin) / trial;
   }
 

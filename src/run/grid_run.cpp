@@ -81,6 +81,7 @@ std::map<std::string, double> GridRun<Dim>::seconds_of(double) const {
           {"nodes to particles, stress", w.gather.seconds()},
           {"contact", contact},
           {"filter (XPIC, FMPM)", filter},
+          {"looks at the state", monitor_.watch.seconds()},
           {"loads, heat, rest of the step", std::max(0.0, w.all.seconds() - named)}};
 }
 

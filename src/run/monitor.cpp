@@ -31,6 +31,7 @@ std::vector<std::string> Monitor<Dim>::look(double dt, double initial_energy, bo
     state.stride = std::max(least_stride, static_cast<std::int64_t>(model_.time.end / dt / looks_per_run));
   }
   if (!last && system_.step % state.stride != 0) return news;
+  const auto lap = watch.lap();
   balance(initial_energy, news);
   particles(news);
   step(dt, news);

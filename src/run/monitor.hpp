@@ -2,6 +2,7 @@
 /// Looks at a run from time to time for signs that its results are wrong.
 #pragma once
 
+#include "base/stopwatch.hpp"
 #include "run/monitor_state.hpp"
 #include "run/ordinary_volume.hpp"
 #include "run/step_size.hpp"
@@ -35,6 +36,7 @@ class Monitor {
   double loss() const { return state.supplied > 0 ? -state.gain / state.supplied : 0.0; }
 
   MonitorState state;
+  Stopwatch watch;  ///< time spent in looks
 
  private:
   using News = std::vector<std::string>;

@@ -13,6 +13,7 @@
 #include "run/step_size.hpp"
 #include "run/sudden_gravity.hpp"
 #include "run/tracers.hpp"
+#include "run/travel_report.hpp"
 #include "solver/build.hpp"
 #include "solver/measures.hpp"
 #include "solver/step.hpp"
@@ -117,25 +118,26 @@ class Report {
   }
 
   void gaps() {
+    static constexpr double touching = 1e-3;  // cells: plane facets replace curved faces
     const bool separate = model_.contact.active;
     const auto grips = [&](int k) { return material(k).law->rigid() && !material(k).touches(); };
     for (const auto& [pair, gap] : smallest_gaps<Dim>(seeds_, system_.lattice)) {
       if (grips(pair.first) || grips(pair.second)) continue;
       const std::string who = name(pair.first) + " and " + name(pair.second);
-      if (gap < -1e-6) {
+      if (gap < -touching) {
         line("overlap: " + who + format(" by %.3g cells", -gap));
         if (separate) advice_.push_back(who + " overlap at the start: contact will push them apart");
       } else if (gap < 1) {
-        line(gap < 1e-6 ? "touch: " + who : "gap: " + who + format(", %.3g cells", gap));
+        line(gap < touching ? "touch: " + who : "gap: " + who + format(", %.3g cells", gap));
       }
       if (!separate && gap < 1)
         advice_.push_back(who +
-                          (gap < 1e-6
+                          (gap < touching
                                ? std::string(" share one velocity field: they stick where they touch") +
                                      (model_.cracks.empty() ? "" : ", but for cracks")
                                : std::string(" act on each other across the gap, as they share one velocity field")) +
                           "; <MultiMaterialMode> gives each its own");
-      if (separate && gap > 1e-6 && gap < 1 && model_.contact.separation != Separation::edges)
+      if (separate && gap > touching && gap < 1 && model_.contact.separation != Separation::edges)
         advice_.push_back(who +
                           format(" are %.3g cells apart: this way to find the gap may see contact before they touch; "
                                  "normals LOGREG (the default) measures it",
@@ -232,22 +234,7 @@ class Report {
   }
 
   void travel() {
-    for (const auto& body : system_.bodies) {
-      double first = 1e300;
-      for (const Seed& s : seeds_) {
-        if (s.material != body.material) continue;
-        for (Eigen::Index d = 0; d < Dim; ++d) {
-          const auto k = static_cast<std::size_t>(d);
-          const auto& plane = model_.grid.symmetry[k][s.v[d] > 0 ? 1 : 0];
-          if (s.v[d] == 0 || plane || model_.grid.periodic[k]) continue;
-          const double room = s.v[d] > 0 ? model_.grid.high[k] - s.x[d] : s.x[d] - model_.grid.low[k];
-          first = std::min(first, room / std::abs(s.v[d]));
-        }
-      }
-      if (first < model_.time.end)
-        advice_.push_back(
-            format("%s leaves the grid at time %.4g unless something stops it", name(body.material).c_str(), first));
-    }
+    take(describe_travel(model_, seeds_));
     double fastest = 0.0;
     for (const Seed& s : seeds_) fastest = std::max(fastest, s.v.cwiseAbs().maxCoeff());
     if (fastest > 0.5 * step_.wave_speed && !model_.time.adaptive)

@@ -160,13 +160,17 @@ class SetupReport {
     return direction + " (" + style + ")";
   }
 
+  // The position of a node, with zero for what round-off leaves of it.
+  double position(int node, int axis) const {
+    const double h = system_.lattice.spacing[axis], x = edge_at(axis, 0) + node * h;
+    return std::abs(x) < 1e-9 * h ? 0.0 : x;
+  }
+
   std::string place_of(const Box& box, int axis) const {
     const auto k = static_cast<std::size_t>(axis);
-    const double h = system_.lattice.spacing[axis], low = model_.grid.low[k] + box.first[k] * h,
-                 high = model_.grid.low[k] + box.second[k] * h;
+    const double low = position(box.first[k], axis), high = position(box.second[k], axis);
     const char name = axis_names[k];
-    return box.first[k] == box.second[k] ? format(" at %c = %.6g", name, low)
-                                         : format(" for %c from %.6g to %.6g", name, low, high);
+    return low == high ? format(" at %c = %.6g", name, low) : format(" for %c from %.6g to %.6g", name, low, high);
   }
 
   void edges() {

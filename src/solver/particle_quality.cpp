@@ -12,8 +12,9 @@
 namespace tribo {
 namespace {
 
-/// Length from which on a domain leaves holes [cells]; and how many times its initial length it must be.
-constexpr double longest_domain = 1.0, least_stretch = 1.5;
+/// Length from which on a domain leaves holes [cells]: particles reach over one cell, and a quarter more is tolerated;
+/// and how many times its initial length it must be.
+constexpr double longest_domain = 1.25, least_stretch = 1.5;
 
 // Adds a particle; `worse`: whether its value is worse than the worst so far.
 void take(BadParticles& bad, double value, bool worse, const Vec3& place) {
@@ -26,24 +27,27 @@ void add(BadParticles& to, const BadParticles& from, bool worse) {
   to.count += from.count;
 }
 
-// Length of the longest of the shortest vectors that span the domain, in cells; 0 if it is no hole.
+// Length of the longest of the shortest vectors that span the domain, in cells; 0 if it is no hole. `ratio`: V/V0;
+// without F (`deforms` false) the axes are the initial ones.
 template <int Dim>
-double hole(const Mat<Dim>& axes, const Vec<Dim>& cell, double ratio, bool deforms) {
-  const double per_volume = std::pow(2.0, Dim) * std::abs(axes.determinant()) / cell.prod();
-  // Without F the axes are the initial ones.
-  const double start = std::pow(deforms ? per_volume / ratio : per_volume, 1.0 / Dim);
-  const auto longest = [&](const Mat<Dim>& m) {
-    return 2 * (cell.cwiseInverse().asDiagonal() * m).colwise().norm().maxCoeff();
-  };
-  double length = longest(axes);
-  if (!deforms) length *= std::pow(ratio, 1.0 / Dim);
-  if (!(length > std::max(longest_domain, least_stretch * start))) return 0.0;
-  if (deforms) length = longest(reduced<Dim>({axes, Mat<Dim>::Identity()}, cell).current);
+double hole(const Mat<Dim>& axes, const Vec<Dim>& per_cell, double ratio, bool deforms) {
+  const Mat<Dim> scaled = (2 * per_cell).asDiagonal() * axes;
+  const double square = scaled.colwise().squaredNorm().maxCoeff();
+  // Most particles end here: the vectors of the reduced basis are not longer, nor is a cube of this volume.
+  if (deforms ? square <= longest_domain * longest_domain : std::sqrt(square) * std::max(1.0, ratio) <= longest_domain)
+    return 0.0;
+  const double volume = std::abs(scaled.determinant());
+  const double start = std::pow(deforms ? volume / ratio : volume, 1.0 / Dim);
+  const double length = deforms ? std::sqrt(reduced<Dim>({scaled, Mat<Dim>::Identity()}, Vec<Dim>::Ones())
+                                                .current.colwise()
+                                                .squaredNorm()
+                                                .maxCoeff())
+                                : std::sqrt(square) * std::pow(ratio, 1.0 / Dim);
   return length > std::max(longest_domain, least_stretch * start) ? length : 0.0;
 }
 
 template <int Dim>
-ParticleQuality look_at(Body<Dim>& body, const Vec<Dim>& cell, const VolumeRange& ordinary, std::size_t first,
+ParticleQuality look_at(Body<Dim>& body, const Vec<Dim>& per_cell, const VolumeRange& ordinary, std::size_t first,
                         std::size_t last) {
   ParticleQuality out;
   auto& particles = body.particles;
@@ -52,7 +56,9 @@ ParticleQuality look_at(Body<Dim>& body, const Vec<Dim>& cell, const VolumeRange
   const DomainReader<Dim> domain(body);
   for (std::size_t i = first; i < last; ++i) {
     const double ratio = particles.volume()[i] * density / particles.mass()[i];
-    const double length = hole<Dim>(domain(static_cast<std::uint32_t>(i)).axes, cell, ratio, deforms);
+    double length = hole<Dim>(domain(static_cast<std::uint32_t>(i)).axes, per_cell, ratio, deforms);
+    // Matter that comes apart by nature, such as spray, is as long as its volume has grown.
+    if (!std::isfinite(ordinary.high) && length <= longest_domain * ratio) length = 0.0;
     if (ratio >= ordinary.low && ratio <= ordinary.high && length == 0.0) continue;
     Vec3 place = Vec3::Zero();
     place.head<Dim>() = particles.position(i);
@@ -72,7 +78,8 @@ ParticleQuality particle_quality(Body<Dim>& body, const Lattice<Dim>& lattice, c
   std::vector<ParticleQuality> parts((n + piece - 1) / piece);
   parallel_for(static_cast<std::ptrdiff_t>(parts.size()), [&](std::ptrdiff_t k) {
     const std::size_t first = static_cast<std::size_t>(k) * piece;
-    parts[static_cast<std::size_t>(k)] = look_at(body, lattice.spacing, ordinary, first, std::min(n, first + piece));
+    parts[static_cast<std::size_t>(k)] =
+        look_at<Dim>(body, lattice.spacing.cwiseInverse(), ordinary, first, std::min(n, first + piece));
   });
   ParticleQuality all;
   for (const auto& part : parts) {

@@ -156,6 +156,11 @@ TEST_CASE("the summary reports bodies that stick to fixed nodes and bodies that 
  <Material Type='1' Name='m'><rho>1</rho><E>1</E><nu>0</nu></Material></JANFEAInput>)";
   // the foremost particle is at 9.75 of 20
   CHECK_THAT(preflight(read_model_text(deck, "deck.xml"), 1), Contains("'m' leaves the grid at time 0.2562"));
+  // A spinning disc stays where it is
+  deck.replace(deck.find("vx='40'"), 7, "");
+  deck.replace(deck.find("<Rect"), deck.find("</Body>") - deck.find("<Rect"),
+               "<vel0X>-9*(y-5)</vel0X><vel0Y>9*(x-6)</vel0Y><Oval xmin='2' xmax='10' ymin='1' ymax='9'/>");
+  CHECK_THAT(preflight(read_model_text(deck, "deck.xml"), 1), !Contains("leaves the grid"));
 }
 
 TEST_CASE("the summary tells gravity in words and warns of gravity along x", "[preflight]") {
@@ -201,7 +206,8 @@ TEST_CASE("the summary names the contact law of each pair of materials", "[prefl
              Contains("contact of 'left' and 'right': LinearInterface 'glue' (Dnt 2, Dt 1)"));
   CHECK_THAT(sheet("0", contact, "<Material Type='Mohr' Name='bed'><stiffness-normal>1</stiffness-normal></Material>",
                    "4", "1", "<Friction lawname='bed' matname='right'/>"),
-             Contains("contact of 'left' and 'right': Mohr 'bed' (stiffness-normal 1) where they touch at the start, then without friction"));
+             Contains("contact of 'left' and 'right': Mohr 'bed' (stiffness-normal 1) where they touch at the start, "
+                      "then without friction"));
   CHECK_THAT(sheet("0", ""), Contains("contact: none, all bodies share one velocity field"));
 }
 
@@ -243,12 +249,12 @@ MPMMethod "USL","uGIMP"
 TimeStep 1,1,0.4
 ArchiveTime 1
 Material "a",")" + std::string("A") +
-                               R"(","Elastic"
+                               R"(","LinearElastic"
   rho 1
   E 1
   nu 0
 Done
-Material "b",")" + second + R"(","Elastic"
+Material "b",")" + second + R"(","LinearElastic"
   rho 1
   E 1
   nu 0
@@ -272,4 +278,26 @@ Gravity 0,-10
              Contains("deck.fmcmd:27:") && Contains("warning: this replaces the gravity of deck.fmcmd:26:"));
   REQUIRE(script("", "A").size() == 1);
   CHECK_THAT(script("", "A")[0], Contains("warning: two materials are named 'A'"));
+}
+
+TEST_CASE("bodies whose slanted or round faces touch do not overlap", "[preflight]") {
+  const std::string other = "<Material Type='1' Name='n'><rho>1000</rho><E>1e6</E><nu>0</nu></Material>";
+  const auto with = [&](const std::string& first, const std::string& second) {
+    return one_block(first, other, "<Horiz nx='20'/><Vert ny='10'/>", contact,
+                     "<Body matname='n'>" + second + "</Body>");
+  };
+  for (const double slope : {0.1, 0.37, 0.5, 1.3, 2.7}) {
+    INFO(slope);
+    // Two halves of a block on both sides of a slanted line through its middle
+    const auto pt = [](double x, double y) {
+      return "<pt x='" + std::to_string(x) + "' y='" + std::to_string(y) + "'/>";
+    };
+    const double half = slope < 1 ? 4 : 4 / slope;
+    const auto line = pt(10 - half, 5 - slope * half) + pt(10 + half, 5 + slope * half);
+    const std::string text = with("<Polygon>" + line + pt(10 + half, 0.5) + pt(10 - half, 0.5) + "</Polygon>",
+                                  "<Polygon>" + line + pt(10 + half, 9.5) + pt(10 - half, 9.5) + "</Polygon>");
+    CHECK_THAT(text, Contains("touch: 'm' and 'n'") && !Contains("overlap") && !Contains("claim"));
+  }
+  CHECK_THAT(with("<Oval xmin='2' xmax='10' ymin='1' ymax='9'/>", "<Oval xmin='10' xmax='18' ymin='1' ymax='9'/>"),
+             Contains("touch: 'm' and 'n'") && !Contains("overlap"));
 }

@@ -17,9 +17,11 @@ using Catch::Contains;
 
 namespace {
 
+const std::string elastic = "<Material Type='1' Name='m'><rho>1</rho><E>100</E><nu>0</nu></Material>";
+
 // A block of 4 x 4 cells that hangs in the middle of the grid.
-Model block(const std::string& material = "<Material Type='1' Name='m'><rho>1</rho><E>100</E><nu>0</nu></Material>",
-            const std::string& header = "", const std::string& body = "vx='1'", const std::string& more = "") {
+Model block(const std::string& material = elastic, const std::string& header = "", const std::string& body = "vx='1'",
+            const std::string& more = "") {
   return read_model_text(R"(<JANFEAInput version='3'>
  <Header><Analysis>10</Analysis><ConsistentUnits length='mm' mass='g' time='ms'/></Header>
  <MPMHeader><MaxTime>1</MaxTime><ArchiveTime>0.5</ArchiveTime><GIMP/><Transfer type='APIC'/>)" +
@@ -137,21 +139,33 @@ TEST_CASE("volumes out of the ordinary are counted, except where they are ordina
 }
 
 TEST_CASE("domains that are stretched over a cell are holes, those that are sheared are not", "[monitor]") {
-  Watched stretched(block()), sheared(block()), short_of(block());
-  short_of.deform(matrix(1.9, 0, 0, 1 / 1.9));
+  // Contact keeps the deformation gradients
+  const auto with_contact = [] { return block(elastic, "<MultiMaterialMode/>"); };
+  Watched stretched(with_contact()), sheared(with_contact()), short_of(with_contact());
+  short_of.deform(matrix(2.4, 0, 0, 1 / 2.4));
   CHECK(short_of.look_at_state().empty());
   sheared.deform(matrix(1, 6, 0, 1));
   CHECK(sheared.look_at_state().empty());
-  stretched.deform(matrix(0, -1 / 2.2, 2.2, 0));  // and turned by 90 degrees; domains are half a cell long
+  stretched.deform(matrix(0, -1 / 2.8, 2.8, 0));  // and turned by 90 degrees; domains are half a cell long
   CHECK_THAT(stretched.look_at_state(),
-             Contains("64 particles of 'm' at time 0 longer than a cell, the longest 1.1 cells at (") &&
+             Contains("64 particles of 'm' at time 0 longer than a cell, the longest 1.4 cells at (") &&
                  Contains("<SplitParticles/>"));
+  // Without them the volume tells
+  REQUIRE_FALSE(Watched(block()).body().particles.has_deformation());
+  Watched blown(block());
+  for (std::size_t i = 0; i < blown.body().particles.size(); ++i) blown.body().particles.volume()[i] *= 2.8 * 2.8;
+  CHECK_THAT(blown.look_at_state(), Contains("longer than a cell, the longest 1.4 cells"));
+  // Sand that has opened is no hole, sand that is drawn out is one
+  Watched opened(block(sand, "<MultiMaterialMode/>")), drawn(block(sand, "<MultiMaterialMode/>"));
+  opened.deform(matrix(2.8, 0, 0, 1));
+  CHECK(opened.look_at_state().empty());
+  drawn.deform(matrix(2.8, 0, 0, 1 / 2.8));
+  CHECK_THAT(drawn.look_at_state(), Contains("longer than a cell"));
 }
 
 TEST_CASE("a step that has fallen tenfold is told with its cause", "[monitor]") {
   const std::string adaptive = "<CustomTasks><Schedule name='AdjustTimeStep'/></CustomTasks>";
-  Watched steady(
-      block("<Material Type='1' Name='m'><rho>1</rho><E>100</E><nu>0</nu></Material>", "", "vx='1'", adaptive));
+  Watched steady(block(elastic, "", "vx='1'", adaptive));
   CHECK(steady.look(8, 1, 0.01).empty());
   CHECK(steady.look(8, 1, 0.0011).empty());
   for (std::size_t i = 0; i < 1; ++i) steady.body().particles.v()[0][i] = 1000;
@@ -163,9 +177,8 @@ TEST_CASE("a step that has fallen tenfold is told with its cause", "[monitor]") 
 
 TEST_CASE("the summary recalls static friction under sudden gravity", "[monitor]") {
   const auto remarks = [](const std::string& friction, const std::string& header = "", const std::string& body = "") {
-    return Watched(block("<Material Type='1' Name='m'><rho>1</rho><E>100</E><nu>0</nu></Material><Material "
-                         "Type='CoulombFriction' Name='f'><coeff>0.3</coeff>" +
-                             friction + "</Material>",
+    return Watched(block(elastic + "<Material Type='CoulombFriction' Name='f'><coeff>0.3</coeff>" + friction +
+                             "</Material>",
                          "<MultiMaterialMode><Friction lawname='f'/></MultiMaterialMode>" + header, body,
                          "<Gravity><BodyYForce>-10</BodyYForce></Gravity>"))
         .summary();
