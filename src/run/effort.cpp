@@ -4,12 +4,10 @@
 #include "base/parallel.hpp"
 #include "base/text.hpp"
 #include "run/contact_probe.hpp"
-#include "run/result_folder.hpp"
 #include "run/results.hpp"
 #include "run/schedule.hpp"
+#include "run/scratch_folder.hpp"
 #include "run/step_size.hpp"
-
-#include <unistd.h>
 
 #include <chrono>
 #include <cmath>
@@ -21,18 +19,6 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
 
-// A folder that is removed at the end.
-struct Scratch {
-  std::filesystem::path path = std::filesystem::temp_directory_path() / ("tribo-check-" + std::to_string(::getpid()));
-  Scratch() = default;
-  Scratch(const Scratch&) = delete;
-  Scratch& operator=(const Scratch&) = delete;
-  ~Scratch() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path, ignored);
-  }
-};
-
 template <int Dim>
 class Effort {
  public:
@@ -40,23 +26,22 @@ class Effort {
       : model_(model), system_(system), stepper_(stepper), dt_(dt) {}
 
   Remarks remarks() {
+    const double files = output_times(Schedule(model_.output.archive), model_.time.end);
+    const double steps = std::ceil(model_.time.end / dt_), output = output_seconds();
+    std::string time;
+    try {
+      const double free = seconds_per_step();
+      time = format("estimated time: %.3g s on %d thread%s, of which output %.2g s",
+                    steps * (free + added_by_contact(free)) + output, threads(), threads() == 1 ? "" : "s", output);
+    } catch (const SimulationError& error) {
+      time = "estimated time: unknown";
+      out_.advice.push_back(std::string("a trial of some steps failed: ") + error.what());
+    }
     out_.lines.push_back(format("memory: about %.3g MB", 1e-6 * bytes()));
-    const double files = count(Schedule(model_.output.archive));
     out_.lines.push_back(format("particle files: %.0f, up to %.3g MB in all", files,
                                 files * 1e-6 * 250 * static_cast<double>(particle_count(system_))));
     if (files > 2000) out_.advice.push_back(format("%.0f particle files: a larger <ArchiveTime>?", files));
-    const double steps = std::ceil(model_.time.end / dt_), output = output_seconds(files);
-    double free = 0.0;
-    try {
-      stepper_.advance(dt_);
-      free = seconds_per_step();
-    } catch (const SimulationError& error) {
-      out_.advice.push_back(std::string("a trial of some steps failed: ") + error.what());
-      return std::move(out_);
-    }
-    const double contact = added_by_contact(free);
-    out_.lines.push_back(format("estimated time: %.3g s on %d thread%s, of which output %.2g s",
-                                steps * (free + contact) + output, threads(), threads() == 1 ? "" : "s", output));
+    out_.lines.push_back(time);
     return std::move(out_);
   }
 
@@ -68,11 +53,6 @@ class Effort {
           static_cast<double>(body.particles.size()) * 8.0 * static_cast<double>(body.particles.columns().size() + 3);
     for (const auto& field : system_.fields) sum += static_cast<double>(field.nodes.size() * sizeof(Node));
     return sum;
-  }
-
-  double count(Schedule schedule) const {
-    schedule.due(model_.time.end, 0.0);
-    return static_cast<double>(schedule.count());
   }
 
   // Mean over some steps, within the time of the run.
@@ -100,19 +80,12 @@ class Effort {
   }
 
   // Without a folder for scratch files the time of output is left out.
-  double output_seconds(double files) {
-    const Scratch scratch;
+  double output_seconds() {
     try {
-      prepare_folder(scratch.path, {"particles", "grid", "cracks", "joints", "blocks", "contacts"});
+      const ScratchFolder scratch;
       Results<Dim> results(model_, system_, stepper_, scratch.path, std::nullopt);
-      const auto begin = Clock::now();
-      results.write_files(0);
-      const auto middle = Clock::now();
-      results.write_history(dt_);
-      const double row = seconds_since(middle);
-      const double rows =
-          model_.output.history_interval > 0 ? count(Schedule::every(model_.output.history_interval)) : files;
-      return files * (seconds_since(begin) - row) + rows * row;
+      return seconds_of_output(
+          model_.output, model_.time.end, [&] { results.write_files(0); }, [&] { results.write_history(dt_); });
     } catch (const FileError&) {
       return 0.0;
     }
