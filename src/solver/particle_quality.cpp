@@ -53,12 +53,12 @@ ParticleQuality look_at(Body<Dim>& body, const Vec<Dim>& per_cell, const VolumeR
   auto& particles = body.particles;
   const double density = body.law->density();
   const bool deforms = particles.has_deformation();
+  const bool holds_together = std::isfinite(ordinary.high);
   const DomainReader<Dim> domain(body);
   for (std::size_t i = first; i < last; ++i) {
     const double ratio = particles.volume()[i] * density / particles.mass()[i];
-    double length = hole<Dim>(domain(static_cast<std::uint32_t>(i)).axes, per_cell, ratio, deforms);
-    // Matter that comes apart by nature, such as spray, is as long as its volume has grown.
-    if (!std::isfinite(ordinary.high) && length <= longest_domain * ratio) length = 0.0;
+    const double length =
+        holds_together ? hole<Dim>(domain(static_cast<std::uint32_t>(i)).axes, per_cell, ratio, deforms) : 0.0;
     if (ratio >= ordinary.low && ratio <= ordinary.high && length == 0.0) continue;
     Vec3 place = Vec3::Zero();
     place.head<Dim>() = particles.position(i);

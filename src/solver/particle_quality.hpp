@@ -27,10 +27,10 @@ struct ParticleQuality {
 };
 
 /// Quality of the particles of a body, whose law is ordinarily in a range of volumes; the result does not depend on the
-/// number of threads. A domain counts as stretched if the shortest vectors that span it include one longer than a cell
-/// and longer than one and a half of its initial size, so that simple shear does not count. Without a deformation
-/// gradient the edge of the cube with its volume is taken instead. Of matter that may expand without a limit the part
-/// that its volume grew does not count.
+/// number of threads. A domain counts as stretched if the shortest vectors that span it include one longer than 1.25
+/// cells and longer than one and a half of its initial size, so that simple shear does not count. Without a deformation
+/// gradient the edge of the cube with its volume is taken instead. Matter that may expand without a limit, such as
+/// sand, liquids and gas, has no stretched domains: its neighbours change in a flow.
 template <int Dim>
 ParticleQuality particle_quality(Body<Dim>& body, const Lattice<Dim>& lattice, const VolumeRange& ordinary);
 

@@ -298,6 +298,8 @@ TEST_CASE("bodies whose slanted or round faces touch do not overlap", "[prefligh
                                   "<Polygon>" + line + pt(10 + half, 9.5) + pt(10 - half, 9.5) + "</Polygon>");
     CHECK_THAT(text, Contains("touch: 'm' and 'n'") && !Contains("overlap") && !Contains("claim"));
   }
+  CHECK_THAT(with("<Oval xmin='2' xmax='10' ymin='1' ymax='9'/>", "<Rect xmin='1' xmax='11' ymin='0.5' ymax='9.5'/>"),
+             Contains("touch: 'm' and 'n'") && !Contains("push them apart"));
   CHECK_THAT(with("<Oval xmin='2' xmax='10' ymin='1' ymax='9'/>", "<Oval xmin='10' xmax='18' ymin='1' ymax='9'/>"),
              Contains("touch: 'm' and 'n'") && !Contains("overlap"));
 }
