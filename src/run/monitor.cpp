@@ -20,6 +20,8 @@ constexpr double noticed_gain = 0.02, noticed_loss = 0.02;
 /// A gain must last for so many looks.
 constexpr std::int64_t lasting = 5;
 constexpr double short_step = 0.1;  ///< over the first one
+/// Share of stretched particles of a body that is noticed; where matter is cut or torn, a few are always drawn out.
+constexpr double many = 0.01;
 
 }  // namespace
 
@@ -74,7 +76,8 @@ void Monitor<Dim>::particles(News& news) {
     };
     note(Sign::compressed, q.compressed);
     note(Sign::expanded, q.expanded);
-    note(Sign::stretched, q.stretched);
+    if (static_cast<double>(q.stretched.count) > many * static_cast<double>(system_.bodies[b].particles.size()))
+      note(Sign::stretched, q.stretched);
   }
 }
 

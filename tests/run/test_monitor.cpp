@@ -150,6 +150,15 @@ TEST_CASE("domains that are stretched over a cell are holes, those that are shea
   CHECK_THAT(stretched.look_at_state(),
              Contains("64 particles of 'm' at time 0 longer than a cell, the longest 1.4 cells at (") &&
                  Contains("<SplitParticles/>"));
+  // Where a body is cut, less than one in a hundred is drawn out
+  Watched cut(block(elastic, "<MultiMaterialMode/><MatlPtsPerElement>16</MatlPtsPerElement>"));
+  const auto draw = [&](std::size_t i) {
+    store_full<2>(Mat3(Vec3(6, 1.0 / 6, 1).asDiagonal()), cut.body().particles.F(), static_cast<int>(i));
+  };
+  draw(3), draw(100);
+  CHECK(cut.look_at_state().empty());
+  draw(101);
+  CHECK_THAT(cut.look_at_state(), Contains("3 particles of 'm'"));
   // Without them the volume tells
   REQUIRE_FALSE(Watched(block()).body().particles.has_deformation());
   Watched blown(block());
