@@ -3,7 +3,9 @@
 
 #include "blocks/assembly.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <unordered_map>
 
 namespace tribo {
@@ -17,6 +19,10 @@ class ContactProbe {
       for (auto& body : *list)
         if (body.field != Body<Dim>::no_field) bodies_.push_back(&body);
     for (const auto* body : bodies_) occupy(*body, 1);
+  }
+
+  bool any_neighbours() const {
+    return std::any_of(bodies_.begin(), bodies_.end(), [&](const auto* body) { return has_neighbour(*body); });
   }
 
   double bring() {
@@ -138,10 +144,17 @@ class ContactProbe {
 }  // namespace
 
 template <int Dim>
+bool has_neighbours(const Model& model, System<Dim>& system) {
+  return ContactProbe<Dim>(model, system).any_neighbours();
+}
+
+template <int Dim>
 double bring_into_contact(const Model& model, System<Dim>& system) {
   return ContactProbe<Dim>(model, system).bring();
 }
 
+template bool has_neighbours<2>(const Model&, System<2>&);
+template bool has_neighbours<3>(const Model&, System<3>&);
 template double bring_into_contact<2>(const Model&, System<2>&);
 template double bring_into_contact<3>(const Model&, System<3>&);
 

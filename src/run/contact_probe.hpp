@@ -7,6 +7,10 @@
 
 namespace tribo {
 
+/// Whether two bodies come within a cell of each other.
+template <int Dim>
+bool has_neighbours(const Model& model, System<Dim>& system);
+
 /// Moves each body that flies or falls towards another one to where they meet, with the speed that it has there. Bodies
 /// that already have a neighbour within a cell stay where they are. Returns the mean fraction of the run during which
 /// the bodies that were moved are in contact, if they stay so; 0 if none was moved.

@@ -7,6 +7,7 @@
 #include "grid/select.hpp"
 #include "run/block_run.hpp"
 #include "run/body_gaps.hpp"
+#include "run/contact_probe.hpp"
 #include "run/crack_report.hpp"
 #include "run/effort.hpp"
 #include "run/setup_report.hpp"
@@ -49,7 +50,7 @@ class Report {
     stiffness();
     interfaces();
     glued();
-    if (sudden_gravity(model_).slips) advice_.push_back(sudden_gravity_advice());
+    if (sudden_gravity(model_).slips && has_neighbours(model_, system_)) advice_.push_back(sudden_gravity_advice());
     cracks();
     travel();
     steps();
