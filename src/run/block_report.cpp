@@ -4,7 +4,7 @@
 #include "base/parallel.hpp"
 #include "base/text.hpp"
 #include "run/block_run.hpp"
-#include "run/scratch_folder.hpp"
+#include "run/trial_output.hpp"
 
 #include <chrono>
 #include <map>
@@ -25,7 +25,7 @@ double seconds_per_step(Assembly& blocks, const BlockSteps& steps) {
 // Without a folder for scratch files the time of output is left out.
 double output_seconds(const Model& model, Assembly& blocks, double dt) {
   try {
-    const ScratchFolder scratch;
+    const TrialFolder scratch;
     BlockResults results(model, blocks, scratch.path, std::nullopt);
     return seconds_of_output(
         model.output, model.time.end, [&] { results.write_files(0); }, [&] { results.write_history(dt); });

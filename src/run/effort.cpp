@@ -6,8 +6,8 @@
 #include "run/contact_probe.hpp"
 #include "run/results.hpp"
 #include "run/schedule.hpp"
-#include "run/scratch_folder.hpp"
 #include "run/step_size.hpp"
+#include "run/trial_output.hpp"
 
 #include <chrono>
 #include <cmath>
@@ -82,7 +82,7 @@ class Effort {
   // Without a folder for scratch files the time of output is left out.
   double output_seconds() {
     try {
-      const ScratchFolder scratch;
+      const TrialFolder scratch;
       Results<Dim> results(model_, system_, stepper_, scratch.path, std::nullopt);
       return seconds_of_output(
           model_.output, model_.time.end, [&] { results.write_files(0); }, [&] { results.write_history(dt_); });

@@ -12,12 +12,12 @@
 namespace tribo {
 
 /// A folder for results that is removed at the end. Throws FileError.
-struct ScratchFolder {
+struct TrialFolder {
   std::filesystem::path path = std::filesystem::temp_directory_path() / ("tribo-check-" + std::to_string(::getpid()));
-  ScratchFolder() { prepare_folder(path, {"particles", "grid", "cracks", "joints", "blocks", "contacts"}); }
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-  ~ScratchFolder() {
+  TrialFolder() { prepare_folder(path, {"particles", "grid", "cracks", "joints", "blocks", "contacts"}); }
+  TrialFolder(const TrialFolder&) = delete;
+  TrialFolder& operator=(const TrialFolder&) = delete;
+  ~TrialFolder() {
     std::error_code ignored;
     std::filesystem::remove_all(path, ignored);
   }
