@@ -26,6 +26,18 @@ constexpr double many = 0.01;
 }  // namespace
 
 template <int Dim>
+Monitor<Dim>::Monitor(const Model& model, System<Dim>& system, Stepper<Dim>& stepper, StepSize<Dim>& steps)
+    : model_(model), system_(system), stepper_(stepper), steps_(steps) {
+  // A body that is drawn by a deformation starts with other volumes than its shape before.
+  for (auto& body : system.bodies) {
+    VolumeRange range = ordinary_volume(model.materials[static_cast<std::size_t>(body.material)]);
+    const VolumeRange start = volume_range(body);
+    range.low *= std::min(1.0, start.low), range.high *= std::max(1.0, start.high);
+    ranges_.push_back(range);
+  }
+}
+
+template <int Dim>
 std::vector<std::string> Monitor<Dim>::look(double dt, double initial_energy, bool last) {
   News news;
   if (state.stride == 0) {
@@ -67,7 +79,7 @@ void Monitor<Dim>::balance(double initial_energy, News& news) {
 template <int Dim>
 void Monitor<Dim>::particles(News& news) {
   for (std::size_t b = 0; b < system_.bodies.size(); ++b) {
-    const ParticleQuality q = particle_quality(system_.bodies[b], system_.lattice, range_of(system_.bodies[b]));
+    const ParticleQuality q = particle_quality(system_.bodies[b], system_.lattice, ranges_[b]);
     const auto note = [&](Sign sign, const BadParticles& bad) {
       if (bad.count == 0) return;
       Finding now;
@@ -118,7 +130,7 @@ std::string Monitor<Dim>::energy_text(const Finding& f) const {
 template <int Dim>
 std::string Monitor<Dim>::particle_text(Sign sign, const Finding& f) const {
   const auto& body = system_.bodies[static_cast<std::size_t>(f.body)];
-  const VolumeRange ordinary = range_of(body);
+  const VolumeRange ordinary = ranges_[static_cast<std::size_t>(f.body)];
   const std::string who = format("%lld particle%s of '%s' at time %.4g ", static_cast<long long>(f.count),
                                  f.count == 1 ? "" : "s", body.name.c_str(), f.time);
   const char* const volume =

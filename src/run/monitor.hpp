@@ -23,9 +23,8 @@ namespace tribo {
 template <int Dim>
 class Monitor {
  public:
-  /// All arguments must outlive the monitor.
-  Monitor(const Model& model, System<Dim>& system, Stepper<Dim>& stepper, StepSize<Dim>& steps)
-      : model_(model), system_(system), stepper_(stepper), steps_(steps) {}
+  /// Of a system before its first step. All arguments must outlive the monitor.
+  Monitor(const Model& model, System<Dim>& system, Stepper<Dim>& stepper, StepSize<Dim>& steps);
 
   /// To be called after each step. `dt`: size of the steps [time]; `initial_energy`: content of energy at the start;
   /// `last`: the run ends here. Returns a warning for each sign that is seen for the first time.
@@ -45,9 +44,6 @@ class Monitor {
   void particles(News& news);
   void step(double dt, News& news);
 
-  VolumeRange range_of(const Body<Dim>& body) const {
-    return ordinary_volume(model_.materials[static_cast<std::size_t>(body.material)]);
-  }
   std::string text(Sign sign) const;
   std::string energy_text(const Finding& f) const;
   std::string particle_text(Sign sign, const Finding& f) const;
@@ -58,6 +54,7 @@ class Monitor {
   System<Dim>& system_;
   Stepper<Dim>& stepper_;
   StepSize<Dim>& steps_;
+  std::vector<VolumeRange> ranges_;  // per body: the ordinary range of its law, beyond what it has from the start
 };
 
 }  // namespace tribo

@@ -90,6 +90,19 @@ ParticleQuality particle_quality(Body<Dim>& body, const Lattice<Dim>& lattice, c
   return all;
 }
 
+template <int Dim>
+VolumeRange volume_range(Body<Dim>& body) {
+  auto& particles = body.particles;
+  VolumeRange out{1.0, 1.0};
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    const double ratio = particles.volume()[i] * body.law->density() / particles.mass()[i];
+    out.low = i == 0 ? ratio : std::min(out.low, ratio), out.high = i == 0 ? ratio : std::max(out.high, ratio);
+  }
+  return out;
+}
+
+template VolumeRange volume_range<2>(Body<2>&);
+template VolumeRange volume_range<3>(Body<3>&);
 template ParticleQuality particle_quality<2>(Body<2>&, const Lattice<2>&, const VolumeRange&);
 template ParticleQuality particle_quality<3>(Body<3>&, const Lattice<3>&, const VolumeRange&);
 

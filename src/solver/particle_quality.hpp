@@ -34,4 +34,8 @@ struct ParticleQuality {
 template <int Dim>
 ParticleQuality particle_quality(Body<Dim>& body, const Lattice<Dim>& lattice, const VolumeRange& ordinary);
 
+/// Least and largest volume ratio of the particles of a body; 1 without particles.
+template <int Dim>
+VolumeRange volume_range(Body<Dim>& body);
+
 }  // namespace tribo

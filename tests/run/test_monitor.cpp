@@ -138,6 +138,20 @@ TEST_CASE("volumes out of the ordinary are counted, except where they are ordina
   CHECK_THAT(loose.look_at_state(), Contains("below 0.5"));
 }
 
+TEST_CASE("a body that is drawn by a deformation may keep the volumes that it starts with", "[monitor]") {
+  // The block is squeezed to 0.4 of its width before the run
+  Model model = block();
+  model.pieces.front().deformation.emplace();
+  model.pieces.front().deformation->F[0][0] = Expression("0.4", {});
+  model.pieces.front().deformation->shift[0] = Expression("-0.6*(x-10)", {});
+  Watched drawn(std::move(model));
+  CHECK(drawn.look_at_state().empty());
+  drawn.body().particles.volume()[5] = 0.25 * 0.21;
+  CHECK(drawn.look_at_state().empty());
+  drawn.body().particles.volume()[5] = 0.25 * 0.19;
+  CHECK_THAT(drawn.look_at_state(), Contains("1 particle of 'm' at time 0.02 below 0.2 of their volume"));
+}
+
 TEST_CASE("domains that are stretched over a cell are holes, those that are sheared are not", "[monitor]") {
   // Contact keeps the deformation gradients
   const auto with_contact = [] { return block(elastic, "<MultiMaterialMode/>"); };
