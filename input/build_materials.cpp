@@ -46,9 +46,13 @@ void Builder::number_materials() {
   for (const auto* a : in_file)
     for (const auto* b : in_file) {
       if (a == b) break;
-      if (word(*a, "Name") == word(*b, "Name") && referred.count(word(*a, "Name")))
-        problems_.add(a->origin,
-                      "two materials are named '" + word(*a, "Name") + "'; the first is at " + b->origin.text());
+      if (!has(*a, "Name") || word(*a, "Name") != word(*b, "Name")) continue;
+      const std::string message =
+          "two materials are named '" + word(*a, "Name") + "'; the first is at " + b->origin.text();
+      if (referred.count(word(*a, "Name")))
+        problems_.add(a->origin, message);
+      else
+        problems_.warn(a->origin, message + ". Histories, pictures and messages do not tell them apart");
     }
   const std::function<void(const Statement&)> visit = [&](const Statement& s) {
     if (const Attribute* a = s.attribute("matname"))

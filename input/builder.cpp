@@ -199,13 +199,20 @@ Model build_model(const Statement& root, const std::filesystem::path& folder) {
 
 namespace {
 
+std::string warning_text(const Origin& origin, const std::string& message) {
+  return origin.text() + ": warning: " + message;
+}
+
+// The statements of a text. Warnings are added to `warnings`, if it is not null.
 Statement statements_of(const std::string& text, const std::shared_ptr<const std::string>& name, Settings settings,
-                        std::FILE* output) {
+                        std::FILE* output, std::vector<std::string>* warnings = nullptr) {
   std::string written;
   Statement root;
   if (is_script(text)) {
     Script script = read_script(text, name, settings);
     root = std::move(script.root), written = std::move(script.output);
+    if (warnings)
+      for (const auto& w : script.warnings) warnings->push_back(warning_text(w.origin, w.message));
   } else {
     root = read_xml(text, name, settings);
     written = run_commands(root, settings);
@@ -220,25 +227,40 @@ Statement statements_of(const std::string& text, const std::shared_ptr<const std
   return root;
 }
 
-}  // namespace
-
-Statement read_statements(const std::filesystem::path& file, Settings settings, std::FILE* output) {
+Statement read(const std::filesystem::path& file, Settings settings, std::FILE* output,
+               std::vector<std::string>* warnings) {
   std::ifstream in(file, std::ios::binary);
   std::ostringstream buffer;
   if (!in || !(buffer << in.rdbuf())) throw FileError("cannot read '" + file.string() + "'");
   const auto name = std::make_shared<const std::string>(file.string());
-  return statements_of(buffer.str(), name, std::move(settings), output);
+  return statements_of(buffer.str(), name, std::move(settings), output, warnings);
+}
+
+// The model with warnings of the reader before its own.
+Model with_warnings(Model model, const std::vector<std::string>& warnings) {
+  model.warnings.insert(model.warnings.begin(), warnings.begin(), warnings.end());
+  return model;
+}
+
+}  // namespace
+
+Statement read_statements(const std::filesystem::path& file, Settings settings, std::FILE* output) {
+  return read(file, std::move(settings), output, nullptr);
 }
 
 Model read_model(const std::filesystem::path& file, const Settings& settings) {
-  Model model = build_model(read_statements(file, settings), file.parent_path());
+  std::vector<std::string> warnings;
+  const Statement root = read(file, settings, stdout, &warnings);
+  Model model = with_warnings(build_model(root, file.parent_path()), warnings);
   model.file = file.string(), model.settings = settings.values();
   return model;
 }
 
 Model read_model_text(std::string_view text, const std::string& name) {
-  Model model =
-      build_model(statements_of(std::string(text), std::make_shared<const std::string>(name), {}, stdout), {});
+  std::vector<std::string> warnings;
+  const Statement root =
+      statements_of(std::string(text), std::make_shared<const std::string>(name), {}, stdout, &warnings);
+  Model model = with_warnings(build_model(root, {}), warnings);
   model.file = name;
   return model;
 }

@@ -38,6 +38,11 @@ Statement& Document::set(const std::string& to, const std::string& element, cons
   return add(to, element, origin, text);
 }
 
+const Statement* Document::find(const std::string& in, const std::string& element) const {
+  const auto found = sections_.find(in);
+  return found == sections_.end() ? nullptr : found->second.child(element);
+}
+
 Statement& Document::material(const Origin& origin) {
   materials_.push_back(statement("Material", origin));
   return materials_.back();

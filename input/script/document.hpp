@@ -26,6 +26,11 @@ class Document {
   Statement& set(const std::string& section, const std::string& element, const Origin& origin,
                  const std::string& text = {});
 
+  /// The only child of this name, or null.
+  const Statement* find(const std::string& section, const std::string& element) const;
+  /// Possible mistakes that do not stop the program.
+  Problems& problems() { return problems_; }
+
   /// Starts a material. Materials are numbered in the order of definition.
   Statement& material(const Origin& origin);
   std::vector<Statement>& materials() { return materials_; }
@@ -67,6 +72,7 @@ class Document {
   std::vector<Statement> materials_, cracks_;
   std::map<std::string, std::size_t> ids_;  ///< number of each id, from 1
   std::string description_;
+  Problems problems_;            ///< warnings only
   bool inside_ = false;          ///< the script is part of an XML file
   std::size_t surrounding_ = 0;  ///< number of materials of that file
 };

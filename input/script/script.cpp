@@ -46,7 +46,7 @@ Script read_script(std::string_view text, const std::shared_ptr<const std::strin
   const Origin begin{file_name, 1, 1};
   script::Translator translator(begin);
   std::string output = interpret(text, begin, settings, translator);
-  return {translator.finish(), std::move(output)};
+  return {translator.finish(), std::move(output), translator.warnings()};
 }
 
 std::string run_commands(Statement& root, Settings& settings) {

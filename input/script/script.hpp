@@ -8,6 +8,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace tribo {
 
@@ -15,6 +16,7 @@ namespace tribo {
 struct Script {
   Statement root;      ///< the equivalent command file, with places in the script
   std::string output;  ///< the text written by `Write` and `WriteLine`
+  std::vector<Problem> warnings = {};
 };
 
 /// Runs a script. Variables in `settings` keep their values. Throws InputError with every problem found, each with the

@@ -275,12 +275,19 @@ void Translator::grid_thickness(const Command& c) {
 
 void Translator::gravity(const Command& c) {
   constexpr std::array names{"BodyXForce", "BodyYForce", "BodyZForce"};
+  const auto set = [&](const char* name, const Origin& origin, const std::string& text) {
+    const Statement* before = document_.find("Gravity", name);
+    if (before && before->text != text && to_number(before->text) != 0.0)
+      document_.problems().warn(origin, "this replaces the gravity of " + before->origin.text() + ", " + before->text +
+                                            ": a model has one gravity along each axis");
+    document_.set("Gravity", name, origin, text);
+  };
   for (std::size_t k = 0; k < c.size(); ++k)
-    if (c.given(k)) document_.set("Gravity", names[k], c.origin(k), c.text(k));
+    if (c.given(k)) set(names[k], c.origin(k), c.text(k));
   if (c.size() > 0) return;
   if (!(length_in_m_ > 0 && time_in_s_ > 0))
     throw InputError(c.origin(), "'Gravity' without numbers needs units with a size; give its components");
-  document_.set("Gravity", "BodyYForce", c.origin(), written(-9.80665 * time_in_s_ * time_in_s_ / length_in_m_));
+  set("BodyYForce", c.origin(), written(-9.80665 * time_in_s_ * time_in_s_ / length_in_m_));
 }
 
 void Translator::conduction(const Command& c) {

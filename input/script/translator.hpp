@@ -20,6 +20,8 @@ class Translator {
   void surround(int analysis, const std::vector<std::string>& materials, bool consistent);
   /// Reports undefined materials and properties, for a script that has other errors and is not completed.
   Problems misnamed() const;
+  /// Possible mistakes that do not stop the program.
+  const std::vector<Problem>& warnings() { return document_.problems().warnings(); }
   /// The complete command file. Throws InputError.
   Statement finish();
   /// The elements that the script adds to the file that contains it. Throws InputError.

@@ -54,4 +54,14 @@ void Progress::finish(double time, std::int64_t step) {
                std::chrono::duration<double>(Clock::now() - begin_).count(), "");
 }
 
+void Progress::say(const std::string& text) const {
+  if (!quiet_) std::fprintf(stderr, "%s\n", text.c_str());
+}
+
+// Blanks cover the line of progress.
+void Progress::warn(const std::string& text) const {
+  std::fprintf(stderr, "%swarning: %s%s\n", terminal_ && !quiet_ ? "\r" : "", text.c_str(),
+               terminal_ && !quiet_ ? std::string(40, ' ').c_str() : "");
+}
+
 }  // namespace tribo

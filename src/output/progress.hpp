@@ -16,6 +16,10 @@ class Progress {
   /// Call once per step. Reads the clock only in some of them.
   void step(double time, std::int64_t step, double dt);
   void finish(double time, std::int64_t step);
+  /// A line of the summary; nothing if quiet.
+  void say(const std::string& text) const;
+  /// A warning, also if quiet.
+  void warn(const std::string& text) const;
 
  private:
   using Clock = std::chrono::steady_clock;

@@ -24,6 +24,8 @@ class Provenance {
   void set_legend(std::map<std::string, std::string> units, std::vector<std::string> materials) {
     units_ = std::move(units), materials_ = std::move(materials);
   }
+  /// What the run has noticed about its own results, for the next write().
+  void set_remarks(std::vector<std::string> remarks) { remarks_ = std::move(remarks); }
   /// Progress of the run and its computing time, for the next write().
   struct Progress {
     double end_time = 0.0, step = 0.0;              ///< simulated
@@ -37,7 +39,7 @@ class Provenance {
   std::string command_line_, input_, input_checksum_, started_;
   int threads_;
   std::map<std::string, std::string> facts_, units_;
-  std::vector<std::string> materials_;
+  std::vector<std::string> materials_, remarks_;
   Progress progress_;
 };
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "materials/material.hpp"
+#include "particles/coverage.hpp"
 #include "particles/cut_sites.hpp"
 #include "particles/geostatic.hpp"
 #include "particles/seed.hpp"
@@ -105,6 +106,10 @@ class Filler {
       throw InputError(piece.origin, "'" + model_.materials[static_cast<std::size_t>(piece.material)].name +
                                          "' keeps no initial stress: its stress is a function of the deformation. Use "
                                          "<Deform> instead");
+    if (!hole && !law(piece.material, piece.origin).rigid())
+      for (const EdgeCut& cut : edge_cuts(model_, p))
+        throw InputError(piece.origin, text_of(cut, model_) +
+                                           "; enlarge <Grid>, or make this edge a symmetry plane (symmin, symmax)");
     const int own = lattice_of_[p];
     long count = 0;
     const Bounds reach = grid_.clip(piece.region->bounds());

@@ -4,12 +4,37 @@
 #include "base/parallel.hpp"
 #include "base/text.hpp"
 #include "run/block_run.hpp"
-#include "run/schedule.hpp"
+#include "run/trial_output.hpp"
 
 #include <chrono>
 #include <map>
 
 namespace tribo {
+namespace {
+
+// Mean over some steps, within the time of the run.
+double seconds_per_step(Assembly& blocks, const BlockSteps& steps) {
+  static constexpr double enough = 0.3;  // seconds
+  const auto begin = std::chrono::steady_clock::now();
+  const auto seconds = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(); };
+  std::int64_t trial = 0;
+  while (trial == 0 || (seconds() < enough && trial < steps.count)) blocks.advance(steps.size), ++trial;
+  return seconds() / static_cast<double>(trial);
+}
+
+// Without a folder for scratch files the time of output is left out.
+double output_seconds(const Model& model, Assembly& blocks, double dt) {
+  try {
+    const TrialFolder scratch;
+    BlockResults results(model, blocks, scratch.path, std::nullopt);
+    return seconds_of_output(
+        model.output, model.time.end, [&] { results.write_files(0); }, [&] { results.write_history(dt); });
+  } catch (const FileError&) {
+    return 0.0;
+  }
+}
+
+}  // namespace
 
 std::string describe_blocks(const Model& model, int wanted_threads) {
   Assembly blocks = assemble(model);
@@ -42,15 +67,11 @@ std::string describe_blocks(const Model& model, int wanted_threads) {
                                                              : "<TimeStep>"));
   line(format("steps: %lld to time %.6g", static_cast<long long>(steps.count), model.time.end));
   line(format("memory: about %.3g MB", 1e-6 * blocks.bytes()));
-  Schedule archive(model.output.archive);
-  archive.due(model.time.end, 0.0);
-  line(format("files of blocks and contacts: %lld each", static_cast<long long>(archive.count())));
-  const auto begin = std::chrono::steady_clock::now();
-  const auto seconds = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(); };
-  int trial = 0;
-  while (seconds() < 0.2 && trial < 1000) blocks.advance(steps.size), ++trial;
-  line(format("estimated time: %.3g s on %d thread%s, without output",
-              seconds() / trial * static_cast<double>(steps.count), threads(), threads() == 1 ? "" : "s"));
+  line(format("files of blocks and contacts: %.0f each", output_times(Schedule(model.output.archive), model.time.end)));
+  const double output = output_seconds(model, blocks, steps.size);
+  out += format("estimated time: %.3g s on %d thread%s, of which output %.2g s\n",
+                seconds_per_step(blocks, steps) * static_cast<double>(steps.count) + output, threads(),
+                threads() == 1 ? "" : "s", output);
   for (const auto& warning : model.warnings) line(warning);
   return out;
 }

@@ -88,7 +88,10 @@ BlockResults::BlockResults(const Model& model, Assembly& blocks, std::filesystem
   if (alone) open(history_, "history.csv", columns_of_history);
   open(energy_, alone ? "energy.csv" : "block_energy.csv", energy_columns);
   open(events_, alone ? "events.csv" : "block_events.csv", event_columns);
-  if (resume_time) cells_.resume(*resume_time), contacts_.resume(*resume_time);
+  if (resume_time)
+    cells_.resume(*resume_time), contacts_.resume(*resume_time);
+  else
+    initial_energy = blocks.ledger().content();
 }
 
 std::vector<std::string> BlockResults::columns(const Model& model) {
@@ -203,7 +206,6 @@ void BlockResults::write_history(double dt) {
     history_->add(row);
   }
   const BlockLedger l = blocks_.ledger();
-  if (blocks_.step == 0) initial_energy = l.content();
   energy_->add(std::array{blocks_.time, l.kinetic, l.strain, l.potential, l.slip, l.dashpot, l.damping, l.released,
                           l.outer_work, l.boundary_work,
                           l.content() - initial_energy - l.outer_work - l.boundary_work});

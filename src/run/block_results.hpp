@@ -27,7 +27,8 @@ class BlockResults {
   void write_history(double dt);
   /// The events since the last call.
   void write_events();
-  /// Content of energy at the start, for the residual [energy].
+  /// Content of energy at the start, for the residual [energy]. Found by the constructor for a new run; to be set for
+  /// one that is continued.
   double initial_energy = 0.0;
 
  private:

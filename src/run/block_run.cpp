@@ -57,7 +57,7 @@ RunState BlockRun::restore(const Checkpoint& checkpoint) {
 
 void BlockRun::open_results(const std::filesystem::path& folder, std::optional<double> resume_time) {
   results_.emplace(model_, blocks_, folder, resume_time);
-  results_->initial_energy = restored_.initial_block_energy;
+  if (resume_time) results_->initial_energy = restored_.initial_block_energy;
 }
 
 std::map<std::string, std::string> BlockRun::facts() const {

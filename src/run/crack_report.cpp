@@ -31,10 +31,10 @@ bool has_tips(const Crack<Dim>& crack, double inside, double whole) {
 }  // namespace
 
 template <int Dim>
-CrackReport describe_cracks(const System<Dim>& system) {
+Remarks describe_cracks(const System<Dim>& system) {
   constexpr double few = 6, near = 3, coarse = 1.01;  // cells
   const double h = system.lattice.spacing.maxCoeff();
-  CrackReport out;
+  Remarks out;
   for (std::size_t c = 0; c < system.cracks.size(); ++c) {
     const Crack<Dim>& crack = system.cracks[c];
     double whole = 0.0, inside = 0.0, longest = 0.0;
@@ -69,7 +69,7 @@ CrackReport describe_cracks(const System<Dim>& system) {
 }
 
 template <int Dim>
-CrackReport describe_interfaces(const System<Dim>& system) {
+Remarks describe_interfaces(const System<Dim>& system) {
   constexpr double few = 3;       // cells
   constexpr double turned = 0.9;  // cosine of the angle between neighbours
   const double h = system.lattice.spacing.maxCoeff();
@@ -79,7 +79,7 @@ CrackReport describe_interfaces(const System<Dim>& system) {
         if (body.material == material) return "'" + body.name + "'";
     return std::string();
   };
-  CrackReport out;
+  Remarks out;
   for (std::size_t s = 0; s < system.joints.size(); ++s) {
     const JointSurface<Dim>& surface = system.joints[s];
     if (surface.crack != JointSurface<Dim>::none) continue;
@@ -104,9 +104,9 @@ CrackReport describe_interfaces(const System<Dim>& system) {
   return out;
 }
 
-template CrackReport describe_cracks(const System<2>&);
-template CrackReport describe_interfaces(const System<2>&);
-template CrackReport describe_interfaces(const System<3>&);
-template CrackReport describe_cracks(const System<3>&);
+template Remarks describe_cracks(const System<2>&);
+template Remarks describe_interfaces(const System<2>&);
+template Remarks describe_interfaces(const System<3>&);
+template Remarks describe_cracks(const System<3>&);
 
 }  // namespace tribo

@@ -13,7 +13,8 @@ GridRun<Dim>::GridRun(const Model& model)
     : model_(model),
       system_(build_system<Dim>(model, place_points(model))),
       stepper_(model, system_),
-      step_size_(model, system_) {}
+      step_size_(model, system_),
+      monitor_(model, system_, stepper_, step_size_) {}
 
 template <int Dim>
 void GridRun<Dim>::choose_threads(int wanted) const {
@@ -30,8 +31,14 @@ double GridRun<Dim>::advance() {
 }
 
 template <int Dim>
+std::vector<std::string> GridRun<Dim>::look() {
+  if (!results_) return {};
+  return monitor_.look(dt_, results_->initial_energy, at_end());
+}
+
+template <int Dim>
 CheckpointWriter GridRun<Dim>::save(RunState run) {
-  run.dt = dt_;
+  run.dt = dt_, run.monitor = monitor_.state;
   if (results_) run.initial_energy = results_->initial_energy;
   if (results_ && results_->blocks) run.initial_block_energy = results_->blocks->initial_energy;
   CheckpointWriter out = save_state(run, system_, stepper_);
@@ -42,13 +49,14 @@ CheckpointWriter GridRun<Dim>::save(RunState run) {
 template <int Dim>
 RunState GridRun<Dim>::restore(const Checkpoint& checkpoint) {
   restored_ = load_state(checkpoint, system_, stepper_);
-  dt_ = restored_.dt;
+  dt_ = restored_.dt, monitor_.state = restored_.monitor;
   return restored_;
 }
 
 template <int Dim>
 void GridRun<Dim>::open_results(const std::filesystem::path& folder, std::optional<double> resume_time) {
   results_.emplace(model_, system_, stepper_, folder, resume_time);
+  if (!resume_time) return;
   results_->initial_energy = restored_.initial_energy;
   if (results_->blocks) results_->blocks->initial_energy = restored_.initial_block_energy;
 }
@@ -73,6 +81,7 @@ std::map<std::string, double> GridRun<Dim>::seconds_of(double) const {
           {"nodes to particles, stress", w.gather.seconds()},
           {"contact", contact},
           {"filter (XPIC, FMPM)", filter},
+          {"looks at the state", monitor_.watch.seconds()},
           {"loads, heat, rest of the step", std::max(0.0, w.all.seconds() - named)}};
 }
 

@@ -2,6 +2,7 @@
 /// Runs of particles on a grid.
 #pragma once
 
+#include "run/monitor.hpp"
 #include "run/results.hpp"
 #include "run/run_loop.hpp"
 #include "run/step_size.hpp"
@@ -24,6 +25,9 @@ class GridRun final : public SteppedModel {
   void choose_threads(int wanted) const override;
   void start() override { dt_ = step_size_.first().size; }
   double advance() override;
+  std::vector<std::string> look() override;
+  std::vector<std::string> remarks() const override { return monitor_.summary(); }
+  double loss() const override { return monitor_.loss(); }
   bool may_stop() const override { return stepper_.contact().interruptible(); }
   CheckpointWriter save(RunState run) override;
   RunState restore(const Checkpoint& checkpoint) override;
@@ -46,6 +50,7 @@ class GridRun final : public SteppedModel {
   System<Dim> system_;
   Stepper<Dim> stepper_;
   StepSize<Dim> step_size_;
+  Monitor<Dim> monitor_;
   std::optional<Results<Dim>> results_;
   RunState restored_;
   double dt_ = 0.0;

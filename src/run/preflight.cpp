@@ -6,45 +6,25 @@
 #include "contact/contact_law.hpp"
 #include "grid/select.hpp"
 #include "run/block_run.hpp"
+#include "run/body_gaps.hpp"
+#include "run/contact_probe.hpp"
 #include "run/crack_report.hpp"
-#include "run/schedule.hpp"
+#include "run/effort.hpp"
+#include "run/setup_report.hpp"
 #include "run/step_size.hpp"
+#include "run/sudden_gravity.hpp"
 #include "run/tracers.hpp"
+#include "run/travel_report.hpp"
 #include "solver/build.hpp"
 #include "solver/measures.hpp"
 #include "solver/step.hpp"
 
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <set>
 
 namespace tribo {
 namespace {
-
-/// Distance of two materials' particle domains at the start, in cells; negative: they overlap.
-using Gaps = std::map<std::pair<int, int>, double>;
-
-// Half axes of the domain of a particle at the start, as columns.
-template <int Dim>
-Mat<Dim> axes_of(const Seed& seed) {
-  return (seed.F * seed.half_axes.value_or(Mat3(seed.half_size.asDiagonal()))).template topLeftCorner<Dim, Dim>();
-}
-
-// Distance of two parallelepipeds along the one of their face normals where it is largest; negative: they overlap.
-template <int Dim>
-double separation(const Vec<Dim>& between, const Mat<Dim>& a, const Mat<Dim>& b) {
-  double most = -std::numeric_limits<double>::infinity();
-  for (const Mat<Dim>* of : {&a, &b}) {
-    const Mat<Dim> normals = of->inverse().transpose().colwise().normalized();
-    for (int k = 0; k < Dim; ++k) {
-      const auto n = normals.col(k);
-      most = std::max(
-          most, std::abs(between.dot(n)) - (a.transpose() * n).cwiseAbs().sum() - (b.transpose() * n).cwiseAbs().sum());
-    }
-  }
-  return most;
-}
 
 template <int Dim>
 class Report {
@@ -63,17 +43,18 @@ class Report {
     step_ = StepSize<Dim>(model_, system_).first();
     line("units: " + model_.units.name(Dimension::length) + ", " + model_.units.name(Dimension::mass) + ", " +
          model_.units.name(Dimension::time) + "; stress " + model_.units.name(Dimension::stress));
+    take(describe_setup(model_, system_));
     bodies();
     rigid_blocks();
     gaps();
     stiffness();
     interfaces();
     glued();
-    sudden_gravity();
+    if (sudden_gravity(model_).slips && has_neighbours(model_, system_)) advice_.push_back(sudden_gravity_advice());
     cracks();
     travel();
     steps();
-    effort();
+    take(describe_effort(model_, system_, stepper_, step_.size));
     for (const auto& warning : model_.warnings) line(warning);
     if (!advice_.empty()) line("\nto look at:");
     for (const auto& a : advice_) line("- " + a);
@@ -82,6 +63,10 @@ class Report {
 
  private:
   void line(const std::string& text) { out_ += text + "\n"; }
+  void take(const Remarks& remarks) {
+    for (const auto& text : remarks.lines) line(text);
+    advice_.insert(advice_.end(), remarks.advice.begin(), remarks.advice.end());
+  }
   const MaterialSpec& material(int k) const { return model_.materials[static_cast<std::size_t>(k)]; }
   std::string name(int k) const { return "'" + material(k).name + "'"; }
 
@@ -133,79 +118,43 @@ class Report {
     return format(", %.2g cells thick", cells);
   }
 
+  // Shapes that share the sites of the grid do not overlap: the parallelograms that stand for cut particles may reach
+  // a little beyond a curved face or a tip.
+  bool may_overlap(int k) const {
+    const auto of = [&](const auto& list, auto&& differs) {
+      return std::any_of(list.begin(), list.end(), [&](const auto& one) { return one.material == k && differs(one); });
+    };
+    return model_.whole_particles || of(model_.points, [](const PointSpec&) { return true; }) ||
+           of(model_.pieces, [](const Piece& p) { return p.deformation.has_value(); }) ||
+           of(system_.rigids, [](const Body<Dim>& b) { return b.block >= 0; });
+  }
+
   void gaps() {
+    static constexpr double touching = 1e-3;  // cells
     const bool separate = model_.contact.active;
     const auto grips = [&](int k) { return material(k).law->rigid() && !material(k).touches(); };
-    for (const auto& [pair, gap] : smallest_gaps()) {
+    for (const auto& [pair, gap] : smallest_gaps<Dim>(seeds_, system_.lattice)) {
       if (grips(pair.first) || grips(pair.second)) continue;
       const std::string who = name(pair.first) + " and " + name(pair.second);
-      if (gap < -1e-6) {
+      if (gap < -touching && (may_overlap(pair.first) || may_overlap(pair.second))) {
         line("overlap: " + who + format(" by %.3g cells", -gap));
         if (separate) advice_.push_back(who + " overlap at the start: contact will push them apart");
       } else if (gap < 1) {
-        line(gap < 1e-6 ? "touch: " + who : "gap: " + who + format(", %.3g cells", gap));
+        line(gap < touching ? "touch: " + who : "gap: " + who + format(", %.3g cells", gap));
       }
       if (!separate && gap < 1)
         advice_.push_back(who +
-                          (gap < 1e-6
+                          (gap < touching
                                ? std::string(" share one velocity field: they stick where they touch") +
                                      (model_.cracks.empty() ? "" : ", but for cracks")
                                : std::string(" act on each other across the gap, as they share one velocity field")) +
                           "; <MultiMaterialMode> gives each its own");
-      if (separate && gap > 1e-6 && gap < 1 && model_.contact.separation != Separation::edges)
+      if (separate && gap > touching && gap < 1 && model_.contact.separation != Separation::edges)
         advice_.push_back(who +
                           format(" are %.3g cells apart: this way to find the gap may see contact before they touch; "
                                  "normals LOGREG (the default) measures it",
                                  gap));
     }
-  }
-
-  Gaps smallest_gaps() const {
-    using Cell = std::array<int, 3>;
-    const auto cell_of = [&](const Vec3& x) {
-      Cell c{};
-      for (std::size_t d = 0; d < Dim; ++d) {
-        const auto k = static_cast<Eigen::Index>(d);
-        c[d] = static_cast<int>(std::floor((x[k] - system_.lattice.low[k]) / system_.lattice.spacing[k]));
-      }
-      return c;
-    };
-    std::map<Cell, std::vector<std::size_t>> cells;
-    std::map<Cell, std::set<int>> here;
-    for (std::size_t i = 0; i < seeds_.size(); ++i) {
-      const Cell c = cell_of(seeds_[i].x);
-      cells[c].push_back(i);
-      here[c].insert(seeds_[i].material);
-    }
-    Gaps gaps;
-    const auto around = [](const Cell& c, auto&& f) {
-      const int deep = Dim == 3 ? 2 : 0;
-      for (int k = -deep; k <= deep; ++k)
-        for (int j = -2; j <= 2; ++j)
-          for (int i = -2; i <= 2; ++i) f(Cell{c[0] + i, c[1] + j, c[2] + k});
-    };
-    for (const auto& entry : cells) {
-      const Cell& c = entry.first;
-      const auto& list = entry.second;
-      bool alone = true;
-      around(c, [&](const Cell& n) {
-        if (const auto found = here.find(n); found != here.end() && found->second != here.at(c)) alone = false;
-      });
-      if (alone && here.at(c).size() == 1) continue;
-      around(c, [&](const Cell& n) {
-        const auto found = cells.find(n);
-        if (found == cells.end()) return;
-        for (const std::size_t i : list)
-          for (const std::size_t j : found->second)
-            if (seeds_[i].material < seeds_[j].material) {
-              const Vec<Dim> between = (seeds_[i].x - seeds_[j].x).template head<Dim>();
-              const double gap = separation<Dim>(between, axes_of<Dim>(seeds_[i]), axes_of<Dim>(seeds_[j])) / h_;
-              const auto [known, fresh] = gaps.try_emplace({seeds_[i].material, seeds_[j].material}, gap);
-              if (!fresh) known->second = std::min(known->second, gap);
-            }
-      });
-    }
-    return gaps;
   }
 
   void stiffness() {
@@ -280,33 +229,9 @@ class Report {
     }
   }
 
-  // Constant gravity on bodies without stress makes them vibrate with amplitudes of their whole pressure. Undamped,
-  // they slip whenever the pressure is low, however large the static friction.
-  void sudden_gravity() {
-    const Damping& d = model_.damping;
-    if (!model_.contact.active || model_.body_force.gravity.isZero() || d.grid || d.particle || d.grid_gain ||
-        d.particle_gain)
-      return;
-    const auto has_friction = [](const ContactLaw* law) {
-      if (!law || !law->uses_face() || law->is_interface() || law->liquid() != 0) return false;
-      ContactState m;
-      m.mass = m.dt = m.area = 1.0, m.velocity = Vec3(-1, 1, 0);
-      return law->response(m).impulse[1] > 0;
-    };
-    bool rubs = has_friction(model_.contact.default_law.get());
-    for (const auto& [materials, law] : model_.contact.pair_laws) rubs = rubs || has_friction(law.get());
-    const auto unstressed = [](const Seed& s) { return s.stress.isZero(); };
-    if (rubs && std::all_of(seeds_.begin(), seeds_.end(), unstressed))
-      advice_.push_back(
-          "gravity acts suddenly on bodies without stress or damping: they vibrate, and faces that would stick slip "
-          "whenever the pressure is low; let gravity grow (<GridBodyYForce> as a function of t), or damp the start");
-  }
-
   void cracks() {
-    for (const CrackReport& report : {describe_cracks(system_), describe_interfaces(system_)}) {
-      for (const auto& text : report.lines) line(text);
-      advice_.insert(advice_.end(), report.advice.begin(), report.advice.end());
-    }
+    take(describe_cracks(system_));
+    take(describe_interfaces(system_));
     if (system_.joints.empty()) return;
     // known only with the nodal masses of a first step
     stepper_.advance(0.1 * step_.size);
@@ -321,22 +246,7 @@ class Report {
   }
 
   void travel() {
-    for (const auto& body : system_.bodies) {
-      double first = 1e300;
-      for (const Seed& s : seeds_) {
-        if (s.material != body.material) continue;
-        for (Eigen::Index d = 0; d < Dim; ++d) {
-          const auto k = static_cast<std::size_t>(d);
-          const auto& plane = model_.grid.symmetry[k][s.v[d] > 0 ? 1 : 0];
-          if (s.v[d] == 0 || plane || model_.grid.periodic[k]) continue;
-          const double room = s.v[d] > 0 ? model_.grid.high[k] - s.x[d] : s.x[d] - model_.grid.low[k];
-          first = std::min(first, room / std::abs(s.v[d]));
-        }
-      }
-      if (first < model_.time.end)
-        advice_.push_back(
-            format("%s leaves the grid at time %.4g unless something stops it", name(body.material).c_str(), first));
-    }
+    take(describe_travel(model_, seeds_));
     double fastest = 0.0;
     for (const Seed& s : seeds_) fastest = std::max(fastest, s.v.cwiseAbs().maxCoeff());
     if (fastest > 0.5 * step_.wave_speed && !model_.time.adaptive)
@@ -349,30 +259,6 @@ class Report {
   void steps() {
     line(format("time step: %.6g, set by %s (wave speed %.6g)", step_.size, step_.set_by.c_str(), step_.wave_speed));
     line(format("steps: about %.0f to time %.6g", std::ceil(model_.time.end / step_.size), model_.time.end));
-  }
-
-  void effort() {
-    double bytes = 0;
-    for (const auto& body : system_.bodies)
-      bytes +=
-          static_cast<double>(body.particles.size()) * 8.0 * static_cast<double>(body.particles.columns().size() + 3);
-    for (int k = 0; k < 3; ++k) stepper_.advance(step_.size);
-    for (const auto& field : system_.fields) bytes += static_cast<double>(field.nodes.size() * sizeof(Node));
-    line(format("memory: about %.3g MB", 1e-6 * bytes));
-    Schedule archive(model_.output.archive);
-    archive.due(model_.time.end, 0.0);
-    const auto files = static_cast<double>(archive.count());
-    line(format("particle files: %.0f, up to %.3g MB in all", files,
-                files * 1e-6 * 250 * static_cast<double>(seeds_.size())));
-    if (files > 2000) advice_.push_back(format("%.0f particle files: a larger <ArchiveTime>?", files));
-    const auto begin = std::chrono::steady_clock::now();
-    const auto seconds = [&] {
-      return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    };
-    int trial = 0;
-    while (seconds() < 0.2 && trial < 20) stepper_.advance(step_.size), ++trial;
-    line(format("estimated time: %.3g s on %d thread%s, without output",
-                seconds() / trial * std::ceil(model_.time.end / step_.size), threads(), threads() == 1 ? "" : "s"));
   }
 
   const Model& model_;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "output/checkpoint_archive.hpp"
+#include "run/monitor_state.hpp"
 #include "solver/step.hpp"
 
 namespace tribo {
@@ -13,13 +14,15 @@ struct RunState {
   double initial_energy = 0.0;                            ///< content of energy at the start              [energy]
   double initial_block_energy = 0.0;                      ///< the same of blocks                          [energy]
   double dt = 0.0;                                        ///< present step                                [time]
+  MonitorState monitor;                                   ///< what the run has noticed so far
 };
 
 inline void archive(Archive& a, RunState& state) {
-  auto& [particle_files, histories, checkpoints, initial_energy, initial_block_energy, dt] = state;
-  a.version(1);
+  auto& [particle_files, histories, checkpoints, initial_energy, initial_block_energy, dt, monitor] = state;
+  a.version(2);
   a("archive", particle_files), a("history", histories), a("checkpoint", checkpoints);
   a("initial_energy", initial_energy), a("initial_block_energy", initial_block_energy), a("dt", dt);
+  a("monitor", monitor);
 }
 
 /// A run in a grid, with the blocks in it.

@@ -2,6 +2,7 @@
 #include "run/results.hpp"
 
 #include "model/quantities.hpp"
+#include "run/energy_balance.hpp"
 #include "run/grid_file.hpp"
 #include "run/history_source.hpp"
 #include "run/particle_fields.hpp"
@@ -46,6 +47,9 @@ Results<Dim>::Results(const Model& model, System<Dim>& system, Stepper<Dim>& ste
     for (const auto& column : BlockResults::columns(model)) columns.push_back(column);
   }
   if (!resume_time) {
+    // Here and not with the first row of the histories, which may begin later
+    const Measures all = measure(system);
+    initial_energy = energy_content(all, run_energies(model, system, stepper, all));
     history_.emplace(folder_ / "history.csv", columns);
     energy_.emplace(folder_ / "energy.csv", energy_columns(model.heat.kept));
     if (!system.joints.empty()) events_.emplace(folder_ / "events.csv", event_columns);
@@ -94,30 +98,12 @@ void Results<Dim>::write_grid(std::int64_t number) {
 }
 
 template <int Dim>
-RunEnergies Results<Dim>::energies(const Measures& all) const {
-  RunEnergies l;
-  // Mass times the displacement of the centre of mass
-  l.potential = -all.mass * model_.body_force.gravity.dot(all.displacement);
-  l.external_work = stepper_.ledger().external_work;
-  l.damping = stepper_.ledger().damping_work;
-  l.boundary_work = stepper_.ledger().rigid_work;
-  const PairLedger contact = stepper_.contact().ledger().total();
-  l.interface = contact.stored;
-  l.contact = contact.friction + contact.impact + contact.interface - contact.stored;
-  const auto joints = stepper_.joints().energies();
-  l.interface += joints.stored, l.contact += joints.dissipated;
-  l.boundary_work += stepper_.contact().ledger().rigid_work;
-  for (std::size_t f = 0; f < system_.fields.size(); ++f) l.boundary_work += stepper_.conditions(f).work();
-  return l;
-}
-
-template <int Dim>
 void Results<Dim>::write_history(double dt) {
   const bool strain = model_.output.wants_strain();
   const Measures all = measure(system_, strain);
   std::vector<Measures> bodies;
   for (auto& body : system_.bodies) bodies.push_back(measure(body, strain));
-  const RunEnergies l = energies(all);
+  const RunEnergies l = run_energies(model_, system_, stepper_, all);
 
   std::vector<double> row{system_.time};
   for (std::size_t k = 0; k < model_.output.history.size(); ++k) {
@@ -133,8 +119,7 @@ void Results<Dim>::write_history(double dt) {
   history_->add(row);
   write_tips();
 
-  const double content = all.kinetic + all.stored + all.dissipated + l.potential + l.damping + l.contact + l.interface;
-  if (system_.step == 0) initial_energy = content;
+  const double content = energy_content(all, l);
   Vec3 impulse = stepper_.ledger().impulse + stepper_.contact().ledger().rigid_impulse;
   for (std::size_t f = 0; f < system_.fields.size(); ++f) impulse += stepper_.conditions(f).impulse();
   std::vector<double> energies{system_.time,

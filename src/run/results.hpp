@@ -26,14 +26,14 @@ class Results {
   void write_history(double dt);
   /// The events at joints and blocks since the last call.
   void write_events();
-  /// Content of energy at the start, for the residual [energy].
+  /// Content of energy at the start, for the residual [energy]. Found by the constructor for a new run; to be set for
+  /// one that is continued.
   double initial_energy = 0.0;
   std::optional<BlockResults> blocks;
 
  private:
   /// Sums over what history `k` refers to: all particles, a material or one particle.
   Measures measures_of(std::size_t k, const Measures& all, const std::vector<Measures>& bodies) const;
-  RunEnergies energies(const Measures& all) const;
   void write_particles(std::int64_t number);
   void write_grid(std::int64_t number);
   void write_cracks(std::int64_t number);

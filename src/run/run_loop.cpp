@@ -3,6 +3,7 @@
 
 #include "base/parallel.hpp"
 #include "base/stopwatch.hpp"
+#include "base/text.hpp"
 #include "output/atomic_file.hpp"
 #include "output/progress.hpp"
 #include "output/provenance.hpp"
@@ -71,6 +72,7 @@ class RunLoop {
     save();
     report("finished", "");
     progress_.finish(stepped_.time(), stepped_.step());
+    summary();
     return Outcome::finished;
   }
 
@@ -101,6 +103,7 @@ class RunLoop {
 
   void step() {
     const double size = stepped_.advance();
+    for (const std::string& warning : stepped_.look()) progress_.warn(warning);
     stepped_.write_events();
     write_due();
     stepped_.check();
@@ -109,6 +112,16 @@ class RunLoop {
       reported_ = Clock::now();
     }
     progress_.step(stepped_.time(), stepped_.step(), size);
+  }
+
+  void summary() {
+    static constexpr double noticed = 0.02;
+    if (stepped_.loss() > noticed)
+      progress_.say(format("energy: of what was supplied, %.3g %% were lost in the transfer between particles and grid",
+                           100 * stepped_.loss()));
+    const auto remarks = stepped_.remarks();
+    if (!remarks.empty()) progress_.say("to look at:");
+    for (const std::string& remark : remarks) progress_.say("- " + remark);
   }
 
   void write_due() {
@@ -146,6 +159,7 @@ class RunLoop {
     p.seconds_of = stepped_.seconds_of(p.seconds - output_.seconds());
     p.seconds_of["output"] = output_.seconds();
     provenance_.set_progress(p);
+    provenance_.set_remarks(stepped_.remarks());
     provenance_.write(status, reason, stepped_.time(), static_cast<long>(stepped_.step()));
   }
 

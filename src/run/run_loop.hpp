@@ -10,6 +10,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace tribo {
 
@@ -32,6 +33,12 @@ class SteppedModel {
   virtual void start() = 0;
   /// Takes one step; returns its size [time]. Throws SimulationError.
   virtual double advance() = 0;
+  /// Called after each step, before its output: warnings of signs that the results are wrong, each of them once.
+  virtual std::vector<std::string> look() { return {}; }
+  /// What has been noticed so far, a line each.
+  virtual std::vector<std::string> remarks() const { return {}; }
+  /// Share of the supplied energy that was lost in the transfers; negative: a gain.
+  virtual double loss() const { return 0.0; }
   /// Called after the output of a step. Throws SimulationError if the state has lost its meaning.
   virtual void check() {}
 

@@ -27,24 +27,71 @@ double support_limit(const Model& model, Body<Dim>& body) {
 }  // namespace
 
 template <int Dim>
+template <class F>
+void StepSize<Dim>::each_limit(F&& f) {
+  using Cause = StepLimit::Cause;
+  const double h = system_.lattice.smallest_spacing();
+  for (std::size_t b = 0; b < system_.bodies.size(); ++b) {
+    auto& body = system_.bodies[b];
+    const auto of = static_cast<std::int64_t>(b);
+    const Measures m = measure(body);
+    if (m.largest_wave_speed > 0) f(model_.time.courant * h / m.largest_wave_speed, StepLimit{Cause::waves, of}, m);
+    f(viscous_limit(body), StepLimit{Cause::viscosity, of}, m);
+    f(conduction_limit(body), StepLimit{Cause::conduction, of}, m);
+    f(support_limit(model_, body), StepLimit{Cause::supports, of}, m);
+  }
+}
+
+template <int Dim>
 typename StepSize<Dim>::First StepSize<Dim>::first() {
   First out;
   out.size = std::numeric_limits<double>::infinity();
-  const double h = system_.lattice.smallest_spacing();
-  const auto limit = [&](double size, const std::string& by) {
-    if (size < out.size) out.size = size, out.set_by = by;
-  };
-  for (auto& body : system_.bodies) {
-    const double c = measure(body).largest_wave_speed;
-    out.wave_speed = std::max(out.wave_speed, c);
-    if (c > 0) limit(model_.time.courant * h / c, "the waves in '" + body.name + "'");
-    limit(viscous_limit(body), "the viscosity of '" + body.name + "'");
-    limit(conduction_limit(body), "the conduction in '" + body.name + "'");
-    limit(support_limit(model_, body), "the elastic supports of '" + body.name + "'");
-  }
+  each_limit([&](double size, const StepLimit& limit, const Measures& m) {
+    out.wave_speed = std::max(out.wave_speed, m.largest_wave_speed);
+    if (size < out.size) out.size = size, out.limit = limit;
+  });
   if (!(out.wave_speed > 0)) throw SimulationError("no material has a wave speed; the time step cannot be chosen");
-  if (model_.time.max_step < out.size) out.size = model_.time.max_step, out.set_by = "<TimeStep>";
+  if (model_.time.max_step < out.size) out.size = model_.time.max_step, out.limit = {};
+  out.set_by = words(out.limit);
   return out;
+}
+
+template <int Dim>
+StepLimit StepSize<Dim>::limit() {
+  StepLimit out;
+  double least = model_.time.max_step;
+  const double h = system_.lattice.smallest_spacing();
+  each_limit([&](double size, const StepLimit& limit, const Measures& m) {
+    if (size < least) least = size, out = limit;
+    const double travel = model_.time.velocity_courant * h;
+    if (model_.time.adaptive && travel < least * m.largest_speed)
+      least = travel / m.largest_speed, out = {StepLimit::Cause::speed, limit.body};
+  });
+  return out;
+}
+
+template <int Dim>
+std::string StepSize<Dim>::words(const StepLimit& limit) const {
+  using Cause = StepLimit::Cause;
+  const std::string of =
+      limit.body < 0 ? std::string() : "'" + system_.bodies[static_cast<std::size_t>(limit.body)].name + "'";
+  switch (limit.cause) {
+    case Cause::time_step:
+      return "<TimeStep>";
+    case Cause::waves:
+      return "the waves in " + of;
+    case Cause::viscosity:
+      return "the viscosity of " + of;
+    case Cause::conduction:
+      return "the conduction in " + of;
+    case Cause::supports:
+      return "the elastic supports of " + of;
+    case Cause::speed:
+      return "the speed of particles of " + of;
+    case Cause::joints:
+      return "the stiffness of the joints";
+  }
+  return {};
 }
 
 // Explicit diffusion of momentum: dt < h^2 / (2 Dim nu).

@@ -9,6 +9,13 @@
 
 namespace tribo {
 
+/// What limits the time step.
+struct StepLimit {
+  enum class Cause { time_step, waves, viscosity, conduction, supports, speed, joints };
+  Cause cause = Cause::time_step;
+  std::int64_t body = -1;  ///< index into System::bodies; -1: none in particular
+};
+
 template <int Dim>
 class StepSize {
  public:
@@ -17,10 +24,15 @@ class StepSize {
   struct First {
     double size = 0.0;
     double wave_speed = 0.0;  ///< the largest
-    std::string set_by;       ///< "<TimeStep>", or what limits the step: "the waves in 'steel'"
+    StepLimit limit;
+    std::string set_by;  ///< the same in words
   };
-  /// Of the present state. Throws SimulationError if no material has a wave speed.
+  /// Of the initial state. Throws SimulationError if no material has a wave speed.
   First first();
+  /// What limits the step in the present state.
+  StepLimit limit();
+  /// A limit in words: "<TimeStep>", "the waves in 'steel'".
+  std::string words(const StepLimit& limit) const;
   /// The step after one of this size [time]: the same, or every tenth step adapted to wave speeds and the fastest
   /// particle.
   double next(double size);
@@ -31,6 +43,9 @@ class StepSize {
   }
 
  private:
+  // Calls f(size, limit) for what depends on each body.
+  template <class F>
+  void each_limit(F&& f);
   double viscous_limit(const Body<Dim>& body) const;
   double conduction_limit(const Body<Dim>& body) const;
 

@@ -11,6 +11,23 @@ using Catch::Contains;
 
 namespace {
 
+// A plane model of one block with parts of the command file replaced.
+std::string one_block(const std::string& body = "<Rect xmin='4' xmax='8' ymin='2' ymax='6'/>",
+                      const std::string& more = "", const std::string& grid = "<Horiz nx='20'/><Vert ny='10'/>",
+                      const std::string& header = "", const std::string& others = "") {
+  return preflight(read_model_text(R"(<JANFEAInput version='3'>
+ <Header><Analysis>10</Analysis><ConsistentUnits length='m' mass='kg' time='s'/></Header>
+ <MPMHeader><MaxTime>1</MaxTime><ArchiveTime>1</ArchiveTime><GIMP/>)" +
+                                       header + R"(</MPMHeader>
+ <Mesh><Grid xmin='0' xmax='20' ymin='0' ymax='10'>)" +
+                                       grid + "</Grid></Mesh><MaterialPoints><Body matname='m'>" + body + "</Body>" +
+                                       others + R"(</MaterialPoints>
+ <Material Type='1' Name='m'><rho>1000</rho><E>1e6</E><nu>0</nu></Material>)" +
+                                       more + "</JANFEAInput>",
+                                   "deck.xml"),
+                   1);
+}
+
 // Two blocks of 4 x 4 cells, the right one `gap` cells beside the left one.
 std::string sheet(const std::string& gap, const std::string& header, const std::string& more = "",
                   const std::string& left_size = "4", const std::string& right_modulus = "1",
@@ -139,4 +156,150 @@ TEST_CASE("the summary reports bodies that stick to fixed nodes and bodies that 
  <Material Type='1' Name='m'><rho>1</rho><E>1</E><nu>0</nu></Material></JANFEAInput>)";
   // the foremost particle is at 9.75 of 20
   CHECK_THAT(preflight(read_model_text(deck, "deck.xml"), 1), Contains("'m' leaves the grid at time 0.2562"));
+  // A spinning disc stays where it is
+  deck.replace(deck.find("vx='40'"), 7, "");
+  deck.replace(deck.find("<Rect"), deck.find("</Body>") - deck.find("<Rect"),
+               "<vel0X>-9*(y-5)</vel0X><vel0Y>9*(x-6)</vel0Y><Oval xmin='2' xmax='10' ymin='1' ymax='9'/>");
+  CHECK_THAT(preflight(read_model_text(deck, "deck.xml"), 1), !Contains("leaves the grid"));
+}
+
+TEST_CASE("the summary tells gravity in words and warns of gravity along x", "[preflight]") {
+  const auto with = [](const std::string& forces) {
+    return one_block("<Rect xmin='4' xmax='8' ymin='2' ymax='6'/>", "<Gravity>" + forces + "</Gravity>");
+  };
+  const std::string slip = "gravity acts along x alone";
+  CHECK_THAT(one_block(), Contains("gravity: none"));
+  CHECK_THAT(with("<BodyYForce>-9.81</BodyYForce>"), Contains("gravity: down 9.81 (along -y)") && !Contains(slip));
+  CHECK_THAT(with("<BodyXForce>-9.81</BodyXForce>"), Contains("gravity: left 9.81 (along -x)") && Contains(slip));
+  CHECK_THAT(with("<BodyXForce>2</BodyXForce><BodyYForce>-9</BodyYForce>"),
+             Contains("gravity: right 2 (along +x), down 9 (along -y)") && !Contains(slip));
+  CHECK_THAT(with("<BodyXForce>2</BodyXForce><GridBodyYForce>-9*t</GridBodyYForce>"),
+             Contains("a function along y") && !Contains(slip));
+}
+
+TEST_CASE("the summary has a table of the edges of the grid", "[preflight]") {
+  const std::string text = one_block("<Rect xmin='4' xmax='8' ymin='2' ymax='6'/>",
+                                     "<GridBCs><BCLine x1='0' x2='20' y1='2' y2='2' tolerance='*0.1'>"
+                                     "<DisBC dir='1' vel='0'/><DisBC dir='2' vel='-3'/></BCLine>"
+                                     "<BCLine x1='20' x2='20' y1='0' y2='10' tolerance='*0.1'><DisBC dir='1' "
+                                     "style='3' vel='1' time='2'/></BCLine></GridBCs>",
+                                     "<Horiz nx='20' symmin='0'/><Vert ny='10'/>");
+  CHECK_THAT(text, Contains("  xmin = 0          symmetry\n") &&
+                       Contains("  xmax = 20         velocity x (sine) at x = 20\n") &&
+                       Contains("  ymin = 0          velocity x = 0, y = -3 at y = 2\n") &&
+                       Contains("  ymax = 10         free\n"));
+  CHECK_THAT(one_block(), Contains("cells: 20 x 10 of 1 x 1 (m), 4 particles per cell\n"));
+}
+
+TEST_CASE("the summary warns of slender cells", "[preflight]") {
+  const std::string body = "<Rect xmin='4' xmax='8' ymin='2' ymax='6'/>";
+  CHECK_THAT(one_block(body, "", "<Horiz nx='20'/><Vert ny='40'/>"), Contains("the cells are 4 times as long as wide"));
+  CHECK_THAT(one_block(body, "", "<Horiz nx='20'/><Vert ny='38'/>"), !Contains("as long as wide"));
+}
+
+TEST_CASE("the summary names the contact law of each pair of materials", "[preflight]") {
+  CHECK_THAT(sheet("0", contact), Contains("contact of 'left' and 'right': without friction"));
+  CHECK_THAT(sheet("0", "<MultiMaterialMode><Friction>0.3</Friction></MultiMaterialMode>"),
+             Contains("contact of 'left' and 'right': friction 0.3"));
+  CHECK_THAT(sheet("0", "<MultiMaterialMode><Friction lawname='glue'/></MultiMaterialMode>",
+                   "<Material Type='LinearInterface' Name='glue'><Dnt>2</Dnt><Dt>1</Dt></Material>"),
+             Contains("contact of 'left' and 'right': LinearInterface 'glue' (Dnt 2, Dt 1)"));
+  CHECK_THAT(sheet("0", contact, "<Material Type='Mohr' Name='bed'><stiffness-normal>1</stiffness-normal></Material>",
+                   "4", "1", "<Friction lawname='bed' matname='right'/>"),
+             Contains("contact of 'left' and 'right': Mohr 'bed' (stiffness-normal 1) where they touch at the start, "
+                      "then without friction"));
+  CHECK_THAT(sheet("0", ""), Contains("contact: none, all bodies share one velocity field"));
+}
+
+TEST_CASE("the summary warns of bodies that claim the same place", "[preflight]") {
+  const std::string other = "<Material Type='1' Name='n'><rho>1000</rho><E>1e6</E><nu>0</nu></Material>";
+  const auto with = [&](const std::string& first, const std::string& second) {
+    return one_block(first, other, "<Horiz nx='20'/><Vert ny='10'/>", "", "<Body matname='n'>" + second + "</Body>");
+  };
+  CHECK_THAT(with("<Rect xmin='4' xmax='8' ymin='2' ymax='6'/>", "<Rect xmin='6' xmax='12' ymin='2' ymax='6'/>"),
+             Contains("'m' (deck.xml:") && Contains("claim an area of 8 in common: the first of them gets it"));
+  CHECK_THAT(with("<Rect xmin='4' xmax='8' ymin='2' ymax='6'/>", "<Rect xmin='8' xmax='12' ymin='2' ymax='6'/>"),
+             !Contains("claim") && !Contains("in its place"));
+  CHECK_THAT(with("<Oval xmin='4' xmax='8' ymin='2' ymax='6'/>", "<Rect xmin='2' xmax='12' ymin='1' ymax='8'/>"),
+             Contains("in its place: 'm'") && !Contains("claim"));
+}
+
+TEST_CASE("the grid may cut rigid bodies, with a remark, but no others", "[preflight]") {
+  const std::string tool = "<Material Type='RigidContact' Name='tool'/>";
+  const auto with = [&](const std::string& shape) {
+    return one_block("<Rect xmin='4' xmax='8' ymin='2' ymax='6'/>", tool, "<Horiz nx='20'/><Vert ny='10'/>", contact,
+                     "<Body matname='tool'>" + shape + "</Body>");
+  };
+  CHECK_THAT(with("<Rect xmin='4' xmax='8' ymin='8' ymax='14'/>"),
+             Contains("'tool' (deck.xml:") && Contains("the edge of the grid at ymax = 10 cuts this body: 67 %"));
+  CHECK_THAT(with("<Rect xmin='4' xmax='8' ymin='8' ymax='10'/>"), !Contains("cuts this body"));
+  CHECK_THROWS_WITH(one_block("<Rect xmin='4' xmax='8' ymin='8' ymax='14'/>"),
+                    Contains("deck.xml:") && Contains("error: the edge of the grid at ymax = 10 cuts this body"));
+}
+
+TEST_CASE("a second gravity in a script and equal names of materials are warned of", "[preflight]") {
+  const auto script = [](const std::string& more, const std::string& second) {
+    return read_model_text(R"(Title "t"
+Header
+t
+EndHeader
+Analysis "Plane Strain MPM"
+ConsistentUnits m,kg,s
+MPMMethod "USL","uGIMP"
+TimeStep 1,1,0.4
+ArchiveTime 1
+Material "a",")" + std::string("A") +
+                               R"(","LinearElastic"
+  rho 1
+  E 1
+  nu 0
+Done
+Material "b",")" + second + R"(","LinearElastic"
+  rho 1
+  E 1
+  nu 0
+Done
+GridHoriz 10
+GridVert 10
+GridRect 0,10,0,10
+Region "a",0,0
+  Rect 2,4,2,4
+EndRegion
+Gravity 0,-10
+)" + more,
+                           "deck.fmcmd")
+        .warnings;
+  };
+  CHECK(script("", "B").empty());
+  CHECK(script("Gravity 0,-10\n", "B").empty());
+  CHECK(script("Gravity 3\n", "B").empty());  // the other axis
+  REQUIRE(script("Gravity 0,-5\n", "B").size() == 1);
+  CHECK_THAT(script("Gravity 0,-5\n", "B")[0],
+             Contains("deck.fmcmd:27:") && Contains("warning: this replaces the gravity of deck.fmcmd:26:"));
+  REQUIRE(script("", "A").size() == 1);
+  CHECK_THAT(script("", "A")[0], Contains("warning: two materials are named 'A'"));
+}
+
+TEST_CASE("bodies whose slanted or round faces touch do not overlap", "[preflight]") {
+  const std::string other = "<Material Type='1' Name='n'><rho>1000</rho><E>1e6</E><nu>0</nu></Material>";
+  const auto with = [&](const std::string& first, const std::string& second) {
+    return one_block(first, other, "<Horiz nx='20'/><Vert ny='10'/>", contact,
+                     "<Body matname='n'>" + second + "</Body>");
+  };
+  for (const double slope : {0.1, 0.37, 0.5, 1.3, 2.7}) {
+    INFO(slope);
+    // Two halves of a block on both sides of a slanted line through its middle
+    const auto pt = [](double x, double y) {
+      return "<pt x='" + std::to_string(x) + "' y='" + std::to_string(y) + "'/>";
+    };
+    const double half = slope < 1 ? 4 : 4 / slope;
+    const auto line = pt(10 - half, 5 - slope * half) + pt(10 + half, 5 + slope * half);
+    const std::string text = with("<Polygon>" + line + pt(10 + half, 0.5) + pt(10 - half, 0.5) + "</Polygon>",
+                                  "<Polygon>" + line + pt(10 + half, 9.5) + pt(10 - half, 9.5) + "</Polygon>");
+    CHECK_THAT(text, Contains("touch: 'm' and 'n'") && !Contains("overlap") && !Contains("claim"));
+  }
+  CHECK_THAT(with("<Oval xmin='2' xmax='10' ymin='1' ymax='9'/>", "<Rect xmin='1' xmax='11' ymin='0.5' ymax='9.5'/>"),
+             Contains("touch: 'm' and 'n'") && !Contains("push them apart"));
+  CHECK_THAT(with("<Oval xmin='2' xmax='10' ymin='1' ymax='9'/>", "<Oval xmin='10' xmax='18' ymin='1' ymax='9'/>"),
+             Contains("touch: 'm' and 'n'") && !Contains("overlap"));
 }

@@ -147,8 +147,12 @@ TEST_CASE("a piece may have a lattice of its own", "[fill]") {
   CHECK(seeds[1].half_size.isApprox(Vec3(0.2, 0.2, 0.5)));
 }
 
-TEST_CASE("sites outside the grid are left out", "[fill]") {
+TEST_CASE("sites beyond a symmetry plane are left out", "[fill]") {
   auto model = plane();
+  model.pieces.push_back(body(oval(-2, 2, -2, 2)));
+  CHECK_THROWS_WITH(place_points(model), Catch::Contains("cuts this body"));
+  model.pieces.clear();
+  model.grid.symmetry[0][0] = model.grid.symmetry[1][0] = 0.0;
   model.pieces.push_back(body(oval(-2, 2, -2, 2)));
   const auto seeds = place_points(model);
   for (const auto& seed : seeds) {
@@ -295,6 +299,7 @@ TEST_CASE("a body without points is an error at its place in the file", "[fill]"
 
 TEST_CASE("the placed volume is compared with the exact one where that is known", "[fill]") {
   auto model = plane(40, 40);
+  model.grid.symmetry[1][0] = 0.0;
   model.pieces.push_back(body(oval(1, 3, 1, 3)));
   model.pieces.push_back(body(rectangle(2, 4, 2, 4), 1));   // cut by the disc
   model.pieces.push_back(body(rectangle(0, 1, -1, 1), 1));  // cut by the grid

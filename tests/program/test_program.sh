@@ -132,7 +132,17 @@ code=0
 grep -q "particle .* of '" err.txt || fail "the message names no particle"
 grep -q '"status": "failed"' five/provenance.json || fail "provenance does not say failed"
 
-# So does a tool whose motion is no number
+# A run that gains energy says so once, and in its record; one that does not says nothing
+cutting="$source/input/examples/cutting.fmcmd"
+sed 's/Transfer APIC/Transfer XPIC,2/' "$cutting" >gains.fmcmd
+expect 0 "$tribo" run --quiet --np 1 --set cell=0.05 --set way=0.3 --output gains gains.fmcmd
+[ "$(grep -c '^warning: energy: .* came from nowhere' err.txt)" -eq 1 ] || { cat err.txt; fail "a gain of energy is not told once"; }
+grep -q '"to_look_at"' gains/provenance.json || fail "the record does not tell the gain of energy"
+expect 0 "$tribo" run --quiet --np 1 --set cell=0.05 --set way=0.3 --output keeps "$cutting"
+[ ! -s err.txt ] || { cat err.txt; fail "a good run gives a warning"; }
+grep -q '"to_look_at"' keeps/provenance.json && fail "a good run has something to look at"
+
+# A tool whose motion is no number stops it, too
 sed 's|<SettingFunction>[^<]*</SettingFunction>|<SettingFunction>log(-1-t)</SettingFunction>|' "$source/input/examples/stacked_blocks.xml" >nowhere.xml
 expect 4 "$tribo" run --quiet --output six nowhere.xml
 grep -q "SettingFunction" err.txt || { cat err.txt; fail "the message does not name the function"; }

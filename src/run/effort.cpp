@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#include "run/effort.hpp"
+
+#include "base/parallel.hpp"
+#include "base/text.hpp"
+#include "run/contact_probe.hpp"
+#include "run/results.hpp"
+#include "run/schedule.hpp"
+#include "run/step_size.hpp"
+#include "run/trial_output.hpp"
+
+#include <chrono>
+#include <cmath>
+
+namespace tribo {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
+
+template <int Dim>
+class Effort {
+ public:
+  Effort(const Model& model, System<Dim>& system, Stepper<Dim>& stepper, double dt)
+      : model_(model), system_(system), stepper_(stepper), dt_(dt) {}
+
+  Remarks remarks() {
+    const double files = output_times(Schedule(model_.output.archive), model_.time.end);
+    const double steps = std::ceil(model_.time.end / dt_), output = output_seconds();
+    std::string time;
+    try {
+      const double free = seconds_per_step();
+      time = format("estimated time: %.3g s on %d thread%s, of which output %.2g s",
+                    steps * (free + added_by_contact(free)) + output, threads(), threads() == 1 ? "" : "s", output);
+    } catch (const SimulationError& error) {
+      time = "estimated time: unknown";
+      out_.advice.push_back(std::string("a trial of some steps failed: ") + error.what());
+    }
+    out_.lines.push_back(format("memory: about %.3g MB", 1e-6 * bytes()));
+    out_.lines.push_back(format("particle files: %.0f, up to %.3g MB in all", files,
+                                files * 1e-6 * 250 * static_cast<double>(particle_count(system_))));
+    if (files > 2000) out_.advice.push_back(format("%.0f particle files: a larger <ArchiveTime>?", files));
+    out_.lines.push_back(time);
+    return std::move(out_);
+  }
+
+ private:
+  double bytes() const {
+    double sum = 0;
+    for (const auto& body : system_.bodies)
+      sum +=
+          static_cast<double>(body.particles.size()) * 8.0 * static_cast<double>(body.particles.columns().size() + 3);
+    for (const auto& field : system_.fields) sum += static_cast<double>(field.nodes.size() * sizeof(Node));
+    return sum;
+  }
+
+  // Mean over some steps, within the time of the run.
+  double seconds_per_step() {
+    static constexpr double enough = 0.2;  // seconds
+    static constexpr int warm = 2, least = 5, most = 200;
+    const auto at_end = [&] { return !(system_.time < model_.time.end - dt_); };
+    for (int k = 0; k < warm && !at_end(); ++k) stepper_.advance(dt_);
+    const auto begin = Clock::now();
+    int trial = 0;
+    while (trial == 0 || (!at_end() && (trial < least || (seconds_since(begin) < enough && trial < most))))
+      stepper_.advance(dt_), ++trial;
+    return seconds_since(begin) / trial;
+  }
+
+  // Seconds per step, as a mean over the run. A trial that fails says nothing.
+  double added_by_contact(double free) {
+    if (!model_.contact.active) return 0.0;
+    try {
+      const double share = bring_into_contact(model_, system_);
+      return share > 0 ? share * std::max(0.0, seconds_per_step() - free) : 0.0;
+    } catch (const SimulationError&) {
+      return 0.0;
+    }
+  }
+
+  // Without a folder for scratch files the time of output is left out.
+  double output_seconds() {
+    try {
+      const TrialFolder scratch;
+      Results<Dim> results(model_, system_, stepper_, scratch.path, std::nullopt);
+      return seconds_of_output(
+          model_.output, model_.time.end, [&] { results.write_files(0); }, [&] { results.write_history(dt_); });
+    } catch (const FileError&) {
+      return 0.0;
+    }
+  }
+
+  const Model& model_;
+  System<Dim>& system_;
+  Stepper<Dim>& stepper_;
+  double dt_;
+  Remarks out_;
+};
+
+}  // namespace
+
+template <int Dim>
+Remarks describe_effort(const Model& model, System<Dim>& system, Stepper<Dim>& stepper, double dt) {
+  return Effort<Dim>(model, system, stepper, dt).remarks();
+}
+
+template Remarks describe_effort(const Model&, System<2>&, Stepper<2>&, double);
+template Remarks describe_effort(const Model&, System<3>&, Stepper<3>&, double);
+
+}  // namespace tribo

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#include "run/energy_balance.hpp"
+
+namespace tribo {
+
+template <int Dim>
+RunEnergies run_energies(const Model& model, const System<Dim>& system, Stepper<Dim>& stepper, const Measures& all) {
+  RunEnergies l;
+  // Mass times the displacement of the centre of mass
+  l.potential = -all.mass * model.body_force.gravity.dot(all.displacement);
+  l.external_work = stepper.ledger().external_work;
+  l.damping = stepper.ledger().damping_work;
+  l.boundary_work = stepper.ledger().rigid_work;
+  const PairLedger contact = stepper.contact().ledger().total();
+  l.interface = contact.stored;
+  l.contact = contact.friction + contact.impact + contact.interface - contact.stored;
+  const auto joints = stepper.joints().energies();
+  l.interface += joints.stored, l.contact += joints.dissipated;
+  l.boundary_work += stepper.contact().ledger().rigid_work;
+  for (std::size_t f = 0; f < system.fields.size(); ++f) l.boundary_work += stepper.conditions(f).work();
+  return l;
+}
+
+template RunEnergies run_energies<2>(const Model&, const System<2>&, Stepper<2>&, const Measures&);
+template RunEnergies run_energies<3>(const Model&, const System<3>&, Stepper<3>&, const Measures&);
+
+}  // namespace tribo

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+/// The energy balance of a run with a grid.
+#pragma once
+
+#include "solver/measures.hpp"
+#include "solver/step.hpp"
+
+namespace tribo {
+
+/// The energies that no sum over particles contains. `all`: measures of the system in its present state.
+template <int Dim>
+RunEnergies run_energies(const Model& model, const System<Dim>& system, Stepper<Dim>& stepper, const Measures& all);
+
+/// Content of energy: kinetic, stored, dissipated by materials, contact and damping, and potential [energy].
+inline double energy_content(const Measures& all, const RunEnergies& run) {
+  return all.kinetic + all.stored + all.dissipated + run.potential + run.damping + run.contact + run.interface;
+}
+
+}  // namespace tribo

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: MIT
+#include "run/monitor.hpp"
+
+#include "base/text.hpp"
+#include "run/energy_balance.hpp"
+#include "run/sudden_gravity.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tribo {
+namespace {
+
+/// A look costs a fraction of a step, and a run has about this many of them, but none more often than every
+/// `least_stride` steps.
+constexpr double looks_per_run = 50;
+constexpr std::int64_t least_stride = 20;
+/// Shares of the supplied energy: gains above it are warned of, losses above it are told at the end.
+constexpr double noticed_gain = 0.02, noticed_loss = 0.02;
+/// A gain must last for so many looks.
+constexpr std::int64_t lasting = 5;
+constexpr double short_step = 0.1;  ///< over the first one
+/// Share of stretched particles of a body that is noticed; where matter is cut or torn, a few are always drawn out.
+constexpr double many = 0.01;
+
+}  // namespace
+
+template <int Dim>
+Monitor<Dim>::Monitor(const Model& model, System<Dim>& system, Stepper<Dim>& stepper, StepSize<Dim>& steps)
+    : model_(model), system_(system), stepper_(stepper), steps_(steps) {
+  // A body that is drawn by a deformation starts with other volumes than its shape before.
+  for (auto& body : system.bodies) {
+    VolumeRange range = ordinary_volume(model.materials[static_cast<std::size_t>(body.material)]);
+    const VolumeRange start = volume_range(body);
+    range.low *= std::min(1.0, start.low), range.high *= std::max(1.0, start.high);
+    ranges_.push_back(range);
+  }
+}
+
+template <int Dim>
+std::vector<std::string> Monitor<Dim>::look(double dt, double initial_energy, bool last) {
+  News news;
+  if (state.stride == 0) {
+    state.first_step = dt;
+    state.stride = std::max(least_stride, static_cast<std::int64_t>(model_.time.end / dt / looks_per_run));
+  }
+  if (!last && system_.step % state.stride != 0) return news;
+  const auto lap = watch.lap();
+  balance(initial_energy, news);
+  particles(news);
+  step(dt, news);
+  return news;
+}
+
+template <int Dim>
+void Monitor<Dim>::see(Sign sign, const Finding& now, bool worse, News& news) {
+  Finding& f = state.of(sign);
+  const bool fresh = !f.seen;
+  const double first = fresh ? system_.time : f.first;
+  if (fresh || worse) f = now, f.seen = true, f.first = first, f.time = system_.time;
+  if (fresh) news.push_back(text(sign));
+}
+
+template <int Dim>
+void Monitor<Dim>::balance(double initial_energy, News& news) {
+  const Measures all = measure(system_);
+  const RunEnergies run = run_energies(model_, system_, stepper_, all);
+  const auto gained = [](double x) { return std::max(0.0, x); };
+  state.supplied = std::max(
+      state.supplied, initial_energy + gained(run.external_work) + gained(run.boundary_work) + gained(-run.potential));
+  state.gain = energy_content(all, run) - initial_energy - run.external_work - run.boundary_work;
+  state.gains = state.gain > noticed_gain * state.supplied ? state.gains + 1 : 0;
+  if (state.gains < lasting) return;
+  Finding now;
+  now.worst = state.gain / state.supplied;
+  see(Sign::energy, now, now.worst > state.of(Sign::energy).worst, news);
+}
+
+template <int Dim>
+void Monitor<Dim>::particles(News& news) {
+  for (std::size_t b = 0; b < system_.bodies.size(); ++b) {
+    const ParticleQuality q = particle_quality(system_.bodies[b], system_.lattice, ranges_[b]);
+    const auto note = [&](Sign sign, const BadParticles& bad) {
+      if (bad.count == 0) return;
+      Finding now;
+      now.worst = bad.worst, now.count = bad.count, now.place = bad.place, now.body = static_cast<std::int64_t>(b);
+      see(sign, now, bad.count > state.of(sign).count, news);
+    };
+    note(Sign::compressed, q.compressed);
+    note(Sign::expanded, q.expanded);
+    if (static_cast<double>(q.stretched.count) > many * static_cast<double>(system_.bodies[b].particles.size()))
+      note(Sign::stretched, q.stretched);
+  }
+}
+
+template <int Dim>
+void Monitor<Dim>::step(double dt, News& news) {
+  const double joints = stepper_.joints().stable_step(), size = std::min(dt, joints);
+  if (!(size < short_step * state.first_step)) return;
+  const StepLimit limit = joints < dt ? StepLimit{StepLimit::Cause::joints, -1} : steps_.limit();
+  Finding now;
+  now.worst = size / state.first_step, now.body = limit.body, now.cause = static_cast<std::int64_t>(limit.cause);
+  see(Sign::step, now, now.worst < state.of(Sign::step).worst, news);
+}
+
+template <int Dim>
+std::vector<std::string> Monitor<Dim>::summary() const {
+  std::vector<std::string> out;
+  for (std::size_t k = 0; k < sign_count; ++k)
+    if (state.findings[k].seen) out.push_back(text(static_cast<Sign>(k)));
+  if (sudden_gravity(model_).static_slip) out.push_back(sudden_gravity_advice());
+  return out;
+}
+
+template <int Dim>
+std::string Monitor<Dim>::text(Sign sign) const {
+  const Finding& f = state.of(sign);
+  if (sign == Sign::energy) return energy_text(f);
+  return sign == Sign::step ? step_text(f) : particle_text(sign, f);
+}
+
+template <int Dim>
+std::string Monitor<Dim>::energy_text(const Finding& f) const {
+  const Transfer transfer = model_.scheme.transfer;
+  return format("energy: %.3g %% of what was supplied came from nowhere until time %.4g: ", 100 * f.worst, f.time) +
+         (transfer == Transfer::apic ? "a smaller <TimeFactor>, or quadratic splines"
+                                     : "<Transfer type='APIC'/> conserves it better, or a smaller <TimeFactor>");
+}
+
+template <int Dim>
+std::string Monitor<Dim>::particle_text(Sign sign, const Finding& f) const {
+  const auto& body = system_.bodies[static_cast<std::size_t>(f.body)];
+  const VolumeRange ordinary = ranges_[static_cast<std::size_t>(f.body)];
+  const std::string who = format("%lld particle%s of '%s' at time %.4g ", static_cast<long long>(f.count),
+                                 f.count == 1 ? "" : "s", body.name.c_str(), f.time);
+  const char* const volume =
+      "; usually the step is too large, or the shape functions are too rough: a smaller <TimeFactor>, "
+      "<GIMP type='quadratic'/>, more particles per cell";
+  switch (sign) {
+    case Sign::compressed:
+      return "volume: " + who + format("below %.3g of their volume, the worst at %.3g at ", ordinary.low, f.worst) +
+             place(f) + volume;
+    case Sign::expanded:
+      return "volume: " + who + format("above %.3g of their volume, the worst at %.3g at ", ordinary.high, f.worst) +
+             place(f) + volume;
+    default:
+      return "holes: " + who + format("longer than a cell, the longest %.3g cells at ", f.worst) + place(f) +
+             ": there is less than one per cell, and the body comes apart numerically; " +
+             (model_.splitting ? "more 'generations' of <SplitParticles>, or more particles per cell"
+                               : "<SplitParticles/>, or more particles per cell");
+  }
+}
+
+template <int Dim>
+std::string Monitor<Dim>::step_text(const Finding& f) const {
+  using Cause = StepLimit::Cause;
+  const StepLimit limit{static_cast<Cause>(f.cause), f.body};
+  const auto cure = [&]() -> const char* {
+    switch (limit.cause) {
+      case Cause::waves:
+        return "where it is squeezed it gets stiffer; more particles per cell, or larger cells";
+      case Cause::speed:
+        return "a few particles may have been thrown out; see field 'velocity' of the particle files";
+      case Cause::joints:
+        return "stiffnesses of a few times modulus over cell size are stiff enough";
+      default:
+        return "larger cells allow larger steps";
+    }
+  };
+  return format("step: it fell to %.3g of the first one at time %.4g, set by ", f.worst, f.time) + steps_.words(limit) +
+         "; " + cure();
+}
+
+template <int Dim>
+std::string Monitor<Dim>::place(const Finding& f) const {
+  std::string at = "(";
+  for (int d = 0; d < Dim; ++d) at += (d ? ", " : "") + format("%.4g", f.place[d]);
+  return at + ")";
+}
+
+template class Monitor<2>;
+template class Monitor<3>;
+
+}  // namespace tribo

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+/// Looks at a run from time to time for signs that its results are wrong.
+#pragma once
+
+#include "base/stopwatch.hpp"
+#include "run/monitor_state.hpp"
+#include "run/ordinary_volume.hpp"
+#include "run/step_size.hpp"
+#include "solver/measures.hpp"
+#include "solver/step.hpp"
+
+#include <string>
+#include <vector>
+
+namespace tribo {
+
+/// It reads the state of the run and changes nothing in it. What it has seen is part of the checkpoint, so that a run
+/// that is resumed does not repeat a warning and ends with the same summary.
+///
+/// Energy that is not accounted for is compared with what was supplied: kinetic and elastic energy at the start, work
+/// of loads and boundaries, and potential energy set free. Transfers may dissipate much of it; a gain over several
+/// looks means that the results are wrong.
+template <int Dim>
+class Monitor {
+ public:
+  /// Of a system before its first step. All arguments must outlive the monitor.
+  Monitor(const Model& model, System<Dim>& system, Stepper<Dim>& stepper, StepSize<Dim>& steps);
+
+  /// To be called after each step. `dt`: size of the steps [time]; `initial_energy`: content of energy at the start;
+  /// `last`: the run ends here. Returns a warning for each sign that is seen for the first time.
+  std::vector<std::string> look(double dt, double initial_energy, bool last);
+  /// One line for each sign that was seen, with the worst it came to, and further remarks on the whole run.
+  std::vector<std::string> summary() const;
+  /// Share of the supplied energy that was lost in the transfers so far; negative: a gain.
+  double loss() const { return state.supplied > 0 ? -state.gain / state.supplied : 0.0; }
+
+  MonitorState state;
+  Stopwatch watch;  ///< time spent in looks
+
+ private:
+  using News = std::vector<std::string>;
+  void see(Sign sign, const Finding& now, bool worse, News& news);
+  void balance(double initial_energy, News& news);
+  void particles(News& news);
+  void step(double dt, News& news);
+
+  std::string text(Sign sign) const;
+  std::string energy_text(const Finding& f) const;
+  std::string particle_text(Sign sign, const Finding& f) const;
+  std::string step_text(const Finding& f) const;
+  std::string place(const Finding& f) const;
+
+  const Model& model_;
+  System<Dim>& system_;
+  Stepper<Dim>& stepper_;
+  StepSize<Dim>& steps_;
+  std::vector<VolumeRange> ranges_;  // per body: the ordinary range of its law, beyond what it has from the start
+};
+
+}  // namespace tribo

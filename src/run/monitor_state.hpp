@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+/// What a run has noticed about its own results; part of its checkpoint.
+#pragma once
+
+#include "base/archive.hpp"
+#include "base/types.hpp"
+
+#include <array>
+#include <cstdint>
+
+namespace tribo {
+
+/// Signs that the results of a run are wrong.
+enum class Sign { energy, compressed, expanded, stretched, step };
+inline constexpr std::size_t sign_count = 5;
+
+/// What is known of one sign.
+struct Finding {
+  bool seen = false;
+  double first = 0.0;  ///< when it was seen first                               [time]
+  double time = 0.0;   ///< when it was worst                                    [time]
+  double worst = 0.0;  ///< energy: gain over what was supplied; volume ratio; length [cells]; step over the first one
+  std::int64_t count = 0;     ///< of particles, when it was worst
+  std::int64_t body = -1;     ///< index into System::bodies
+  std::int64_t cause = 0;     ///< step: StepLimit::Cause
+  Vec3 place = Vec3::Zero();  ///< of the worst particle                         [length]
+};
+
+inline void archive(Archive& a, Finding& finding) {
+  auto& [seen, first, time, worst, count, body, cause, place] = finding;
+  a.version(1);
+  a("seen", seen), a("first", first), a("time", time), a("worst", worst);
+  a("count", count), a("body", body), a("cause", cause), a("place", place);
+}
+
+struct MonitorState {
+  std::int64_t stride = 0;  ///< steps between two looks; 0: not yet known
+  double first_step = 0.0;  ///< size of the first step                        [time]
+  double supplied = 0.0;    ///< energy that was supplied so far               [energy]
+  double gain = 0.0;        ///< energy from nowhere at the last look          [energy]
+  std::int64_t gains = 0;   ///< looks in a row with a gain
+  std::array<Finding, sign_count> findings{};
+  Finding& of(Sign sign) { return findings[static_cast<std::size_t>(sign)]; }
+  const Finding& of(Sign sign) const { return findings[static_cast<std::size_t>(sign)]; }
+};
+
+inline void archive(Archive& a, MonitorState& state) {
+  auto& [stride, first_step, supplied, gain, gains, findings] = state;
+  a.version(1);
+  a("stride", stride), a("first_step", first_step), a("supplied", supplied), a("gain", gain), a("gains", gains);
+  a.each("finding", findings);
+}
+
+}  // namespace tribo

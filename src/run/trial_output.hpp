@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+/// A folder for trial output, and the time that output takes.
+#pragma once
+
+#include "run/result_folder.hpp"
+#include "run/schedule.hpp"
+
+#include <unistd.h>
+
+#include <chrono>
+
+namespace tribo {
+
+/// A folder for results that is removed at the end. Throws FileError.
+struct TrialFolder {
+  std::filesystem::path path = std::filesystem::temp_directory_path() / ("tribo-check-" + std::to_string(::getpid()));
+  TrialFolder() { prepare_folder(path, {"particles", "grid", "cracks", "joints", "blocks", "contacts"}); }
+  TrialFolder(const TrialFolder&) = delete;
+  TrialFolder& operator=(const TrialFolder&) = delete;
+  ~TrialFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path, ignored);
+  }
+};
+
+/// Number of output times up to `end`.
+inline double output_times(Schedule schedule, double end) {
+  schedule.due(end, 0.0);
+  return static_cast<double>(schedule.count());
+}
+
+/// Seconds that all output of a run will take, from one set of files and one row of the histories. `end`: of the run.
+template <class Files, class Row>
+double seconds_of_output(const OutputSpec& output, double end, Files&& write_files, Row&& write_row) {
+  using Clock = std::chrono::steady_clock;
+  const auto begin = Clock::now();
+  write_files();
+  const auto middle = Clock::now();
+  write_row();
+  const std::chrono::duration<double> files = middle - begin, row = Clock::now() - middle;
+  const double times = output_times(Schedule(output.archive), end);
+  const double rows = output.history_interval > 0 ? output_times(Schedule::every(output.history_interval), end) : times;
+  return times * files.count() + rows * row.count();
+}
+
+}  // namespace tribo

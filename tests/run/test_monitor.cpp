@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: MIT
+/// What a run notices about its own results.
+
+#include "input/read.hpp"
+#include "run/grid_run.hpp"
+#include "scratch.hpp"
+#include "solver/build.hpp"
+#include "solver/particle_quality.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <fstream>
+#include <sstream>
+
+using namespace tribo;
+using Catch::Contains;
+
+namespace {
+
+const std::string elastic = "<Material Type='1' Name='m'><rho>1</rho><E>100</E><nu>0</nu></Material>";
+
+// A block of 4 x 4 cells that hangs in the middle of the grid.
+Model block(const std::string& material = elastic, const std::string& header = "", const std::string& body = "vx='1'",
+            const std::string& more = "") {
+  return read_model_text(R"(<JANFEAInput version='3'>
+ <Header><Analysis>10</Analysis><ConsistentUnits length='mm' mass='g' time='ms'/></Header>
+ <MPMHeader><MaxTime>1</MaxTime><ArchiveTime>0.5</ArchiveTime><GIMP/><Transfer type='APIC'/>)" +
+                             header + R"(</MPMHeader>
+ <Mesh><Grid xmin='0' xmax='20' ymin='0' ymax='10'><Horiz nx='20'/><Vert ny='10'/></Grid></Mesh>
+ <MaterialPoints><Body matname='m' )" +
+                             body + "><Rect xmin='8' xmax='12' ymin='3' ymax='7'/></Body></MaterialPoints>" + material +
+                             more + "</JANFEAInput>",
+                         "deck.xml");
+}
+
+// A monitored system that takes no steps by itself.
+struct Watched {
+  explicit Watched(Model of)
+      : model(std::move(of)),
+        system(build_system<2>(model, place_points(model))),
+        stepper(model, system),
+        steps(model, system),
+        monitor(model, system, stepper, steps) {}
+
+  // Looks `times` times, each in a step in which the monitor is due; the warnings of all of them.
+  std::string look(double initial_energy, int times = 1, double dt = 0.01) {
+    std::string all;
+    for (int k = 0; k < times; ++k) {
+      for (const auto& text : monitor.look(dt, initial_energy, false)) all += text + "\n";
+      system.step += std::max<std::int64_t>(1, monitor.state.stride), system.time += dt;
+    }
+    return all;
+  }
+  std::string look_at_state() { return look(measure(system).kinetic); }
+  std::string summary() const {
+    std::string all;
+    for (const auto& text : monitor.summary()) all += text + "\n";
+    return all;
+  }
+  Body<2>& body() { return system.bodies.front(); }
+  // Deforms all particles by F, whose volume follows.
+  void deform(const Mat<2>& F) {
+    Mat3 whole = Mat3::Identity();
+    whole.topLeftCorner<2, 2>() = F;
+    for (std::size_t i = 0; i < body().particles.size(); ++i) {
+      store_full<2>(whole, body().particles.F(), static_cast<int>(i));
+      body().particles.volume()[i] *= F.determinant();
+    }
+  }
+
+  Model model;
+  System<2> system;
+  Stepper<2> stepper;
+  StepSize<2> steps;
+  Monitor<2> monitor;
+};
+
+const std::string gas = "<Material Type='IdealGas' Name='m'><rho>1</rho><P0>0.1</P0></Material>";
+const std::string sand =
+    "<Material Type='MohrCoulomb' "
+    "Name='m'><rho>1</rho><E>100</E><nu>0.3</nu><cohesion>0</cohesion><friction>30</friction>"
+    "<dilation>0</dilation></Material>";
+
+Mat<2> matrix(double xx, double xy, double yx, double yy) {
+  Mat<2> m;
+  m << xx, xy, yx, yy;
+  return m;
+}
+
+}  // namespace
+
+TEST_CASE("a gain of energy that lasts is warned of, a loss is a figure", "[monitor]") {
+  // 16 mm^2 of 1 g/mm^3 at 1 mm/ms
+  const double kinetic = 8;
+  CHECK(Watched(block()).look(kinetic, 20).empty());
+  CHECK(Watched(block()).look(kinetic / 1.01, 20).empty());
+  Watched gaining(block());
+  CHECK(gaining.look(kinetic / 1.1, 4).empty());
+  CHECK_THAT(gaining.look(kinetic / 1.1, 1), Contains("energy: 10 % of what was supplied came from nowhere"));
+  CHECK(gaining.look(kinetic / 1.1, 20).empty());  // once
+  CHECK_THAT(gaining.summary(), Contains("energy: 10 %"));
+  CHECK(gaining.monitor.loss() == Approx(-0.1));
+  Watched losing(block());
+  CHECK(losing.look(kinetic / 0.8, 20).empty());
+  CHECK(losing.summary().empty());
+  CHECK(losing.monitor.loss() == Approx(0.2));
+}
+
+TEST_CASE("work that is supplied counts as such", "[monitor]") {
+  // Gravity sets energy free: the block has fallen by 2 mm at 10 mm/ms^2, and has the velocity that belongs to it
+  Watched falling(block(sand, "", "", "<Gravity><BodyYForce>-10</BodyYForce></Gravity>"));
+  auto& particles = falling.body().particles;
+  for (std::size_t i = 0; i < particles.size(); ++i) particles.x()[1][i] -= 2, particles.v()[1][i] = -std::sqrt(40.0);
+  CHECK(falling.look(0.0, 10).empty());
+  CHECK(falling.monitor.state.supplied == Approx(16 * 10 * 2));
+  CHECK(std::abs(falling.monitor.state.gain) < 1e-10);
+  falling.stepper.ledger().external_work = -16;  // a load took energy that is still there: 5 % too much
+  CHECK_THAT(falling.look(0.0, 10), Contains("energy: 5 %"));
+}
+
+TEST_CASE("volumes out of the ordinary are counted, except where they are ordinary", "[monitor]") {
+  Watched solid(block());
+  CHECK(solid.look_at_state().empty());
+  auto volume = [](Watched& w, std::size_t i, double ratio) { w.body().particles.volume()[i] = 0.25 * ratio; };
+  volume(solid, 0, 0.51), volume(solid, 1, 1.99);
+  CHECK(solid.look_at_state().empty());
+  volume(solid, 5, 0.45), volume(solid, 9, 0.4), volume(solid, 12, 2.5);
+  CHECK_THAT(solid.look_at_state(),
+             Contains("2 particles of 'm' at time 0.02 below 0.5 of their volume, the worst at 0.4 at (") &&
+                 Contains("1 particle of 'm' at time 0.02 above 2 of their volume, the worst at 2.5 at ("));
+  const Vec<2> worst = solid.body().particles.position(9);
+  CHECK((solid.monitor.state.of(Sign::compressed).place.head<2>() - worst).norm() == 0.0);
+  Watched loose(block(sand)), air(block(gas));
+  volume(loose, 5, 3), volume(air, 5, 3), volume(air, 6, 0.1);
+  CHECK(loose.look_at_state().empty());
+  CHECK(air.look_at_state().empty());
+  volume(loose, 6, 0.4);
+  CHECK_THAT(loose.look_at_state(), Contains("below 0.5"));
+}
+
+TEST_CASE("a body that is drawn by a deformation may keep the volumes that it starts with", "[monitor]") {
+  // The block is squeezed to 0.4 of its width before the run
+  Model model = block();
+  model.pieces.front().deformation.emplace();
+  model.pieces.front().deformation->F[0][0] = Expression("0.4", {});
+  model.pieces.front().deformation->shift[0] = Expression("-0.6*(x-10)", {});
+  Watched drawn(std::move(model));
+  CHECK(drawn.look_at_state().empty());
+  drawn.body().particles.volume()[5] = 0.25 * 0.21;
+  CHECK(drawn.look_at_state().empty());
+  drawn.body().particles.volume()[5] = 0.25 * 0.19;
+  CHECK_THAT(drawn.look_at_state(), Contains("1 particle of 'm' at time 0.02 below 0.2 of their volume"));
+}
+
+TEST_CASE("domains that are stretched over a cell are holes, those that are sheared are not", "[monitor]") {
+  // Contact keeps the deformation gradients
+  const auto with_contact = [] { return block(elastic, "<MultiMaterialMode/>"); };
+  Watched stretched(with_contact()), sheared(with_contact()), short_of(with_contact());
+  short_of.deform(matrix(2.4, 0, 0, 1 / 2.4));
+  CHECK(short_of.look_at_state().empty());
+  sheared.deform(matrix(1, 6, 0, 1));
+  CHECK(sheared.look_at_state().empty());
+  stretched.deform(matrix(0, -1 / 2.8, 2.8, 0));  // and turned by 90 degrees; domains are half a cell long
+  CHECK_THAT(stretched.look_at_state(),
+             Contains("64 particles of 'm' at time 0 longer than a cell, the longest 1.4 cells at (") &&
+                 Contains("<SplitParticles/>"));
+  // Where a body is cut, less than one in a hundred is drawn out
+  Watched cut(block(elastic, "<MultiMaterialMode/><MatlPtsPerElement>16</MatlPtsPerElement>"));
+  const auto draw = [&](std::size_t i) {
+    store_full<2>(Mat3(Vec3(6, 1.0 / 6, 1).asDiagonal()), cut.body().particles.F(), static_cast<int>(i));
+  };
+  draw(3), draw(100);
+  CHECK(cut.look_at_state().empty());
+  draw(101);
+  CHECK_THAT(cut.look_at_state(), Contains("3 particles of 'm'"));
+  // Without them the volume tells
+  REQUIRE_FALSE(Watched(block()).body().particles.has_deformation());
+  Watched blown(block());
+  for (std::size_t i = 0; i < blown.body().particles.size(); ++i) blown.body().particles.volume()[i] *= 2.8 * 2.8;
+  CHECK_THAT(blown.look_at_state(), Contains("longer than a cell, the longest 1.4 cells"));
+  // The neighbours of a grain change, so that its domain says nothing
+  Watched flowing(block(sand, "<MultiMaterialMode/>"));
+  flowing.deform(matrix(2.8, 0, 0, 1 / 2.8));
+  CHECK(flowing.look_at_state().empty());
+}
+
+TEST_CASE("a step that has fallen tenfold is told with its cause", "[monitor]") {
+  const std::string adaptive = "<CustomTasks><Schedule name='AdjustTimeStep'/></CustomTasks>";
+  Watched steady(block(elastic, "", "vx='1'", adaptive));
+  CHECK(steady.look(8, 1, 0.01).empty());
+  CHECK(steady.look(8, 1, 0.0011).empty());
+  for (std::size_t i = 0; i < 1; ++i) steady.body().particles.v()[0][i] = 1000;
+  CHECK_THAT(steady.look(8, 1, 0.0005),
+             Contains("step: it fell to 0.05 of the first one") && Contains("the speed of particles of 'm'"));
+  CHECK_THAT(steady.look(8, 10, 0.0001), !Contains("step:"));
+  CHECK_THAT(steady.summary(), Contains("step: it fell to 0.01"));
+}
+
+TEST_CASE("the summary recalls static friction under sudden gravity", "[monitor]") {
+  const auto remarks = [](const std::string& friction, const std::string& header = "", const std::string& body = "") {
+    return Watched(block(elastic + "<Material Type='CoulombFriction' Name='f'><coeff>0.3</coeff>" + friction +
+                             "</Material>",
+                         "<MultiMaterialMode><Friction lawname='f'/></MultiMaterialMode>" + header, body,
+                         "<Gravity><BodyYForce>-10</BodyYForce></Gravity>"))
+        .summary();
+  };
+  CHECK_THAT(remarks("<coeffStatic>0.6</coeffStatic>"), Contains("gravity acts suddenly"));
+  CHECK(remarks("").empty());
+  CHECK(remarks("<coeffStatic>0.6</coeffStatic>", "<Damping>1</Damping>").empty());
+}
+
+TEST_CASE("what was seen is part of the checkpoint", "[monitor]") {
+  const ScratchFolder scratch;
+  Watched before(block()), after(block());
+  before.body().particles.volume()[3] = 0.25 * 0.3;
+  CHECK_FALSE(before.look_at_state().empty());
+  RunState state;
+  state.monitor = before.monitor.state;
+  save_state(state, before.system, before.stepper).save(scratch.path / "c");
+  after.monitor.state = load_state(Checkpoint(scratch.path / "c"), after.system, after.stepper).monitor;
+  CHECK(after.summary() == before.summary());
+  CHECK_FALSE(after.summary().empty());
+  CHECK(after.look_at_state().empty());
+}
+
+TEST_CASE("the residual counts from the start, also if the histories begin later", "[monitor]") {
+  const ScratchFolder scratch;
+  Model model = block();
+  model.output.archive = {{0.3, 0.1, 0}};
+  GridRun<2> run(model);
+  run.open_results(scratch.path, std::nullopt);
+  run.start();
+  for (int k = 0; k < 5; ++k) run.advance();
+  run.write_history();
+  std::ifstream file(scratch.path / "energy.csv");
+  std::string head, row;
+  std::getline(file, head), std::getline(file, row);
+  std::istringstream cells(row);
+  std::vector<double> values;
+  for (std::string cell; std::getline(cells, cell, ',');) values.push_back(std::stod(cell));
+  CHECK(values.at(1) == Approx(8));       // kinetic
+  CHECK(std::abs(values.at(10)) < 1e-9);  // residual
+}
