@@ -163,6 +163,7 @@ class Checker {
       out_.program += variable ? word : lower;
       out_.uses_variables = out_.uses_variables || variable;
       out_.uses_start = out_.uses_start || word == "x0" || word == "y0" || word == "z0";
+      out_.uses_place = out_.uses_place || (word.size() == 1 && std::string_view("xyzRZDT").find(word) < 7);
       operand_next_ = false;
     } else if (function != functions.end()) {
       if (!called) fail(start, "the function '" + word + "' needs its arguments in parentheses");

@@ -25,6 +25,7 @@ struct CheckedText {
   std::string program;  ///< canonical form: functions in lower case, shortest numbers, `#` for ^, single signs
   bool uses_variables = false;
   bool uses_start = false;  ///< one of them is x0, y0 or z0
+  bool uses_place = false;  ///< one of them depends on the present position
 };
 
 /// Throws InputError at the offending character, with what is valid.

@@ -1,9 +1,70 @@
 // SPDX-License-Identifier: MIT
 #include "solver/rigid/rigid_bodies.hpp"
 
+#include "base/expression_text.hpp"
+#include "base/parallel.hpp"
+
+#include <algorithm>
 #include <cmath>
 
 namespace tribo {
+
+namespace {
+
+// Whether the prescribed velocity depends on the position.
+bool varies_in_space(const MaterialSpec& spec) {
+  return std::any_of(spec.rigid_velocity.begin(), spec.rigid_velocity.end(),
+                     [](const auto& f) { return f && check_expression(f->text(), Origin{}).uses_place; });
+}
+
+template <int Dim, class Columns>
+Vec3 vector_at(const Columns& column, std::size_t i) {
+  Vec3 v = Vec3::Zero();
+  for (std::size_t d = 0; d < Dim; ++d) v[static_cast<Eigen::Index>(d)] = column[d][i];
+  return v;
+}
+
+}  // namespace
+
+template <int Dim>
+RigidBodies<Dim>::RigidBodies(const Model& model, System<Dim>& system, const Transfers<Dim>& transfers,
+                              const Exchanges<Dim>& exchanges, EnergyLedger& ledger)
+    : model_(model), system_(system), transfers_(transfers), exchanges_(exchanges), ledger_(ledger) {
+  for (const auto& body : system.rigids)
+    varies_.push_back(varies_in_space(model.materials[static_cast<std::size_t>(body.material)]));
+}
+
+// The prescribed velocity at a position at the end of a step; components without a function are those of `otherwise`.
+template <int Dim>
+Vec3 RigidBodies<Dim>::wanted(const MaterialSpec& spec, const Vec3& position, const Vec3& otherwise, double dt) const {
+  auto at = Variables::at(position, (system_.time + dt) / model_.units.alternative_time());
+  at.dt = dt / model_.units.alternative_time();
+  Vec3 v = otherwise;
+  for (std::size_t d = 0; d < Dim; ++d)
+    if (spec.rigid_velocity[d]) v[static_cast<Eigen::Index>(d)] = (*spec.rigid_velocity[d])(at);
+  return v;
+}
+
+// The domains move with the particles: F <- (1 + dt L + dt^2/2 L^2) F, the gradient of the motion x + dt v(x + dt/2 v)
+// for a velocity v with the gradient L.
+template <int Dim>
+void RigidBodies<Dim>::deform(Body<Dim>& body, double dt) {
+  const MaterialSpec& spec = model_.materials[static_cast<std::size_t>(body.material)];
+  const auto F = body.particles.F();
+  if (!F[0]) return;
+  const auto x = body.particles.x(), v = body.particles.v();
+  const double distance = 1e-3 * system_.lattice.spacing.minCoeff();
+  parallel_for(static_cast<std::ptrdiff_t>(body.particles.size()), [&](std::ptrdiff_t k) {
+    const auto i = static_cast<std::size_t>(k);
+    const Vec3 position = vector_at<Dim>(x, i), otherwise = vector_at<Dim>(v, i);
+    const Vec3 here = wanted(spec, position, otherwise, dt);
+    Mat3 L = Mat3::Zero();
+    for (int d = 0; d < Dim; ++d)
+      L.col(d) = (wanted(spec, position + distance * Vec3::Unit(d), otherwise, dt) - here) / distance;
+    const Mat3 growth = Mat3::Identity() + dt * L + 0.5 * dt * dt * L * L;
+    store_full<Dim>(growth * load_full<Dim>(F, static_cast<int>(i)), F, static_cast<int>(i));
+  });
+}
 
 template <int Dim>
 void RigidBodies<Dim>::set_velocities(double dt) {
@@ -11,15 +72,14 @@ void RigidBodies<Dim>::set_velocities(double dt) {
     auto& body = system_.rigids[r];
     if (body.block >= 0) continue;
     const MaterialSpec& spec = model_.materials[static_cast<std::size_t>(body.material)];
-    const auto v = body.particles.v();
+    const auto x = body.particles.x(), v = body.particles.v();
     for (std::size_t i = 0; i < body.particles.size(); ++i) {
-      Vec3 position = Vec3::Zero();
-      position.head<Dim>() = body.particles.position(i);
-      auto at = Variables::at(position, (system_.time + dt) / model_.units.alternative_time());
-      at.dt = dt / model_.units.alternative_time();
+      const Vec3 position = vector_at<Dim>(x, i), before = vector_at<Dim>(v, i);
+      Vec3 now = wanted(spec, position, before, dt);
+      if (varies_[r]) now = wanted(spec, position + 0.5 * dt * now, before, dt);
       for (std::size_t d = 0; d < Dim; ++d)
         if (spec.rigid_velocity[d]) {
-          v[d][i] = (*spec.rigid_velocity[d])(at);
+          v[d][i] = now[static_cast<Eigen::Index>(d)];
           if (!std::isfinite(v[d][i]))
             throw SimulationError("a velocity function of the rigid material '" + body.name + "' (" +
                                   spec.origin.text() + ") is not a number for particle " +
@@ -39,8 +99,10 @@ void RigidBodies<Dim>::set_velocities(double dt) {
 template <int Dim>
 double RigidBodies<Dim>::move(double dt) {
   double travel = 0.0;
-  for (auto& body : system_.rigids) {
+  for (std::size_t r = 0; r < system_.rigids.size(); ++r) {
+    auto& body = system_.rigids[r];
     if (body.block >= 0) continue;
+    if (varies_[r]) deform(body, dt);
     const auto x = body.particles.x(), v = body.particles.v();
     for (std::size_t i = 0; i < body.particles.size(); ++i)
       for (std::size_t d = 0; d < Dim; ++d) {

@@ -13,18 +13,20 @@ template <int Dim>
 class RigidBodies {
  public:
   RigidBodies(const Model& model, System<Dim>& system, const Transfers<Dim>& transfers, const Exchanges<Dim>& exchanges,
-              EnergyLedger& ledger)
-      : model_(model), system_(system), transfers_(transfers), exchanges_(exchanges), ledger_(ledger) {}
+              EnergyLedger& ledger);
 
   /// Sets the particle velocities to the prescribed ones at the end of a step dt [time], and transfers those of bodies
-  /// without a field to the nodes. Throws SimulationError if the value of a velocity function is not finite.
+  /// without a field to the nodes. A velocity that depends on the position is that at the middle of the way of the
+  /// step, so that a rotation keeps all distances to third order in its angle per step. Throws SimulationError if the
+  /// value of a velocity function is not finite.
   void set_velocities(double dt);
   /// Sets the prescribed nodal velocities before a strain update, and stores the change of each velocity.
   void impose();
   /// Sets the prescribed nodal velocities after the momentum update, and computes reactions, work and impulse.
   /// `after_impose`: impose() was called earlier in the step.
   void impose_update(double dt, bool after_impose);
-  /// Moves the particles over a time dt and returns the largest displacement along an axis [cells].
+  /// Moves the particles over a time dt, turns their domains, and returns the largest displacement along an axis
+  /// [cells].
   double move(double dt);
   /// Force of each rigid body on the material in the last step, in the order of the bodies [force].
   const std::vector<Vec3>& reactions() const { return reactions_; }
@@ -32,6 +34,8 @@ class RigidBodies {
  private:
   template <class F>
   void each_prescribed(F&& f);
+  Vec3 wanted(const MaterialSpec& spec, const Vec3& position, const Vec3& otherwise, double dt) const;
+  void deform(Body<Dim>& body, double dt);
   const double* mirror_image(const Field<Dim>& field, std::size_t rigid, std::size_t node, int axis) const;
 
   const Model& model_;
@@ -40,6 +44,7 @@ class RigidBodies {
   const Exchanges<Dim>& exchanges_;
   EnergyLedger& ledger_;
   std::vector<Vec3> reactions_;
+  std::vector<bool> varies_;  ///< per rigid body: whether its velocity depends on the position
 };
 
 }  // namespace tribo
