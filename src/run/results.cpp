@@ -147,6 +147,8 @@ Measures Results<Dim>::measures_of(std::size_t k, const Measures& all, const std
   if (q.material < 0) return all;
   for (std::size_t b = 0; b < system_.bodies.size(); ++b)
     if (system_.bodies[b].material == q.material) return bodies[b];
+  for (auto& body : system_.rigids)
+    if (body.material == q.material && body.block < 0) return measure(body);
   return {};
 }
 

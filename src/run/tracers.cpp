@@ -8,36 +8,44 @@
 namespace tribo {
 
 template <int Dim>
+double Tracers<Dim>::search(const HistoryQuantity& q, std::vector<Body<Dim>>& bodies, double cell, Tracer& tracer) {
+  double nearest = 1e300;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    auto& body = bodies[b];
+    if ((q.material >= 0 && body.material != q.material) || body.block >= 0) continue;
+    const auto start = body.particles[body.origin];
+    for (std::size_t i = 0; i < body.particles.size(); ++i) {
+      double distance = 0.0;
+      for (std::size_t d = 0; d < Dim; ++d) {
+        const double along = (start[d][i] - (*q.point)[static_cast<Eigen::Index>(d)]) / cell;
+        distance += along * along;
+      }
+      const std::int64_t id = body.particles.id[i];
+      // Rounding must not decide between particles at the same distance
+      const bool nearer = distance < nearest - 1e-9, as_near = distance < nearest + 1e-9;
+      if (nearer || (as_near && id < tracer.id)) tracer = {false, b, id}, nearest = std::min(distance, nearest);
+    }
+  }
+  return nearest;
+}
+
+template <int Dim>
 Tracers<Dim>::Tracers(const Model& model, System<Dim>& system) {
   const double cell = system.lattice.spacing.maxCoeff();
   for (const auto& q : model.output.history) {
     Tracer tracer;
-    double nearest = 1e300;
-    for (std::size_t b = 0; q.point && b < system.bodies.size(); ++b) {
-      auto& body = system.bodies[b];
-      if (q.material >= 0 && body.material != q.material) continue;
-      const auto start = body.particles[body.origin];
-      for (std::size_t i = 0; i < body.particles.size(); ++i) {
-        double distance = 0.0;
-        for (std::size_t d = 0; d < Dim; ++d) {
-          const double along = (start[d][i] - (*q.point)[static_cast<Eigen::Index>(d)]) / cell;
-          distance += along * along;
-        }
-        const std::int64_t id = body.particles.id[i];
-        // Rounding must not decide between particles at the same distance
-        const bool nearer = distance < nearest - 1e-9, as_near = distance < nearest + 1e-9;
-        if (nearer || (as_near && id < tracer.id)) tracer = {b, id}, nearest = std::min(distance, nearest);
-      }
+    if (q.point && search(q, system.bodies, cell, tracer) > 1.0) {
+      if (search(q, system.rigids, cell, tracer) > 1.0)
+        throw InputError(q.origin, "'" + q.column + "': no particle starts within a cell of this point");
+      tracer.rigid = true;
     }
-    if (q.point && nearest > 1.0)
-      throw InputError(q.origin, "'" + q.column + "': no particle starts within a cell of this point");
     tracers_.push_back(tracer);
   }
 }
 
 template <int Dim>
 Measures Tracers<Dim>::measure(System<Dim>& system, std::size_t k, bool strain) const {
-  auto& body = system.bodies[tracers_[k].body];
+  auto& body = (tracers_[k].rigid ? system.rigids : system.bodies)[tracers_[k].body];
   const auto& id = body.particles.id;
   const auto at = std::find(id.begin(), id.end(), tracers_[k].id);
   return measure_particle(body, static_cast<std::size_t>(at - id.begin()), strain);

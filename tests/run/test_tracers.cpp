@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// Histories of single particles.
 
+#include "contact/contact_cases.hpp"
 #include "../solver/cloud.hpp"
 
 #include "base/error.hpp"
@@ -57,4 +58,33 @@ TEST_CASE("a tracer is of the material asked for, and equally near particles lea
   CHECK(start(of_point(9.7, 8.3, 1)) == Vec3(10.25, 8.25, 0));
   CHECK(start(of_point(9, 9)) == Vec3(8.75, 8.75, 0));
   CHECK_THROWS_WITH(start(of_point(14, 9)), Contains("no particle starts within a cell"));
+}
+
+TEST_CASE("a tracer may be a particle of a rigid body, where there is no deformable one", "[tracers]") {
+  Model model = grid_model<2>(Kernel::gimp, Transfer::flip);
+  model.contact.active = true;
+  model.contact.default_law = make_law("CoulombFriction", {{"coeff", "0"}});
+  MaterialSpec tool = model.materials[0];
+  Problems problems;
+  Statement none;
+  tool.law = materials().find("RigidContact")->make(none, {}, Units{}, problems);
+  problems.raise();
+  tool.rigid_contact = true;
+  tool.rigid_velocity[1].emplace("-2", Origin{});
+  model.materials.push_back(tool);
+  auto seeds = lattice_seeds<2>(model, 8, 10);
+  auto above = lattice_seeds<2>(model, 8, 10);
+  for (auto& s : above) s.x[1] += 8, s.material = 1;
+  seeds.insert(seeds.end(), above.begin(), above.end());
+  auto system = build_system<2>(model, seeds);
+  model.output.history = {of_point(9.7, 10.3), of_point(9.7, 16.3), of_point(9.7, 17.7)};
+  const Tracers<2> tracers(model, system);
+  Stepper<2> stepper(model, system);
+  for (int step = 0; step < 10; ++step) stepper.advance(1e-3);
+  CHECK(tracers.measure(system, 0, false).displacement.norm() < 1e-12);
+  for (const std::size_t k : {1U, 2U}) {
+    const Measures m = tracers.measure(system, k, false);
+    CHECK((m.displacement - Vec3(0, -0.02, 0)).norm() < 1e-12);
+    CHECK((m.momentum / m.mass - Vec3(0, -2, 0)).norm() < 1e-12);
+  }
 }
