@@ -51,10 +51,9 @@ PictureOptions common_options(const RunFolder& run, const std::vector<Frame>& fr
     const Scene scene = run.scene(frames[k].entry);
     const auto box = box_of(scene);
     options.box = options.box ? joined(*options.box, box) : box;
-    const Range one = range_of(shade_of(scene, options.field).values);
-    range = range ? Range{std::min((*range)[0], one[0]), std::max((*range)[1], one[1])} : one;
+    extend(range, shade_of(scene, options.field).values);
   }
-  options.range = a.range.size() == 2 ? Range{a.range[0], a.range[1]} : range;
+  options.range = a.range.size() == 2 ? Range{a.range[0], a.range[1]} : widened(range);
   if (!((*options.range)[1] > (*options.range)[0]))
     throw UsageError("--range: the first value must be below the second");
   return options;

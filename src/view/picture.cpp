@@ -253,22 +253,33 @@ std::string default_field(const Scene& scene) {
   throw UsageError("the run has no field that could be drawn");
 }
 
-Range range_of(const std::vector<double>& values) {
+void extend(std::optional<Range>& range, const std::vector<double>& values) {
   std::vector<double> sorted;
   for (const double v : values)
     if (std::isfinite(v)) sorted.push_back(v);
-  if (sorted.empty()) return {0, 1};
+  if (sorted.empty()) return;
   std::sort(sorted.begin(), sorted.end());
   const auto at = [&](double part) {
     return sorted[static_cast<std::size_t>(part * static_cast<double>(sorted.size() - 1))];
   };
-  Range range{at(0.005), at(0.995)};
+  const double low = at(0.005), high = at(0.995);
+  range = range ? Range{std::min((*range)[0], low), std::max((*range)[1], high)} : Range{low, high};
+}
+
+Range widened(const std::optional<Range>& spread) {
+  Range range = spread.value_or(Range{0, 1});
   // Differences below the digits of the ticks are noise.
   if (!(range[1] - range[0] > 1e-6 * std::max(std::abs(range[0]), std::abs(range[1])))) {
     const double middle = 0.5 * (range[0] + range[1]), half = middle == 0 ? 1.0 : 0.5 * std::abs(middle);
     range = {middle - half, middle + half};
   }
   return range;
+}
+
+Range range_of(const std::vector<double>& values) {
+  std::optional<Range> range;
+  extend(range, values);
+  return widened(range);
 }
 
 namespace {

@@ -29,6 +29,10 @@ std::string default_field(const Scene& scene);
 /// range around them.
 using Range = std::array<double, 2>;
 Range range_of(const std::vector<double>& values);
+/// Extends `range` by the values, without the outermost half per cent of them.
+void extend(std::optional<Range>& range, const std::vector<double>& values);
+/// The range itself, or, if it contains one value only, a range around it; 0 to 1 if it is empty.
+Range widened(const std::optional<Range>& range);
 
 struct PictureOptions {
   std::string field;        ///< empty: default_field()

@@ -110,6 +110,23 @@ TEST_CASE("a constant field has a range around its value with ticks", "[view]") 
   CHECK(range_of({1.0, 1.0 + 1e-5, 1.0 + 1e-5})[1] < 1.1);
 }
 
+TEST_CASE("a field that is constant in one picture does not widen the range of all pictures", "[view]") {
+  std::optional<Range> range;
+  CHECK(widened(range) == Range{0, 1});
+  extend(range, {});
+  CHECK_FALSE(range);
+  extend(range, std::vector<double>(20, 0.0));  // displacements at the start
+  CHECK(widened(range) == Range{-1, 1});
+  std::vector<double> later(1001);
+  for (std::size_t k = 0; k < later.size(); ++k) later[k] = 1e-3 * static_cast<double>(k);
+  extend(range, later);
+  CHECK(widened(range)[0] == 0);
+  CHECK(widened(range)[1] == Approx(0.995));
+  extend(range, {-0.5, -0.5});
+  CHECK(widened(range)[0] == -0.5);
+  CHECK(widened(range)[1] == Approx(0.995));
+}
+
 TEST_CASE("without a chosen field one is drawn that the run has", "[view]") {
   Scene scene;
   scene.particles = small_frame();
