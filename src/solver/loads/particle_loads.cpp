@@ -36,7 +36,11 @@ std::vector<double> find_loaded(const Model& model, System<Dim>& system) {
         ++found;
       }
     }
-    if (found == 0) problems.add(conditions[c].origin, "this load selects no particle");
+    if (found == 0)
+      problems.add(
+          conditions[c].origin,
+          "this load selects no particle: the centre of a particle must lie in the shape, and next to a face it "
+          "lies half a particle inside; give a line or arc a larger tolerance, or take a rectangle");
     if (conditions[c].net && found > 0) share[c] = 1.0 / static_cast<double>(found);
   }
   problems.raise();
