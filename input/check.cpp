@@ -125,9 +125,11 @@ void check_children(const Statement& s, Problems& problems) {
         problems.add(child.origin, "<" + child.name + "> is not supported by Tribo: " + std::string(refused->reason));
         continue;
       }
-      std::string elsewhere;
+      std::vector<std::string> parents;
       for (const auto& e : dialect())
-        if (e.name == child.name) elsewhere = "; it belongs into " + join(words_of(e.parents), " or ");
+        if (e.name == child.name)
+          for (const auto& parent : words_of(e.parents)) parents.push_back(parent == "@shape" ? "a shape" : parent);
+      const std::string elsewhere = parents.empty() ? "" : "; it belongs into " + join(parents, " or ");
       problems.add(child.origin, "<" + child.name + "> is not known inside <" + s.name + ">" +
                                      did_you_mean(child.name, valid) + elsewhere +
                                      (valid.empty() ? "" : "; valid: " + join(valid)));

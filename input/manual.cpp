@@ -136,6 +136,21 @@ std::string cell(const std::string& text) {
   return out;
 }
 
+std::string bare(const std::string& name) { return name.front() == '<' ? name.substr(1, name.size() - 2) : name; }
+
+// Attributes of elements and properties of laws with this name.
+std::string rows_named(const std::string& wanted) {
+  std::string out;
+  for (const auto& e : manual())
+    for (const auto& r : e.rows) {
+      if (plain(r.name) != wanted || r.name == "text") continue;  // the text of an element is no attribute
+      out += (r.name.front() == '<' ? "property " : "attribute ") + r.name + " of " + e.kind + " " + e.name + "\n";
+      if (!r.kind.empty() || !r.meaning.empty())
+        out += "    " + r.kind + (r.kind.empty() || r.meaning.empty() ? "" : "; ") + r.meaning + "\n";
+    }
+  return out;
+}
+
 }  // namespace
 
 const std::vector<ManualEntry>& manual() {
@@ -148,7 +163,8 @@ std::string manual_text(std::string_view name) {
   std::vector<std::string> known;
   const std::string wanted = name.empty() ? "" : plain(std::string(name));
   for (const auto& e : manual()) {
-    known.push_back(e.name.front() == '<' ? e.name.substr(1, e.name.size() - 2) : e.name);
+    known.push_back(bare(e.name));
+    for (const auto& r : e.rows) known.push_back(bare(r.name));
     if (!wanted.empty() && plain(e.name) != wanted) continue;
     out += e.kind + " " + e.name + (e.usage.empty() ? "" : "  " + e.usage) + "\n";
     if (!e.meaning.empty()) out += "    " + e.meaning + "\n";
@@ -160,9 +176,10 @@ std::string manual_text(std::string_view name) {
       out += "\n";
     }
   }
+  if (out.empty() && !wanted.empty()) out = rows_named(wanted);
   if (out.empty())
-    throw UsageError("there is no element, material, law, command, quantity or field named '" + std::string(name) +
-                     "'" + did_you_mean(std::string(name), known) + "; 'tribo list' names all");
+    throw UsageError("there is no element, attribute, material, law, property, command, quantity or field named '" +
+                     std::string(name) + "'" + did_you_mean(std::string(name), known) + "; 'tribo list' names all");
   return out;
 }
 
@@ -205,7 +222,7 @@ std::string manual_markdown() {
 
 std::string manual_names() {
   std::set<std::string> names;
-  for (const auto& e : manual()) names.insert(e.name.front() == '<' ? e.name.substr(1, e.name.size() - 2) : e.name);
+  for (const auto& e : manual()) names.insert(bare(e.name));
   std::string out;
   for (const auto& n : names) out += n + "\n";
   return out;

@@ -12,6 +12,14 @@ struct RigidContact {
       "Rigid body with prescribed motion, in contact with other materials by contact laws.";
   static constexpr int number = 35;
   static std::array<Parameter<RigidContact>, 0> parameters() { return {}; }
+  // Read by the model: see Builder::rigid_functions.
+  static std::vector<OwnProperty> own_properties() {
+    return {{"SettingFunction",
+             "velocity along x, a function of t and of the present position x, y, z (default: the velocity of the "
+             "body). A rotation about the origin with angular velocity w is -w*y along x and w*x along y"},
+            {"SettingFunction2", "the same along y"},
+            {"SettingFunction3", "the same along z"}};
+  }
   void prepare(const Statement&, Problems&) {}
 };
 

@@ -216,6 +216,14 @@ void Translator::initial_velocity(const Command& c) {
   block_.children.push_back(element(name, c.origin(0), c.text(0)));
 }
 
+void Translator::initial_stress(const Command& c) {
+  if (open_ != Open::region) throw InputError(c.origin(), "'InitialStress' belongs into 'Region ... EndRegion'");
+  if (c.size() % 2 != 0) throw InputError(c.origin(), "'InitialStress' takes pairs: a component and its value");
+  Statement s = element("InitialStress", c.origin());
+  for (std::size_t k = 0; k < c.size(); k += 2) attribute(s, c.text(k), c.text(k + 1), c.origin(k));
+  block_.children.push_back(std::move(s));
+}
+
 // Parent of the next shape: the list of shapes, or for cut-outs the last shape, the last cut-out in it, ...
 Statement& Translator::place(const Command& c, int cuts) {
   if (open_ != Open::region && open_ != Open::hole && open_ != Open::grid && open_ != Open::particles)

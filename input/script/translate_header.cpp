@@ -312,8 +312,9 @@ void Translator::parameter(const Command& c) {
 
 void Translator::entity(const Command& c) { entities_[c.text(0)] = c.text(1); }
 
-// Adds lines of XML to a section; line numbers are those of the script.
+// Adds lines of XML to the open body or condition, or to a section; line numbers are those of the script.
 void Translator::xml_data(const Command& c) {
+  const bool in_block = !c.given(0) && open_ != Open::nothing && open_ != Open::material;
   const std::string where = c.given(0) ? c.text(0) : "End";
   static const std::map<std::string, std::string> sections{{"header", "Header"},
                                                            {"mpmheader", "MPMHeader"},
@@ -341,7 +342,11 @@ void Translator::xml_data(const Command& c) {
   const Statement read = read_xml(text + "</x>", c.origin().file);
   task_ = nullptr;  // its address may change
   for (const Statement& child : read.children) {
-    if (found->second == "Material") {
+    if (in_block) {
+      if (block_.name.empty())
+        throw InputError(c.origin(), "'XMLData' inside '" + opened_by_ + "' needs a shape before it");
+      block_.children.push_back(child);
+    } else if (found->second == "Material") {
       document_.materials().push_back(child);
       if (c.given(1)) document_.name_material(c.text(1), c.origin(1));
     } else if (found->second == "End") {

@@ -66,6 +66,7 @@ auto Translator::actions() -> const std::map<std::string, Action>& {
                                                  {"vel0x", &A::initial_velocity},
                                                  {"vel0y", &A::initial_velocity},
                                                  {"vel0z", &A::initial_velocity},
+                                                 {"initialstress", &A::initial_stress},
                                                  {"rect", &A::shape},
                                                  {"oval", &A::shape},
                                                  {"line", &A::shape},

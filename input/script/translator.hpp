@@ -78,6 +78,7 @@ class Translator {
   void transform(const Command& c);
   void rotate(const Command& c);
   void initial_velocity(const Command& c);
+  void initial_stress(const Command& c);
   void shape(const Command& c);
   void polygon_point(const Command& c);
   void conditions(const Command& c);

@@ -222,3 +222,29 @@ TEST_CASE("joint laws in scripts: keywords with hyphens, tables and methods", "[
   CHECK(materials[1]->child("compute-stiffness")->text == "emod,5e10");
   CHECK(materials[1]->child("bond")->text.empty());
 }
+
+TEST_CASE("the initial stress and XML of a body in a script", "[script]") {
+  const auto body_with = [](const std::string& lines) {
+    const std::string script =
+        "Analysis \"Plane Strain MPM\"\nConsistentUnits m,kg,s\nMaximumTime 1\nGridHoriz 4\nGridVert 4\n"
+        "GridRect 0,4,0,4\nMaterial \"m\",\"soil\",\"MohrCoulomb\"\nrho 1\nE 1\nnu .3\ncohesion 1\nfriction 0\nDone\n"
+        "Region \"m\",0,0,1\n" +
+        lines + "Rect 1,2,1,2\nEndRegion\n";
+    Settings none;
+    const Statement root = read_script(script, std::make_shared<const std::string>("s"), none).root;
+    return *root.child("MaterialPoints")->child("Body");
+  };
+  const Statement by_command = body_with("InitialStress K0,0.5,yy,-1e4\n");
+  const Statement by_xml = body_with("XMLData\n<InitialStress K0='0.5' yy='-1e4'/>\nEndXMLData\n");
+  for (const Statement* body : {&by_command, &by_xml}) {
+    REQUIRE(body->children.size() == 2);
+    const Statement& stress = body->children[0];
+    CHECK(stress.name == "InitialStress");
+    CHECK(stress.attribute("K0")->text == "0.5");
+    CHECK(stress.attribute("yy")->text == "-1e4");
+    CHECK(body->children[1].name == "Rect");
+  }
+  CHECK_THROWS_WITH(body_with("InitialStress K0,0.5,yy\n"), Contains("pairs"));
+  CHECK_THAT(complaint("InitialStress K0,0.5"), Contains("belongs into 'Region ... EndRegion'"));
+  CHECK_THAT(complaint("GridBC\nXMLData\n<DisBC dir='1'/>\nEndXMLData"), Contains("needs a shape before it"));
+}

@@ -29,6 +29,10 @@ grep -q "angle of internal friction" out.txt || fail "doc does not describe a ma
 expect 0 "$tribo" doc GridHoriz
 expect 2 "$tribo" doc MohrColoumb
 grep -q "did you mean 'MohrCoulomb'" err.txt || fail "doc: no 'did you mean'"
+expect 0 "$tribo" doc SettingFunction2
+grep -q "^property <SettingFunction2> of material RigidContact" out.txt || { cat out.txt; fail "doc: a property"; }
+expect 0 "$tribo" doc impulses
+grep -q "^attribute Impulses of element <MultiMaterialMode>" out.txt || { cat out.txt; fail "doc: an attribute"; }
 expect 0 "$tribo" doc --markdown
 cmp out.txt "$source/docs/keywords.md" || fail "docs/keywords.md is old: tribo doc --markdown > docs/keywords.md"
 "$tribo" schema | cmp - "$source/docs/editor/workspace/.vscode/tribo.xsd" || fail "docs/editor/workspace/.vscode/tribo.xsd is old"
