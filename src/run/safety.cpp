@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "run/safety.hpp"
 
-#include <iomanip>
-#include <sstream>
 #include "materials/material.hpp"
+#include "run/simulation.hpp"
 
 namespace tribo {
 
@@ -21,29 +20,16 @@ Model weakened(const Model& model, double factor) {
   return weak;
 }
 
-SafetyTrial judged(double factor, const Settlement& s, double growth, const std::vector<SafetyTrial>& before) {
-  static constexpr double most = 5.0;  // of the displacement of the smallest factor that holds
-  SafetyTrial trial{factor, s.late, s.at_end, s.failure.empty() && s.at_end <= (1 + growth) * s.late, s.failure};
-  const SafetyTrial* first = nullptr;
-  for (const auto& t : before)
-    if (t.holds && t.factor < factor && (!first || t.factor < first->factor)) first = &t;
-  if (!trial.holds || !first || !(s.at_end > most * first->at_end)) return trial;
-  std::ostringstream why;
-  why << std::setprecision(3) << "it came to rest with a displacement " << s.at_end / first->at_end
-      << " times that with strengths over " << first->factor << ", more than " << most << " times: a collapse";
-  trial.holds = false, trial.failure = why.str();
-  return trial;
-}
-
 Safety find_safety(const Model& model, int threads, const std::function<void(const SafetyTrial&)>& report) {
   static constexpr double least = 0.1, most = 100.0, widen = 1.5;
   const StrengthReduction& search = model.strength_reduction;
   Safety safety;
   const auto holds = [&](double factor) {
     const Settlement s = settle(weakened(model, factor), threads);
-    safety.trials.push_back(judged(factor, s, search.growth, safety.trials));
+    const bool still = s.failure.empty() && s.at_end <= (1 + search.growth) * s.late;
+    safety.trials.push_back({factor, s.late, s.at_end, still, s.failure});
     report(safety.trials.back());
-    return safety.trials.back().holds;
+    return still;
   };
 
   safety.holds = search.low, safety.slips = search.high;

@@ -5,7 +5,6 @@
 #pragma once
 
 #include "model/model.hpp"
-#include "run/simulation.hpp"
 
 #include <functional>
 #include <vector>
@@ -25,11 +24,6 @@ struct Safety {
   double slips = 0.0;  ///< the smallest with which it slips
   std::vector<SafetyTrial> trials;
 };
-
-/// The trial of a factor that ended with `s`. It slips if the run failed, if the largest displacement grew by more than
-/// the fraction `growth` in the last quarter, or if it is more than five times that of the smallest factor in `before`
-/// that holds: then the model has collapsed and come to rest again, such as a tunnel that has closed.
-SafetyTrial judged(double factor, const Settlement& s, double growth, const std::vector<SafetyTrial>& before);
 
 /// The model with all strengths divided by a factor. Throws InputError if no material has a strength.
 Model weakened(const Model& model, double factor);
