@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// Histories of single particles.
 
-#include "contact/contact_cases.hpp"
 #include "../solver/cloud.hpp"
+#include "contact/contact_cases.hpp"
 
 #include "base/error.hpp"
 #include "run/tracers.hpp"

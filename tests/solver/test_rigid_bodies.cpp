@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// Rigid bodies whose velocity is a function of the position.
 
-#include "contact/contact_cases.hpp"
 #include "cloud.hpp"
+#include "contact/contact_cases.hpp"
 
 #include "solver/state/particle_domain.hpp"
 
