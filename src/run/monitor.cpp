@@ -15,8 +15,8 @@ namespace {
 /// `least_stride` steps.
 constexpr double looks_per_run = 50;
 constexpr std::int64_t least_stride = 20;
-/// Shares of the supplied energy: gains above it are warned of, losses above it are told at the end.
-constexpr double noticed_gain = 0.02, noticed_loss = 0.02;
+/// Share of the supplied energy; gains above it are warned of.
+constexpr double noticed_gain = 0.02;
 /// A gain must last for so many looks.
 constexpr std::int64_t lasting = 5;
 constexpr double short_step = 0.1;  ///< over the first one
