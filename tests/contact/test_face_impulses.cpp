@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "contact/contact_cases.hpp"
+#include "solver/contact/contact_ledger.hpp"
 #include "solver/contact/face_solver.hpp"
 
 #include <catch2/catch.hpp>
@@ -55,6 +56,7 @@ struct SharedNodes {
         pairs.push_back(pair), contacts.nodes.push_back(node);
       }
     faces.set_up(contacts);
+    REQUIRE(contacts.nodes[0].solved_on_faces);
   }
   SharedNodes(const SharedNodes&) = delete;
   SharedNodes& operator=(const SharedNodes&) = delete;
@@ -101,7 +103,7 @@ TEST_CASE("impulses on faces keep momentum, take energy and stop faces from pass
 
 TEST_CASE("next to a rigid face the mirror image of a node moves against it", "[contact]") {
   // A face on a grid line: linear strain along the normal must pass, only its mean is held.
-  const auto law = make_law("60", {});
+  const auto law = make_law("61", {{"coeff", "-1"}, {"displacementOnly", "1"}});  // sticks
   SharedNodes shared(*law, 8.0, true, 1);
   auto& field = shared.system.fields[1];
   const auto at = [&](int i, int j) -> Node& {
@@ -131,4 +133,24 @@ TEST_CASE("impulses on faces start from those of the last step", "[contact]") {
     CHECK(second.pairs[k].final_velocity[1] > -0.005);
   }
   CHECK(far < 1e-4 * size);
+}
+
+TEST_CASE("a rigid body does the work of the impulses on faces at its velocity there", "[contact]") {
+  const auto law = make_law("61", {{"coeff", "-1"}, {"displacementOnly", "1"}});  // sticks
+  SharedNodes shared(*law, 8.0, true, 3);
+  // A rigid rotation: the velocity along x grows with the height, and is 0.5 at the face.
+  auto& rigid = shared.system.fields[0];
+  for (int i = 2; i < 14; ++i)
+    for (int j = 3; j <= 9; ++j)
+      rigid.nodes[static_cast<std::size_t>(rigid.map.node({Lattice<2>::padding + i, Lattice<2>::padding + j}))]
+          .velocity[0] = 0.5 + 0.25 * (j - 8);
+  shared.faces.set_up(shared.contacts);
+  const Vec3 before = shared.momentum();
+  shared.faces.apply(1e-3, ContactPass::corrector);
+  const Vec3 impulse = shared.momentum() - before;
+  ContactLedger<2> ledger(shared.system);
+  ledger.record(shared.contacts, 1e-3);
+  CHECK((ledger.rigid_impulse - impulse).norm() < 1e-12 * impulse.norm());
+  CHECK(std::abs(impulse[0]) > 0.1);
+  CHECK(ledger.rigid_work == Approx(impulse.dot(Vec3(0.5, 0.3, 0))));
 }

@@ -74,7 +74,7 @@ void FaceSolver<Dim>::find_terms(Constraint& c, std::span<const ContactMember> m
     if (member->inverse_mass > 0.0) continue;
     pair.rigid_velocity.setZero();
     for (std::size_t t = first; t < c.term_count; ++t)
-      pair.rigid_velocity += sign * c.terms[t].weight * velocity_of(system_, c.terms[t].field, c.terms[t].node);
+      pair.rigid_velocity += c.terms[t].weight * velocity_of(system_, c.terms[t].field, c.terms[t].node);
     c.term_count = first;
   }
 }
