@@ -117,7 +117,7 @@ std::string text_of(const EdgeCut& cut, const Model& model) {
   constexpr std::string_view axes = "xyz";
   const auto k = static_cast<std::size_t>(cut.axis);
   const double edge = cut.side == 0 ? model.grid.low[k] : model.grid.high[k];
-  return format("the edge of the grid at %c%s = %.6g cuts this body: %s of it lie outside", axes[k],
+  return format("the edge of the grid at %c%s = %.6g cuts this body: %s of it lies outside", axes[k],
                 cut.side == 0 ? "min" : "max", edge,
                 cut.lost < 0.001 ? "less than 0.1 %" : format("%.2g %%", 100 * cut.lost).c_str());
 }

@@ -22,7 +22,7 @@ struct EdgeCut {
 std::vector<EdgeCut> edge_cuts(const Model& model);
 /// The same of one piece, the first cut only.
 std::vector<EdgeCut> edge_cuts(const Model& model, std::size_t piece);
-/// A sentence on a cut: "the edge of the grid at xmax = 4 cuts this body: 40 % of its volume are outside".
+/// A sentence on a cut: "the edge of the grid at xmax = 4 cuts this body: 40 % of it lies outside".
 std::string text_of(const EdgeCut& cut, const Model& model);
 
 /// Two bodies that claim the same place, which the first one gets.

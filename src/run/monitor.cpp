@@ -39,30 +39,30 @@ Monitor<Dim>::Monitor(const Model& model, System<Dim>& system, Stepper<Dim>& ste
 
 template <int Dim>
 std::vector<std::string> Monitor<Dim>::look(double dt, double initial_energy, bool last) {
-  News news;
+  Warnings warnings;
   if (state.stride == 0) {
     state.first_step = dt;
     state.stride = std::max(least_stride, static_cast<std::int64_t>(model_.time.end / dt / looks_per_run));
   }
-  if (!last && system_.step % state.stride != 0) return news;
+  if (!last && system_.step % state.stride != 0) return warnings;
   const auto lap = watch.lap();
-  balance(initial_energy, news);
-  particles(news);
-  step(dt, news);
-  return news;
+  balance(initial_energy, warnings);
+  particles(warnings);
+  step(dt, warnings);
+  return warnings;
 }
 
 template <int Dim>
-void Monitor<Dim>::see(Sign sign, const Finding& now, bool worse, News& news) {
+void Monitor<Dim>::record(Sign sign, const Finding& now, bool worse, Warnings& warnings) {
   Finding& f = state.of(sign);
   const bool fresh = !f.seen;
   const double first = fresh ? system_.time : f.first;
   if (fresh || worse) f = now, f.seen = true, f.first = first, f.time = system_.time;
-  if (fresh) news.push_back(text(sign));
+  if (fresh) warnings.push_back(text(sign));
 }
 
 template <int Dim>
-void Monitor<Dim>::balance(double initial_energy, News& news) {
+void Monitor<Dim>::balance(double initial_energy, Warnings& warnings) {
   const Measures all = measure(system_);
   const RunEnergies run = run_energies(model_, system_, stepper_, all);
   const auto gained = [](double x) { return std::max(0.0, x); };
@@ -73,18 +73,18 @@ void Monitor<Dim>::balance(double initial_energy, News& news) {
   if (state.gains < lasting) return;
   Finding now;
   now.worst = state.gain / state.supplied;
-  see(Sign::energy, now, now.worst > state.of(Sign::energy).worst, news);
+  record(Sign::energy, now, now.worst > state.of(Sign::energy).worst, warnings);
 }
 
 template <int Dim>
-void Monitor<Dim>::particles(News& news) {
+void Monitor<Dim>::particles(Warnings& warnings) {
   for (std::size_t b = 0; b < system_.bodies.size(); ++b) {
     const ParticleQuality q = particle_quality(system_.bodies[b], system_.lattice, ranges_[b]);
     const auto note = [&](Sign sign, const BadParticles& bad) {
       if (bad.count == 0) return;
       Finding now;
       now.worst = bad.worst, now.count = bad.count, now.place = bad.place, now.body = static_cast<std::int64_t>(b);
-      see(sign, now, bad.count > state.of(sign).count, news);
+      record(sign, now, bad.count > state.of(sign).count, warnings);
     };
     note(Sign::compressed, q.compressed);
     note(Sign::expanded, q.expanded);
@@ -94,13 +94,13 @@ void Monitor<Dim>::particles(News& news) {
 }
 
 template <int Dim>
-void Monitor<Dim>::step(double dt, News& news) {
+void Monitor<Dim>::step(double dt, Warnings& warnings) {
   const double joints = stepper_.joints().stable_step(), size = std::min(dt, joints);
   if (!(size < short_step * state.first_step)) return;
   const StepLimit limit = joints < dt ? StepLimit{StepLimit::Cause::joints, -1} : steps_.limit();
   Finding now;
   now.worst = size / state.first_step, now.body = limit.body, now.cause = static_cast<std::int64_t>(limit.cause);
-  see(Sign::step, now, now.worst < state.of(Sign::step).worst, news);
+  record(Sign::step, now, now.worst < state.of(Sign::step).worst, warnings);
 }
 
 template <int Dim>

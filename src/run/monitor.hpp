@@ -38,11 +38,11 @@ class Monitor {
   Stopwatch watch;  ///< time spent in looks
 
  private:
-  using News = std::vector<std::string>;
-  void see(Sign sign, const Finding& now, bool worse, News& news);
-  void balance(double initial_energy, News& news);
-  void particles(News& news);
-  void step(double dt, News& news);
+  using Warnings = std::vector<std::string>;
+  void record(Sign sign, const Finding& now, bool worse, Warnings& warnings);
+  void balance(double initial_energy, Warnings& warnings);
+  void particles(Warnings& warnings);
+  void step(double dt, Warnings& warnings);
 
   std::string text(Sign sign) const;
   std::string energy_text(const Finding& f) const;

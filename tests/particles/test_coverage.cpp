@@ -114,5 +114,5 @@ TEST_CASE("bodies whose slanted or curved faces touch do not overlap", "[coverag
 TEST_CASE("a body that the grid cuts is an error with the place of the body", "[coverage]") {
   Model model = with_pieces({{rectangle(6, 16, 2, 6), 0}});
   const auto text = text_of(edge_cuts(model).at(0), model);
-  CHECK(text.find("the edge of the grid at xmax = 10 cuts this body: 60 % of it lie outside") != std::string::npos);
+  CHECK(text.find("the edge of the grid at xmax = 10 cuts this body: 60 % of it lies outside") != std::string::npos);
 }

@@ -62,16 +62,7 @@ TEST_CASE("a tracer is of the material asked for, and equally near particles lea
 
 TEST_CASE("a tracer may be a particle of a rigid body, where there is no deformable one", "[tracers]") {
   Model model = grid_model<2>(Kernel::gimp, Transfer::flip);
-  model.contact.active = true;
-  model.contact.default_law = make_law("CoulombFriction", {{"coeff", "0"}});
-  MaterialSpec tool = model.materials[0];
-  Problems problems;
-  Statement none;
-  tool.law = materials().find("RigidContact")->make(none, {}, Units{}, problems);
-  problems.raise();
-  tool.rigid_contact = true;
-  tool.rigid_velocity[1].emplace("-2", Origin{});
-  model.materials.push_back(tool);
+  add_rigid_tool(model, "0", "-2");
   auto seeds = lattice_seeds<2>(model, 8, 10);
   auto above = lattice_seeds<2>(model, 8, 10);
   for (auto& s : above) s.x[1] += 8, s.material = 1;

@@ -4,6 +4,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "contact/contact_cases.hpp"
 #include "solver/build.hpp"
 #include "solver/measures.hpp"
 #include "solver/step.hpp"
@@ -114,5 +115,18 @@ inline std::string name(Kernel kernel) {
 
 inline constexpr std::array all_kernels{Kernel::linear, Kernel::gimp, Kernel::quadratic_spline, Kernel::cubic_spline,
                                         Kernel::cpdi};
+
+/// Adds a rigid material in frictionless contact whose velocity components are the functions vx and vy.
+inline void add_rigid_tool(Model& model, const char* vx, const char* vy) {
+  model.contact.active = true;
+  model.contact.default_law = make_law("CoulombFriction", {{"coeff", "0"}});
+  MaterialSpec tool = model.materials[0];
+  Problems problems;
+  tool.law = materials().find("RigidContact")->make({}, {}, Units{}, problems);
+  problems.raise();
+  tool.rigid_contact = true;
+  tool.rigid_velocity[0].emplace(vx, Origin{}), tool.rigid_velocity[1].emplace(vy, Origin{});
+  model.materials.push_back(tool);
+}
 
 }  // namespace tribo::test

@@ -15,16 +15,7 @@ namespace {
 // far from it.
 Model rigid_square(const char* vx, const char* vy) {
   Model model = grid_model<2>(Kernel::quadratic_spline, Transfer::flip);
-  model.contact.active = true;
-  model.contact.default_law = make_law("CoulombFriction", {{"coeff", "0"}});
-  MaterialSpec tool = model.materials[0];
-  Problems problems;
-  Statement none;
-  tool.law = materials().find("RigidContact")->make(none, {}, Units{}, problems);
-  problems.raise();
-  tool.rigid_contact = true;
-  tool.rigid_velocity[0].emplace(vx, Origin{}), tool.rigid_velocity[1].emplace(vy, Origin{});
-  model.materials.push_back(tool);
+  add_rigid_tool(model, vx, vy);
   return model;
 }
 
