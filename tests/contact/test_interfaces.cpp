@@ -28,7 +28,7 @@ TEST_CASE("the steps of an interface run through the openings of the exact oscil
     d += dt * v;
     for (int s = 2; s <= std::lround(0.01 / dt); ++s) {
       const double free = v + 3 * dt / 1.2;
-      v = free - interface_impulse(1.2, k, d, v, free, dt) / 1.2;
+      v = free - spring_impulse(1.2, k, d, v, free, dt) / 1.2;
       d += dt * v;
     }
     CHECK(d == Approx(exact_opening(1.2, k, 3, 1e-3, -0.05, 0.01)).epsilon(1e-10));
@@ -41,7 +41,7 @@ TEST_CASE("an interface is stable for any stiffness and step", "[contact]") {
     const double k = phi * phi * 1.2 / 1e-4;
     double most = 0;
     for (int s = 0; s < 10000; ++s) {
-      v -= interface_impulse(1.2, k, d, v, v, 0.01) / 1.2;
+      v -= spring_impulse(1.2, k, d, v, v, 0.01) / 1.2;
       d += 0.01 * v;
       most = std::max(most, std::abs(d));
     }
@@ -51,7 +51,7 @@ TEST_CASE("an interface is stable for any stiffness and step", "[contact]") {
 }
 
 TEST_CASE("the impulse of an interface is continuous in its stiffness and joins in the limit", "[contact]") {
-  const auto J = [](double phi) { return interface_impulse(1.2, 1.2 * phi * phi / 1e-4, 1e-3, -0.05, 0.02, 0.01); };
+  const auto J = [](double phi) { return spring_impulse(1.2, 1.2 * phi * phi / 1e-4, 1e-3, -0.05, 0.02, 0.01); };
   CHECK(J(3 * (1 - 1e-9)) == Approx(J(3 * (1 + 1e-9))).epsilon(1e-7));
   // A rigid spring closes the gap within the step (backward Euler).
   CHECK(J(1e7) == Approx(1.2 * (0.02 + 1e-3 / 0.01)).epsilon(1e-5));

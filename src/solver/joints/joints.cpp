@@ -226,23 +226,41 @@ auto Joints<Dim>::motion(const std::vector<NodeWeight>& shares) const -> Motion 
   return out;
 }
 
+// Velocities of the faces of all joints of a surface.
+template <int Dim>
+void Joints<Dim>::find_motion(std::size_t s) {
+  Surface& surface_nodes = surfaces_[s];
+  surface_nodes.motion.assign(system_.joints[s].joints.size(), {});
+  for (SampleNodes& sample_nodes : surface_nodes.samples)
+    for (std::size_t f = 0; f < 2; ++f) sample_nodes.motion[f] = motion(sample_nodes.side[f]);
+  each_contribution(s, [&](SampleNodes& sample_nodes, std::uint32_t joint, double fraction) {
+    const double share = fraction / surface_nodes.supported_fraction[joint];
+    for (std::size_t f = 0; f < 2; ++f) {
+      surface_nodes.motion[joint][f].velocity += share * sample_nodes.motion[f].velocity;
+      surface_nodes.motion[joint][f].gradient += share * sample_nodes.motion[f].gradient;
+    }
+  });
+}
+
+template <int Dim>
+void Joints<Dim>::find_motion() {
+  for (std::size_t s = 0; s < system_.joints.size(); ++s) {
+    find_motion(s);
+    if (system_.joints[s].crack != JointSurface<Dim>::none) prescribe_face_velocities(s);
+  }
+}
+
 template <int Dim>
 void Joints<Dim>::update_laws(double dt) {
+  if (!(dt > 0)) return;
   for (std::size_t s = 0; s < system_.joints.size(); ++s) {
     JointSurface<Dim>& surface = system_.joints[s];
     Surface& surface_nodes = surfaces_[s];
     const std::size_t count = surface.joints.size();
-    surface_nodes.motion.assign(count, {});
+    find_motion(s);
     increments_.assign(count, {});
-    for (SampleNodes& sample_nodes : surface_nodes.samples)
-      for (std::size_t f = 0; f < 2; ++f) sample_nodes.motion[f] = motion(sample_nodes.side[f]);
     each_contribution(s, [&](SampleNodes& sample_nodes, std::uint32_t joint, double fraction) {
-      const double share = fraction / surface_nodes.supported_fraction[joint];
-      for (std::size_t f = 0; f < 2; ++f) {
-        surface_nodes.motion[joint][f].velocity += share * sample_nodes.motion[f].velocity;
-        surface_nodes.motion[joint][f].gradient += share * sample_nodes.motion[f].gradient;
-      }
-      increments_[joint].mass += share * sample_nodes.mass;
+      increments_[joint].mass += fraction / surface_nodes.supported_fraction[joint] * sample_nodes.mass;
     });
     for (std::size_t k = 0; k < count; ++k) {
       Vec3 jump = Vec3::Zero();
@@ -260,7 +278,6 @@ void Joints<Dim>::update_laws(double dt) {
       update(surface, s, first, end, dt);
       if (end < count) release(surface.joints[end]);
     }
-    if (surface.crack != JointSurface<Dim>::none) prescribe_face_velocities(s);
     if (!before.empty()) record_rigid_work(s, before, dt);
   }
 }
@@ -346,9 +363,11 @@ void Joints<Dim>::copy_to_crack(const JointSurface<Dim>& surface) {
 template <int Dim>
 auto Joints<Dim>::energies() const -> Energies {
   Energies out;
-  for (const auto& surface : system_.joints)
+  for (const auto& surface : system_.joints) {
+    out.dissipated += surface.dissipated;
     for (const Joint& joint : surface.joints)
       out.stored += joint.strain, out.dissipated += joint.released() - joint.slid - joint.damped;
+  }
   return out;
 }
 
