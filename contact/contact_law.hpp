@@ -52,7 +52,8 @@ class ContactLaw {
  public:
   virtual ~ContactLaw() = default;
 
-  /// The impulse and the new state for one step. A law must not add kinetic energy. If a and b are exchanged, the impulse must change its sign only.
+  /// The impulse and the new state for one step. A law must not add kinetic energy. If a and b are exchanged, the
+  /// impulse must change its sign only.
   virtual ContactResponse response(const ContactState& state) const = 0;
 
   /// The law reads normal and gap, so that it needs a face.

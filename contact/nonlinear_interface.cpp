@@ -109,7 +109,8 @@ struct NonlinearInterface final : InterfaceLaw {
     return law;
   }
   Traction traction(double normal, double shear) const override {
-    const Pull n = bonds_normal() ? Pull{} : normal_law(normal), s = bonds_tangential() ? Pull{} : tangential_law(shear);
+    const Pull n = bonds_normal() ? Pull{} : normal_law(normal),
+               s = bonds_tangential() ? Pull{} : tangential_law(shear);
     return {n.traction, s.traction, n.energy + s.energy};
   }
 };

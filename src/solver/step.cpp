@@ -313,8 +313,11 @@ void Stepper<Dim>::strain_again(double dt, double strain_dt) {
 template <int Dim>
 void Stepper<Dim>::record_joints() {
   joints_.each_pair([&](std::size_t one, std::size_t two, const Vec3& force, double area, double stored) {
-    PairLedger& entry = contact_.ledger().pairs[{std::min(one, two), std::max(one, two)}];
-    entry.force += one < two ? force : Vec3(-force), entry.area += area, entry.stored += stored;
+    const bool of_crack = one >= system_.fields.size();  // its key is that of the contact pairs of the crack
+    const bool swap = one > two && !of_crack;
+    PairLedger& entry = contact_.ledger().pairs[swap ? std::pair{two, one} : std::pair{one, two}];
+    entry.force += swap ? Vec3(-force) : force;
+    entry.area += area, entry.stored += stored;
   });
   const auto [work, impulse] = joints_.take_rigid_exchange();
   contact_.ledger().rigid_work += work, contact_.ledger().rigid_impulse += impulse;

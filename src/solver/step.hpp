@@ -63,8 +63,8 @@ class Stepper {
   /// have been constructed from the same model.
   friend void archive(Archive& a, Stepper& stepper) {
     auto& [model, system, ledger, watches, transfers, sort, splitting, exchanges, conditions, cracks, crack_tips,
-           interface_faces, joints, contact, loads, tractions, body_forces, damping, rigid_bodies, rigid_blocks, heat, b_bar, filter] =
-        stepper;
+           interface_faces, joints, contact, loads, tractions, body_forces, damping, rigid_bodies, rigid_blocks, heat,
+           b_bar, filter] = stepper;
     a.version(3);
     a("system", system);
     a("ledger", ledger), a("sort", sort), a("splitting", splitting), a.each("conditions", conditions),

@@ -31,7 +31,7 @@ class ContactLaws {
 
  private:
   std::size_t field_count_;
-  std::vector<const ContactLaw*> table_;  // field_count_ x field_count_
+  std::vector<const ContactLaw*> table_;                                           // field_count_ x field_count_
   std::map<std::pair<int, int>, std::shared_ptr<const InterfaceLaw>> interfaces_;  // limited, by materials
   bool any_has_memory_ = false, any_uses_area_ = false;
 };

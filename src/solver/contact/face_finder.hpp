@@ -20,16 +20,17 @@ class FaceFinder {
   /// on them. Otherwise areas are only reported, and it is enough to compute the gradients when all faces are found
   /// anew.
   bool needs_volumes() const { return needs_areas_; }
-  /// Finds the face of a pair of two bodies: fills normal, gap, area and face position of `pair`, and what `face` keeps of them. `members`: of all contact nodes. False if there is no common face, or if
-  /// the law does not need one. `near`: working memory; then holds the particles around the node.
+  /// Finds the face of a pair of two bodies: fills normal, gap, area and face position of `pair`, and what `face` keeps
+  /// of them. `members`: of all contact nodes. False if there is no common face, or if the law does not need one.
+  /// `near`: working memory; then holds the particles around the node.
   bool find(const ContactNode<Dim>& node, std::span<const ContactMember> members, ContactPair& pair, ContactFace& face,
             NearParticles<Dim>& near) const;
 
  private:
   double gap_between_sides(const ContactNode<Dim>& node, const ContactMember& a, const ContactMember& b,
                            NearParticles<Dim>& near, const Vec<Dim>& n) const;
-  double area(const ContactNode<Dim>& node, const ContactMember& a, const ContactMember& b,
-              NearParticles<Dim>& near, const Vec<Dim>& n) const;
+  double area(const ContactNode<Dim>& node, const ContactMember& a, const ContactMember& b, NearParticles<Dim>& near,
+              const Vec<Dim>& n) const;
   bool is_thin(const ContactNode<Dim>& node, NearParticles<Dim>& near, std::size_t side, const Vec<Dim>& out) const;
   double offset_along_face(NearParticles<Dim>& near, const Vec<Dim>& n) const;
 

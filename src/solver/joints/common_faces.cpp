@@ -10,9 +10,9 @@
 namespace tribo {
 namespace {
 
-constexpr double largest_gap = 0.05;    // largest distance between two sides with a common face [cells]
-constexpr double step_cosine = 0.866;   // cosine of the angle between neighbours that form a step
-constexpr double largest_piece = 0.5;   // largest edge of a piece [cells]
+constexpr double largest_gap = 0.05;   // largest distance between two sides with a common face [cells]
+constexpr double step_cosine = 0.866;  // cosine of the angle between neighbours that form a step
+constexpr double largest_piece = 0.5;  // largest edge of a piece [cells]
 
 /// A side of a particle domain: a segment in two dimensions, a parallelogram in three.
 template <int Dim>

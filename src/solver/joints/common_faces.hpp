@@ -23,8 +23,8 @@ struct CommonFacePiece {
 
 /// Pieces of the common face of two bodies in the current configuration. Two sides of particle domains have a common
 /// face if they are opposite each other, their normals are antiparallel to within `largest_angle` [rad], and their
-/// distance is at most a twentieth of a cell. In two dimensions the pieces are the Gauss points of the intersection of two sides, in
-/// three its centroid; sums over the pieces are exact for linear functions.
+/// distance is at most a twentieth of a cell. In two dimensions the pieces are the Gauss points of the intersection of
+/// two sides, in three its centroid; sums over the pieces are exact for linear functions.
 template <int Dim>
 std::vector<CommonFacePiece<Dim>> common_face_pieces(const Model& model, System<Dim>& system, Body<Dim>& a,
                                                      Body<Dim>& b, double largest_angle);

@@ -75,11 +75,14 @@ InterfaceFaces<Dim>::InterfaceFaces(const Model& model, System<Dim>& system)
 
 template <int Dim>
 void InterfaceFaces<Dim>::find() {
-  if (!any_ || travel_ < longest_travel) return;
-  travel_ = 0.0;
+  if (!any_) return;
+  const bool due = travel_ >= longest_travel;
+  if (due) travel_ = 0.0;
   for (auto& surface : system_.joints) {
     if (!surface.interface || surface.crack != surface.none) continue;
-    remove_detached(surface);
+    if (due) remove_detached(surface);
+    surface.deforming = surface.joints.size();
+    if (!due) continue;
     add_joints(surface);
   }
 }
@@ -117,7 +120,7 @@ void InterfaceFaces<Dim>::remove_detached(JointSurface<Dim>& surface) {
 template <int Dim>
 void InterfaceFaces<Dim>::add_joints(JointSurface<Dim>& surface) {
   Body<Dim>&one = body_of(system_, surface.field[0], surface.material[0]),
-           &two = body_of(system_, surface.field[1], surface.material[1]);
+  &two = body_of(system_, surface.field[1], surface.material[1]);
   auto pieces = common_face_pieces(model_, system_, one, two, largest_angle);
   if (pieces.empty()) return;
   smooth_steps(system_.lattice, pieces);

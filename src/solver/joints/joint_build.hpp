@@ -6,8 +6,8 @@
 
 namespace tribo {
 
-/// Adds one joint to a surface. It consists of the pieces first ... end - 1 of a common face; `thickness`: that of a plane
-/// model [length]. JointSurface::mass is left to the caller.
+/// Adds one joint to a surface. It consists of the pieces first ... end - 1 of a common face; `thickness`: that of a
+/// plane model [length]. JointSurface::mass is left to the caller.
 template <int Dim>
 void add_joint(const std::vector<CommonFacePiece<Dim>>& pieces, std::size_t first, std::size_t end, double thickness,
                JointSurface<Dim>& surface);

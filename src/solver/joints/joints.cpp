@@ -275,7 +275,7 @@ void Joints<Dim>::update_laws(double dt) {
     // the law is evaluated for ranges of consecutive joints with both faces
     for (std::size_t first = 0, end = 0; first < count; first = end + 1) {
       for (end = first; end < count && is_supported(s, end);) ++end;
-      update(surface, s, first, end, dt);
+      update(surface, s, first, std::min(end, std::max(first, surface.deforming)), dt);
       if (end < count) release(surface.joints[end]);
     }
     if (!before.empty()) record_rigid_work(s, before, dt);

@@ -49,8 +49,8 @@ class Joints {
   /// Adds the joint forces to the nodal accelerations, and their effect over a time dt to the nodal velocities.
   void add_forces(double dt);
   /// Computes the displacement increments of the joints from the nodal velocities and evaluates the joint laws. To be
-  /// called wherever the strain of the particles is updated, with the same velocities and the same share dt of the step:
-  /// otherwise the jump of a joint and the strain next to it belong to different velocities, which adds energy.
+  /// called wherever the strain of the particles is updated, with the same velocities and the same share dt of the
+  /// step: otherwise the jump of a joint and the strain next to it belong to different velocities, which adds energy.
   void update_laws(double dt);
   /// Finds the velocities of the faces, with which joints and cracks move. To be called before move_points().
   void find_motion();
@@ -67,12 +67,14 @@ class Joints {
   /// Returns the events since the last call and clears the list.
   std::vector<PlacedEvent> take_events();
   /// Calls f(field of body 1, field of body 2, force on body 1, closed area, stored energy of an imperfect
-  /// interface) for every surface of joints between bodies.
+  /// interface) for every surface of joints between bodies, and for every imperfect interface on a crack, for which the
+  /// first field is the number of fields plus that of the crack, the second the number of fields.
   template <class F>
   void each_pair(F&& f) const {
     for (std::size_t s = 0; s < system_.joints.size(); ++s) {
       const JointSurface<Dim>& surface = system_.joints[s];
-      if (surface.crack != JointSurface<Dim>::none) continue;
+      const bool of_crack = surface.crack != JointSurface<Dim>::none;
+      if (of_crack && !surface.interface) continue;
       Vec3 force = Vec3::Zero();
       double area = 0.0, stored = 0.0;
       for (std::size_t k = 0; k < surface.joints.size(); ++k)
@@ -80,7 +82,9 @@ class Joints {
           force -= surface.force(k), area += surface.joints[k].away ? 0.0 : surface.joints[k].area;
       if (surface.interface)
         for (const Joint& joint : surface.joints) stored += joint.strain;
-      f(surface.field[0], surface.field[1], force, area, stored);
+      const std::size_t fields = system_.fields.size();
+      f(of_crack ? fields + surface.crack : surface.field[0], of_crack ? fields : surface.field[1], force, area,
+        stored);
     }
   }
   /// Work of rigid bodies on joints and the impulse of rigid bodies transferred by joints since the last call [energy,

@@ -58,6 +58,8 @@ struct JointSurface {
   std::shared_ptr<const JointLaw> interface;
   std::vector<std::int64_t> side;
   double dissipated = 0.0;
+  /// Number of joints that deform in this step; later ones were added in it, and the step may be too long for them.
+  std::size_t deforming = none;
 
   /// Force of the k-th joint on body 2, dashpots included [force].
   Vec3 force(std::size_t k) const {
@@ -76,7 +78,8 @@ void archive(Archive& a, JointSample<Dim>& sample) {
 /// Saves and restores the joints. The integration points follow from the model, except those of interfaces.
 template <int Dim>
 void archive(Archive& a, JointSurface<Dim>& surface) {
-  auto& [law, crack, field, material, point, samples, x, axes, joints, mass, interface, side, dissipated] = surface;
+  auto& [law, crack, field, material, point, samples, x, axes, joints, mass, interface, side, dissipated, deforming] =
+      surface;
   a.version(2);
   if (interface && crack == JointSurface<Dim>::none) {
     a.resizable("side", side), a.resizable("samples", samples);
