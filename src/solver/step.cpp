@@ -39,7 +39,7 @@ void Stepper<Dim>::advance(double dt) {
     copy_images();
     if (filter_.active()) filter_.filter(0.0, false);
     strain(order == UpdateOrder::usf ? dt : 0.5 * dt, false);
-    joints_.update_laws(order == UpdateOrder::usf ? dt : 0.5 * dt);
+    joints_.update_laws(order == UpdateOrder::usf ? dt : 0.5 * dt, filter_.active());
     if (!contact_.keeps_start_impulses()) contact_.remove_start_impulses();
     scatter(Scatter::force);
     tractions_.apply();
@@ -77,7 +77,7 @@ void Stepper<Dim>::advance(double dt) {
   // 6. Update joints, cracks and particles from the nodes. The stress is updated here except in the "+" variants.
   copy_images();
   const double strain_dt = stress_last ? dt : order == UpdateOrder::usavg ? 0.5 * dt : 0.0;
-  if (!again) joints_.update_laws(strain_dt);
+  if (!again) joints_.update_laws(strain_dt, false);
   joints_.find_motion();
   if (again) keep_start_positions(system_);
   cracks_.move(dt);
@@ -306,7 +306,7 @@ void Stepper<Dim>::strain_again(double dt, double strain_dt) {
   copy_images();
   if (filter_.active()) filter_.filter(0.0, true);
   strain(strain_dt, true);
-  joints_.update_laws(strain_dt);
+  joints_.update_laws(strain_dt, filter_.active());
 }
 
 // Adds forces, areas and work of joints between bodies to the contact quantities of the histories.

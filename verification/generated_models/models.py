@@ -107,12 +107,12 @@ def model(number):
     materials = "".join(f"<Material Type='LinearElastic' Name='m{k}'><rho>1</rho><E>{10 ** random.uniform(-0.5, 0.5)}</E><nu>{random.uniform(0, 0.4)}</nu></Material>"
                         for k in range(count))
     code = {"plane strain": 10, "plane stress": 11, "axisymmetric": 13, "space": 12}[analysis]
-    end = 12 if space else 30
+    end = 6 if space else 16
     deck = f"""<?xml version='1.0'?>
 <JANFEAInput version='3'>
   <Header><Description>Generated model {number}</Description><Analysis>{code}</Analysis><ConsistentUnits length='m' mass='kg' time='s'/></Header>
   <MPMHeader><MPMMethod>{method}</MPMMethod>{skip}<GIMP type='{kernel}'/>{transfers[transfer]}
-    <TimeFactor>0.4</TimeFactor><MaxTime>{end}</MaxTime><ArchiveTime>{end}</ArchiveTime><GlobalArchiveTime>0.1</GlobalArchiveTime>
+    <TimeFactor>0.4</TimeFactor><MaxTime>{end}</MaxTime><ArchiveTime>{end}</ArchiveTime><GlobalArchiveTime>0.05</GlobalArchiveTime>
     <MultiMaterialMode Impulses='{impulses}'><Friction lawname='law'/></MultiMaterialMode></MPMHeader>
   <Mesh>{grid}{cells}</Grid></Mesh>
   <MaterialPoints>{bodies}</MaterialPoints>

@@ -216,10 +216,13 @@ void Joints<Dim>::add_forces(double dt) {
 
 // Velocity and velocity gradient of a face, interpolated from the nodes of one side.
 template <int Dim>
-auto Joints<Dim>::motion(const std::vector<NodeWeight>& shares) const -> Motion {
+auto Joints<Dim>::motion(const std::vector<NodeWeight>& shares, bool filtered) const -> Motion {
   Motion out;
   for (const NodeWeight& share : shares) {
-    const Vec<Dim> v = share.mirror.cwiseProduct(Eigen::Map<const Vec<Dim>>(node(share).velocity));
+    const Field<Dim>& field = system_.fields[share.field];
+    const auto at = static_cast<std::size_t>(share.node);
+    const double* velocity = filtered && !field.rigid_contact ? field.filter[at].velocity : field.nodes[at].velocity;
+    const Vec<Dim> v = share.mirror.cwiseProduct(Eigen::Map<const Vec<Dim>>(velocity));
     out.velocity += share.weight * v;
     out.gradient += v * share.slope.transpose();
   }
@@ -228,11 +231,11 @@ auto Joints<Dim>::motion(const std::vector<NodeWeight>& shares) const -> Motion 
 
 // Velocities of the faces of all joints of a surface.
 template <int Dim>
-void Joints<Dim>::find_motion(std::size_t s) {
+void Joints<Dim>::find_motion(std::size_t s, bool filtered) {
   Surface& surface_nodes = surfaces_[s];
   surface_nodes.motion.assign(system_.joints[s].joints.size(), {});
   for (SampleNodes& sample_nodes : surface_nodes.samples)
-    for (std::size_t f = 0; f < 2; ++f) sample_nodes.motion[f] = motion(sample_nodes.side[f]);
+    for (std::size_t f = 0; f < 2; ++f) sample_nodes.motion[f] = motion(sample_nodes.side[f], filtered);
   each_contribution(s, [&](SampleNodes& sample_nodes, std::uint32_t joint, double fraction) {
     const double share = fraction / surface_nodes.supported_fraction[joint];
     for (std::size_t f = 0; f < 2; ++f) {
@@ -245,19 +248,19 @@ void Joints<Dim>::find_motion(std::size_t s) {
 template <int Dim>
 void Joints<Dim>::find_motion() {
   for (std::size_t s = 0; s < system_.joints.size(); ++s) {
-    find_motion(s);
+    find_motion(s, false);
     if (system_.joints[s].crack != JointSurface<Dim>::none) prescribe_face_velocities(s);
   }
 }
 
 template <int Dim>
-void Joints<Dim>::update_laws(double dt) {
+void Joints<Dim>::update_laws(double dt, bool filtered) {
   if (!(dt > 0)) return;
   for (std::size_t s = 0; s < system_.joints.size(); ++s) {
     JointSurface<Dim>& surface = system_.joints[s];
     Surface& surface_nodes = surfaces_[s];
     const std::size_t count = surface.joints.size();
-    find_motion(s);
+    find_motion(s, filtered);
     increments_.assign(count, {});
     each_contribution(s, [&](SampleNodes& sample_nodes, std::uint32_t joint, double fraction) {
       increments_[joint].mass += fraction / surface_nodes.supported_fraction[joint] * sample_nodes.mass;

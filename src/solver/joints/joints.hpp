@@ -51,7 +51,8 @@ class Joints {
   /// Computes the displacement increments of the joints from the nodal velocities and evaluates the joint laws. To be
   /// called wherever the strain of the particles is updated, with the same velocities and the same share dt of the
   /// step: otherwise the jump of a joint and the strain next to it belong to different velocities, which adds energy.
-  void update_laws(double dt);
+  /// `filtered`: these are the filtered velocities (Field::filter), not those of the nodes.
+  void update_laws(double dt, bool filtered);
   /// Finds the velocities of the faces, with which joints and cracks move. To be called before move_points().
   void find_motion();
   /// Updates positions and axes of the joints. To be called after cracks have moved.
@@ -151,8 +152,8 @@ class Joints {
   void list_points();
   void find_stable_step();
   void record_rigid_work(std::size_t surface, const std::vector<Vec3>& before, double dt);
-  Motion motion(const std::vector<NodeWeight>& shares) const;
-  void find_motion(std::size_t surface);
+  Motion motion(const std::vector<NodeWeight>& shares, bool filtered) const;
+  void find_motion(std::size_t surface, bool filtered);
   void update(JointSurface<Dim>& surface, std::size_t s, std::size_t first, std::size_t end, double dt);
   static void release(Joint& joint);
   void prescribe_face_velocities(std::size_t surface);
