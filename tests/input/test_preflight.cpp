@@ -86,7 +86,8 @@ TEST_CASE("the summary tells which directions of an interface are elastic", "[pr
   };
   const std::string bonded = "normal direction bonded, tangential direction elastic";
   // 30 M/h with M = 1 and h = 1
-  CHECK_THAT(with("29"), Contains("normal direction elastic, tangential direction elastic") && !Contains("smaller cells"));
+  CHECK_THAT(with("29"),
+             Contains("normal direction elastic, tangential direction elastic") && !Contains("smaller cells"));
   CHECK_THAT(with("31"), Contains(bonded) && Contains("smaller cells resolve it"));
   CHECK_THAT(with("-1"), Contains(bonded) && !Contains("smaller cells"));
 }

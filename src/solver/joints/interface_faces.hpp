@@ -16,7 +16,8 @@ void add_imperfect_interfaces(const Model& model, System<Dim>& system);
 /// Adds joints to the surfaces of imperfect interfaces where faces have met.
 ///
 /// An interface begins where two faces touch, free of stress. From then on its joint keeps the displacement jump. A
-/// joint whose faces have moved away from each other is removed; the faces may then meet again.
+/// joint that has opened by more than a cell, or one of whose faces ends there, is removed; the faces may then meet
+/// again.
 template <int Dim>
 class InterfaceFaces {
  public:

@@ -85,6 +85,16 @@ double Joints<Dim>::find_face_nodes(const JointSurface<Dim>& surface, const Vec<
   return mass;
 }
 
+// The few nodes that a face reaches before it has moved away entirely lie on one side of the integration point. The
+// velocity there would be an extrapolation, which amplifies that of light nodes.
+template <int Dim>
+bool Joints<Dim>::extrapolates(const std::vector<NodeWeight>& side) {
+  constexpr double largest_sum = 3.0;  // of the amounts of the weights, whose sum is one
+  double sum = 0.0;
+  for (const NodeWeight& share : side) sum += std::abs(share.weight);
+  return sum > largest_sum;
+}
+
 // Current position of an integration point and the normal there.
 template <int Dim>
 std::pair<Vec<Dim>, Vec<Dim>> Joints<Dim>::place(const JointSurface<Dim>& surface, std::size_t s) const {
@@ -108,6 +118,7 @@ void Joints<Dim>::find() {
   for (std::size_t s = 0; s < system_.joints.size(); ++s) {
     JointSurface<Dim>& surface = system_.joints[s];
     Surface& surface_nodes = surfaces_[s];
+    const bool of_interface = surface.interface && surface.crack == JointSurface<Dim>::none;
     surface_nodes.samples.resize(surface.samples.size());
     parallel_for(static_cast<std::ptrdiff_t>(surface_nodes.samples.size()), [&](std::ptrdiff_t sample) {
       const auto k = static_cast<std::size_t>(sample);
@@ -117,17 +128,21 @@ void Joints<Dim>::find() {
         return;
       }
       const auto [x, n] = place(surface, k);
+      // The faces of an interface are on either side of its points, by half of the opening.
+      const double opening = of_interface ? surface.joints[surface.samples[k].joint[0]].opening : 0.0;
       double inverse = 0.0;
       for (std::size_t f = 0; f < 2; ++f) {
-        const double mass = find_face_nodes(surface, x, n, f, sample_nodes.side[f]);
+        const Vec<Dim> at = x + (f == 0 ? -0.5 : 0.5) * opening * n;
+        const double mass = find_face_nodes(surface, at, n, f, sample_nodes.side[f]);
         double& first = surface.mass[f][k];
         if (first == 0) first = mass;
         constexpr double enough = 0.05;  // below this fraction of the first mass, the face has moved away
-        if (mass < enough * first) sample_nodes.side[f].clear();
+        if (mass < enough * first || extrapolates(sample_nodes.side[f])) sample_nodes.side[f].clear();
         for (const NodeWeight& share : sample_nodes.side[f])
           inverse += share.images * share.weight * share.weight * inverse_mass(share);
       }
-      if (surface.crack == JointSurface<Dim>::none && !sample_nodes.has_both_faces())
+      const bool apart = opening > system_.lattice.spacing.maxCoeff();
+      if (surface.crack == JointSurface<Dim>::none && (apart || !sample_nodes.has_both_faces()))
         surface.mass[0][k] = surface.mass[1][k] = surface.detached;
       sample_nodes.mass = inverse > 0 ? 1 / inverse : 0.0;
     });

@@ -147,6 +147,7 @@ class Joints {
   std::pair<Vec<Dim>, Vec<Dim>> place(const JointSurface<Dim>& surface, std::size_t sample) const;
   double find_face_nodes(const JointSurface<Dim>& surface, const Vec<Dim>& x, const Vec<Dim>& n, std::size_t side,
                          std::vector<NodeWeight>& out) const;
+  static bool extrapolates(const std::vector<NodeWeight>& side);
   template <class F>
   void each_contribution(std::size_t surface, F&& f);
   void list_points();
