@@ -84,13 +84,13 @@ struct AdhesiveFriction final : ContactLaw {
       if (adheres && (m.bond == Bond::none || rebond > 0)) out.bond = Bond::whole;
       return out;
     }
-    if (!adheres || m.bond != Bond::whole) return {Vec3::Zero(), ContactStatus::open, m.bond, 0.0};
+    if (!adheres || m.bond != Bond::whole) return {Vec3::Zero(), ContactStatus::open, m.bond};
     const double pull = std::max(0.0, m.mass * m.velocity.dot(m.normal));
     const double strength = m.area * m.dt;
     const double load =
         std::pow(c.stick / (shear_strength * strength), 2) + std::pow(pull / (normal_strength * strength), 2);
-    if (!(load < 1)) return {Vec3::Zero(), ContactStatus::open, Bond::broken, 0.0};
-    return {m.mass * m.velocity, ContactStatus::stick, Bond::whole, 0.0};
+    if (!(load < 1)) return {Vec3::Zero(), ContactStatus::open, Bond::broken};
+    return {m.mass * m.velocity, ContactStatus::stick, Bond::whole};
   }
   bool has_memory() const override {
     return (static_coefficient > 0 && half_speed == 0) || (shear_strength > 0 && normal_strength > 0);

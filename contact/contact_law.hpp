@@ -30,7 +30,6 @@ struct ContactState {
   Vec3 normal = Vec3::UnitX();   ///< unit normal from a to b
   Vec3 velocity = Vec3::Zero();  ///< relative, at the end of the step without the impulse          [velocity]
   Vec3 start = Vec3::Zero();     ///< relative velocity at the start of the step                    [velocity]
-  Vec3 opening = Vec3::Zero();   ///< relative displacement since the faces coincided               [length]
   double slip = 0.0;             ///< length of sliding since the faces last stuck                  [length]
   double cell = 1.0;             ///< cell size of the grid                                         [length]
   Bond bond = Bond::none;        ///< at the start of the step
@@ -41,30 +40,32 @@ struct ContactResponse {
   Vec3 impulse = Vec3::Zero();                 ///< on a                                            [mass velocity]
   ContactStatus status = ContactStatus::open;  ///< in this step
   Bond bond = Bond::none;                      ///< at the end of the step
-  double stored = 0.0;                         ///< energy in the interface at the end of the step  [energy]
 };
 
 /// Viscosity [stress time] of a liquid as a function of its shear rate [1/time].
 using Viscosity = std::function<double(double rate)>;
+
+class InterfaceLaw;
 
 /// A contact law. It has no state of its own: what it depends on is in the ContactState.
 class ContactLaw {
  public:
   virtual ~ContactLaw() = default;
 
-  /// The impulse and the new state for one step. A law must not add kinetic energy, except what it takes from `stored`.
-  /// If a and b are exchanged, the impulse must change its sign only.
+  /// The impulse and the new state for one step. A law must not add kinetic energy. If a and b are exchanged, the
+  /// impulse must change its sign only.
   virtual ContactResponse response(const ContactState& state) const = 0;
 
   /// The law reads normal and gap, so that it needs a face.
   virtual bool uses_face() const { return true; }
-  /// The law is an imperfect interface: it reads `opening`, and acts in the corrector only.
-  virtual bool is_interface() const { return false; }
+  /// The law as an imperfect interface; null if it is none.
+  virtual const InterfaceLaw* interface() const { return nullptr; }
   /// The law reads `slip` or `bond`, which the particles then store.
   virtual bool has_memory() const { return false; }
   /// The law reads `area`.
   virtual bool uses_area() const { return false; }
-  /// The largest stiffness of an interface over its directions [stress/length]; 0 for other laws. It limits the step.
+  /// The largest stiffness of an interface over its elastic directions [stress/length]; 0 for other laws. It limits
+  /// the time step.
   virtual double stiffness() const { return 0.0; }
   /// Number of the material whose viscosity the law needs, or 0. The viscosity is set before the run.
   virtual int liquid() const { return 0; }

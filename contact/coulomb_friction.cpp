@@ -44,7 +44,7 @@ struct CoulombFriction final : ContactLaw {
 
   ContactResponse response(const ContactState& m) const override {
     const NormalContact c = resolve_contact(m, {displacement_only, contact_stiffness});
-    if (!c.closed) return {Vec3::Zero(), ContactStatus::open, m.bond, 0.0};
+    if (!c.closed) return {Vec3::Zero(), ContactStatus::open, m.bond};
     const double mu = SlipWeakening{static_coefficient, coefficient, weakening}.coefficient(m);
     return frictional_response(m, c, mu * c.pressure(), coefficient < 0);
   }

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "contact/contact_law.hpp"
-#include "contact/interface.hpp"
+#include "contact/spring_step.hpp"
 
 namespace tribo {
 
@@ -52,7 +52,7 @@ inline double normal_impulse(const ContactState& m, const NormalContactRule& rul
   if (rule.compliance_stiffness >= 0) {
     const double start = m.start.dot(m.normal);
     const double k = rule.compliance_stiffness * m.area;
-    const double impulse = interface_impulse(m.mass, k, std::min(m.gap, 0.0), start, v, m.dt);
+    const double impulse = spring_impulse(m.mass, k, std::min(m.gap, 0.0), start, v, m.dt);
     return m.gap + m.dt * v < 0 ? std::min(0.0, impulse) : 0.0;
   }
   if (m.gap > 0) return std::min(0.0, m.mass * (v + m.gap / m.dt));

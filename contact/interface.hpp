@@ -1,46 +1,59 @@
 // SPDX-License-Identifier: MIT
-/// One step of a relative motion against a spring: m d'' = f - k d.
-///
-/// The particles move with the velocities at the end of the step. So the scheme is leapfrog: openings d are those at
-/// the ends of steps, velocities those in the middles, d1 = d0 + dt v1 with v1 = v_free - J/m, where v_free is the
-/// velocity without the spring and J the impulse of the spring.
+/// Imperfect interfaces: contact laws whose traction is an elastic function of the displacement jump.
 #pragma once
 
-#include <algorithm>
-#include <cmath>
+#include "contact/contact_law.hpp"
+
+#include <memory>
 
 namespace tribo {
 
-/// Weight of the opening at the end of the step in the traction of the step, for a spring with phi = dt sqrt(k/m). It
-/// is 0 (explicit) where leapfrog resolves the oscillation, and tends to 1 (backward Euler, which does not overshoot)
-/// for stiff springs. The step is stable for any phi.
-inline double implicit_weight(double phi) { return phi <= 1 ? 0.0 : 1 - 1 / (phi * phi); }
+/// An imperfect interface. In each of its two directions, normal and tangential, it is either elastic or perfectly
+/// bonded. The elastic directions have a traction that derives from a potential; it acts at points on the common face
+/// of two bodies, or on a crack, which keep their own displacement jump (InterfaceJoint). The bonded directions act at
+/// the nodes: response() removes the relative velocity in them.
+class InterfaceLaw : public ContactLaw {
+ public:
+  /// The traction at a displacement jump. It is restoring: positive values reduce a positive jump.
+  struct Traction {
+    double normal = 0.0;      ///< positive in tension                                     [stress]
+    double tangential = 0.0;  ///< along the tangential jump                                [stress]
+    double energy = 0.0;      ///< stored energy per area                                   [energy/length^2]
+  };
+  /// Traction of the elastic directions. `normal`: opening, negative if the faces are pressed together; `tangential`:
+  /// length of the tangential jump, >= 0 [length].
+  virtual Traction traction(double normal, double tangential) const = 0;
+  /// Whether a direction is perfectly bonded.
+  virtual bool bonds_normal() const = 0;
+  virtual bool bonds_tangential() const = 0;
+  /// The same law with directions that are stiffer than `largest` [stress/length] perfectly bonded. If only opening or
+  /// only closing is bonded or stiffer, it gets the stiffness `largest`.
+  virtual std::shared_ptr<const InterfaceLaw> limited(double largest) const = 0;
 
-/// Impulse J of the spring in a step [mass velocity]; positive J reduces a positive opening.
-///
-/// `mass`: reduced mass [mass]; `k`: stiffness [force/length]; `d0`: opening at the start of the step [length]; `v0`:
-/// relative velocity in the step before, `v_free`: in this step without the spring, so that v_free - v0 = f dt/m
-/// [velocity]; `dt`: step.
-///
-/// For phi = dt sqrt(k/m) <= 1 the step is exact: leapfrog with c = 2 (1 - cos phi) in place of phi^2 gives the
-/// openings of the exact oscillation under a constant force. For phi >= 3, where a step cannot represent the
-/// oscillation, it is implicit, and tends to perfectly bonded faces as k grows. Between the two it is interpolated, so
-/// that the impulse is continuous in k. The step is stable for any k.
-inline double interface_impulse(double mass, double k, double d0, double v0, double v_free, double dt) {
-  if (!(k > 0)) return 0.0;
-  const double phi2 = k * dt * dt / mass, phi = std::sqrt(phi2);
-  const auto exact = [&] {
-    const double half = std::sin(0.5 * phi), c = 4 * half * half;
-    return mass * (c * d0 / dt + (v_free - v0) * (phi < 1e-3 ? phi2 / 12 : 1 - c / phi2));
-  };
-  const auto implicit = [&] {
-    const double beta = implicit_weight(phi);
-    return dt * k * (d0 + beta * dt * v_free) / (1 + beta * phi2);
-  };
-  if (phi <= 1) return exact();
-  if (phi >= 3) return implicit();
-  const double x = 0.5 * (phi - 1);
-  return (1 - x) * exact() + x * implicit();
+  /// Some direction is elastic.
+  bool is_elastic() const { return !bonds_normal() || !bonds_tangential(); }
+  /// Some direction is bonded.
+  bool is_bonded() const { return bonds_normal() || bonds_tangential(); }
+  const InterfaceLaw* interface() const final { return this; }
+  ContactResponse response(const ContactState& m) const final {
+    const Vec3 normal = m.velocity.dot(m.normal) * m.normal;
+    ContactResponse out{Vec3::Zero(), is_bonded() ? ContactStatus::stick : ContactStatus::open, m.bond};
+    if (bonds_normal()) out.impulse += m.mass * normal;
+    if (bonds_tangential()) out.impulse += m.mass * (m.velocity - normal);
+    return out;
+  }
+};
+
+/// A normal direction with one stiffness for opening and one for closing, negative if perfectly bonded: both bonded if
+/// neither is elastic below `largest`, else both elastic, with at most that stiffness [stress/length].
+inline void limit_normal(double& open, double& closed, double largest) {
+  const auto stiff = [&](double D) { return D < 0 || D > largest; };
+  if (stiff(open) && stiff(closed)) {
+    open = closed = -1;
+  } else {
+    if (stiff(open)) open = largest;
+    if (stiff(closed)) closed = largest;
+  }
 }
 
 }  // namespace tribo

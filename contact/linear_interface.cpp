@@ -1,19 +1,17 @@
 // SPDX-License-Identifier: MIT
-/// Linear imperfect interface: tractions are proportional to the opening displacement d.
+/// Linear imperfect interface: tractions are proportional to the displacement jump d.
 ///
 ///   T_N = Dnt d_N for d_N > 0,  T_N = Dnc d_N for d_N < 0,  T_S = Dt d_S
 ///
 /// N and S denote the normal and the tangential direction. A negative stiffness means perfect bonding in that
-/// direction. Each direction takes one step of a relative motion against a spring, see interface.hpp. Hashin, J. Mech.
-/// Phys. Solids 50 (2002) 2509-2537; in MPM: Nairn, CMES 92 (2013) 271-299.
+/// direction. Hashin, J. Mech. Phys. Solids 50 (2002) 2509-2537; in MPM: Nairn, CMES 92 (2013) 271-299.
 
-#include "contact/contact_law.hpp"
 #include "contact/interface.hpp"
 
 namespace tribo {
 namespace {
 
-struct LinearInterface final : ContactLaw {
+struct LinearInterface final : InterfaceLaw {
   static constexpr std::string_view name = "LinearInterface";
   static constexpr std::string_view summary = "Imperfect interface with stiffnesses; negative: perfect.";
   static constexpr int number = 62;
@@ -33,54 +31,20 @@ struct LinearInterface final : ContactLaw {
   }
 
   double stiffness() const override { return std::max({open, closed, tangential, 0.0}); }
-
-  // Impulse of one direction and the energy stored at the end of the step.
-  struct Spring {
-    double impulse, stored;
-  };
-
-  static Spring spring(const ContactState& m, double stiffness, double d0, double v0, double v_free) {
-    if (stiffness < 0) return {m.mass * v_free, 0.0};
-    const double k = stiffness * m.area;
-    const double J = interface_impulse(m.mass, k, d0, v0, v_free, m.dt);
-    const double d = d0 + m.dt * (v_free - J / m.mass);
-    return {J, 0.5 * k * d * d};
+  bool bonds_normal() const override { return open < 0 && closed < 0; }
+  bool bonds_tangential() const override { return tangential < 0; }
+  std::shared_ptr<const InterfaceLaw> limited(double largest) const override {
+    auto law = std::make_shared<LinearInterface>(*this);
+    limit_normal(law->open, law->closed, largest);
+    if (tangential > largest) law->tangential = -1;
+    return law;
   }
-
-  // If the step begins open, the stiffness of the open interface applies to the whole step; the same holds if it begins
-  // closed. If the other one of the two states is perfectly bonded, the motion stops at zero opening.
-  Spring normal(const ContactState& m) const {
-    const double d0 = m.opening.dot(m.normal), v0 = m.start.dot(m.normal), v = m.velocity.dot(m.normal);
-    if (closed < 0 && open >= 0) {
-      const double d = std::max(d0, 0.0), stop = m.mass * (v + d / m.dt);
-      const Spring free = spring(m, open, d, v0, v);
-      return free.impulse < stop ? free : Spring{stop, 0.0};
-    }
-    if (open < 0 && closed >= 0) {
-      const double d = std::min(d0, 0.0), stop = m.mass * (v + d / m.dt);
-      const Spring free = spring(m, closed, d, v0, v);
-      return free.impulse > stop ? free : Spring{stop, 0.0};
-    }
-    const bool opens = d0 > 0 || (d0 == 0 && v > 0);
-    Spring s = spring(m, opens ? open : closed, d0, v0, v);
-    const double d1 = d0 + m.dt * (v - s.impulse / m.mass);
-    if (open >= 0) s.stored = 0.5 * (d1 > 0 ? open : closed) * m.area * d1 * d1;
-    return s;
+  Traction traction(double normal, double shear) const override {
+    Traction t;
+    t.normal = std::max(normal > 0 ? open : closed, 0.0) * normal, t.tangential = std::max(tangential, 0.0) * shear;
+    t.energy = 0.5 * (t.normal * normal + t.tangential * shear);
+    return t;
   }
-
-  ContactResponse response(const ContactState& m) const override {
-    const Spring n = normal(m);
-    ContactResponse out{n.impulse * m.normal, ContactStatus::stick, m.bond, n.stored};
-    const auto along = [&](const Vec3& x) { return Vec3(x - x.dot(m.normal) * m.normal); };
-    const Vec3 d = along(m.opening), v0 = along(m.start), v = along(m.velocity);
-    for (int i = 0; i < 3; ++i) {  // isotropic, so components along any axes can be used
-      const Spring t = spring(m, tangential, d[i], v0[i], v[i]);
-      out.impulse[i] += t.impulse, out.stored += t.stored;
-    }
-    return out;
-  }
-  bool is_interface() const override { return true; }
-  bool uses_area() const override { return true; }
 };
 
 }  // namespace

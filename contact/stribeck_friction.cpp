@@ -69,7 +69,7 @@ struct StribeckFriction final : ContactLaw {
 
   ContactResponse response(const ContactState& m) const override {
     const NormalContact c = resolve_contact(m, {displacement_only, contact_stiffness});
-    if (!c.closed) return {Vec3::Zero(), ContactStatus::open, m.bond, 0.0};
+    if (!c.closed) return {Vec3::Zero(), ContactStatus::open, m.bond};
     const double N = c.pressure();
     const bool sticks = c.stick <= static_coefficient * N;
     const double slide = sticks ? c.stick : c.stick - m.mass * sliding_speed(m.mass, N, c.stick);

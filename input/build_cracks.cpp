@@ -188,7 +188,7 @@ void Builder::cracks() {
     spec.law = laws.contact, spec.joint = laws.joint;
     spec.fixed = word(s, "type") == "fixed";
     // Faces that ignore each other have no law at all.
-    if (spec.law && !spec.law->uses_face() && !spec.law->is_interface()) spec.law = nullptr;
+    if (spec.law && !spec.law->uses_face() && !spec.law->interface()) spec.law = nullptr;
     must(!spec.law || spec.law->liquid() == 0, s.origin,
          "LiquidContact needs a liquid on one side and cannot act between the faces of a crack");
     model_.cracks.push_back(std::move(spec));

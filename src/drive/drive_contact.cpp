@@ -6,6 +6,7 @@
 /// traction of the law, component by component; v is the unknown.
 
 #include "base/error.hpp"
+#include "contact/interface.hpp"
 #include "drive/drive.hpp"
 #include "drive/solve.hpp"
 
@@ -18,6 +19,7 @@ namespace {
 /// Two faces: axis 0 is the normal.
 struct Pair {
   ContactState state;            // its velocity is that at the end of the step
+  Vec3 opening = Vec3::Zero();   // displacement jump [length]
   Vec3 traction = Vec3::Zero();  // N, St1, St2 [stress]
   ContactStatus status = ContactStatus::open;
   double stored = 0.0, dissipated = 0.0;  // [energy/area]
@@ -28,16 +30,23 @@ Pair advanced(const ContactLaw& law, const Pair& from, const Vec3& without, doub
   ContactState& m = to.state;
   m.dt = dt, m.start = from.state.velocity, m.velocity = without;
   const ContactResponse response = law.response(m);
-  m.velocity = without - response.impulse / m.mass;
+  Vec3 impulse = response.impulse;
+  m.velocity = without - impulse / m.mass;
   m.gap += dt * m.velocity[0];
-  m.opening += dt * m.velocity;
+  to.opening += dt * m.velocity;
+  if (const InterfaceLaw* interface = law.interface()) {  // the trial velocity is the final one in elastic directions
+    const double shear = std::hypot(to.opening[1], to.opening[2]);
+    const auto [normal, tangential, energy] = interface->traction(to.opening[0], shear);
+    const double along = shear > 0 ? tangential / shear : 0.0;
+    impulse += dt * m.area * Vec3(normal, along * to.opening[1], along * to.opening[2]);
+    to.stored = m.area * energy;
+  }
   m.bond = response.bond;
   // as the particles at a face store it
   m.slip = response.status == ContactStatus::slip ? m.slip + dt * std::hypot(m.velocity[1], m.velocity[2]) : 0.0;
-  to.traction = Vec3(0.0 - response.impulse[0], response.impulse[1], response.impulse[2]) / dt;
+  to.traction = Vec3(0.0 - impulse[0], impulse[1], impulse[2]) / dt;
   to.status = response.status;
-  to.dissipated += response.impulse.dot(m.velocity) - (response.stored - from.stored);
-  to.stored = response.stored;
+  to.dissipated += impulse.dot(m.velocity) - (to.stored - from.stored);
   return to;
 }
 
@@ -100,7 +109,7 @@ void follow(const ContactDrive& what, const PathRow& row, const Control& control
     time += row.dt;
     const ContactState& m = pair.state;
     out.rows.push_back({time, pair.traction[0], pair.traction[1], pair.traction[2], m.velocity[0], m.velocity[1],
-                        m.velocity[2], m.gap, m.opening[0], m.opening[1], m.opening[2], m.slip,
+                        m.velocity[2], m.gap, pair.opening[0], pair.opening[1], pair.opening[2], m.slip,
                         static_cast<double>(pair.status), static_cast<double>(m.bond), pair.stored, pair.dissipated});
   }
 }

@@ -12,10 +12,9 @@ RunEnergies run_energies(const Model& model, const System<Dim>& system, Stepper<
   l.damping = stepper.ledger().damping_work;
   l.boundary_work = stepper.ledger().rigid_work;
   const PairLedger contact = stepper.contact().ledger().total();
-  l.interface = contact.stored;
-  l.contact = contact.friction + contact.impact + contact.interface - contact.stored;
   const auto joints = stepper.joints().energies();
-  l.interface += joints.stored, l.contact += joints.dissipated;
+  l.interface = joints.stored;
+  l.contact = contact.friction + contact.impact + contact.interface + joints.dissipated;
   l.boundary_work += stepper.contact().ledger().rigid_work;
   for (std::size_t f = 0; f < system.fields.size(); ++f) l.boundary_work += stepper.conditions(f).work();
   return l;

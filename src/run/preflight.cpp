@@ -17,6 +17,7 @@
 #include "run/travel_report.hpp"
 #include "solver/build.hpp"
 #include "solver/measures.hpp"
+#include "solver/state/limited_interface.hpp"
 #include "solver/step.hpp"
 
 #include <cmath>
@@ -173,31 +174,25 @@ class Report {
                         " that it could be rigid (RigidContact), with larger time steps");
   }
 
-  // phi = dt sqrt(k/m) of an interface between two half cells.
+  // Which directions of the imperfect interfaces are elastic in cells of this size.
   void interfaces() {
-    const auto tell = [&](const ContactLaw& law, int a, int b) {
-      if (!(law.stiffness() > 0)) return;
-      const auto half_mass = [&](int k) {
-        return material(k).law->rigid() ? 1e300 : 0.5 * material(k).law->density() * h_;
-      };
-      const double mass = 1 / (1 / half_mass(a) + 1 / half_mass(b));
-      const double phi = step_.size * std::sqrt(law.stiffness() / mass);
-      line(format("interface of %s and %s: stiffness %.3g, dt sqrt(k/m) = %.2g, %s", name(a).c_str(), name(b).c_str(),
-                  law.stiffness(), phi,
-                  phi <= 1  ? "resolved"
-                  : phi < 3 ? "partly resolved"
-                            : "joined implicitly"));
-      if (phi >= 3)
-        advice_.push_back(
-            format("the interface of %s and %s is so stiff for the step that its own oscillation is left "
-                   "out; a smaller step resolves it, -1 joins the faces",
-                   name(a).c_str(), name(b).c_str()));
-    };
     if (!model_.contact.active) return;
+    const auto tell = [&](const InterfaceLaw& law, int a, int b) {
+      const auto limited = limited_interface(model_, system_.lattice, law, std::array{a, b});
+      const std::string who = "interface of " + name(a) + " and " + name(b);
+      const auto word = [](bool bonds) { return bonds ? "bonded" : "elastic"; };
+      line(who + ": normal direction " + word(limited->bonds_normal()) + ", tangential direction " +
+           word(limited->bonds_tangential()));
+      if (limited->bonds_normal() != law.bonds_normal() || limited->bonds_tangential() != law.bonds_tangential())
+        advice_.push_back("the " + who +
+                          " is stiffer than 30 times the wave modulus over the cell size in a direction, which is "
+                          "therefore bonded; smaller cells resolve it");
+    };
     for (std::size_t i = 0; i < system_.bodies.size(); ++i)
       for (std::size_t j = i + 1; j < system_.bodies.size(); ++j) {
         const int a = system_.bodies[i].material, b = system_.bodies[j].material;
-        if (const ContactLaw* law = model_.contact.law(a, b)) tell(*law, a, b);
+        const ContactLaw* law = model_.contact.law(a, b);
+        if (law && law->interface()) tell(*law->interface(), a, b);
       }
   }
 

@@ -28,7 +28,7 @@ std::string words_of_law(const MaterialSpec& law) {
 
 // A law without a name, which the input gives by a number: Coulomb friction, an interface, or no contact.
 std::string words_of_law(const ContactLaw& law) {
-  if (law.is_interface())
+  if (law.interface())
     return "LinearInterface" + (law.stiffness() > 0 ? format(" (stiffness %.4g)", law.stiffness()) : "");
   ContactState m;
   m.mass = m.dt = m.area = 1.0, m.velocity = Vec3(-1, 1e6, 0);

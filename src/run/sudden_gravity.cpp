@@ -39,7 +39,7 @@ SuddenGravity sudden_gravity(const Model& model) {
       std::any_of(model.pieces.begin(), model.pieces.end(), has_initial_stress))
     return out;
   const auto test = [&](const ContactLaw* law) {
-    if (!law || !law->uses_face() || law->is_interface() || law->liquid() != 0) return;
+    if (!law || !law->uses_face() || law->interface() || law->liquid() != 0) return;
     out.slips = out.slips || friction(*law, 1.0, 0.0) > 0;
     out.static_slip = out.static_slip || holds_more_at_rest(*law);
   };

@@ -35,7 +35,7 @@ void keep_temperature(const Model& model, Body<Dim>& body) {
 }
 
 template <int Dim>
-void add_optional_columns(Body<Dim>& body, const Model& model, bool starts_deformed) {
+void add_optional_columns(Body<Dim>& body, const Model& model) {
   auto& particles = body.particles;
   const Scheme& scheme = model.scheme;
   if (scheme.transfer == Transfer::apic) body.affine = particles.add_matrix("affine", Dimension::none);
@@ -61,8 +61,6 @@ void add_optional_columns(Body<Dim>& body, const Model& model, bool starts_defor
            std::any_of(contact.pair_laws.begin(), contact.pair_laws.end(),
                        [&](const auto& p) { return is(*p.second); });
   };
-  if (starts_deformed && any_law([](const ContactLaw& law) { return law.is_interface(); }))
-    body.first_inverse = particles.add_matrix("first_inverse", Dimension::none);
   if (any_law([](const ContactLaw& law) { return law.has_memory(); })) {
     body.contact_slip = particles.add("contact_slip", Dimension::length);
     body.contact_bond = particles.add("contact_bond", Dimension::none);
@@ -101,11 +99,6 @@ void fill(Body<Dim>& body, const std::vector<const Seed*>& seeds, std::int64_t f
     if (body.temperature) particles[body.temperature][i] = seed.temperature;
     if (angle) particles.column(*angle)[i] = seed.angle;
     if (F[0]) store_full<Dim>(seed.F, F, at);
-    if (body.first_inverse) {
-      const Mat3 inverse = seed.F.inverse();
-      for (std::size_t k = 0; k < Dim * Dim; ++k)
-        particles[body.first_inverse][k][i] = inverse(static_cast<int>(k) / Dim, static_cast<int>(k) % Dim);
-    }
     store_symmetric<Dim>(seed.stress, stress, at);
     particles.id[i] = first_id + at;
   }
@@ -141,9 +134,7 @@ Body<Dim> make_body(const Model& model, int material, const std::vector<const Se
   body.history = body.particles.columns().size();
   for (const auto& variable : spec.law->history())
     body.particles.add(variable.name, variable.dimension, variable.initial);
-  const bool starts_deformed =
-      std::any_of(seeds.begin(), seeds.end(), [](const Seed* s) { return s->F != Mat3(Mat3::Identity()); });
-  add_optional_columns(body, model, starts_deformed);
+  add_optional_columns(body, model);
   fill(body, seeds, first_id);
   body.refresh();
   return body;

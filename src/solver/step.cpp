@@ -26,6 +26,7 @@ void Stepper<Dim>::advance(double dt) {
   scatter(stress_last ? Scatter::momentum_and_force : Scatter::momentum);
   if (stress_last) tractions_.apply();
   sum_images(ImageValues::vectors);
+  interface_faces_.find();
   joints_.find();
 
   if (!stress_last) {
@@ -38,6 +39,7 @@ void Stepper<Dim>::advance(double dt) {
     copy_images();
     if (filter_.active()) filter_.filter(0.0, false);
     strain(order == UpdateOrder::usf ? dt : 0.5 * dt, false);
+    joints_.update_laws(order == UpdateOrder::usf ? dt : 0.5 * dt, filter_.active());
     if (!contact_.keeps_start_impulses()) contact_.remove_start_impulses();
     scatter(Scatter::force);
     tractions_.apply();
@@ -74,9 +76,9 @@ void Stepper<Dim>::advance(double dt) {
 
   // 6. Update joints, cracks and particles from the nodes. The stress is updated here except in the "+" variants.
   copy_images();
-  joints_.update_laws(dt);
-  record_joints();
   const double strain_dt = stress_last ? dt : order == UpdateOrder::usavg ? 0.5 * dt : 0.0;
+  if (!again) joints_.update_laws(strain_dt, false);
+  joints_.find_motion();
   if (again) keep_start_positions(system_);
   cracks_.move(dt);
   joints_.move_points(dt);
@@ -86,6 +88,7 @@ void Stepper<Dim>::advance(double dt) {
   // 7. "+" variants: strain from the velocities of the updated particles, with the shape functions at the start of the
   // step.
   if (again) strain_again(dt, strain_dt);
+  record_joints();
 
   system_.time += dt;
   ++system_.step;
@@ -101,6 +104,7 @@ Stepper<Dim>::Stepper(const Model& model, System<Dim>& system)
       splitting_(model, system, ledger_),
       cracks_(model, system, *transfers_),
       crack_tips_(model, system, cracks_, transfers_->stencil_width()),
+      interface_faces_(model, system),
       joints_(model, system, cracks_),
       contact_(model, system, *transfers_, cracks_),
       loads_(model, system, ledger_),
@@ -302,14 +306,18 @@ void Stepper<Dim>::strain_again(double dt, double strain_dt) {
   copy_images();
   if (filter_.active()) filter_.filter(0.0, true);
   strain(strain_dt, true);
+  joints_.update_laws(strain_dt, filter_.active());
 }
 
 // Adds forces, areas and work of joints between bodies to the contact quantities of the histories.
 template <int Dim>
 void Stepper<Dim>::record_joints() {
-  joints_.each_pair([&](std::size_t one, std::size_t two, const Vec3& force, double area) {
-    PairLedger& entry = contact_.ledger().pairs[{std::min(one, two), std::max(one, two)}];
-    entry.force += one < two ? force : Vec3(-force), entry.area += area;
+  joints_.each_pair([&](std::size_t one, std::size_t two, const Vec3& force, double area, double stored) {
+    const bool of_crack = one >= system_.fields.size();  // its key is that of the contact pairs of the crack
+    const bool swap = one > two && !of_crack;
+    PairLedger& entry = contact_.ledger().pairs[swap ? std::pair{two, one} : std::pair{one, two}];
+    entry.force += swap ? Vec3(-force) : force;
+    entry.area += area, entry.stored += stored;
   });
   const auto [work, impulse] = joints_.take_rigid_exchange();
   contact_.ledger().rigid_work += work, contact_.ledger().rigid_impulse += impulse;
@@ -371,6 +379,7 @@ void Stepper<Dim>::move_particles(double dt, double strain_dt) {
   for (auto& body : system_.bodies) count_crossings(body, system_.lattice);
   system_.drift += travel;
   contact_.add_travel(travel);
+  interface_faces_.add_travel(travel);
 }
 
 template class Stepper<2>;

@@ -10,8 +10,9 @@
 
 namespace tribo::test {
 
-inline std::unique_ptr<ContactLaw> make_law(const char* type,
-                                            std::initializer_list<std::pair<const char*, const char*>> properties) {
+using LawProperties = std::initializer_list<std::pair<const char*, const char*>>;
+
+inline std::unique_ptr<ContactLaw> make_law(const char* type, LawProperties properties) {
   Statement s;
   s.name = "Material";
   for (const auto& [name, value] : properties) {
@@ -35,7 +36,7 @@ inline ContactState plain_meeting() {
 }
 
 inline ContactState mirrored(ContactState m) {
-  m.normal *= -1, m.velocity *= -1, m.start *= -1, m.opening *= -1;
+  m.normal *= -1, m.velocity *= -1, m.start *= -1;
   return m;
 }
 
@@ -52,7 +53,7 @@ inline ContactState random_meeting(std::mt19937& random) {
   m.mass = 0.1 + some(random), m.dt = 0.01 + 0.1 * some(random), m.area = some(random);
   m.gap = 0.05 * normal(random);
   m.normal = vector().normalized();
-  m.velocity = vector(), m.start = vector(), m.opening = 0.1 * vector();
+  m.velocity = vector(), m.start = vector();
   m.slip = 0.02 * some(random);
   const double bond = some(random);
   m.bond = bond < 0.3 ? Bond::none : bond < 0.6 ? Bond::whole : Bond::broken;

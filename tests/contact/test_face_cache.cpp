@@ -39,7 +39,7 @@ struct Bodies {
         cloud(system.lattice, 2.5),
         search(system, laws),
         volumes(system, *transfers),
-        finder(model, system, cloud, laws, bodies) {
+        finder(model, system, cloud, laws) {
     std::vector<std::int64_t> occupied;
     for (auto& body : system.bodies) {
       REQUIRE(body.bins.sort(system.lattice, body.particles) == -1);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "contact/contact_cases.hpp"
 #include "contact/interface.hpp"
+#include "contact/interface_joint.hpp"
+#include "contact/spring_step.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -17,7 +19,7 @@ double exact_opening(double mass, double k, double f, double d0, double v0, doub
 
 }  // namespace
 
-TEST_CASE("the steps of an interface run through the openings of the exact oscillation", "[contact]") {
+TEST_CASE("the steps of a spring run through the openings of the exact oscillation", "[contact]") {
   const double exact[] = {6.214436e-4, 5.896718e-4, 2.946413e-4, -9.666019e-4};
   const double stiffness[] = {1e2, 1e3, 1e4, 1e6};
   for (int n = 0; n < 4; ++n) {
@@ -28,20 +30,20 @@ TEST_CASE("the steps of an interface run through the openings of the exact oscil
     d += dt * v;
     for (int s = 2; s <= std::lround(0.01 / dt); ++s) {
       const double free = v + 3 * dt / 1.2;
-      v = free - interface_impulse(1.2, k, d, v, free, dt) / 1.2;
+      v = free - spring_impulse(1.2, k, d, v, free, dt) / 1.2;
       d += dt * v;
     }
     CHECK(d == Approx(exact_opening(1.2, k, 3, 1e-3, -0.05, 0.01)).epsilon(1e-10));
   }
 }
 
-TEST_CASE("an interface is stable for any stiffness and step", "[contact]") {
+TEST_CASE("a spring is stable for any stiffness and step", "[contact]") {
   for (const double phi : {0.3, 0.99, 1.5, 1.99, 2.2, 2.9, 3.1, 5.0, 100.0, 1e6}) {
     double d = 1e-3, v = -0.05;
     const double k = phi * phi * 1.2 / 1e-4;
     double most = 0;
     for (int s = 0; s < 10000; ++s) {
-      v -= interface_impulse(1.2, k, d, v, v, 0.01) / 1.2;
+      v -= spring_impulse(1.2, k, d, v, v, 0.01) / 1.2;
       d += 0.01 * v;
       most = std::max(most, std::abs(d));
     }
@@ -50,127 +52,139 @@ TEST_CASE("an interface is stable for any stiffness and step", "[contact]") {
   }
 }
 
-TEST_CASE("the impulse of an interface is continuous in its stiffness and joins in the limit", "[contact]") {
-  const auto J = [](double phi) { return interface_impulse(1.2, 1.2 * phi * phi / 1e-4, 1e-3, -0.05, 0.02, 0.01); };
+TEST_CASE("the impulse of a spring is continuous in its stiffness and joins in the limit", "[contact]") {
+  const auto J = [](double phi) { return spring_impulse(1.2, 1.2 * phi * phi / 1e-4, 1e-3, -0.05, 0.02, 0.01); };
   CHECK(J(3 * (1 - 1e-9)) == Approx(J(3 * (1 + 1e-9))).epsilon(1e-7));
   // A rigid spring closes the gap within the step (backward Euler).
   CHECK(J(1e7) == Approx(1.2 * (0.02 + 1e-3 / 0.01)).epsilon(1e-5));
 }
 
-TEST_CASE("a bilinear interface swings with half periods of its two stiffnesses and keeps its energy", "[contact]") {
-  const auto law = make_law("62", {{"Dnt", "100"}, {"Dnc", "400"}, {"Dt", "0"}});
-  ContactState m;
-  m.mass = 1, m.dt = 1e-3, m.area = 1;
-  double d = 0, v = 1, opened = 0, closed = 0, most = 0, least = 0;
-  int sign = 1;
-  std::vector<double> half;
-  double last = 0;
-  for (int step = 1; step <= 47124; ++step) {  // 100 periods of 0.4712389
-    m.opening = Vec3(d, 0, 0), m.start = m.velocity = Vec3(v, 0, 0);
-    const double before = d;
-    v -= law->response(m).impulse[0], d += m.dt * v;
-    if ((d > 0) != (sign > 0)) {
-      const double t = (step - 1 + before / (before - d)) * m.dt;
-      half.push_back(t - last), last = t, sign = -sign;
-    }
-    most = std::max(most, d), least = std::min(least, d);
-  }
-  for (std::size_t k = 0; k < half.size(); ++k) (k % 2 == 0 ? opened : closed) += half[k];
-  CHECK(opened / static_cast<double>((half.size() + 1) / 2) == Approx(0.314159265).epsilon(1e-3));
-  CHECK(closed / static_cast<double>(half.size() / 2) == Approx(0.157079633).epsilon(1e-3));
-  CHECK(-least / most == Approx(0.5).epsilon(1e-3));
-  const double middle = d - 0.5 * m.dt * v;  // where the velocity belongs
-  CHECK(0.5 * v * v + (middle > 0 ? 50 : 200) * middle * middle == Approx(0.5).epsilon(1e-3));
+namespace {
+
+/// An interface law of the input; `joint` makes a joint of unit area of it.
+std::shared_ptr<const InterfaceLaw> interface_law(const char* number, LawProperties properties) {
+  const std::shared_ptr<const ContactLaw> law = make_law(number, properties);
+  return {law, law->interface()};
 }
 
-TEST_CASE("perfect directions stick; a perfect side is a stop", "[contact]") {
-  ContactState m = plain_meeting();
-  m.opening = 1e-3 * m.normal, m.start = m.velocity;
-  CHECK((make_law("62", {})->response(m).impulse - m.mass * m.velocity).norm() < 1e-15);
-  const auto stop = make_law("62", {{"Dnt", "100"}, {"Dnc", "-1"}, {"Dt", "0"}});
-  // closes with 0.88: open by 1e-3 it may close 1e-3 in this step, touching it may not close at all
-  const auto end = [&](double opening) {
-    m.opening = opening * m.normal;
-    return (m.velocity - stop->response(m).impulse / m.mass).dot(m.normal);
-  };
-  CHECK(end(0.5e-3) == Approx(-0.5).epsilon(1e-12));
-  CHECK(end(0.0) == Approx(0.0).margin(1e-13));
-  CHECK(end(-1e-5) == Approx(0.0).margin(1e-13));
-  m.velocity = m.start = Vec3(0.8, 0.6, 0);
-  CHECK(end(0.0) == Approx(1.0).epsilon(1e-4));  // free to open
+/// Moves a joint by one increment.
+void move(const InterfaceJoint& law, Joint& joint, double normal, Tangent shear) {
+  JointIncrement step;
+  step.normal = normal, step.shear = shear;
+  std::vector<JointEvent> events;
+  law.update({&joint, 1}, {&step, 1}, events);
 }
 
-TEST_CASE("interfaces mirror, and only give back what they stored", "[contact]") {
+Joint unit_joint(const InterfaceJoint& law, double area = 1.0) {
+  JointSite site;
+  site.area = area;
+  return law.start(site);
+}
+
+}  // namespace
+
+TEST_CASE("the energy of an interface is that of the paths to a jump, and comes back", "[contact]") {
   std::mt19937 random(2);
-  std::vector<std::unique_ptr<ContactLaw>> laws;
-  laws.push_back(make_law("62", {{"Dn", "20"}, {"Dt", "5"}}));
-  laws.push_back(make_law("62", {{"Dnt", "20"}, {"Dnc", "2000"}, {"Dt", "-1"}}));
-  laws.push_back(make_law("65", {{"Dnt", "20"}, {"Dt", "5"}}));
-  laws.push_back(make_law(
-      "65",
-      {{"Dnt", "20"}, {"Dt", "5"}, {"normal_shape", "1"}, {"Npeak", "1"}, {"tangential_shape", "1"}, {"Tpeak", "1"}}));
-  for (auto& law : laws)
-    for (int n = 0; n < 2000; ++n) {
-      const ContactState m = random_meeting(random);
-      const ContactResponse a = law->response(m), b = law->response(mirrored(m));
-      REQUIRE((a.impulse + b.impulse).norm() <= 1e-13 * (1 + a.impulse.norm()));
-      REQUIRE(a.stored == Approx(b.stored).epsilon(1e-12));
-      REQUIRE(a.stored >= 0);
+  std::uniform_real_distribution<double> component(-1, 1);
+  const std::vector<std::shared_ptr<const InterfaceLaw>> laws{
+      interface_law("62", {{"Dn", "20"}, {"Dt", "5"}}),
+      interface_law("62", {{"Dnt", "20"}, {"Dnc", "200"}, {"Dt", "-1"}}),
+      interface_law("65", {{"Dnt", "20"},
+                           {"Dt", "5"},
+                           {"normal_shape", "1"},
+                           {"Npeak", "1"},
+                           {"tangential_shape", "1"},
+                           {"Tpeak", "1"}}),
+      interface_law("65", {{"Dnt", "20"},
+                           {"Dt", "5"},
+                           {"normal_shape", "2"},
+                           {"Npeak", "1"},
+                           {"Nbreak", "0.3"},
+                           {"tangential_shape", "2"},
+                           {"Tpeak", "1"},
+                           {"Tbreak", "0.5"}})};
+  for (const auto& law : laws) {
+    const InterfaceJoint joint_law(law);
+    for (int path = 0; path < 20; ++path) {
+      // A smooth closed path: the work on the way is the stored energy, the force is restoring.
+      Joint joint = unit_joint(joint_law, 0.7);
+      const double a = 0.3 * component(random), b = 0.3 * component(random), c = 0.3 * component(random);
+      const int steps = 4000;
+      double most = 0;
+      for (int k = 0; k < steps; ++k) {
+        const double s0 = 2 * M_PI * k / steps, s1 = 2 * M_PI * (k + 1) / steps;
+        const auto at = [&](double s) {
+          return std::array{a * std::sin(s), b * (1 - std::cos(s)), c * std::sin(2 * s)};
+        };
+        const auto from = at(s0), to = at(s1);
+        move(joint_law, joint, to[0] - from[0], {to[1] - from[1], to[2] - from[2]});
+        REQUIRE(joint.strain >= 0);
+        REQUIRE(joint.Fs.dot(joint.shear) <= 0);
+        most = std::max(most, joint.strain);
+        REQUIRE(std::abs(joint.work - joint.strain) < 2e-3 * most + 1e-12);
+      }
+      REQUIRE(joint.strain < 1e-12);
     }
+  }
 }
 
-TEST_CASE("a linear shape of the nonlinear interface agrees with the linear law to second order", "[contact]") {
-  const auto linear = make_law("62", {{"Dn", "20"}, {"Dt", "5"}}),
-             general = make_law("65", {{"Dn", "20"}, {"Dt", "5"}});
-  ContactState m = plain_meeting();
-  m.opening = Vec3(1e-3, 2e-3, 0), m.start = Vec3(-1.9, 1.3, 0);
-  double before = 0;
-  for (const double dt : {0.04, 0.02, 0.01}) {
-    m.dt = dt, m.velocity = m.start + dt * Vec3(3, -2, 0);
-    const double error = (linear->response(m).impulse - general->response(m).impulse).norm() / dt;
-    if (before > 0) CHECK(before / error > 3.5);
-    before = error;
-  }
+TEST_CASE("perfect directions of an interface stick at the nodes, elastic ones leave them free", "[contact]") {
+  const ContactState m = plain_meeting();
+  CHECK((make_law("62", {})->response(m).impulse - m.mass * m.velocity).norm() < 1e-15);
+  CHECK(make_law("62", {{"Dn", "3"}, {"Dt", "4"}})->response(m).impulse.isZero());
+  const Vec3 normal = m.velocity.dot(m.normal) * m.normal;
+  CHECK((make_law("62", {{"Dn", "-1"}, {"Dt", "4"}})->response(m).impulse - m.mass * normal).norm() < 1e-15);
+  CHECK((make_law("62", {{"Dn", "3"}, {"Dt", "-1"}})->response(m).impulse - m.mass * (m.velocity - normal)).norm() <
+        1e-15);
+}
+
+TEST_CASE("directions of an interface that the grid cannot resolve are bonded", "[contact]") {
+  const auto limited = [](LawProperties properties) { return interface_law("62", properties)->limited(100); };
+  CHECK(limited({{"Dn", "101"}, {"Dt", "99"}})->bonds_normal());
+  CHECK(!limited({{"Dn", "101"}, {"Dt", "99"}})->bonds_tangential());
+  CHECK(limited({{"Dn", "99"}, {"Dt", "101"}})->bonds_tangential());
+  // one side of the normal direction only: it gets the largest stiffness
+  const auto stop = limited({{"Dnt", "5"}, {"Dnc", "-1"}, {"Dt", "0"}});
+  CHECK(!stop->bonds_normal());
+  CHECK(stop->traction(-0.1, 0).normal == Approx(-10));
+  CHECK(stop->traction(0.1, 0).normal == Approx(0.5));
+  const auto hook = limited({{"Dnt", "1e9"}, {"Dnc", "5"}, {"Dt", "0"}});
+  CHECK(hook->traction(0.1, 0).normal == Approx(10));
+  // a law with a peak stays elastic, however stiff it is at first
+  const auto peak =
+      interface_law("65", {{"Dnt", "1e4"}, {"Dt", "1"}, {"normal_shape", "2"}, {"Npeak", "10"}, {"Nbreak", "0.1"}})
+          ->limited(100);
+  CHECK(peak->traction(1e-3, 0).normal == Approx(10));
+  CHECK(peak->traction(-0.1, 0).normal == Approx(-10));
 }
 
 TEST_CASE("Morse's law has its slope, its peak, and softens", "[contact]") {
-  const auto law = make_law("65", {{"Dnt", "400"}, {"Dt", "0"}, {"normal_shape", "1"}, {"Npeak", "10"}});
-  ContactState m;
-  m.mass = 1e9, m.dt = 1e-6, m.area = 1;  // too heavy to move
-  const auto traction = [&](double d) {
-    m.opening = Vec3(d, 0, 0);
-    return law->response(m).impulse[0] / m.dt;
-  };
+  const auto law = interface_law("65", {{"Dnt", "400"}, {"Dt", "0"}, {"normal_shape", "1"}, {"Npeak", "10"}});
+  const auto traction = [&](double d) { return law->traction(d, 0).normal; };
   CHECK(traction(1e-7) == Approx(400e-7).epsilon(1e-5));
   CHECK(traction(std::log(2.0) / 10) == Approx(10).epsilon(1e-6));
   CHECK(traction(0.2) < traction(0.1));
   CHECK(traction(-1e-3) == Approx(-0.4).epsilon(1e-6));
-  m.opening = Vec3(100, 0, 0);
-  CHECK(law->response(m).stored == Approx(8 * 100.0 / 400).epsilon(1e-9));  // the well's depth: what it costs to part
+  CHECK(law->traction(100, 0).energy == Approx(8 * 100.0 / 400).epsilon(1e-9));  // the depth of the well
 }
 
 TEST_CASE("the bilinear shape rises, falls straight, and ends", "[contact]") {
-  const auto law = make_law("65", {{"Dnt", "400"},
-                                   {"Dt", "100"},
-                                   {"normal_shape", "2"},
-                                   {"Npeak", "10"},
-                                   {"Nbreak", "0.1"},
-                                   {"tangential_shape", "2"},
-                                   {"Tpeak", "4"},
-                                   {"Tbreak", "0.2"}});
-  ContactState m;
-  m.mass = 1e9, m.dt = 1e-6, m.area = 1;  // too heavy to move
-  const auto traction = [&](double normal, double slip) {
-    m.opening = Vec3(normal, slip, 0);
-    return Vec3(law->response(m).impulse / m.dt);
-  };
-  CHECK(traction(0.02, 0)[0] == Approx(8).epsilon(1e-9));    // 400 * 0.02
-  CHECK(traction(0.025, 0)[0] == Approx(10).epsilon(1e-9));  // the peak
-  CHECK(traction(0.0625, 0)[0] == Approx(5).epsilon(1e-9));  // half way down
-  CHECK(traction(0.11, 0)[0] == 0.0);
-  CHECK(traction(-0.01, 0)[0] == Approx(-4).epsilon(1e-9));  // closed it stays linear
-  CHECK(traction(0, 0.03)[1] == Approx(3).epsilon(1e-9));
-  CHECK(traction(0, -0.12)[1] == Approx(-2).epsilon(1e-9));  // against the slip, half way down
-  m.opening = Vec3(0.5, 0, 0);
-  CHECK(law->response(m).stored == Approx(0.5 * 10 * 0.1).epsilon(1e-9));  // the triangle
+  const auto law = interface_law("65", {{"Dnt", "400"},
+                                        {"Dt", "100"},
+                                        {"normal_shape", "2"},
+                                        {"Npeak", "10"},
+                                        {"Nbreak", "0.1"},
+                                        {"tangential_shape", "2"},
+                                        {"Tpeak", "4"},
+                                        {"Tbreak", "0.2"}});
+  const auto normal = [&](double d) { return law->traction(d, 0).normal; };
+  const auto tangential = [&](double d) { return law->traction(0, d).tangential; };
+  CHECK(normal(0.02) == Approx(8).epsilon(1e-9));    // 400 * 0.02
+  CHECK(normal(0.025) == Approx(10).epsilon(1e-9));  // the peak
+  CHECK(normal(0.0625) == Approx(5).epsilon(1e-9));  // half way down
+  CHECK(normal(0.11) == 0.0);
+  CHECK(normal(-0.01) == Approx(-4).epsilon(1e-9));  // closed it stays linear
+  CHECK(tangential(0.03) == Approx(3).epsilon(1e-9));
+  CHECK(tangential(0.12) == Approx(2).epsilon(1e-9));
+  CHECK(law->traction(0.5, 0).energy == Approx(0.5 * 10 * 0.1).epsilon(1e-9));  // the triangle
 }

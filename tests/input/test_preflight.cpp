@@ -79,15 +79,17 @@ TEST_CASE("the summary reports thin bodies, contrasts and the limit of the time 
   CHECK_THAT(text, Contains("stress MPa"));
 }
 
-TEST_CASE("the summary compares the oscillation of an interface with the time step", "[preflight]") {
+TEST_CASE("the summary tells which directions of an interface are elastic", "[preflight]") {
   const auto with = [](const std::string& stiffness) {
     return sheet("0", "<MultiMaterialMode><Friction lawname='glue'/></MultiMaterialMode>",
                  "<Material Type='LinearInterface' Name='glue'><Dnt>" + stiffness + "</Dnt><Dt>0</Dt></Material>");
   };
-  // dt = h/c/2 with c = sqrt(1000), reduced mass of two half cells 0.00025: phi = sqrt(D)
-  CHECK_THAT(with("0.25"), Contains("dt sqrt(k/m) = 0.5, resolved"));
-  CHECK_THAT(with("100"), Contains("dt sqrt(k/m) = 10, joined implicitly") && Contains("-1 joins the faces"));
-  CHECK_THAT(with("-1"), !Contains("interface of"));
+  const std::string bonded = "normal direction bonded, tangential direction elastic";
+  // 30 M/h with M = 1 and h = 1
+  CHECK_THAT(with("29"),
+             Contains("normal direction elastic, tangential direction elastic") && !Contains("smaller cells"));
+  CHECK_THAT(with("31"), Contains(bonded) && Contains("smaller cells resolve it"));
+  CHECK_THAT(with("-1"), Contains(bonded) && !Contains("smaller cells"));
 }
 
 TEST_CASE("the summary reports how many cells a crack spans", "[preflight]") {

@@ -27,10 +27,10 @@ std::vector<Body<Dim>*> bodies_with_field(System<Dim>& system) {
   return bodies;
 }
 
-// Laws that read displacements, slip or bonds need all particles near the node in every step.
+// Laws that read slip or bonds need all particles near the node in every step.
 template <int Dim>
 bool can_keep_faces(const Model& model, const ContactLaws<Dim>& laws) {
-  return !laws.any_is_interface() && !laws.any_has_memory() && model.contact.separation == Separation::edges;
+  return !laws.any_has_memory() && model.contact.separation == Separation::edges;
 }
 
 }  // namespace
@@ -47,7 +47,7 @@ Contact<Dim>::Contact(const Model& model, System<Dim>& system, const Transfers<D
       cloud_(system.lattice, particle_reach(model.scheme.kernel) * system.lattice.spacing.maxCoeff()),
       search_(system, laws_),
       volumes_(system, transfers),
-      finder_(model, system, cloud_, laws_, bodies_),
+      finder_(model, system, cloud_, laws_),
       cache_(system, active_ && can_keep_faces(model, laws_)),
       node_impulses_(system, search_.found()),
       face_solver_(system),
@@ -147,7 +147,7 @@ void Contact<Dim>::leave_to_joints(const Joints<Dim>& joints) {
     const ContactNode<Dim>& node = contacts.nodes[static_cast<std::size_t>(k)];
     for (std::size_t p = node.first_pair; p < node.end_pair; ++p) {
       ContactPair& pair = contacts.pairs[p];
-      if (pair.crack >= 0) continue;
+      if (pair.crack >= 0 || pair.law->interface()) continue;
       const auto home = [&](std::size_t member) { return system_.fields[contacts.members[member].field].base_field; };
       const auto joint = joints.nearest_joint(home(pair.a), home(pair.b), system_.lattice.position(node.index));
       const ContactFace& face = cache_.face(p);

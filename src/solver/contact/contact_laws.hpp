@@ -2,9 +2,12 @@
 /// The contact law between every two velocity fields.
 #pragma once
 
-#include "contact/contact_law.hpp"
+#include "contact/interface.hpp"
 #include "solver/state/system.hpp"
 
+#include <map>
+#include <memory>
+#include <utility>
 #include <vector>
 
 namespace tribo {
@@ -23,15 +26,14 @@ class ContactLaws {
   std::size_t field_count() const { return field_count_; }
   /// Some law reads slip or bonds, which the particles keep.
   bool any_has_memory() const { return any_has_memory_; }
-  /// Some law is an imperfect interface, which reads opening displacements.
-  bool any_is_interface() const { return any_is_interface_; }
   /// Some law reads the contact area.
   bool any_uses_area() const { return any_uses_area_; }
 
  private:
   std::size_t field_count_;
-  std::vector<const ContactLaw*> table_;  // field_count_ x field_count_
-  bool any_has_memory_ = false, any_is_interface_ = false, any_uses_area_ = false;
+  std::vector<const ContactLaw*> table_;                                           // field_count_ x field_count_
+  std::map<std::pair<int, int>, std::shared_ptr<const InterfaceLaw>> interfaces_;  // limited, by materials
+  bool any_has_memory_ = false, any_uses_area_ = false;
 };
 
 }  // namespace tribo

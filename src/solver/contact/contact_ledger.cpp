@@ -27,7 +27,6 @@ void ContactLedger<Dim>::record(ContactNodes<Dim>& contacts, double dt) {
       const ContactMember &a = members[pair.a], &b = members[pair.b];
       auto& entry = pairs[key(contacts, pair)];
       entry.force += node.ownership / dt * pair.impulse;
-      entry.stored += node.ownership * pair.response.stored;
       entry.area += node.ownership * pair.state.area;
       // The work of the impulse is its product with the mean of the relative velocities at the start and end of the
       // step.
@@ -38,7 +37,7 @@ void ContactLedger<Dim>::record(ContactNodes<Dim>& contacts, double dt) {
                                                      velocity_after(members, contacts.pairs_of(node), pair.a)));
       const double all = pair.impulse.dot(mean);
       const double normal = pair.impulse.dot(pair.state.normal) * mean.dot(pair.state.normal);
-      if (pair.law->is_interface())
+      if (pair.law->interface())
         entry.interface += all;
       else
         entry.impact += normal, entry.friction += all - normal, pair.friction_work = (all - normal) / node.ownership;

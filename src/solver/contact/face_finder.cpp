@@ -3,7 +3,6 @@
 
 #include "solver/contact/face_geometry.hpp"
 #include "solver/contact/face_tolerances.hpp"
-#include "solver/contact/interface_opening.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,11 +16,10 @@ using namespace face_tolerance;
 
 template <int Dim>
 FaceFinder<Dim>::FaceFinder(const Model& model, const System<Dim>& system, const ParticleCloud<Dim>& cloud,
-                            const ContactLaws<Dim>& laws, const std::vector<Body<Dim>*>& bodies)
+                            const ContactLaws<Dim>& laws)
     : model_(model),
       system_(system),
       cloud_(cloud),
-      bodies_(bodies),
       normals_(model.contact, system, cloud),
       needs_areas_(laws.any_uses_area() || model.heat.contact_heating || model.contact.normals != NormalMethod::margin),
       h_(system.lattice.spacing.maxCoeff()) {}
@@ -47,7 +45,7 @@ bool FaceFinder<Dim>::find(const ContactNode<Dim>& node, std::span<const Contact
   if (model_.contact.separation == Separation::edges && !near.sides[0].empty() && !near.sides[1].empty())
     face.gap_correction = gap_correction<Dim>(near.sides[0], near.sides[1], *n, band * h_, max_gap_correction * h_);
   pair.state.gap = gap_between_sides(node, a, b, near, *n) + face.gap_correction;
-  pair.state.area = area(node, a, b, pair.law->is_interface(), near, *n);
+  pair.state.area = area(node, a, b, near, *n);
   if (model_.contact.at_faces || model_.heat.contact_heating) {
     const double of_a = face_position<Dim>(near.sides[0], *n, band * h_),
                  of_b = -face_position<Dim>(near.sides[1], -*n, band * h_);
@@ -55,21 +53,14 @@ bool FaceFinder<Dim>::find(const ContactNode<Dim>& node, std::span<const Contact
   }
   face.normal = pair.state.normal, face.area = pair.state.area;
   if (!model_.contact.joints.empty()) face.offset_along_face = offset_along_face(near, *n);
-  if (pair.law->is_interface()) {
-    const double middle =
-        0.5 * (face_position<Dim>(near.sides[0], *n, band * h_) - face_position<Dim>(near.sides[1], -*n, band * h_));
-    pair.state.opening = interface_opening<Dim>(cloud_, bodies_, near, system_.lattice.position(node.index),
-                                                system_.lattice.spacing, middle, *n);
-  }
   return true;
 }
 
-// The share of the node in the area of the face, |sum_p V_p grad w_Ip . n|. For interfaces it is the mean of both
-// sides, since an open interface belongs to both. Else it is the smaller one of both sides: where one face ends before
-// the other, they are in contact only along the shorter one.
+// The share of the node in the area of the face, |sum_p V_p grad w_Ip . n|, the smaller one of both sides: where one
+// face ends before the other, they are in contact only along the shorter one.
 template <int Dim>
 double FaceFinder<Dim>::area(const ContactNode<Dim>& node, const ContactMember& a, const ContactMember& b,
-                             bool interface, NearParticles<Dim>& near, const Vec<Dim>& n) const {
+                             NearParticles<Dim>& near, const Vec<Dim>& n) const {
   const auto projected_gradient = [&](const ContactMember& m) {
     const VolumeNode& v = system_.fields[m.field].volumes[static_cast<std::size_t>(m.node)];
     return std::abs(Eigen::Map<const Vec<Dim>>(v.gradient).dot(n));
@@ -81,7 +72,7 @@ double FaceFinder<Dim>::area(const ContactNode<Dim>& node, const ContactMember& 
     if (thin_a && thin_b) return std::max(of_a, of_b);
     if (thin_a || thin_b) return thin_a ? of_b : of_a;
   }
-  return interface ? 0.5 * (of_a + of_b) : std::min(of_a, of_b);
+  return std::min(of_a, of_b);
 }
 
 // Whether the back face of a side, opposite to `out`, lies within the support of the shape function of the node.

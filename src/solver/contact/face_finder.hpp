@@ -12,32 +12,31 @@ namespace tribo {
 template <int Dim>
 class FaceFinder {
  public:
-  /// `cloud`: the particles around the contact nodes; `bodies`: those of the cloud.
+  /// `cloud`: the particles around the contact nodes.
   FaceFinder(const Model& model, const System<Dim>& system, const ParticleCloud<Dim>& cloud,
-             const ContactLaws<Dim>& laws, const std::vector<Body<Dim>*>& bodies);
+             const ContactLaws<Dim>& laws);
 
   /// The volume gradients of the fields (NodalVolumes) must be up to date in every search, as areas or normals depend
   /// on them. Otherwise areas are only reported, and it is enough to compute the gradients when all faces are found
   /// anew.
   bool needs_volumes() const { return needs_areas_; }
-  /// Finds the face of a pair of two bodies: fills normal, gap, area, face position and, for interfaces, opening of
-  /// `pair`, and what `face` keeps of them. `members`: of all contact nodes. False if there is no common face, or if
-  /// the law does not need one. `near`: working memory; then holds the particles around the node.
+  /// Finds the face of a pair of two bodies: fills normal, gap, area and face position of `pair`, and what `face` keeps
+  /// of them. `members`: of all contact nodes. False if there is no common face, or if the law does not need one.
+  /// `near`: working memory; then holds the particles around the node.
   bool find(const ContactNode<Dim>& node, std::span<const ContactMember> members, ContactPair& pair, ContactFace& face,
             NearParticles<Dim>& near) const;
 
  private:
   double gap_between_sides(const ContactNode<Dim>& node, const ContactMember& a, const ContactMember& b,
                            NearParticles<Dim>& near, const Vec<Dim>& n) const;
-  double area(const ContactNode<Dim>& node, const ContactMember& a, const ContactMember& b, bool interface,
-              NearParticles<Dim>& near, const Vec<Dim>& n) const;
+  double area(const ContactNode<Dim>& node, const ContactMember& a, const ContactMember& b, NearParticles<Dim>& near,
+              const Vec<Dim>& n) const;
   bool is_thin(const ContactNode<Dim>& node, NearParticles<Dim>& near, std::size_t side, const Vec<Dim>& out) const;
   double offset_along_face(NearParticles<Dim>& near, const Vec<Dim>& n) const;
 
   const Model& model_;
   const System<Dim>& system_;
   const ParticleCloud<Dim>& cloud_;
-  const std::vector<Body<Dim>*>& bodies_;
   NormalFinder<Dim> normals_;
   bool needs_areas_;
   double h_;  // cell size [length]

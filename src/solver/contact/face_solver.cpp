@@ -213,9 +213,8 @@ void FaceSolver<Dim>::distribute(const Constraint& c, const Vec3& impulse) {
 }
 
 template <int Dim>
-bool FaceSolver<Dim>::is_inactive(const Constraint& c, ContactPass pass) {
-  return c.pair->has_no_face || c.pair->replaced_by_joint ||
-         (pass == ContactPass::predictor && c.pair->law->is_interface());
+bool FaceSolver<Dim>::is_inactive(const Constraint& c) {
+  return c.pair->has_no_face || c.pair->replaced_by_joint;
 }
 
 // Projected Jacobi sweeps, then projected Gauss-Seidel sweeps, forward and backward in turn.
@@ -224,7 +223,7 @@ void FaceSolver<Dim>::solve(ContactPass pass) {
   const auto each_active = [&](Group& group, bool backward, auto&& f) {
     for (std::size_t k = group.first; k < group.end; ++k) {
       Constraint& c = constraints_[backward ? group.end - 1 - (k - group.first) : k];
-      if (!is_inactive(c, pass)) f(c);
+      if (!is_inactive(c)) f(c);
     }
   };
   for (int sweep = 0; sweep < jacobi_sweeps; ++sweep) {
@@ -276,7 +275,7 @@ void FaceSolver<Dim>::apply(double dt, ContactPass pass) {
                           });
     pair.response = {};
     pair.impulse.setZero();
-    if (pass == ContactPass::corrector && !is_inactive(c, pass)) pair.impulse = pair.update_impulse;
+    if (pass == ContactPass::corrector && !is_inactive(c)) pair.impulse = pair.update_impulse;
   });
   each_group(false, [&](Group& group) {
     for (std::size_t k = group.first; k < group.end; ++k) distribute(constraints_[k], constraints_[k].pair->impulse);

@@ -79,7 +79,7 @@ class FaceSolver {
     double change = 0.0, size = 0.0;  // squared sums of the impulses in a sweep
   };
 
-  static bool is_inactive(const Constraint& c, ContactPass pass);
+  static bool is_inactive(const Constraint& c);
   void list_constraints(ContactNodes<Dim>& contacts);
   void find_terms(Constraint& c, std::span<const ContactMember> members) const;
   void add_face_terms(Constraint& c, const ContactMember& member, double sign) const;

@@ -28,8 +28,7 @@ void solve_node(std::span<const ContactMember> members, std::span<ContactPair> p
     double change = 0.0, size = 0.0;
     for (std::size_t k = 0; k < count; ++k) {
       ContactPair& pair = pairs[sweep % 2 == 0 ? k : count - 1 - k];
-      if (pair.has_no_face || pair.replaced_by_joint || (pass == ContactPass::predictor && pair.law->is_interface()))
-        continue;
+      if (pair.has_no_face || pair.replaced_by_joint) continue;
       ContactState& m = pair.state;
       // The law reads the relative velocity without the impulse of its own pair.
       m.velocity =

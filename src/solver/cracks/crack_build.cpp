@@ -3,7 +3,9 @@
 
 #include "solver/cracks/crack_build.hpp"
 
+#include "contact/interface_joint.hpp"
 #include "solver/neighbours/body_occupancy.hpp"
+#include "solver/state/limited_interface.hpp"
 
 #include <cmath>
 
@@ -55,10 +57,11 @@ std::vector<PieceSample<3>> samples(const std::array<Vec3, 3>& corners, const Bo
 
 /// Adds the joints along the last crack of the system.
 template <int Dim>
-void add_joint(const Model& model, const CrackSpec& spec, const BodyOccupancy<Dim>& occupancy, System<Dim>& system) {
+void add_joint(const Model& model, const CrackSpec& spec, const JointLaw& law, const BodyOccupancy<Dim>& occupancy,
+               System<Dim>& system) {
   const Crack<Dim>& crack = system.cracks.back();
   JointSurface<Dim> surface;
-  surface.law = spec.joint.get(), surface.crack = system.cracks.size() - 1;
+  surface.law = &law, surface.crack = system.cracks.size() - 1;
   std::vector<double> areas(crack.x.size(), 0.0);
   for (std::size_t p = 0; p < crack.pieces.size(); ++p) {
     const auto corners = crack.corners(p);
@@ -138,6 +141,16 @@ BodyOccupancy<Dim> around_cracks(const Model& model, System<Dim>& system) {
   return BodyOccupancy<Dim>(model, system, low - reach, high + reach);
 }
 
+/// The imperfect interface between the faces of a crack; null if its contact law is none.
+template <int Dim>
+std::shared_ptr<const InterfaceLaw> imperfect_interface(const Model& model, const System<Dim>& system,
+                                                        const CrackSpec& spec) {
+  if (!spec.law || !spec.law->interface()) return nullptr;
+  std::vector<int> materials;
+  for (const auto& body : system.bodies) materials.push_back(body.material);
+  return limited_interface(model, system.lattice, *spec.law->interface(), materials);
+}
+
 }  // namespace
 
 void extend_straight(Crack<2>& crack, const CrackTip& tip, double cell, int cells) {
@@ -169,7 +182,9 @@ void add_cracks(const Model& model, System<Dim>& system, int width) {
   const BodyOccupancy<Dim> occupancy = around_cracks(model, system);
   for (const CrackSpec& spec : model.cracks) {
     Crack<Dim> crack;
-    crack.law = spec.law.get(), crack.fixed = spec.fixed;
+    crack.law = spec.law, crack.fixed = spec.fixed;
+    const auto interface = imperfect_interface(model, system, spec);
+    if (interface) crack.law = interface->is_bonded() ? interface : nullptr;
     // closed faces are bonded at the start if their contact law has bonds
     crack.initial_bond = crack.law && crack.law->has_memory() ? 1.0 : 0.0;
     for (const Vec3& x : spec.points) crack.add_point(crack.x.size(), x.template head<Dim>());
@@ -184,7 +199,12 @@ void add_cracks(const Model& model, System<Dim>& system, int width) {
     for (std::size_t p = 0; p < crack.pieces.size(); ++p)
       for (const auto& [share, fraction] : samples(crack.corners(p), occupancy)) crack.inside[p] += fraction;
     system.cracks.push_back(std::move(crack));
-    if (spec.joint) add_joint(model, spec, occupancy, system);
+    if (spec.joint) add_joint(model, spec, *spec.joint, occupancy, system);
+    if (interface && interface->is_elastic()) {
+      const auto law = std::make_shared<InterfaceJoint>(interface);
+      add_joint(model, spec, *law, occupancy, system);
+      system.joints.back().interface = law;
+    }
   }
 }
 

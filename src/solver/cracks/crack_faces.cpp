@@ -180,7 +180,7 @@ bool Cracks<Dim>::find_faces(ContactPair& pair, const Index<Dim>& node, int side
     c = static_cast<std::uint32_t>(number);
   }
   const Crack<Dim>& crack = system_.cracks[c];
-  pair.law = crack.law, pair.crack = static_cast<int>(c);
+  pair.law = crack.law.get(), pair.crack = static_cast<int>(c);
   if (!pair.law) return false;
   const Vec<Dim> x = system_.lattice.position(node);
   const Nearest here = nearest(c, x);
@@ -189,12 +189,8 @@ bool Cracks<Dim>::find_faces(ContactPair& pair, const Index<Dim>& node, int side
   const int side_of_a = side_a & between ? -here.side : here.side;
   const FaceAverages faces = average_faces(c, x, here);
   ContactState& m = pair.state;
-  m.normal.setZero(), m.opening.setZero();
+  m.normal.setZero();
   m.normal.template head<Dim>() = -side_of_a * here.normal;
-  // The normal component of the opening is the stored gap. The tangential component of the displacement jump is
-  // projected, since earlier slip may be inclined to the current normal.
-  const Vec<Dim> along = faces.opening - faces.opening.dot(here.normal) * here.normal;
-  m.opening.template head<Dim>() = -side_of_a * (along + faces.gap * here.normal);
   m.gap = faces.gap;
   m.area = faces.area;
   m.slip = faces.slip;

@@ -10,9 +10,9 @@
 namespace tribo {
 namespace {
 
-constexpr double largest_gap = 0.05;    // largest distance between two sides with a common face [cells]
-constexpr double least_cosine = 0.866;  // cosine of the largest angle between their normals
-constexpr double largest_piece = 0.5;   // largest edge of a piece [cells]
+constexpr double largest_gap = 0.05;   // largest distance between two sides with a common face [cells]
+constexpr double step_cosine = 0.866;  // cosine of the angle between neighbours that form a step
+constexpr double largest_piece = 0.5;  // largest edge of a piece [cells]
 
 /// A side of a particle domain: a segment in two dimensions, a parallelogram in three.
 template <int Dim>
@@ -20,6 +20,7 @@ struct DomainSide {
   Vec<Dim> middle, normal;                   // outwards
   Eigen::Matrix<double, Dim, Dim - 1> half;  // columns: half edges
   double thickness = 1.0;
+  std::int64_t number = 0;  // see CommonFacePiece::side
 
   Vec<Dim> extent() const { return half.cwiseAbs().rowwise().sum(); }
   double largest() const { return 2 * half.colwise().norm().maxCoeff(); }
@@ -28,14 +29,14 @@ struct DomainSide {
 };
 
 template <int Dim, class F>
-void each_side(const ParticleDomain<Dim>& domain, double thickness, F&& f) {
+void each_side(const ParticleDomain<Dim>& domain, double thickness, std::int64_t particle, F&& f) {
   const Mat<Dim> normals = domain.axes.inverse().transpose().colwise().normalized();
   for (int k = 0; k < Dim; ++k)
     for (const double sign : {-1.0, 1.0}) {
       DomainSide<Dim> side;
       side.middle = domain.x + sign * domain.axes.col(k), side.normal = sign * normals.col(k);
       for (int c = 0; c < Dim - 1; ++c) side.half.col(c) = domain.axes.col((k + 1 + c) % Dim);
-      side.thickness = thickness;
+      side.thickness = thickness, side.number = 2 * Dim * particle + 2 * k + (sign > 0);
       f(side);
     }
 }
@@ -118,7 +119,8 @@ double thickness(Body<Dim>& body, std::uint32_t i, const ParticleDomain<Dim>& do
 
 template <int Dim>
 std::vector<CommonFacePiece<Dim>> common_face_pieces(const Model& model, System<Dim>& system, Body<Dim>& a,
-                                                     Body<Dim>& b) {
+                                                     Body<Dim>& b, double largest_angle) {
+  const double least_cosine = std::cos(largest_angle);
   const double h = system.lattice.spacing.maxCoeff(), near = largest_gap * h;
   const auto box = [&](Body<Dim>& body) {
     Vec<Dim> low = Vec<Dim>::Constant(std::numeric_limits<double>::infinity()), high = -low;
@@ -140,7 +142,7 @@ std::vector<CommonFacePiece<Dim>> common_face_pieces(const Model& model, System<
       const Vec<Dim> x = body.particles.position(i);
       if ((x.array() < low.array()).any() || (x.array() > high.array()).any()) continue;
       const ParticleDomain<Dim> domain = domains(i);
-      each_side<Dim>(domain, thickness(body, i, domain), f);
+      each_side<Dim>(domain, thickness(body, i, domain), body.particles.id[i], f);
     }
   };
   std::vector<DomainSide<Dim>> sides_b;
@@ -167,6 +169,7 @@ std::vector<CommonFacePiece<Dim>> common_face_pieces(const Model& model, System<
       piece.area =
           size * (model.analysis == Analysis::axisymmetric ? piece.x[0] : std::min(one.thickness, two.thickness));
       piece.size = std::max(one.largest(), two.largest()), piece.side_number = number;
+      piece.side = one.number;
       out.push_back(piece);
     }
   };
@@ -202,7 +205,7 @@ void smooth_steps(const Lattice<Dim>& lattice, std::vector<CommonFacePiece<Dim>>
     };
     const CommonFacePiece<Dim> own = piece;
     bool stepped = false;
-    each_around(radii[0], [&](const auto& other, double) { stepped = stepped || other.n.dot(own.n) < least_cosine; });
+    each_around(radii[0], [&](const auto& other, double) { stepped = stepped || other.n.dot(own.n) < step_cosine; });
     for (std::size_t r = 0; stepped && r < radii.size(); ++r) {
       Vec<Dim> n = Vec<Dim>::Zero(), centre = n;
       double total = 0.0, highest = 0.0;
@@ -223,8 +226,8 @@ void smooth_steps(const Lattice<Dim>& lattice, std::vector<CommonFacePiece<Dim>>
   std::erase_if(pieces, [](const CommonFacePiece<Dim>& piece) { return !(piece.area > 0); });
 }
 
-template std::vector<CommonFacePiece<2>> common_face_pieces(const Model&, System<2>&, Body<2>&, Body<2>&);
-template std::vector<CommonFacePiece<3>> common_face_pieces(const Model&, System<3>&, Body<3>&, Body<3>&);
+template std::vector<CommonFacePiece<2>> common_face_pieces(const Model&, System<2>&, Body<2>&, Body<2>&, double);
+template std::vector<CommonFacePiece<3>> common_face_pieces(const Model&, System<3>&, Body<3>&, Body<3>&, double);
 template void smooth_steps(const Lattice<2>&, std::vector<CommonFacePiece<2>>&);
 template void smooth_steps(const Lattice<3>&, std::vector<CommonFacePiece<3>>&);
 

@@ -2,6 +2,9 @@
 #include "solver/joints/joint_build.hpp"
 
 #include "solver/joints/common_faces.hpp"
+#include "solver/joints/interface_faces.hpp"
+
+#include <numbers>
 
 namespace tribo {
 namespace {
@@ -15,7 +18,8 @@ Body<Dim>& body_of(const Model& model, System<Dim>& system, int material, const 
                                model.materials[static_cast<std::size_t>(material)].name + "'");
 }
 
-/// Adds one joint that consists of the pieces first ... end - 1.
+}  // namespace
+
 template <int Dim>
 void add_joint(const std::vector<CommonFacePiece<Dim>>& pieces, std::size_t first, std::size_t end, double thickness,
                JointSurface<Dim>& surface) {
@@ -41,8 +45,6 @@ void add_joint(const std::vector<CommonFacePiece<Dim>>& pieces, std::size_t firs
   }
 }
 
-}  // namespace
-
 template <int Dim>
 void add_interfaces(const Model& model, System<Dim>& system) {
   for (const auto& [pair, joint] : model.contact.joints) {
@@ -53,7 +55,7 @@ void add_interfaces(const Model& model, System<Dim>& system) {
       throw InputError(joint.origin, both + " share one velocity field; nothing acts between them");
     if (one.law->rigid() && two.law->rigid())
       throw InputError(joint.origin, both + " are rigid; a joint needs a body on one side that can move");
-    auto pieces = common_face_pieces(model, system, one, two);
+    auto pieces = common_face_pieces(model, system, one, two, std::numbers::pi / 6);
     smooth_steps(system.lattice, pieces);
     if (pieces.empty())
       throw InputError(joint.origin, both +
@@ -71,8 +73,11 @@ void add_interfaces(const Model& model, System<Dim>& system) {
     surface.mass.fill(std::vector<double>(surface.samples.size(), 0.0));
     system.joints.push_back(std::move(surface));
   }
+  add_imperfect_interfaces(model, system);
 }
 
+template void add_joint(const std::vector<CommonFacePiece<2>>&, std::size_t, std::size_t, double, JointSurface<2>&);
+template void add_joint(const std::vector<CommonFacePiece<3>>&, std::size_t, std::size_t, double, JointSurface<3>&);
 template void add_interfaces(const Model&, System<2>&);
 template void add_interfaces(const Model&, System<3>&);
 

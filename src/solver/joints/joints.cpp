@@ -85,6 +85,16 @@ double Joints<Dim>::find_face_nodes(const JointSurface<Dim>& surface, const Vec<
   return mass;
 }
 
+// The few nodes that a face reaches before it has moved away entirely lie on one side of the integration point. The
+// velocity there would be an extrapolation, which amplifies that of light nodes.
+template <int Dim>
+bool Joints<Dim>::extrapolates(const std::vector<NodeWeight>& side) {
+  constexpr double largest_sum = 3.0;  // of the amounts of the weights, whose sum is one
+  double sum = 0.0;
+  for (const NodeWeight& share : side) sum += std::abs(share.weight);
+  return sum > largest_sum;
+}
+
 // Current position of an integration point and the normal there.
 template <int Dim>
 std::pair<Vec<Dim>, Vec<Dim>> Joints<Dim>::place(const JointSurface<Dim>& surface, std::size_t s) const {
@@ -108,6 +118,7 @@ void Joints<Dim>::find() {
   for (std::size_t s = 0; s < system_.joints.size(); ++s) {
     JointSurface<Dim>& surface = system_.joints[s];
     Surface& surface_nodes = surfaces_[s];
+    const bool of_interface = surface.interface && surface.crack == JointSurface<Dim>::none;
     surface_nodes.samples.resize(surface.samples.size());
     parallel_for(static_cast<std::ptrdiff_t>(surface_nodes.samples.size()), [&](std::ptrdiff_t sample) {
       const auto k = static_cast<std::size_t>(sample);
@@ -117,17 +128,21 @@ void Joints<Dim>::find() {
         return;
       }
       const auto [x, n] = place(surface, k);
+      // The faces of an interface are on either side of its points, by half of the opening.
+      const double opening = of_interface ? surface.joints[surface.samples[k].joint[0]].opening : 0.0;
       double inverse = 0.0;
       for (std::size_t f = 0; f < 2; ++f) {
-        const double mass = find_face_nodes(surface, x, n, f, sample_nodes.side[f]);
+        const Vec<Dim> at = x + (f == 0 ? -0.5 : 0.5) * opening * n;
+        const double mass = find_face_nodes(surface, at, n, f, sample_nodes.side[f]);
         double& first = surface.mass[f][k];
         if (first == 0) first = mass;
         constexpr double enough = 0.05;  // below this fraction of the first mass, the face has moved away
-        if (mass < enough * first) sample_nodes.side[f].clear();
+        if (mass < enough * first || extrapolates(sample_nodes.side[f])) sample_nodes.side[f].clear();
         for (const NodeWeight& share : sample_nodes.side[f])
           inverse += share.images * share.weight * share.weight * inverse_mass(share);
       }
-      if (surface.crack == JointSurface<Dim>::none && !sample_nodes.has_both_faces())
+      const bool apart = opening > system_.lattice.spacing.maxCoeff();
+      if (surface.crack == JointSurface<Dim>::none && (apart || !sample_nodes.has_both_faces()))
         surface.mass[0][k] = surface.mass[1][k] = surface.detached;
       sample_nodes.mass = inverse > 0 ? 1 / inverse : 0.0;
     });
@@ -216,33 +231,54 @@ void Joints<Dim>::add_forces(double dt) {
 
 // Velocity and velocity gradient of a face, interpolated from the nodes of one side.
 template <int Dim>
-auto Joints<Dim>::motion(const std::vector<NodeWeight>& shares) const -> Motion {
+auto Joints<Dim>::motion(const std::vector<NodeWeight>& shares, bool filtered) const -> Motion {
   Motion out;
   for (const NodeWeight& share : shares) {
-    const Vec<Dim> v = share.mirror.cwiseProduct(Eigen::Map<const Vec<Dim>>(node(share).velocity));
+    const Field<Dim>& field = system_.fields[share.field];
+    const auto at = static_cast<std::size_t>(share.node);
+    const double* velocity = filtered && !field.rigid_contact ? field.filter[at].velocity : field.nodes[at].velocity;
+    const Vec<Dim> v = share.mirror.cwiseProduct(Eigen::Map<const Vec<Dim>>(velocity));
     out.velocity += share.weight * v;
     out.gradient += v * share.slope.transpose();
   }
   return out;
 }
 
+// Velocities of the faces of all joints of a surface.
 template <int Dim>
-void Joints<Dim>::update_laws(double dt) {
+void Joints<Dim>::find_motion(std::size_t s, bool filtered) {
+  Surface& surface_nodes = surfaces_[s];
+  surface_nodes.motion.assign(system_.joints[s].joints.size(), {});
+  for (SampleNodes& sample_nodes : surface_nodes.samples)
+    for (std::size_t f = 0; f < 2; ++f) sample_nodes.motion[f] = motion(sample_nodes.side[f], filtered);
+  each_contribution(s, [&](SampleNodes& sample_nodes, std::uint32_t joint, double fraction) {
+    const double share = fraction / surface_nodes.supported_fraction[joint];
+    for (std::size_t f = 0; f < 2; ++f) {
+      surface_nodes.motion[joint][f].velocity += share * sample_nodes.motion[f].velocity;
+      surface_nodes.motion[joint][f].gradient += share * sample_nodes.motion[f].gradient;
+    }
+  });
+}
+
+template <int Dim>
+void Joints<Dim>::find_motion() {
+  for (std::size_t s = 0; s < system_.joints.size(); ++s) {
+    find_motion(s, false);
+    if (system_.joints[s].crack != JointSurface<Dim>::none) prescribe_face_velocities(s);
+  }
+}
+
+template <int Dim>
+void Joints<Dim>::update_laws(double dt, bool filtered) {
+  if (!(dt > 0)) return;
   for (std::size_t s = 0; s < system_.joints.size(); ++s) {
     JointSurface<Dim>& surface = system_.joints[s];
     Surface& surface_nodes = surfaces_[s];
     const std::size_t count = surface.joints.size();
-    surface_nodes.motion.assign(count, {});
+    find_motion(s, filtered);
     increments_.assign(count, {});
-    for (SampleNodes& sample_nodes : surface_nodes.samples)
-      for (std::size_t f = 0; f < 2; ++f) sample_nodes.motion[f] = motion(sample_nodes.side[f]);
     each_contribution(s, [&](SampleNodes& sample_nodes, std::uint32_t joint, double fraction) {
-      const double share = fraction / surface_nodes.supported_fraction[joint];
-      for (std::size_t f = 0; f < 2; ++f) {
-        surface_nodes.motion[joint][f].velocity += share * sample_nodes.motion[f].velocity;
-        surface_nodes.motion[joint][f].gradient += share * sample_nodes.motion[f].gradient;
-      }
-      increments_[joint].mass += share * sample_nodes.mass;
+      increments_[joint].mass += fraction / surface_nodes.supported_fraction[joint] * sample_nodes.mass;
     });
     for (std::size_t k = 0; k < count; ++k) {
       Vec3 jump = Vec3::Zero();
@@ -257,10 +293,9 @@ void Joints<Dim>::update_laws(double dt) {
     // the law is evaluated for ranges of consecutive joints with both faces
     for (std::size_t first = 0, end = 0; first < count; first = end + 1) {
       for (end = first; end < count && is_supported(s, end);) ++end;
-      update(surface, s, first, end, dt);
+      update(surface, s, first, std::min(end, std::max(first, surface.deforming)), dt);
       if (end < count) release(surface.joints[end]);
     }
-    if (surface.crack != JointSurface<Dim>::none) prescribe_face_velocities(s);
     if (!before.empty()) record_rigid_work(s, before, dt);
   }
 }
@@ -346,9 +381,11 @@ void Joints<Dim>::copy_to_crack(const JointSurface<Dim>& surface) {
 template <int Dim>
 auto Joints<Dim>::energies() const -> Energies {
   Energies out;
-  for (const auto& surface : system_.joints)
+  for (const auto& surface : system_.joints) {
+    out.dissipated += surface.dissipated;
     for (const Joint& joint : surface.joints)
       out.stored += joint.strain, out.dissipated += joint.released() - joint.slid - joint.damped;
+  }
   return out;
 }
 

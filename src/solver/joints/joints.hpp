@@ -49,8 +49,12 @@ class Joints {
   /// Adds the joint forces to the nodal accelerations, and their effect over a time dt to the nodal velocities.
   void add_forces(double dt);
   /// Computes the displacement increments of the joints from the nodal velocities and evaluates the joint laws. To be
-  /// called before cracks and particles move.
-  void update_laws(double dt);
+  /// called wherever the strain of the particles is updated, with the same velocities and the same share dt of the
+  /// step: otherwise the jump of a joint and the strain next to it belong to different velocities, which adds energy.
+  /// `filtered`: these are the filtered velocities (Field::filter), not those of the nodes.
+  void update_laws(double dt, bool filtered);
+  /// Finds the velocities of the faces, with which joints and cracks move. To be called before move_points().
+  void find_motion();
   /// Updates positions and axes of the joints. To be called after cracks have moved.
   void move_points(double dt);
   /// Largest stable time step with all joints [time], computed by the last find(); infinite without joints.
@@ -63,19 +67,25 @@ class Joints {
   Energies energies() const;
   /// Returns the events since the last call and clears the list.
   std::vector<PlacedEvent> take_events();
-  /// Calls f(field of body 1, field of body 2, force on body 1, closed area) for every surface of joints between
-  /// bodies.
+  /// Calls f(field of body 1, field of body 2, force on body 1, closed area, stored energy of an imperfect
+  /// interface) for every surface of joints between bodies, and for every imperfect interface on a crack, for which the
+  /// first field is the number of fields plus that of the crack, the second the number of fields.
   template <class F>
   void each_pair(F&& f) const {
     for (std::size_t s = 0; s < system_.joints.size(); ++s) {
       const JointSurface<Dim>& surface = system_.joints[s];
-      if (surface.crack != JointSurface<Dim>::none) continue;
+      const bool of_crack = surface.crack != JointSurface<Dim>::none;
+      if (of_crack && !surface.interface) continue;
       Vec3 force = Vec3::Zero();
-      double area = 0.0;
+      double area = 0.0, stored = 0.0;
       for (std::size_t k = 0; k < surface.joints.size(); ++k)
         if (is_supported(s, k))
           force -= surface.force(k), area += surface.joints[k].away ? 0.0 : surface.joints[k].area;
-      f(surface.field[0], surface.field[1], force, area);
+      if (surface.interface)
+        for (const Joint& joint : surface.joints) stored += joint.strain;
+      const std::size_t fields = system_.fields.size();
+      f(of_crack ? fields + surface.crack : surface.field[0], of_crack ? fields : surface.field[1], force, area,
+        stored);
     }
   }
   /// Work of rigid bodies on joints and the impulse of rigid bodies transferred by joints since the last call [energy,
@@ -137,12 +147,14 @@ class Joints {
   std::pair<Vec<Dim>, Vec<Dim>> place(const JointSurface<Dim>& surface, std::size_t sample) const;
   double find_face_nodes(const JointSurface<Dim>& surface, const Vec<Dim>& x, const Vec<Dim>& n, std::size_t side,
                          std::vector<NodeWeight>& out) const;
+  static bool extrapolates(const std::vector<NodeWeight>& side);
   template <class F>
   void each_contribution(std::size_t surface, F&& f);
   void list_points();
   void find_stable_step();
   void record_rigid_work(std::size_t surface, const std::vector<Vec3>& before, double dt);
-  Motion motion(const std::vector<NodeWeight>& shares) const;
+  Motion motion(const std::vector<NodeWeight>& shares, bool filtered) const;
+  void find_motion(std::size_t surface, bool filtered);
   void update(JointSurface<Dim>& surface, std::size_t s, std::size_t first, std::size_t end, double dt);
   static void release(Joint& joint);
   void prescribe_face_velocities(std::size_t surface);

@@ -41,8 +41,8 @@ template <int Dim>
 struct Crack {
   using Piece = std::array<std::uint32_t, static_cast<std::size_t>(Dim)>;
 
-  const ContactLaw* law = nullptr;  ///< contact law between the faces; null: the faces do not interact
-  std::vector<Vec<Dim>> x;          ///< points, halfway between the faces                      [length]
+  std::shared_ptr<const ContactLaw> law;  ///< contact law between the faces; null: none acts at the nodes
+  std::vector<Vec<Dim>> x;                ///< points, halfway between the faces                      [length]
   /// Positions of the points on the lower (0) and the upper (1) face [length].
   std::array<std::vector<Vec<Dim>>, 2> face;
   std::vector<Piece> pieces;

@@ -8,6 +8,7 @@
 #include "contact/joint_law.hpp"
 
 #include <array>
+#include <memory>
 #include <vector>
 
 namespace tribo {
@@ -51,6 +52,14 @@ struct JointSurface {
   /// away.
   std::array<std::vector<double>, 2> mass;
   static constexpr double detached = -1.0;
+  /// An imperfect interface of two bodies: joints are added where faces meet, and removed once they have detached. Then
+  /// it owns its law, `side` holds the side of a particle of body 1 that each joint belongs to
+  /// (CommonFacePiece::side), and `dissipated` what the removed joints had dissipated [energy].
+  std::shared_ptr<const JointLaw> interface;
+  std::vector<std::int64_t> side;
+  double dissipated = 0.0;
+  /// Number of joints that deform in this step; later ones were added in it, and the step may be too long for them.
+  std::size_t deforming = none;
 
   /// Force of the k-th joint on body 2, dashpots included [force].
   Vec3 force(std::size_t k) const {
@@ -59,11 +68,25 @@ struct JointSurface {
   }
 };
 
-/// Saves and restores the joints; the integration points follow from the model.
+template <int Dim>
+void archive(Archive& a, JointSample<Dim>& sample) {
+  auto& [point, weight, joint, area_fraction, local] = sample;
+  a.version(1);
+  a("joint", joint[0]), a("area_fraction", area_fraction[0]), a("local", local);
+}
+
+/// Saves and restores the joints. The integration points follow from the model, except those of interfaces.
 template <int Dim>
 void archive(Archive& a, JointSurface<Dim>& surface) {
-  auto& [law, crack, field, material, point, samples, x, axes, joints, mass] = surface;
-  a.version(1);
+  auto& [law, crack, field, material, point, samples, x, axes, joints, mass, interface, side, dissipated, deforming] =
+      surface;
+  a.version(2);
+  if (interface && crack == JointSurface<Dim>::none) {
+    a.resizable("side", side), a.resizable("samples", samples);
+    x.resize(side.size()), axes.resize(side.size()), joints.resize(side.size());
+    for (auto& of_body : mass) of_body.resize(samples.size());
+    a("dissipated", dissipated);
+  }
   a("x", x), a("axes", axes), a("joints", joints), a("mass1", mass[0]), a("mass2", mass[1]);
 }
 

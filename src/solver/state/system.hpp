@@ -96,7 +96,6 @@ struct Body {
   MatrixColumn domain;                ///< CPDI: F at the start of the step
   VectorColumn load;                  ///< external force                                             [force]
   VectorColumn origin;                ///< position at the start of the run                           [length]
-  MatrixColumn first_inverse;         ///< F^-1 at the start of the run if F was not the identity
   ScalarColumn load_set;              ///< bit k set: particle condition k acts on the particle
   ScalarColumn contact_slip;          ///< laws with history: distance slid since the faces last stuck  [length]
   ScalarColumn contact_bond;          ///< laws with history: 1 intact, -1 broken, 0 no bond
@@ -171,10 +170,10 @@ template <int Dim>
 void archive(Archive& a, Body<Dim>& body, const Lattice<Dim>& lattice) {
   auto& [name, law, material, field, block, across_fields, cut, cut_bins, particles, bins, history, history_columns,
          affine, filtered, start, half_size, half_axes, generation, uniform_half_size, thickness, domain, load, origin,
-         first_inverse, load_set, contact_slip, contact_bond, contact_state, contact_traction, contact_normal,
-         temperature, temperature_gradient, temperature_residual, heated, crossings, cell_number, volumetric,
-         heat_capacity, conductivity, taylor_quinney, reference_temperature, cell, residual_share,
-         volume_of_displacement, particle_damping, total_mass, read_by_scatter, read_by_gather] = body;
+         load_set, contact_slip, contact_bond, contact_state, contact_traction, contact_normal, temperature,
+         temperature_gradient, temperature_residual, heated, crossings, cell_number, volumetric, heat_capacity,
+         conductivity, taylor_quinney, reference_temperature, cell, residual_share, volume_of_displacement,
+         particle_damping, total_mass, read_by_scatter, read_by_gather] = body;
   a("particles", particles), archive(a, bins, lattice);
 }
 

@@ -1,0 +1,63 @@
+# SPDX-License-Identifier: MIT
+import importlib.util
+import pathlib
+import subprocess
+
+import numpy as np
+
+import verify
+
+here = pathlib.Path(__file__).parent
+spec = importlib.util.spec_from_file_location("generated_models", here / "models.py")
+models = importlib.util.module_from_spec(spec)
+spec.loader.exec_module(models)
+
+
+def conserves_momentum(options):
+    return not (options["transfer"].startswith("XPIC") or (options["transfer"].startswith("FMPM") and not options["order"].startswith("USL")))
+
+
+def measure(case, number):
+    """Options, largest mean energy over the initial one, relative change of momentum, and the message of a run that stopped."""
+    options, text = models.model(number)
+    deck, out = case.scratch / f"{number}.xml", case.scratch / f"{number}.out"
+    deck.write_text(text)
+    done = subprocess.run([case.tribo, "run", "--quiet", "--overwrite", "--output", out, deck], capture_output=True, text=True)
+    if done.returncode == 3:
+        raise SystemExit(done.stderr)
+    e = verify.energy(out)
+    total = e["kinetic"] + e["elastic"] + e["interface"]
+    width = max(1, len(total) // 8)
+    mean = np.convolve(total, np.ones(width) / width, "valid")
+    axes = "y" if options["analysis"] == "axisymmetric" else "xyz"
+    change = np.sqrt(sum((e[f"momentum_{x}"] - e[f"momentum_{x}"][0]) ** 2 for x in axes)).max()
+    mass = 2 * e["kinetic"][0] / 0.05**2  # a lower bound, as no body is faster than 0.054
+    return options, mean.max() / total[0], change / (mass * 0.05), done.stderr if done.returncode else ""
+
+
+def run(case):
+    numbers = range(24) if case.quick else range(200)
+    found = [measure(case, number) for number in numbers]
+    gains = [gain for _, gain, _, _ in found]
+    changes = [change for options, _, change, _ in found if conserves_momentum(options)]
+    silent = [options for options, _, _, message in found if message and "error" not in message]
+    case.check(f"largest energy over the initial one, {len(found)} models", max(gains), 0, 1.01, "at most")
+    case.check(f"largest change of momentum, {len(changes)} models", max(changes), 0, 1e-12, "at most")
+    case.check("runs that stop without a reason", len(silent), 0, 0, "at most")
+    if case.quick:
+        return
+    stopped = sum(1 for *_, message in found if message)
+    rows = []
+    for key in ("law", "transfer", "order", "kernel", "analysis"):
+        groups = {}
+        for options, gain, _, _ in found:
+            groups.setdefault(options[key].split(" ")[0] if key == "law" else options[key], []).append(gain)
+        rows += [[key, word, str(len(g)), f"{np.median(g):.4f}", f"{max(g):.4f}"] for word, g in sorted(groups.items())]
+    case.table(f"Energy over the initial one ({stopped} of {len(found)} runs stopped with a message)", ["option", "value", "models", "median", "largest"], rows)
+
+    def draw(axes):
+        axes.hist(gains, bins=40)
+        axes.set_xlabel("largest energy over the initial energy")
+        axes.set_ylabel("models")
+
+    case.figure("generated_models", draw)
