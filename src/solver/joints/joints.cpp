@@ -2,6 +2,7 @@
 #include "solver/joints/joints.hpp"
 
 #include "base/parallel.hpp"
+#include "solver/joints/velocity_fit.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -19,37 +20,24 @@ Joints<Dim>::Joints(const Model& model, System<Dim>& system, const Cracks<Dim>& 
       points_of_block_.resize(static_cast<std::size_t>(system.lattice.block_count()));
 }
 
-// Weights of a least-squares fit of a linear velocity to the nodal velocities on one side, so that a rigid motion
-// causes no displacement jump. The weights are the shape functions wherever these reproduce linear velocities. Nodes
-// with little mass get smaller weights, so that only small forces act on them.
+// The nodes on one side of a face with their weights (fit_face_velocity). Returns the mass near the integration point.
 template <int Dim>
 double Joints<Dim>::find_face_nodes(const JointSurface<Dim>& surface, const Vec<Dim>& x, const Vec<Dim>& n,
                                     std::size_t side, std::vector<NodeWeight>& out) const {
-  constexpr int size = Dim + 1;
-  using Basis = Eigen::Matrix<double, size, 1>;
-  using Moments = Eigen::Matrix<double, size, size>;
-  constexpr double stiffening = 1e-5;  // regularises gradients that the nodes do not determine
-  constexpr double light = 0.1;        // fraction of the mean mass below which the weights of nodes are reduced
   const double h = system_.lattice.spacing.maxCoeff();
   const bool of_crack = surface.crack != JointSurface<Dim>::none;
   const Vec<Dim> side_point = of_crack ? Vec<Dim>(x + (side == 0 ? -1e-6 : 1e-6) * h * n) : x;
-  const auto basis = [&](const Vec<Dim>& distance) {
-    Basis p;
-    p[0] = 1.0, p.template tail<Dim>() = distance / h;
-    return p;
-  };
   out.clear();
   thread_local typename Cracks<Dim>::NearbyPieces nearby;
   if (cracks_.active()) cracks_.find_nearby(x, nearby);
   double shapes = 0.0, mass = 0.0;
-  thread_local std::vector<Basis> at;
-  thread_local std::vector<double> masses;
-  at.clear(), masses.clear();
+  thread_local std::vector<FitNode<Dim>> nodes;
+  nodes.clear();
   nodes_around_.each(x, [&](double weight, const Index<Dim>& node) {
     Index<Dim> inside = node;
     const Vec<Dim> mirror = nodes_around_.fold(inside);
     const int across = cracks_.active() ? cracks_.side_of_node(nearby, side_point, node) : 0;
-    const Basis p = basis(system_.lattice.position(node) - x);
+    const Vec<Dim> offset = (system_.lattice.position(node) - x) / h;
     // the nodal mass includes the mass of the images
     const double images = std::exp2(nodes_around_.planes_through(inside));
     const std::size_t first = out.size();
@@ -62,26 +50,17 @@ double Joints<Dim>::find_face_nodes(const JointSurface<Dim>& surface, const Vec<
       const double m = field.nodes[static_cast<std::size_t>(position)].mass;
       if (!(m > 0)) continue;
       total += m;
-      out.push_back({static_cast<std::uint32_t>(f), position, weight * m, images, Vec<Dim>::Zero(), mirror});
-      at.push_back(p);
+      out.push_back({static_cast<std::uint32_t>(f), position, 0.0, images, Vec<Dim>::Zero(), mirror});
+      nodes.push_back({offset, weight * m});
     }
     if (out.size() == first) return;
     shapes += weight, mass += weight * total;
-    masses.resize(out.size(), total);
-    for (std::size_t i = first; i < out.size(); ++i) out[i].weight /= total;
+    for (std::size_t i = first; i < out.size(); ++i) nodes[i].shape /= total, nodes[i].mass = total;
   });
   if (!(mass > 0)) return 0.0;
-  Moments moments = Moments::Zero();
-  for (std::size_t i = 0; i < out.size(); ++i) {
-    out[i].weight *= std::min(1.0, std::sqrt(masses[i] * shapes / (light * mass)));
-    moments += out[i].weight * at[i] * at[i].transpose();
-  }
-  for (int d = 1; d < size; ++d) moments(d, d) += stiffening * moments(0, 0);
-  const Moments inverse = moments.inverse();
-  for (std::size_t i = 0; i < out.size(); ++i) {
-    const Basis fit = out[i].weight * (inverse * at[i]);
-    out[i].weight = fit[0], out[i].slope = fit.template tail<Dim>() / h;
-  }
+  for (FitNode<Dim>& node : nodes) node.mass *= shapes / mass;
+  fit_face_velocity(nodes);
+  for (std::size_t i = 0; i < out.size(); ++i) out[i].weight = nodes[i].weight, out[i].slope = nodes[i].slope / h;
   return mass;
 }
 
