@@ -132,7 +132,7 @@ void Builder::contact() {
   ContactSpec& c = model_.contact;
   c.active = true;
   c.normals = normal_method(word(*mode, "Normals", "margin"));
-  c.at_faces = word(*mode, "Impulses", "nodes") == "faces";
+  if (has(*mode, "Impulses")) c.at_faces = word(*mode, "Impulses") == "faces";
   c.rigid_bias = number(*mode, "RigidBias", Dimension::none, 1.0);
   must(c.rigid_bias > 0, mode->origin, "'RigidBias' must be positive");
   const bool angles = has(*mode, "Azimuth") || has(*mode, "Polar");

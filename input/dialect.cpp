@@ -507,9 +507,10 @@ std::vector<ElementSpec> make() {
          "given, else displacements)",
          "edges positions displacements"},
         {"Impulses", T::choice,
-         "where the contact conditions hold (default nodes): at nodes is robust in any motion; at faces gives the "
-         "correct "
-         "stress in the cells next to the contact, without numerical damping, at a higher cost",
+         "where the contact conditions hold: at nodes is robust in any motion; at faces gives the correct stress in "
+         "the cells next to the contact, without numerical damping, at a higher cost. Default: faces if a deformable "
+         "body that touches another one at the start is at most three cells thick there or lies between rigid faces on "
+         "opposite sides, else nodes",
          "nodes faces"},
         number("RigidBias", "weight of the volume gradient of a rigid body (default 1)"),
         number("Azimuth", "azimuth of a specified normal, from x [degrees]"),

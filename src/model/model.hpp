@@ -79,7 +79,8 @@ struct ContactSpec {
   double position = 0.8;    ///< Separation::positions: distance in cells at which bodies touch, or minus an exponent
   double rigid_bias = 1.0;  ///< weight of the volume gradient of a rigid body
   Vec3 direction = Vec3::UnitX();  ///< specified normal
-  bool at_faces = false;           ///< Impulses='faces': the contact conditions hold at faces, between nodes
+  /// Impulses: whether the contact conditions hold at faces, between nodes; unset: see choose_impulses().
+  std::optional<bool> at_faces;
   std::shared_ptr<const ContactLaw> default_law;
   std::map<std::pair<int, int>, std::shared_ptr<const ContactLaw>>
       pair_laws;  ///< by pair of materials, smaller index first

@@ -62,9 +62,16 @@ void GridRun<Dim>::open_results(const std::filesystem::path& folder, std::option
 }
 
 template <int Dim>
+std::vector<std::string> GridRun<Dim>::choices() const {
+  if (system_.contact_reason.empty()) return {};
+  return {"contact impulses: " + system_.contact_reason};
+}
+
+template <int Dim>
 std::map<std::string, std::string> GridRun<Dim>::facts() const {
   std::map<std::string, std::string> out;
   for (const auto& body : system_.bodies) out["particles of " + body.name] = std::to_string(body.particles.size());
+  if (!system_.contact_reason.empty()) out["contact impulses"] = system_.contact_reason;
   if (system_.blocks) out["blocks"] = std::to_string(system_.blocks->block_count());
   return out;
 }

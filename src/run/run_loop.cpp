@@ -50,6 +50,7 @@ class RunLoop {
 
   Outcome run() {
     report("running", "");
+    for (const std::string& choice : stepped_.choices()) progress_.say(choice);
     if (!resume_time_) write_due();
     const std::int64_t first_step = stepped_.step();
     try {

@@ -35,6 +35,8 @@ class SteppedModel {
   virtual double advance() = 0;
   /// Called after each step, before its output: warnings of signs that the results are wrong, each of them once.
   virtual std::vector<std::string> look() { return {}; }
+  /// What the program has chosen for this model, a sentence each.
+  virtual std::vector<std::string> choices() const { return {}; }
   /// What has been noticed so far, a line each.
   virtual std::vector<std::string> remarks() const { return {}; }
   /// Share of the supplied energy that was lost in the transfers; negative: a gain.

@@ -227,7 +227,7 @@ class SetupReport {
     return out + words_of_law(*law);
   }
 
-  // The pairs of materials whose velocity fields differ.
+  // The pairs of materials whose velocity fields differ, and where their contact conditions hold.
   void contacts() {
     if (!model_.contact.active) {
       if (system_.bodies.size() + system_.rigids.size() > 1)
@@ -246,6 +246,7 @@ class SetupReport {
         if (!blocks && bodies[i]->field != bodies[j]->field && told.insert({a, b}).second)
           line("contact of " + name(a) + " and " + name(b) + ": " + law_of(a, b));
       }
+    if (!told.empty()) line("contact impulses: " + system_.contact_reason);
   }
 
   void overlapping() {

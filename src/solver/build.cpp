@@ -3,6 +3,7 @@
 
 #include "blocks/assembly.hpp"
 #include "solver/cracks/crack_build.hpp"
+#include "solver/impulse_choice.hpp"
 #include "solver/joints/joint_build.hpp"
 #include "solver/rigid/block_points.hpp"
 #include "solver/transfer/transfer.hpp"
@@ -222,6 +223,8 @@ System<Dim> build_system(const Model& model, const std::vector<Seed>& seeds) {
   }
   System<Dim> system{Lattice<Dim>(low, high, cells)};
   system.analysis = model.analysis;
+  auto [at_faces, reason] = choose_impulses(model, seeds, system.lattice);
+  system.contact_at_faces = at_faces, system.contact_reason = std::move(reason);
   const auto transfers = make_transfers<Dim>(model.scheme);
   std::int64_t next_id = 0;
   for (int m = 0; m < static_cast<int>(model.materials.size()); ++m) {

@@ -158,6 +158,8 @@ std::string report(const RunFolder& run, const std::vector<ReportPicture>& pictu
   out += "<p class='" + std::string(status == "failed" ? "bad" : "quiet") + "'>" + escaped(status) +
          (text("reason").empty() ? "" : ": " + escaped(text("reason"))) + "; time " + escaped(text("time")) + " of " +
          escaped(text("end_time")) + ", " + escaped(text("step")) + " steps</p>\n";
+  if (model.contains("contact impulses"))
+    out += "<p class='quiet'>contact impulses: " + escaped(plain(model["contact impulses"])) + "</p>\n";
   if (record.contains("to_look_at"))
     for (const auto& remark : record["to_look_at"]) out += "<p class='bad'>" + escaped(plain(remark)) + "</p>\n";
   if (!pictures.empty()) {

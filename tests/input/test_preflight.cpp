@@ -67,8 +67,8 @@ TEST_CASE("the summary reports gaps, contacts and overlaps", "[preflight]") {
 }
 
 TEST_CASE("the summary reports thin bodies, contrasts and the limit of the time step", "[preflight]") {
-  CHECK_THAT(sheet("0", contact, "", "2"), Contains("2 cells thick"));
-  CHECK_THAT(sheet("0", contact, "", "3"), !Contains("cells thick"));
+  CHECK_THAT(sheet("0", contact, "", "2"), Contains(", 2 cells thick") && Contains("neither bends"));
+  CHECK_THAT(sheet("0", contact, "", "3"), !Contains(", 3 cells thick") && !Contains("neither bends"));
   const std::string text = sheet("0", contact, "", "4", "1e4");
   CHECK_THAT(text,
              Contains("stiffness contrast: 'right' is 1e+04 times as stiff as 'left'") && Contains("could be rigid"));

@@ -77,7 +77,7 @@ void Contact<Dim>::find(const Exchanges<Dim>& exchanges, const Joints<Dim>& join
     find_faces(exchanges, false);
   cache_.count_step();
   leave_to_joints(joints);
-  if (model_.contact.at_faces) face_solver_.set_up(search_.found());
+  if (system_.contact_at_faces) face_solver_.set_up(search_.found());
 }
 
 // Fills the pairs of crack faces with the laws and states of their cracks.

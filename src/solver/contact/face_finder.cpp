@@ -46,7 +46,7 @@ bool FaceFinder<Dim>::find(const ContactNode<Dim>& node, std::span<const Contact
     face.gap_correction = gap_correction<Dim>(near.sides[0], near.sides[1], *n, band * h_, max_gap_correction * h_);
   pair.state.gap = gap_between_sides(node, a, b, near, *n) + face.gap_correction;
   pair.state.area = area(node, a, b, near, *n);
-  if (model_.contact.at_faces || model_.heat.contact_heating) {
+  if (system_.contact_at_faces || model_.heat.contact_heating) {
     const double of_a = face_position<Dim>(near.sides[0], *n, band * h_),
                  of_b = -face_position<Dim>(near.sides[1], -*n, band * h_);
     pair.face_position = common_face_position(a, b, of_a, of_b);

@@ -158,6 +158,8 @@ struct System {
   std::vector<Body<Dim>> rigids;
   /// Rigid blocks in the grid, each represented by one body of `rigids`; null without blocks.
   std::shared_ptr<Assembly> blocks;
+  bool contact_at_faces = false;  ///< the contact conditions hold at faces, between nodes
+  std::string contact_reason;     ///< a phrase on why they hold there or at nodes; empty without contact
   double time = 0.0;
   std::int64_t step = 0;
   double drift = 0.0;  ///< largest distance any particle may have moved since the last sort [cells]
@@ -181,7 +183,8 @@ void archive(Archive& a, Body<Dim>& body, const Lattice<Dim>& lattice) {
 /// their own, since they also run without a grid.
 template <int Dim>
 void archive(Archive& a, System<Dim>& system) {
-  auto& [lattice, analysis, fields, bodies, cracks, joints, rigids, blocks, time, step, drift, sorted] = system;
+  auto& [lattice, analysis, fields, bodies, cracks, joints, rigids, blocks, contact_at_faces, contact_reason, time,
+         step, drift, sorted] = system;
   a.version(1);
   a("time", time), a("step", step), a("drift", drift), a("sorted", sorted);
   a.each("crack", cracks), a.each("joints", joints);

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+#include "solver/impulse_choice.hpp"
+
+#include "base/text.hpp"
+#include "contact/contact_law.hpp"
+#include "materials/material.hpp"
+#include "particles/voxels.hpp"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace tribo {
+namespace {
+
+constexpr double thin = 3.0;        // cells
+constexpr double tolerance = 0.25;  // of the thickness measured, for plates at an angle to the grid [cells]
+
+const MaterialSpec& spec(const Model& model, int material) {
+  return model.materials[static_cast<std::size_t>(material)];
+}
+
+// The material to which the velocity field of a material belongs.
+int owner(const Model& model, int material) {
+  const int with = spec(model, material).share_field_with;
+  return with >= 0 ? with : material;
+}
+
+// Calls f(law) for all pairs of a material with another velocity field.
+template <class F>
+void each_law(const Model& model, const std::set<int>& materials, int of, F&& f) {
+  for (const int other : materials)
+    if (owner(model, other) != owner(model, of))
+      if (const ContactLaw* law = model.contact.law(of, other)) f(*law);
+}
+
+// What speaks against faces; empty: nothing.
+std::string objection(const Model& model, const std::set<int>& materials) {
+  if (!model.cracks.empty()) return "the model has cracks";
+  if (!model.contact.joints.empty()) return "the model has joints";
+  if (model.contact.normals != NormalMethod::margin) return "the command file sets the method for normals";
+  if (model.contact.separation != Separation::edges) return "the command file sets the method for gaps";
+  bool interface = false;
+  for (const int k : materials)
+    each_law(model, materials, k, [&](const ContactLaw& law) { interface |= law.is_interface(); });
+  return interface ? "the model has interfaces" : "";
+}
+
+// The cubes of each velocity field whose laws act at faces, by the owner of the field.
+template <int Dim>
+std::map<int, Voxels<Dim>> bodies_in_contact(const Model& model, const std::vector<Seed>& seeds,
+                                             const Lattice<Dim>& lattice, const std::set<int>& materials) {
+  std::map<int, Voxels<Dim>> bodies;
+  for (const int k : materials)
+    each_law(model, materials, k, [&](const ContactLaw& law) {
+      if (law.uses_face()) bodies.try_emplace(owner(model, k), model, lattice);
+    });
+  for (const Seed& seed : seeds)
+    if (const auto found = bodies.find(owner(model, seed.material)); found != bodies.end()) found->second.add(seed);
+  for (auto& entry : bodies) entry.second.sort();
+  return bodies;
+}
+
+// What speaks for faces; empty: nothing.
+template <int Dim>
+std::string need(const Model& model, const std::vector<Seed>& seeds, const Lattice<Dim>& lattice,
+                 const std::set<int>& materials) {
+  const auto bodies = bodies_in_contact(model, seeds, lattice, materials);
+  const auto is_rigid = [&](int k) { return spec(model, k).law->rigid(); };
+  for (const auto& [material, body] : bodies) {
+    if (is_rigid(material)) continue;
+    Voxels<Dim> others(model, lattice);
+    for (const auto& [other, cubes] : bodies) {
+      const ContactLaw* law = other == material ? nullptr : model.contact.law(material, other);
+      if (law && law->uses_face()) others.add(cubes);
+    }
+    others.sort();
+    const auto cells = body.thickness_behind(others);
+    if (!cells || *cells > thin + tolerance) continue;
+    const std::string number = format("%.2g", *cells);
+    return "'" + spec(model, material).name + "' is " + number + (number == "1" ? " cell thick" : " cells thick");
+  }
+  Voxels<Dim> rigid(model, lattice);
+  for (const auto& [material, body] : bodies)
+    if (is_rigid(material)) rigid.add(body);
+  rigid.sort();
+  for (const auto& [material, body] : bodies)
+    if (!is_rigid(material) && body.lies_between(rigid))
+      return "'" + spec(model, material).name + "' lies between rigid faces on opposite sides";
+  return "";
+}
+
+}  // namespace
+
+template <int Dim>
+ImpulseChoice choose_impulses(const Model& model, const std::vector<Seed>& seeds, const Lattice<Dim>& lattice) {
+  if (!model.contact.active) return {};
+  if (const auto given = model.contact.at_faces)
+    return {*given, *given ? "on faces, as the command file says" : "on nodes, as the command file says"};
+  if (model.blocks) return {false, "on nodes, because the model has rigid blocks"};
+  std::set<int> materials;  // that have a velocity field
+  for (const Seed& seed : seeds) {
+    const MaterialSpec& material = spec(model, seed.material);
+    if (!material.law->rigid() || material.touches()) materials.insert(seed.material);
+  }
+  const std::string against = objection(model, materials), wanted = need(model, seeds, lattice, materials);
+  if (wanted.empty())
+    return {
+        false,
+        format("on nodes, because no body that touches another one is as thin as %g cells or lies between rigid faces",
+               thin)};
+  if (against.empty()) return {true, "on faces, because " + wanted};
+  return {false, "on nodes, because " + against + ", although " + wanted +
+                     ", so that its contact is too stiff; Impulses='faces' may be better"};
+}
+
+template ImpulseChoice choose_impulses<2>(const Model&, const std::vector<Seed>&, const Lattice<2>&);
+template ImpulseChoice choose_impulses<3>(const Model&, const std::vector<Seed>&, const Lattice<3>&);
+
+}  // namespace tribo

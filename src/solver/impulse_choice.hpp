@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+/// Where the contact conditions hold if the command file does not say it: at nodes or at faces.
+#pragma once
+
+#include "grid/lattice.hpp"
+#include "particles/seed.hpp"
+
+#include <vector>
+
+namespace tribo {
+
+/// Whether contact impulses act on faces or on nodes, and why.
+///
+/// With impulses on nodes, the cells next to a face move as one: a body of few cells, or one between rigid bodies, is
+/// far too stiff. With impulses on faces the stress there is right, at a higher cost and without the numerical damping.
+struct ImpulseChoice {
+  bool at_faces = false;
+  std::string reason;  ///< "on faces, because 'plate' is 1 cell thick"; empty without contact
+};
+
+/// The choice of the command file; without one, faces if a deformable body that touches another one at the start is at
+/// most three cells thick behind its faces there, or lies between faces of rigid bodies on opposite sides, and nodes
+/// otherwise. Models with cracks, joints, rigid blocks,
+/// interface laws, or normals and gaps that are not found from the particle domains keep nodes.
+template <int Dim>
+ImpulseChoice choose_impulses(const Model& model, const std::vector<Seed>& seeds, const Lattice<Dim>& lattice);
+
+}  // namespace tribo

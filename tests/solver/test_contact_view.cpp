@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+/// The particle columns that show contact.
+
+#include "input/read.hpp"
+#include "solver/build.hpp"
+#include "solver/step.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <numbers>
+
+using namespace tribo;
+
+namespace {
+
+constexpr double fall_velocity = 0.01, fall_step = 0.01, block_width = 8, particle_size = 0.5;
+
+// A block of 8 x 6 cells that moves against a rigid floor, turned by an angle in degrees.
+Model falling_block(const std::string& impulses, double angle) {
+  const double c = std::cos(angle * std::numbers::pi / 180), s = std::sin(angle * std::numbers::pi / 180);
+  const auto text = [](double x) { return std::to_string(x); };
+  const std::string X = "(" + text(c) + "*(x-20)-(" + text(s) + ")*(y-20)+20)",
+                    Y = "(" + text(s) + "*(x-20)+(" + text(c) + ")*(y-20)+20)";
+  const std::string turn = "<Deform dX='" + X + "-x' dY='" + Y + "-y' F11='" + text(c) + "' F12='" + text(-s) +
+                           "' F21='" + text(s) + "' F22='" + text(c) + "'/>";
+  const std::string motion = " vx='" + text(fall_velocity * s) + "' vy='" + text(-fall_velocity * c) + "'";
+  return read_model_text(R"(<JANFEAInput version='3'>
+ <Header><Analysis>10</Analysis><ConsistentUnits length='mm' mass='g' time='ms'/></Header>
+ <MPMHeader><MPMMethod>USL</MPMMethod><SkipPostExtrapolation/><MaxTime>1</MaxTime><ArchiveTime>1</ArchiveTime><GIMP/>
+  <TimeStep>0.01</TimeStep><MultiMaterialMode Impulses=')" +
+                             impulses + R"('/></MPMHeader>
+ <Mesh><Grid xmin='0' xmax='40' ymin='0' ymax='40'><Horiz nx='40'/><Vert ny='40'/></Grid></Mesh>
+ <MaterialPoints>
+  <Body matname='floor'>)" + turn +
+                             R"(<Rect xmin='12' xmax='28' ymin='16' ymax='20'/></Body>
+  <Body matname='block')" + motion +
+                             ">" + turn + R"(<Rect xmin='16' xmax='24' ymin='20' ymax='26'/></Body>
+ </MaterialPoints>
+ <Material Type='RigidContact' Name='floor'/>
+ <Material Type='1' Name='block'><rho>1</rho><E>1</E><nu>0</nu></Material></JANFEAInput>)",
+                         "deck.xml");
+}
+
+Vec<2> momentum_of(Body<2>& body) {
+  Vec<2> sum = Vec<2>::Zero();
+  for (std::size_t i = 0; i < body.particles.size(); ++i)
+    sum += body.particles.mass()[i] * Vec<2>(body.particles.v()[0][i], body.particles.v()[1][i]);
+  return sum;
+}
+
+}  // namespace
+
+TEST_CASE("contact shows on the row of particles that touches, whose tractions sum to the force", "[contact][view]") {
+  const char* impulses = GENERATE("nodes", "faces");
+  const double angle = GENERATE(0.0, 17.0, 45.0);
+  INFO(impulses << ", turned by " << angle << " degrees");
+  const Model model = falling_block(impulses, angle);
+  auto system = build_system<2>(model, place_points(model));
+  Stepper<2> stepper(model, system);
+  Body<2>& block = system.bodies[0];
+  for (int k = 0; k < 2; ++k) stepper.advance(fall_step);  // the faces only touch at the start
+  const Vec<2> before = momentum_of(block);
+  stepper.advance(fall_step);
+  const Vec<2> force = (momentum_of(block) - before) / fall_step;
+  stepper.contact().fill_view();
+  const Vec<2> up(-std::sin(angle * std::numbers::pi / 180), std::cos(angle * std::numbers::pi / 180));
+  Vec<2> sum = Vec<2>::Zero();
+  int touching = 0;
+  for (std::size_t i = 0; i < block.particles.size(); ++i) {
+    const double height = (block.particles.position(i) - Vec<2>(20, 20)).dot(up);
+    const bool first = height < particle_size;
+    const double state = block.particles[block.contact_state][i];
+    Vec<2> traction, normal;
+    for (std::size_t d = 0; d < 2; ++d) {
+      traction[static_cast<Eigen::Index>(d)] = block.particles[block.contact_traction][d][i];
+      normal[static_cast<Eigen::Index>(d)] = block.particles[block.contact_normal][d][i];
+    }
+    CHECK((state > 0) == first);
+    CHECK((traction.norm() > 0) == first);
+    if (first) CHECK((normal + up).norm() < 1e-3);
+    sum += particle_size * traction, touching += first ? 1 : 0;
+  }
+  CHECK(touching == static_cast<int>(block_width / particle_size));
+  CHECK(sum.dot(up) > 0);
+  // Off the grid lines the nodes at the ends of the face carry more than their share.
+  CHECK((sum - force).norm() < (angle == 45 ? 0.06 : 0.02) * force.norm());
+  for (const Body<2>& floor : system.rigids)
+    for (std::size_t i = 0; i < floor.particles.size(); ++i)
+      if ((floor.particles.position(i) - Vec<2>(20, 20)).dot(up) < -particle_size)
+        CHECK(floor.particles[floor.contact_state][i] == 0);
+}

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+/// Contact impulses on nodes or on faces, where the command file does not say it.
+
+#include "input/read.hpp"
+#include "run/preflight.hpp"
+#include "solver/build.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace tribo;
+using Catch::Contains;
+
+namespace {
+
+struct ImpulseDeck {
+  std::string mode = "<MultiMaterialMode/>";
+  std::string bodies{};
+  std::string materials{};
+  std::string more{};  // after the materials
+};
+
+const std::string thin_plate = "<Body matname='plate'><Rect xmin='2' xmax='18' ymin='8' ymax='9'/></Body>";
+const std::string thick_block = "<Body matname='block'><Rect xmin='4' xmax='14' ymin='9' ymax='17'/></Body>";
+const std::string two_platens =
+    "<Body matname='platen'><Rect xmin='2' xmax='18' ymin='6' ymax='9'/></Body>"
+    "<Body matname='platen'><Rect xmin='2' xmax='18' ymin='17' ymax='19'/></Body>";
+const std::string one_platen = "<Body matname='platen'><Rect xmin='2' xmax='18' ymin='6' ymax='9'/></Body>";
+
+Model deck_model(const ImpulseDeck& deck) {
+  return read_model_text(R"(<JANFEAInput version='3'>
+ <Header><Analysis>10</Analysis><ConsistentUnits length='mm' mass='g' time='ms'/></Header>
+ <MPMHeader><MaxTime>1</MaxTime><ArchiveTime>1</ArchiveTime><GIMP/>)" +
+                             deck.mode + R"(</MPMHeader>
+ <Mesh><Grid xmin='0' xmax='20' ymin='0' ymax='20'><Horiz nx='20'/><Vert ny='20'/></Grid></Mesh>
+ <MaterialPoints>)" + deck.bodies +
+                             R"(</MaterialPoints>
+ <Material Type='1' Name='plate'><rho>1</rho><E>1</E><nu>0</nu>)" +
+                             deck.materials + R"(</Material>
+ <Material Type='1' Name='block'><rho>1</rho><E>1</E><nu>0</nu></Material>
+ <Material Type='RigidContact' Name='platen'/>)" +
+                             deck.more + "</JANFEAInput>",
+                         "deck.xml");
+}
+
+System<2> deck_system(const ImpulseDeck& deck) {
+  const Model model = deck_model(deck);
+  return build_system<2>(model, place_points(model));
+}
+
+void check_choice(const ImpulseDeck& deck, bool faces, const std::string& reason) {
+  const System<2> system = deck_system(deck);
+  CHECK(system.contact_at_faces == faces);
+  CHECK(system.contact_reason == reason);
+}
+
+const std::string why_nodes =
+    "on nodes, because no body that touches another one is as thin as 3 cells or lies between rigid faces";
+const std::string why_faces = "'plate' is 1 cell thick";
+const std::string but_thin =
+    ", although " + why_faces + ", so that its contact is too stiff; Impulses='faces' may be better";
+
+}  // namespace
+
+TEST_CASE("an ordinary block takes impulses on nodes", "[impulses]") {
+  check_choice({.bodies = thick_block + one_platen}, false, why_nodes);
+}
+
+TEST_CASE("a thin body in contact takes impulses on faces", "[impulses]") {
+  check_choice({.bodies = thin_plate + thick_block}, true, "on faces, because " + why_faces);
+  check_choice({.bodies = "<Body matname='plate'><Rect xmin='2' xmax='18' ymin='6' ymax='9'/></Body>" + thick_block},
+               true, "on faces, because 'plate' is 3 cells thick");
+  check_choice({.bodies = "<Body matname='plate'><Rect xmin='2' xmax='18' ymin='5' ymax='9'/></Body>" + thick_block},
+               false, why_nodes);
+}
+
+TEST_CASE("a body between rigid platens takes impulses on faces", "[impulses]") {
+  check_choice({.bodies = thick_block + two_platens}, true,
+               "on faces, because 'block' lies between rigid faces on opposite sides");
+}
+
+TEST_CASE("a thin body that touches nothing does not count", "[impulses]") {
+  const std::string friend_law = "<Friction law='4' matname='block'/>";
+  const std::string ignore = "<Material Type='IgnoreContact' Name='none'/>";
+  check_choice({.bodies = thin_plate + thick_block, .materials = friend_law, .more = ignore}, false, why_nodes);
+  Model model = deck_model({.bodies = thin_plate + thick_block});
+  model.contact.active = false;
+  CHECK(build_system<2>(model, place_points(model)).contact_reason.empty());
+}
+
+TEST_CASE("layers of one velocity field are one body", "[impulses]") {
+  check_choice({.bodies = thin_plate + thick_block + one_platen, .materials = "<shareMatField>2</shareMatField>"},
+               false, why_nodes);
+}
+
+TEST_CASE("thin rigid bodies do not count", "[impulses]") {
+  check_choice({.bodies = "<Body matname='platen'><Rect xmin='2' xmax='18' ymin='8' ymax='9'/></Body>" + thick_block},
+               false, why_nodes);
+}
+
+TEST_CASE("the command file decides about impulses", "[impulses]") {
+  check_choice({.mode = "<MultiMaterialMode Impulses='nodes'/>", .bodies = thin_plate + thick_block}, false,
+               "on nodes, as the command file says");
+  check_choice({.mode = "<MultiMaterialMode Impulses='faces'/>", .bodies = thick_block + one_platen}, true,
+               "on faces, as the command file says");
+}
+
+TEST_CASE("cracks, joints, interfaces and other normals keep impulses on nodes", "[impulses]") {
+  const std::string bodies = thin_plate + thick_block;
+  const auto because = [](const std::string& what) { return "on nodes, because " + what + but_thin; };
+  check_choice({.bodies = bodies, .more = "<CrackList><Line xmin='6' ymin='12' xmax='9' ymax='12'/></CrackList>"},
+               false, because("the model has cracks"));
+  check_choice({.bodies = bodies,
+                .materials = "<Friction law='4' matname='block'/>",
+                .more = "<Material Type='LinearInterface' Name='glue'><Dnt>1</Dnt><Dt>1</Dt></Material>"},
+               false, because("the model has interfaces"));
+  check_choice({.mode = "<MultiMaterialMode Normals='avggrad'/>", .bodies = bodies}, false,
+               because("the command file sets the method for normals"));
+  check_choice({.mode = "<MultiMaterialMode Separation='displacements'/>", .bodies = bodies}, false,
+               because("the command file sets the method for gaps"));
+  check_choice(
+      {.bodies = bodies,
+       .materials = "<Friction law='4' matname='block'/>",
+       .more = "<Material Type='Mohr' "
+               "Name='glue'><stiffness-normal>1</stiffness-normal><stiffness-shear>1</stiffness-shear></Material>"},
+      false, because("the model has joints"));
+}
+
+TEST_CASE("the summary says where the impulses act", "[impulses][preflight]") {
+  CHECK_THAT(preflight(deck_model({.bodies = thin_plate + thick_block}), 1),
+             Contains("contact impulses: on faces, because " + why_faces));
+  CHECK_THAT(preflight(deck_model({.bodies = thick_block + one_platen}), 1),
+             Contains("contact impulses: " + why_nodes));
+}
