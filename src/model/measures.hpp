@@ -38,6 +38,7 @@ struct RunEnergies {
   double external_work = 0.0;  ///< of body forces as functions, and of loads
   double boundary_work = 0.0;  ///< of prescribed velocities and rigid particles
   double damping = 0.0;        ///< taken out
+  double transfer = 0.0;       ///< kinetic energy lost in the transfers between particles and nodes; negative: gained
   double contact = 0.0;        ///< dissipated by contact
   double interface = 0.0;      ///< stored in imperfect interfaces
 };

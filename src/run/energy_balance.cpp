@@ -11,6 +11,7 @@ RunEnergies run_energies(const Model& model, const System<Dim>& system, Stepper<
   l.external_work = stepper.ledger().external_work;
   l.damping = stepper.ledger().damping_work;
   l.boundary_work = stepper.ledger().rigid_work;
+  l.transfer = stepper.ledger().transfer_loss(all.kinetic) + stepper.contact().ledger().nodal_work;
   const PairLedger contact = stepper.contact().ledger().total();
   const auto joints = stepper.joints().energies();
   l.interface = joints.stored;

@@ -27,7 +27,7 @@ class GridRun final : public SteppedModel {
   double advance() override;
   std::vector<std::string> look() override;
   std::vector<std::string> remarks() const override { return monitor_.summary(); }
-  double loss() const override { return monitor_.loss(); }
+  std::vector<std::string> figures() const override { return monitor_.figures(); }
   bool may_stop() const override { return stepper_.contact().interruptible(); }
   CheckpointWriter save(RunState run) override;
   RunState restore(const Checkpoint& checkpoint) override;

@@ -15,8 +15,8 @@ namespace {
 /// `least_stride` steps.
 constexpr double looks_per_run = 50;
 constexpr std::int64_t least_stride = 20;
-/// Share of the supplied energy; gains above it are warned of.
-constexpr double noticed_gain = 0.02;
+/// Share of the supplied energy; gains above it are warned of, other figures are told.
+constexpr double noticed = 0.02;
 /// A gain must last for so many looks.
 constexpr std::int64_t lasting = 5;
 constexpr double short_step = 0.1;  ///< over the first one
@@ -68,8 +68,10 @@ void Monitor<Dim>::balance(double initial_energy, Warnings& warnings) {
   const auto gained = [](double x) { return std::max(0.0, x); };
   state.supplied = std::max(
       state.supplied, initial_energy + gained(run.external_work) + gained(run.boundary_work) + gained(-run.potential));
-  state.gain = energy_content(all, run) - initial_energy - run.external_work - run.boundary_work;
-  state.gains = state.gain > noticed_gain * state.supplied ? state.gains + 1 : 0;
+  state.residual = energy_content(all, run) - initial_energy - run.external_work - run.boundary_work;
+  state.transfer = run.transfer;
+  state.gain = state.residual - run.transfer;
+  state.gains = state.gain > noticed * state.supplied ? state.gains + 1 : 0;
   if (state.gains < lasting) return;
   Finding now;
   now.worst = state.gain / state.supplied;
@@ -109,6 +111,21 @@ std::vector<std::string> Monitor<Dim>::summary() const {
   for (std::size_t k = 0; k < sign_count; ++k)
     if (state.findings[k].seen) out.push_back(text(static_cast<Sign>(k)));
   if (sudden_gravity(model_).static_slip) out.push_back(sudden_gravity_advice());
+  return out;
+}
+
+template <int Dim>
+std::vector<std::string> Monitor<Dim>::figures() const {
+  std::vector<std::string> out;
+  const auto tell = [&](const char* what, double energy) {
+    const double share = std::abs(energy) / state.supplied;
+    if (share > noticed) out.push_back(format("energy: %s %.3g %% of what was supplied", what, 100 * share));
+  };
+  if (!(state.supplied > 0)) return out;
+  tell(state.transfer > 0 ? "the transfer between particles and grid dissipated"
+                          : "the transfer between particles and grid created",
+       state.transfer);
+  tell(state.residual < 0 ? "the balance lacks" : "the balance exceeds by", state.residual);
   return out;
 }
 

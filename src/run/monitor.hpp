@@ -18,8 +18,8 @@ namespace tribo {
 /// that is resumed does not repeat a warning and ends with the same summary.
 ///
 /// Energy that is not accounted for is compared with what was supplied: kinetic and elastic energy at the start, work
-/// of loads and boundaries, and potential energy set free. Transfers may dissipate much of it; a gain over several
-/// looks means that the results are wrong.
+/// of loads and boundaries, and potential energy set free. The transfers may dissipate much of it, which is a figure of
+/// its own. If the energy of the bodies has grown over several looks in spite of it, the results are wrong.
 template <int Dim>
 class Monitor {
  public:
@@ -31,8 +31,8 @@ class Monitor {
   std::vector<std::string> look(double dt, double initial_energy, bool last);
   /// One line for each sign that was seen, with the worst it came to, and further remarks on the whole run.
   std::vector<std::string> summary() const;
-  /// Share of the supplied energy that was lost in the transfers so far; negative: a gain.
-  double loss() const { return state.supplied > 0 ? -state.gain / state.supplied : 0.0; }
+  /// Lines on the energy that the transfers dissipated and on what is missing, where they are more than a trifle.
+  std::vector<std::string> figures() const;
 
   MonitorState state;
   Stopwatch watch;  ///< time spent in looks

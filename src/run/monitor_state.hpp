@@ -37,7 +37,9 @@ struct MonitorState {
   std::int64_t stride = 0;  ///< steps between two looks; 0: not yet known
   double first_step = 0.0;  ///< size of the first step                        [time]
   double supplied = 0.0;    ///< energy that was supplied so far               [energy]
-  double gain = 0.0;        ///< energy from nowhere at the last look          [energy]
+  double gain = 0.0;        ///< energy from nowhere at the last look: residual minus transfer [energy]
+  double residual = 0.0;    ///< of the energy balance at the last look        [energy]
+  double transfer = 0.0;    ///< dissipated by the transfers until then; negative: created [energy]
   std::int64_t gains = 0;   ///< looks in a row with a gain
   std::array<Finding, sign_count> findings{};
   Finding& of(Sign sign) { return findings[static_cast<std::size_t>(sign)]; }
@@ -45,9 +47,10 @@ struct MonitorState {
 };
 
 inline void archive(Archive& a, MonitorState& state) {
-  auto& [stride, first_step, supplied, gain, gains, findings] = state;
-  a.version(1);
+  auto& [stride, first_step, supplied, gain, residual, transfer, gains, findings] = state;
+  a.version(2);
   a("stride", stride), a("first_step", first_step), a("supplied", supplied), a("gain", gain), a("gains", gains);
+  a("residual", residual), a("transfer", transfer);
   a.each("finding", findings);
 }
 

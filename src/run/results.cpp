@@ -14,10 +14,10 @@ namespace tribo {
 namespace {
 
 std::vector<std::string> energy_columns(bool heat) {
-  std::vector<std::string> columns{"time",      "kinetic",    "elastic",       "plastic",       "potential",
-                                   "contact",   "interface",  "external_work", "boundary_work", "damping",
-                                   "residual",  "momentum_x", "momentum_y",    "momentum_z",    "impulse_x",
-                                   "impulse_y", "impulse_z"};
+  std::vector<std::string> columns{"time",      "kinetic",   "elastic",       "plastic",       "potential",
+                                   "contact",   "interface", "external_work", "boundary_work", "damping",
+                                   "transfer",  "residual",  "momentum_x",    "momentum_y",    "momentum_z",
+                                   "impulse_x", "impulse_y", "impulse_z"};
   if (heat) columns.insert(columns.end(), {"heat", "heat_supplied", "contact_heat", "work_heat"});
   return columns;
 }
@@ -122,17 +122,10 @@ void Results<Dim>::write_history(double dt) {
   const double content = energy_content(all, l);
   Vec3 impulse = stepper_.ledger().impulse + stepper_.contact().ledger().rigid_impulse;
   for (std::size_t f = 0; f < system_.fields.size(); ++f) impulse += stepper_.conditions(f).impulse();
-  std::vector<double> energies{system_.time,
-                               all.kinetic,
-                               all.stored,
-                               all.dissipated,
-                               l.potential,
-                               l.contact,
-                               l.interface,
-                               l.external_work,
-                               l.boundary_work,
-                               l.damping,
-                               content - initial_energy - l.external_work - l.boundary_work};
+  std::vector<double> energies{
+      system_.time,    all.kinetic, all.stored,  all.dissipated,
+      l.potential,     l.contact,   l.interface, l.external_work,
+      l.boundary_work, l.damping,   l.transfer,  content - initial_energy - l.external_work - l.boundary_work};
   energies.insert(energies.end(), all.momentum.begin(), all.momentum.end());
   energies.insert(energies.end(), impulse.begin(), impulse.end());
   if (model_.heat.kept)

@@ -116,10 +116,7 @@ class RunLoop {
   }
 
   void summary() {
-    static constexpr double noticed = 0.02;
-    if (stepped_.loss() > noticed)
-      progress_.say(format("energy: of what was supplied, %.3g %% were lost in the transfer between particles and grid",
-                           100 * stepped_.loss()));
+    for (const std::string& figure : stepped_.figures()) progress_.say(figure);
     const auto remarks = stepped_.remarks();
     if (!remarks.empty()) progress_.say("to look at:");
     for (const std::string& remark : remarks) progress_.say("- " + remark);

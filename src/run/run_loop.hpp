@@ -39,8 +39,8 @@ class SteppedModel {
   virtual std::vector<std::string> choices() const { return {}; }
   /// What has been noticed so far, a line each.
   virtual std::vector<std::string> remarks() const { return {}; }
-  /// Share of the supplied energy that was lost in the transfers; negative: a gain.
-  virtual double loss() const { return 0.0; }
+  /// Figures of the balance of energy that are told at the end, a line each.
+  virtual std::vector<std::string> figures() const { return {}; }
   /// Called after the output of a step. Throws SimulationError if the state has lost its meaning.
   virtual void check() {}
 

@@ -256,9 +256,9 @@ std::optional<std::uint32_t> ParticleSplitting<Dim>::partner_of(Body<Dim>& body,
 }
 
 template <int Dim>
-double ParticleSplitting<Dim>::energy(Body<Dim>& body, std::uint32_t i) const {
+auto ParticleSplitting<Dim>::content(Body<Dim>& body, std::uint32_t i) const -> Content {
   const Measures m = measure_particle(body, i, false);
-  return m.kinetic + m.stored;
+  return {m.kinetic, m.stored};
 }
 
 // The first particle of the pair becomes the sum of both.
@@ -267,7 +267,7 @@ void ParticleSplitting<Dim>::merge_pair(Body<Dim>& body, const Pair& pair) {
   auto& particles = body.particles;
   const auto [i, j] = pair;
   const Vec<Dim>& cell = system_.lattice.spacing;
-  const double before = energy(body, i) + energy(body, j);
+  const Content of_one = content(body, i), of_other = content(body, j);
   const double mass = particles.mass()[i] + particles.mass()[j], share = particles.mass()[j] / mass;
   const double volume = particles.volume()[i] + particles.volume()[j];
   const double stress_share = particles.volume()[j] / volume;
@@ -298,7 +298,10 @@ void ParticleSplitting<Dim>::merge_pair(Body<Dim>& body, const Pair& pair) {
       const auto r = static_cast<Eigen::Index>(k / Dim), c = static_cast<Eigen::Index>(k % Dim);
       particles[body.affine][k][i] += share * (1 - share) * faster[r] * apart[c];
     }
-  ledger_.damping_work += before - energy(body, i);
+  const Content left = content(body, i);
+  const double kinetic = of_one.kinetic + of_other.kinetic - left.kinetic;
+  ledger_.damping_work += kinetic + of_one.stored + of_other.stored - left.stored;
+  ledger_.particle_loss += kinetic;
 }
 
 template DomainBasis<2> reduced(DomainBasis<2>, const Vec<2>&);

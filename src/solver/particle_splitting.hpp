@@ -79,7 +79,10 @@ class ParticleSplitting {
   std::optional<std::uint32_t> partner_of(Body<Dim>& body, std::uint32_t i, std::span<const CellParticle> others,
                                           const std::vector<bool>& taken) const;
   void merge_pair(Body<Dim>& body, const Pair& pair);
-  double energy(Body<Dim>& body, std::uint32_t i) const;
+  struct Content {
+    double kinetic, stored;  // [energy]
+  };
+  Content content(Body<Dim>& body, std::uint32_t i) const;
 
   const std::optional<SplittingSpec>& spec_;
   System<Dim>& system_;

@@ -5,6 +5,7 @@
 #include "solver/boundary/periodic.hpp"
 #include "solver/cell_crossings.hpp"
 #include "solver/diagnose.hpp"
+#include "solver/measures.hpp"
 #include "solver/step_start.hpp"
 
 namespace tribo {
@@ -59,8 +60,6 @@ void Stepper<Dim>::advance(double dt) {
   if (stress_last && !contact_.keeps_start_impulses()) find_contact();
   contact_.apply(dt, ContactPass::corrector);
   impose_update(dt, !stress_last);
-  tractions_.record(dt);
-  body_forces_.record(dt);
 
   // 4. XPIC and FMPM filter the velocities.
   if (filter_.active()) {
@@ -68,8 +67,8 @@ void Stepper<Dim>::advance(double dt) {
     filter_.use(dt);
   }
 
-  // 5. Record contact, set the contact forces on rigid blocks, evaluate crack tips and conduct heat.
-  contact_.record(dt);
+  // 5. Record works and contact, set the contact forces on rigid blocks, evaluate crack tips and conduct heat.
+  record_works(dt);
   rigid_blocks_.take_contact_forces(contact_.ledger().rigid_exchanges(), dt);
   measure_crack_tips(dt);
   heat_.conduct(dt, contact_, exchanges_);
@@ -110,6 +109,7 @@ Stepper<Dim>::Stepper(const Model& model, System<Dim>& system)
       loads_(model, system, ledger_),
       tractions_(model, system, exchanges_, cracks_, ledger_),
       body_forces_(model, system, exchanges_, ledger_),
+      nodal_work_(system, exchanges_, ledger_),
       damping_(model, system, exchanges_, ledger_),
       rigid_bodies_(model, system, *transfers_, exchanges_, ledger_),
       rigid_blocks_(system),
@@ -124,6 +124,7 @@ Stepper<Dim>::Stepper(const Model& model, System<Dim>& system)
 
 template <int Dim>
 void Stepper<Dim>::begin_step() {
+  if (!ledger_.started) ledger_.started = true, ledger_.first_kinetic = measure(system_).kinetic;
   if (sort_.is_due()) sort();
   filter_.begin_step();
   keep_start_domains(system_);
@@ -309,6 +310,35 @@ void Stepper<Dim>::strain_again(double dt, double strain_dt) {
   joints_.update_laws(strain_dt, filter_.active());
 }
 
+// FLIP fraction in the update of the particle velocities.
+double flip_share(const Scheme& scheme, bool filtered) {
+  switch (scheme.transfer) {
+    case Transfer::flip:
+      return 1.0;
+    case Transfer::blend:
+      return scheme.flip_fraction;
+    case Transfer::pic:
+    case Transfer::apic:
+      return 0.0;
+    case Transfer::xpic:
+    case Transfer::fmpm:
+      return filtered ? 0.0 : 1.0;
+  }
+  return 1.0;
+}
+
+template <int Dim>
+void Stepper<Dim>::record_works(double dt) {
+  const bool replaces = !contact_.keeps_start_impulses() && flip_share(model_.scheme, filter_.active()) == 0.0;
+  tractions_.record(dt);
+  body_forces_.record(dt);
+  {
+    const auto lap = watches_.grid.lap();
+    nodal_work_.record(dt);
+  }
+  contact_.record(dt, replaces);
+}
+
 // Adds forces, areas and work of joints between bodies to the contact quantities of the histories.
 template <int Dim>
 void Stepper<Dim>::record_joints() {
@@ -339,23 +369,6 @@ void Stepper<Dim>::grow_cracks() {
   if constexpr (Dim == 2) {
     if (crack_tips_.active() && crack_tips_.grow()) system_.sorted = false;
   }
-}
-
-// FLIP fraction in the update of the particle velocities.
-double flip_share(const Scheme& scheme, bool filtered) {
-  switch (scheme.transfer) {
-    case Transfer::flip:
-      return 1.0;
-    case Transfer::blend:
-      return scheme.flip_fraction;
-    case Transfer::pic:
-    case Transfer::apic:
-      return 0.0;
-    case Transfer::xpic:
-    case Transfer::fmpm:
-      return filtered ? 0.0 : 1.0;
-  }
-  return 1.0;
 }
 
 template <int Dim>

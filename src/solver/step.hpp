@@ -7,10 +7,10 @@
 #include "solver/cracks/crack_tips.hpp"
 #include "solver/cracks/cracks.hpp"
 #include "solver/heat/heat.hpp"
-#include "solver/joints/interface_faces.hpp"
 #include "solver/joints/joints.hpp"
 #include "solver/loads/body_forces.hpp"
 #include "solver/loads/damping.hpp"
+#include "solver/loads/nodal_work.hpp"
 #include "solver/loads/particle_loads.hpp"
 #include "solver/loads/tractions.hpp"
 #include "solver/particle_sort.hpp"
@@ -63,12 +63,12 @@ class Stepper {
   /// have been constructed from the same model.
   friend void archive(Archive& a, Stepper& stepper) {
     auto& [model, system, ledger, watches, transfers, sort, splitting, exchanges, conditions, cracks, crack_tips,
-           interface_faces, joints, contact, loads, tractions, body_forces, damping, rigid_bodies, rigid_blocks, heat,
-           b_bar, filter] = stepper;
-    a.version(3);
+           joints, contact, loads, tractions, body_forces, nodal_work, damping, rigid_bodies, rigid_blocks, heat, b_bar,
+           filter] = stepper;
+    a.version(2);
     a("system", system);
     a("ledger", ledger), a("sort", sort), a("splitting", splitting), a.each("conditions", conditions),
-        a("interface_faces", interface_faces), a("joints", joints);
+        a("joints", joints);
     a("contact", contact), a("damping", damping), a("heat", heat), a("filter", filter);
     if (a.reading() && system.sorted) stepper.locate_nodes();
   }
@@ -90,6 +90,7 @@ class Stepper {
   void impose_update(double dt, bool after_impose);
   void strain(double dt, bool from_start);
   void strain_again(double dt, double strain_dt);
+  void record_works(double dt);
   void record_joints();
   void measure_crack_tips(double dt);
   void grow_cracks();
@@ -107,12 +108,12 @@ class Stepper {
   std::vector<NodalConditions<Dim>> conditions_;  // per velocity field
   Cracks<Dim> cracks_;
   CrackTips<Dim> crack_tips_;
-  InterfaceFaces<Dim> interface_faces_;
   Joints<Dim> joints_;
   Contact<Dim> contact_;
   ParticleLoads<Dim> loads_;
   Tractions<Dim> tractions_;
   BodyForces<Dim> body_forces_;
+  NodalWork<Dim> nodal_work_;
   VelocityDamping<Dim> damping_;
   RigidBodies<Dim> rigid_bodies_;
   RigidBlocks<Dim> rigid_blocks_;

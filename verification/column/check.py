@@ -10,7 +10,9 @@ relaxation = {1e6: dict(end=10, ramp=3, alpha=6), 1e5: dict(end=40, ramp=10, alp
 
 
 def solve(case, kernel, E, cells):
-    data = verify.last_particles(case.run(f"{kernel}_{E:g}_{cells}", entities=dict(h=50 / cells, kernel=kernel, E=E, **relaxation[E])))
+    out = case.run(f"{kernel}_{E:g}_{cells}", entities=dict(h=50 / cells, kernel=kernel, E=E, **relaxation[E]))
+    data, e = verify.last_particles(out), verify.energy(out)
+    case.check(f"{kernel}, E = {E:g}, {cells} cells: residual of the energy over what gravity released", np.abs(e["residual"]).max() / np.abs(e["external_work"] - e["potential"]).max(), 0, 0.02, "at most")
     Y = data["points"][:, 1] - data["displacement"][:, 1]
     error = math.sqrt(((data["stress"][:, 1] + 800 * (50 - Y)) ** 2).mean()) / 40000
     top = Y.argmax()

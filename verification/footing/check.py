@@ -14,6 +14,8 @@ def bearing(case, label, h, **entities):
     out = case.run(label, entities=dict(h=h, **entities))
     rows = verify.history(out)
     force = -next(rows[name] for name in rows if name.startswith("reactiony"))
+    e = verify.energy(out)
+    case.check(f"{label}, {1 / h:g} cells: residual of the energy over the work of the footing", np.abs(e["residual"]).max() / e["boundary_work"].max(), 0, 0.02, "at most")
     last = rows["time"] > rows["time"].max() * 2 / 3
     return force[last].mean() / (1 + h / 2), out
 

@@ -40,6 +40,8 @@ def run(case):
         case.check(f"{name}: speed of the rebound", rebounds[name], 1, 0.025 if best else 0.06)
         case.check(f"{name}: momentum", np.abs(got["px:a"] + got["px:b"]).max() / got["px:a"][0], 0, 1e-12, "at most")
         case.check(f"{name}: largest energy over the first", energy.max() / energy[0] - 1, 0, 1e-12 if "USL-" in name else 1e-3, "at most")
+        case.check(f"{name}: residual of the energy over the first", np.abs(content["residual"]).max() / energy[0], 0, 0.03, "at most")
+        case.check(f"{name}: energy that contact dissipated over the first", np.abs(content["contact"]).max() / energy[0], 0, 0.01, "at most")
         case.check(f"{name}: tension while parting", (-force).max(), 0, 1e-12, "at most")
     if not case.quick:
         impulse = []

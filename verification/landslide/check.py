@@ -13,7 +13,15 @@ def slide(case, label, **entities):
     case.check(f"{label}: kinetic energy left over the largest", moving[-1] / moving.max(), 0, 1e-3, "at most")
     case.check(f"{label}: volume of the deposit over that of the wedge", np.average(ratio, weights=mass), 1, 0.02)
     case.check(f"{label}: largest volume ratio of a particle", ratio.max(), 0, 1.3, "at most")
+    balance(case, label, out)
     return p["points"][sand], ratio
+
+
+def balance(case, label, out):
+    e = verify.energy(out)
+    released = -e["potential"].min()
+    case.check(f"{label}: residual of the energy over what was released", np.abs(e["residual"]).max() / released, 0, 0.025, "at most")
+    case.check(f"{label}: energy that transfers created in an interval over what was released", -np.diff(e["transfer"]).min() / released, 0, 1e-3, "at most")
 
 
 def run(case):
@@ -21,6 +29,8 @@ def run(case):
     if case.quick:
         return
     slide(case, "APIC, 0.1 m", h="0.1")
+    for label, transfer in (("FLIP 0.99", "type='blend' fraction='0.99'"), ("FMPM(2)", "type='FMPM' order='2'")):
+        balance(case, label, case.run(label, entities=dict(transfer=f"<Transfer {transfer}/>", end="1.5")))
 
     def draw(axes):
         axes.plot([2, 10, 19.6], [6.6, 1, 1], "k-", linewidth=1)

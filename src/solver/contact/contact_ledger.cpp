@@ -2,7 +2,8 @@
 #include "solver/contact/contact_ledger.hpp"
 
 #include "blocks/assembly.hpp"
-#include "solver/contact/node_solver.hpp"
+
+#include <algorithm>
 
 namespace tribo {
 
@@ -14,27 +15,63 @@ auto ContactLedger<Dim>::key(const ContactNodes<Dim>& contacts, const ContactPai
           system_.fields[contacts.members[pair.b].field].base_field};
 }
 
+// At a node from its final velocities, which a filter may have changed after contact.
 template <int Dim>
-void ContactLedger<Dim>::record(ContactNodes<Dim>& contacts, double dt) {
-  const auto& members = contacts.members;
+auto ContactLedger<Dim>::relative(const ContactNodes<Dim>& contacts, const ContactNode<Dim>& node,
+                                  const ContactPair& pair, double dt) const -> Relative {
+  if (node.solved_on_faces) return {pair.state.start, pair.final_velocity};
+  const auto at = [&](std::size_t member) -> const Node& {
+    const ContactMember& m = contacts.members[member];
+    return system_.fields[m.field].nodes[static_cast<std::size_t>(m.node)];
+  };
+  const Node &a = at(pair.a), &b = at(pair.b);
+  const Vec3 end = Eigen::Map<const Vec3>(b.velocity) - Eigen::Map<const Vec3>(a.velocity);
+  return {end - dt * (Eigen::Map<const Vec3>(b.acceleration) - Eigen::Map<const Vec3>(a.acceleration)), end};
+}
+
+// Half the sum of m v^2 over the fields of a node that touch, v the change of their velocities in the step against that
+// of their centre of mass.
+template <int Dim>
+double ContactLedger<Dim>::extrapolated(const ContactNodes<Dim>& contacts, const ContactNode<Dim>& node,
+                                        double dt) const {
+  const auto touching = contacts.pairs_of(node);
+  if (std::all_of(touching.begin(), touching.end(), [](const ContactPair& pair) {
+        return !pair.law || pair.law->is_interface() || (pair.impulse.isZero(0) && pair.applied.isZero(0));
+      }))
+    return 0.0;
+  double mass = 0.0, square = 0.0;
+  bool rigid = false;
+  Vec3 momentum = Vec3::Zero();
+  for (std::size_t i = node.first_member; i < node.end_member; ++i) {
+    const ContactMember& m = contacts.members[i];
+    const Node& at = system_.fields[m.field].nodes[static_cast<std::size_t>(m.node)];
+    const Vec3 change = dt * Eigen::Map<const Vec3>(at.acceleration);
+    if (m.inverse_mass == 0.0)
+      rigid = true;
+    else
+      mass += at.mass, momentum += at.mass * change, square += at.mass * change.squaredNorm();
+  }
+  return 0.5 * (rigid || !(mass > 0) ? square : square - momentum.squaredNorm() / mass);
+}
+
+template <int Dim>
+void ContactLedger<Dim>::record(ContactNodes<Dim>& contacts, double dt, bool replaces) {
   for (auto& [fields, entry] : pairs) entry.force.setZero(), entry.stored = entry.area = 0.0;
   rigid_exchanges_.assign(system_.fields.size(), {});
-  for (const auto& node : contacts.nodes)
+  for (const auto& node : contacts.nodes) {
+    if (replaces) nodal_work += node.ownership * extrapolated(contacts, node, dt);
     for (std::size_t p = node.first_pair; p < node.end_pair; ++p) {
       ContactPair& pair = contacts.pairs[p];
       pair.update_impulse = pair.impulse, pair.update_status = pair.response.status, pair.friction_work = 0.0;
+      if (!pair.law) continue;  // a joint acts in its place
+      const Relative v = relative(contacts, node, pair, dt);
+      const bool at_end = replaces && !pair.law->is_interface();
+      const Vec3 mean = node.ownership * (at_end ? v.end : Vec3(0.5 * (v.start + v.end)));
+      nodal_work -= (pair.impulse - pair.applied).dot(mean);
       if (pair.response.status == ContactStatus::open) continue;
-      const ContactMember &a = members[pair.a], &b = members[pair.b];
       auto& entry = pairs[key(contacts, pair)];
       entry.force += node.ownership / dt * pair.impulse;
       entry.area += node.ownership * pair.state.area;
-      // The work of the impulse is its product with the mean of the relative velocities at the start and end of the
-      // step.
-      const Vec3 mean = 0.5 * node.ownership *
-                        (node.solved_on_faces ? Vec3(pair.state.start + pair.final_velocity)
-                                              : Vec3(b.start_velocity - a.start_velocity +
-                                                     velocity_after(members, contacts.pairs_of(node), pair.b) -
-                                                     velocity_after(members, contacts.pairs_of(node), pair.a)));
       const double all = pair.impulse.dot(mean);
       const double normal = pair.impulse.dot(pair.state.normal) * mean.dot(pair.state.normal);
       if (pair.law->interface())
@@ -43,6 +80,7 @@ void ContactLedger<Dim>::record(ContactNodes<Dim>& contacts, double dt) {
         entry.impact += normal, entry.friction += all - normal, pair.friction_work = (all - normal) / node.ownership;
       record_rigid(contacts, node, pair);
     }
+  }
 }
 
 // An impulse of a node acts at the node, one of a face at the face.

@@ -2,14 +2,29 @@
 #include "solver/contact/contact_memory.hpp"
 
 #include "base/parallel.hpp"
+#include "solver/contact/face_geometry.hpp"
+#include "solver/contact/face_tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace tribo {
 
+// The gap of a pair is exact only if it is found from the domains; one from the positions of the particles does not
+// vanish where faces touch.
 template <int Dim>
-void ContactMemory<Dim>::read(const ContactNode<Dim>& node, ContactPair& pair, const NearParticles<Dim>& near) const {
+bool ContactMemory<Dim>::domains_touch(const ContactPair& pair, NearParticles<Dim>& near) const {
+  constexpr double touching = 1e-6;  // cells
+  if (std::abs(pair.state.gap) < touching * h_) return true;
+  if (near.sides[0].empty() || near.sides[1].empty()) return false;
+  const Vec<Dim> n = pair.state.normal.template head<Dim>();
+  const double band = face_tolerance::band * h_;
+  const double gap = -face_position<Dim>(near.sides[1], -n, band) - face_position<Dim>(near.sides[0], n, band);
+  return std::abs(gap) < touching * h_;
+}
+
+template <int Dim>
+void ContactMemory<Dim>::read(const ContactNode<Dim>& node, ContactPair& pair, NearParticles<Dim>& near) const {
   const Vec<Dim> centre = system_.lattice.position(node.index);
   double total = 0.0, slip = 0.0, whole = 0.0, broken = 0.0;
   const auto add = [&](const ParticleDomain<Dim>& p, const ParticleLabel& label) {
@@ -24,9 +39,7 @@ void ContactMemory<Dim>::read(const ContactNode<Dim>& node, ContactPair& pair, c
   pair.state.slip = total > 0 ? slip / total : 0.0;
   pair.state.cell = h_;
   pair.state.bond = whole == 0 && broken == 0 ? Bond::none : broken > whole ? Bond::broken : Bond::whole;
-  constexpr double touching = 1e-6;  // cells
-  if (system_.step == 0 && std::abs(pair.state.gap) < touching * h_ && pair.state.bond == Bond::none)
-    pair.state.bond = Bond::whole;
+  if (system_.step == 0 && pair.state.bond == Bond::none && domains_touch(pair, near)) pair.state.bond = Bond::whole;
 }
 
 template <int Dim>

@@ -16,12 +16,14 @@ class ContactMemory {
       : system_(system), search_(search), cloud_(cloud), bodies_(bodies), h_(system.lattice.spacing.maxCoeff()) {}
 
   /// Sets slip and bond in the state of a pair to those of the particles near the node. Faces that touch at the very
-  /// start of the run are bonded. `near`: the particles around the node.
-  void read(const ContactNode<Dim>& node, ContactPair& pair, const NearParticles<Dim>& near) const;
+  /// start of the run are bonded. `near`: the particles around the node, its sides for the normal of the pair.
+  void read(const ContactNode<Dim>& node, ContactPair& pair, NearParticles<Dim>& near) const;
   /// Updates slip and bonds of all particles of the cloud from the responses of the last momentum update.
   void update() const;
 
  private:
+  bool domains_touch(const ContactPair& pair, NearParticles<Dim>& near) const;
+
   const System<Dim>& system_;
   const ContactSearch<Dim>& search_;
   const ParticleCloud<Dim>& cloud_;

@@ -281,6 +281,7 @@ void FaceSolver<Dim>::apply(double dt, ContactPass pass) {
     for (std::size_t k = group.first; k < group.end; ++k) distribute(constraints_[k], constraints_[k].pair->impulse);
   });
   solve(pass);
+  if (pass == ContactPass::corrector) each_constraint([](Constraint& c) { c.pair->applied = c.pair->impulse; });
   each_velocity([&](const NodalVelocity& p) {
     Eigen::Map<Vec3>(node(p).velocity) += p.change;
     if (pass == ContactPass::corrector) Eigen::Map<Vec3>(node(p).acceleration) += p.change / dt;

@@ -21,6 +21,8 @@ void NodeImpulses<Dim>::apply(double dt, ContactPass pass) {
     }
     for (std::size_t p = node.first_pair; p < node.end_pair; ++p) pairs[p].state.dt = dt;
     solve_node(members, contacts_.pairs_of(node), pass, false);
+    if (pass == ContactPass::corrector)
+      for (ContactPair& pair : contacts_.pairs_of(node)) pair.applied = pair.impulse;
     for (std::size_t p = node.first_pair; p < node.end_pair; ++p)
       for (const auto& [i, sign] : {std::pair{pairs[p].a, 1.0}, std::pair{pairs[p].b, -1.0}}) {
         Node& at = system_.fields[members[i].field].nodes[static_cast<std::size_t>(members[i].node)];

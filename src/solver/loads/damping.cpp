@@ -25,10 +25,15 @@ void VelocityDamping<Dim>::record_particles(const Body<Dim>& body, double rate, 
     if (other.field == body.field) field_mass += other.total_mass;
   const WorkAndImpulse sum = sum_(body.field, [&](std::int64_t, const Node& node) {
     WorkAndImpulse momentum = WorkAndImpulse::Zero();
-    for (int d = 0; d < Dim; ++d) momentum[1 + d] = node.mass * node.velocity[d];
+    for (int d = 0; d < Dim; ++d) {
+      momentum[0] += node.mass * node.velocity[d] * node.velocity[d];
+      momentum[1 + d] = node.mass * node.velocity[d];
+    }
     return momentum;
   });
-  ledger_.impulse -= rate * dt * body.total_mass / field_mass * sum.tail<3>();
+  const double share = rate * dt * body.total_mass / field_mass, work = share * (1 - 0.5 * rate * dt) * sum[0];
+  ledger_.damping_work += work, ledger_.particle_loss += work;
+  ledger_.impulse -= share * sum.tail<3>();
 }
 
 template class VelocityDamping<2>;

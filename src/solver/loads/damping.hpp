@@ -34,9 +34,9 @@ class VelocityDamping {
 
   /// Adds the work and impulse of grid damping on field f in the momentum update to the ledger.
   void record_grid(std::size_t f, double dt);
-  /// Adds the impulse of particle damping with the coefficient `rate` [1/time] on a body to the ledger. It is computed
-  /// as the mass fraction of the body in the impulse on its field, which is exact if all bodies of the field have the
-  /// same coefficient.
+  /// Adds the work and impulse of particle damping with the coefficient `rate` [1/time] on a body to the ledger. It is
+  /// computed as the mass fraction of the body in those on its field, which is exact if all bodies of the field have
+  /// the same coefficient.
   void record_particles(const Body<Dim>& body, double rate, double dt);
 
   double grid = 0.0, particle = 0.0;                    ///< current coefficients                     [1/time]

@@ -27,6 +27,7 @@ struct ContactPair {
   int crack = -1;                      ///< number of the crack if the fields are its two sides; -1: two bodies
   ContactState state;                  ///< input of the contact law
   Vec3 impulse = Vec3::Zero();         ///< contact impulse on a; the opposite acts on b [mass velocity]
+  Vec3 applied = Vec3::Zero();         ///< the part of it in the nodal accelerations; a filter changes the rest
   ContactResponse response;            ///< last contact response of the law
   Vec3 update_impulse = Vec3::Zero();  ///< impulse on a of the last momentum update      [mass velocity]
   ContactStatus update_status = ContactStatus::open;  ///< contact status in the last momentum update
