@@ -27,7 +27,7 @@ double largest(const std::vector<FitNode<2>>& nodes) {
 
 TEST_CASE("the fit of a face reproduces linear velocities", "[joints]") {
   auto nodes = lattice(0.03);
-  fit_face_velocity(nodes);
+  fit_face_velocity(nodes, 0.1);
   const Vec<2> v(0.3, -0.2);
   Mat<2> gradient;
   gradient << 0.1, 0.7, -0.4, 0.2;
@@ -44,10 +44,10 @@ TEST_CASE("the fit of a face reproduces linear velocities", "[joints]") {
 TEST_CASE("nodes with next to no mass do not determine the velocity of a face", "[joints]") {
   for (const double light : {1e-2, 1e-4, 1e-8, 1e-14}) {
     auto nodes = lattice(light);  // two rows of mass 1, one of none
-    fit_face_velocity(nodes);
+    fit_face_velocity(nodes, 0.1);
     CHECK(largest(nodes) < 200);
     std::erase_if(nodes, [](const auto& node) { return node.offset[1] < -0.5; });  // one of each
-    fit_face_velocity(nodes);
+    fit_face_velocity(nodes, 0.1);
     CHECK(largest(nodes) < 200);
     double sum = 0.0;
     for (const auto& node : nodes) sum += node.weight;

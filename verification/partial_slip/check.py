@@ -5,10 +5,10 @@ import verify
 
 ways = ("slip", "tractions", "states")
 signs = np.array([-1, 1])  # sign of the shear force on the upper body, against the load along +x, and of the normal force
-mu, radius, cell, depth, lift, bend = 0.3, 1.0, 0.01, 0.6, 0.003, 0.25
+mu, radius, depth, lift, bend = 0.3, 1.0, 0.6, 0.003, 0.25
 
 
-def faces(p, back):
+def faces(p, back, cell):
     """The upper face's particles from left to right: x at the start, how far they have slipped, state and traction.
     `back` turns vectors from the grid's axes to those of the bodies. Tractions are (q, p): shear traction against the
     tangential load, which acts along +x on the upper body, and pressure, which pushes the upper body upwards."""
@@ -34,7 +34,7 @@ def exact_slip(x, c):
     return mu / radius * 0.5 * (x * root - c * c * np.log((x + root) / c))
 
 
-def stick_zone(x, slip, a):
+def stick_zone(x, slip, a, cell):
     """Half width c for which the exact slip is nearest to that of the faces, which may have any centre."""
     inside = np.abs(x) < 0.95 * a
     best = (np.inf, 0.0)
@@ -50,19 +50,21 @@ def pull(case, angle):
     c, s = np.cos(np.radians(angle)), np.sin(np.radians(angle))
     back = np.array([[c, -s], [s, c]])
     label = f"turned by {angle} degrees, " if angle else ""
-    entities = dict(c=repr(c), s=repr(s)) | (dict(side="1.05") if angle else {}) | (dict(end="18.5") if case.quick else {})
+    cell = 0.0125 if case.quick else 0.01
+    entities = dict(c=repr(c), s=repr(s), h=str(cell)) | (dict(side="1.05") if angle else {}) | (dict(end="18.5") if case.quick else {})
     out = case.run(f"slip{angle}", entities=entities)
     h = verify.history(out)
     found, shear_shares, first = [], [], None
     for t, path in verify.vtp.collection(out):
         if t < 14.9:
             continue
-        x, slip, state, traction = faces(verify.vtp.read(path), back)
+        x, slip, state, traction = faces(verify.vtp.read(path), back, cell)
         Q, P = (np.array([np.interp(t, h["time"], h[f"contact{axis}:upper"]) for axis in "xy"]) @ back) * signs
         a = np.sqrt(8 * P * radius * 0.91 / np.pi)
         if first is None:
             first = slip
-            case.check(f"{label}half width of the contact, cells, falls short of 10 by", 10 - a / cell, 0, 0, "at most")
+            if not case.quick:
+                case.check(f"{label}half width of the contact, cells, falls short of 10 by", 10 - a / cell, 0, 0, "at most")
             if angle == 0:
                 case.check("largest pressure that particles show", traction[:, 1].max(), 2 * P / (np.pi * a), 0.03)
             continue
@@ -73,7 +75,7 @@ def pull(case, angle):
         second = (traction * x[:, None] ** 2).sum(0) / traction.sum(0)  # moments of q and p; exact: q over p = 1 + (c/a)^2
         by_traction = np.sqrt(max(0.0, second[0] / second[1] - 1))
         spacing = np.diff(x).min()
-        found.append((share, stick_zone(x, slip - first, a) / a, by_traction, spacing * (state == 1).sum() / 2 / a))
+        found.append((share, stick_zone(x, slip - first, a, cell) / a, by_traction, spacing * (state == 1).sum() / 2 / a))
     found = np.array(found)
     case.check(f"{label}shear over normal force from tractions of particles, over Q/P", np.mean(shear_shares), 1, 0.05)
     rising = found[: np.argmax(found[:, 0] > 0.95) if (found[:, 0] > 0.95).any() else len(found)]

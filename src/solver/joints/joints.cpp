@@ -59,7 +59,7 @@ double Joints<Dim>::find_face_nodes(const JointSurface<Dim>& surface, const Vec<
   });
   if (!(mass > 0)) return 0.0;
   for (FitNode<Dim>& node : nodes) node.mass *= shapes / mass;
-  fit_face_velocity(nodes);
+  fit_face_velocity(nodes, surface.interface ? 0.01 : 0.1);
   for (std::size_t i = 0; i < out.size(); ++i) out[i].weight = nodes[i].weight, out[i].slope = nodes[i].slope / h;
   return mass;
 }

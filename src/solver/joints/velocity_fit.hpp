@@ -20,16 +20,15 @@ struct FitNode {
   Vec<Dim> slope = Vec<Dim>::Zero();  ///< result: of the nodal velocity in the gradient     [1/cells]
 };
 
-/// Sets the weights of a least-squares fit of a linear velocity, so that rigid motions are reproduced. Nodes with less
-/// than a tenth of the mean mass count as its power `exponent`. `regularisation`: variance of positions [cells^2] below
+/// Sets the weights of a least-squares fit of a linear velocity, so that rigid motions are reproduced. `importance`:
+/// weight of each node in the fit, a function of the node. `regularisation`: variance of positions [cells^2] below
 /// which the gradient along a direction tends to zero.
-template <int Dim>
-void fit_velocity(std::vector<FitNode<Dim>>& nodes, double exponent, double regularisation) {
-  constexpr double light = 0.1;
+template <int Dim, class F>
+void fit_velocity(std::vector<FitNode<Dim>>& nodes, F&& importance, double regularisation) {
   double total = 0.0;
   Vec<Dim> mean = Vec<Dim>::Zero();
   for (FitNode<Dim>& node : nodes) {
-    node.weight = node.shape * std::min(1.0, std::pow(node.mass / light, exponent));
+    node.weight = importance(node);
     total += node.weight, mean += node.weight * node.offset;
   }
   mean /= total;
@@ -43,16 +42,25 @@ void fit_velocity(std::vector<FitNode<Dim>>& nodes, double exponent, double regu
   }
 }
 
-/// The fit of a face of a joint. Usually light nodes count as the root of their mass. Where nodes with next to no mass
-/// would determine the gradient, joint forces on them would need a minute time step; then they count as the square of
-/// their mass, and the gradient they would determine tends to zero.
+/// The fit of a face of a joint. The weights are the shape functions wherever these reproduce linear velocities, except
+/// for nodes with less than a fraction `light` of the mean mass, which count as the root of their mass. A joint force
+/// then accelerates no node by more than 1/light times the mean, which limits the time step; the stress next to the
+/// face is the more uniform the smaller the fraction. Where nodes with next to no mass still would determine the
+/// gradient, it tends to zero.
 template <int Dim>
-void fit_face_velocity(std::vector<FitNode<Dim>>& nodes) {
-  constexpr double largest = 200.0;  // square of a weight over the mass; light nodes of smooth faces have up to 90
-  fit_velocity(nodes, 0.5, 1e-5);
+void fit_face_velocity(std::vector<FitNode<Dim>>& nodes, double light) {
+  const double largest = 20.0 / light;  // square of a weight over the mass; light nodes of smooth faces have 9/light
+  fit_velocity(
+      nodes, [&](const FitNode<Dim>& node) { return node.shape * std::min(1.0, std::sqrt(node.mass / light)); }, 1e-5);
   if (std::any_of(nodes.begin(), nodes.end(),
-                  [](const FitNode<Dim>& node) { return node.weight * node.weight > largest * node.mass; }))
-    fit_velocity(nodes, 2.0, 0.01);
+                  [&](const FitNode<Dim>& node) { return node.weight * node.weight > largest * node.mass; }))
+    fit_velocity(
+        nodes,
+        [](const FitNode<Dim>& node) {
+          const double share = std::min(1.0, node.mass / 0.1);
+          return node.shape * share * share;
+        },
+        0.01);
 }
 
 }  // namespace tribo
