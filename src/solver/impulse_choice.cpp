@@ -42,7 +42,7 @@ std::string objection(const Model& model, const std::set<int>& materials) {
   if (model.contact.separation != Separation::edges) return "the command file sets the method for gaps";
   bool interface = false;
   for (const int k : materials)
-    each_law(model, materials, k, [&](const ContactLaw& law) { interface |= law.is_interface(); });
+    each_law(model, materials, k, [&](const ContactLaw& law) { interface |= law.interface() != nullptr; });
   return interface ? "the model has interfaces" : "";
 }
 

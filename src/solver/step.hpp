@@ -7,6 +7,7 @@
 #include "solver/cracks/crack_tips.hpp"
 #include "solver/cracks/cracks.hpp"
 #include "solver/heat/heat.hpp"
+#include "solver/joints/interface_faces.hpp"
 #include "solver/joints/joints.hpp"
 #include "solver/loads/body_forces.hpp"
 #include "solver/loads/damping.hpp"
@@ -63,12 +64,12 @@ class Stepper {
   /// have been constructed from the same model.
   friend void archive(Archive& a, Stepper& stepper) {
     auto& [model, system, ledger, watches, transfers, sort, splitting, exchanges, conditions, cracks, crack_tips,
-           joints, contact, loads, tractions, body_forces, nodal_work, damping, rigid_bodies, rigid_blocks, heat, b_bar,
-           filter] = stepper;
-    a.version(2);
+           interface_faces, joints, contact, loads, tractions, body_forces, nodal_work, damping, rigid_bodies,
+           rigid_blocks, heat, b_bar, filter] = stepper;
+    a.version(3);
     a("system", system);
     a("ledger", ledger), a("sort", sort), a("splitting", splitting), a.each("conditions", conditions),
-        a("joints", joints);
+        a("interface_faces", interface_faces), a("joints", joints);
     a("contact", contact), a("damping", damping), a("heat", heat), a("filter", filter);
     if (a.reading() && system.sorted) stepper.locate_nodes();
   }
@@ -108,6 +109,7 @@ class Stepper {
   std::vector<NodalConditions<Dim>> conditions_;  // per velocity field
   Cracks<Dim> cracks_;
   CrackTips<Dim> crack_tips_;
+  InterfaceFaces<Dim> interface_faces_;
   Joints<Dim> joints_;
   Contact<Dim> contact_;
   ParticleLoads<Dim> loads_;
