@@ -36,7 +36,7 @@ double ContactLedger<Dim>::extrapolated(const ContactNodes<Dim>& contacts, const
                                         double dt) const {
   const auto touching = contacts.pairs_of(node);
   if (std::all_of(touching.begin(), touching.end(), [](const ContactPair& pair) {
-        return !pair.law || pair.law->interface() || (pair.impulse.isZero(0) && pair.applied.isZero(0));
+        return !pair.law || (pair.impulse.isZero(0) && pair.applied.isZero(0));
       }))
     return 0.0;
   double mass = 0.0, square = 0.0;
@@ -65,8 +65,7 @@ void ContactLedger<Dim>::record(ContactNodes<Dim>& contacts, double dt, bool rep
       pair.update_impulse = pair.impulse, pair.update_status = pair.response.status, pair.friction_work = 0.0;
       if (!pair.law) continue;  // a joint acts in its place
       const Relative v = relative(contacts, node, pair, dt);
-      const bool at_end = replaces && !pair.law->interface();
-      const Vec3 mean = node.ownership * (at_end ? v.end : Vec3(0.5 * (v.start + v.end)));
+      const Vec3 mean = node.ownership * (replaces ? v.end : Vec3(0.5 * (v.start + v.end)));
       nodal_work -= (pair.impulse - pair.applied).dot(mean);
       if (pair.response.status == ContactStatus::open) continue;
       auto& entry = pairs[key(contacts, pair)];

@@ -8,24 +8,35 @@
 
 namespace tribo {
 
-/// Adds up m a . (v - a dt/2) dt over the nodes of deformable bodies, the work of internal, external and contact forces
-/// together. Without constraints it is the change of the kinetic energy of the nodes; the difference to that of the
-/// particles is the dissipation of the transfers (EnergyLedger::transfer_loss). Velocities and accelerations are those
-/// that move the particles, after contact, prescribed velocities and filters.
+/// Adds up m a . (v_0 + v_1)/2 dt over the nodes of deformable bodies, the work of internal, external and contact
+/// forces together; the difference to the change of the kinetic energy of the particles is the dissipation of the
+/// transfers (EnergyLedger::transfer_loss). v_0 are the velocities at the start of the step, v_1 those that strain the
+/// particles at its end: the velocities of the momentum update, after contact, prescribed velocities and filters, or in
+/// the "+" variants those that are extrapolated again. With the velocities of the momentum update, nodes of these
+/// variants would do work that no strain takes up.
 template <int Dim>
 class NodalWork {
  public:
   NodalWork(System<Dim>& system, const Exchanges<Dim>& exchanges, EnergyLedger& ledger)
       : system_(system), exchanges_(exchanges), ledger_(ledger) {}
 
-  /// Adds the work of a step of size `dt` to the ledger.
+  /// Adds the work of a step of size `dt` to the ledger, if the particles are strained with the present velocities.
   void record(double dt);
+  /// The same for the "+" variants: adds the work at the velocities at the start of the step, and keeps the forces. To
+  /// be followed by record_end() once the velocities have been extrapolated again. `filtered`: the particles are
+  /// strained with the filtered velocities (Field::filter).
+  void record_start(double dt);
+  void record_end(double dt, bool filtered);
 
  private:
+  template <class F>
+  void add(double dt, F&& power);
+
   System<Dim>& system_;
   const Exchanges<Dim>& exchanges_;
   EnergyLedger& ledger_;
   std::vector<double> by_block_;
+  std::vector<std::vector<Vec3>> forces_;  // per field and node, m a
 };
 
 }  // namespace tribo
