@@ -8,7 +8,6 @@
 /// Shear forces are therefore restoring forces: a shear displacement of body 2 along +t gives a negative Fs.t.
 /// Pore pressure is positive and pushes the faces apart: the effective normal force is Fn + A P. In two dimensions s
 /// points out of the plane, so shear has only a t component and bending only an s component.
-/// that shear has its t component only and rotation its s component.
 #pragma once
 
 #include "base/catalogue.hpp"
