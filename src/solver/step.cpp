@@ -82,6 +82,7 @@ void Stepper<Dim>::advance(double dt) {
   cracks_.move(dt);
   joints_.move_points(dt);
   move_particles(dt, again ? 0.0 : strain_dt);
+  if (filters_update()) nodal_work_.record_change_of_velocities(dt), tractions_.record_change_of_velocities(dt);
   loads_.record(0.5 * dt);
 
   // 7. "+" variants: strain from the velocities of the updated particles, with the shape functions at the start of the
@@ -308,7 +309,8 @@ void Stepper<Dim>::strain_again(double dt, double strain_dt) {
   impose(system_.time + dt, dt);
   copy_images();
   if (filter_.active()) filter_.filter(0.0, true);
-  nodal_work_.record_end(dt, filter_.active());
+  nodal_work_.record_end(dt, filters_update(), filter_.active());
+  tractions_.record_end(dt, filters_update(), filter_.active());
   strain(strain_dt, true);
   joints_.update_laws(strain_dt, filter_.active());
 }
@@ -333,14 +335,14 @@ double flip_share(const Scheme& scheme, bool filtered) {
 template <int Dim>
 void Stepper<Dim>::record_works(double dt) {
   const bool replaces = !contact_.keeps_start_impulses() && flip_share(model_.scheme, filter_.active()) == 0.0;
-  tractions_.record(dt);
   body_forces_.record(dt);
-  {
+  const bool again = model_.scheme.extrapolate_again && model_.scheme.order != UpdateOrder::usf;
+  again ? tractions_.record_start(dt, filters_update()) : tractions_.record(dt, filters_update());
+  if (model_.scheme.order != UpdateOrder::usf) {
     const auto lap = watches_.grid.lap();
-    if (model_.scheme.order != UpdateOrder::usf)
-      model_.scheme.extrapolate_again ? nodal_work_.record_start(dt) : nodal_work_.record(dt);
+    again ? nodal_work_.record_start(dt, filters_update()) : nodal_work_.record(dt, filters_update());
   }
-  contact_.record(dt, replaces);
+  contact_.record(dt, replaces, filters_update());
 }
 
 // Adds forces, areas and work of joints between bodies to the contact quantities of the histories.
@@ -383,6 +385,7 @@ void Stepper<Dim>::move_particles(double dt, double strain_dt) {
   what.dt = dt;
   what.strain_dt = strain_dt;
   what.flip = flip_share(model_.scheme, filter_.active());
+  what.record_change = filters_update();
   b_bar_.average_rates(what, &Field<Dim>::nodes);
   double travel = 0.0;
   for (auto& body : system_.bodies) {

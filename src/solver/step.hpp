@@ -91,6 +91,8 @@ class Stepper {
   void impose_update(double dt, bool after_impose);
   void strain(double dt, bool from_start);
   void strain_again(double dt, double strain_dt);
+  // Whether FMPM filters the velocities after the momentum update in this step.
+  bool filters_update() const { return filter_.active() && model_.scheme.transfer == Transfer::fmpm; }
   void record_works(double dt);
   void record_joints();
   void measure_crack_tips(double dt);

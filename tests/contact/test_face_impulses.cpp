@@ -149,7 +149,7 @@ TEST_CASE("a rigid body does the work of the impulses on faces at its velocity t
   shared.faces.apply(1e-3, ContactPass::corrector);
   const Vec3 impulse = shared.momentum() - before;
   ContactLedger<2> ledger(shared.system);
-  ledger.record(shared.contacts, 1e-3, false);
+  ledger.record(shared.contacts, 1e-3, false, false);
   CHECK((ledger.rigid_impulse - impulse).norm() < 1e-12 * impulse.norm());
   CHECK(std::abs(impulse[0]) > 0.1);
   CHECK(ledger.rigid_work == Approx(impulse.dot(Vec3(0.5, 0.3, 0))));

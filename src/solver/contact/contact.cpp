@@ -182,7 +182,7 @@ void Contact<Dim>::constrain_increments(Pass pass) {
 }
 
 template <int Dim>
-void Contact<Dim>::record(double dt, bool replaces) {
+void Contact<Dim>::record(double dt, bool replaces, bool filtered) {
   if (!active_) return;
   const auto lap = watch.lap();
   auto& contacts = search_.found();
@@ -193,7 +193,7 @@ void Contact<Dim>::record(double dt, bool replaces) {
         if (pair.crack >= 0 && !pair.has_no_face) cracks_.record(pair, node.index);
     cracks_.end_record();
   }
-  ledger_.record(contacts, dt, replaces);
+  ledger_.record(contacts, dt, replaces, filtered);
   search_.remember_pairs();
   if (laws_.any_has_memory()) memory_.update();
 }

@@ -55,17 +55,17 @@ double ContactLedger<Dim>::extrapolated(const ContactNodes<Dim>& contacts, const
 }
 
 template <int Dim>
-void ContactLedger<Dim>::record(ContactNodes<Dim>& contacts, double dt, bool replaces) {
+void ContactLedger<Dim>::record(ContactNodes<Dim>& contacts, double dt, bool replaces, bool filtered) {
   for (auto& [fields, entry] : pairs) entry.force.setZero(), entry.stored = entry.area = 0.0;
   rigid_exchanges_.assign(system_.fields.size(), {});
   for (const auto& node : contacts.nodes) {
-    if (replaces) nodal_work += node.ownership * extrapolated(contacts, node, dt);
+    if (replaces && !filtered) nodal_work += node.ownership * extrapolated(contacts, node, dt);
     for (std::size_t p = node.first_pair; p < node.end_pair; ++p) {
       ContactPair& pair = contacts.pairs[p];
       pair.update_impulse = pair.impulse, pair.update_status = pair.response.status, pair.friction_work = 0.0;
       if (!pair.law) continue;  // a joint acts in its place
       const Relative v = relative(contacts, node, pair, dt);
-      const Vec3 mean = node.ownership * (replaces ? v.end : Vec3(0.5 * (v.start + v.end)));
+      const Vec3 mean = node.ownership * (replaces || filtered ? v.end : Vec3(0.5 * (v.start + v.end)));
       nodal_work -= (pair.impulse - pair.applied).dot(mean);
       if (pair.response.status == ContactStatus::open) continue;
       auto& entry = pairs[key(contacts, pair)];

@@ -3,6 +3,8 @@
 
 #include "base/parallel.hpp"
 
+#include <algorithm>
+
 namespace tribo {
 
 // Sums power(field, number, node) over the nodes, block by block, so that the sum does not depend on the number of
@@ -30,20 +32,23 @@ void NodalWork<Dim>::add(double dt, F&& power) {
 }
 
 template <int Dim>
-void NodalWork<Dim>::record(double dt) {
+void NodalWork<Dim>::record(double dt, bool filtered) {
+  const double since_middle = filtered ? 0.0 : 0.5 * dt;
   add(dt, [&](std::size_t, std::size_t, const Node& node) {
     double power = 0.0;
-    for (int d = 0; d < Dim; ++d) power += node.acceleration[d] * (node.velocity[d] - 0.5 * dt * node.acceleration[d]);
+    for (int d = 0; d < Dim; ++d)
+      power += node.acceleration[d] * (node.velocity[d] - since_middle * node.acceleration[d]);
     return node.mass * power;
   });
 }
 
 template <int Dim>
-void NodalWork<Dim>::record_start(double dt) {
+void NodalWork<Dim>::record_start(double dt, bool filtered) {
   forces_.resize(system_.fields.size());
   for (std::size_t f = 0; f < forces_.size(); ++f) forces_[f].resize(system_.fields[f].nodes.size());
   add(dt, [&](std::size_t f, std::size_t n, const Node& node) {
     forces_[f][n] = node.mass * Eigen::Map<const Vec3>(node.acceleration);
+    if (filtered) return 0.0;
     double power = 0.0;
     for (int d = 0; d < Dim; ++d) power += node.acceleration[d] * (node.velocity[d] - dt * node.acceleration[d]);
     return 0.5 * node.mass * power;
@@ -51,11 +56,33 @@ void NodalWork<Dim>::record_start(double dt) {
 }
 
 template <int Dim>
-void NodalWork<Dim>::record_end(double dt, bool filtered) {
+void NodalWork<Dim>::record_end(double dt, bool filtered, bool strain_filtered) {
+  const double share = filtered ? 1.0 : 0.5;
   add(dt, [&](std::size_t f, std::size_t n, const Node& node) {
-    const double* velocity = filtered ? system_.fields[f].filter[n].velocity : node.velocity;
-    return 0.5 * forces_[f][n].template head<Dim>().dot(Eigen::Map<const Vec<Dim>>(velocity));
+    const double* velocity = strain_filtered ? system_.fields[f].filter[n].velocity : node.velocity;
+    return share * forces_[f][n].template head<Dim>().dot(Eigen::Map<const Vec<Dim>>(velocity));
   });
+}
+
+// Piece by piece, so that the sum does not depend on the number of threads.
+template <int Dim>
+void NodalWork<Dim>::record_change_of_velocities(double dt) {
+  constexpr std::ptrdiff_t piece = 4096;
+  for (auto& body : system_.bodies) {
+    const auto n = static_cast<std::ptrdiff_t>(body.particles.size());
+    const double* mass = body.particles.mass();
+    by_block_.assign(static_cast<std::size_t>((n + piece - 1) / piece), 0.0);
+    parallel_for(static_cast<std::ptrdiff_t>(by_block_.size()), [&](std::ptrdiff_t k) {
+      double sum = 0.0;
+      for (std::size_t d = 0; d < Dim; ++d) {
+        const double* change = body.particles[body.filtered][d];
+#pragma omp simd reduction(+ : sum)
+        for (std::ptrdiff_t i = k * piece; i < std::min(n, (k + 1) * piece); ++i) sum += mass[i] * change[i];
+      }
+      by_block_[static_cast<std::size_t>(k)] = sum;
+    });
+    for (const double sum : by_block_) ledger_.nodal_work -= 0.5 * dt * sum;
+  }
 }
 
 template class NodalWork<2>;

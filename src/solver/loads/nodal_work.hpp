@@ -14,6 +14,11 @@ namespace tribo {
 /// particles at its end: the velocities of the momentum update, after contact, prescribed velocities and filters, or in
 /// the "+" variants those that are extrapolated again. With the velocities of the momentum update, nodes of these
 /// variants would do work that no strain takes up.
+///
+/// FMPM (`filtered`) moves and strains the particles with filtered velocities v*, while a is the acceleration of lumped
+/// masses, which can be large at light nodes and in contact where v* does not change. The mean is then v* - a* dt/2,
+/// where a* is the change of the velocities of the particles over dt, transferred to the nodes: m a . a* is the sum of
+/// m_p (S a) . a_p over the particles.
 template <int Dim>
 class NodalWork {
  public:
@@ -21,12 +26,15 @@ class NodalWork {
       : system_(system), exchanges_(exchanges), ledger_(ledger) {}
 
   /// Adds the work of a step of size `dt` to the ledger, if the particles are strained with the present velocities.
-  void record(double dt);
+  void record(double dt, bool filtered);
   /// The same for the "+" variants: adds the work at the velocities at the start of the step, and keeps the forces. To
-  /// be followed by record_end() once the velocities have been extrapolated again. `filtered`: the particles are
+  /// be followed by record_end() once the velocities have been extrapolated again. `strain_filtered`: the particles are
   /// strained with the filtered velocities (Field::filter).
-  void record_start(double dt);
-  void record_end(double dt, bool filtered);
+  void record_start(double dt, bool filtered);
+  void record_end(double dt, bool filtered, bool strain_filtered);
+  /// With `filtered` velocities: to be called after the update of the particle velocities, which must have recorded
+  /// their changes (Gather::record_change).
+  void record_change_of_velocities(double dt);
 
  private:
   template <class F>

@@ -6,6 +6,19 @@
 #include <cmath>
 
 namespace tribo {
+namespace {
+
+template <int Dim>
+Vec<Dim> end_velocity(const Field<Dim>& field, std::size_t n) {
+  return Eigen::Map<const Vec<Dim>>(field.nodes[n].velocity);
+}
+
+template <int Dim>
+Vec<Dim> acceleration(const Field<Dim>& field, std::size_t n) {
+  return Eigen::Map<const Vec<Dim>>(field.nodes[n].acceleration);
+}
+
+}  // namespace
 
 template <int Dim>
 void Tractions<Dim>::apply(const ParticleCondition& condition, Body<Dim>& body, std::size_t i) {
@@ -24,6 +37,7 @@ void Tractions<Dim>::apply(const ParticleCondition& condition, Body<Dim>& body, 
   point.impedance = std::sqrt(body.law->density() * body.law->wave_modulus());
   const double traction = condition.value.at(point);
   const Vec3 force = face.area * traction / static_cast<double>(face.points.size()) * direction;
+  particles_.push_back({&body, i, face.area * traction * direction.head<Dim>(), v.head<Dim>()});
   thread_local typename Cracks<Dim>::NearbyPieces nearby;
   for (const auto& at : face.points) {
     if (cracks_.active()) cracks_.find_nearby(at, nearby);
@@ -43,22 +57,51 @@ void Tractions<Dim>::apply(const ParticleCondition& condition, Body<Dim>& body, 
 
 template <int Dim>
 void Tractions<Dim>::apply() {
-  forces_.clear();
+  forces_.clear(), particles_.clear();
   each_loaded(model_, system_, ParticleCondition::Kind::traction,
               [&](const ParticleCondition& condition, Body<Dim>& body, std::size_t particle) {
                 apply(condition, body, particle);
               });
 }
 
-// The work uses the velocities at mid step, v - a dt/2.
 template <int Dim>
-void Tractions<Dim>::record(double dt) {
+template <class F>
+void Tractions<Dim>::add_work(double dt, F&& velocity) {
   for (const NodalForce& applied : forces_) {
-    const Node& node = system_.fields[applied.field].nodes[static_cast<std::size_t>(applied.node)];
-    for (int d = 0; d < Dim; ++d)
-      ledger_.external_work += dt * applied.force[d] * (node.velocity[d] - 0.5 * dt * node.acceleration[d]);
-    ledger_.impulse.template head<Dim>() += dt * applied.force;
+    const Vec<Dim> v = velocity(system_.fields[applied.field], static_cast<std::size_t>(applied.node));
+    ledger_.external_work += dt * applied.force.dot(v);
   }
+}
+
+template <int Dim>
+void Tractions<Dim>::record(double dt, bool filtered) {
+  const double since_middle = filtered ? 0.0 : 0.5 * dt;
+  add_work(dt, [&](const Field<Dim>& field, std::size_t n) -> Vec<Dim> {
+    return end_velocity(field, n) - since_middle * acceleration(field, n);
+  });
+  for (const NodalForce& applied : forces_) ledger_.impulse.template head<Dim>() += dt * applied.force;
+}
+
+template <int Dim>
+void Tractions<Dim>::record_start(double dt, bool filtered) {
+  if (!filtered)
+    add_work(0.5 * dt, [&](const Field<Dim>& field, std::size_t n) -> Vec<Dim> {
+      return end_velocity(field, n) - dt * acceleration(field, n);
+    });
+  for (const NodalForce& applied : forces_) ledger_.impulse.template head<Dim>() += dt * applied.force;
+}
+
+template <int Dim>
+void Tractions<Dim>::record_end(double dt, bool filtered, bool strain_filtered) {
+  add_work(filtered ? dt : 0.5 * dt, [&](const Field<Dim>& field, std::size_t n) -> Vec<Dim> {
+    return strain_filtered ? Vec<Dim>(Eigen::Map<const Vec<Dim>>(field.filter[n].velocity)) : end_velocity(field, n);
+  });
+}
+
+template <int Dim>
+void Tractions<Dim>::record_change_of_velocities(double dt) {
+  for (const LoadedParticle& p : particles_)
+    ledger_.external_work -= 0.5 * dt * p.force.dot(p.body->particles.velocity(p.particle) - p.velocity);
 }
 
 template class Tractions<2>;

@@ -18,11 +18,20 @@ class Tractions {
 
   /// Adds the forces of all tractions to the nodal forces.
   void apply();
-  /// Adds work and impulse of the step to the ledger. The work uses the nodal velocities at mid step.
-  void record(double dt);
+  /// Adds work and impulse of the step to the ledger. The work is that at the velocities of NodalWork, which explains
+  /// `filtered` and `strain_filtered`: record() unless the velocities are extrapolated again, otherwise record_start()
+  /// and record_end().
+  void record(double dt, bool filtered);
+  void record_start(double dt, bool filtered);
+  void record_end(double dt, bool filtered, bool strain_filtered);
+  /// With `filtered` velocities: to be called after the update of the particle velocities.
+  void record_change_of_velocities(double dt);
 
  private:
   void apply(const ParticleCondition& condition, Body<Dim>& body, std::size_t particle);
+
+  template <class F>
+  void add_work(double dt, F&& velocity);
 
   struct NodalForce {
     std::size_t field;
@@ -30,12 +39,19 @@ class Tractions {
     Vec<Dim> force;
   };
 
+  struct LoadedParticle {
+    const Body<Dim>* body;
+    std::size_t particle;
+    Vec<Dim> force, velocity;  // velocity before the step
+  };
+
   const Model& model_;
   System<Dim>& system_;
   const Exchanges<Dim>& exchanges_;
   const Cracks<Dim>& cracks_;
   EnergyLedger& ledger_;
-  std::vector<NodalForce> forces_;  // nodal forces of the tractions in this step
+  std::vector<NodalForce> forces_;         // nodal forces of the tractions in this step
+  std::vector<LoadedParticle> particles_;  // and the particles on whose faces they act
 };
 
 }  // namespace tribo

@@ -83,7 +83,7 @@ struct Body {
   std::size_t history = 0;               ///< first history column
   std::vector<double*> history_columns;  ///< pointers to the history columns, updated after every sort
   MatrixColumn affine;    ///< APIC: sum over nodes of w v (x_i - x)^T                    [velocity length]
-  VectorColumn filtered;  ///< XPIC, FMPM: the filtered velocity                          [velocity]
+  VectorColumn filtered;  ///< XPIC, FMPM: the filtered velocity; after the move see Gather::record_change
   VectorColumn start;     ///< "+" schemes: position at the start of the step             [length]
   /// Initial half widths of the particle domains if they differ between particles [length].
   VectorColumn half_size;

@@ -30,6 +30,8 @@ void move(Body<Dim>& body, const Lattice<Dim>& lattice, std::uint32_t first, int
     const double* __restrict sa = sums.acceleration[d];
     const double inverse = 1.0 / lattice.spacing[d];
     double far = 0.0;
+    double* change = what.record_change ? body.particles[body.filtered][static_cast<std::size_t>(d)] + first : nullptr;
+    if (change) std::copy_n(v, count, change);
 #pragma omp simd reduction(max : far) reduction(+ : not_finite)
     for (int i = 0; i < count; ++i) {
       const double old = v[i];
@@ -41,6 +43,7 @@ void move(Body<Dim>& body, const Lattice<Dim>& lattice, std::uint32_t first, int
       far = cells > far ? cells : far;
       not_finite += 0.0 * (now + dx);  // NaN if any value is not finite
     }
+    for (int i = 0; change && i < count; ++i) change[i] = sa[i] * (v[i] - change[i]);
     travel = far > travel ? far : travel;
   }
   result.travel = travel;

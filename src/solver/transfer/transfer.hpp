@@ -40,13 +40,14 @@ enum class GatherTask {
 /// A gather: its task and the options of an update.
 struct Gather {
   GatherTask task = GatherTask::update;
-  bool move = false;        ///< update velocity and position
-  double dt = 0.0;          ///< of the motion                                            [time]
-  double flip = 1.0;        ///< FLIP fraction: weight of v + dt S a; the remainder is S v
-  double damping = 0.0;     ///< particle damping, subtracts damping dt S v               [1/time]
-  double strain_dt = 0.0;   ///< > 0: deformation, stress and history over this time      [time]
-  bool from_start = false;  ///< use the shape functions at the positions at the start of the step
-  bool b_bar = false;       ///< use the rate of volume change in the volumetric column in place of div v
+  bool move = false;           ///< update velocity and position
+  double dt = 0.0;             ///< of the motion                                            [time]
+  double flip = 1.0;           ///< FLIP fraction: weight of v + dt S a; the remainder is S v
+  double damping = 0.0;        ///< particle damping, subtracts damping dt S v               [1/time]
+  double strain_dt = 0.0;      ///< > 0: deformation, stress and history over this time      [time]
+  bool from_start = false;     ///< use the shape functions at the positions at the start of the step
+  bool b_bar = false;          ///< use the rate of volume change in the volumetric column in place of div v
+  bool record_change = false;  ///< store S a times the change of the velocity in the columns of filtered velocities
   bool plane_stress = false, axisymmetric = false;
   bool exponential = false;  ///< F <- exp(L dt) F to second order in place of (1 + L dt) F
 };
