@@ -273,6 +273,26 @@ bool Cracks<Dim>::face_velocities(const Crack<Dim>& crack, std::size_t k, const 
   return found[0] || found[1];
 }
 
+namespace {
+
+// The extension of a line beyond the surface of a body continues its last piece. It reaches only nodes with little
+// mass, whose velocities would turn it, and with it the normal at the end of the line.
+void straighten_extensions(Crack<2>& crack, double cell) {
+  for (std::size_t p = crack.main_pieces; p < crack.pieces.size(); ++p) {
+    const auto from = std::min(crack.pieces[p][0], crack.pieces[p][1]);
+    const auto next = std::max(crack.pieces[p][0], crack.pieces[p][1]);
+    const bool first = next == crack.pieces[p][0];  // beyond the first point of the line
+    const auto& end = crack.pieces[first ? 0 : crack.main_pieces - 1];
+    const Vec<2> ahead = (first ? 1.0 : -1.0) * (crack.x[end[0]] - crack.x[end[1]]).normalized();
+    const Vec<2> motion = crack.x[from] + cell * ahead - crack.x[next];
+    crack.x[next] += motion;
+    for (auto& face : crack.face) face[next] += motion;
+  }
+}
+void straighten_extensions(Crack<3>&, double) {}
+
+}  // namespace
+
 // Points outside of all bodies move with the nearest point within a body.
 template <int Dim>
 void Cracks<Dim>::move(double dt) {
@@ -301,6 +321,7 @@ void Cracks<Dim>::move(double dt) {
       crack.gap[k] += dt * (v[k][1] - v[k][0]).dot(normals[k]);
       if (!crack.fixed) crack.x[k] = 0.5 * (crack.face[0][k] + crack.face[1][k]);
     }
+    if (!crack.fixed) straighten_extensions(crack, system_.lattice.spacing.maxCoeff());
   }
 }
 
