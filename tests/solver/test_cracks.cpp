@@ -173,6 +173,21 @@ TEST_CASE("CR10: where two cracks cross, four fields touch their neighbours only
   }
 }
 
+TEST_CASE("lines with common ends are one crack, whichever way they are drawn", "[cracks]") {
+  const Kernel kernel = GENERATE(Kernel::gimp, Kernel::quadratic_spline);
+  const Transfer transfer = GENERATE(Transfer::flip, Transfer::fmpm);
+  Model one = block<2>(kernel, transfer), three = one;
+  const Vec3 a(4, 9.3, 0), b(7, 9.6, 0), c(11, 10, 0), d(14, 10.3, 0);
+  const auto law = smooth();
+  one.cracks = {line({a, b, c, d}, law)};
+  three.cracks = {line({a, b}, law), line({c, b}, law), line({c, d}, law)};
+  // Later the points where lines meet move with normals of one line each.
+  const auto whole = outcome<2>(one, 14, 2);
+  CHECK(difference(whole, outcome<2>(three, 14, 2)) < 1e-12);
+  three.cracks.pop_back();
+  CHECK(difference(whole, outcome<2>(three, 14, 2)) > 1e-3);
+}
+
 TEST_CASE("IgnoreContact lets the faces of a crack pass through each other", "[cracks]") {
   Model model = block<2>(Kernel::gimp, Transfer::apic);
   model.cracks = {line(Vec3(2, 8, 0), Vec3(14, 8, 0), 24, nullptr)};

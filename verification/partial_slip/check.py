@@ -51,7 +51,7 @@ def pull(case, angle):
     back = np.array([[c, -s], [s, c]])
     label = f"turned by {angle} degrees, " if angle else ""
     cell = 0.0125 if case.quick else 0.01
-    entities = dict(c=repr(c), s=repr(s), h=str(cell)) | (dict(side="1.05") if angle else {}) | (dict(end="17") if case.quick else {})
+    entities = dict(c=repr(c), s=repr(s), h=str(cell)) | (dict(side="1.05") if angle else {}) | (dict(end="18.5") if case.quick else {})
     out = case.run(f"slip{angle}", entities=entities)
     h = verify.history(out)
     found, shear_shares, first = [], [], None

@@ -7,7 +7,9 @@
 #include "solver/neighbours/body_occupancy.hpp"
 #include "solver/state/limited_interface.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace tribo {
 namespace {
@@ -101,12 +103,41 @@ void add_joint(const Model& model, const CrackSpec& spec, const JointLaw& law, c
   system.joints.push_back(std::move(surface));
 }
 
-/// Treats both ends of a line. An end within a body is a tip. Beyond an end outside of the bodies, the crack is
-/// extended over the width of a stencil; otherwise nodes beyond the surface would couple its two sides.
-void find_ends(Crack<2>& crack, const CrackSpec& spec, const BodyOccupancy<2>& occupancy, double cell, int cells) {
+/// A line that shares an end with exactly one other line is part of the surface of that line.
+struct CommonEnds {
+  std::vector<std::uint32_t> surface;           ///< per crack
+  std::vector<std::array<bool, 2>> has_common;  ///< per crack and end
+
+  CommonEnds(const std::vector<CrackSpec>& cracks, bool lines, double cell)
+      : surface(cracks.size()), has_common(cracks.size(), {false, false}) {
+    std::iota(surface.begin(), surface.end(), 0U);
+    if (!lines) return;
+    const auto end_of = [&](std::size_t end) -> const Vec3& {
+      const auto& points = cracks[end / 2].points;
+      return end % 2 == 0 ? points.front() : points.back();
+    };
+    const auto is_tip = [&](std::size_t end) { return cracks[end / 2].ends[end % 2] == CrackSpec::End::tip; };
+    for (std::size_t a = 0; a < 2 * cracks.size(); ++a) {
+      std::size_t partner = a, count = 0;
+      for (std::size_t b = 0; b < 2 * cracks.size(); ++b)
+        if (b != a && (end_of(a) - end_of(b)).norm() < 1e-6 * cell) partner = b, ++count;
+      if (count != 1 || partner / 2 == a / 2 || is_tip(a) || is_tip(partner)) continue;
+      has_common[a / 2][a % 2] = true;
+      const auto [low, high] = std::minmax(surface[a / 2], surface[partner / 2]);
+      std::replace(surface.begin(), surface.end(), std::uint32_t{high}, std::uint32_t{low});
+    }
+  }
+};
+
+/// Treats the ends of a line that are `common` with no other line. An end within a body is a tip. Beyond an end outside
+/// of the bodies, the crack is extended over the width of a stencil; otherwise nodes beyond the surface would couple
+/// its two sides.
+void find_ends(Crack<2>& crack, const CrackSpec& spec, const std::array<bool, 2>& common,
+               const BodyOccupancy<2>& occupancy, double cell, int cells) {
   using End = CrackSpec::End;
   if ((crack.x.front() - crack.x[crack.main_points - 1]).norm() < 1e-9 * cell) return;  // a closed line
   for (const int end : {0, 1}) {
+    if (common[static_cast<std::size_t>(end)]) continue;
     const auto& piece = crack.pieces[end == 0 ? 0 : crack.main_pieces - 1];
     CrackTip tip;
     tip.end = end;
@@ -128,7 +159,7 @@ void find_ends(Crack<2>& crack, const CrackSpec& spec, const BodyOccupancy<2>& o
     }
   }
 }
-void find_ends(Crack<3>&, const CrackSpec&, const BodyOccupancy<3>&, double, int) {}
+void find_ends(Crack<3>&, const CrackSpec&, const std::array<bool, 2>&, const BodyOccupancy<3>&, double, int) {}
 
 /// Occupancy of the region around all cracks of the model.
 template <int Dim>
@@ -180,8 +211,11 @@ void grow_to(Crack<2>& crack, CrackTip& tip, const Vec<2>& x) {
 template <int Dim>
 void add_cracks(const Model& model, System<Dim>& system, int width) {
   const BodyOccupancy<Dim> occupancy = around_cracks(model, system);
-  for (const CrackSpec& spec : model.cracks) {
+  const CommonEnds ends(model.cracks, Dim == 2, system.lattice.spacing.maxCoeff());
+  for (std::size_t number = 0; number < model.cracks.size(); ++number) {
+    const CrackSpec& spec = model.cracks[number];
     Crack<Dim> crack;
+    crack.surface = ends.surface[number];
     crack.law = spec.law, crack.fixed = spec.fixed;
     const auto interface = imperfect_interface(model, system, spec);
     if (interface) crack.law = interface->is_bonded() ? interface : nullptr;
@@ -194,7 +228,7 @@ void add_cracks(const Model& model, System<Dim>& system, int width) {
       crack.pieces.push_back(corners);
     }
     crack.main_points = crack.x.size(), crack.main_pieces = crack.pieces.size();
-    find_ends(crack, spec, occupancy, system.lattice.spacing.maxCoeff(), width + 1);
+    find_ends(crack, spec, ends.has_common[number], occupancy, system.lattice.spacing.maxCoeff(), width + 1);
     crack.inside.assign(crack.pieces.size(), 0.0);
     for (std::size_t p = 0; p < crack.pieces.size(); ++p)
       for (const auto& [share, fraction] : samples(crack.corners(p), occupancy)) crack.inside[p] += fraction;

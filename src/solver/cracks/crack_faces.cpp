@@ -51,11 +51,11 @@ constexpr const auto& gauss() {
 }  // namespace
 
 template <int Dim>
-auto Cracks<Dim>::nearest(std::uint32_t c, const Vec<Dim>& x) const -> Nearest {
+auto Cracks<Dim>::nearest(std::uint32_t surface, const Vec<Dim>& x) const -> Nearest {
   Nearest out;
   double least = std::numeric_limits<double>::infinity();
   for (const PlacedPiece& p : near(x).pieces) {
-    if (p.crack != c) continue;
+    if (p.surface != surface) continue;
     const auto& corners = p.corners;
     const auto share = nearest_share(corners, x);
     Vec<Dim> at = Vec<Dim>::Zero();
@@ -68,8 +68,9 @@ auto Cracks<Dim>::nearest(std::uint32_t c, const Vec<Dim>& x) const -> Nearest {
       out = {&p, at, area.normalized(), share, 1};
       least = distance;
     } else {
-      // several pieces have this closest point in common: mean of their normals
-      out.normal += area.normalized();
+      // several pieces have this closest point in common: mean of their normals, whichever way the lines run
+      const double along = area.dot(out.piece->area()) < 0 ? -1.0 : 1.0;
+      out.normal += along * area.normalized();
     }
   }
   if (!out.piece) return out;
@@ -81,10 +82,11 @@ auto Cracks<Dim>::nearest(std::uint32_t c, const Vec<Dim>& x) const -> Nearest {
 }
 
 template <int Dim>
-auto Cracks<Dim>::average_faces(std::uint32_t c, const Vec<Dim>& node, const Nearest& nearest) const -> FaceAverages {
-  const Crack<Dim>& crack = system_.cracks[c];
+auto Cracks<Dim>::average_faces(std::uint32_t surface, const Vec<Dim>& node, const Nearest& nearest) const
+    -> FaceAverages {
   FaceAverages out;
   const auto add = [&](const PlacedPiece& piece, const auto& share, double w) {
+    const Crack<Dim>& crack = system_.cracks[piece.crack];
     for (std::size_t k = 0; k < share.size(); ++k) {
       const auto point = piece.points[k];
       out.opening += w * share[k] * piece.opening(crack, point), out.gap += w * share[k] * crack.gap[point];
@@ -93,10 +95,11 @@ auto Cracks<Dim>::average_faces(std::uint32_t c, const Vec<Dim>& node, const Nea
   };
   const Vec<Dim> reach = 2 * system_.lattice.spacing;
   for (const PlacedPiece& p : near(node).pieces) {
-    if (p.crack != c || ((p.low - reach).array() > node.array()).any() ||
+    if (p.surface != surface || ((p.low - reach).array() > node.array()).any() ||
         ((p.high + reach).array() < node.array()).any())
       continue;
     const auto& corners = p.corners;
+    const Crack<Dim>& crack = system_.cracks[p.crack];
     const double whole = crack.inside[p.piece] * p.area().norm() / static_cast<double>(gauss<Dim>().size());
     for (std::size_t g = 0; g < gauss<Dim>().size(); ++g) {
       // the corners of images are in a different order
@@ -104,7 +107,7 @@ auto Cracks<Dim>::average_faces(std::uint32_t c, const Vec<Dim>& node, const Nea
       if (p.points != crack.pieces[p.piece]) std::swap(share[0], share[1]);
       Vec<Dim> x = Vec<Dim>::Zero();
       for (std::size_t k = 0; k < share.size(); ++k) x += share[k] * corners[k];
-      double w = nodes_around_.weight(x - node) * whole * weight_factor_[c][p.piece * gauss<Dim>().size() + g];
+      double w = nodes_around_.weight(x - node) * whole * weight_factor_[p.crack][p.piece * gauss<Dim>().size() + g];
       if (!(w > 0)) continue;
       if (system_.analysis == Analysis::axisymmetric)
         w *= x[0];
@@ -124,16 +127,16 @@ auto Cracks<Dim>::average_faces(std::uint32_t c, const Vec<Dim>& node, const Nea
   return out;
 }
 
-// Whether a node has mass in the fields on both sides of a crack.
+// Whether a node has mass in the fields on both sides of a surface.
 template <int Dim>
-bool Cracks<Dim>::both_sides(std::uint32_t c, const Index<Dim>& n) const {
+bool Cracks<Dim>::both_sides(std::uint32_t surface, const Index<Dim>& n) const {
   int bit = 1;
   if (system_.cracks.size() > 1) {
-    const auto found = node_cracks_.find(flat(n));
-    if (found == node_cracks_.end()) return false;
+    const auto found = node_surfaces_.find(flat(n));
+    if (found == node_surfaces_.end()) return false;
     const auto [first, second] = found->second;
-    if (first != static_cast<int>(c) && second != static_cast<int>(c)) return false;
-    bit = first == static_cast<int>(c) ? 1 : 2;
+    if (first != static_cast<int>(surface) && second != static_cast<int>(surface)) return false;
+    bit = first == static_cast<int>(surface) ? 1 : 2;
   }
   Vec<Dim> v;
   const auto is = [&](int side) { return velocity_on_side(n, side, v) > 0; };
@@ -158,7 +161,7 @@ void Cracks<Dim>::find_face_weights() {
         double all = 0.0, both = 0.0;
         nodes_around_.each(x, [&](double w, const Index<Dim>& n) {
           all += w;
-          if (both_sides(c, n)) both += w;
+          if (both_sides(crack.surface, n)) both += w;
         });
         // otherwise the point lies at an end or outside of the bodies, or the crack is wide open
         constexpr double enough = 0.25;
@@ -171,23 +174,22 @@ void Cracks<Dim>::find_face_weights() {
 template <int Dim>
 bool Cracks<Dim>::find_faces(ContactPair& pair, const Index<Dim>& node, int side_a, int side_b) const {
   const int between = side_a ^ side_b;
-  std::uint32_t c = 0;
+  std::uint32_t surface = 0;
   if (system_.cracks.size() > 1) {
-    const auto found = node_cracks_.find(flat(node));
-    if (found == node_cracks_.end()) return false;
+    const auto found = node_surfaces_.find(flat(node));
+    if (found == node_surfaces_.end()) return false;
     const int number = found->second[between == 1 ? 0 : 1];
     if (number < 0) return false;
-    c = static_cast<std::uint32_t>(number);
+    surface = static_cast<std::uint32_t>(number);
   }
-  const Crack<Dim>& crack = system_.cracks[c];
-  pair.law = crack.law.get(), pair.crack = static_cast<int>(c);
-  if (!pair.law) return false;
   const Vec<Dim> x = system_.lattice.position(node);
-  const Nearest here = nearest(c, x);
+  const Nearest here = nearest(surface, x);
   if (!here.piece) return false;
+  pair.law = system_.cracks[here.piece->crack].law.get(), pair.crack = static_cast<int>(here.piece->crack);
+  if (!pair.law) return false;
   // field a is on the side of the node unless it is the additional field of this crack
   const int side_of_a = side_a & between ? -here.side : here.side;
-  const FaceAverages faces = average_faces(c, x, here);
+  const FaceAverages faces = average_faces(surface, x, here);
   ContactState& m = pair.state;
   m.normal.setZero();
   m.normal.template head<Dim>() = -side_of_a * here.normal;

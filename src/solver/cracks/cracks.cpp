@@ -66,11 +66,13 @@ void Cracks<Dim>::register_piece(const PlacedPiece& piece) {
       if (lists_.size() < listed_.size()) lists_.emplace_back();
     }
     List& here = lists_[static_cast<std::size_t>(list)];
-    if (here.cracks.empty() || here.cracks.back() != piece.crack) here.cracks.push_back(piece.crack);
-    if (here.cracks.size() > 64)
+    const auto found = std::find(here.surfaces.begin(), here.surfaces.end(), piece.surface);
+    const auto bit = static_cast<std::uint32_t>(found - here.surfaces.begin());
+    if (found == here.surfaces.end()) here.surfaces.push_back(piece.surface);
+    if (here.surfaces.size() > 64)
       throw SimulationError("more than 64 cracks come near one block of cells; use a finer grid or fewer cracks");
     here.pieces.push_back(piece);
-    here.pieces.back().bit = static_cast<std::uint32_t>(here.cracks.size()) - 1;
+    here.pieces.back().bit = bit;
   });
 }
 
@@ -78,12 +80,13 @@ template <int Dim>
 void Cracks<Dim>::register_pieces() {
   for (const auto block : listed_) list_of_[static_cast<std::size_t>(block)] = -1;
   listed_.clear();
-  for (auto& list : lists_) list.pieces.clear(), list.cracks.clear();
+  for (auto& list : lists_) list.pieces.clear(), list.surfaces.clear();
   for (std::uint32_t c = 0; c < system_.cracks.size(); ++c) {
     const Crack<Dim>& crack = system_.cracks[c];
     for (std::size_t p = 0; p < crack.pieces.size(); ++p) {
-      PlacedPiece piece{c, static_cast<std::uint32_t>(p), 0, crack.pieces[p], crack.corners(p), Vec<Dim>::Ones(), {},
-                        {}};
+      PlacedPiece piece{
+          c, static_cast<std::uint32_t>(p), crack.surface, 0, crack.pieces[p], crack.corners(p), Vec<Dim>::Ones(), {},
+          {}};
       piece.low = piece.high = piece.corners[0];
       for (const auto& corner : piece.corners)
         piece.low = piece.low.cwiseMin(corner), piece.high = piece.high.cwiseMax(corner);
@@ -145,10 +148,10 @@ void Cracks<Dim>::find() {
     auto& cut = at.body->cut_bins[static_cast<std::size_t>(at.body->cut[at.bin])];
     find_bin(*at.body, at.body->bins.list()[at.bin], cut);
   });
-  if (system_.cracks.size() > 1) number_node_cracks();
+  if (system_.cracks.size() > 1) number_node_surfaces();
 }
 
-// Bits of the cracks that the segment crosses an odd number of times.
+// Bits of the surfaces that the segment crosses an odd number of times.
 template <int Dim>
 std::uint64_t Cracks<Dim>::crossed(const std::vector<const PlacedPiece*>& pieces, const Vec<Dim>& from,
                                    const Vec<Dim>& to) const {
@@ -161,7 +164,7 @@ std::uint64_t Cracks<Dim>::crossed(const std::vector<const PlacedPiece*>& pieces
   return out;
 }
 
-// With one crack, a crossing gives the side directly. With several, number_node_cracks() converts the crossings into
+// With one crack, a crossing gives the side directly. With several, number_node_surfaces() converts the crossings into
 // sides.
 template <int Dim>
 void Cracks<Dim>::find_bin(Body<Dim>& body, const Bin& bin, CutBin& cut) {
@@ -210,12 +213,12 @@ std::int64_t Cracks<Dim>::flat(const Index<Dim>& node) const {
   return n;
 }
 
-// Of the cracks between a node and its particles, the two with the lowest numbers define the fields of the node;
-// further cracks have no effect there.
+// Of the surfaces between a node and its particles, the two with the lowest numbers define the fields of the node;
+// further surfaces have no effect there.
 template <int Dim>
-void Cracks<Dim>::number_node_cracks() {
+void Cracks<Dim>::number_node_surfaces() {
   constexpr int none = -1;
-  node_cracks_.clear();
+  node_surfaces_.clear();
   const int nodes = Dim == 2 ? width_ * width_ : width_ * width_ * width_;
   std::vector<Index<Dim>> lowest;
   const auto each = [&](auto&& f) {
@@ -237,9 +240,9 @@ void Cracks<Dim>::number_node_cracks() {
     }
   };
   each([&](const Index<Dim>& node, std::uint64_t bits, const List& list, std::uint8_t&) {
-    auto& [first, second] = node_cracks_.try_emplace(flat(node), std::array{none, none}).first->second;
-    for (std::size_t k = 0; k < list.cracks.size(); ++k) {
-      const int c = static_cast<int>(list.cracks[k]);
+    auto& [first, second] = node_surfaces_.try_emplace(flat(node), std::array{none, none}).first->second;
+    for (std::size_t k = 0; k < list.surfaces.size(); ++k) {
+      const int c = static_cast<int>(list.surfaces[k]);
       if (!(bits >> k & 1) || c == first || c == second) continue;
       if (first == none || c < first)
         second = first, first = c;
@@ -255,12 +258,17 @@ void Cracks<Dim>::number_node_cracks() {
 template <int Dim>
 int Cracks<Dim>::side_from_crossings(const Index<Dim>& node, std::uint64_t crossed, const List& list) const {
   if (system_.cracks.size() == 1 || crossed == 0) return crossed != 0 ? 1 : 0;
-  const auto found = node_cracks_.find(flat(node));
-  if (found == node_cracks_.end()) return 0;
+  const auto found = node_surfaces_.find(flat(node));
+  // No particle of this node lies beyond a surface that does not define its fields: the side has no mass there.
+  constexpr int no_particles = 1, no_particles_beyond_first = 2;
+  if (found == node_surfaces_.end()) return no_particles;
+  const auto [first, second] = found->second;
   int out = 0;
-  for (std::size_t k = 0; k < list.cracks.size(); ++k)
-    for (std::size_t n = 0; n < 2; ++n)
-      if (crossed >> k & 1 && found->second[n] == static_cast<int>(list.cracks[k])) out |= 1 << n;
+  for (std::size_t k = 0; k < list.surfaces.size(); ++k) {
+    if (!(crossed >> k & 1)) continue;
+    const int number = static_cast<int>(list.surfaces[k]);
+    out |= number == first ? 1 : number == second ? 2 : second < 0 ? no_particles_beyond_first : 0;
+  }
   return out;
 }
 

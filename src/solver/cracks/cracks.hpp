@@ -23,7 +23,8 @@ class Cracks {
   /// A piece of a crack, or its image in a symmetry plane.
   struct PlacedPiece {
     std::uint32_t crack, piece;
-    std::uint32_t bit;  // position of the crack in List::cracks
+    std::uint32_t surface;  // of which the crack is a part (Crack::surface)
+    std::uint32_t bit;      // position of the surface in List::surfaces
     Points points;
     Corners corners;
     Vec<Dim> mirror;  // factors of vector components: -1 along the normals of the symmetry planes of an image
@@ -33,10 +34,10 @@ class Cracks {
     Vec<Dim> area() const { return Crack<Dim>::area(corners); }
     Vec<Dim> opening(const Crack<Dim>& of, std::size_t point) const { return mirror.cwiseProduct(of.opening(point)); }
   };
-  /// Pieces that segments between particles and nodes near one block may cross, and the numbers of their cracks.
+  /// Pieces that segments between particles and nodes near one block may cross, and the numbers of their surfaces.
   struct List {
     std::vector<PlacedPiece> pieces;
-    std::vector<std::uint32_t> cracks;
+    std::vector<std::uint32_t> surfaces;
   };
 
  public:
@@ -73,7 +74,7 @@ class Cracks {
   void end_record();
 
  private:
-  /// The closest point of a crack.
+  /// The closest point of a surface.
   struct Nearest {
     const PlacedPiece* piece = nullptr;
     Vec<Dim> at, normal;            // closest point [length], unit normal to the upper side
@@ -92,14 +93,14 @@ class Cracks {
   void each_image(const PlacedPiece& piece, F&& f) const;
   const List& near(const Vec<Dim>& x) const;
   void find_bin(Body<Dim>& body, const Bin& bin, CutBin& cut);
-  void number_node_cracks();
+  void number_node_surfaces();
   std::int64_t flat(const Index<Dim>& node) const;
   int side_from_crossings(const Index<Dim>& node, std::uint64_t crossed, const List& list) const;
   std::uint64_t crossed(const std::vector<const PlacedPiece*>& pieces, const Vec<Dim>& from, const Vec<Dim>& to) const;
-  Nearest nearest(std::uint32_t crack, const Vec<Dim>& x) const;
-  FaceAverages average_faces(std::uint32_t crack, const Vec<Dim>& node, const Nearest& nearest) const;
+  Nearest nearest(std::uint32_t surface, const Vec<Dim>& x) const;
+  FaceAverages average_faces(std::uint32_t surface, const Vec<Dim>& node, const Nearest& nearest) const;
   double velocity_on_side(Index<Dim> n, int side, Vec<Dim>& v) const;
-  bool both_sides(std::uint32_t crack, const Index<Dim>& n) const;
+  bool both_sides(std::uint32_t surface, const Index<Dim>& n) const;
   bool face_velocities(const Crack<Dim>& crack, std::size_t point, const Vec<Dim>& normal,
                        std::array<Vec<Dim>, 2>& v) const;
 
@@ -115,8 +116,8 @@ class Cracks {
   std::vector<int> list_of_;          ///< per lattice block: its index in lists_, or -1
   std::vector<std::int64_t> listed_;  ///< blocks with a list
   const List none_;
-  /// With several cracks: numbers of the first two cracks at each node that is separated from particles by cracks.
-  std::unordered_map<std::int64_t, std::array<int, 2>> node_cracks_;
+  /// With several cracks: numbers of the first two surfaces at each node that cracks separate from particles.
+  std::unordered_map<std::int64_t, std::array<int, 2>> node_surfaces_;
   struct CutBinPlace {
     Body<Dim>* body;
     std::size_t bin;

@@ -61,6 +61,8 @@ struct Crack {
   std::vector<CrackTip> tips;
   double initial_bond = 0.0;  ///< value of `bond` at new points
   bool fixed = false;         ///< the points x do not move with the faces
+  /// Lines with common ends form one surface: the number of its first crack, by default that of the crack itself.
+  std::uint32_t surface = 0;
 
   /// Inserts a point with closed faces at position `at` [length] before the k-th point.
   void add_point(std::size_t k, const Vec<Dim>& at) {
@@ -106,7 +108,7 @@ struct Crack {
 template <int Dim>
 void archive(Archive& a, Crack<Dim>& crack) {
   auto& [law, x, face, pieces, inside, main_points, main_pieces, gap, slip, bond, status, traction, is_prescribed,
-         prescribed_velocity, tips, initial_bond, fixed] = crack;
+         prescribed_velocity, tips, initial_bond, fixed, surface] = crack;
   a.version(1);
   std::size_t points = x.size();
   a("points", points);
