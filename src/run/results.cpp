@@ -68,6 +68,17 @@ Results<Dim>::Results(const Model& model, System<Dim>& system, Stepper<Dim>& ste
 }
 
 template <int Dim>
+ResultNames Results<Dim>::names(const Model& model, const System<Dim>& system) {
+  ResultNames out{{"run.pvd"}, {"particles"}};
+  if (!model.output.grid_fields.empty()) out.add({{"grid.pvd"}, {"grid"}});
+  if (!system.cracks.empty()) out.add({{"cracks.pvd"}, {"cracks"}});
+  if (!system.joints.empty()) out.add({{"joints.pvd", "events.csv"}, {"joints"}});
+  if (model.fracture) out.add({{"tips.csv"}, {}});
+  if (system.blocks) out.add(BlockResults::names(model));
+  return out;
+}
+
+template <int Dim>
 void Results<Dim>::write_particles(std::int64_t number) {
   stepper_.contact().fill_view();
   std::vector<Body<Dim>*> bodies;
