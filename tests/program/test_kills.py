@@ -32,20 +32,20 @@ MODELS = [
     ("sphere", "verification/sphere/case.xml", 0.1, {"h": "0.1"}),                     # cached faces in space
     ("rubbing", "verification/rubbing/case.xml", 0.05, {}),                            # heat of friction
     ("flux", "verification/conduction/contact.xml", 0.2, {}),                          # heat across contact
-    ("growth", "verification/fracture/growth.xml", 0.2, {}),                           # crack that grows
-    ("crack", "verification/crack_friction/case.xml", 0.2, {}),                        # crack with friction
-    ("joints", "verification/joint_shear/case.xml", 0.2, {}),                          # crack with joints
-    ("patch", "verification/joint_patch/case.xml", 0.2, {}),                           # joints between bodies
+    ("growth", "verification/fracture/growth.xml", 0.004, {}),                           # crack that grows
+    ("crack", "verification/crack_friction/case.xml", 0.02, {}),                        # crack with friction
+    ("joints", "verification/joint_shear/case.xml", 0.01, {}),                          # crack with joints
+    ("patch", "verification/joint_patch/case.xml", 0.05, {}),                           # joints between bodies
     ("bed", "verification/blocks_on_matter/bed.xml", 0.1, {}),                         # blocks in the grid
     ("stick_slip", "verification/blocks_stick_slip/case.xml", 0.2, {}),                # blocks with joints
     ("toppling", "input/examples/toppling.xml", 0.1, {}),                              # blocks that find contacts
-    ("cutting", "input/examples/cutting.fmcmd", 0.3, {"cell": "0.05"}),                # rigid tool, plasticity
-    ("dam", "input/examples/dam_break.fmcmd", 0.1, {}),                                # liquid
-    ("column", "input/examples/granular_column.fmcmd", 0.05, {}),                      # sand
-    ("ring", "input/examples/rubber_ring.fmcmd", 0.05, {}),                            # CPDI
-    ("taylor", "input/examples/taylor_bar.fmcmd", 0.1, {}),                            # impact
+    ("cutting", "input/examples/cutting.fmcmd", 0.1, {"cell": "0.05"}),                # rigid tool, plasticity
+    ("dam", "input/examples/dam_break.fmcmd", 0.03, {}),                                # liquid
+    ("column", "input/examples/granular_column.fmcmd", 0.02, {}),                      # sand
+    ("ring", "input/examples/rubber_ring.fmcmd", 0.02, {}),                            # CPDI
+    ("taylor", "input/examples/taylor_bar.fmcmd", 0.03, {}),                            # impact
     ("seam", "verification/seam/case.xml", 0.1, {}),                                   # joints of a seam
-    ("incline", "input/examples/block_on_incline.fmcmd", 0.1, {}),                     # sliding
+    ("incline", "input/examples/block_on_incline.fmcmd", 0.03, {}),                     # sliding
 ]
 SHORT = ("rolling", "wall", "disks")
 FRAMES = 8

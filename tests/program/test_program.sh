@@ -233,13 +233,13 @@ stopped
 echo "<!-- nothing -->" >>project/case.xml
 mv project moved
 expect 0 "$tribo" resume --quiet moved/out
-cmp moved/out/history.csv one/history.csv || fail "a moved project gives other results"
+cmp moved/out/history.csv own/history.csv || fail "a moved project gives other results"
 mv moved project
 stopped
 mv project moved && rm moved/case.xml
 expect 0 "$tribo" resume --quiet moved/out
 grep -q "continues with the copy of the model" err.txt || { cat err.txt; fail "the copy is not told"; }
-cmp moved/out/history.csv one/history.csv || fail "the copy of the model gives other results"
+cmp moved/out/history.csv own/history.csv || fail "the copy of the model gives other results"
 
 # A full disk is an error that leaves nothing half-written
 if [ -w /dev/full ]; then
