@@ -43,7 +43,8 @@ Results<Dim>::Results(const Model& model, System<Dim>& system, Stepper<Dim>& ste
   std::vector<std::string> columns{"time"};
   for (const auto& q : model.output.history) columns.push_back(q.column);
   if (system.blocks) {
-    blocks.emplace(model, *system.blocks, folder_, resume_time);
+    // Blocks count their time themselves, which may differ in the last digit.
+    blocks.emplace(model, *system.blocks, folder_, resume_time ? std::optional(system.blocks->time) : std::nullopt);
     for (const auto& column : BlockResults::columns(model)) columns.push_back(column);
   }
   if (!resume_time) {
