@@ -214,8 +214,8 @@ std::optional<TimeFunction> Builder::time_function(const Statement& s, const cha
                                                    double factor) {
   const Attribute* a = s.attribute(attribute);
   if (!a) return std::nullopt;
-  return TimeFunction{function(a->text, a->origin), model_.units.alternative_time(),
-                      model_.units.factor(dimension) * factor};
+  return TimeFunction{function(a->text, a->origin, "'" + a->name + "' of <" + s.name + ">"),
+                      model_.units.alternative_time(), model_.units.factor(dimension) * factor};
 }
 
 BlockGroup Builder::block_group(const Statement& s) {

@@ -60,7 +60,7 @@ RegionPtr Builder::plain_shape(const Statement& s) {
     const Vec3 shift(number(s, "x", Dimension::length), number(s, "y", Dimension::length),
                      number(s, "z", Dimension::length));
     try {
-      return stl((folder_ / word(s, "file")).string(), number(s, "scale", Dimension::none, 1.0), shift);
+      return stl(data_file(word(s, "file")).string(), number(s, "scale", Dimension::none, 1.0), shift);
     } catch (const FileError& error) {
       throw std::runtime_error(error.what());
     }
@@ -136,10 +136,10 @@ void Builder::body(const Statement& s, bool hole) {
 
 // Elements between the shapes act on the shapes that follow.
 void Builder::modify(const Statement& s, Piece& piece) {
-  if (s.name == "vel0X") piece.velocity_function[0] = function(s.text, s.text_origin);
-  if (s.name == "vel0Y") piece.velocity_function[1] = function(s.text, s.text_origin);
-  if (s.name == "vel0Z") piece.velocity_function[2] = function(s.text, s.text_origin);
-  if (s.name == "RotateZ") piece.angle += function(s.text, s.text_origin)(Variables{}) * degrees;
+  if (s.name == "vel0X") piece.velocity_function[0] = function(s.text, s.text_origin, "<" + s.name + ">");
+  if (s.name == "vel0Y") piece.velocity_function[1] = function(s.text, s.text_origin, "<" + s.name + ">");
+  if (s.name == "vel0Z") piece.velocity_function[2] = function(s.text, s.text_origin, "<" + s.name + ">");
+  if (s.name == "RotateZ") piece.angle += function(s.text, s.text_origin, "<" + s.name + ">")(Variables{}) * degrees;
   must(s.name != "RotateX" && s.name != "RotateY", s.origin,
        "<" + s.name + "> rotates material axes out of the plane, which is not implemented");
   if (s.name == "Unrotate") piece.angle = 0.0;
@@ -176,7 +176,7 @@ void Builder::modify(const Statement& s, Piece& piece) {
 void Builder::picture(const Statement& s) {
   std::shared_ptr<const Image> image;
   try {
-    image = std::make_shared<const Image>((folder_ / word(s, "name")).string());
+    image = std::make_shared<const Image>(data_file(word(s, "name")).string());
   } catch (const FileError& error) {
     problems_.add(s.attribute("name")->origin, error.what());
     return;

@@ -205,9 +205,10 @@ void Builder::gravity() {
       must(d < 2 || model_.dimension() == 3 || model_.body_force.gravity[2] == 0, s->origin,
            "a force along z needs a three-dimensional model");
     }
-    if (const auto* s = g->child(functions[d])) model_.body_force.function[d] = function(s->text, s->text_origin);
+    if (const auto* s = g->child(functions[d]))
+      model_.body_force.function[d] = function(s->text, s->text_origin, "<" + s->name + ">");
     if (const auto* s = g->child(on_particles[d]))
-      model_.body_force.on_particles[d] = particle_function(s->text, s->text_origin);
+      model_.body_force.on_particles[d] = particle_function(s->text, s->text_origin, "<" + s->name + ">");
   }
 }
 

@@ -243,12 +243,14 @@ void Builder::rigid_functions(const Statement& s, MaterialSpec& spec, bool conta
     must(functions.size() <= static_cast<std::size_t>(model_.dimension()), s.origin,
          "there are more <SettingFunction>s than directions");
     for (std::size_t d = 0; d < std::min<std::size_t>(functions.size(), 3); ++d)
-      spec.rigid_velocity[d] = function(functions[d]->text, functions[d]->text_origin);
+      spec.rigid_velocity[d] = function(functions[d]->text, functions[d]->text_origin, "<" + functions[d]->name + ">");
     return;
   }
   std::size_t n = 0;
   for (std::size_t d = 0; d < 3 && n < functions.size(); ++d)
-    if (spec.sets_velocity[d]) spec.rigid_velocity[d] = function(functions[n]->text, functions[n]->text_origin), ++n;
+    if (spec.sets_velocity[d])
+      spec.rigid_velocity[d] = function(functions[n]->text, functions[n]->text_origin, "<" + functions[n]->name + ">"),
+      ++n;
   must(n == functions.size(), s.origin, "more <SettingFunction>s than directions in <SetDirection>");
 }
 

@@ -60,9 +60,10 @@ void Builder::lattice_nuclei(const Statement& s, const std::string& kind, PointL
 
 void Builder::nuclei_of_file(const Attribute& file, BlockGroup& g) {
   const auto dimension = static_cast<std::size_t>(model_.dimension());
-  const auto text = content_of(folder_ / file.text, file.origin);
+  const auto place = data_file(file.text);
+  const auto text = content_of(place, file.origin);
   if (!text) return;
-  const Origin begin{std::make_shared<const std::string>((folder_ / file.text).string()), 1, 1};
+  const Origin begin{std::make_shared<const std::string>(place.string()), 1, 1};
   bool first = true;
   for (const auto& row : read_csv(*text, begin)) {
     std::array<double, 3> x{};

@@ -39,7 +39,7 @@ std::vector<std::size_t> read_head(const CsvRow& head, int dimension, Problems& 
 }  // namespace
 
 std::shared_ptr<const ScatteredField> Builder::stress_points(const Statement& s) {
-  const auto place = folder_ / s.attribute("file")->text;
+  const auto place = data_file(s.attribute("file")->text);
   const auto text = content_of(place, s.attribute("file")->origin);
   if (!text) return nullptr;
   const Origin origin{std::make_shared<const std::string>(place.string()), 1, 1};

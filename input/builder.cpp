@@ -4,6 +4,7 @@
 #include "input/dialect.hpp"
 #include "input/read.hpp"
 #include "input/script/script.hpp"
+#include "input/script/write_xml.hpp"
 #include "input/xml.hpp"
 
 #include <cstdio>
@@ -84,16 +85,22 @@ std::string Builder::word(const Statement& s, std::string_view attribute, const 
   return a ? a->text : fallback;
 }
 
-Expression Builder::function(const std::string& text, const Origin& origin) {
-  Expression f = particle_function(text, origin);
+// A file that the command file names.
+std::filesystem::path Builder::data_file(const std::string& name) {
+  model_.data_files.push_back(name);
+  return folder_ / name;
+}
+
+Expression Builder::function(const std::string& text, const Origin& origin, const std::string& keyword) {
+  Expression f = particle_function(text, origin, keyword);
   must(!f.uses_start(), origin,
        "x0, y0 and z0 (the initial position of a particle) are defined in <ParticleBodyXForce> only");
   return f;
 }
 
-Expression Builder::particle_function(const std::string& text, const Origin& origin) {
+Expression Builder::particle_function(const std::string& text, const Origin& origin, const std::string& keyword) {
   try {
-    return Expression(text, origin);
+    return Expression(text, origin, keyword);
   } catch (const InputError& error) {
     problems_.add(error);
     return Expression(0.0);
@@ -103,7 +110,7 @@ Expression Builder::particle_function(const std::string& text, const Origin& ori
 std::optional<Expression> Builder::function(const Statement& s, std::string_view attribute) {
   const Attribute* a = s.attribute(attribute);
   if (!a) return std::nullopt;
-  return function(a->text, a->origin);
+  return function(a->text, a->origin, "'" + a->name + "' of <" + s.name + ">");
 }
 
 double Builder::unit_factor(const Statement& s, Dimension dimension) {
@@ -227,42 +234,45 @@ Statement statements_of(const std::string& text, const std::shared_ptr<const std
   return root;
 }
 
-Statement read(const std::filesystem::path& file, Settings settings, std::FILE* output,
-               std::vector<std::string>* warnings) {
+std::string text_of(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
   std::ostringstream buffer;
   if (!in || !(buffer << in.rdbuf())) throw FileError("cannot read '" + file.string() + "'");
-  const auto name = std::make_shared<const std::string>(file.string());
-  return statements_of(buffer.str(), name, std::move(settings), output, warnings);
+  return std::move(buffer).str();
 }
 
-// The model with warnings of the reader before its own.
-Model with_warnings(Model model, const std::vector<std::string>& warnings) {
+// Positions in the command file are left out: they change without any effect on the model.
+std::string meaning_of(Statement root) {
+  const auto forget = [](auto& self, Statement& s) -> void {
+    s.origin = {};
+    for (Statement& child : s.children) self(self, child);
+  };
+  forget(forget, root);
+  return xml_text(root);
+}
+
+Model model_of(const std::string& text, const std::string& file, const std::filesystem::path& folder,
+               const Settings& settings) {
+  std::vector<std::string> warnings;
+  const Statement root = statements_of(text, std::make_shared<const std::string>(file), settings, stdout, &warnings);
+  Model model = build_model(root, folder);
   model.warnings.insert(model.warnings.begin(), warnings.begin(), warnings.end());
+  model.file = file, model.settings = settings.values(), model.source = text, model.meaning = meaning_of(root);
   return model;
 }
 
 }  // namespace
 
 Statement read_statements(const std::filesystem::path& file, Settings settings, std::FILE* output) {
-  return read(file, std::move(settings), output, nullptr);
+  return statements_of(text_of(file), std::make_shared<const std::string>(file.string()), std::move(settings), output);
 }
 
 Model read_model(const std::filesystem::path& file, const Settings& settings) {
-  std::vector<std::string> warnings;
-  const Statement root = read(file, settings, stdout, &warnings);
-  Model model = with_warnings(build_model(root, file.parent_path()), warnings);
-  model.file = file.string(), model.settings = settings.values();
-  return model;
+  return model_of(text_of(file), file.string(), file.parent_path(), settings);
 }
 
 Model read_model_text(std::string_view text, const std::string& name) {
-  std::vector<std::string> warnings;
-  const Statement root =
-      statements_of(std::string(text), std::make_shared<const std::string>(name), {}, stdout, &warnings);
-  Model model = with_warnings(build_model(root, {}), warnings);
-  model.file = name;
-  return model;
+  return model_of(std::string(text), name, {}, {});
 }
 
 }  // namespace tribo

@@ -143,8 +143,9 @@ class Builder {
   double coordinate(const Statement& s, std::string_view attribute, int axis, double fallback = 0.0);
   double text_number(const Statement& s, Dimension dimension, double fallback = 0.0);
   std::string word(const Statement& s, std::string_view attribute, const std::string& fallback = {}) const;
-  Expression function(const std::string& text, const Origin& origin);
-  Expression particle_function(const std::string& text, const Origin& origin);  ///< may depend on x0, y0, z0
+  Expression function(const std::string& text, const Origin& origin, const std::string& keyword);
+  Expression particle_function(const std::string& text, const Origin& origin,
+                               const std::string& keyword);  ///< may depend on x0, y0, z0
   std::optional<Expression> function(const Statement& s, std::string_view attribute);
   /// Factor of the `units` attribute of an element; legacy files only.
   double unit_factor(const Statement& s, Dimension dimension);
@@ -155,6 +156,7 @@ class Builder {
   RegionPtr placed(const Statement& s, const std::function<RegionPtr()>& make);
 
   const Statement& root_;
+  std::filesystem::path data_file(const std::string& name);
   std::filesystem::path folder_;
   Model model_;
   Problems problems_;

@@ -7,12 +7,17 @@
 #include "input/script/write_xml.hpp"
 #include "output/atomic_file.hpp"
 #include "output/number.hpp"
+#include "run/model_record.hpp"
 #include "run/preflight.hpp"
 #include "run/safety.hpp"
+#include "run/signals.hpp"
 #include "run/simulation.hpp"
 
+#include <algorithm>
+#include <cerrno>
 #include <cstdio>
-#include <fstream>
+#include <cstring>
+#include <optional>
 
 namespace tribo {
 namespace {
@@ -33,18 +38,48 @@ Settings settings_of(const Arguments& a) {
   return values;
 }
 
-// The model of a run: its command file and settings as recorded in the folder of the run.
-Model model_of(const std::filesystem::path& folder) {
-  std::ifstream record(folder / "model.path");
-  std::string file;
-  if (!std::getline(record, file))
-    throw FileError("'" + folder.string() + "' is not the folder of a run: it has no model.path");
-  Arguments a;
-  for (std::string line; std::getline(record, line);) a.settings.push_back(line);
-  return read_model(file, settings_of(a));
+// The model of a run and what has changed in it since the run began.
+struct ModelToResume {
+  Model model;
+  std::vector<std::string> changed;
+};
+
+// The command file is looked for from the folder of the run, which may have been moved with it, then where it was. If
+// both exist, one that has not changed is taken. Without it the copy in the folder serves.
+ModelToResume model_of(const std::filesystem::path& folder) {
+  const ModelRecord record = read_model_record(folder);
+  std::optional<ModelToResume> first;
+  for (const auto& file : {(folder / record.relative).lexically_normal(), record.file}) {
+    if (record.relative.empty() || !std::filesystem::is_regular_file(file)) continue;
+    ModelToResume found{read_model(file, record.settings), {}};
+    found.changed = changes(record, found.model);
+    if (found.changed.empty()) return found;
+    if (!first) first = std::move(found);
+  }
+  if (first) return *first;
+  std::fprintf(stderr,
+               "warning: there is no '%s' any more; the run continues with the copy of the model in its folder\n",
+               record.file.c_str());
+  return {read_model(copy_of_model(folder)), {}};
+}
+
+void refuse_changes(const ModelToResume& found, const std::filesystem::path& folder) {
+  static constexpr std::size_t most = 40;
+  std::string text = "'" + found.model.file + "' has changed since the run began:\n";
+  for (std::size_t k = 0; k < std::min(most, found.changed.size()); ++k) text += "  " + found.changed[k] + "\n";
+  if (found.changed.size() > most) text += "  and " + std::to_string(found.changed.size() - most) + " further lines\n";
+  throw FileError(text + "'tribo resume --changed " + folder.string() +
+                  "' continues with the changed file; 'tribo run' starts anew");
 }
 
 }  // namespace
+
+int print(const std::string& text) {
+  errno = 0;
+  if (std::fputs(text.c_str(), stdout) < 0 || std::fflush(stdout) != 0)
+    throw FileError(std::string("cannot write to the standard output: ") + std::strerror(errno));
+  return done;
+}
 
 int run_command(const Arguments& a) {
   if (a.only_check) return check_command(a);
@@ -66,8 +101,10 @@ int run_command(const Arguments& a) {
 }
 
 int resume_command(const Arguments& a) {
-  const Model model = model_of(a.folder);
+  const auto [model, changed] = model_of(a.folder);
+  if (!changed.empty() && !a.changed) refuse_changes({model, changed}, a.folder);
   RunOptions options;
+  options.changed = !changed.empty(), options.changes = join(changed, "; ");
   options.folder = a.folder, options.threads = a.thread_count, options.quiet = a.quiet, options.max_wall = a.max_wall;
   options.resume = true, options.command_line = a.command_line;
   return tribo::run(model, options) == Outcome::finished ? done : stopped_early;
@@ -75,8 +112,7 @@ int resume_command(const Arguments& a) {
 
 int check_command(const Arguments& a) {
   const Model model = read_model(a.file, settings_of(a));
-  std::printf("%s", preflight(model, a.thread_count).c_str());
-  return 0;
+  return print(preflight(model, a.thread_count));
 }
 
 int drive_command(const Arguments& a) {
@@ -96,10 +132,11 @@ int safety_command(const Arguments& a) {
   options.folder = a.output.empty() ? default_folder(a.file) : a.output;
   options.threads = a.thread_count, options.quiet = true, options.overwrite = a.overwrite,
   options.command_line = a.command_line;
+  options.further_files = {"safety.csv"};
   check_folder(options);
-  std::error_code refused;  // the folder is created now, so that a failure is reported before the search
-  std::filesystem::create_directories(options.folder, refused);
-  if (refused) throw FileError("cannot create '" + options.folder.string() + "': " + refused.message());
+  const SignalGuard signals;
+  ResultFolder folder(options.folder);  // opened now, so that a failure is reported before the search
+  options.opened = &folder;
   const auto found = find_safety(model, a.thread_count, [&](const SafetyTrial& t) {
     if (!a.quiet)
       std::printf("strengths over %-8.5g %s\n", t.factor,
@@ -127,7 +164,7 @@ int safety_command(const Arguments& a) {
 
 int convert_command(const Arguments& a) {
   const std::string text = xml_text(read_statements(a.file, settings_of(a), stderr));
-  if (a.output.empty()) return std::fputs(text.c_str(), stdout) < 0 ? file_error : done;
+  if (a.output.empty()) return print(text);
   if (!a.overwrite && std::filesystem::exists(a.output))
     throw FileError("'" + a.output.string() + "' already exists; --overwrite replaces it, --output names another file");
   write_atomically(a.output, text);
@@ -136,12 +173,12 @@ int convert_command(const Arguments& a) {
 
 int list_command(const Arguments& a) {
   const std::string text = !a.keyword.empty() ? manual_text(a.keyword) : a.names ? manual_names() : manual_list();
-  return std::fputs(text.c_str(), stdout) < 0 ? file_error : done;
+  return print(text);
 }
 
 int doc_command(const Arguments& a) {
   const std::string text = a.markdown ? manual_markdown() : manual_text(a.keyword);
-  return std::fputs(text.c_str(), stdout) < 0 ? file_error : done;
+  return print(text);
 }
 
 }  // namespace tribo

@@ -15,7 +15,7 @@ enum ExitCode { done = 0, usage_error = 2, input_error = 3, numerical_error = 4,
 struct Arguments {
   std::filesystem::path file, output, folder;
   int thread_count = threads();
-  bool quiet = false, overwrite = false, only_check = false;
+  bool quiet = false, overwrite = false, only_check = false, changed = false;
   double max_wall = 0.0;              ///< seconds
   std::vector<std::string> settings;  ///< name=value
   std::string keyword;
@@ -25,6 +25,9 @@ struct Arguments {
   int width = 900, rate = 20, port = 0;
   std::string command_line;
 };
+
+/// Writes a text to the standard output; returns `done`. Throws FileError, also if the disk behind it is full.
+int print(const std::string& text);
 
 int run_command(const Arguments& a);
 int resume_command(const Arguments& a);

@@ -6,6 +6,7 @@
 #include "completion.hpp"
 #include "input/dialect.hpp"
 #include "output/provenance.hpp"
+#include "run/signals.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -56,6 +57,9 @@ int guarded(const std::function<int()>& action) {
   } catch (const FileError& error) {
     std::fprintf(stderr, "error: %s\n", error.what());
     return file_error;
+  } catch (const StopRequest&) {
+    std::fprintf(stderr, "stopped; nothing was written\n");
+    return stopped_early;
   } catch (const std::bad_alloc&) {
     std::fprintf(stderr,
                  "error: not enough memory; use larger cells or fewer particles ('tribo check FILE' estimates it)\n");
@@ -82,6 +86,7 @@ class CommandLine {
         "-w", [] {}, "accepted without effect: results are always written below the current folder");
     auto* resume = add("resume", "continue a stopped run", resume_command);
     resume->add_option("DIR", a.folder, "folder of the run")->required();
+    resume->add_flag("--changed", a.changed, "continue with a command file that has changed since");
     has_threads(resume), may_be_quiet(resume), has_wall(resume);
     has_threads(reads_file(
         "check", "read the file, build the model and print a summary with checks, without running it", check_command));
@@ -105,8 +110,7 @@ class CommandLine {
     watch->add_option("DIR", a.folder, "folder of the run")->required();
     watch->add_option("--port", a.port, "port of the local web server (default: any free port)")
         ->check(CLI::Range(1, 65535));
-    add("schema", "print the XML schema of command files",
-        [](const Arguments&) { return std::printf("%s", schema().c_str()) < 0 ? file_error : done; });
+    add("schema", "print the XML schema of command files", [](const Arguments&) { return print(schema()); });
     auto* list =
         add("list", "list all elements, materials, laws, commands and quantities, or describe one", list_command);
     list->add_option("NAME", a.keyword, "name to describe");
@@ -115,10 +119,7 @@ class CommandLine {
     doc->add_option("NAME", a.keyword, "name to describe");
     doc->add_flag("--markdown", a.markdown, "print all as Markdown");
     add("completion", "print a completion script for bash or zsh",
-        [this](const Arguments&) {
-          const std::string text = completion(app, a.keyword);
-          return std::fputs(text.c_str(), stdout) < 0 ? file_error : done;
-        })
+        [this](const Arguments&) { return print(completion(app, a.keyword)); })
         ->add_option("SHELL", a.keyword, "bash or zsh")
         ->required()
         ->check(CLI::IsMember({"bash", "zsh"}));

@@ -111,6 +111,8 @@ int report_command(const Arguments& a) {
   std::vector<ReportPicture> pictures;
   for (const auto& frame : frames) pictures.push_back({frame.entry.time, picture(run.scene(frame.entry), options)});
   const std::filesystem::path file = a.output.empty() ? a.folder / "report.html" : a.output;
+  if (std::filesystem::exists(std::filesystem::symlink_status(file)) && !is_report(file))
+    throw FileError("'" + file.string() + "' is not a report of Tribo; --output names another file");
   write_atomically(file, report(run, pictures));
   std::printf("%s\n", file.c_str());
   return done;

@@ -106,7 +106,7 @@ def table(path):
     """Columns of a CSV as arrays by name."""
     with open(path) as file:
         rows = list(csv.reader(file))
-    return {name: np.array([float(row[k]) for row in rows[1:]]) for k, name in enumerate(rows[0])}
+    return {name: np.array([float(row[k] or "nan") for row in rows[1:]]) for k, name in enumerate(rows[0])}
 
 
 def history(folder):

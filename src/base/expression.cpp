@@ -140,7 +140,8 @@ Expression::Expression(double constant) : constant_(constant) {
   text_.assign(shortest.data(), end);
 }
 
-Expression::Expression(const std::string& text, const Origin& origin) : text_(text) {
+Expression::Expression(const std::string& text, const Origin& origin, std::string keyword)
+    : text_(text), origin_(origin), keyword_(std::move(keyword)) {
   const CheckedText checked = check_expression(text, origin);
   uses_start_ = checked.uses_start;
   try {
@@ -157,6 +158,21 @@ Expression::Expression(const std::string& text, const Origin& origin) : text_(te
   if (!std::isfinite(constant_)) throw InputError(origin, "'" + text + "' has no finite value");
 }
 
-double Expression::operator()(const Variables& at) const { return compiled_ ? (*compiled_)(at) : constant_; }
+double Expression::operator()(const Variables& at) const {
+  if (!compiled_) return constant_;
+  const double value = (*compiled_)(at);
+  if (!std::isfinite(value)) refuse(at);
+  return value;
+}
+
+void Expression::refuse(const Variables& at) const {
+  std::string where;
+  for (const auto& [name, number] :
+       {std::pair("t", at.t), std::pair("x", at.x), std::pair("y", at.y), std::pair("z", at.z)})
+    where += std::string(where.empty() ? "" : ", ") + name + " = " + Expression(number).text();
+  const std::string place = origin_.text();
+  throw SimulationError((place.empty() ? "" : place + ": ") + "the function '" + text_ + "'" +
+                        (keyword_.empty() ? "" : " of " + keyword_) + " has no finite value at " + where);
+}
 
 }  // namespace tribo

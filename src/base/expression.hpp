@@ -44,9 +44,11 @@ class Expression {
 
   Expression() = default;  ///< the constant 0
   explicit Expression(double constant);
-  /// Throws InputError at the place of the error in the text, with what is valid.
-  Expression(const std::string& text, const Origin& origin);
+  /// Throws InputError at the place of the error in the text, with what is valid. `keyword`: whose value it is, for
+  /// messages.
+  Expression(const std::string& text, const Origin& origin, std::string keyword = {});
 
+  /// Throws SimulationError with the text and its place if the value is not finite.
   double operator()(const Variables& at) const;
   bool is_constant() const { return !compiled_; }
   bool uses_start() const { return uses_start_; }  ///< depends on x0, y0 or z0, which only particles have
@@ -54,9 +56,12 @@ class Expression {
 
  private:
   struct Compiled;
+  [[noreturn]] void refuse(const Variables& at) const;
   double constant_ = 0.0;
   bool uses_start_ = false;
   std::string text_ = "0";
+  Origin origin_;
+  std::string keyword_;
   std::shared_ptr<Compiled> compiled_;
 };
 

@@ -66,7 +66,8 @@ std::vector<PathColumn> joint_columns(double length_factor = 1.0, double force_f
 struct Table {
   std::vector<std::string> names;
   std::vector<std::vector<double>> rows;
-  /// Comma-separated, numbers in the shortest form that reads back to the same bits.
+  /// Comma-separated, numbers in the shortest form that reads back to the same bits. Throws SimulationError with row
+  /// and column if one of them is not finite.
   std::string text() const;
 };
 

@@ -332,6 +332,9 @@ struct OutputSpec {
 
 struct Model {
   std::string file;                             ///< the command file
+  std::string source;                           ///< its text
+  std::string meaning;                          ///< the statements that it means, as a command file in XML
+  std::vector<std::string> data_files;          ///< further files that it reads, from the folder of the command file
   std::map<std::string, std::string> settings;  ///< variables of a script that were set on the command line
   std::string title;
   Analysis analysis = Analysis::plane_strain;

@@ -4,6 +4,7 @@
 #include "base/error.hpp"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -29,14 +30,33 @@ void flush_to_disk(const std::filesystem::path& path, const std::filesystem::pat
 
 }  // namespace
 
-void write_atomically(const std::filesystem::path& path, const std::function<bool(const std::string&)>& write) {
-  // The extension is kept because some writers choose their format by it.
+// The extension is kept because some writers choose their format by it.
+std::filesystem::path temporary_of(const std::filesystem::path& path) {
   auto temporary = path;
   temporary.replace_filename("." + path.stem().string() + ".writing" + path.extension().string());
+  return temporary;
+}
+
+void write_atomically(const std::filesystem::path& path, const std::function<bool(const std::string&)>& write) {
+  const auto temporary = temporary_of(path);
   errno = 0;
   if (!write(temporary.string())) fail(path, temporary, errno);
   flush_to_disk(path, temporary);
   if (std::rename(temporary.c_str(), path.c_str()) != 0) fail(path, temporary, errno);
+}
+
+bool write_over(const std::filesystem::path& path, std::string_view content) {
+  const int file =
+      ::open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NOFOLLOW);  // NOLINT(cppcoreguidelines-pro-type-vararg)
+  if (file < 0) return false;
+  struct stat status {};
+  constexpr std::size_t block = 512;  // the unit of st_blocks
+  const bool fits = ::fstat(file, &status) == 0 && content.size() <= static_cast<std::size_t>(status.st_blocks) * block;
+  const bool written = fits &&
+                       ::pwrite(file, content.data(), content.size(), 0) == static_cast<ssize_t>(content.size()) &&
+                       ::ftruncate(file, static_cast<off_t>(content.size())) == 0 && ::fsync(file) == 0;
+  ::close(file);
+  return written;
 }
 
 void write_atomically(const std::filesystem::path& path, std::string_view content) {

@@ -16,4 +16,11 @@ void write_atomically(const std::filesystem::path& path, std::string_view conten
 /// The same for content that a library writes to a file itself: `write(temporary)` returns false on failure.
 void write_atomically(const std::filesystem::path& path, const std::function<bool(const std::string&)>& write);
 
+/// Writes over an existing file, within the space that it has on the disk: what remains possible on a full disk. False,
+/// and nothing changes, if there is no such file or the content needs more space.
+bool write_over(const std::filesystem::path& path, std::string_view content);
+
+/// The temporary file of `path`; a program that is killed may leave it.
+std::filesystem::path temporary_of(const std::filesystem::path& path);
+
 }  // namespace tribo

@@ -6,6 +6,8 @@
 
 #include <zlib.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <fstream>
 #include <sstream>
@@ -44,6 +46,8 @@ void CheckpointWriter::entry(const std::string& name, char kind, const void* dat
 }
 
 void CheckpointWriter::put(const std::string& name, std::span<const double> values) {
+  if (!std::all_of(values.begin(), values.end(), [](double x) { return std::isfinite(x); }))
+    throw SimulationError("'" + name + "' of the state is not a number; no checkpoint is written");
   entry(name, 'd', values.data(), values.size_bytes());
 }
 void CheckpointWriter::put(const std::string& name, std::span<const std::int64_t> values) {

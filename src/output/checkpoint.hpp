@@ -13,6 +13,7 @@ namespace tribo {
 
 class CheckpointWriter {
  public:
+  /// Numbers must be finite: throws SimulationError with the name if one is not.
   void put(const std::string& name, std::span<const double> values);
   void put(const std::string& name, std::span<const std::int64_t> values);
   void put(const std::string& name, const std::string& text);

@@ -6,6 +6,7 @@
 #include "output/number.hpp"
 
 #include <cerrno>
+#include <cmath>
 #include <cstring>
 #include <fstream>
 
@@ -35,7 +36,7 @@ void History::open(const char* mode) {
 }
 
 History::History(std::filesystem::path path, const std::vector<std::string>& columns)
-    : path_(std::move(path)), columns_(columns.size()) {
+    : path_(std::move(path)), columns_(columns) {
   write_atomically(path_, header(columns));
   open("ab");
 }
@@ -54,26 +55,37 @@ History History::resume(std::filesystem::path path, const std::vector<std::strin
   write_atomically(path, kept);
   History history;
   history.path_ = std::move(path);
-  history.columns_ = columns.size();
+  history.columns_ = columns;
   history.open("ab");
   return history;
 }
 
 void History::add(std::span<const double> row) {
-  if (row.size() != columns_) throw std::logic_error("a history row needs one value per column");
+  if (row.size() != columns_.size()) throw std::logic_error("a history row needs one value per column");
   std::string line;
-  for (const double value : row) {
+  for (std::size_t k = 0; k < row.size(); ++k) {
+    if (!std::isfinite(row[k])) refuse(k, row[0]);
     if (!line.empty()) line += ',';
-    line += number_text(value);
+    line += number_text(row[k]);
   }
   write(line + '\n');
 }
 
 void History::add(double time, std::span<const std::string> rest) {
-  if (rest.size() + 1 != columns_) throw std::logic_error("a history row needs one value per column");
+  if (rest.size() + 1 != columns_.size()) throw std::logic_error("a history row needs one value per column");
   std::string line = number_text(time);
-  for (const auto& value : rest) line += ',' + value;
+  if (!std::isfinite(time)) refuse(0, time);
+  for (std::size_t k = 0; k < rest.size(); ++k) {
+    if (rest[k] == "inf" || rest[k] == "-inf" || rest[k].ends_with("nan")) refuse(k + 1, time);
+    line += ',' + rest[k];
+  }
   write(line + '\n');
+}
+
+void History::refuse(std::size_t column, double time) const {
+  throw SimulationError("'" + columns_[column] + "' is not a number at time " + number_text(time) +
+                        ", and is not written to '" + path_.string() +
+                        "'; usually the step is too large: try a smaller <TimeFactor>");
 }
 
 void History::write(const std::string& line) {

@@ -20,9 +20,9 @@ class History {
   /// header differs.
   static History resume(std::filesystem::path path, const std::vector<std::string>& columns, double time);
 
-  /// One value per column, `time` first.
+  /// One value per column, `time` first. Throws SimulationError, and writes nothing, if one of them is not finite.
   void add(std::span<const double> row);
-  /// The same with text after the time; no value needs quotes.
+  /// The same with text after the time; no value needs quotes. An empty text stands for a quantity that does not exist.
   void add(double time, std::span<const std::string> rest);
 
  private:
@@ -32,8 +32,9 @@ class History {
   History() = default;
   void open(const char* mode);
   void write(const std::string& line);
+  [[noreturn]] void refuse(std::size_t column, double time) const;
   std::filesystem::path path_;
-  std::size_t columns_ = 0;
+  std::vector<std::string> columns_;
   std::unique_ptr<std::FILE, Close> file_;
 };
 

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "output/provenance.hpp"
 
+#include "base/error.hpp"
 #include "output/atomic_file.hpp"
 
 #include <unistd.h>
 #include <zlib.h>
 
+#include <array>
 #include <chrono>
 #include <ctime>
 #include <fstream>
@@ -31,17 +33,19 @@ std::string processor() {
   return "unknown";
 }
 
-std::string checksum(const std::filesystem::path& path) {
+}  // namespace
+
+std::string file_checksum(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
-  std::ostringstream buffer;
-  buffer << file.rdbuf();
-  const std::string all = buffer.str();
+  auto crc = ::crc32(0, nullptr, 0);
+  for (std::array<char, 65536> piece{}; file;) {
+    file.read(piece.data(), piece.size());
+    crc = ::crc32(crc, reinterpret_cast<const Bytef*>(piece.data()), static_cast<uInt>(file.gcount()));
+  }
   std::ostringstream out;
-  out << "crc32:" << std::hex << ::crc32(0, reinterpret_cast<const Bytef*>(all.data()), static_cast<uInt>(all.size()));
+  out << "crc32:" << std::hex << crc;
   return out.str();
 }
-
-}  // namespace
 
 std::string version_text() {
   return std::string("tribo ") + TRIBO_VERSION + " (" + TRIBO_COMMIT + ", " + TRIBO_COMPILER +
@@ -53,7 +57,7 @@ Provenance::Provenance(std::filesystem::path path, std::string command_line, con
     : path_(std::move(path)),
       command_line_(std::move(command_line)),
       input_(input.string()),
-      input_checksum_(checksum(input)),
+      input_checksum_(file_checksum(input)),
       started_(now()),
       threads_(threads),
       facts_(std::move(facts)) {}
@@ -81,7 +85,12 @@ void Provenance::write(const std::string& status, const std::string& reason, dou
   for (const auto& [name, value] : facts_) record["model"][name] = value;
   for (const auto& [name, unit] : units_) record["unit_of"][name] = unit;
   if (!materials_.empty()) record["materials"] = materials_;
-  write_atomically(path_, record.dump(2) + "\n");
+  const std::string text = record.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+  try {
+    write_atomically(path_, text);
+  } catch (const FileError&) {
+    if (!write_over(path_, text)) throw;
+  }
 }
 
 }  // namespace tribo

@@ -12,12 +12,16 @@ namespace tribo {
 /// Version, commit, compiler and instruction set this program was built with; one line for --version.
 std::string version_text();
 
+/// The contents of a file as a short text.
+std::string file_checksum(const std::filesystem::path& path);
+
 class Provenance {
  public:
   /// Starts the record of a run. `facts`: further names and values, e.g. particles per material.
   Provenance(std::filesystem::path path, std::string command_line, const std::filesystem::path& input, int threads,
              std::map<std::string, std::string> facts);
-  /// Writes the file with a status: running, finished, stopped, failed, and the reason. Throws FileError.
+  /// Writes the file with a status: running, finished, stopped, failed, and the reason. On a full disk it is written
+  /// over the old record. Throws FileError.
   void write(const std::string& status, const std::string& reason, double time, long step) const;
 
   /// What pictures and reports write next to numbers: units of fields and columns, and the materials by their number.

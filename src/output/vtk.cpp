@@ -22,11 +22,18 @@
 #include <vtkXMLPolyDataWriter.h>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <sstream>
 
 namespace tribo {
 namespace {
+
+[[noreturn]] void refuse(const std::string& name, vtkIdType row) {
+  throw SimulationError("the field '" + name + "' of row " + std::to_string(row) +
+                        " of the results is not a number, and is not written; usually the step is too large: try a "
+                        "smaller <TimeFactor>");
+}
 
 template <class Array, class Number>
 void add_numbers(vtkDataSetAttributes* data, vtkIdType n, const OutputField& field) {
@@ -42,6 +49,8 @@ void add_numbers(vtkDataSetAttributes* data, vtkIdType n, const OutputField& fie
   Number* to = array->GetPointer(0);
   for (int c = 0; c < components; ++c) {
     const double* from = field.components[static_cast<std::size_t>(c)];
+    for (vtkIdType i = 0; from && i < n; ++i)
+      if (!std::isfinite(from[i])) refuse(field.name, i);
     for (vtkIdType i = 0; i < n; ++i) to[i * components + c] = static_cast<Number>(from ? from[i] : 0.0);
   }
   data->AddArray(array);
@@ -94,8 +103,11 @@ void set_points(vtkPolyData* data, std::size_t count, const std::array<const dou
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   points->SetNumberOfPoints(n);
-  for (vtkIdType i = 0; i < n; ++i)
+  for (vtkIdType i = 0; i < n; ++i) {
+    for (const double* x : position)
+      if (x && !std::isfinite(x[i])) refuse("position", i);
     points->SetPoint(i, position[0][i], position[1] ? position[1][i] : 0.0, position[2] ? position[2][i] : 0.0);
+  }
   data->SetPoints(points);
 }
 

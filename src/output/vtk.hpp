@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// Files for ParaView. VTK is used in vtk.cpp only.
+/// Files for ParaView. VTK is used in vtk.cpp only. All numbers must be finite: otherwise the functions that write
+/// throw SimulationError with the name of the field, and leave the file as it is.
 #pragma once
 
 #include <array>

@@ -352,7 +352,14 @@ class Filler {
 
 }  // namespace
 
-void place_points(const Model& model, const std::function<void(const Seed&)>& receive) { Filler(model, receive).run(); }
+// A function without a value is a mistake of the input here; the message begins with its place.
+void place_points(const Model& model, const std::function<void(const Seed&)>& receive) {
+  try {
+    Filler(model, receive).run();
+  } catch (const SimulationError& error) {
+    throw InputError(Origin{}, error.what());
+  }
+}
 
 std::vector<Seed> place_points(const Model& model) {
   std::vector<Seed> seeds;

@@ -94,6 +94,15 @@ BlockResults::BlockResults(const Model& model, Assembly& blocks, std::filesystem
     initial_energy = blocks.ledger().content();
 }
 
+ResultNames BlockResults::names(const Model& model) {
+  ResultNames out{{"blocks.pvd", "contacts.pvd"}, {"blocks", "contacts"}};
+  if (model.blocks->in_grid)
+    out.add({{"block_energy.csv", "block_events.csv"}, {}});
+  else
+    out.add({{"events.csv"}, {}});
+  return out;
+}
+
 std::vector<std::string> BlockResults::columns(const Model& model) {
   std::vector<std::string> out;
   for (const auto& q : model.blocks->histories) out.push_back(q.column);

@@ -6,6 +6,7 @@
 #include "model/model.hpp"
 #include "output/history.hpp"
 #include "output/vtk.hpp"
+#include "run/result_folder.hpp"
 
 #include <filesystem>
 #include <optional>
@@ -18,6 +19,8 @@ class BlockResults {
   /// have files of their own, block_energy.csv and block_events.csv, and their histories are columns of history.csv.
   BlockResults(const Model& model, Assembly& blocks, std::filesystem::path folder, std::optional<double> resume_time);
 
+  /// What it writes.
+  static ResultNames names(const Model& model);
   /// Column names and values of the histories of the model.
   static std::vector<std::string> columns(const Model& model);
   std::vector<double> values(double dt) const;

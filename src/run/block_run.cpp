@@ -34,14 +34,14 @@ void BlockRun::choose_threads(int wanted) const {
 
 double BlockRun::advance() {
   blocks_.advance(steps_.size);
+  if (!blocks_.is_finite())
+    throw SimulationError("the motion of the blocks grew without bound at time " + std::to_string(blocks_.time) +
+                          "; damp it, or make the step smaller ('step' of <Blocks>)");
   return steps_.size;
 }
 
 void BlockRun::check() {
   if (blocks_.step % steps_per_check != 0 && !at_end()) return;
-  if (!blocks_.is_finite())
-    throw SimulationError("the motion of the blocks grew without bound at time " + std::to_string(blocks_.time) +
-                          "; damp it, or make the step smaller ('step' of <Blocks>)");
   blocks_.check_contacts();
 }
 

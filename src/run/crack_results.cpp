@@ -57,14 +57,15 @@ void Results<Dim>::write_joints(std::int64_t number) {
       out.integer("state", j.state);
       out.vector("normal", surface.axes[k].n);
       out.number("area", j.area);
+      const double area = j.area > 0 ? j.area : std::numeric_limits<double>::infinity();  // no traction without area
       out.number("opening", j.opening);
       out.vector("shear", surface.axes[k].vector(j.shear));
       out.number("slip", j.slip);
-      out.number("normal_stress", j.Fn / j.area);
-      out.number("shear_stress", j.Fs.norm() / j.area);
-      out.vector("traction", Vec3(-surface.force(k) / j.area));
-      out.number("stored_energy", j.strain / j.area);
-      out.number("lost_energy", (j.released() - j.slid - j.damped) / j.area);
+      out.number("normal_stress", j.Fn / area);
+      out.number("shear_stress", j.Fs.norm() / area);
+      out.vector("traction", Vec3(-surface.force(k) / area));
+      out.number("stored_energy", j.strain / area);
+      out.number("lost_energy", (j.released() - j.slid - j.damped) / area);
     }
   }
   const std::string file = "joints/" + numbered(number, ".vtp");
@@ -82,7 +83,11 @@ void Results<Dim>::write_tips() {
     for (std::size_t p = 0; p < crack.main_pieces; ++p) length += Crack<Dim>::area(crack.corners(p)).norm();
     for (const CrackTip& tip : crack.tips) {
       const auto& x = crack.x[tip.point];
-      tips_->add(std::array{system_.time, c + 1.0, tip.end + 1.0, x[0], x[1], length, tip.J, tip.K[0], tip.K[1]});
+      std::vector<std::string> row;
+      for (const double value : {c + 1.0, tip.end + 1.0, x[0], x[1], length, tip.J, tip.K[0], tip.K[1]})
+        row.push_back(number_text(value));
+      if (!tip.has_K) row[6].clear(), row[7].clear();
+      tips_->add(system_.time, row);
     }
   }
 }

@@ -41,9 +41,7 @@ CheckpointWriter GridRun<Dim>::save(RunState run) {
   run.dt = dt_, run.monitor = monitor_.state;
   if (results_) run.initial_energy = results_->initial_energy;
   if (results_ && results_->blocks) run.initial_block_energy = results_->blocks->initial_energy;
-  CheckpointWriter out = save_state(run, system_, stepper_);
-  stepper_.contact().clear_cache();  // as in a run that continues from the checkpoint
-  return out;
+  return save_state(run, system_, stepper_);
 }
 
 template <int Dim>

@@ -28,10 +28,10 @@ class GridRun final : public SteppedModel {
   std::vector<std::string> look() override;
   std::vector<std::string> remarks() const override { return monitor_.summary(); }
   std::vector<std::string> figures() const override { return monitor_.figures(); }
-  bool may_stop() const override { return stepper_.contact().interruptible(); }
   CheckpointWriter save(RunState run) override;
   RunState restore(const Checkpoint& checkpoint) override;
 
+  ResultNames result_names() const override { return Results<Dim>::names(model_, system_); }
   void open_results(const std::filesystem::path& folder, std::optional<double> resume_time) override;
   void write_history() override { results_->write_history(dt_); }
   void write_files(std::int64_t number) override { results_->write_files(number); }

@@ -231,7 +231,7 @@ class Report {
     // known only with the nodal masses of a first step
     stepper_.advance(0.1 * step_.size);
     const double stable = stepper_.joints().stable_step();
-    line(format("joints: stable up to steps of %.6g", stable));
+    if (stable < 1e300) line(format("joints: stable up to steps of %.6g", stable));
     if (stable < 0.2 * step_.size)
       advice_.push_back(
           format("the joints shorten the step by a factor of %.2g; stiffnesses of a few times modulus over "

@@ -43,7 +43,8 @@ Results<Dim>::Results(const Model& model, System<Dim>& system, Stepper<Dim>& ste
   std::vector<std::string> columns{"time"};
   for (const auto& q : model.output.history) columns.push_back(q.column);
   if (system.blocks) {
-    blocks.emplace(model, *system.blocks, folder_, resume_time);
+    // Blocks count their time themselves, which may differ in the last digit.
+    blocks.emplace(model, *system.blocks, folder_, resume_time ? std::optional(system.blocks->time) : std::nullopt);
     for (const auto& column : BlockResults::columns(model)) columns.push_back(column);
   }
   if (!resume_time) {
@@ -65,6 +66,17 @@ Results<Dim>::Results(const Model& model, System<Dim>& system, Stepper<Dim>& ste
   if (system.joints.empty()) return;
   joints_.resume(*resume_time);
   events_.emplace(History::resume(folder_ / "events.csv", event_columns, *resume_time));
+}
+
+template <int Dim>
+ResultNames Results<Dim>::names(const Model& model, const System<Dim>& system) {
+  ResultNames out{{"run.pvd"}, {"particles"}};
+  if (!model.output.grid_fields.empty()) out.add({{"grid.pvd"}, {"grid"}});
+  if (!system.cracks.empty()) out.add({{"cracks.pvd"}, {"cracks"}});
+  if (!system.joints.empty()) out.add({{"joints.pvd", "events.csv"}, {"joints"}});
+  if (model.fracture) out.add({{"tips.csv"}, {}});
+  if (system.blocks) out.add(BlockResults::names(model));
+  return out;
 }
 
 template <int Dim>

@@ -21,6 +21,8 @@ class Results {
   Results(const Model& model, System<Dim>& system, Stepper<Dim>& stepper, std::filesystem::path folder,
           std::optional<double> resume_time);
 
+  /// What it writes.
+  static ResultNames names(const Model& model, const System<Dim>& system);
   /// Files of particles, and of the grid, cracks, joints and blocks if the model has them.
   void write_files(std::int64_t number);
   void write_history(double dt);

@@ -4,9 +4,9 @@
 #include "base/parallel.hpp"
 #include "base/stopwatch.hpp"
 #include "base/text.hpp"
-#include "output/atomic_file.hpp"
 #include "output/progress.hpp"
 #include "output/provenance.hpp"
+#include "run/model_record.hpp"
 #include "run/result_units.hpp"
 #include "run/schedule.hpp"
 #include "run/signals.hpp"
@@ -24,9 +24,11 @@ Schedule every(double interval, const OutputSpec& output) {
   return interval > 0 ? Schedule::every(interval) : Schedule(output.archive);
 }
 
-std::map<std::string, std::string> facts_of(const Model& model, const SteppedModel& stepped) {
+std::map<std::string, std::string> facts_of(const Model& model, const SteppedModel& stepped,
+                                            const std::string& changed) {
   std::map<std::string, std::string> out = unit_facts(model);
   out["title"] = model.title;
+  if (!changed.empty()) out["changed on resumption"] = changed;
   out.merge(stepped.facts());
   return out;
 }
@@ -41,7 +43,7 @@ class RunLoop {
         resume_time_(prepare()),
         begin_time_(stepped.time()),
         provenance_(options.folder / "provenance.json", options.command_line, model.file, threads(),
-                    facts_of(model, stepped)),
+                    facts_of(model, stepped, options.changes)),
         progress_(options.quiet, stepped.time(), model.time.end, stepped.moving().first, stepped.moving().second) {
     std::vector<std::string> materials;
     for (const auto& m : model.materials) materials.push_back(m.name);
@@ -49,25 +51,36 @@ class RunLoop {
   }
 
   Outcome run() {
+    try {
+      return run_or_throw();
+    } catch (const SimulationError& error) {
+      report_failure(error.what());
+      const bool usable = std::filesystem::exists(checkpoint_);
+      throw SimulationError(std::string(error.what()) +
+                            (usable ? "\nThe last checkpoint is in '" + checkpoint_.string() + "'." : std::string()));
+    } catch (const std::exception& error) {  // a full disk, no memory
+      report_failure(error.what());
+      throw;
+    }
+  }
+
+ private:
+  static constexpr double between_reports = 2.0;        // seconds
+  static constexpr std::int64_t steps_per_report = 16;  // the clock is read only then
+
+  Outcome run_or_throw() {
     report("running", "");
     for (const std::string& choice : stepped_.choices()) progress_.say(choice);
     if (!resume_time_) write_due();
     const std::int64_t first_step = stepped_.step();
-    try {
-      while (!stepped_.at_end()) {
-        if (wants_stop() && stepped_.may_stop()) {
-          save();
-          report("stopped", signals_.stop() ? "signal" : "wall time");
-          return Outcome::stopped;
-        }
-        if (signals_.checkpoint() && stepped_.may_stop()) signals_.checkpoint_done(), save();
-        step();
+    while (!stepped_.at_end()) {
+      if (wants_stop()) {
+        save();
+        report("stopped", signals_.stop() ? "signal" : "wall time");
+        return Outcome::stopped;
       }
-    } catch (const SimulationError& error) {
-      report("failed", error.what());
-      const bool usable = std::filesystem::exists(checkpoint_);
-      throw SimulationError(std::string(error.what()) +
-                            (usable ? "\nThe last checkpoint is in '" + checkpoint_.string() + "'." : std::string()));
+      if (signals_.checkpoint()) signals_.checkpoint_done(), save();
+      step();
     }
     if (stepped_.step() > first_step) write_last_state();
     save();
@@ -77,24 +90,25 @@ class RunLoop {
     return Outcome::finished;
   }
 
- private:
-  static constexpr double between_reports = 2.0;        // seconds
-  static constexpr std::int64_t steps_per_report = 16;  // the clock is read only then
+  // The failure itself is told in any case.
+  void report_failure(const std::string& reason) {
+    try {
+      report("failed", reason);
+    } catch (const FileError&) {
+      return;
+    }
+  }
 
   // Builds or restores the state and opens the files. Returns the time from which the run continues, if it does.
   std::optional<double> prepare() {
-    stepped_.choose_threads(options_.threads);
     std::optional<double> resume_time;
     if (options_.resume) {
       const RunState state = stepped_.restore(Checkpoint(checkpoint_));
       resume_time = stepped_.time();
       files_.set_count(state.archive), histories_.set_count(state.history), checkpoints_.set_count(state.checkpoint);
-    } else {
-      // Where the model came from, for 'tribo resume'
-      write_atomically(options_.folder / "model.path", source_of(model_));
     }
+    if (!options_.resume || options_.changed) write_model_record(options_.folder, model_);
     stepped_.open_results(options_.folder, resume_time);
-    if (!resume_time) stepped_.start();
     return resume_time;
   }
 
@@ -178,6 +192,11 @@ class RunLoop {
 };
 
 }  // namespace
+
+ResultNames names_of_every_run() {
+  return {{"provenance.json", "checkpoint.bin", "tribo-model.json", "tribo-model.xml", "history.csv", "energy.csv"},
+          {}};
+}
 
 Outcome run_to_end(const Model& model, SteppedModel& stepped, const RunOptions& options) {
   return RunLoop(model, stepped, options).run();

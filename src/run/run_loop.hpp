@@ -4,6 +4,7 @@
 
 #include "output/checkpoint.hpp"
 #include "run/restart.hpp"
+#include "run/result_folder.hpp"
 #include "run/simulation.hpp"
 
 #include <filesystem>
@@ -29,7 +30,8 @@ class SteppedModel {
 
   /// Chooses the number of threads, at most `wanted`. Results do not depend on it.
   virtual void choose_threads(int wanted) const = 0;
-  /// Chooses the first step of a run that starts at time 0. Throws SimulationError if there is none.
+  /// Chooses the first step of a run that starts at time 0, before its results are opened. Throws SimulationError if
+  /// there is none.
   virtual void start() = 0;
   /// Takes one step; returns its size [time]. Throws SimulationError.
   virtual double advance() = 0;
@@ -44,14 +46,13 @@ class SteppedModel {
   /// Called after the output of a step. Throws SimulationError if the state has lost its meaning.
   virtual void check() {}
 
-  /// False while something is kept from step to step that a checkpoint does not hold, so that a run which stops here
-  /// would not continue to the bit. This lasts a few steps.
-  virtual bool may_stop() const { return true; }
   /// The complete state; `run` holds the counters of the loop. Without open results the energies at the start are zero.
   virtual CheckpointWriter save(RunState run) = 0;
   /// Restores a freshly built model. Throws FileError if the checkpoint is of another model.
   virtual RunState restore(const Checkpoint& checkpoint) = 0;
 
+  /// What the model writes of its own: without checkpoint and record.
+  virtual ResultNames result_names() const = 0;
   /// Starts the files of results, or continues them after `resume_time`. Throws FileError.
   virtual void open_results(const std::filesystem::path& folder, std::optional<double> resume_time) = 0;
   /// One row of the histories and of the energies.
@@ -72,8 +73,11 @@ class SteppedModel {
   virtual std::map<std::string, double> seconds_of(double steps) const = 0;
 };
 
-/// Runs a model, or continues it from the checkpoint of the folder, to its end. Throws SimulationError (the last
-/// checkpoint remains), FileError.
+/// What every run writes.
+ResultNames names_of_every_run();
+
+/// Runs a model that has started, or continues one from the checkpoint of the folder, to its end. Throws
+/// SimulationError (the last checkpoint remains), FileError.
 Outcome run_to_end(const Model& model, SteppedModel& stepped, const RunOptions& options);
 
 }  // namespace tribo

@@ -5,28 +5,38 @@
 
 #include <atomic>
 #include <csignal>
-#include <filesystem>
 
 namespace tribo {
 namespace {
 
 std::atomic<bool> stop_requested{false}, checkpoint_requested{false};
 
+int guards = 0;
+
 void handle(int) { stop_requested = true; }
 
 }  // namespace
 
 SignalGuard::SignalGuard() {
+  if (guards++ > 0) return;
   stop_requested = checkpoint_requested = false;
-  old_user_ = std::signal(SIGUSR1, [](int) { checkpoint_requested = true; });
-  old_interrupt_ = std::signal(SIGINT, handle);
-  old_terminate_ = std::signal(SIGTERM, handle);
+  old_.push_back({SIGUSR1, std::signal(SIGUSR1, [](int) { checkpoint_requested = true; })});
+  for (const int signal : {SIGINT, SIGTERM}) old_.push_back({signal, std::signal(signal, handle)});
+  for (const int signal : {SIGHUP, SIGPIPE}) {
+    void (*const old)(int) = std::signal(signal, SIG_IGN);
+    if (old == SIG_IGN) continue;
+    old_.push_back({signal, old});
+    std::signal(signal, handle);
+  }
 }
 
 SignalGuard::~SignalGuard() {
-  std::signal(SIGUSR1, old_user_);
-  std::signal(SIGINT, old_interrupt_);
-  std::signal(SIGTERM, old_terminate_);
+  --guards;
+  for (const Old& old : old_) std::signal(old.signal, old.handler);
+}
+
+void heed_stop() {
+  if (guards > 0 && stop_requested) throw StopRequest{};
 }
 
 bool SignalGuard::stop() const { return stop_requested; }
@@ -34,14 +44,5 @@ bool SignalGuard::checkpoint() const { return checkpoint_requested; }
 void SignalGuard::checkpoint_done() { checkpoint_requested = false; }
 
 void request_stop() { stop_requested = true; }
-
-std::string source_of(const Model& model) {
-  std::string out = std::filesystem::absolute(model.file).string() + "\n";
-  for (const auto& [name, value] : model.settings) {
-    out += name;
-    out += "=" + value + "\n";
-  }
-  return out;
-}
 
 }  // namespace tribo

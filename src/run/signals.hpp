@@ -2,14 +2,13 @@
 /// Signals that ask a run to stop or to write a checkpoint.
 #pragma once
 
-#include "model/model.hpp"
-
-#include <string>
+#include <vector>
 
 namespace tribo {
 
-/// Turns SIGINT or SIGTERM into a request to stop, SIGUSR1 into one for a checkpoint; restores the old handlers
-/// afterwards.
+/// Turns SIGINT, SIGTERM, SIGHUP (the terminal was closed) and SIGPIPE (the reader of the output has gone) into a
+/// request to stop, SIGUSR1 into one for a checkpoint; the outermost guard restores the old handlers. SIGHUP and
+/// SIGPIPE that are ignored, as under nohup, remain so.
 class SignalGuard {
  public:
   SignalGuard();
@@ -22,12 +21,16 @@ class SignalGuard {
   void checkpoint_done();
 
  private:
-  void (*old_interrupt_)(int);
-  void (*old_terminate_)(int);
-  void (*old_user_)(int);
+  struct Old {
+    int signal;
+    void (*handler)(int);
+  };
+  std::vector<Old> old_;
 };
 
-/// The path of the command file, then one line per variable set from outside; 'tribo resume' reads it.
-std::string source_of(const Model& model);
+/// Thrown where there is no checkpoint to write: a request to stop.
+struct StopRequest {};
+/// Throws StopRequest if a guard has heard a request to stop.
+void heed_stop();
 
 }  // namespace tribo

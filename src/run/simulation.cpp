@@ -5,21 +5,42 @@
 #include "run/block_run.hpp"
 #include "run/grid_run.hpp"
 #include "run/result_folder.hpp"
+#include "run/signals.hpp"
 
 namespace tribo {
 namespace {
 
-// The model is built before the folder is touched, so that a wrong command file leaves old results as they are.
+// The model is built before the folder is touched, so that a wrong command file leaves old results as they are. Signals
+// end the program until the run is able to continue from where they stop it.
 template <class Stepped>
-Outcome run(const Model& model, const RunOptions& options, const std::vector<const char*>& parts) {
+Outcome start(const Model& model, const RunOptions& options) {
+  if (!options.opened) check_folder(options);
   Stepped stepped(model);
-  if (options.resume) {
-    require_checkpoint(options.folder);
-  } else {
-    check_folder(options);
-    prepare_folder(options.folder, parts);
-  }
+  stepped.choose_threads(options.threads);
+  stepped.start();
+  const SignalGuard signals;
+  std::optional<ResultFolder> own;
+  if (!options.opened) own.emplace(options.folder);
+  ResultNames names = names_of_every_run();
+  names.add(stepped.result_names()), names.add({options.further_files, {}});
+  (options.opened ? *options.opened : *own).start(names, options.overwrite);
   return run_to_end(model, stepped, options);
+}
+
+template <class Stepped>
+Outcome resume(const Model& model, const RunOptions& options) {
+  if (!std::filesystem::is_directory(options.folder))
+    throw FileError("there is no folder '" + options.folder.string() + "'");
+  ResultFolder folder(options.folder);
+  folder.require_checkpoint();
+  Stepped stepped(model);
+  stepped.choose_threads(options.threads);
+  return run_to_end(model, stepped, options);
+}
+
+template <class Stepped>
+Outcome start_or_resume(const Model& model, const RunOptions& options) {
+  return options.resume ? resume<Stepped>(model, options) : start<Stepped>(model, options);
 }
 
 template <int Dim>
@@ -29,7 +50,7 @@ Settlement settle(const Model& model, int thread_count) {
   Settlement out;
   run.start();
   const auto advance_to = [&](double time) {
-    while (!run.has_reached(time)) run.advance();
+    while (!run.has_reached(time)) heed_stop(), run.advance();
   };
   try {
     advance_to(0.75 * model.time.end);
@@ -61,10 +82,9 @@ void check_folder(const RunOptions& options) {
 
 Outcome run(const Model& model, const RunOptions& options) {
   set_threads(options.threads);
-  if (model.only_blocks()) return run<BlockRun>(model, options, {"blocks", "contacts"});
-  std::vector<const char*> parts{"particles", "grid", "cracks", "joints"};
-  if (model.blocks) parts.insert(parts.end(), {"blocks", "contacts"});
-  return model.dimension() == 2 ? run<GridRun<2>>(model, options, parts) : run<GridRun<3>>(model, options, parts);
+  if (model.only_blocks()) return start_or_resume<BlockRun>(model, options);
+  return model.dimension() == 2 ? start_or_resume<GridRun<2>>(model, options)
+                                : start_or_resume<GridRun<3>>(model, options);
 }
 
 Settlement settle(const Model& model, int thread_count) {

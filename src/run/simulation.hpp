@@ -3,6 +3,7 @@
 #pragma once
 
 #include "model/model.hpp"
+#include "run/result_folder.hpp"
 
 #include <filesystem>
 #include <map>
@@ -14,10 +15,14 @@ struct RunOptions {
   std::filesystem::path folder;  ///< of the results
   int threads = 1;
   bool quiet = false;
-  bool overwrite = false;    ///< an existing finished run may be replaced
-  bool resume = false;       ///< continue from the folder's checkpoint
-  double max_wall = 0.0;     ///< seconds after which the run stops with a checkpoint; 0: none
-  std::string command_line;  ///< for provenance.json
+  bool overwrite = false;                       ///< an existing finished run may be replaced
+  bool resume = false;                          ///< continue from the folder's checkpoint
+  bool changed = false;                         ///< resume: the model differs from that of the run, as `changes` says
+  std::string changes = {};                     ///< for provenance.json
+  double max_wall = 0.0;                        ///< seconds after which the run stops with a checkpoint; 0: none
+  std::string command_line;                     ///< for provenance.json
+  std::vector<std::string> further_files = {};  ///< that the caller writes into the folder
+  ResultFolder* opened = nullptr;               ///< the folder, if the caller has opened it
 };
 
 enum class Outcome {
@@ -32,8 +37,8 @@ std::map<std::string, std::string> unit_facts(const Model& model);
 void check_folder(const RunOptions& options);
 
 /// Runs the model and writes its results into the folder: run.pvd, particles/, history.csv, energy.csv,
-/// provenance.json, checkpoint.bin. SIGINT and SIGTERM finish the step, write a checkpoint and stop. Throws InputError,
-/// SimulationError (after saving the last checkpoint), FileError.
+/// provenance.json, checkpoint.bin. SIGINT, SIGTERM and SIGHUP finish the step, write a checkpoint and stop. Throws
+/// InputError, SimulationError (the last checkpoint remains), FileError.
 Outcome run(const Model& model, const RunOptions& options);
 
 /// Distance of the particle that moved farthest from its start.
@@ -42,7 +47,7 @@ struct Settlement {
   double at_end = 0.0;  ///< [length]
   std::string failure;  ///< the reason if the run ended early
 };
-/// Runs the model and writes nothing.
+/// Runs the model and writes nothing. Throws StopRequest.
 Settlement settle(const Model& model, int threads);
 
 /// Stops all runs after their present step, with a checkpoint; safe in a signal handler.

@@ -2,19 +2,26 @@
 /// A folder for trial output, and the time that output takes.
 #pragma once
 
-#include "run/result_folder.hpp"
+#include "base/error.hpp"
 #include "run/schedule.hpp"
 
-#include <unistd.h>
-
+#include <cerrno>
 #include <chrono>
+#include <cstdlib>
+#include <cstring>
 
 namespace tribo {
 
-/// A folder for results that is removed at the end. Throws FileError.
+/// A folder for results, of this object alone, that is removed at the end. Throws FileError.
 struct TrialFolder {
-  std::filesystem::path path = std::filesystem::temp_directory_path() / ("tribo-check-" + std::to_string(::getpid()));
-  TrialFolder() { prepare_folder(path, {"particles", "grid", "cracks", "joints", "blocks", "contacts"}); }
+  std::filesystem::path path;
+  TrialFolder() {
+    std::string name = (std::filesystem::temp_directory_path() / "tribo-check-XXXXXX").string();
+    if (!::mkdtemp(name.data())) throw FileError("cannot create '" + name + "': " + std::strerror(errno));
+    path = name;
+    for (const char* part : {"particles", "grid", "cracks", "joints", "blocks", "contacts"})
+      std::filesystem::create_directory(path / part);
+  }
   TrialFolder(const TrialFolder&) = delete;
   TrialFolder& operator=(const TrialFolder&) = delete;
   ~TrialFolder() {

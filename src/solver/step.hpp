@@ -66,12 +66,13 @@ class Stepper {
     auto& [model, system, ledger, watches, transfers, sort, splitting, exchanges, conditions, cracks, crack_tips,
            interface_faces, joints, contact, loads, tractions, body_forces, nodal_work, damping, rigid_bodies,
            rigid_blocks, heat, b_bar, filter] = stepper;
-    a.version(3);
+    a.version(4);
     a("system", system);
     a("ledger", ledger), a("sort", sort), a("splitting", splitting), a.each("conditions", conditions),
         a("interface_faces", interface_faces), a("joints", joints);
     a("contact", contact), a("damping", damping), a("heat", heat), a("filter", filter);
     if (a.reading() && system.sorted) stepper.locate_nodes();
+    a.enter("kept"), contact.archive_kept(a), a.leave();
   }
 
  private:

@@ -6,11 +6,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
 
 namespace tribo {
 namespace {
+
+// By which a page is known as a report.
+const std::string signature = "<meta name='generator' content='tribo report'>";
 
 using Json = nlohmann::ordered_json;
 
@@ -143,6 +147,13 @@ std::string charts_of(const RunFolder& run, const Legend& legend) {
 
 }  // namespace
 
+bool is_report(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::string begin(200, '\0');
+  in.read(begin.data(), static_cast<std::streamsize>(begin.size()));
+  return begin.find(signature) != std::string::npos;
+}
+
 std::string report_charts(const RunFolder& run) { return charts_of(run, run.legend()); }
 
 std::string report(const RunFolder& run, const std::vector<ReportPicture>& pictures) {
@@ -152,8 +163,9 @@ std::string report(const RunFolder& run, const std::vector<ReportPicture>& pictu
   const std::string title = model.contains("title") ? plain(model["title"]) : "";
   const std::string name = title.empty() ? run.path().filename().string() : title.substr(0, title.find('\n'));
 
-  std::string out = "<!DOCTYPE html>\n<html lang='en'><head><meta charset='utf-8'><title>" + escaped(name) +
-                    "</title>\n<style>" + style + "</style></head><body>\n<h1>" + escaped(name) + "</h1>\n";
+  std::string out = "<!DOCTYPE html>\n<html lang='en'><head><meta charset='utf-8'>" + signature + "<title>" +
+                    escaped(name) + "</title>\n<style>" + style + "</style></head><body>\n<h1>" + escaped(name) +
+                    "</h1>\n";
   const std::string status = text("status");
   out += "<p class='" + std::string(status == "failed" ? "bad" : "quiet") + "'>" + escaped(status) +
          (text("reason").empty() ? "" : ": " + escaped(text("reason"))) + "; time " + escaped(text("time")) + " of " +

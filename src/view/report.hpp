@@ -16,6 +16,9 @@ struct ReportPicture {
 /// The page: pictures, histories, energy ledger, contact forces, computing time, provenance.
 std::string report(const RunFolder& run, const std::vector<ReportPicture>& pictures);
 
+/// Whether a file is such a page.
+bool is_report(const std::filesystem::path& file);
+
 /// Contact forces, histories and energies as charts: the part of the page that changes during a run.
 std::string report_charts(const RunFolder& run);
 

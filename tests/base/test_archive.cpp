@@ -24,7 +24,7 @@ void archive(Archive& ar, Inner& inner) {
 }
 
 struct Outer {
-  double x = -0.0, nan = std::nan("");
+  double x = -0.0, tiny = 5e-324;
   std::array<double, 2> pair{1, 2};
   std::int64_t count = 7;
   Eigen::Matrix<double, 3, 1> v{1, 2, 3};
@@ -36,9 +36,9 @@ struct Outer {
   std::map<std::pair<std::size_t, std::size_t>, Inner> by_pair{{{1, 2}, {9, true}}};
 };
 void archive(Archive& ar, Outer& outer) {
-  auto& [x, nan, pair, count, v, inner, tensors, numbers, list, growing, by_pair] = outer;
+  auto& [x, tiny, pair, count, v, inner, tensors, numbers, list, growing, by_pair] = outer;
   ar.version(1);
-  ar("x", x), ar("nan", nan), ar("pair", pair), ar("count", count), ar("v", v), ar("inner", inner);
+  ar("x", x), ar("tiny", tiny), ar("pair", pair), ar("count", count), ar("v", v), ar("inner", inner);
   ar("tensors", tensors), ar("numbers", numbers), ar("list", list), ar.resizable("growing", growing);
   ar.map("by_pair", by_pair);
 }
@@ -75,7 +75,7 @@ TEST_CASE("an archive returns every member to the bit", "[archive]") {
   Outer original;
   const Checkpoint file = saved(scratch, original);
   Outer other;
-  other.x = 1, other.nan = 0, other.pair = {}, other.count = 0, other.v.setZero(), other.inner = {0, false};
+  other.x = 1, other.tiny = 0, other.pair = {}, other.count = 0, other.v.setZero(), other.inner = {0, false};
   for (auto& t : other.tensors) t.setZero();
   other.numbers = {0, 0}, other.list = {3, Inner{0, false}}, other.growing = {}, other.by_pair = {{{5, 6}, {}}};
   CHECK(differences(archived(original), archived(other)).size() > 10);

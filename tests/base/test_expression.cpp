@@ -280,6 +280,8 @@ TEST_CASE("no text makes the compiler of expressions fail", "[base][expression]"
     } catch (const InputError& error) {
       CAPTURE(text);
       REQUIRE(std::string(error.what()).find("cannot be compiled") == std::string::npos);
+    } catch (const SimulationError&) {  // it compiles, but has no finite value here
+      ++accepted;
     }
   }
   CHECK(accepted > 100);
@@ -306,4 +308,19 @@ TEST_CASE("the decimal point does not depend on the locale", "[base][expression]
   for (const char* name : {"de_DE.UTF-8", "fr_FR.UTF-8", "C.UTF-8"}) std::setlocale(LC_ALL, name);
   CHECK(value("1.5*2") == 3.0);
   std::setlocale(LC_ALL, before.c_str());
+}
+
+TEST_CASE("a function without a value says where it is written", "[base][expression]") {
+  const Expression f("log(1-t)", Origin{std::make_shared<const std::string>("deck.xml"), 3, 10}, "<DisplacementX>");
+  Variables at;
+  at.t = 0.5;
+  CHECK(f(at) == std::log(0.5));
+  for (const double t : {1.0, 2.0}) {  // infinite, not a number
+    at.t = t;
+    CHECK_THROWS_AS(f(at), SimulationError);
+    CHECK_THROWS_WITH(f(at),
+                      Catch::StartsWith("deck.xml:3:10: the function 'log(1-t)' of <DisplacementX> has no finite "
+                                        "value at t = " +
+                                        std::to_string(int(t))));
+  }
 }

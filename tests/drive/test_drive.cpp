@@ -187,3 +187,11 @@ TEST_CASE("problems of <Drive> are reported with their places", "[drive]") {
   tells("<Drive contact='rub' test='oedometer'/>" + rubbing, "belongs to materials");
   tells("<Drive contact='rub'><Path>dt,N,vn\n1,1,1</Path></Drive>" + rubbing, "vn and N");
 }
+
+TEST_CASE("a table that has something that is not a number is not written", "[drive]") {
+  const double nan = std::nan("");
+  CHECK(Table{{"time", "sxx"}, {{0, 1}, {1, 2}}}.text() == "time,sxx\n0,1\n1,2\n");
+  CHECK_THROWS_AS((Table{{"time", "sxx"}, {{0, 1}, {0.5, nan}}}.text()), SimulationError);
+  CHECK_THROWS_WITH((Table{{"time", "sxx"}, {{0, 1}, {0.5, HUGE_VAL}}}.text()),
+                    Catch::Contains("'sxx'") && Catch::Contains("row 2") && Catch::Contains("time 0.5"));
+}

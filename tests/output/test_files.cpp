@@ -3,6 +3,7 @@
 #include "output/atomic_file.hpp"
 #include "output/checkpoint.hpp"
 #include "output/history.hpp"
+#include "output/number.hpp"
 #include "output/vtk.hpp"
 #include "tests/scratch.hpp"
 
@@ -73,7 +74,7 @@ TEST_CASE("a history keeps its rows over a resume, without doubles and without t
 TEST_CASE("a checkpoint returns the same bits, and notices every damage", "[output]") {
   const ScratchFolder scratch;
   const auto file = scratch.path / "c.bin";
-  const std::vector<double> values{1.5, -0.0, std::nan(""), HUGE_VAL, 5e-324};
+  const std::vector<double> values{1.5, -0.0, -1.7976931348623157e308, 5e-324};
   const std::vector<std::int64_t> numbers{1, -2, INT64_MAX};
   CheckpointWriter out;
   out.put("values", std::span<const double>(values));
@@ -158,4 +159,39 @@ TEST_CASE("a particle file is written whole, compressed and with its time", "[ou
   CHECK(read_particles(file).domains.empty());
   write_particles(scratch.path / "none.vtp", 0, {nullptr, nullptr, nullptr}, {}, 0.0);
   CHECK(files_in(scratch.path) == 2);
+}
+
+TEST_CASE("what is not a number reaches no file", "[output]") {
+  const ScratchFolder scratch;
+  const double nan = std::nan(""), infinite = HUGE_VAL;
+  const auto table = scratch.path / "h.csv";
+  History h(table, {"time", "force", "word"});
+  h.add(std::array{0.0, 1.0, 2.0});
+  const std::string before = content(table);
+  for (const double bad : {nan, -nan, infinite, -infinite}) {
+    CHECK_THROWS_WITH(h.add(std::array{1.0, bad, 2.0}), Catch::Contains("'force'") && Catch::Contains("time 1"));
+    CHECK_THROWS_AS(h.add(1.0, std::vector<std::string>{"2", number_text(bad)}), SimulationError);
+    CHECK_THROWS_WITH(CheckpointWriter().put("velocity", bad), Catch::Contains("'velocity'"));
+    const std::array<double, 2> x{0, 1}, values{0, bad};
+    const std::vector<OutputField> fields{{"stress", {values.data()}}};
+    const auto frame = scratch.path / "p.vtp";
+    CHECK_THROWS_WITH(write_particles(frame, 2, {x.data(), nullptr, nullptr}, fields, 0.0),
+                      Catch::Contains("'stress'"));
+    CHECK_THROWS_WITH(write_particles(frame, 2, {x.data(), values.data(), nullptr}, {}, 0.0),
+                      Catch::Contains("'position'"));
+    CHECK_FALSE(std::filesystem::exists(frame));
+  }
+  h.add(1.0, std::vector<std::string>{"2", ""});  // does not exist
+  CHECK(content(table) == before + "1,2,\n");
+}
+
+TEST_CASE("a file is written over within the space that it has", "[output]") {
+  const ScratchFolder scratch;
+  const auto file = scratch.path / "r.json";
+  CHECK_FALSE(write_over(file, "new"));
+  write_atomically(file, "a longer text");
+  CHECK(write_over(file, "new"));
+  CHECK(content(file) == "new");
+  CHECK_FALSE(write_over(file, std::string(1 << 20, 'x')));
+  CHECK(content(file) == "new");
 }

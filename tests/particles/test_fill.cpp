@@ -291,7 +291,7 @@ TEST_CASE("a body without points is an error at its place in the file", "[fill]"
   model.whole_particles = false;
   model.pieces.back().region = rectangle(0, 1, 0, 1);
   model.pieces.back().velocity_function[0] = function("log(-x)");
-  CHECK_THROWS_WITH(place_points(model), Catch::Contains("has no finite value at (0.25"));
+  CHECK_THROWS_WITH(place_points(model), Catch::Contains("has no finite value at t = 0, x = 0.25"));
   model.pieces.back() = body(rectangle(0, 1, 0, 1));
   model.materials[0].law = nullptr;
   CHECK_THROWS_WITH(place_points(model), Catch::Contains("'light' is a contact law"));

@@ -155,9 +155,109 @@ grep -q "SettingFunction" err.txt || { cat err.txt; fail "the message does not n
 expect 3 "$tribo" safety --quiet --output seven "$source/input/examples/stacked_blocks.xml"
 grep -q "no material has a strength" err.txt || { cat err.txt; fail "the message does not say what is missing"; }
 
+# Functions without a value are named with their place
+keyword() {  # keyword NAME SED_EXPRESSION FILE: the run fails with a message that names the keyword and its line
+  sed "$2" "$3" >keyword.xml
+  cmp -s keyword.xml "$3" && fail "$1: nothing to replace in $3"
+  expect 4 "$tribo" run --quiet --overwrite --output keyword keyword.xml
+  grep -Eq "keyword.xml:[0-9]+:[0-9]+: the function '.*' of .*$1.* has no finite value" err.txt || { cat err.txt; fail "$1 is not named"; }
+  grep -q '"status": "failed"' keyword/provenance.json || fail "$1: provenance does not say failed"
+  if grep -rlqE '(^|,)-?(nan|inf)' keyword/*.csv; then fail "$1: a table has something that is not a number"; fi
+}
+keyword "<Damping>" "s|<GIMP/>|<GIMP/><Damping function='log(-1-t)'/>|" "$deck"
+keyword "<PDamping>" "s|<GIMP/>|<GIMP/><PDamping function='log(1-t)/(t>=0)'/>|" "$deck"
+keyword "<ParticleBodyXForce>" "s|<Mesh |<Gravity><ParticleBodyXForce>sqrt(-1-t)</ParticleBodyXForce></Gravity><Mesh |" "$deck"
+
+# The folder of a run: only what a run has made is replaced, and two runs do not share it
+mkdir own && cp "$deck" own/case.xml && mkdir own/particles own/grid
+echo mine | tee own/particles/run_000000.vtp own/grid/mesh own/history.csv >/dev/null
+find own -type f -exec md5sum {} + | sort >before.txt
+for options in "" --overwrite; do
+  expect 5 "$tribo" run --quiet $options --output own own/case.xml
+  grep -q "holds 'history.csv', 'particles', not made by a run" err.txt || { cat err.txt; fail "what is in the way"; }
+  find own -type f -exec md5sum {} + | sort | cmp - before.txt || fail "a refused run changed files"
+done
+mv own/particles own/mine && mv own/history.csv own/mine
+expect 0 "$tribo" run --quiet --output own own/case.xml
+echo mine | tee own/particles/notes >/dev/null
+expect 5 "$tribo" run --quiet --output own own/case.xml
+expect 0 "$tribo" run --quiet --overwrite --output own own/case.xml
+echo mine | tee own/report.html >/dev/null
+expect 5 "$tribo" report own
+for again in 1 2; do expect 0 "$tribo" report -o own/page.html own; done
+for file in report.html particles/notes grid/mesh mine/history.csv mine/run_000000.vtp; do
+  [ "$(cat own/$file)" = mine ] || fail "own/$file was changed"
+done
+expect 3 "$tribo" run --quiet --output none/of/these "$source/tests/input/malformed/$(ls "$source/tests/input/malformed" | head -1)"
+[ ! -e none ] || fail "a run that does not start leaves a folder"
+"$tribo" run --quiet --overwrite --output four "$source/input/examples/simple_shear.xml" >/dev/null 2>&1 &
+first=$!
+for _ in $(seq 200); do grep -qs "\"process\": $first" four/provenance.json && break; sleep 0.02; done
+kill -STOP $first
+expect 5 "$tribo" run --quiet --overwrite --output four "$deck"
+grep -q "process $first on " err.txt || { cat err.txt; fail "the other run is not named"; }
+expect 5 "$tribo" resume --quiet four
+kill -KILL $first
+wait $first 2>/dev/null || true
+expect 0 "$tribo" run --quiet --overwrite --output four "$deck"
+
+# SIGHUP stops a run with a checkpoint, but not under nohup
+for before in "" nohup; do
+  $before "$tribo" run --quiet --overwrite --output four "$deck" >/dev/null 2>&1 &
+  for _ in $(seq 200); do grep -qs "\"process\": $!" four/provenance.json && break; sleep 0.01; done
+  kill -HUP $! 2>/dev/null || true
+  code=0
+  wait $! || code=$?
+  [ $code -eq 0 ] || { [ -z "$before" ] && [ $code -eq 6 ]; } || fail "SIGHUP $before: exit code $code"
+done
+
+# A changed command file is told; a project that was moved continues
+mkdir project && cp "$deck" project/case.xml
+stopped() {
+  rm -rf project/out
+  code=0
+  "$tribo" run --quiet --max-wall 0.02 --output project/out project/case.xml >/dev/null 2>&1 || code=$?
+  [ $code -eq 6 ] || fail "the run was not stopped"
+}
+stopped
+sed -i 's|<MaxTime units="ms">20|<MaxTime units="ms">21|' project/case.xml
+expect 5 "$tribo" resume --quiet project/out
+grep -q '15: - .*<MaxTime units="ms">20<' err.txt && grep -q '15: + .*<MaxTime units="ms">21<' err.txt ||
+  { cat err.txt; fail "the changed line is not told"; }
+expect 0 "$tribo" resume --quiet --changed project/out
+tail -1 project/out/energy.csv | grep -q '^0.021,' || { tail -1 project/out/energy.csv; fail "--changed does not run to the new end"; }
+grep -q "changed on resumption" project/out/provenance.json || fail "the change is not recorded"
+expect 0 "$tribo" resume --quiet project/out
+cp "$deck" project/case.xml
+stopped
+echo "<!-- nothing -->" >>project/case.xml
+mv project moved
+expect 0 "$tribo" resume --quiet moved/out
+cmp moved/out/history.csv own/history.csv || fail "a moved project gives other results"
+mv moved project
+stopped
+mv project moved && rm moved/case.xml
+expect 0 "$tribo" resume --quiet moved/out
+grep -q "continues with the copy of the model" err.txt || { cat err.txt; fail "the copy is not told"; }
+cmp moved/out/history.csv own/history.csv || fail "the copy of the model gives other results"
+
 # A full disk is an error that leaves nothing half-written
 if [ -w /dev/full ]; then
   expect 5 "$tribo" run --quiet --overwrite --output /dev/full/x "$deck"
+  code=0
+  "$tribo" convert "$script" >/dev/full 2>err.txt || code=$?
+  [ $code -eq 5 ] || fail "convert to a full disk ended with $code, not 5"
+fi
+mkdir small
+if mount -t tmpfs -o size=1m none small 2>/dev/null; then
+  code=0
+  "$tribo" run --quiet --output small/out "$deck" 2>err.txt >/dev/null || code=$?
+  record=$(cat small/out/provenance.json)
+  mount -o remount,size=64m small
+  "$tribo" resume --quiet small/out >out.txt 2>&1 || { cat out.txt; umount small; fail "no resumption after a full disk"; }
+  umount small
+  [ $code -eq 5 ] || { cat err.txt; fail "a full disk ended a run with $code, not 5"; }
+  grep -q '"status": "failed"' <<<"$record" || { echo "$record"; fail "the record of a full disk does not say failed"; }
 fi
 
 echo "$passed passed, 0 failed"

@@ -102,6 +102,13 @@ TEST_CASE("contact with heat, friction and bonds continues to the bit", "[restar
   check_resume({"verification/adiabatic/shear.xml", {}, 40}, {"stepper.conditions0.work"});
 }
 
+TEST_CASE("contact with faces that are kept from step to step continues to the bit", "[restart]") {
+  const auto kept = {"stepper.kept.faces.travel", "stepper.kept.faces.steps"};
+  check_resume({"verification/rolling/case.xml", {{"\"0.025\"", "\"0.05\""}}, 12}, kept);
+  check_resume({"verification/capstan/case.xml", {}, 12}, kept);
+  check_resume({"verification/sphere/case.xml", {{"\"0.025\"", "\"0.1\""}}, 12}, kept);
+}
+
 TEST_CASE("cracks that grow and cracks with laws continue to the bit", "[restart]") {
   check_resume({"verification/fracture/growth.xml",
                 {{"\"1\"", "\"2\""}, {"<JIc>0.02", "<JIc>1e-30"}, {"xmax='30'", "xmax='12'"}},

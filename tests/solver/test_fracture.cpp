@@ -119,7 +119,7 @@ struct Growing {
     const auto transfers = make_transfers<2>(model.scheme);
     Cracks<2> cracks(model, system, *transfers);
     CrackTips<2> fracture(model, system, cracks, 3);
-    tip().K = {K1, K2}, tip().J = J;
+    tip().K = {K1, K2}, tip().has_K = true, tip().J = J;
     return fracture.grow();
   }
   /// Angle by which the last piece turns against the one before, in degrees.

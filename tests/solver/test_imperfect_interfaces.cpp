@@ -149,7 +149,6 @@ TEST_CASE("imperfect interfaces: the same bits on any number of threads and afte
   for (int k = 0; k < 80; ++k) stepper.advance(0.1);
   REQUIRE(!blocks.system.joints[0].joints.empty());
   save_state({}, blocks.system, stepper).save(file);
-  stepper.contact().clear_cache();
   load_state(Checkpoint(file), other.system, resumed);
   std::filesystem::remove(file);
   for (int k = 0; k < 40; ++k) stepper.advance(0.1), resumed.advance(0.1);

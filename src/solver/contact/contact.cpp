@@ -199,6 +199,31 @@ void Contact<Dim>::record(double dt, bool replaces, bool filtered) {
 }
 
 template <int Dim>
+void Contact<Dim>::archive_kept(Archive& a) {
+  a.version(1);
+  a("faces", cache_);
+  if (cache_.empty() || finder_.needs_volumes()) return;
+  for (std::size_t f = 0; f < system_.fields.size(); ++f) {
+    auto& volumes = system_.fields[f].volumes;
+    std::vector<std::int64_t> numbers;  // of the few nodes that have a volume
+    std::vector<std::array<double, 7>> values;
+    for (std::size_t n = 0; n < volumes.size(); ++n) {
+      const auto& [volume, moment, spare, gradient] = volumes[n];
+      if (volume == 0.0) continue;
+      numbers.push_back(static_cast<std::int64_t>(n));
+      values.push_back({volume, moment[0], moment[1], moment[2], gradient[0], gradient[1], gradient[2]});
+    }
+    a.resizable("nodes" + std::to_string(f), numbers), a.resizable("volumes" + std::to_string(f), values);
+    if (!a.reading()) continue;
+    volumes.assign(system_.fields[f].nodes.size(), VolumeNode{});
+    for (std::size_t k = 0; k < numbers.size(); ++k) {
+      const auto& v = values[k];
+      volumes.at(static_cast<std::size_t>(numbers[k])) = {v[0], {v[1], v[2], v[3]}, 0.0, {v[4], v[5], v[6]}};
+    }
+  }
+}
+
+template <int Dim>
 void Contact<Dim>::fill_view() {
   if (!active_) return;
   for (auto& node : search_.found().nodes) node.needs_faces = node.between_bodies;

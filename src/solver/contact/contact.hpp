@@ -45,12 +45,6 @@ class Contact {
   void find(const Exchanges<Dim>& exchanges, const Joints<Dim>& joints);
   /// Adds the largest distance that a particle may have moved in this step [cells].
   void add_travel(double cells) { cache_.add_travel(cells); }
-  /// Forgets all faces that are kept from step to step.
-  void clear_cache() { cache_.clear(); }
-  /// True if the next step depends on the particles only, not on faces kept from earlier steps. Then a run that is
-  /// stopped here and resumed gives the same results to the last bit.
-  bool interruptible() const { return !active_ || !cache_.enabled() || cache_.empty() || cache_.is_expired(); }
-
   /// Applies the contact laws to the present nodal velocities, in the corrector also to the accelerations. `dt`: step.
   void apply(double dt, Pass pass);
   /// Subtracts the velocity changes of the predictor.
@@ -80,8 +74,10 @@ class Contact {
 
   Stopwatch watch;  ///< time spent in contact
 
-  /// The sums over the run, and the pairs that stick. The faces that are kept from step to step are not saved: see
-  /// interruptible().
+  /// The faces that are kept from step to step, and the nodal volumes from which further areas are found until all
+  /// faces are found anew. They are saved apart from the rest, since locate() forgets them.
+  void archive_kept(Archive& a);
+  /// The sums over the run, and the pairs that stick.
   friend void archive(Archive& a, Contact& contact) {
     a.version(2);
     a("ledger", contact.ledger_), a("search", contact.search_);

@@ -161,8 +161,7 @@ template <class F>
 void FaceCache<Dim>::each_particle_number(bool just_found, F&& f) {
   for (ContactFace& face : faces_)
     for (std::size_t side = 0; side < 2 && face.just_found == just_found; ++side)
-      for (std::size_t k = 0; k < std::min(face.count[side], ContactFace::max_particles); ++k)
-        f(face.particles[side][k]);
+      for (std::size_t k = 0; k < static_cast<std::size_t>(face.listed(side)); ++k) f(face.particles[side][k]);
 }
 
 // Replaces the numbers 0 to count - 1 of the particles of these faces by new_number(old number), called in ascending
@@ -196,6 +195,28 @@ void FaceCache<Dim>::end_search(const ParticleCloud<Dim>& cloud) {
   });
   if (many_unused || first) compact_size_ = particles_.size();
   for (ContactFace& face : faces_) face.just_found = false;
+}
+
+// Without their domains, which reuse() computes in every step.
+template <int Dim>
+void FaceCache<Dim>::archive_particles(Archive& a) {
+  std::vector<std::int64_t> labels, members;
+  for (const CachedParticle& p : particles_)
+    labels.insert(labels.end(), {p.label.field, p.label.body, p.label.particle});
+  for (const ContactFace& face : faces_)
+    for (std::size_t side = 0; side < 2; ++side)
+      members.insert(members.end(), face.particles[side].begin(), face.particles[side].begin() + face.listed(side));
+  a.resizable("particles", labels), a.resizable("members", members);
+  if (!a.reading()) return;
+  const auto number = [](std::int64_t n) { return static_cast<std::uint32_t>(n); };
+  particles_.resize(labels.size() / 3);
+  for (std::size_t k = 0; k < particles_.size(); ++k)
+    particles_[k].label = {number(labels[3 * k]), number(labels[3 * k + 1]), number(labels[3 * k + 2])};
+  auto from = members.begin();
+  for (ContactFace& face : faces_)
+    for (std::size_t side = 0; side < 2; ++side)
+      for (std::ptrdiff_t k = 0; k < face.listed(side) && from != members.end(); ++k)
+        face.particles[side][static_cast<std::size_t>(k)] = number(*from++);
 }
 
 template class FaceCache<2>;

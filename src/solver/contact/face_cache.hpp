@@ -2,9 +2,11 @@
 /// Contact faces that are kept from step to step.
 #pragma once
 
+#include "base/archive.hpp"
 #include "solver/contact/contact_nodes.hpp"
 #include "solver/contact/near_particles.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -32,6 +34,21 @@ struct ContactFace {
   /// Per side: numbers in the cloud while just_found, later numbers in the list of cached particles.
   std::array<std::array<std::uint32_t, max_particles>, 2> particles{};
 
+  /// The numbers of the particles are saved by FaceCache.
+  friend void archive(Archive& a, ContactFace& face) {
+    auto& [node, field_a, field_b, missing, normal, area, gap_correction, offset_along_face, just_found, found_travel,
+           valid_travel, flat, depth_range, count, particles] = face;
+    a.version(1);
+    a("node", node), a("a", field_a), a("b", field_b), a("missing", missing);
+    a("normal", normal), a("area", area), a("gap_correction", gap_correction);
+    a("offset_along_face", offset_along_face), a("found_travel", found_travel), a("valid_travel", valid_travel);
+    a("flat", flat), a("depth_range", depth_range), a("count_a", count[0]), a("count_b", count[1]);
+  }
+
+  /// Number of particles in the list of a side.
+  std::ptrdiff_t listed(std::size_t side) const {
+    return static_cast<std::ptrdiff_t>(std::min(count[side], max_particles));
+  }
   /// Starts anew for a pair of fields at a node.
   void begin(std::int64_t number, std::size_t field_a, std::size_t field_b) {
     node = number, a = field_a, b = field_b;
@@ -88,12 +105,22 @@ class FaceCache {
   /// Counts the steps for which faces are kept.
   void count_step() { steps_ = enabled_ ? steps_ + 1 : 0; }
 
+  /// The kept faces, after a step; to be restored after ContactSearch::locate().
+  friend void archive(Archive& a, FaceCache& cache) {
+    a.version(1);
+    a("steps", cache.steps_), a("travel", cache.travel_), a("compact_size", cache.compact_size_);
+    if (cache.empty()) return;
+    a.resizable("faces", cache.faces_);
+    cache.archive_particles(a);
+  }
+
  private:
   struct CachedParticle {
     ParticleLabel label;
     ParticleDomain<Dim> domain;  // present
   };
 
+  void archive_particles(Archive& a);
   bool assign_faces(const ContactNodes<Dim>& contacts);
   bool update_pair(const ContactNode<Dim>& node, const ContactNodes<Dim>& contacts, ContactPair& pair,
                    const ContactFace& face) const;

@@ -50,6 +50,7 @@ std::optional<double> CrackTips<2>::angle_of_growth(const Crack<2>& crack, const
   const Toughness& toughness = material.toughness;
   const auto [K1, K2] = tip.K;
   double angle = hoop_angle(K1, K2);
+  if (!tip.has_K && material.growth.when != Growth::When::release_rate) return std::nullopt;
   switch (material.growth.when) {
     case Growth::When::never:
       return std::nullopt;

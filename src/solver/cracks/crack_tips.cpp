@@ -236,8 +236,8 @@ void CrackTips<2>::measure(const Crack<2>& crack, CrackTip& tip, const Force& fo
   const double thickness = model_.grid.thickness;
   tip.J = all.J / thickness + work_of_faces(crack, tip, tip_domain);
   tip.body = tip_domain.nearest();
-  tip.K.fill(std::numeric_limits<double>::quiet_NaN());
-  if (!all.elastic || tip_domain.members.empty()) return;
+  tip.K = {}, tip.has_K = all.elastic && !tip_domain.members.empty();
+  if (!tip.has_K) return;
   const ElasticModuli& moduli = *moduli_[tip.body];
   const double per_J = 8 * moduli.G / (kappa(moduli) + 1);  // J = (K1^2 + K2^2)/E', E' = 8 G/(kappa + 1)
   const auto faces = work_of_faces_in_modes(crack, tip, tip_domain, moduli);

@@ -71,7 +71,7 @@ InterfaceFaces<Dim>::InterfaceFaces(const Model& model, System<Dim>& system)
       system_(system),
       any_(std::any_of(system.joints.begin(), system.joints.end(),
                        [](const auto& surface) { return surface.interface && surface.crack == surface.none; })),
-      travel_(std::numeric_limits<double>::infinity()) {}
+      travel_(std::numeric_limits<double>::max()) {}
 
 template <int Dim>
 void InterfaceFaces<Dim>::find() {

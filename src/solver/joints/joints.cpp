@@ -186,7 +186,7 @@ void Joints<Dim>::find_stable_step() {
     });
   }
   constexpr double share_of_limit = 0.5;
-  stable_step_ = largest > 0 ? share_of_limit * 2 / std::sqrt(largest) : std::numeric_limits<double>::infinity();
+  stable_step_ = largest > 0 ? share_of_limit * 2 / std::sqrt(largest) : std::numeric_limits<double>::max();
 }
 
 template <int Dim>

@@ -177,7 +177,7 @@ class Joints {
   /// Per block: joints between bodies that have both faces.
   std::vector<std::vector<PointOf>> points_of_block_;
   std::vector<std::int64_t> listed_blocks_;  ///< blocks with such joints
-  double stable_step_ = std::numeric_limits<double>::infinity();
+  double stable_step_ = std::numeric_limits<double>::max();
 };
 
 }  // namespace tribo

@@ -78,15 +78,7 @@ void RigidBodies<Dim>::set_velocities(double dt) {
       Vec3 now = wanted(spec, position, before, dt);
       if (varies_[r]) now = wanted(spec, position + 0.5 * dt * now, before, dt);
       for (std::size_t d = 0; d < Dim; ++d)
-        if (spec.rigid_velocity[d]) {
-          v[d][i] = now[static_cast<Eigen::Index>(d)];
-          if (!std::isfinite(v[d][i]))
-            throw SimulationError("a velocity function of the rigid material '" + body.name + "' (" +
-                                  spec.origin.text() + ") is not a number for particle " +
-                                  std::to_string(body.particles.id[i]) + " in step " +
-                                  std::to_string(system_.step + 1) + " at time " + std::to_string(system_.time) +
-                                  "; check its <SettingFunction>s");
-        }
+        if (spec.rigid_velocity[d]) v[d][i] = now[static_cast<Eigen::Index>(d)];
     }
     if (body.field != Body<Dim>::no_field) continue;
     for (auto& field : system_.fields) {

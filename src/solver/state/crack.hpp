@@ -20,18 +20,19 @@ struct CrackTip {
   bool active = true;    ///< false: the tip has reached a free surface or another crack
   std::size_t body = 0;  ///< number of the body in which the tip lies
   double J = 0.0;        ///< energy release rate                          [energy/length^2]
-  /// Stress intensity factors of modes 1 and 2; NaN if the body is not elastic [stress length^1/2].
+  /// Stress intensity factors of modes 1 and 2; 0 if the body is not elastic, which has none [stress length^1/2].
   std::array<double, 2> K{};
+  bool has_K = false;
   double earliest_growth = 0.0;               ///< the tip does not grow before this time               [time]
   Vec<2> initial_direction = Vec<2>::Zero();  ///< unit vector along the crack at the start of the run
 };
 
 /// Saves and restores what changes in a run; `end` and `initial_direction` follow from the model.
 inline void archive(Archive& a, CrackTip& tip) {
-  auto& [point, previous, end, active, body, J, K, earliest_growth, initial_direction] = tip;
-  a.version(1);
+  auto& [point, previous, end, active, body, J, K, has_K, earliest_growth, initial_direction] = tip;
+  a.version(2);
   a("point", point), a("behind", previous), a("lives", active), a("body", body);
-  a("J", J), a("K", K), a("rest", earliest_growth);
+  a("J", J), a("K", K), a("has_K", has_K), a("rest", earliest_growth);
 }
 
 /// A crack made of straight segments in two dimensions and of triangles in three, called pieces. The normal of a
