@@ -2,6 +2,7 @@
 /// The program: parses the arguments, calls the command and converts exceptions to exit codes.
 
 #include "base/error.hpp"
+#include "base/read_file.hpp"
 #include "commands.hpp"
 #include "completion.hpp"
 #include "input/dialect.hpp"
@@ -55,6 +56,10 @@ int guarded(const std::function<int()>& action) {
     return numerical_error;
   } catch (const FileError& error) {
     std::fprintf(stderr, "error: %s\n", error.what());
+    return file_error;
+  } catch (const std::filesystem::filesystem_error& error) {
+    std::fprintf(stderr, "error: '%s': %s\n", printable(error.path1().string()).c_str(),
+                 error.code().message().c_str());
     return file_error;
   } catch (const std::bad_alloc&) {
     std::fprintf(stderr,
