@@ -81,7 +81,7 @@ void Provenance::write(const std::string& status, const std::string& reason, dou
   for (const auto& [name, value] : facts_) record["model"][name] = value;
   for (const auto& [name, unit] : units_) record["unit_of"][name] = unit;
   if (!materials_.empty()) record["materials"] = materials_;
-  write_atomically(path_, record.dump(2) + "\n");
+  write_atomically(path_, record.dump(2, ' ', false, decltype(record)::error_handler_t::replace) + "\n");
 }
 
 }  // namespace tribo
