@@ -39,6 +39,10 @@ void check(const RunState& state, const System<Dim>& system, const Stepper<Dim>&
         refuse("the particles of '" + body.name + "' are not sorted into bins");
   };
   complete(system.bodies), complete(system.rigids);
+  for (const auto& crack : system.cracks)
+    for (const auto& piece : crack.pieces)
+      for (const auto corner : piece)
+        if (corner >= crack.x.size()) refuse("a crack has a corner that does not exist");
 }
 
 void check(const RunState&, const Assembly&) {}
