@@ -10,6 +10,7 @@ namespace tribo {
 namespace {
 
 constexpr double degrees = std::numbers::pi / 180.0;
+constexpr std::size_t most_corners = 20'000;  // of a polygon: each is looked at for every particle
 
 bool is_shape(std::string_view name) {
   for (const auto shape : {"Rect", "Oval", "Polygon", "Line", "Arc", "Box", "Sphere", "Cylinder", "Torus", "STL"})
@@ -51,6 +52,9 @@ RegionPtr Builder::plain_shape(const Statement& s) {
     std::vector<Vec<2>> corners;
     for (const auto& pt : s.children)
       if (pt.name == "pt") corners.emplace_back(coordinate(pt, "x", 0), coordinate(pt, "y", 1));
+    if (corners.size() > most_corners)
+      throw std::runtime_error("it has " + std::to_string(corners.size()) + " corners; at most " +
+                               std::to_string(most_corners) + " are possible");
     if (corners.size() < 3) throw std::runtime_error("a polygon needs at least three <pt>");
     return polygon(std::move(corners));
   }
@@ -187,6 +191,7 @@ void Builder::picture(const Statement& s) {
   const double x = origin ? number(*origin, "x", Dimension::length) : 0.0,
                y = origin ? number(*origin, "y", Dimension::length) : 0.0;
   must(width > 0 && height > 0, s.origin, "width and height of the picture must be positive");
+  if (!(width > 0 && height > 0)) return;
   for (const auto& range : s.children) {
     if (range.name != "Intensity") continue;
     Piece piece;
@@ -199,7 +204,7 @@ void Builder::picture(const Statement& s) {
               high = static_cast<int>(number(range, "imax", Dimension::none));
     must(low >= 0 && low <= high && high <= 255, range.origin,
          "imin and imax must be grey values 0 ... 255, imin <= imax");
-    piece.region = image_region(image, x, x + width, y, y + height, low, high);
+    piece.region = placed(range, [&] { return image_region(image, x, x + width, y, y + height, low, high); });
     piece.origin = range.origin;
     model_.pieces.push_back(std::move(piece));
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// Cracks: their lines or surfaces, and the laws between their faces.
 
+#include "base/text.hpp"
 #include "contact/contact_law.hpp"
 #include "contact/joint_law.hpp"
 #include "input/builder.hpp"
@@ -13,6 +14,7 @@ namespace tribo {
 namespace {
 
 constexpr double pi = std::numbers::pi;
+constexpr double most_pieces = 1e5;  // of a crack: segments or triangles
 
 /// Builds the geometry of a crack from its parts.
 class CrackShape {
@@ -43,7 +45,7 @@ class CrackShape {
   /// Adds a disc of triangles between concentric rings; the k-th ring has 6 k points.
   void disc(const Vec3& centre, const Vec3& normal, double radius) {
     const Vec3 n = normal.normalized(), a = n.unitOrthogonal(), b = n.cross(a);
-    const int rings = pieces(radius);
+    const int rings = static_cast<int>(pieces(radius));
     std::vector<std::uint32_t> inner{static_cast<std::uint32_t>(crack_.points.size())};
     crack_.points.push_back(centre);
     for (int k = 1; k <= rings; ++k) {
@@ -67,7 +69,7 @@ class CrackShape {
   }
 
   /// Default number of segments of a length: two per cell.
-  int pieces(double length) const { return std::max(1, static_cast<int>(std::ceil(2 * length / cell_ - 1e-9))); }
+  double pieces(double length) const { return std::max(1.0, std::ceil(2 * length / cell_ - 1e-9)); }
 
  private:
   CrackSpec& crack_;
@@ -97,7 +99,16 @@ CrackSpec Builder::crack(const Statement& s) {
       return Vec3(number(part, x, Dimension::length), number(part, y, Dimension::length),
                   z ? number(part, z, Dimension::length) : 0.0);
     };
-    const int resolution = static_cast<int>(number(part, "resolution", Dimension::none));
+    const double resolution = number(part, "resolution", Dimension::none);
+    // The size of a crack is known before memory is spent on it.
+    const auto fits = [&](double count) {
+      const double all = static_cast<double>(out.pieces.size()) + count;
+      const bool good = all <= most_pieces;
+      must(good, part.origin,
+           format("this crack would have %.3g %s; at most %.0e are possible: use larger cells%s", all,
+                  solid ? "triangles" : "segments", most_pieces, resolution > 0 ? " or a lower 'resolution'" : ""));
+      return good;
+    };
     must(!has(part, "resolution") || resolution >= 1, part.origin,
          "'resolution' must be a number of segments, at least 1");
     const bool begins = out.points.empty();
@@ -112,8 +123,15 @@ CrackSpec Builder::crack(const Statement& s) {
       const Vec3 middle = 0.5 * (a + b), half = 0.5 * (b - a);
       const bool line = part.name == "Line";
       const double length = line ? (b - a).norm() : std::abs(to - from) * half.cwiseAbs().maxCoeff();
-      const int n = std::max(1, resolution > 0 ? resolution : shape.pieces(length));
       must(length > 0, part.origin, "<" + part.name + "> has no length");
+      const double count = std::max(1.0, resolution > 0 ? resolution : shape.pieces(length));
+      const double most = std::max(500.0, 25 * shape.pieces(length));
+      must(
+          resolution <= most, part.origin,
+          format("'resolution' %.6g makes segments much shorter than a cell, which cost time without use; at most %.0f",
+                 resolution, most));
+      if (resolution > most || !fits(count)) continue;
+      const int n = static_cast<int>(count);
       if (begins) set_end(part, "start_tip", out.ends[0]);
       set_end(part, "end_tip", out.ends[1]);
       for (int k = 0; k <= n; ++k) {
@@ -124,14 +142,17 @@ CrackSpec Builder::crack(const Statement& s) {
     } else if (part.name == "Quad") {
       const Vec3 corner = at("x1", "y1", "z1"), u = at("x2", "y2", "z2") - corner, v = at("x3", "y3", "z3") - corner;
       must(u.cross(v).norm() > 0, part.origin, "the corners of <Quad> are collinear");
-      shape.sheet(shape.pieces(u.norm()), shape.pieces(v.norm()),
-                  [&](double i, double j) { return Vec3(corner + i * u + j * v); });
+      const double n = shape.pieces(u.norm()), m = shape.pieces(v.norm());
+      if (fits(2 * n * m))
+        shape.sheet(static_cast<int>(n), static_cast<int>(m),
+                    [&](double i, double j) { return Vec3(corner + i * u + j * v); });
     } else {
       const Vec3 normal(number(part, "nx", Dimension::none), number(part, "ny", Dimension::none),
                         number(part, "nz", Dimension::none, has(part, "nx") || has(part, "ny") ? 0.0 : 1.0));
       const double radius = number(part, "radius", Dimension::length);
       must(radius > 0 && normal.norm() > 0, part.origin, "<Disc> needs a positive 'radius' and a normal");
-      if (radius > 0 && normal.norm() > 0) shape.disc(at("x", "y", "z"), normal, radius);
+      if (radius > 0 && normal.norm() > 0 && fits(6 * std::pow(shape.pieces(radius), 2)))
+        shape.disc(at("x", "y", "z"), normal, radius);
     }
     static_cast<void>(unit);
   }

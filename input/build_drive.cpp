@@ -52,7 +52,7 @@ std::vector<PathRow> Builder::test_path(const Statement& s, Mat3& initial) {
   const double steps = number(s, "steps", Dimension::none, 100.0), pressure = number(s, "pressure", Dimension::stress);
   must(std::abs(strain) > 0, s.origin, "a standard test needs 'strain', the strain at its end");
   must(rate > 0, s.origin, "'rate' must be positive; a negative 'strain' reverses the test");
-  must(steps >= 1, s.origin, "'steps' must be a whole number, at least 1");
+  must(steps >= 1 && steps <= 1e7, s.origin, "'steps' must be a whole number, at least 1 and at most 1e7");
   must(test.confined || !has(s, "pressure"), s.origin, "only triaxial tests have a confining 'pressure'");
   const auto columns = material_columns();
   PathRow row;

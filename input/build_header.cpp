@@ -2,10 +2,14 @@
 /// Header, MPMHeader, Mesh and CustomTasks.
 
 #include "input/builder.hpp"
+#include "materials/material.hpp"
 #include "model/output_fields.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
+#include <limits>
+#include <sstream>
 
 namespace tribo {
 
@@ -102,7 +106,8 @@ void Builder::mpm_header() {
   reference_temperature(h);
   if (const auto* t = h.child("TransTimeFactor")) {
     model_.time.transport_courant = text_number(*t, Dimension::none);
-    must(model_.time.transport_courant > 0, t->origin, "<TransTimeFactor> must be positive");
+    must(model_.time.transport_courant > 0 && model_.time.transport_courant <= 1, t->origin,
+         "<TransTimeFactor> must be in (0, 1]: conduction is stable up to 1");
   }
   if (const auto* l = h.child("LeaveLimit")) {
     const auto limit = static_cast<long>(text_number(*l, Dimension::none, 0));
@@ -128,12 +133,39 @@ void Builder::time_control(const Statement& h) {
     time.end = number(*t, "max", Dimension::time, 1.0);
     time.courant = number(*t, "CFL", Dimension::none, 0.5);
     positive_time(*t, std::min({time.max_step, time.end, time.courant}));
+    must(time.courant <= 1, t->origin, "'CFL' must be in (0, 1]");
   }
   if (const auto* t = h.child("TimeStep")) time.max_step = positive_time(*t, text_number(*t, Dimension::time, 1.0));
   if (const auto* t = h.child("MaxTime")) time.end = positive_time(*t, text_number(*t, Dimension::time, 1.0));
   if (const auto* t = h.child("TimeFactor")) {
     time.courant = text_number(*t, Dimension::none, 0.5);
     must(time.courant > 0 && time.courant <= 1, t->origin, "<TimeFactor> must be in (0, 1]");
+  }
+  const Statement* s = h.child("TimeStep") ? h.child("TimeStep") : h.child("Timing");
+  if (s && time.max_step > 0) check_steps(s->origin, time.max_step, "");
+}
+
+// A run must end.
+void Builder::check_steps(const Origin& origin, double step, const std::string& why) {
+  const double steps = model_.time.end / step;
+  std::ostringstream message;
+  message << std::setprecision(3) << "the run would need " << steps << " time steps of " << step << why
+          << "; at most 1e12 are possible";
+  must(steps <= 1e12, origin, message.str());
+}
+
+// The steps that the waves in the materials allow, as far as they are known before the run.
+void Builder::check_wave_steps() {
+  if (!problems_.empty()) return;
+  double h = std::numeric_limits<double>::infinity();
+  for (std::size_t d = 0; d < static_cast<std::size_t>(model_.dimension()); ++d)
+    h = std::min(h, (model_.grid.high[d] - model_.grid.low[d]) / model_.grid.cells[d]);
+  for (const auto& m : model_.materials) {
+    if (!m.law || m.law->rigid() || !(m.law->wave_modulus() > 0)) continue;
+    const double speed = std::sqrt(m.law->wave_modulus() / m.law->density()), step = model_.time.courant * h / speed;
+    must(speed > 0 && std::isfinite(speed), m.origin, "the waves in '" + m.name + "' have no finite speed");
+    if (step < model_.time.max_step)
+      check_steps(m.origin, step, ", which the waves in '" + m.name + "' allow; are its units right?");
   }
 }
 
@@ -250,7 +282,14 @@ void Builder::axis(const Statement& grid, int axis, std::string_view element, st
   };
   plane("symmin", g.symmetry[k][0]), plane("symmax", g.symmetry[k][1]);
   plane("wallmin", g.wall[k][0]), plane("wallmax", g.wall[k][1]);
-  g.periodic[k] = number(*s, "periodic", Dimension::none, 0.0) != 0;
+  for (const auto& [lower, low] : {std::pair("symmin", g.symmetry[k][0]), std::pair("wallmin", g.wall[k][0])})
+    for (const auto& [upper, high] : {std::pair("symmax", g.symmetry[k][1]), std::pair("wallmax", g.wall[k][1])})
+      must(!low || !high || *low < *high, s->origin, std::string(lower) + " must be below " + upper);
+  if (const Attribute* a = s->attribute("periodic")) {
+    const double periodic = number(*s, "periodic", Dimension::none);
+    must(periodic == 0 || periodic == 1, a->origin, "'periodic' must be 0 or 1, not '" + a->text + "'");
+    g.periodic[k] = periodic != 0;
+  }
   for (const auto* other : {"symmin", "symmax", "wallmin", "wallmax"})
     must(!g.periodic[k] || !has(*s, other), s->origin, std::string("a periodic axis has no '") + other + "'");
 }

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
+#include <map>
 #include <set>
 #include <sstream>
 
@@ -43,47 +44,52 @@ void Builder::number_materials() {
     for (const auto& child : s.children) collect(child);
   };
   collect(root_);
-  for (const auto* a : in_file)
-    for (const auto* b : in_file) {
-      if (a == b) break;
-      if (!has(*a, "Name") || word(*a, "Name") != word(*b, "Name")) continue;
-      const std::string message =
-          "two materials are named '" + word(*a, "Name") + "'; the first is at " + b->origin.text();
-      if (referred.count(word(*a, "Name")))
-        problems_.add(a->origin, message);
+  std::map<std::string, std::vector<const Statement*>, std::less<>> named;
+  for (const auto* m : in_file) {
+    const std::string name = word(*m, "Name");
+    auto& same = named[name];
+    if (has(*m, "Name") && !same.empty()) {
+      const std::string message = "two materials are named '" + name + "'; the first is at " + same[0]->origin.text();
+      if (referred.count(name))
+        problems_.add(m->origin, message);
       else
-        problems_.warn(a->origin, message + ". Histories, pictures and messages do not tell them apart");
+        problems_.warn(m->origin, message + ". Histories, pictures and messages do not tell them apart");
     }
+    same.push_back(m);
+  }
+  std::set<const Statement*> numbered;
+  const auto number = [&](const Statement* m) {
+    if (numbered.insert(m).second) material_statements_.push_back(m);
+  };
   const std::function<void(const Statement&)> visit = [&](const Statement& s) {
     if (const Attribute* a = s.attribute("matname"))
-      for (const auto* m : in_file)
-        if (word(*m, "Name") == a->text &&
-            std::find(material_statements_.begin(), material_statements_.end(), m) == material_statements_.end())
-          material_statements_.push_back(m);
+      if (const auto found = named.find(a->text); found != named.end())
+        for (const auto* m : found->second) number(m);
     for (const auto& child : s.children) visit(child);
   };
   visit(root_);
-  for (const auto* m : in_file)
-    if (std::find(material_statements_.begin(), material_statements_.end(), m) == material_statements_.end())
-      material_statements_.push_back(m);
+  for (const auto* m : in_file) number(m);
 }
 
 int Builder::material(const Statement& s, std::string_view by_number, std::string_view by_name) {
-  std::vector<std::string> names;
-  for (const auto* m : material_statements_) names.push_back(word(*m, "Name"));
   if (const Attribute* a = s.attribute(by_name)) {
-    const auto found = std::find(names.begin(), names.end(), a->text);
-    if (found != names.end()) return static_cast<int>(found - names.begin());
+    const auto found = std::find_if(material_statements_.begin(), material_statements_.end(), [&](const Statement* m) {
+      const Attribute* name = m->attribute("Name");
+      return name ? name->text == a->text : a->text.empty();
+    });
+    if (found != material_statements_.end()) return static_cast<int>(found - material_statements_.begin());
+    std::vector<std::string> names;
+    for (const auto* m : material_statements_) names.push_back(word(*m, "Name"));
     problems_.add(a->origin, "there is no material named '" + a->text + "'" + did_you_mean(a->text, names) +
                                  "; materials: " + join(names));
     return 0;
   }
   if (const Attribute* a = s.attribute(by_number)) {
     const auto number = to_number(a->text);
-    if (number && *number >= 1 && *number <= static_cast<double>(names.size()) && *number == static_cast<int>(*number))
+    const auto count = material_statements_.size();
+    if (number && *number >= 1 && *number <= static_cast<double>(count) && *number == static_cast<int>(*number))
       return static_cast<int>(*number) - 1;
-    problems_.add(a->origin,
-                  "there is no material number '" + a->text + "'; this file has " + std::to_string(names.size()));
+    problems_.add(a->origin, "there is no material number '" + a->text + "'; this file has " + std::to_string(count));
     return 0;
   }
   problems_.add(s.origin, "<" + s.name + "> needs the attribute 'mat' or 'matname'");

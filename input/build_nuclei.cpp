@@ -2,10 +2,12 @@
 /// Nuclei of Voronoi cells: given as points, from a file, on a lattice, or at random.
 
 #include "base/csv.hpp"
+#include "base/read_file.hpp"
 #include "base/text.hpp"
 #include "input/builder.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace tribo {
@@ -18,6 +20,19 @@ void Builder::nuclei(const Statement& s, BlockGroup& g) {
   for (const char* name : {"seed", "apart"})
     must(has(s, "random") || !has(s, name), s.origin, "'" + std::string(name) + "' belongs to 'random'");
   if (!(g.high - g.low).head(model_.dimension()).cwiseSign().isOnes()) return;
+  const double volume = (g.high - g.low).head(model_.dimension()).prod();
+  double count = has(s, "random") ? number(s, "random", Dimension::none) : 0.0;
+  for (const char* kind : {"hexagons", "cubes", "octahedra"})
+    if (const double spacing = number(s, kind, Dimension::length); spacing > 0)
+      count = std::max(count, volume / std::pow(spacing, model_.dimension()));
+  const double wanted = count * (model_.dimension() == 2 ? 5e3 : 2e4), free = available_memory();
+  if (wanted > free && count <= 1e7) {
+    problems_.add(s.origin,
+                  format("about %.2g blocks need %.2g GB of memory; this machine has %.2g GB free. Use larger "
+                         "or fewer blocks",
+                         count, 1e-9 * wanted, 1e-9 * free));
+    return;
+  }
   if (has(s, "random")) random_nuclei(s, g);
   for (const auto& [kind, lattice] : {std::pair{"hexagons", PointLattice::hexagons},
                                       {"cubes", PointLattice::cubes},
@@ -66,6 +81,7 @@ void Builder::nuclei_of_file(const Attribute& file, BlockGroup& g) {
   const Origin begin{std::make_shared<const std::string>(place.string()), 1, 1};
   bool first = true;
   for (const auto& row : read_csv(*text, begin)) {
+    if (problems_.full()) return;
     std::array<double, 3> x{};
     bool good = row.cells.size() == dimension;
     for (std::size_t d = 0; good && d < dimension; ++d) {
@@ -82,7 +98,9 @@ void Builder::nuclei_of_file(const Attribute& file, BlockGroup& g) {
 void Builder::check_nuclei(const BlockGroup& g) {
   std::vector<std::size_t> order(g.points.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return g.points[a][0] < g.points[b][0]; });
+  // Along a direction in which few points are level
+  const auto along = [&](std::size_t k) { return g.points[k].dot(Vec3(0.7, 0.55902, 0.44444)); };
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return along(a) < along(b); });
   const double same = 1e-9 * (g.high - g.low).norm();
   for (std::size_t i = 0; i < order.size(); ++i) {
     const Vec3& x = g.points[order[i]];
@@ -91,7 +109,7 @@ void Builder::check_nuclei(const BlockGroup& g) {
         problems_.add(g.point_origins[order[i]], "this nucleus does not lie within the box of <Voronoi>");
         break;
       }
-    for (std::size_t j = i + 1; j < order.size() && g.points[order[j]][0] - x[0] <= same; ++j)
+    for (std::size_t j = i + 1; j < order.size() && along(order[j]) - along(order[i]) <= 2 * same; ++j)
       must((g.points[order[j]] - x).norm() > same, g.point_origins[std::max(order[i], order[j])],
            "this nucleus coincides with the one at " + g.point_origins[std::min(order[i], order[j])].text());
   }

@@ -54,10 +54,21 @@ constexpr std::array<std::string_view, 27> archive_order{"",
 
 }  // namespace
 
+void Builder::check_outputs(const Origin& origin, double time, double interval, double most, const char* what) {
+  if (!(interval > 0)) return;
+  must(time / interval <= most, origin,
+       format("the run would write %.3g %s; at most %.0e are possible. Is the unit of this time right?",
+              time / interval, what, most));
+}
+
 void Builder::archive(const Statement& h) {
   OutputSpec& out = model_.output;
   double start = 0.0;
-  if (const auto* first = h.child("FirstArchiveTime")) start = text_number(*first, Dimension::time);
+  if (const auto* first = h.child("FirstArchiveTime")) {
+    start = text_number(*first, Dimension::time);
+    must(start >= 0, first->origin, "<FirstArchiveTime> must not be negative");
+  }
+  std::vector<Origin> places;
   for (const auto& s : h.children) {
     if (s.name != "ArchiveTime" && s.name != "ArchiveGroup") continue;
     const bool group = s.name == "ArchiveGroup";
@@ -73,6 +84,12 @@ void Builder::archive(const Statement& h) {
     must(out.archive.empty() || from > out.archive.back().start, s.origin,
          "each archive group must start later than the preceding one");
     out.archive.push_back({from, interval, 0});
+    places.push_back(s.origin);
+  }
+  for (std::size_t k = 0; k < out.archive.size(); ++k) {
+    const double until = k + 1 < out.archive.size() ? out.archive[k + 1].start : model_.time.end;
+    check_outputs(places[k], std::min(until, model_.time.end) - out.archive[k].start, out.archive[k].interval, 1e6,
+                  "particle files");
   }
   if (out.archive.empty()) {
     problems_.add(h.origin, "<MPMHeader> needs <ArchiveTime>, the time between particle files");
@@ -87,6 +104,7 @@ void Builder::archive(const Statement& h) {
   if (const auto* g = h.child("GlobalArchiveTime")) {
     out.history_interval = text_number(*g, Dimension::time);
     must(out.history_interval > 0, g->origin, "<GlobalArchiveTime> must be positive");
+    check_outputs(g->origin, model_.time.end, out.history_interval, 1e8, "rows of history.csv");
   }
 
   const auto add_field = [&](const std::string& name, const Origin& origin) {
@@ -135,6 +153,8 @@ void Builder::archive(const Statement& h) {
     }
     out.checkpoint_interval = number(*o, "checkpoint", Dimension::time);
     must(out.checkpoint_interval >= 0, o->origin, "the time between checkpoints must not be negative");
+    if (out.checkpoint_interval > 0)
+      check_outputs(o->origin, model_.time.end, out.checkpoint_interval, 1e6, "checkpoints");
   }
 }
 

@@ -33,6 +33,9 @@ std::vector<std::size_t> read_head(const CsvRow& head, int dimension, Problems& 
     if (wanted && !there) problems.add(head.origin, "the column '" + names[d] + "' of the points is missing");
     if (!wanted && there) problems.add(head.origin, "points of a two-dimensional model have no column z");
   }
+  if (std::none_of(meaning.begin(), meaning.end(), [](std::size_t k) { return k >= 3; }))
+    problems.add(head.origin,
+                 "this table has no column with a stress; valid: " + join({names.begin() + 3, names.end()}));
   return meaning;
 }
 
@@ -52,6 +55,7 @@ std::shared_ptr<const ScatteredField> Builder::stress_points(const Statement& s)
       meaning = read_head(row, model_.dimension(), problems_);
       continue;
     }
+    if (problems_.full()) break;
     must(row.cells.size() == meaning.size(), row.origin,
          "this row has " + std::to_string(row.cells.size()) + " cells, its table has " +
              std::to_string(meaning.size()) + " columns");

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "input/builder.hpp"
 
+#include "base/read_file.hpp"
 #include "input/dialect.hpp"
 #include "input/read.hpp"
 #include "input/script/script.hpp"
 #include "input/script/write_xml.hpp"
 #include "input/xml.hpp"
 
+#include <cmath>
 #include <cstdio>
-#include <fstream>
-#include <sstream>
+#include <set>
 
 namespace tribo {
 
@@ -31,6 +32,7 @@ Model Builder::build() {
   mpm_header();
   materials();
   check_cells();
+  check_wave_steps();
   contact();
   cracks();
   fracture();
@@ -49,20 +51,30 @@ Model Builder::build() {
 double Builder::number(const Statement& s, std::string_view attribute, Dimension dimension, double fallback) {
   const Attribute* a = s.attribute(attribute);
   if (!a) return fallback;
-  return to_number(a->text).value_or(fallback) * model_.units.factor(dimension) * unit_factor(s, dimension);
+  return converted(s, a->text, a->origin, dimension, fallback);
 }
 
 double Builder::text_number(const Statement& s, Dimension dimension, double fallback) {
-  return to_number(s.text).value_or(fallback) * model_.units.factor(dimension) * unit_factor(s, dimension);
+  return converted(s, s.text, s.text.empty() ? s.origin : s.text_origin, dimension, fallback);
+}
+
+double Builder::converted(const Statement& s, const std::string& text, const Origin& origin, Dimension dimension,
+                          double fallback) {
+  const double value = to_number(text).value_or(fallback);
+  const double out = value * model_.units.factor(dimension) * unit_factor(s, dimension);
+  // With room for squares and products
+  const bool sound = out == 0 ? value == 0 : std::abs(out) < 1e100 && std::abs(out) > 1e-100;
+  must(sound, origin, "'" + text + "' is too " + (std::abs(out) < 1 ? "small" : "large") + " to be computed with");
+  return sound ? out : fallback;
 }
 
 std::optional<std::string> Builder::content_of(const std::filesystem::path& file, const Origin& origin) {
-  std::ifstream in(file);
-  std::ostringstream text;
-  text << in.rdbuf();
-  if (in) return text.str();
-  problems_.add(origin, "cannot read the file '" + file.string() + "'");
-  return std::nullopt;
+  try {
+    return read_file(file);
+  } catch (const FileError& error) {
+    problems_.add(origin, error.what());
+    return std::nullopt;
+  }
 }
 
 double Builder::coordinate(const Statement& s, std::string_view attribute, int axis, double fallback) {
@@ -77,7 +89,7 @@ double Builder::coordinate(const Statement& s, std::string_view attribute, int a
     const double cells = rest.empty() ? 0.0 : rest == "+" ? 1.0 : rest == "-" ? -1.0 : to_number(rest).value_or(0.0);
     return (a->text[1] == 'i' ? model_.grid.low[k] : model_.grid.high[k]) + cells * h;
   }
-  return to_number(a->text).value_or(fallback) * unit_factor(s, Dimension::length);
+  return converted(s, a->text, a->origin, Dimension::length, fallback);
 }
 
 std::string Builder::word(const Statement& s, std::string_view attribute, const std::string& fallback) const {
@@ -197,29 +209,63 @@ RegionPtr Builder::placed(const Statement& s, const std::function<RegionPtr()>& 
   return rectangle(0, 0, 0, 0);
 }
 
+namespace {
+
+// Adds the problems of values to those of the form, so that all are told in one round. Those on a line that has a
+// problem already may be its consequence.
+void add_values(const Statement& root, const std::filesystem::path& folder, const InputError& form,
+                Problems& problems) {
+  std::set<int> lines;
+  for (const Problem& p : form.problems()) lines.insert(p.origin.line);
+  try {
+    Builder(root, folder).build();
+  } catch (const InputError& error) {
+    for (const Problem& p : error.problems())
+      if (lines.count(p.origin.line) == 0) problems.add(p.origin, p.message);
+  }
+}
+
+}  // namespace
+
 Model build_model(const Statement& root, const std::filesystem::path& folder) {
   Problems problems;
   check_statements(root, problems);
+  try {
+    problems.raise();
+    return Builder(root, folder).build();
+  } catch (const InputError& error) {
+    if (problems.empty() || !is_complete(root)) throw;
+    add_values(root, folder, error, problems);
+  }
   problems.raise();
-  return Builder(root, folder).build();
+  return {};
 }
 
 namespace {
+
+constexpr std::uintmax_t most_text = std::uintmax_t{1} << 30;  // bytes of a command file
 
 std::string warning_text(const Origin& origin, const std::string& message) {
   return origin.text() + ": warning: " + message;
 }
 
-// The statements of a text. Warnings are added to `warnings`, if it is not null.
+/// What is known about a text besides its statements.
+struct About {
+  std::vector<std::string> warnings;
+  bool script = false;
+  std::vector<std::array<int, 2>> xml_lines;
+};
+
+// The statements of a text.
 Statement statements_of(const std::string& text, const std::shared_ptr<const std::string>& name, Settings settings,
-                        std::FILE* output, std::vector<std::string>* warnings = nullptr) {
+                        std::FILE* output, About& about) {
   std::string written;
   Statement root;
   if (is_script(text)) {
     Script script = read_script(text, name, settings);
     root = std::move(script.root), written = std::move(script.output);
-    if (warnings)
-      for (const auto& w : script.warnings) warnings->push_back(warning_text(w.origin, w.message));
+    about.script = true, about.xml_lines = std::move(script.xml_lines);
+    for (const auto& w : script.warnings) about.warnings.push_back(warning_text(w.origin, w.message));
   } else {
     root = read_xml(text, name, settings);
     written = run_commands(root, settings);
@@ -234,13 +280,6 @@ Statement statements_of(const std::string& text, const std::shared_ptr<const std
   return root;
 }
 
-std::string text_of(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream buffer;
-  if (!in || !(buffer << in.rdbuf())) throw FileError("cannot read '" + file.string() + "'");
-  return std::move(buffer).str();
-}
-
 // Positions in the command file are left out: they change without any effect on the model.
 std::string meaning_of(Statement root) {
   const auto forget = [](auto& self, Statement& s) -> void {
@@ -251,24 +290,33 @@ std::string meaning_of(Statement root) {
   return xml_text(root);
 }
 
+// The model with warnings of the reader before its own. Problems of a script are told in its words.
 Model model_of(const std::string& text, const std::string& file, const std::filesystem::path& folder,
                const Settings& settings) {
-  std::vector<std::string> warnings;
-  const Statement root = statements_of(text, std::make_shared<const std::string>(file), settings, stdout, &warnings);
-  Model model = build_model(root, folder);
-  model.warnings.insert(model.warnings.begin(), warnings.begin(), warnings.end());
-  model.file = file, model.settings = settings.values(), model.source = text, model.meaning = meaning_of(root);
-  return model;
+  About about;
+  const auto name = std::make_shared<const std::string>(printable(file));
+  const Statement root = statements_of(text, name, settings, stdout, about);
+  try {
+    Model model = build_model(root, folder);
+    model.warnings.insert(model.warnings.begin(), about.warnings.begin(), about.warnings.end());
+    model.file = file, model.settings = settings.values(), model.source = text, model.meaning = meaning_of(root);
+    return model;
+  } catch (const InputError& error) {
+    if (!about.script) throw;
+    throw InputError(in_words_of_scripts(error.problems(), about.xml_lines));
+  }
 }
 
 }  // namespace
 
 Statement read_statements(const std::filesystem::path& file, Settings settings, std::FILE* output) {
-  return statements_of(text_of(file), std::make_shared<const std::string>(file.string()), std::move(settings), output);
+  About about;
+  const auto name = std::make_shared<const std::string>(printable(file.string()));
+  return statements_of(read_file(file, most_text), name, std::move(settings), output, about);
 }
 
 Model read_model(const std::filesystem::path& file, const Settings& settings) {
-  return model_of(text_of(file), file.string(), file.parent_path(), settings);
+  return model_of(read_file(file, most_text), file.string(), file.parent_path(), settings);
 }
 
 Model read_model_text(std::string_view text, const std::string& name) {

@@ -32,6 +32,8 @@ class Builder {
   void header();
   void mpm_header();
   void time_control(const Statement& header);
+  void check_steps(const Origin& origin, double step, const std::string& why);
+  void check_wave_steps();
   void damping(const Statement& header);
   void strength_reduction(const Statement& header);
   void mesh();
@@ -41,6 +43,7 @@ class Builder {
 
   // build_output.cpp
   void archive(const Statement& header);
+  void check_outputs(const Origin& origin, double time, double interval, double most, const char* what);
   void history(const Statement& header);
   void check_histories();
   Vec3 history_point(const Attribute& at);
@@ -140,6 +143,8 @@ class Builder {
   // values
   bool has(const Statement& s, std::string_view attribute) const { return s.attribute(attribute) != nullptr; }
   double number(const Statement& s, std::string_view attribute, Dimension dimension, double fallback = 0.0);
+  double converted(const Statement& s, const std::string& text, const Origin& origin, Dimension dimension,
+                   double fallback);
   double coordinate(const Statement& s, std::string_view attribute, int axis, double fallback = 0.0);
   double text_number(const Statement& s, Dimension dimension, double fallback = 0.0);
   std::string word(const Statement& s, std::string_view attribute, const std::string& fallback = {}) const;

@@ -7,9 +7,13 @@
 #include "input/dialect.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 
 namespace tribo {
 namespace {
+
+constexpr double most_whole = 999'999'999;
 
 bool lists(std::string_view list, std::string_view word) {
   for (const auto& w : words_of(list))
@@ -17,20 +21,39 @@ bool lists(std::string_view list, std::string_view word) {
   return false;
 }
 
-bool is_shape(std::string_view name) {
-  return std::any_of(dialect().begin(), dialect().end(),
-                     [&](const ElementSpec& e) { return e.shape && e.name == name; });
-}
+/// The elements that may stand in each element; a command file has millions of elements at most.
+class Children {
+ public:
+  Children() {
+    std::vector<std::string> shapes;
+    for (const auto& e : dialect())
+      if (e.shape) shapes.emplace_back(e.name);
+    for (const auto& e : dialect())
+      for (const auto& parent : words_of(e.parents)) {
+        if (parent != "@shape") {
+          add(parent, e);
+          continue;
+        }
+        for (const auto& shape : shapes) add(shape, e);
+      }
+  }
+  const std::vector<const ElementSpec*>& of(std::string_view parent) const {
+    static const std::vector<const ElementSpec*> none;
+    const auto found = of_.find(parent);
+    return found == of_.end() ? none : found->second;
+  }
 
-bool belongs(const ElementSpec& e, std::string_view parent) {
-  return lists(e.parents, parent) || (lists(e.parents, "@shape") && is_shape(parent));
-}
+ private:
+  void add(const std::string& parent, const ElementSpec& e) {
+    auto& list = of_[parent];
+    if (std::find(list.begin(), list.end(), &e) == list.end()) list.push_back(&e);
+  }
+  std::map<std::string, std::vector<const ElementSpec*>, std::less<>> of_;
+};
 
-std::vector<std::string> children_of(std::string_view parent) {
-  std::vector<std::string> out;
-  for (const auto& e : dialect())
-    if (belongs(e, parent)) out.emplace_back(e.name);
-  return out;
+const std::vector<const ElementSpec*>& children_of(std::string_view parent) {
+  static const Children all;
+  return all.of(parent);
 }
 
 // A number, or min or max followed by a signed number of cells.
@@ -60,7 +83,10 @@ void check_value(std::string_view what, ValueType type, std::string_view choices
       break;
     case ValueType::integer: {
       const auto value = to_number(text);
-      if (!value || *value != static_cast<double>(static_cast<long long>(*value))) wrong("a whole number");
+      if (!value || *value != std::trunc(*value))
+        wrong("a whole number");
+      else if (std::abs(*value) > most_whole)
+        wrong("a whole number of at most nine digits");
       break;
     }
     case ValueType::coordinate:
@@ -84,16 +110,17 @@ void check_value(std::string_view what, ValueType type, std::string_view choices
 
 void check_element(const Statement& s, const ElementSpec& spec, Problems& problems, bool whole = true) {
   const std::string tag = "<" + s.name + ">";
-  std::vector<std::string> names;
-  for (const auto& a : spec.attributes) names.emplace_back(a.name);
   for (const auto& a : s.attributes) {
     const auto known = std::find_if(spec.attributes.begin(), spec.attributes.end(),
                                     [&](const AttributeSpec& k) { return k.name == a.name; });
-    if (known == spec.attributes.end())
+    if (known == spec.attributes.end()) {
+      std::vector<std::string> names;
+      for (const auto& valid : spec.attributes) names.emplace_back(valid.name);
       problems.add(a.origin, tag + " has no attribute '" + a.name + "'" + did_you_mean(a.name, names) +
                                  (names.empty() ? "; it takes none" : "; valid: " + join(names)));
-    else
+    } else {
       check_value("attribute '" + a.name + "' of " + tag, known->type, known->choices, a.text, a.origin, problems);
+    }
   }
   for (const auto& a : spec.attributes)
     if (a.required && !s.attribute(a.name))
@@ -104,9 +131,9 @@ void check_element(const Statement& s, const ElementSpec& spec, Problems& proble
   if (!optional_text)
     check_value(tag, spec.content, spec.choices, s.text, s.text.empty() ? s.origin : s.text_origin, problems);
 
-  for (const auto& e : dialect())
-    if (whole && e.required && belongs(e, s.name) && !s.child(e.name) && (e.unless.empty() || !s.child(e.unless)))
-      problems.add(s.origin, tag + " needs <" + std::string(e.name) + "> (" + std::string(e.meaning) + ")");
+  for (const auto* e : children_of(s.name))
+    if (whole && e->required && !s.child(e->name) && (e->unless.empty() || !s.child(e->unless)))
+      problems.add(s.origin, tag + " needs <" + std::string(e->name) + "> (" + std::string(e->meaning) + ")");
 }
 
 void check_children(const Statement& s, Problems& problems) {
@@ -115,8 +142,8 @@ void check_children(const Statement& s, Problems& problems) {
       if (const ElementSpec* spec = find_element(child.name, s.name)) check_element(child, *spec, problems);
     return;
   }
-  const auto valid = children_of(s.name);
   for (const auto& child : s.children) {
+    if (problems.full()) return;
     const ElementSpec* spec = find_element(child.name, s.name);
     if (!spec) {
       const auto refused = std::find_if(refused_names().begin(), refused_names().end(),
@@ -125,7 +152,8 @@ void check_children(const Statement& s, Problems& problems) {
         problems.add(child.origin, "<" + child.name + "> is not supported by Tribo: " + std::string(refused->reason));
         continue;
       }
-      std::vector<std::string> parents;
+      std::vector<std::string> parents, valid;
+      for (const auto* e : children_of(s.name)) valid.emplace_back(e->name);
       for (const auto& e : dialect())
         if (e.name == child.name)
           for (const auto& parent : words_of(e.parents)) parents.push_back(parent == "@shape" ? "a shape" : parent);
@@ -143,11 +171,40 @@ void check_children(const Statement& s, Problems& problems) {
   }
 }
 
+bool complete(const Statement& s, const ElementSpec& spec) {
+  for (const auto& a : spec.attributes)
+    if (a.required && !s.attribute(a.name)) return false;
+  for (const auto* e : children_of(s.name))
+    if (e->required && !s.child(e->name) && (e->unless.empty() || !s.child(e->unless))) return false;
+  for (const auto& child : s.children) {
+    const ElementSpec* of_child = find_element(child.name, s.name);
+    if (!of_child && s.name == "Material") continue;
+    if (!of_child || !complete(child, *of_child)) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
+bool is_complete(const Statement& root) {
+  if (root.name != "JANFEAInput" || !complete(root, *find_element("JANFEAInput", ""))) return false;
+  // What the numbers of all other sections refer to
+  for (const char* name : {"Header", "Mesh"}) {
+    Problems problems;
+    if (const Statement* s = root.child(name)) check_children(*s, problems);
+    if (!problems.empty()) return false;
+  }
+  return true;
+}
+
 const ElementSpec* find_element(std::string_view name, std::string_view parent) {
+  if (!parent.empty()) {
+    const auto& list = children_of(parent);
+    const auto found = std::find_if(list.begin(), list.end(), [&](const auto* e) { return e->name == name; });
+    return found == list.end() ? nullptr : *found;
+  }
   for (const auto& e : dialect())
-    if (e.name == name && (parent.empty() ? e.parents.empty() : belongs(e, parent))) return &e;
+    if (e.name == name && e.parents.empty()) return &e;
   return nullptr;
 }
 

@@ -71,7 +71,7 @@ std::vector<ElementSpec> make() {
   std::vector<ElementSpec> e;
   const auto add = [&](ElementSpec spec) { e.push_back(std::move(spec)); };
 
-  add({"JANFEAInput", "", "a command file", T::none, {{"version", T::text, "version of the format: 3"}}});
+  add({"JANFEAInput", "", "a command file", T::none, {{"version", T::choice, "version of the format", "3"}}});
 
   add({"Commands", "JANFEAInput",
        "commands of the script language; the elements that they produce are added to the file", T::text});

@@ -62,6 +62,10 @@ const ElementSpec* find_element(std::string_view name, std::string_view parent);
 /// required.
 void check_statements(const Statement& root, Problems& problems, bool only_drive = false);
 
+/// Whether all elements are known, all that is required is there, and the header and the grid have no problem: then the
+/// model can be built to find problems of its values, whatever else is wrong.
+bool is_complete(const Statement& root);
+
 /// XML schema of the format as Tribo reads it.
 std::string schema();
 

@@ -78,6 +78,7 @@ void add_laws(std::vector<ManualEntry>& out, const char* kind, const Items& item
       std::string meaning = p.meaning;
       if (!p.alias.empty()) meaning += "; also <" + p.alias + ">";
       if (p.fallback) meaning += "; default " + fallback_text(*p.fallback);
+      if (!p.fallback && !p.optional) meaning += "; required";
       entry.rows.push_back(
           {"<" + p.name + ">", std::string(dimension_name(p.dimension)) + ", " + p.range.text(), meaning});
     }

@@ -14,7 +14,8 @@ namespace tribo {
 namespace {
 
 constexpr std::size_t largest_expansion = 1 << 20;  // limit of the characters added by entities
-constexpr int deepest = 100;
+constexpr std::size_t deepest = 200;                // nested elements
+constexpr std::size_t longest_name = 200, longest_value = 10'000, most_attributes = 500;
 
 /// Places of a start tag, its attributes and its text in the source, in document order.
 struct TagPlace {
@@ -39,13 +40,14 @@ class Scanner {
       } else if (starts("<!DOCTYPE")) {
         doctype();
       } else if (starts("</")) {
-        copy_until(">", "an end tag is not closed");
+        end_tag();
       } else if (source_[at_] == '<') {
         start_tag();
       } else {
         character();
       }
     }
+    if (!open_.empty()) fail(open_.back().origin, "<" + open_.back().name + "> is never closed");
   }
 
   std::string expanded;
@@ -108,7 +110,7 @@ class Scanner {
     skip_blanks();
     std::string name;
     while (at_ < source_.size() && !std::isspace(static_cast<unsigned char>(source_[at_])) && source_[at_] != '>')
-      name += source_[at_], blank();
+      add_to_name(name, begin), blank();
     skip_blanks();
     if (at_ >= source_.size() || (source_[at_] != '"' && source_[at_] != '\''))
       fail(begin, "<!ENTITY needs a name and a quoted value");
@@ -125,50 +127,100 @@ class Scanner {
     entities_.emplace(name, set ? *set : value);  // the first definition applies
   }
 
+  static bool blank_char(char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; }
+
+  void add_to_name(std::string& name, const Origin& begin) const {
+    name += source_[at_];
+    if (name.size() > longest_name)
+      fail(begin, "this name is longer than " + std::to_string(longest_name) + " characters: '" + name + "'");
+  }
+
+  // An element must be closed by its own end tag.
+  void end_tag() {
+    const Origin begin = here();
+    const auto end = source_.find('>', at_);
+    if (end == std::string_view::npos) fail(begin, "an end tag is not closed");
+    auto name = source_.substr(at_ + 2, end - at_ - 2);
+    while (!name.empty() && blank_char(name.back())) name.remove_suffix(1);
+    if (open_.empty()) fail(begin, "this end tag closes nothing");
+    if (name != open_.back().name)
+      fail(begin, "an element is not closed by its own end tag: </" + std::string(name.substr(0, 60)) + "> follows <" +
+                      open_.back().name + "> at " + open_.back().origin.text());
+    open_.pop_back();
+    while (at_ <= end) expanded += advance();
+  }
+
   void start_tag() {
     TagPlace place;
     place.tag = here();
     expanded += advance();
+    Open element{{}, place.tag};
+    std::map<std::string, Origin, std::less<>> given;
+    std::string attribute;  // name of the attribute that is read
+    std::size_t value = 0;  // characters of the value that is read
     char quote = 0;
-    bool in_name = false, first = true;
+    bool in_name = false, first = true, empty = false;
+    const auto name_ends = [&] {
+      if (!in_name) return;
+      const auto [before, fresh] = given.emplace(attribute, place.attributes.back());
+      if (!fresh)
+        fail(place.attributes.back(),
+             "attribute '" + attribute + "' is given twice; first at " + before->second.text());
+      if (given.size() > most_attributes)
+        fail(place.tag, "this tag has more than " + std::to_string(most_attributes) + " attributes");
+      in_name = false;
+    };
     while (at_ < source_.size()) {
       const char c = source_[at_];
       if (quote) {
-        if (c == quote) quote = 0;
+        if (c == quote) quote = 0, value = 0;
+        if (++value > longest_value)
+          fail(place.tag, "an attribute of this tag is longer than " + std::to_string(longest_value) + " characters");
         character();
         continue;
       }
       if (c == '<') fail(here(), "'<' inside a tag; the tag at " + place.tag.text() + " is not closed");
-      const bool blank_here = std::isspace(static_cast<unsigned char>(c));
-      if (c == '"' || c == '\'')
-        quote = c, in_name = false;
-      else if (blank_here || c == '=' || c == '/') {
-        in_name = false;
-        if (blank_here) first = false;
-      } else if (c != '>' && !in_name && !first) {
+      if (c == '"' || c == '\'') {
+        name_ends();
+        quote = c, value = 0;
+      } else if (blank_char(c) || c == '=' || c == '/' || c == '>') {
+        name_ends();
+        if (blank_char(c)) first = false;
+      } else if (first) {
+        add_to_name(element.name, place.tag);
+      } else {
+        if (!in_name) attribute.clear(), place.attributes.push_back(here());
         in_name = true;
-        place.attributes.push_back(here());
+        add_to_name(attribute, place.attributes.back());
       }
+      if (c != '>') empty = c == '/';
       expanded += advance();
-      if (c == '>') {
-        // The text begins at the first character that is not a blank
-        auto look = *this;
-        const auto skip_blanks = [&] {
-          while (look.at_ < look.source_.size() && std::isspace(static_cast<unsigned char>(look.source_[look.at_])))
-            look.advance();
-        };
-        skip_blanks();
-        constexpr std::string_view cdata = "<![CDATA[";
-        if (look.starts(cdata)) {
-          for (std::size_t k = 0; k < cdata.size(); ++k) look.advance();
-          skip_blanks();
-        }
-        place.text = look.here();
-        places.push_back(std::move(place));
-        return;
-      }
+      if (c != '>') continue;
+      if (!empty) open_.push_back(element);
+      if (open_.size() > deepest) fail(place.tag, "elements are nested more than " + std::to_string(deepest) + " deep");
+      place.text = text_begin();
+      places.push_back(std::move(place));
+      return;
     }
     fail(place.tag, "this tag is not closed");
+  }
+
+  // The first character of a text that is not a blank. The scanner itself stays where it is.
+  Origin text_begin() {
+    const auto at = at_;
+    const auto line = line_, column = column_;
+    const auto skip_blanks = [&] {
+      while (at_ < source_.size() && blank_char(source_[at_])) advance();
+    };
+    skip_blanks();
+    constexpr std::string_view cdata = "<![CDATA[";
+    if (starts(cdata)) {
+      for (std::size_t k = 0; k < cdata.size(); ++k) advance();
+      skip_blanks();
+    }
+    const Origin out = here();
+    at_ = at, line_ = line, column_ = column;
+    return out;
   }
 
   void character() {
@@ -216,6 +268,11 @@ class Scanner {
   Settings& settings_;
   std::size_t at_ = 0, added_ = 0;
   int line_ = 1, column_ = 1;
+  struct Open {
+    std::string name;
+    Origin origin;
+  };
+  std::vector<Open> open_;  // elements around the current place
   std::map<std::string, std::string> entities_;
 };
 
@@ -229,7 +286,7 @@ class Converter {
  public:
   explicit Converter(const std::vector<TagPlace>& places) : places_(places) {}
 
-  Statement convert(const tinyxml2::XMLElement& element, int depth) {
+  Statement convert(const tinyxml2::XMLElement& element) {
     static const TagPlace unknown;
     const TagPlace& place = next_ < places_.size() ? places_[next_] : unknown;
     ++next_;
@@ -237,19 +294,14 @@ class Converter {
     s.name = element.Name();
     s.origin = place.tag;
     s.text_origin = place.text;
-    if (depth > deepest)
-      throw InputError(s.origin, "elements are nested more than " + std::to_string(deepest) + " deep");
     std::size_t k = 0;
     for (const auto* a = element.FirstAttribute(); a; a = a->Next(), ++k) {
       const Origin at = k < place.attributes.size() ? place.attributes[k] : place.tag;
-      if (const auto* same = s.attribute(a->Name()))
-        throw InputError(at,
-                         "attribute '" + std::string(a->Name()) + "' is given twice; first at " + same->origin.text());
       s.attributes.push_back({a->Name(), trimmed(a->Value()), at});
     }
     std::string text;
     for (const auto* node = element.FirstChild(); node; node = node->NextSibling()) {
-      if (const auto* child = node->ToElement()) s.children.push_back(convert(*child, depth + 1));
+      if (const auto* child = node->ToElement()) s.children.push_back(convert(*child));
       if (const auto* t = node->ToText()) text += t->Value();
     }
     s.text = trimmed(text);
@@ -303,7 +355,7 @@ Statement read_xml(std::string_view text, const std::shared_ptr<const std::strin
   }
   const auto* root = document.RootElement();
   if (!root) throw InputError({file_name, 1, 1}, "the file holds no element");
-  return Converter(scanner.places).convert(*root, 0);
+  return Converter(scanner.places).convert(*root);
 }
 
 }  // namespace tribo

@@ -2,6 +2,7 @@
 /// The program: parses the arguments, calls the command and converts exceptions to exit codes.
 
 #include "base/error.hpp"
+#include "base/read_file.hpp"
 #include "commands.hpp"
 #include "completion.hpp"
 #include "input/dialect.hpp"
@@ -60,6 +61,10 @@ int guarded(const std::function<int()>& action) {
   } catch (const StopRequest&) {
     std::fprintf(stderr, "stopped; nothing was written\n");
     return stopped_early;
+  } catch (const std::filesystem::filesystem_error& error) {
+    std::fprintf(stderr, "error: '%s': %s\n", printable(error.path1().string()).c_str(),
+                 error.code().message().c_str());
+    return file_error;
   } catch (const std::bad_alloc&) {
     std::fprintf(stderr,
                  "error: not enough memory; use larger cells or fewer particles ('tribo check FILE' estimates it)\n");

@@ -167,7 +167,8 @@ class Evaluator {
     if (word == "tab") return "\t";
     if (word == "quote") return "\"";
     std::vector<std::string> known;
-    for (const auto& [n, v] : variables_) known.push_back(n);
+    if (variables_.size() < 2000)  // more are those of arrays
+      for (const auto& [n, v] : variables_) known.push_back(n);
     fail(begin, "there is no variable '" + word + "'" + did_you_mean(word, known));
   }
 

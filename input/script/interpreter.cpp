@@ -93,6 +93,7 @@ Interpreter::Flow Interpreter::node(const Node& n) {
 
 void Interpreter::assign(const Node& n) {
   const std::string name = variable_name(n.target, variables_);
+  if (before_assignment) before_assignment(name, n);
   Piece value = n.arguments.front();
   if (value.text.empty()) throw InputError(value.origin, "a value is missing here");
   Value v = evaluate(value, variables_);

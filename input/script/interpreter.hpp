@@ -33,6 +33,8 @@ class Interpreter {
 
   /// Sets a variable to a value that replaces its first assignment in the script.
   void fix(const std::string& name, Value value);
+  /// Called with the name of a variable before it is assigned, and the node that assigns it. May throw InputError.
+  std::function<void(const std::string&, const Node&)> before_assignment;
   /// Runs to the end. Throws InputError with every problem found, or with the message of `Stop`.
   void run();
   /// Whether the script ran to its end: no `Stop`, and no limit on commands or problems was reached.

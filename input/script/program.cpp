@@ -72,7 +72,12 @@ std::vector<Piece> arguments_after(const Piece& line, std::size_t begin) {
 
 class Parser {
  public:
-  Parser(std::string_view text, const Origin& begin) : lines_(lines_of(text, begin)) {}
+  Parser(std::string_view text, const Origin& begin) : lines_(lines_of(text, begin)) {
+    static constexpr std::size_t longest = 20'000;
+    for (const Piece& line : lines_)
+      if (line.text.size() > longest)
+        throw InputError(line.origin, "this line is longer than " + std::to_string(longest) + " characters");
+  }
 
   Program run() {
     program_.body = block({}, {});

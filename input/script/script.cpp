@@ -7,7 +7,10 @@
 #include "input/script/translator.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <iterator>
+#include <map>
+#include <set>
 
 namespace tribo {
 
@@ -23,6 +26,7 @@ namespace {
 std::string interpret(std::string_view text, const Origin& begin, Settings& settings, script::Translator& translator) {
   const script::Program program = script::parse(text, begin);
   script::Interpreter interpreter(program, [&](const script::Command& c) { translator.take(c); });
+  interpreter.before_assignment = [&](const std::string& name, const script::Node& n) { translator.assigned(name, n); };
   for (const std::string& name : script::assigned_variables(program))
     if (const std::string* value = settings.find(name)) {
       const auto number = to_number(*value);
@@ -46,7 +50,82 @@ Script read_script(std::string_view text, const std::shared_ptr<const std::strin
   const Origin begin{file_name, 1, 1};
   script::Translator translator(begin);
   std::string output = interpret(text, begin, settings, translator);
-  return {translator.finish(), std::move(output), translator.warnings()};
+  return {translator.finish(), std::move(output), translator.warnings(), translator.xml_lines()};
+}
+
+namespace {
+
+// The command that produces an element; empty for elements of the same name.
+std::string command_of(const std::string& element) {
+  static const std::map<std::string, std::string> all{{"TimeFactor", "CFLFactor"},
+                                                      {"TransTimeFactor", "CFLFactor"},
+                                                      {"MaxTime", "MaximumTime"},
+                                                      {"FirstArchiveTime", "ArchiveTime"},
+                                                      {"MPMArchive", "ToArchive"},
+                                                      {"MatlPtsPerElement", "PtsPerElement"},
+                                                      {"GIMP", "MPMMethod"},
+                                                      {"MultiMaterialMode", "MultimaterialMPM"},
+                                                      {"Friction", "ContactMM"},
+                                                      {"Grid", "GridRect"},
+                                                      {"Horiz", "GridHoriz"},
+                                                      {"Vert", "GridVert"},
+                                                      {"Depth", "GridDepth"},
+                                                      {"Body", "Region"},
+                                                      {"BMP", "BMPRegion"},
+                                                      {"pt", "PolyPt"},
+                                                      {"Polygon", "PolyPt"},
+                                                      {"Deform", "Transform"},
+                                                      {"BCShape", "GridBC"},
+                                                      {"BCLine", "GridBC"},
+                                                      {"BCArc", "GridBC"},
+                                                      {"LdShape", "ParticleBC"},
+                                                      {"DisBC", "Velocity"},
+                                                      {"TempBC", "Temperature"},
+                                                      {"LoadBC", "Load"},
+                                                      {"TractionBC", "Traction"},
+                                                      {"HeatFluxBC", "HeatFlux"},
+                                                      {"CrackList", "NewCrack"},
+                                                      {"Schedule", "CustomTask"},
+                                                      {"BodyXForce", "Gravity"},
+                                                      {"BodyYForce", "Gravity"},
+                                                      {"BodyZForce", "Gravity"},
+                                                      {"EnergyCoupling", "Conduction"}};
+  const auto found = all.find(element);
+  return found == all.end() ? element : found->second;
+}
+
+// '<Name attributes/>' becomes 'Name'; sections of the file are the script.
+std::string without_tags(const std::string& text) {
+  static const std::set<std::string> sections{"JANFEAInput", "MPMHeader", "Header", "Mesh", "MaterialPoints"};
+  std::string out;
+  for (std::size_t at = 0; at < text.size();) {
+    std::size_t end = at + 1;
+    while (end < text.size() && std::isalnum(static_cast<unsigned char>(text[end]))) ++end;
+    const auto close = text.find('>', end);
+    const bool tag = text[at] == '<' && end > at + 1 && close != std::string::npos &&
+                     (text[end] == '>' || text[end] == ' ' || text[end] == '/') && close < end + 60;
+    if (!tag) {
+      out += text[at++];
+      continue;
+    }
+    const std::string name = text.substr(at + 1, end - at - 1);
+    out += sections.count(name) ? "the script" : "'" + command_of(name) + "'";
+    at = close + 1;
+  }
+  return out;
+}
+
+}  // namespace
+
+std::vector<Problem> in_words_of_scripts(std::vector<Problem> problems,
+                                         const std::vector<std::array<int, 2>>& xml_lines) {
+  for (Problem& p : problems) {
+    const bool xml = std::any_of(xml_lines.begin(), xml_lines.end(), [&](const auto& lines) {
+      return p.origin.line >= lines[0] && p.origin.line <= lines[1];
+    });
+    if (!xml) p.message = without_tags(p.message);
+  }
+  return problems;
 }
 
 std::string run_commands(Statement& root, Settings& settings) {

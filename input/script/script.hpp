@@ -5,6 +5,7 @@
 #include "base/statement.hpp"
 #include "input/settings.hpp"
 
+#include <array>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -17,7 +18,13 @@ struct Script {
   Statement root;      ///< the equivalent command file, with places in the script
   std::string output;  ///< the text written by `Write` and `WriteLine`
   std::vector<Problem> warnings = {};
+  std::vector<std::array<int, 2>> xml_lines = {};  ///< first and last lines of XML in it
 };
+
+/// The problems of a command file that a script produced, in the words of scripts: commands instead of elements, except
+/// for lines of XML.
+std::vector<Problem> in_words_of_scripts(std::vector<Problem> problems,
+                                         const std::vector<std::array<int, 2>>& xml_lines);
 
 /// Runs a script. Variables in `settings` keep their values. Throws InputError with every problem found, each with the
 /// calls and loops through which it was reached.

@@ -122,6 +122,14 @@ void Translator::property(const Command& c) {
   add(std::move(s));
 }
 
+void Translator::assigned(const std::string& name, const Node& n) const {
+  if (open_ != Open::material || document_.materials().empty()) return;
+  const auto known = properties_of(document_.materials().back());
+  if (!of_no_law(name) && std::find(known.begin(), known.end(), name) == known.end()) return;
+  throw InputError(n.origin, "this sets a variable '" + name + "', not the property of the material; did you mean '" +
+                                 name + " " + n.arguments.front().text + "'?");
+}
+
 void Translator::unknown_properties(const Statement& material, Problems& problems) {
   const std::vector<std::string> known = properties_of(material);
   const auto refused = [](const std::string& name) {

@@ -64,6 +64,8 @@ void Translator::header(const Command& c) {
 }
 
 void Translator::analysis(const Command& c) {
+  if (const Statement* before = document_.find("Header", "Analysis"))
+    throw InputError(c.origin(), "'Analysis' is given twice; first at " + before->origin.text());
   analysis_ = 10;  // if the name is unknown, one error message is sufficient
   const std::string code = choice(
       c, 0, {{"Plane Strain MPM", "10"}, {"Plane Stress MPM", "11"}, {"3D MPM", "12"}, {"Axisymmetric MPM", "13"}},
@@ -339,6 +341,7 @@ void Translator::xml_data(const Command& c) {
   for (const auto& [name, value] : entities_) text += "<!ENTITY " + name + " \"" + value + "\">";
   text += "]>" + std::string(static_cast<std::size_t>(std::max(0, c.origin().line - 1)), '\n') + "<x>\n";
   for (const Piece& line : c.node.lines) text += line.text + "\n";
+  xml_lines_.push_back({c.origin().line + 1, c.origin().line + static_cast<int>(c.node.lines.size())});
   const Statement read = read_xml(text + "</x>", c.origin().file);
   task_ = nullptr;  // its address may change
   for (const Statement& child : read.children) {

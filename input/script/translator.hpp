@@ -6,6 +6,7 @@
 #include "input/script/document.hpp"
 #include "input/script/interpreter.hpp"
 
+#include <array>
 #include <functional>
 
 namespace tribo::script {
@@ -16,6 +17,10 @@ class Translator {
 
   /// Translates a command. Throws InputError.
   void take(const Command& c);
+  /// Refuses the assignment of a variable that is meant as a property of the material around it.
+  void assigned(const std::string& name, const Node& n) const;
+  /// First and last lines of XML in the script.
+  const std::vector<std::array<int, 2>>& xml_lines() const { return xml_lines_; }
   /// For a script in an XML file: its analysis (10 to 13), its materials, and whether it has consistent units.
   void surround(int analysis, const std::vector<std::string>& materials, bool consistent);
   /// Reports undefined materials and properties, for a script that has other errors and is not completed.
@@ -134,6 +139,7 @@ class Translator {
   std::string boundary_id_;
   std::string crack_x_, crack_y_;  ///< the last point of the last crack
   std::map<std::string, std::string> entities_;
+  std::vector<std::array<int, 2>> xml_lines_;  ///< first and last lines of every XMLData
 };
 
 }  // namespace tribo::script

@@ -16,6 +16,10 @@ std::string Origin::text() const {
 
 namespace {
 
+constexpr std::size_t most_reported = 100;     // problems
+constexpr std::size_t longest_quote = 60;      // characters of the input in a message
+constexpr std::size_t longest_message = 8000;  // bytes
+
 std::string report(const std::vector<Problem>& problems) {
   std::string out;
   for (const auto& p : problems) {
@@ -24,6 +28,47 @@ std::string report(const std::vector<Problem>& problems) {
     out += (where.empty() ? "error: " : where + ": error: ") + p.message;
   }
   return out;
+}
+
+// The length to which bytes of UTF-8 can be cut.
+std::size_t cut_at(std::string_view text, std::size_t length) {
+  while (length > 0 && (static_cast<unsigned char>(text[length]) & 0xC0U) == 0x80U) --length;
+  return length;
+}
+
+// What is quoted of the input is cut.
+void shorten(Problem& problem) {
+  std::string& message = problem.message;
+  if (message.size() > 2 * longest_quote) {
+    std::string out;
+    for (std::size_t at = 0; at < message.size();) {
+      const bool opens = message[at] == '\'' && (at == 0 || std::string_view(" (=:").find(message[at - 1]) < 4);
+      const std::size_t end = opens ? message.find('\'', at + 1) : std::string::npos;
+      if (end == std::string::npos) {
+        out += message[at++];
+        continue;
+      }
+      const std::string_view quoted = std::string_view(message).substr(at + 1, end - at - 1);
+      out += '\'';
+      if (quoted.size() > 3 * longest_quote)
+        out.append(quoted.substr(0, cut_at(quoted, longest_quote))).append("...");
+      else
+        out += quoted;
+      out += '\'', at = end + 1;
+    }
+    message = std::move(out);
+  }
+  if (message.size() > longest_message) message.resize(cut_at(message, longest_message)), message += "...";
+}
+
+std::vector<Problem> shortened(std::vector<Problem> problems) {
+  if (problems.size() > most_reported) {
+    const auto more = problems.size() - most_reported;
+    problems.resize(most_reported);
+    problems.back().message += "\nand " + std::to_string(more) + " more problems";
+  }
+  for (Problem& p : problems) shorten(p);
+  return problems;
 }
 
 // Levenshtein distance, ignoring case.
@@ -46,8 +91,10 @@ std::size_t distance(std::string_view a, std::string_view b) {
 
 }  // namespace
 
-InputError::InputError(std::vector<Problem> problems)
-    : std::runtime_error(report(problems)), problems_(std::move(problems)) {}
+InputError::InputError(std::vector<Problem> problems) : InputError(Shortened{shortened(std::move(problems))}) {}
+
+InputError::InputError(Shortened problems)
+    : std::runtime_error(report(problems.list)), problems_(std::move(problems.list)) {}
 
 InputError::InputError(Origin origin, std::string message)
     : InputError(std::vector<Problem>{{std::move(origin), std::move(message)}}) {}
@@ -63,8 +110,12 @@ void Problems::raise() const {
 
 std::string did_you_mean(std::string_view word, const std::vector<std::string>& candidates) {
   const std::string* best = nullptr;
-  std::size_t least = std::max<std::size_t>(1, word.size() / 3) + 1;
+  if (word.empty()) return {};
+  std::size_t least = word.size() == 1 ? 1 : std::max<std::size_t>(1, word.size() / 3) + 1;  // a letter: its case only
   for (const auto& candidate : candidates) {
+    const std::size_t longer = std::max(word.size(), candidate.size()),
+                      shorter = std::min(word.size(), candidate.size());
+    if (longer - shorter >= least) continue;  // the distance is at least this
     const std::size_t d = distance(word, candidate);
     if (d < least) least = d, best = &candidate;
   }

@@ -26,7 +26,8 @@ struct Problem {
   std::string message;
 };
 
-/// The input is invalid. `what()` has one line `file:line:col: error: message` per problem.
+/// The input is invalid. `what()` has one line `file:line:col: error: message` per problem, at most a hundred. Long
+/// quotations of the input are cut.
 class InputError : public std::runtime_error {
  public:
   explicit InputError(std::vector<Problem> problems);
@@ -34,6 +35,10 @@ class InputError : public std::runtime_error {
   const std::vector<Problem>& problems() const { return problems_; }
 
  private:
+  struct Shortened {
+    std::vector<Problem> list;
+  };
+  explicit InputError(Shortened problems);
   std::vector<Problem> problems_;
 };
 
@@ -46,6 +51,8 @@ class Problems {
   void warn(Origin origin, std::string message) { warnings_.push_back({std::move(origin), std::move(message)}); }
   const std::vector<Problem>& warnings() const { return warnings_; }
   bool empty() const { return list_.empty(); }
+  /// So many problems that more would not help.
+  bool full() const { return list_.size() >= 1000; }
   /// Throws InputError with all problems in order of file position. Does nothing if there are none.
   void raise() const;
 

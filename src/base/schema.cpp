@@ -37,6 +37,22 @@ std::string not_a_property(const std::string& name, const std::vector<std::strin
   return "<" + name + "> is not a property of this material" + did_you_mean(name, valid) + "; valid: " + join(valid);
 }
 
+namespace {
+
+// The number in consistent units, which must not leave the range of numbers.
+double converted(double number, const ParameterInfo& parameter, const Units& units, const Statement& child,
+                 Problems& problems) {
+  const double out = number * units.factor(parameter.dimension);
+  // With room for squares and products: 1e300 has no meaning in any unit
+  const bool large = !(std::abs(out) < 1e100), small = out != 0 && std::abs(out) < 1e-100;
+  if (large || small || (out == 0 && number != 0))
+    problems.add(child.text_origin, "<" + child.name + "> is " + child.text + ", which is too " +
+                                        (large ? "large" : "small") + " to be computed with");
+  return out;
+}
+
+}  // namespace
+
 std::vector<std::optional<double>> read_parameters(const Statement& statement, const std::vector<ParameterInfo>& table,
                                                    const std::vector<std::string>& handled_elsewhere,
                                                    const Units& units, Problems& problems) {
@@ -66,7 +82,7 @@ std::vector<std::optional<double>> read_parameters(const Statement& statement, c
     else if (!entry->range.contains(*number))
       problems.add(child.text_origin, "<" + child.name + "> is " + child.text + " but must be " + entry->range.text());
     else
-      values[k] = *number * units.factor(entry->dimension);
+      values[k] = converted(*number, *entry, units, child, problems);
   }
 
   for (std::size_t k = 0; k < table.size(); ++k) {

@@ -238,6 +238,10 @@ std::vector<std::int64_t> Assembly::found_pairs() const {
 
 void Assembly::set_found_pairs(std::span<const std::int64_t> pairs) {
   std::vector<Pair> list;
+  const auto count = static_cast<std::int64_t>(blocks_);
+  for (const std::int64_t block : pairs)
+    if (block < 0 || block >= count || pairs.size() % 2 != 0)
+      throw FileError("the checkpoint is damaged: it has a contact of a block that does not exist");
   for (std::size_t k = 0; k + 1 < pairs.size(); k += 2)
     list.emplace_back(static_cast<std::uint32_t>(pairs[k]), static_cast<std::uint32_t>(pairs[k + 1]));
   if (spec_->touch) set_pairs(list);

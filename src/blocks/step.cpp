@@ -3,6 +3,7 @@
 /// so that sums do not depend on the number of threads.
 
 #include "base/parallel.hpp"
+#include "blocks/jumps.hpp"
 #include "blocks/kinematics.hpp"
 
 #include <algorithm>
@@ -43,6 +44,7 @@ double local_damping(double alpha, double force, double velocity) {
 
 void Assembly::advance(double dt) {
   move_bodies(dt);
+  if (skin_ > 0) refuse_jumps(*this, dt, 0.05 * skin_);
   if (spec_->touch && moved(found_at_, 0.25 * skin_)) find_pairs(dt);
   const auto batch_count = static_cast<std::ptrdiff_t>(batches_.size());
   if (iterations_ > 0 && poisson_) iterate_stress(dt);

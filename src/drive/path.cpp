@@ -47,8 +47,8 @@ void set_value(PathRow& row, int meaning, double value, const std::vector<PathCo
     row.dt = value * time;
     if (!(value > 0) || !std::isfinite(value)) problems.add(origin, "a time step must be positive");
   } else if (meaning == Head::steps) {
-    if (!(value >= 1) || value != std::floor(value) || value > 1e9)
-      problems.add(origin, "'steps' is a whole number from 1 on");
+    if (!(value >= 1) || value != std::floor(value) || value > 1e7)
+      problems.add(origin, "'steps' is a whole number from 1 to 1e7");
     else
       row.steps = static_cast<int>(value);
   } else {

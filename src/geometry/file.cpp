@@ -1,19 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "geometry/file.hpp"
 
-#include <fstream>
-#include <sstream>
+#include "base/read_file.hpp"
 
 namespace tribo {
 
-Bytes::Bytes(std::string path) : path_(std::move(path)) {
-  std::ifstream in(path_, std::ios::binary);
-  if (!in) fail("the file cannot be opened");
-  std::ostringstream all;
-  all << in.rdbuf();
-  if (in.bad() || (all.fail() && in.peek() != std::ifstream::traits_type::eof())) fail("the file cannot be read");
-  data_ = std::move(all).str();
-}
+Bytes::Bytes(const std::string& path) : path_(printable(path)), data_(read_file(path)) {}
 
 std::uint8_t Bytes::byte(std::size_t offset) const {
   if (offset >= data_.size()) fail("the file is cut off");

@@ -13,7 +13,7 @@ namespace tribo {
 class Bytes {
  public:
   /// Throws FileError if the file cannot be read.
-  explicit Bytes(std::string path);
+  explicit Bytes(const std::string& path);
 
   std::size_t size() const { return data_.size(); }
   std::string_view text() const { return data_; }

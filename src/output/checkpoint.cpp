@@ -2,6 +2,7 @@
 #include "output/checkpoint.hpp"
 
 #include "base/error.hpp"
+#include "base/read_file.hpp"
 #include "output/atomic_file.hpp"
 
 #include <zlib.h>
@@ -9,8 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <fstream>
-#include <sstream>
 
 namespace tribo {
 namespace {
@@ -65,11 +64,7 @@ void CheckpointWriter::save(const std::filesystem::path& path) const {
 }
 
 Checkpoint::Checkpoint(const std::filesystem::path& path) : path_(path.string()) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw FileError("cannot read checkpoint '" + path_ + "'");
-  std::ostringstream buffer;
-  buffer << file.rdbuf();
-  const std::string all = buffer.str();
+  const std::string all = read_file(path, std::uintmax_t{1} << 40);
   if (all.compare(0, magic.size(), magic) != 0)
     throw FileError("'" + path_ + "' is not a checkpoint of this version of Tribo");
   std::size_t at = magic.size();
@@ -116,18 +111,36 @@ const Checkpoint::Entry& Checkpoint::entry(const std::string& name, char kind) c
   return found->second;
 }
 
-std::vector<double> Checkpoint::doubles(const std::string& name) const {
-  const auto& bytes = entry(name, 'd').bytes;
-  std::vector<double> values(bytes.size() / sizeof(double));
+template <class T>
+std::vector<T> Checkpoint::numbers(const std::string& name, char kind) const {
+  const auto& bytes = entry(name, kind).bytes;
+  if (bytes.size() % sizeof(T) != 0)
+    throw FileError("checkpoint '" + path_ + "': entry '" + printable(name) + "' is no list of numbers");
+  std::vector<T> values(bytes.size() / sizeof(T));
   if (!values.empty()) std::memcpy(values.data(), bytes.data(), bytes.size());
   return values;
 }
 
+std::vector<double> Checkpoint::doubles(const std::string& name) const { return numbers<double>(name, 'd'); }
 std::vector<std::int64_t> Checkpoint::integers(const std::string& name) const {
-  const auto& bytes = entry(name, 'i').bytes;
-  std::vector<std::int64_t> values(bytes.size() / sizeof(std::int64_t));
-  if (!values.empty()) std::memcpy(values.data(), bytes.data(), bytes.size());
-  return values;
+  return numbers<std::int64_t>(name, 'i');
+}
+
+double Checkpoint::number(const std::string& name) const {
+  const auto values = doubles(name);
+  if (values.size() != 1) throw FileError("checkpoint '" + path_ + "': entry '" + printable(name) + "' is no number");
+  return values.front();
+}
+std::int64_t Checkpoint::integer(const std::string& name) const {
+  const auto values = integers(name);
+  if (values.size() != 1) throw FileError("checkpoint '" + path_ + "': entry '" + printable(name) + "' is no number");
+  return values.front();
+}
+
+std::size_t Checkpoint::bytes() const {
+  std::size_t sum = 0;
+  for (const auto& [name, entry] : entries_) sum += name.size() + entry.bytes.size();
+  return sum;
 }
 
 std::string Checkpoint::text(const std::string& name) const { return entry(name, 't').bytes; }

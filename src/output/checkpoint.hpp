@@ -40,8 +40,10 @@ class Checkpoint {
   std::vector<double> doubles(const std::string& name) const;
   std::vector<std::int64_t> integers(const std::string& name) const;
   std::string text(const std::string& name) const;
-  double number(const std::string& name) const { return doubles(name).at(0); }
-  std::int64_t integer(const std::string& name) const { return integers(name).at(0); }
+  double number(const std::string& name) const;
+  std::int64_t integer(const std::string& name) const;
+  /// Bytes of all entries: no list in it can be longer.
+  std::size_t bytes() const;
 
  private:
   struct Entry {
@@ -49,6 +51,8 @@ class Checkpoint {
     std::string bytes;
   };
   const Entry& entry(const std::string& name, char kind) const;
+  template <class T>
+  std::vector<T> numbers(const std::string& name, char kind) const;
   std::string path_;
   std::map<std::string, Entry> entries_;
 };

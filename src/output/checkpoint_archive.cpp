@@ -20,6 +20,12 @@ void RestoringArchive::doubles(std::string_view name, std::span<double> values) 
 
 void RestoringArchive::integers(std::string_view name, std::span<std::int64_t> values) {
   take(name, from_.integers(full_name(name)), values);
+  // The size of a list is believed only if the file is large enough for it.
+  if (!name.ends_with(".size") && !name.ends_with(".count") && name != "points") return;
+  for (const std::int64_t size : values)
+    if (size < 0 || static_cast<std::size_t>(size) > from_.bytes())
+      throw FileError("the entry '" + full_name(name) + "' of the checkpoint is " + std::to_string(size) +
+                      ", but the file is not large enough for such a list");
 }
 
 void RestoringArchive::finish() const {

@@ -10,7 +10,6 @@
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
 #include <vtkFloatArray.h>
-#include <vtkIdList.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -18,7 +17,6 @@
 #include <vtkPolyData.h>
 #include <vtkTypeInt64Array.h>
 #include <vtkXMLImageDataWriter.h>
-#include <vtkXMLPolyDataReader.h>
 #include <vtkXMLPolyDataWriter.h>
 
 #include <algorithm>
@@ -178,111 +176,6 @@ void write_grid(const std::filesystem::path& path, const std::array<double, 3>& 
   add_fields(data->GetPointData(), static_cast<std::size_t>(data->GetNumberOfPoints()), fields);
   add_time(data, time);
   write<vtkXMLImageDataWriter>(path, data.Get());
-}
-
-namespace {
-
-const ParticleFrame::Field* named(const std::vector<ParticleFrame::Field>& fields, std::string_view name) {
-  const auto found = std::find_if(fields.begin(), fields.end(), [&](const auto& f) { return f.name == name; });
-  return found == fields.end() ? nullptr : &*found;
-}
-
-vtkNew<vtkXMLPolyDataReader> opened(const std::filesystem::path& path) {
-  if (!std::filesystem::exists(path)) throw FileError("there is no file '" + path.string() + "'");
-  vtkNew<vtkXMLPolyDataReader> reader;
-  reader->SetFileName(path.c_str());
-  reader->Update();
-  if (reader->GetErrorCode() != 0 || !reader->GetOutput()) throw FileError("'" + path.string() + "' is damaged");
-  return reader;
-}
-
-// Time and points.
-template <class Frame>
-Frame frame_of(vtkPolyData* data) {
-  Frame frame;
-  if (auto* time = data->GetFieldData()->GetArray("TimeValue")) frame.time = time->GetTuple1(0);
-  frame.position.resize(static_cast<std::size_t>(data->GetNumberOfPoints()));
-  for (std::size_t i = 0; i < frame.position.size(); ++i)
-    data->GetPoint(static_cast<vtkIdType>(i), frame.position[i].data());
-  return frame;
-}
-
-std::vector<ParticleFrame::Field> fields_of(vtkDataSetAttributes* from) {
-  std::vector<ParticleFrame::Field> out;
-  for (int k = 0; k < from->GetNumberOfArrays(); ++k) {
-    vtkDataArray* array = from->GetArray(k);
-    if (!array) continue;
-    ParticleFrame::Field field{array->GetName() ? array->GetName() : "",
-                               array->GetNumberOfComponents(),
-                               array->GetDataType() != VTK_DOUBLE && array->GetDataType() != VTK_FLOAT,
-                               {}};
-    field.values.reserve(static_cast<std::size_t>(array->GetNumberOfTuples() * field.components));
-    for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
-      for (int c = 0; c < field.components; ++c) field.values.push_back(array->GetComponent(i, c));
-    out.push_back(std::move(field));
-  }
-  return out;
-}
-
-// The domains are not a field to draw. Four numbers are two vectors in the plane, nine are three in space.
-void take_domains(ParticleFrame& frame) {
-  const auto found = std::find_if(frame.fields.begin(), frame.fields.end(), [](const auto& f) {
-    return f.name == "domain" && (f.components == 4 || f.components == 9);
-  });
-  if (found == frame.fields.end()) return;
-  const std::size_t dimension = found->components == 4 ? 2 : 3;
-  frame.domains.assign(frame.count(), {});
-  auto from = found->values.begin();
-  for (HalfAxes& axes : frame.domains)
-    for (std::size_t k = 0; k < dimension; ++k)
-      for (std::size_t d = 0; d < dimension; ++d) axes[k][d] = *from++;
-  frame.fields.erase(found);
-}
-
-}  // namespace
-
-const ParticleFrame::Field* ParticleFrame::field(std::string_view name) const { return named(fields, name); }
-const ParticleFrame::Field* CellFrame::field(std::string_view name) const { return named(fields, name); }
-
-ParticleFrame read_particles(const std::filesystem::path& path) {
-  const auto reader = opened(path);
-  auto frame = frame_of<ParticleFrame>(reader->GetOutput());
-  frame.fields = fields_of(reader->GetOutput()->GetPointData());
-  take_domains(frame);
-  return frame;
-}
-
-CellFrame read_cells(const std::filesystem::path& path) {
-  const auto reader = opened(path);
-  vtkPolyData* data = reader->GetOutput();
-  auto frame = frame_of<CellFrame>(data);
-  frame.fields = fields_of(data->GetCellData());
-  vtkNew<vtkIdList> corners;
-  for (vtkIdType c = 0; c < data->GetNumberOfCells(); ++c) {
-    data->GetCellPoints(c, corners);
-    frame.cells.emplace_back();
-    for (vtkIdType k = 0; k < corners->GetNumberOfIds(); ++k)
-      frame.cells.back().push_back(static_cast<std::uint32_t>(corners->GetId(k)));
-  }
-  return frame;
-}
-
-std::vector<CollectionEntry> read_collection(const std::filesystem::path& path) {
-  std::ifstream file(path);
-  if (!file) throw FileError("cannot read '" + path.string() + "'");
-  std::vector<CollectionEntry> entries;
-  // Collections are written with one <DataSet .../> per line.
-  for (std::string line; std::getline(file, line);) {
-    const auto value = [&](const std::string& name) {
-      const auto at = line.find(" " + name + "=\"");
-      if (at == std::string::npos) throw FileError("'" + path.string() + "' is damaged: " + line);
-      const auto from = at + name.size() + 3;
-      return line.substr(from, line.find('"', from) - from);
-    };
-    if (line.find("<DataSet") == std::string::npos) continue;
-    entries.push_back({parse_number(value("timestep")), path.parent_path() / value("file")});
-  }
-  return entries;
 }
 
 void Collection::resume(double time) {

@@ -81,6 +81,10 @@ void Bins<Dim>::paint(const Lattice<Dim>& lattice) {
   for (int d = 0; d < Dim; ++d) count *= static_cast<std::size_t>(colours_per_axis_);
   colours_.assign(count, {});
   for (std::size_t k = 0; k < bins_.size(); ++k) {
+    // Bins of a checkpoint may be damaged.
+    if (bins_[k].block < 0 || bins_[k].block >= lattice.block_count() || bins_[k].begin != before(k) ||
+        bins_[k].end < bins_[k].begin)
+      throw FileError("the checkpoint is damaged: the bins of particles do not follow each other");
     const auto block = lattice.block_at(bins_[k].block);
     std::size_t colour = 0;
     for (const int b : block)

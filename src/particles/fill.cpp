@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "base/read_file.hpp"
+#include "base/text.hpp"
 #include "materials/material.hpp"
 #include "particles/coverage.hpp"
 #include "particles/cut_sites.hpp"
@@ -82,12 +84,42 @@ class Filler {
         lattice_of_.back() = cell_lattice(per_axis(piece));
       }
       Sites& lattice = lattices_[static_cast<std::size_t>(lattice_of_.back())];
+      must_fit(piece, lattice, reach);
       lattice.extend(reach);
       lattice.last_piece = static_cast<int>(p);
     }
     for (std::size_t k = 0; k < lattices_.size(); ++k)
       if (!lattices_[k].allocate())
         throw InputError(model_.grid.origin, "the points are so small that there would be more than 4e9 sites");
+  }
+
+  // The fraction of a box that a shape fills, from a sequence of points of low discrepancy.
+  static double filled(const Region& region, const Bounds& box) {
+    static constexpr int tries = 4000;
+    int inside = 0;
+    for (int k = 1; k <= tries; ++k) {
+      const auto part = [&](double step) { return k * step - std::floor(k * step); };
+      const Vec3 at(part(0.8191725133961645), part(0.6710436067037893), part(0.5497004779019703));
+      inside += region.contains(box.low + at.cwiseProduct(box.high - box.low)) ? 1 : 0;
+    }
+    return (inside + 0.5) / tries;
+  }
+
+  // Refuses a body whose particles do not fit into the memory, before time is spent on them.
+  void must_fit(const Piece& piece, const Sites& lattice, const Bounds& reach) {
+    const Eigen::Index dimension = lattice.flat ? 2 : 3;
+    const Vec3 extent = (reach.high - reach.low).cwiseMax(0.0);
+    const double sites = extent.cwiseQuotient(lattice.spacing).head(dimension).prod();
+    static constexpr double small = 1e6, bytes_per_particle = 2.0 * sizeof(Seed);
+    if (sites <= small) return;
+    Bounds flat = reach;
+    if (lattice.flat) flat.low[2] = flat.high[2] = 0.0;
+    particles_ += sites * filled(*piece.region, flat);
+    const double wanted = particles_ * bytes_per_particle, free = available_memory();
+    if (wanted <= free) return;
+    throw InputError(piece.origin, format("with this body the model has about %.2g particles, which need %.2g GB; this "
+                                          "machine has %.2g GB free. Use larger cells or fewer particles per cell",
+                                          particles_, 1e-9 * wanted, 1e-9 * free));
   }
 
   int cell_lattice(const std::array<int, 3>& n) {
@@ -346,6 +378,7 @@ class Filler {
   const std::function<void(const Seed&)>& receive_;
   GridBox grid_;
   int per_axis_ = 2;
+  double particles_ = 0.0;  // estimated number in large bodies
   std::vector<Sites> lattices_;
   std::vector<int> lattice_of_;  // index of the lattice of each piece; -1 for holes
 };

@@ -16,6 +16,12 @@ Assembly assemble(const Model& model) {
 
 BlockSteps steps_of(const Model& model, const Assembly& blocks) {
   BlockSteps out;
+  const double steps = model.time.end / blocks.critical_step();
+  if (!(steps <= 1e12))
+    throw InputError(
+        model.blocks->origin,
+        "the blocks would need " + std::to_string(steps) +
+            " time steps; at most 1e12 are possible. Are the units of the stiffnesses and densities right?");
   out.count = static_cast<std::int64_t>(std::ceil(model.time.end / blocks.critical_step() * (1 - 1e-12)));
   out.size = model.time.end / static_cast<double>(std::max<std::int64_t>(1, out.count));
   return out;

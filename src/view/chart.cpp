@@ -63,7 +63,9 @@ std::vector<double> ticks(double low, double high, int wanted) {
   const double power = std::pow(10, std::floor(std::log10(raw))), mantissa = raw / power;
   const double step = power * (mantissa < 1.5 ? 1 : mantissa < 3.5 ? 2 : mantissa < 7.5 ? 5 : 10);
   std::vector<double> out;
-  for (double k = std::ceil(low / step - 1e-9); k * step <= high + 1e-9 * step; ++k) out.push_back(k * step);
+  const double first = std::ceil(low / step - 1e-9);
+  if (!(std::abs(first) < 1e15)) return {low};  // differences are lost in round-off
+  for (double k = first; k * step <= high + 1e-9 * step; ++k) out.push_back(k * step);
   return out;
 }
 

@@ -47,7 +47,9 @@ std::string row(const std::string& name, const std::string& value) {
   return "<tr><th>" + escaped(name) + "</th><td>" + escaped(value) + "</td></tr>\n";
 }
 
-std::string plain(const Json& value) { return value.is_string() ? value.get<std::string>() : value.dump(); }
+std::string plain(const Json& value) {
+  return value.is_string() ? value.get<std::string>() : value.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
 
 std::string with_unit(const std::string& name, const std::string& unit) {
   return unit.empty() ? name : name + " [" + unit + "]";
@@ -145,19 +147,7 @@ std::string charts_of(const RunFolder& run, const Legend& legend) {
   return out;
 }
 
-}  // namespace
-
-bool is_report(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::string begin(200, '\0');
-  in.read(begin.data(), static_cast<std::streamsize>(begin.size()));
-  return begin.find(signature) != std::string::npos;
-}
-
-std::string report_charts(const RunFolder& run) { return charts_of(run, run.legend()); }
-
-std::string report(const RunFolder& run, const std::vector<ReportPicture>& pictures) {
-  const Json record = Json::parse(run.provenance(), nullptr, false);
+std::string report_of(const RunFolder& run, const Json& record, const std::vector<ReportPicture>& pictures) {
   const auto text = [&](const char* key) { return record.contains(key) ? plain(record[key]) : std::string(); };
   const Json model = record.contains("model") ? record["model"] : Json::object();
   const std::string title = model.contains("title") ? plain(model["title"]) : "";
@@ -189,6 +179,25 @@ std::string report(const RunFolder& run, const std::vector<ReportPicture>& pictu
     if (!value.is_structured()) out += row(key, plain(value));
   for (const auto& [key, value] : model.items()) out += row(key, plain(value));
   return out + "</table>\n</body></html>\n";
+}
+
+}  // namespace
+
+bool is_report(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::string begin(200, '\0');
+  in.read(begin.data(), static_cast<std::streamsize>(begin.size()));
+  return begin.find(signature) != std::string::npos;
+}
+
+std::string report_charts(const RunFolder& run) { return charts_of(run, run.legend()); }
+
+std::string report(const RunFolder& run, const std::vector<ReportPicture>& pictures) {
+  try {
+    return report_of(run, Json::parse(run.provenance()), pictures);
+  } catch (const Json::exception& error) {
+    throw damaged_record(run.path(), error.what());
+  }
 }
 
 }  // namespace tribo

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "view/run_folder.hpp"
 
-#include "base/error.hpp"
-#include "output/number.hpp"
+#include "base/read_file.hpp"
 
 #include <algorithm>
-#include <fstream>
+#include <charconv>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 namespace tribo {
 namespace {
@@ -38,18 +36,34 @@ const std::vector<double>* Table::column(std::string_view name) const {
 }
 
 Table read_table(const std::filesystem::path& file) {
-  std::ifstream in(file);
-  std::string line;
-  if (!std::getline(in, line)) throw FileError("cannot read '" + file.string() + "'");
+  const std::string text = read_file(file);
   Table table;
-  table.names = cells(line);
-  table.columns.resize(table.names.size());
-  while (std::getline(in, line)) {
-    if (in.eof()) break;  // no end of line: still being written
-    const auto row = cells(line);
-    if (row.size() != table.names.size()) throw FileError("'" + file.string() + "' is damaged: " + line);
-    for (std::size_t k = 0; k < row.size(); ++k) table.columns[k].push_back(parse_number(row[k]));
+  std::size_t number = 0;
+  const auto fail = [&](const std::string& why) {
+    throw FileError("the file '" + printable(file.string()) + "' is damaged: line " + std::to_string(number) + ": " +
+                    why);
+  };
+  for (std::size_t begin = 0; begin < text.size();) {
+    const auto end = text.find('\n', begin);
+    if (end == std::string::npos) break;  // still being written
+    const auto row = cells(text.substr(begin, end - begin));
+    begin = end + 1;
+    if (++number == 1) {
+      table.names = row;
+      table.columns.resize(row.size());
+      continue;
+    }
+    if (row.size() != table.names.size())
+      fail(std::to_string(row.size()) + " cells, not " + std::to_string(table.names.size()));
+    for (std::size_t k = 0; k < row.size(); ++k) {
+      double value = 0;  // nan and inf are numbers here
+      const auto [last, error] = std::from_chars(row[k].data(), row[k].data() + row[k].size(), value);
+      if (error != std::errc() || last != row[k].data() + row[k].size())
+        fail("'" + printable(row[k]) + "' is not a number");
+      table.columns[k].push_back(value);
+    }
   }
+  if (number == 0) throw FileError("the file '" + printable(file.string()) + "' is damaged: it has no head");
   return table;
 }
 
@@ -77,12 +91,10 @@ Scene RunFolder::scene(const CollectionEntry& frame) const {
   return scene;
 }
 
-std::string RunFolder::provenance() const {
-  std::ifstream in(folder_ / "provenance.json");
-  std::ostringstream text;
-  text << in.rdbuf();
-  if (!in) throw FileError("cannot read '" + (folder_ / "provenance.json").string() + "'");
-  return text.str();
+std::string RunFolder::provenance() const { return read_file(folder_ / "provenance.json"); }
+
+FileError damaged_record(const std::filesystem::path& folder, const std::string& why) {
+  return FileError("the file '" + printable((folder / "provenance.json").string()) + "' is damaged: " + printable(why));
 }
 
 std::string Legend::unit_of(const std::string& name) const {
@@ -94,12 +106,15 @@ std::string Legend::unit_of(const std::string& name) const {
 Legend RunFolder::legend() const {
   using Json = nlohmann::json;
   Legend out;
-  const Json record = Json::parse(provenance(), nullptr, false);
-  if (!record.is_object()) return out;
-  const Json model = record.value("model", Json::object());
-  out.time = model.value("unit of time", ""), out.length = model.value("unit of length", "");
-  out.units = record.value("unit_of", out.units);
-  out.materials = record.value("materials", out.materials);
+  try {
+    const Json record = Json::parse(provenance());
+    const Json model = record.value("model", Json::object());
+    out.time = model.value("unit of time", ""), out.length = model.value("unit of length", "");
+    out.units = record.value("unit_of", out.units);
+    out.materials = record.value("materials", out.materials);
+  } catch (const Json::exception& error) {
+    throw damaged_record(folder_, error.what());
+  }
   return out;
 }
 

@@ -2,6 +2,7 @@
 /// Results of a run in its folder, for pictures and reports.
 #pragma once
 
+#include "base/error.hpp"
 #include "output/vtk.hpp"
 
 #include <map>
@@ -27,6 +28,9 @@ struct Scene {
   ParticleFrame particles;
   CellFrame blocks, contacts;
 };
+
+/// The error of a provenance.json that cannot be read.
+FileError damaged_record(const std::filesystem::path& folder, const std::string& why);
 
 /// Units and names of a run, of provenance.json. All are empty if the record has none.
 struct Legend {

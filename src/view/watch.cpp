@@ -2,11 +2,11 @@
 #include "view/watch.hpp"
 
 #include "base/error.hpp"
+#include "view/local_server.hpp"
 #include "view/page.hpp"
 #include "view/picture.hpp"
 #include "view/report.hpp"
 
-#include <httplib.h>
 #include <signal.h>
 
 #include <algorithm>
@@ -25,15 +25,19 @@ void stop_server(int) {
 
 // The process that writes the run, if it is a running process of this user; else 0.
 pid_t process_of(const Json& record) {
-  if (record.value("status", "") != "running") return 0;
-  const auto pid = static_cast<pid_t>(record.value("process", 0));
+  const auto status = record.find("status"), process = record.find("process");
+  if (status == record.end() || *status != "running" || process == record.end() || !process->is_number_integer())
+    return 0;
+  const auto pid = process->get<pid_t>();
   if (pid <= 1) return 0;
   std::error_code none;
   const auto program = std::filesystem::read_symlink("/proc/" + std::to_string(pid) + "/exe", none);
   return program.filename().string().rfind("tribo", 0) == 0 ? pid : 0;
 }
 
-void answer(httplib::Response& response, const Json& json) { response.set_content(json.dump(), "application/json"); }
+void answer(httplib::Response& response, const Json& json) {
+  response.set_content(json.dump(-1, ' ', false, Json::error_handler_t::replace), "application/json");
+}
 
 /// Numbers of four bytes each.
 struct Numbers {
@@ -103,7 +107,7 @@ class Answers {
   Json state() const {
     Json state = Json::parse(run_.provenance(), nullptr, false);
     if (!state.is_object()) state = Json::object();
-    if (state.value("status", "") == "running" && process_of(state) == 0) state["status"] = "lost";
+    if (state.contains("status") && state["status"] == "running" && process_of(state) == 0) state["status"] = "lost";
     state["folder"] = run_.path().string();
     for (const auto& frame : run_.frames()) state["times"].push_back(frame.time);
     return state;
@@ -146,7 +150,7 @@ class Answers {
                     {"unit", legend.unit_of(shade.name)},
                     {"names", shade.name == "material" ? legend.materials : std::vector<std::string>()},
                     {"fields", field_names(scene)}};
-    std::string out = head.dump();
+    std::string out = head.dump(-1, ' ', false, Json::error_handler_t::replace);
     out += std::string((4 - (out.size() + 1) % 4) % 4, ' ') + "\n";  // numbers begin at a multiple of four
     return out + body.bytes;
   }
@@ -183,7 +187,8 @@ class Answers {
 
 void watch(const RunFolder& run, const WatchOptions& options) {
   const Answers answers(run);
-  httplib::Server server;
+  LocalServer server;
+  const std::string base = "/" + server.token();
   // Names of other machines that lead here are refused, so that no page from elsewhere reads a run through a browser.
   server.set_pre_routing_handler([](const httplib::Request& request, httplib::Response& response) {
     const std::string host = request.get_header_value("Host"), name = host.substr(0, host.rfind(':'));
@@ -200,24 +205,28 @@ void watch(const RunFolder& run, const WatchOptions& options) {
           response.set_content(error.what(), "text/plain");
         }
       });
-  server.Get("/", [](const httplib::Request&, httplib::Response& response) {
-    const auto page = watch_page();
-    response.set_content(page.data(), page.size(), "text/html; charset=utf-8");
+  server.Get(base + "/", [](const httplib::Request&, httplib::Response& response) {
+    const std::string nonce = random_word(), plain = "<script>";
+    std::string page(watch_page());
+    if (const auto at = page.find(plain); at != std::string::npos)
+      page.replace(at, plain.size(), "<script nonce=\"" + nonce + "\">");
+    for (const auto& [name, value] : LocalServer::page_headers(nonce)) response.set_header(name, value);
+    response.set_content(page, "text/html; charset=utf-8");
   });
-  server.Get("/vtk.js", [](const httplib::Request&, httplib::Response& response) {
+  server.Get(base + "/vtk.js", [](const httplib::Request&, httplib::Response& response) {
     const auto script = vtk_js();
     response.set_content(script.data(), script.size(), "text/javascript");
   });
-  server.Get("/state", [&](const httplib::Request&, httplib::Response& r) { answer(r, answers.state()); });
-  server.Get("/charts",
+  server.Get(base + "/state", [&](const httplib::Request&, httplib::Response& r) { answer(r, answers.state()); });
+  server.Get(base + "/charts",
              [&](const httplib::Request&, httplib::Response& r) { r.set_content(answers.charts(), "text/html"); });
   const auto field = [](const httplib::Request& q) {
     return q.has_param("field") ? q.get_param_value("field") : std::string();
   };
-  server.Get(R"(/frame/(\d{1,9}))", [&](const httplib::Request& q, httplib::Response& r) {
+  server.Get(base + R"(/frame/(\d{1,9}))", [&](const httplib::Request& q, httplib::Response& r) {
     r.set_content(answers.frame(std::stoul(q.matches[1]), field(q)), "application/octet-stream");
   });
-  server.Get(R"(/picture/(\d{1,9}))", [&](const httplib::Request& q, httplib::Response& r) {
+  server.Get(base + R"(/picture/(\d{1,9}))", [&](const httplib::Request& q, httplib::Response& r) {
     r.set_content(answers.image(std::stoul(q.matches[1]), field(q)), "image/png");
   });
   // A header that forms and links of other pages cannot send
@@ -230,8 +239,8 @@ void watch(const RunFolder& run, const WatchOptions& options) {
       answer(r, {{"sent", answers.tell(signal)}});
     };
   };
-  server.Post("/stop", command(SIGTERM));
-  server.Post("/checkpoint", command(SIGUSR1));
+  server.Post(base + "/stop", command(SIGTERM));
+  server.Post(base + "/checkpoint", command(SIGUSR1));
 
   const std::string here = "127.0.0.1";
   int port = options.port;
@@ -243,7 +252,7 @@ void watch(const RunFolder& run, const WatchOptions& options) {
     throw FileError("port " + std::to_string(options.port) + " of this machine is taken; --port names another");
   running_server = &server;
   const auto old_interrupt = std::signal(SIGINT, stop_server), old_terminate = std::signal(SIGTERM, stop_server);
-  if (options.ready) options.ready("http://" + here + ":" + std::to_string(port) + "/");
+  if (options.ready) options.ready("http://" + here + ":" + std::to_string(port) + base + "/");
   server.listen_after_bind();
   std::signal(SIGINT, old_interrupt), std::signal(SIGTERM, old_terminate);
   running_server = nullptr;

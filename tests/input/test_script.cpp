@@ -131,7 +131,8 @@ TEST_CASE("wrong names of materials and properties are reported besides wrong co
   CHECK_THAT(text, Contains("s:2:1: error: <rhoo> is not a property of this material (did you mean 'rho'?)"));
   CHECK_THAT(text, Contains("s:6:1: error: there is no command 'GridHorizz'"));
   CHECK_THAT(text, Contains("s:7:8: error: there is no material 'gun' (did you mean 'gum'?)"));
-  CHECK(std::count(text.begin(), text.end(), '\n') == 2);
+  CHECK_THAT(text, Contains("error: 'Analysis' is given twice; first at s:5:"));
+  CHECK(std::count(text.begin(), text.end(), '\n') == 3);
   CHECK_THAT(complaint("Material \"gum\",\"Gum\",\"Isotropic\"\nalpha 1\ndelIc 1\nDone\nGridHorizz 3"),
              Contains("<delIc> belongs to a criterion for the growth of cracks that is not implemented") &&
                  !Contains("<alpha>"));

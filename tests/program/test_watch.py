@@ -5,8 +5,10 @@
 import json
 import os
 import re
+import select
 import shutil
 import signal
+import socket
 import struct
 import subprocess
 import sys
@@ -106,6 +108,33 @@ with tempfile.TemporaryDirectory() as folder:
         check(code_of("nowhere") == 404, "an unknown page")
         check(code_of("state", headers={"Host": "example.org"}) == 403, "another machine's name is refused")
         check(code_of("stop", method="POST") == 403, "a form of another page cannot stop the run")
+        check(re.fullmatch(r"http://127\.0\.0\.1:\d+/[0-9a-f]{32}/", address), "the address has a random word")
+        whole, address = address, address[:-33]
+        check(code_of("state") == 404 and code_of("0" * 32 + "/state") == 404, "without this word nothing is told")
+        check(code_of("stop", method="POST", headers={"X-Tribo": "1"}) == 404 and run.poll() is None, "nor is the run stopped")
+        port, address = int(whole.split(":")[2].split("/")[0]), whole
+        with urllib.request.urlopen(address, timeout=20) as answer:
+            headers = answer.headers
+            check(headers["X-Frame-Options"] == "DENY" and headers["X-Content-Type-Options"] == "nosniff", "headers of the page")
+            check("default-src 'none'" in headers["Content-Security-Policy"], "what the page may load")
+        with socket.create_connection(("127.0.0.1", port), timeout=20) as slow:
+            begin = time.time()
+            slow.sendall(b"GET / HTTP/1.1\r\n")
+            while time.time() < begin + 15:  # a line now and then
+                time.sleep(0.5)
+                try:
+                    slow.sendall(b"X-More: 1\r\n")
+                    if select.select([slow], [], [], 0)[0]:
+                        break
+                except OSError:
+                    break
+            check(time.time() < begin + 10, "a slow request is given up")
+        with socket.create_connection(("127.0.0.1", port), timeout=20) as large:
+            try:
+                large.sendall(b"GET / HTTP/1.1\r\n" + b"X-More: 1\r\n" * 100000)
+                check(b"200" not in large.recv(100), "a request with too many headers is refused")
+            except OSError:
+                pass
 
         browser = shutil.which("chromium")
         if browser:

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+/// Steps in which one block could pass through another one unseen.
+#pragma once
+
+namespace tribo {
+
+class Assembly;
+
+/// Throws SimulationError if two blocks on each other's way have moved in a step of dt by more than a quarter of the
+/// thinner one's thickness relative to each other: contacts are found from the positions after a step. Displacements
+/// below `harmless` are not looked at.
+void refuse_jumps(const Assembly& blocks, double dt, double harmless);
+
+}  // namespace tribo
