@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "base/error.hpp"
 
+#include "base/read_file.hpp"
+
 #include <algorithm>
 #include <cctype>
 #include <numeric>
@@ -58,7 +60,7 @@ void shorten(Problem& problem) {
     }
     message = std::move(out);
   }
-  if (message.size() > longest_message) message.resize(cut_at(message, longest_message)), message += "...";
+  message = printable(message, longest_message, true);
 }
 
 std::vector<Problem> shortened(std::vector<Problem> problems) {

@@ -74,12 +74,17 @@ std::size_t sequence(const std::string& text, std::size_t at) {
 
 std::string printable(const std::string& name) {
   static constexpr std::size_t longest = 200;
+  return printable(name, longest, false);
+}
+
+std::string printable(const std::string& text, std::size_t longest, bool lines) {
   std::string out;
-  for (std::size_t at = 0; at < name.size();) {
+  for (std::size_t at = 0; at < text.size();) {
     if (out.size() >= longest) return out + "...";
-    const std::size_t length = sequence(name, at);
-    const bool shown = length > 1 || (length == 1 && static_cast<unsigned char>(name[at]) >= 0x20 && name[at] != 0x7F);
-    out += shown ? name.substr(at, length) : "?";
+    const std::size_t length = sequence(text, at);
+    const auto first = static_cast<unsigned char>(text[at]);
+    const bool shown = length > 1 || (length == 1 && first >= 0x20 && first != 0x7F) || (lines && first == '\n');
+    out += shown ? text.substr(at, length) : "?";
     at += std::max<std::size_t>(1, length);
   }
   return out;

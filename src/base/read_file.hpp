@@ -14,6 +14,8 @@ std::string read_file(const std::filesystem::path& file, std::uintmax_t most = s
 
 /// A name for messages: at most 200 bytes, with '?' for bytes that are not UTF-8 and for control characters.
 std::string printable(const std::string& name);
+/// The same for a text of up to `longest` bytes. `lines`: it may have several lines.
+std::string printable(const std::string& text, std::size_t longest, bool lines);
 
 /// Bytes of memory that are free for this process; infinity if unknown.
 double available_memory();
