@@ -132,14 +132,20 @@ def write(name, data):
 failures, tried = [], {}
 
 
+def limit_resources():
+    """No core files; memory is limited unless AddressSanitizer, which reserves address space, has options."""
+    resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+    if "ASAN_OPTIONS" not in os.environ:
+        resource.setrlimit(resource.RLIMIT_AS, (6 << 30, 6 << 30))
+
+
 def run(kind, arguments, must_fail=False):
     """Runs the program; whether it ends as it should is counted."""
     tried[kind] = tried.get(kind, 0) + 1
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
-    limit = lambda: resource.setrlimit(resource.RLIMIT_AS, (6 << 30, 6 << 30))
     try:
         done = subprocess.run([tribo, *arguments], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, env=environment,
-                              timeout=12 * most_seconds, preexec_fn=limit, check=False)
+                              timeout=12 * most_seconds, preexec_fn=limit_resources, check=False)
         code, text = done.returncode, done.stderr.decode(errors="replace")
     except subprocess.TimeoutExpired:
         code, text = None, ""
