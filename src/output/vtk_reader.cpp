@@ -29,7 +29,7 @@ struct DataArray {
 class VtkFile {
  public:
   explicit VtkFile(const std::filesystem::path& path) : name_(printable(path.string())), text_(read_file(path)) {
-    const auto appended = text_.find("<AppendedData"), begin = text_.find("_", appended);
+    const auto appended = text_.find("<AppendedData"), begin = text_.find('_', appended);
     if (appended == std::string::npos || begin == std::string::npos) fail("its data are missing");
     data_ = std::string_view(text_).substr(begin + 1);
     tags(std::string_view(text_).substr(0, appended));

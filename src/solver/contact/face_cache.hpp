@@ -34,17 +34,6 @@ struct ContactFace {
   /// Per side: numbers in the cloud while just_found, later numbers in the list of cached particles.
   std::array<std::array<std::uint32_t, max_particles>, 2> particles{};
 
-  /// The numbers of the particles are saved by FaceCache.
-  friend void archive(Archive& a, ContactFace& face) {
-    auto& [node, field_a, field_b, missing, normal, area, gap_correction, offset_along_face, just_found, found_travel,
-           valid_travel, flat, depth_range, count, particles] = face;
-    a.version(1);
-    a("node", node), a("a", field_a), a("b", field_b), a("missing", missing);
-    a("normal", normal), a("area", area), a("gap_correction", gap_correction);
-    a("offset_along_face", offset_along_face), a("found_travel", found_travel), a("valid_travel", valid_travel);
-    a("flat", flat), a("depth_range", depth_range), a("count_a", count[0]), a("count_b", count[1]);
-  }
-
   /// Number of particles in the list of a side.
   std::ptrdiff_t listed(std::size_t side) const {
     return static_cast<std::ptrdiff_t>(std::min(count[side], max_particles));
@@ -56,6 +45,17 @@ struct ContactFace {
     missing = false;
   }
 };
+
+/// Saves and restores a face. The numbers of its particles are saved by FaceCache.
+inline void archive(Archive& a, ContactFace& face) {
+  auto& [node, field_a, field_b, missing, normal, area, gap_correction, offset_along_face, just_found, found_travel,
+         valid_travel, flat, depth_range, count, particles] = face;
+  a.version(1);
+  a("node", node), a("a", field_a), a("b", field_b), a("missing", missing);
+  a("normal", normal), a("area", area), a("gap_correction", gap_correction);
+  a("offset_along_face", offset_along_face), a("found_travel", found_travel), a("valid_travel", valid_travel);
+  a("flat", flat), a("depth_range", depth_range), a("count_a", count[0]), a("count_b", count[1]);
+}
 
 /// Position of the common face along the normal, from the node, if the faces of the two sides are at `of_a` and `of_b`
 /// [length]: that of a rigid side, else the middle.
