@@ -1,14 +1,21 @@
 // SPDX-License-Identifier: MIT
 /// Brittle solid: elastic until a crack starts, then softening on the plane of the crack until it is free of traction.
 ///
-///   T   the stress without damage (Jaumann rate),  n the normal of the crack, which turns with the material
-///   t = T n,  T_n = n.t,  t_s = t - T_n n,  <x> = max(x, 0),  M = lambda + 2 mu
-///   sigma = T - d (<T_n>/M C:(n n) + n t_s + t_s n)
+///   T    the stress without damage (Jaumann rate), C the isotropic stiffness, M = lambda + 2 mu, <x> = max(x, 0)
+///   n_i  the normals of up to three orthogonal cracks, which turn with the material; T_ij = n_i.T n_j
+///   sigma = T - C:(sum over i of e_i n_i n_i + sum over i < j of g_ij (n_i n_j + n_j n_i)/2)
 ///
-/// d is the damage of the crack. The crack opens by d <T_n>/M per length and slips by d t_s/mu per length. A closed
-/// crack has its full normal stiffness. For a fixed n the stress derives from the energy T:C^-1:T/2 - d Y with
-/// Y = (<T_n>^2/M + t_s^2/mu)/2, so that Y is dissipated per unit of damage. On each plane
-/// r^2 = (<T_n>/sigmac)^2 + (|t_s|/tauc)^2. The crack starts when the largest r of all planes reaches 1, on that plane.
+/// Crack i opens by the strain e_i and slips by the share of the crack in g_ij. With its damage d_i,
+///
+///   M e_i/d_i = p_i = <T_ii - lambda sum over j != i of e_j>
+///   slip of crack i along n_j = d_i q_ij/mu,  q_ij = T_ij (1 - d_j)/(1 - d_i d_j),  sigma_ij = (1 - d_i) q_ij
+///
+/// p_i and q_ij are the tractions on plane i without its own damage, and the actual ones are smaller by 1 - d_i; a
+/// closed crack has its full normal stiffness. For fixed normals the stress derives from the energy
+/// T:C^-1:T/2 - (sum of e_i T_ii + sum of g_ij T_ij)/2, so that Y_i = (p_i^2/M + |q_i|^2/mu)/2 is dissipated per unit
+/// of d_i. On each plane r^2 = (p/sigmac)^2 + (|q|/tauc)^2. The first crack starts when the largest r of all planes
+/// reaches 1, on that plane. The second starts on a plane normal to the first one, where the normal traction is
+/// largest; the third is normal to both. Thus matter that has cracked in all directions carries no tension.
 /// The traction then decreases with opening and slip, linearly or exponentially:
 ///
 ///   linear        d = (1 - 1/r) k/(k - 1) <= 1              k_I = 2 Gc_I M/(h sigmac^2),  k_II = 2 Gc_II mu/(h tauc^2)
@@ -17,14 +24,15 @@
 ///
 /// h = |n_x| h_x + |n_y| h_y + |n_z| h_z is the width of the band of cells that contains the crack, taken when the
 /// crack starts. With it the energy per crack area is Gc for any cell size: Bazant & Oh, Mater. Struct. 16 (1983)
-/// 155-177. For a constant mode mix, G_I/Gc_I + G_II/Gc_II = 1 at complete failure. Damage on one fixed plane after
+/// 155-177. For a constant mode mix, G_I/Gc_I + G_II/Gc_II = 1 at complete failure. Damage on fixed planes after
 /// Nairn, Hammerquist & Aimene, Int. J. Numer. Meth. Engng 111 (2017) 1093-1123, with one damage variable for both
-/// modes.
+/// modes; several orthogonal cracks after Rots & Blaauwendraad, HERON 34 (1989) 1-59.
 
 #include "materials/elastic_constants.hpp"
 #include "materials/principal.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace tribo {
 namespace {
@@ -102,20 +110,25 @@ struct IsoSoftening {
   double wave_modulus() const { return elastic.wave_modulus(); }
 
   struct State {
-    double damage = 0, nx = 0, ny = 0, nz = 0;
+    double damage = 0, damage_2 = 0, damage_3 = 0;
+    double nx = 0, ny = 0, nz = 0;                          // normal of the first crack
+    double mx = 0, my = 0, mz = 0;                          // of the second; the third is normal to both
     double xx = 0, yy = 0, zz = 0, xy = 0, yz = 0, xz = 0;  // T - sigma
-    double band = 0, opening = 0, dissipation = 0;
+    double band = 0, band_2 = 0, band_3 = 0, opening = 0, dissipation = 0;
   };
   static auto history() {
     using V = StateVariable<State>;
-    constexpr auto none = Dimension::none, stress = Dimension::stress;
-    return std::make_tuple(
-        V{"damage", none, &State::damage}, V{"crack_normal_x", none, &State::nx}, V{"crack_normal_y", none, &State::ny},
-        V{"crack_normal_z", none, &State::nz}, V{"released_xx", stress, &State::xx},
-        V{"released_yy", stress, &State::yy}, V{"released_zz", stress, &State::zz},
-        V{"released_xy", stress, &State::xy}, V{"released_yz", stress, &State::yz},
-        V{"released_xz", stress, &State::xz}, V{"crack_band", Dimension::length, &State::band},
-        V{"crack_opening", Dimension::length, &State::opening}, V{"dissipation", stress, &State::dissipation});
+    constexpr auto none = Dimension::none, stress = Dimension::stress, length = Dimension::length;
+    return std::make_tuple(V{"damage", none, &State::damage}, V{"damage_2", none, &State::damage_2},
+                           V{"damage_3", none, &State::damage_3}, V{"crack_normal_x", none, &State::nx},
+                           V{"crack_normal_y", none, &State::ny}, V{"crack_normal_z", none, &State::nz},
+                           V{"crack_normal_2_x", none, &State::mx}, V{"crack_normal_2_y", none, &State::my},
+                           V{"crack_normal_2_z", none, &State::mz}, V{"released_xx", stress, &State::xx},
+                           V{"released_yy", stress, &State::yy}, V{"released_zz", stress, &State::zz},
+                           V{"released_xy", stress, &State::xy}, V{"released_yz", stress, &State::yz},
+                           V{"released_xz", stress, &State::xz}, V{"crack_band", length, &State::band},
+                           V{"crack_band_2", length, &State::band_2}, V{"crack_band_3", length, &State::band_3},
+                           V{"crack_opening", length, &State::opening}, V{"dissipation", stress, &State::dissipation});
   }
 
   /// Cell size at which softening becomes impossible: the cell would release more energy than the crack dissipates.
@@ -129,71 +142,180 @@ struct IsoSoftening {
   Mat3 stress(const Motion& motion, const Mat3& old, State& state) const {
     const Mat3 before = old + released(state);
     const Mat3 T = elastic_trial(elastic, motion, before);
-    Vec3 n(state.nx, state.ny, state.nz);
-    if (state.damage > 0)
-      n = spin_rotation(motion.L, motion.dt) * n;
+    Cracks cracks = cracks_of(state);
+    const bool cracked = cracks.any();
+    if (!cracked && strength_ratio(tractions(weakest_plane(T), T)) <= 1) return T;
+    const Vec3 energy_before = cracked ? energies(respond(cracks, before)) : Vec3(0, 0, 0);
+    if (cracked)
+      turn(cracks, spin_rotation(motion.L, motion.dt));
     else
-      n = weakest_plane(T);
-    const Plane plane = on(n, T);
-    const double h = state.damage > 0 ? state.band : width(n, motion.cell);
-    const double energy_before = state.damage > 0 ? on({state.nx, state.ny, state.nz}, before).energy(elastic) : 0.0;
-    const double r = std::sqrt(plane.tension_share(*this) + plane.shear_share(*this));
-    if (r > 1) {
-      const double d = std::max(state.damage, damage(r, plane.shear_share(*this) / (r * r), h));
-      const double energy = plane.energy(elastic), growth = d - state.damage;
-      state.dissipation +=
-          motion.F.determinant() * growth * (state.damage > 0 ? 0.5 * (energy + energy_before) : energy);
-      state.damage = d;
-    }
-    if (!(state.damage > 0)) return T;
-    n.normalize();
-    state.nx = n[0], state.ny = n[1], state.nz = n[2];
-    state.band = h;
-    state.opening = h * state.damage * plane.open / elastic.wave_modulus();
-    const Mat3 released = state.damage * plane.release(elastic);
-    state.xx = released(0, 0), state.yy = released(1, 1), state.zz = released(2, 2);
-    state.xy = released(0, 1), state.yz = released(1, 2), state.xz = released(0, 2);
-    return T - released;
+      cracks.normal.col(0) = weakest_plane(T);
+    if (cracks.damage[1] == 0 && cracks.damage[2] == 0) choose_second(cracks, T);
+    for (int i = 0; i < 3; ++i) grow(cracks, i, T, energy_before[i], motion, state.dissipation);
+    const Response response = respond(cracks, T);
+    state.opening = cracks.band[0] * response.opening[0];
+    store(cracks, T - response.stress, state);
+    return response.stress;
   }
 
   double energy_density(const Mat3&, const Mat3& stress, const State& state) const {
     const Mat3 T = stress + released(state);
-    return elastic.energy(T) - state.damage * on({state.nx, state.ny, state.nz}, T).energy(elastic);
+    const Cracks cracks = cracks_of(state);
+    return elastic.energy(T) - (cracks.any() ? respond(cracks, T).released_energy : 0.0);
   }
 
  private:
-  /// Traction of the undamaged stress T on the plane with normal n.
-  struct Plane {
-    Vec3 n, shear;
-    double open;  // <T_n>
-
-    double energy(const Elasticity& e) const {
-      return 0.5 * (open * open / e.wave_modulus() + shear.squaredNorm() / e.mu);
-    }
-    double tension_share(const IsoSoftening& law) const {
-      const double share = open / law.tensile_strength;
-      return share * share;
-    }
-    double shear_share(const IsoSoftening& law) const {
-      return given(law.shear_strength) ? shear.squaredNorm() / (law.shear_strength * law.shear_strength) : 0.0;
-    }
-    Mat3 release(const Elasticity& e) const {
-      const Mat3 slip = n * shear.transpose();
-      return open / e.wave_modulus() * (e.lambda * Mat3::Identity() + 2 * e.mu * n * n.transpose()) + slip +
-             slip.transpose();
-    }
+  /// Up to three orthogonal cracks: normals as columns, damage, and widths of their bands of cells.
+  struct Cracks {
+    Mat3 normal;
+    Vec3 damage, band;
+    bool any() const { return damage.maxCoeff() > 0; }
+  };
+  /// Stress of the cracked material, and of each crack: its opening strain e_i and its tractions p_i and |q_i|.
+  struct Response {
+    Mat3 stress;
+    Vec3 opening, normal, shear;
+    double released_energy;
+  };
+  struct Tractions {
+    double normal, shear;  // <T_n>, |t_s|
   };
 
-  static Plane on(const Vec3& n, const Mat3& T) {
-    const Vec3 t = T * n;
-    const double normal = n.dot(t);
-    return {n, t - normal * n, std::max(normal, 0.0)};
+  static Cracks cracks_of(const State& s) {
+    const Vec3 n(s.nx, s.ny, s.nz), m(s.mx, s.my, s.mz);
+    Cracks cracks;
+    cracks.normal << n, m, n.cross(m);
+    cracks.damage = {s.damage, s.damage_2, s.damage_3};
+    cracks.band = {s.band, s.band_2, s.band_3};
+    return cracks;
+  }
+
+  static void store(const Cracks& cracks, const Mat3& released, State& s) {
+    s.damage = cracks.damage[0], s.damage_2 = cracks.damage[1], s.damage_3 = cracks.damage[2];
+    s.nx = cracks.normal(0, 0), s.ny = cracks.normal(1, 0), s.nz = cracks.normal(2, 0);
+    s.mx = cracks.normal(0, 1), s.my = cracks.normal(1, 1), s.mz = cracks.normal(2, 1);
+    s.band = cracks.band[0], s.band_2 = cracks.band[1], s.band_3 = cracks.band[2];
+    s.xx = released(0, 0), s.yy = released(1, 1), s.zz = released(2, 2);
+    s.xy = released(0, 1), s.yz = released(1, 2), s.xz = released(0, 2);
   }
 
   static Mat3 released(const State& s) {
     Mat3 m;
     m << s.xx, s.xy, s.xz, s.xy, s.yy, s.yz, s.xz, s.yz, s.zz;
     return m;
+  }
+
+  static Tractions tractions(const Vec3& n, const Mat3& T) {
+    const Vec3 t = T * n;
+    const double normal = n.dot(t);
+    return {std::max(normal, 0.0), (t - normal * n).norm()};
+  }
+
+  double shear_share(double shear) const {
+    return given(shear_strength) ? shear * shear / (shear_strength * shear_strength) : 0.0;
+  }
+  double strength_ratio(const Tractions& t) const {
+    return std::hypot(t.normal / tensile_strength, std::sqrt(shear_share(t.shear)));
+  }
+
+  /// The normals turn with the material and stay orthonormal.
+  static void turn(Cracks& cracks, const Mat3& rotation) {
+    const Vec3 n = (rotation * cracks.normal.col(0)).normalized();
+    Vec3 m = rotation * cracks.normal.col(1);
+    m = (m - n.dot(m) * n).normalized();
+    cracks.normal << n, m, n.cross(m);
+  }
+
+  /// The second normal is the direction of the largest stress in the plane of the first crack.
+  void choose_second(Cracks& cracks, const Mat3& T) const {
+    const Vec3 n = cracks.normal.col(0);
+    Vec3 a = Vec3::Unit(0);
+    for (int axis = 1; axis < 3; ++axis)
+      if (std::abs(n[axis]) < std::abs(n.dot(a))) a = Vec3::Unit(axis);
+    a = (a - n.dot(a) * n).normalized();
+    const Vec3 b = n.cross(a);
+    cracks.normal << n, a, b;
+    const Mat3 sigma = respond(cracks, T).stress;
+    const double angle = 0.5 * std::atan2(2 * a.dot(sigma * b), a.dot(sigma * a) - b.dot(sigma * b));
+    const Vec3 m = std::cos(angle) * a + std::sin(angle) * b;
+    cracks.normal << n, m, n.cross(m);
+  }
+
+  /// Damage of crack i grows if the tractions on its plane exceed the strength.
+  void grow(Cracks& cracks, int i, const Mat3& T, double energy_before, const Motion& motion,
+            double& dissipation) const {
+    const Response response = respond(cracks, T);
+    const double r = strength_ratio({response.normal[i], response.shear[i]});
+    if (!(r > 1)) return;
+    double& d = cracks.damage[i];
+    const bool starts = d == 0;
+    if (starts) cracks.band[i] = width(cracks.normal.col(i), motion.cell);
+    const double larger = std::max(d, damage(r, shear_share(response.shear[i]) / (r * r), cracks.band[i]));
+    const double energy = energies(response)[i];
+    dissipation += motion.F.determinant() * (larger - d) * (starts ? energy : 0.5 * (energy + energy_before));
+    d = larger;
+  }
+
+  /// Energy Y_i per unit of damage of each crack.
+  Vec3 energies(const Response& response) const {
+    return 0.5 * (response.normal.cwiseAbs2() / elastic.wave_modulus() + response.shear.cwiseAbs2() / elastic.mu);
+  }
+
+  Response respond(const Cracks& cracks, const Mat3& T) const {
+    const Vec3& d = cracks.damage;
+    const Mat3 local = cracks.normal.transpose() * T * cracks.normal;
+    Response response;
+    response.opening = openings(local.diagonal(), d);
+    const double total = response.opening.sum();
+    Mat3 stress = local;
+    stress.diagonal() -= elastic.lambda * total * Vec3::Ones() + 2 * elastic.mu * response.opening;
+    response.normal = (local.diagonal() - elastic.lambda * (total * Vec3::Ones() - response.opening)).cwiseMax(0.0);
+    response.released_energy = 0.5 * response.opening.dot(local.diagonal());
+    Vec3 shear_squared(0, 0, 0);
+    for (int i = 0; i < 3; ++i) {
+      const int j = (i + 1) % 3;
+      const double both = 1 - d[i] * d[j];  // 0 if both planes are free of traction
+      const double on_i = both > 0 ? local(i, j) * (1 - d[j]) / both : 0.0;
+      const double on_j = both > 0 ? local(i, j) * (1 - d[i]) / both : 0.0;
+      stress(i, j) = stress(j, i) = (1 - d[i]) * on_i;
+      response.released_energy += 0.5 * local(i, j) * (local(i, j) - stress(i, j)) / elastic.mu;
+      shear_squared[i] += on_i * on_i, shear_squared[j] += on_j * on_j;
+    }
+    response.shear = shear_squared.cwiseSqrt();
+    response.stress = cracks.normal * stress * cracks.normal.transpose();
+    return response;
+  }
+
+  /// Opening strains: e_i >= 0 and M e_i/d_i + lambda (sum of the others) >= T_ii, one of them an equality for each i.
+  /// The matrix is positive definite, so that exactly one of the eight sets of open cracks fulfils all conditions.
+  Vec3 openings(const Vec3& trial, const Vec3& d) const {
+    const double M = elastic.wave_modulus(), lambda = elastic.lambda;
+    Vec3 best(0, 0, 0);
+    double smallest_violation = std::numeric_limits<double>::infinity();
+    for (unsigned set = 0; set < 8; ++set) {
+      // e_i = d_i (T_ii - lambda S)/(M - lambda d_i) with the sum S of all openings
+      double a = 0, b = 0;
+      bool possible = true;
+      for (int i = 0; i < 3; ++i)
+        if (set >> i & 1U) {
+          possible = possible && d[i] > 0;
+          a += d[i] * trial[i] / (M - lambda * d[i]), b += d[i] / (M - lambda * d[i]);
+        }
+      if (!possible) continue;
+      const double sum = a / (1 + lambda * b);
+      Vec3 e(0, 0, 0);
+      double violation = 0;
+      for (int i = 0; i < 3; ++i) {
+        const double driving = trial[i] - lambda * sum;
+        if (set >> i & 1U)
+          e[i] = d[i] * driving / (M - lambda * d[i]), violation = std::max(violation, -driving);
+        else if (d[i] > 0)
+          violation = std::max(violation, driving);
+      }
+      if (violation < smallest_violation) smallest_violation = violation, best = e;
+      if (violation == 0) break;
+    }
+    return best;
   }
 
   // Width h of the band of cells that contains the crack: one cell along an axis, a staircase in other directions.

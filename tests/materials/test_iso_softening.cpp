@@ -94,10 +94,16 @@ TEST_CASE("a crack of any mode mix dissipates its fracture energy", "[materials]
   const Mat3 T = 60e3 * direction.trace() * Mat3::Identity() + 80e3 * direction;
   const int steps = 40000;
   const double end = exponential ? 2e-2 : 3e-3;
-  for (int k = 0; k < steps; ++k) point.step(direction * (end / steps), 1.0);
+  int step = 0;
+  for (; step < steps && point.history_value("damage") == 0; ++step) point.step(direction * (end / steps), 1.0);
   const Vec3 n(point.history_value("crack_normal_x"), point.history_value("crack_normal_y"),
                point.history_value("crack_normal_z"));
   const double normal = std::max(0.0, n.dot(T * n)), shear = (T * n - n.dot(T * n) * n).norm();
+  // From here only the faces of the crack move, in the ratio of its tractions, so that no other crack starts.
+  const Vec3 jump = normal / 140e3 * n + (T * n - n.dot(T * n) * n) / 40e3;
+  const Mat3 opening = 0.5 * (n * jump.transpose() + jump * n.transpose());
+  for (; step < steps; ++step) point.step(opening * (end / steps), 1.0);
+  CHECK(point.history_value("damage_2") == 0);
   const double open = normal * normal / 4, slip = shear * shear, m = slip / (open + slip);
   const double k_open = 2 * 1e-3 * 140e3 / 4, k_slip = 2 * 2.5e-4 * 40e3;
   const double k = 1 / ((1 - m) / k_open + m / k_slip);
@@ -106,6 +112,67 @@ TEST_CASE("a crack of any mode mix dissipates its fracture energy", "[materials]
         Approx((1 - m) * k / k_open * 1e-3 + m * k / k_slip * 2.5e-4).epsilon(exponential ? 1e-3 : 2e-3));
   CHECK(point.stored_energy() + point.history_value("dissipation") ==
         Approx(point.work).epsilon(end));  // of small strains
+}
+
+TEST_CASE("a second and a third crack release what the first cannot", "[materials]") {
+  const auto law = make_material("50", brittle);
+  MaterialPoint<3> point(*law);
+  const int steps = 4000;
+  const auto pull = [&](const Mat3& strain) {
+    for (int k = 0; k < steps; ++k) point.step(strain / steps, 1.0);
+  };
+  pull(symmetric(2, 0, 0));
+  CHECK(point.history_value("damage") == 1);
+  CHECK(point.history_value("damage_2") == 0);
+  CHECK(point.stress(1, 1) == Approx(0).margin(1e-9));  // the opening also releases the lateral stress
+  // The crack is free of traction, so that the stiffness along y is that of plane stress, M - lambda^2/M.
+  point.step(symmetric(0, 1e-3, 0), 1.0);
+  CHECK(point.stress(1, 1) == Approx((140 - 60.0 * 60 / 140) * 1e-3).epsilon(1e-6));
+  pull(symmetric(0, 2, 0));
+  CHECK(point.history_value("damage_2") == 1);
+  CHECK(point.history_value("crack_normal_2_y") * point.history_value("crack_normal_2_y") == Approx(1));
+  pull(symmetric(0, 0, 2));
+  CHECK(point.history_value("damage_3") == 1);
+  CHECK(point.stress.norm() == Approx(0).margin(1e-9));
+  CHECK(point.history_value("crack_opening") == Approx(2).epsilon(1e-3));
+  pull(symmetric(0, 0, 0, 0.5, 0.4, 0.3));  // rubble resists no shear as long as its cracks are open
+  CHECK(point.stress.norm() == Approx(0).margin(1e-9));
+  pull(symmetric(-2.1, -2.101, -2.1));  // and is as stiff as before once they are closed
+  CHECK(point.stress(0, 0) < -140 * 0.05);
+}
+
+TEST_CASE("cracks in three directions lose the energy that they dissipate", "[materials]") {
+  const bool exponential = GENERATE(false, true);
+  const int seed = GENERATE(range(1, 9));
+  auto properties = with(rock, {{"SofteningI", exponential ? "Exponential" : "Linear"}});
+  for (auto& [name, text] : properties) {  // stiff, so that strains are small
+    if (name == "K") text = "86666.666666666667";
+    if (name == "G") text = "40000";
+    if (name == "I-Gc") text = "1e-3";
+    if (name == "II-Gc") text = "2.5e-4";
+  }
+  const auto law = make_material("50", properties);
+  MaterialPoint<3> point(*law);
+  std::mt19937 random(static_cast<unsigned>(seed));
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  double dissipated = 0, largest_stored = 0;
+  for (int leg = 0; leg < 12; ++leg) {
+    Mat3 direction;
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j <= i; ++j) direction(i, j) = direction(j, i) = uniform(random);
+    direction += 0.3 * Mat3::Identity();
+    for (int k = 0; k < 4000; ++k) {
+      point.step(direction * (1e-3 / 4000), 1.0);
+      REQUIRE(point.history_value("dissipation") >= dissipated);
+      dissipated = point.history_value("dissipation");
+      largest_stored = std::max(largest_stored, point.stored_energy());
+    }
+  }
+  INFO("work " << point.work << ", stored " << point.stored_energy() << ", dissipated " << dissipated);
+  CHECK(point.history_value("damage_3") > 0);
+  // The energy is that of small strains, of which the largest are 0.01; a step of the path dissipates too much by up
+  // to the square of its change of damage.
+  CHECK(std::abs(point.stored_energy() + dissipated - point.work) < 0.01 * largest_stored + 0.01 * dissipated);
 }
 
 TEST_CASE("a closed crack is as stiff as before and slides freely once broken", "[materials]") {
