@@ -13,10 +13,11 @@
 /// p_i and q_ij are the tractions on plane i without its own damage, and the actual ones are smaller by 1 - d_i; a
 /// closed crack has its full normal stiffness. For fixed normals the stress derives from the energy
 /// T:C^-1:T/2 - (sum of e_i T_ii + sum of g_ij T_ij)/2, so that Y_i = (p_i^2/M + |q_i|^2/mu)/2 is dissipated per unit
-/// of d_i. On each plane r^2 = (p/sigmac)^2 + (|q|/tauc)^2. The first crack starts when the largest r of all planes
-/// reaches 1, on that plane. The second starts on a plane normal to the first one, where the normal traction is
-/// largest; the third is normal to both. Thus matter that has cracked in all directions carries no tension.
-/// The traction then decreases with opening and slip, linearly or exponentially:
+/// of d_i. It is integrated exactly for a constant mode mix, since a shock may break a point within one step. On each
+/// plane r^2 = (p/sigmac)^2 + (|q|/tauc)^2. The first crack starts when the largest r of all planes reaches 1, on that
+/// plane. The second starts on a plane normal to the first one, where the normal traction is largest; the third is
+/// normal to both. Thus matter that has cracked in all directions carries no tension. The traction then decreases with
+/// opening and slip, linearly or exponentially:
 ///
 ///   linear        d = (1 - 1/r) k/(k - 1) <= 1              k_I = 2 Gc_I M/(h sigmac^2),  k_II = 2 Gc_II mu/(h tauc^2)
 ///   exponential   r (1 - d) = exp(-r d/k)                   k_I and k_II are half of these values
@@ -140,18 +141,16 @@ struct IsoSoftening {
   }
 
   Mat3 stress(const Motion& motion, const Mat3& old, State& state) const {
-    const Mat3 before = old + released(state);
-    const Mat3 T = elastic_trial(elastic, motion, before);
+    const Mat3 T = elastic_trial(elastic, motion, old + released(state));
     Cracks cracks = cracks_of(state);
     const bool cracked = cracks.any();
     if (!cracked && strength_ratio(tractions(weakest_plane(T), T)) <= 1) return T;
-    const Vec3 energy_before = cracked ? energies(respond(cracks, before)) : Vec3(0, 0, 0);
     if (cracked)
       turn(cracks, spin_rotation(motion.L, motion.dt));
     else
       cracks.normal.col(0) = weakest_plane(T);
     if (cracks.damage[1] == 0 && cracks.damage[2] == 0) choose_second(cracks, T);
-    for (int i = 0; i < 3; ++i) grow(cracks, i, T, energy_before[i], motion, state.dissipation);
+    for (int i = 0; i < 3; ++i) grow(cracks, i, T, motion, state.dissipation);
     const Response response = respond(cracks, T);
     state.opening = cracks.band[0] * response.opening[0];
     store(cracks, T - response.stress, state);
@@ -242,23 +241,19 @@ struct IsoSoftening {
   }
 
   /// Damage of crack i grows if the tractions on its plane exceed the strength.
-  void grow(Cracks& cracks, int i, const Mat3& T, double energy_before, const Motion& motion,
-            double& dissipation) const {
+  void grow(Cracks& cracks, int i, const Mat3& T, const Motion& motion, double& dissipation) const {
     const Response response = respond(cracks, T);
     const double r = strength_ratio({response.normal[i], response.shear[i]});
     if (!(r > 1)) return;
     double& d = cracks.damage[i];
-    const bool starts = d == 0;
-    if (starts) cracks.band[i] = width(cracks.normal.col(i), motion.cell);
-    const double larger = std::max(d, damage(r, shear_share(response.shear[i]) / (r * r), cracks.band[i]));
-    const double energy = energies(response)[i];
-    dissipation += motion.F.determinant() * (larger - d) * (starts ? energy : 0.5 * (energy + energy_before));
+    if (d == 0) cracks.band[i] = width(cracks.normal.col(i), motion.cell);
+    const double energy = 0.5 * (response.normal[i] * response.normal[i] / elastic.wave_modulus() +
+                                 response.shear[i] * response.shear[i] / elastic.mu);
+    const Softening softening = softening_of(shear_share(response.shear[i]) / (r * r), cracks.band[i]);
+    const double larger = std::max(d, softening.damage(r));
+    dissipation +=
+        motion.F.determinant() * 2 * energy / (r * r) * (softening.dissipated(larger) - softening.dissipated(d));
     d = larger;
-  }
-
-  /// Energy Y_i per unit of damage of each crack.
-  Vec3 energies(const Response& response) const {
-    return 0.5 * (response.normal.cwiseAbs2() / elastic.wave_modulus() + response.shear.cwiseAbs2() / elastic.mu);
   }
 
   Response respond(const Cracks& cracks, const Mat3& T) const {
@@ -344,21 +339,46 @@ struct IsoSoftening {
     return half * axis(2) + std::sqrt(std::max(0.0, 1 - half * half)) * axis(0);
   }
 
-  double damage(double r, double shear_share, double h) const {
+  /// Softening in units of the strength: traction f(x) over the opening x = r d, with f(0) = 1.
+  struct Softening {
+    double k;
+    bool exponential;
+
+    /// Damage at the traction r without damage.
+    double damage(double r) const {
+      if (!(k > 1)) return 1.0;  // the cell stores more energy than the crack can dissipate
+      if (!exponential) return std::min(1.0, (1 - 1 / r) * k / (k - 1));
+      double x = r;  // Newton's method from above decreases monotonically to the root of x + f(x) = r
+      for (int i = 0; i < 50; ++i) {
+        const double e = std::exp(-x / k), change = (r - x - e) / (e / k - 1);
+        x -= change;
+        if (std::abs(change) < 1e-15 * r) break;
+      }
+      return x / r;
+    }
+
+    /// Energy dissipated until the damage d: the integral of f from 0 to x less the part f x/2 that unloading returns.
+    double dissipated(double d) const {
+      if (!(k > 1)) return 0.5 * d;
+      if (!exponential) return 0.5 * d / (1 - d * (k - 1) / k);
+      if (d >= 1) return k;
+      double x = 0;  // Newton's method from below increases monotonically to the root of x (1 - d) = d f(x)
+      for (int i = 0; i < 200; ++i) {
+        const double e = std::exp(-x / k), change = (d * e - x * (1 - d)) / (1 - d + d * e / k);
+        x += change;
+        if (!(change > 1e-15 * x)) break;
+      }
+      const double f = std::exp(-x / k);
+      return k * (1 - f) - 0.5 * x * f;
+    }
+  };
+
+  Softening softening_of(double shear_share, double h) const {
     const double part = exponential ? 1 : 2;
     double inverse = (1 - shear_share) * tensile_strength * tensile_strength / (toughness * wave_modulus());
     if (given(shear_strength))
       inverse += shear_share * shear_strength * shear_strength / (shear_toughness * elastic.mu);
-    const double k = part / (h * inverse);
-    if (!(k > 1)) return 1.0;  // the cell stores more energy than the crack can dissipate
-    if (!exponential) return std::min(1.0, (1 - 1 / r) * k / (k - 1));
-    double x = r;  // x = r d; Newton's method from above decreases monotonically to the root
-    for (int i = 0; i < 50; ++i) {
-      const double e = std::exp(-x / k), change = (r - x - e) / (e / k - 1);
-      x -= change;
-      if (std::abs(change) < 1e-15 * r) break;
-    }
-    return x / r;
+    return {part / (h * inverse), exponential};
   }
 };
 
