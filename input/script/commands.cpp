@@ -50,6 +50,8 @@ const std::vector<CommandInfo>& commands() {
       {"GridHoriz", 1, 4, "cells[, plane, side[, other plane]]", "cells along x; symmetry planes, side -1 low, 1 high"},
       {"GridVert", 1, 4, "cells[, plane, side[, other plane]]", "cells along y"},
       {"GridDepth", 1, 4, "cells[, plane, side[, other plane]]", "cells along z"},
+      {"GridEdge", 2, 3, "edge, kind[, coordinate]",
+       "xmin, xmax, ymin, ymax, zmin or zmax with wall or symmetry and its coordinate; or x, y or z with periodic"},
       {"GridRect", 4, 6, "xmin, xmax, ymin, ymax[, zmin, zmax]", "edges of the grid"},
       {"GridThickness", 1, 1, "length", "thickness of plane models"},
       {"Gravity", 0, 3, "[ax[, ay[, az]]]",

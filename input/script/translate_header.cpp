@@ -26,6 +26,12 @@ std::string choice(const Command& c, std::size_t k, const std::vector<std::pair<
                    "'" + given + "' is not a valid " + what + did_you_mean(given, names) + "; valid: " + join(names));
 }
 
+// The last command that gives an attribute counts.
+void replace_attribute(Statement& s, const std::string& name, const std::string& text, const Origin& origin) {
+  std::erase_if(s.attributes, [&](const Attribute& a) { return a.name == name; });
+  attribute(s, name, text, origin);
+}
+
 // Elements that have the same names as their commands.
 std::string element_of(const std::string& command) {
   static const std::map<std::string, std::string> all{{"maximumtime", "MaxTime"},
@@ -239,25 +245,55 @@ void Translator::contact_position(const Command& c) {
   multimaterial_mode(c).children.push_back(std::move(s));
 }
 
+Statement& Translator::grid_axis(const Command& c, std::size_t axis) {
+  constexpr std::array elements{"Horiz", "Vert", "Depth"};
+  auto& mesh = document_.section("Mesh", c.origin());
+  if (mesh.children.empty()) document_.add("Mesh", "Grid", c.origin());
+  auto& children = mesh.children.front().children;
+  for (Statement& s : children)
+    if (s.name == elements[axis]) return s;
+  Statement& s = children.emplace_back();
+  s.name = elements[axis], s.origin = c.origin();
+  return s;
+}
+
 void Translator::grid_cells(const Command& c) {
   const std::string word = lower(c.node.word);
   const std::size_t axis = word == "gridhoriz" ? 0 : word == "gridvert" ? 1 : 2;
-  constexpr std::array elements{"Horiz", "Vert", "Depth"}, counts{"nx", "ny", "nz"};
-  auto& mesh = document_.section("Mesh", c.origin());
-  if (mesh.children.empty()) document_.add("Mesh", "Grid", c.origin());
-  Statement s;
-  s.name = elements[axis], s.origin = c.origin();
-  attribute(s, counts[axis], count(c, 0), c.origin(0));
+  constexpr std::array counts{"nx", "ny", "nz"};
+  Statement& s = grid_axis(c, axis);
+  s.origin = c.origin();
+  replace_attribute(s, counts[axis], count(c, 0), c.origin(0));
   if (c.given(1)) {
     const bool low = !c.given(2) || c.number(2) < 0;
-    attribute(s, low ? "symmin" : "symmax", c.text(1), c.origin(1));
-    if (c.given(3)) attribute(s, low ? "symmax" : "symmin", c.text(3), c.origin(3));
+    replace_attribute(s, low ? "symmin" : "symmax", c.text(1), c.origin(1));
+    if (c.given(3)) replace_attribute(s, low ? "symmax" : "symmin", c.text(3), c.origin(3));
   }
-  auto& children = mesh.children.front().children;
-  children.erase(
-      std::remove_if(children.begin(), children.end(), [&](const Statement& old) { return old.name == s.name; }),
-      children.end());
-  children.push_back(std::move(s));
+}
+
+void Translator::grid_edge(const Command& c) {
+  static const std::vector<std::string> edges{"xmin", "xmax", "ymin", "ymax", "zmin", "zmax", "x", "y", "z"};
+  const std::string edge = lower(c.text(0));
+  if (std::find(edges.begin(), edges.end(), edge) == edges.end())
+    throw InputError(c.origin(0),
+                     "the edge cannot be '" + c.text(0) + "'" + did_you_mean(edge, edges) + "; valid: " + join(edges));
+  static const std::vector<std::pair<std::string, std::string>> kinds{
+      {"periodic", "periodic"}, {"wall", "wall"}, {"symmetry", "sym"}};
+  const std::string kind = choice(c, 1, kinds, "kind");
+  Statement& s = grid_axis(c, static_cast<std::size_t>(edge.front() - 'x'));
+  if (kind == "periodic") {
+    if (edge.size() > 1)
+      throw InputError(c.origin(0),
+                       "both edges of an axis are periodic; write " + edge.substr(0, 1) + " in place of " + edge);
+    if (c.given(2)) throw InputError(c.origin(2), "a periodic axis has no coordinate");
+    replace_attribute(s, "periodic", "1", c.origin(1));
+    return;
+  }
+  if (edge.size() == 1)
+    throw InputError(c.origin(0), "a wall or a plane of symmetry is at one edge; write " + edge + "min or " + edge +
+                                      "max in place of " + edge);
+  if (!c.given(2)) throw InputError(c.origin(1), "the coordinate of the " + lower(c.text(1)) + " is missing");
+  replace_attribute(s, kind + edge.substr(1), c.text(2), c.origin(2));
 }
 
 void Translator::grid_box(const Command& c) {

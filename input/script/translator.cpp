@@ -47,6 +47,7 @@ auto Translator::actions() -> const std::map<std::string, Action>& {
                                                  {"gridhoriz", &A::grid_cells},
                                                  {"gridvert", &A::grid_cells},
                                                  {"griddepth", &A::grid_cells},
+                                                 {"gridedge", &A::grid_edge},
                                                  {"gridrect", &A::grid_box},
                                                  {"gridthickness", &A::grid_thickness},
                                                  {"gravity", &A::gravity},

@@ -62,6 +62,8 @@ class Translator {
   void old_friction(const Command& c);
   void contact_position(const Command& c);
   void grid_cells(const Command& c);
+  void grid_edge(const Command& c);
+  Statement& grid_axis(const Command& c, std::size_t axis);  ///< the element of an axis, added if it is missing
   void grid_box(const Command& c);
   void grid_thickness(const Command& c);
   void gravity(const Command& c);

@@ -208,6 +208,31 @@ TEST_CASE("<Commands> adds to the sections of its file", "[script]") {
       Contains("deck.xml:13:15: error: there is no variable '#n'"));
 }
 
+TEST_CASE("walls, planes of symmetry and periodic edges of scripts", "[script]") {
+  const auto grid = [](const std::string& edges) {
+    const std::string script =
+        "Analysis \"Plane Strain MPM\"\nArchiveTime 1\nMaximumTime 1\n" + edges +
+        "\nGridHoriz 4\nGridVert 4\nGridRect 0,4,0,4\nMaterial \"m\",\"rubber\",\"Isotropic\"\nrho 1\nE 1\nnu .3\n"
+        "Done\nRegion \"m\",0,0,1\nRect 1,2,1,2\nEndRegion\n";
+    return read_model_text(script, "deck.fmcmd").grid;
+  };
+  const auto walls = grid("GridEdge ymin,wall,1\nGridEdge xmax,symmetry,3\nGridEdge ymax,Wall,4");
+  CHECK(walls.wall[1][0] == 1.0);
+  CHECK(walls.wall[1][1] == 4.0);
+  CHECK(walls.symmetry[0][1] == 3.0);
+  CHECK(!walls.symmetry[0][0]);
+  CHECK(!walls.periodic[0]);
+  CHECK(grid("GridEdge X,periodic").periodic[0]);
+  CHECK(grid("GridEdge ymin,wall,0\nGridEdge ymin,wall,1").wall[1][0] == 1.0);  // the last one counts
+
+  CHECK_THAT(complaint("GridEdge low,wall,0"), Contains("the edge cannot be 'low'"));
+  CHECK_THAT(complaint("GridEdge x,wall,0"), Contains("write xmin or xmax in place of x"));
+  CHECK_THAT(complaint("GridEdge xmin,periodic"), Contains("write x in place of xmin"));
+  CHECK_THAT(complaint("GridEdge xmin,wal,0"), Contains("did you mean 'wall'"));
+  CHECK_THAT(complaint("GridEdge xmin,wall"), Contains("the coordinate of the wall is missing"));
+  CHECK_THAT(complaint("GridEdge x,periodic,0"), Contains("a periodic axis has no coordinate"));
+}
+
 TEST_CASE("joint laws in scripts: keywords with hyphens, tables and methods", "[script]") {
   Settings settings;
   const Script script = read_script(
