@@ -177,6 +177,10 @@ void Builder::strength_reduction(const Statement& h) {
   search.high = number(*s, "high", Dimension::none, search.high);
   search.tolerance = number(*s, "tolerance", Dimension::none, search.tolerance);
   search.growth = number(*s, "growth", Dimension::none, search.growth);
+  if (has(*s, "displacement")) {
+    search.displacement = number(*s, "displacement", Dimension::length);
+    must(*search.displacement > 0, s->attribute("displacement")->origin, "'displacement' must be positive");
+  }
   must(search.low > 0 && search.high > search.low, s->origin, "'low' must be positive and below 'high'");
   must(search.tolerance > 0 && search.growth > 0, s->origin, "'tolerance' and 'growth' must be positive");
 }

@@ -258,7 +258,10 @@ std::vector<ElementSpec> make() {
         number("tolerance", "width of the final bracket (default 0.01)"),
         number("growth",
                "the model fails if its largest displacement grows by this fraction in the last quarter of the run "
-               "(default 0.05)")},
+               "(default 0.05)"),
+        number("displacement",
+               "the model also fails if its largest displacement exceeds this length (default: no limit); for models "
+               "that collapse and come to rest again")},
        true});
   add({"WholeParticles",
        "MPMHeader",

@@ -18,6 +18,7 @@
 #include <cstdio>
 #include <cstring>
 #include <optional>
+#include <sstream>
 
 namespace tribo {
 namespace {
@@ -125,6 +126,14 @@ int drive_command(const Arguments& a) {
   return 0;
 }
 
+std::string verdict(const SafetyTrial& t) {
+  if (!t.failure.empty()) return "slips: " + t.failure;
+  std::ostringstream out;
+  out.precision(3);
+  out << (t.holds ? "holds" : "slips") << ", largest displacement " << t.at_end;
+  return out.str();
+}
+
 int safety_command(const Arguments& a) {
   const Model model = read_model(a.file, settings_of(a));
   print_warnings(model);
@@ -138,11 +147,7 @@ int safety_command(const Arguments& a) {
   ResultFolder folder(options.folder);  // opened now, so that a failure is reported before the search
   options.opened = &folder;
   const auto found = find_safety(model, a.thread_count, [&](const SafetyTrial& t) {
-    if (!a.quiet)
-      std::printf("strengths over %-8.5g %s\n", t.factor,
-                  t.holds             ? "hold"
-                  : t.failure.empty() ? "slips"
-                                      : ("slips: " + t.failure).c_str());
+    if (!a.quiet) std::printf("strengths over %-8.5g %s\n", t.factor, verdict(t).c_str());
     std::fflush(stdout);
   });
   std::string table = "factor,displacement_late,displacement_end,holds\n";
@@ -159,6 +164,8 @@ int safety_command(const Arguments& a) {
   if (!a.quiet)
     std::printf("factor of safety %.5g: holds with strengths over %.5g, slips over %.5g (%s)\n",
                 0.5 * (found.holds + found.slips), found.holds, found.slips, (options.folder / "run.pvd").c_str());
+  if (const std::string doubt = doubt_about(found); !doubt.empty())
+    std::fprintf(stderr, "warning: %s\n", doubt.c_str());
   return outcome == Outcome::finished ? done : stopped_early;
 }
 

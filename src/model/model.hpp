@@ -284,6 +284,7 @@ struct StrengthReduction {
   double low = 1.0, high = 2.0;  ///< initial bracket
   double tolerance = 0.01;       ///< width of the final bracket
   double growth = 0.05;          ///< failure: relative growth of the largest displacement in the run's last quarter
+  std::optional<double> displacement;  ///< failure: largest displacement [length]
 };
 
 struct BodyForce {

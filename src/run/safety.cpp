@@ -4,6 +4,8 @@
 #include "materials/material.hpp"
 #include "run/simulation.hpp"
 
+#include <sstream>
+
 namespace tribo {
 
 Model weakened(const Model& model, double factor) {
@@ -20,13 +22,34 @@ Model weakened(const Model& model, double factor) {
   return weak;
 }
 
+std::string doubt_about(const Safety& safety) {
+  static constexpr double doubtful = 10.0;
+  const SafetyTrial* strongest = nullptr;
+  const SafetyTrial* weakest = nullptr;
+  for (const auto& t : safety.trials)
+    if (t.holds) {
+      if (!strongest || t.factor < strongest->factor) strongest = &t;
+      if (!weakest || t.factor > weakest->factor) weakest = &t;
+    }
+  if (!strongest || !(weakest->at_end > doubtful * strongest->at_end)) return "";
+  std::ostringstream out;
+  out.precision(3);
+  out << "with strengths over " << weakest->factor << " the model came to rest after a displacement of "
+      << weakest->at_end << ", " << weakest->at_end / strongest->at_end << " times that with strengths over "
+      << strongest->factor
+      << ": it may have collapsed. Look at its pictures; <StrengthReduction displacement='...'/> says which "
+         "displacement is a failure";
+  return out.str();
+}
+
 Safety find_safety(const Model& model, int threads, const std::function<void(const SafetyTrial&)>& report) {
   static constexpr double least = 0.1, most = 100.0, widen = 1.5;
   const StrengthReduction& search = model.strength_reduction;
   Safety safety;
   const auto holds = [&](double factor) {
     const Settlement s = settle(weakened(model, factor), threads);
-    const bool still = s.failure.empty() && s.at_end <= (1 + search.growth) * s.late;
+    const bool still = s.failure.empty() && s.at_end <= (1 + search.growth) * s.late &&
+                       !(search.displacement && s.at_end > *search.displacement);
     safety.trials.push_back({factor, s.late, s.at_end, still, s.failure});
     report(safety.trials.back());
     return still;

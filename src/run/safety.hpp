@@ -33,4 +33,8 @@ Model weakened(const Model& model, double factor);
 /// hundredth.
 Safety find_safety(const Model& model, int threads, const std::function<void(const SafetyTrial&)>& report);
 
+/// A sentence if a model that holds has moved more than ten times as far as with the smallest factor, as a tunnel that
+/// has closed and come to rest; else empty.
+std::string doubt_about(const Safety& safety);
+
 }  // namespace tribo
