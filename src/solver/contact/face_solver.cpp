@@ -17,6 +17,8 @@ constexpr int max_sweeps = 10;            // if they are
 constexpr double tolerance = 1e-8;        // of the impulses, relative
 // Pairs whose node lies farther from its image in the face act on the node only [cells]
 constexpr int max_image_distance = 4;
+// Nodes with less than this fraction of the mean mass of the nodes of a constraint have a smaller weight
+constexpr double light_node = 1e-3;
 constexpr std::ptrdiff_t serial_below = 200;  // constraints
 
 template <int Dim>
@@ -94,7 +96,7 @@ void FaceSolver<Dim>::add_face_terms(Constraint& c, const ContactMember& member,
     low[k] = c.node->index[k] + static_cast<int>(std::floor(offset));
     fraction[d] = offset - std::floor(offset);
   }
-  const std::size_t first = c.term_count;
+  const std::size_t first = c.term_count - 1;
   double total = 0.0;
   for (int corner = 0; corner < 1 << Dim; ++corner) {
     Index<Dim> n = low;
@@ -110,8 +112,28 @@ void FaceSolver<Dim>::add_face_terms(Constraint& c, const ContactMember& member,
     total += w;
   }
   if (total == 0.0) return;
-  c.terms[first - 1].weight = 0.5 * sign;
-  for (std::size_t t = first; t < c.term_count; ++t) c.terms[t].weight *= 0.5 * sign / total;
+  c.terms[first].weight = 0.5 * sign;
+  for (std::size_t t = first + 1; t < c.term_count; ++t) c.terms[t].weight *= 0.5 * sign / total;
+  reduce_light_nodes(std::span(c.terms).subspan(first, c.term_count - first), sign);
+}
+
+// A node that the body hardly reaches has a mass of the order of the square of its distance from the edge of the shape
+// functions, and a velocity change of the order of the inverse of that distance. Its weight is reduced in proportion to
+// that distance, so that it does not determine the impulse.
+template <int Dim>
+void FaceSolver<Dim>::reduce_light_nodes(std::span<Term> terms, double sign) const {
+  const auto mass = [&](const Term& t) { return system_.fields[t.field].nodes[static_cast<std::size_t>(t.node)].mass; };
+  double mean = 0.0;
+  for (const Term& t : terms) mean += std::abs(t.weight) * mass(t);
+  double total = 0.0;
+  bool any = false;
+  for (Term& t : terms) {
+    const double ratio = mass(t) / (light_node * mean);
+    if (ratio < 1) t.weight *= std::sqrt(ratio), any = true;
+    total += t.weight;
+  }
+  if (!any) return;
+  for (Term& t : terms) t.weight *= sign / total;
 }
 
 // Lists the nodal velocities of all terms.

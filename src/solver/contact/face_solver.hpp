@@ -83,6 +83,7 @@ class FaceSolver {
   void list_constraints(ContactNodes<Dim>& contacts);
   void find_terms(Constraint& c, std::span<const ContactMember> members) const;
   void add_face_terms(Constraint& c, const ContactMember& member, double sign) const;
+  void reduce_light_nodes(std::span<Term> terms, double sign) const;
   void number_velocities();
   void find_masses(Constraint& c) const;
   template <class Value>
