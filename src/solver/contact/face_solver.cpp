@@ -19,6 +19,8 @@ constexpr double tolerance = 1e-8;        // of the impulses, relative
 constexpr int max_image_distance = 4;
 // Nodes with less than this fraction of the mean mass of the nodes of a constraint have a smaller weight
 constexpr double light_node = 1e-3;
+// At the start of the step contact changes nodes with less than this fraction of the mean mass in part only
+constexpr double light_at_start = 0.1;
 constexpr std::ptrdiff_t serial_below = 200;  // constraints
 
 template <int Dim>
@@ -72,7 +74,8 @@ void FaceSolver<Dim>::find_terms(Constraint& c, std::span<const ContactMember> m
   for (const auto& [member, sign] : {std::pair{&members[pair.a], -1.0}, std::pair{&members[pair.b], 1.0}}) {
     const std::size_t first = c.term_count;
     c.terms[c.term_count++] = {static_cast<std::uint32_t>(member->field), 0, member->node, sign};
-    if (c.has_face) add_face_terms(c, *member, sign);
+    double& mean_mass = c.mean_mass[sign < 0 ? 0 : 1];
+    mean_mass = c.has_face ? add_face_terms(c, *member, sign) : member->mass;
     if (member->inverse_mass > 0.0) continue;
     pair.rigid_velocity.setZero();
     for (std::size_t t = first; t < c.term_count; ++t)
@@ -82,16 +85,16 @@ void FaceSolver<Dim>::find_terms(Constraint& c, std::span<const ContactMember> m
 }
 
 // Moves half of the weight of the last term to the mirror image of its node in the face. The velocity at the image is
-// interpolated linearly between the nodes of the cell that contains it.
+// interpolated linearly between the nodes of the cell that contains it. Returns the mean mass of the nodes.
 template <int Dim>
-void FaceSolver<Dim>::add_face_terms(Constraint& c, const ContactMember& member, double sign) const {
+double FaceSolver<Dim>::add_face_terms(Constraint& c, const ContactMember& member, double sign) const {
   const auto& field = system_.fields[member.field];
   Index<Dim> low;
   Vec<Dim> fraction;
   for (int d = 0; d < Dim; ++d) {
     const auto k = static_cast<std::size_t>(d);
     double offset = 2 * c.pair->face_position * c.pair->state.normal[d] / field.map.lattice().spacing[d];
-    if (!(std::abs(offset) < max_image_distance)) return;
+    if (!(std::abs(offset) < max_image_distance)) return member.mass;
     if (std::abs(offset - std::round(offset)) < 1e-9) offset = std::round(offset);  // on a grid line, but for round-off
     low[k] = c.node->index[k] + static_cast<int>(std::floor(offset));
     fraction[d] = offset - std::floor(offset);
@@ -111,17 +114,17 @@ void FaceSolver<Dim>::add_face_terms(Constraint& c, const ContactMember& member,
     c.terms[c.term_count++] = {static_cast<std::uint32_t>(member.field), 0, at, w};
     total += w;
   }
-  if (total == 0.0) return;
+  if (total == 0.0) return member.mass;
   c.terms[first].weight = 0.5 * sign;
   for (std::size_t t = first + 1; t < c.term_count; ++t) c.terms[t].weight *= 0.5 * sign / total;
-  reduce_light_nodes(std::span(c.terms).subspan(first, c.term_count - first), sign);
+  return reduce_light_nodes(std::span(c.terms).subspan(first, c.term_count - first), sign);
 }
 
 // A node that the body hardly reaches has a mass of the order of the square of its distance from the edge of the shape
 // functions, and a velocity change of the order of the inverse of that distance. Its weight is reduced in proportion to
-// that distance, so that it does not determine the impulse.
+// that distance, so that it does not determine the impulse. Returns the mean mass of the nodes.
 template <int Dim>
-void FaceSolver<Dim>::reduce_light_nodes(std::span<Term> terms, double sign) const {
+double FaceSolver<Dim>::reduce_light_nodes(std::span<Term> terms, double sign) const {
   const auto mass = [&](const Term& t) { return system_.fields[t.field].nodes[static_cast<std::size_t>(t.node)].mass; };
   double mean = 0.0;
   for (const Term& t : terms) mean += std::abs(t.weight) * mass(t);
@@ -132,8 +135,9 @@ void FaceSolver<Dim>::reduce_light_nodes(std::span<Term> terms, double sign) con
     if (ratio < 1) t.weight *= std::sqrt(ratio), any = true;
     total += t.weight;
   }
-  if (!any) return;
-  for (Term& t : terms) t.weight *= sign / total;
+  if (any)
+    for (Term& t : terms) t.weight *= sign / total;
+  return mean;
 }
 
 // Lists the nodal velocities of all terms.
@@ -152,10 +156,15 @@ void FaceSolver<Dim>::number_velocities() {
       if (number < 0) {
         number = static_cast<std::int32_t>(dofs_.size());
         const double mass = system_.fields[term.field].nodes[static_cast<std::size_t>(term.node)].mass;
-        dofs_.push_back({term.field, term.node, 1.0 / mass});
+        NodalVelocity& added = dofs_.emplace_back();
+        added.field = term.field, added.node = term.node, added.inverse_mass = 1.0 / mass;
       }
       term.dof = static_cast<std::uint32_t>(number);
+      NodalVelocity& p = dofs_[term.dof];
+      p.mean_mass = std::max(p.mean_mass, c.mean_mass[term.weight < 0 ? 0 : 1]);
     }
+  each_velocity(
+      [](NodalVelocity& p) { p.start_share = std::min(1.0, 1 / (p.inverse_mass * light_at_start * p.mean_mass)); });
 }
 
 template <int Dim>
@@ -304,7 +313,8 @@ void FaceSolver<Dim>::apply(double dt, ContactPass pass) {
   });
   solve(pass);
   if (pass == ContactPass::corrector) each_constraint([](Constraint& c) { c.pair->applied = c.pair->impulse; });
-  each_velocity([&](const NodalVelocity& p) {
+  each_velocity([&](NodalVelocity& p) {
+    if (pass == ContactPass::predictor) p.change *= p.start_share;
     Eigen::Map<Vec3>(node(p).velocity) += p.change;
     if (pass == ContactPass::corrector) Eigen::Map<Vec3>(node(p).acceleration) += p.change / dt;
   });

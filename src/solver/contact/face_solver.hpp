@@ -60,6 +60,7 @@ class FaceSolver {
     bool has_face = false;  // else the law acts on the velocities of the node itself
     std::size_t term_count = 0;
     std::array<Term, max_terms> terms;
+    std::array<double, 2> mean_mass{};   // of the nodes of each body, weighted
     Vec3 trial_velocity = Vec3::Zero();  // relative velocity without contact
     double effective_mass = 0.0;         // impulse over change of relative velocity if no other pair acts
     double lumped_mass = 0.0;            // smaller: also stable if all pairs that share nodes act at once
@@ -70,6 +71,8 @@ class FaceSolver {
     std::uint32_t field;
     std::int64_t node;
     double inverse_mass;
+    double mean_mass = 0.0;      // the largest mean of the nodes of a constraint with this one
+    double start_share = 1.0;    // of the change that is made at the start of the step
     Vec3 change = Vec3::Zero();  // by contact
   };
   // The constraints of the contact nodes of one block.
@@ -82,8 +85,8 @@ class FaceSolver {
   static bool is_inactive(const Constraint& c);
   void list_constraints(ContactNodes<Dim>& contacts);
   void find_terms(Constraint& c, std::span<const ContactMember> members) const;
-  void add_face_terms(Constraint& c, const ContactMember& member, double sign) const;
-  void reduce_light_nodes(std::span<Term> terms, double sign) const;
+  double add_face_terms(Constraint& c, const ContactMember& member, double sign) const;
+  double reduce_light_nodes(std::span<Term> terms, double sign) const;
   void number_velocities();
   void find_masses(Constraint& c) const;
   template <class Value>
