@@ -4,6 +4,8 @@
 #include "base/parallel.hpp"
 #include "solver/contact/node_solver.hpp"
 
+#include <algorithm>
+
 namespace tribo {
 
 template <int Dim>
@@ -23,27 +25,43 @@ void NodeImpulses<Dim>::apply(double dt, ContactPass pass) {
     solve_node(members, contacts_.pairs_of(node), pass, false);
     if (pass == ContactPass::corrector)
       for (ContactPair& pair : contacts_.pairs_of(node)) pair.applied = pair.impulse;
+    if (pass == ContactPass::predictor) return change_at_start(node, 1.0);
     for (std::size_t p = node.first_pair; p < node.end_pair; ++p)
       for (const auto& [i, sign] : {std::pair{pairs[p].a, 1.0}, std::pair{pairs[p].b, -1.0}}) {
         Node& at = system_.fields[members[i].field].nodes[static_cast<std::size_t>(members[i].node)];
         const Vec3 change = sign * members[i].inverse_mass * pairs[p].impulse;
         Eigen::Map<Vec3>(at.velocity) += change;
-        if (pass == ContactPass::corrector) Eigen::Map<Vec3>(at.acceleration) += change / dt;
+        Eigen::Map<Vec3>(at.acceleration) += change / dt;
       }
   });
 }
 
+// The velocity of a field at a node that its body hardly reaches is that of its outermost particles. With the velocity
+// of the other body there it would strain them, but the force at the node, which belongs to this strain, changes the
+// momentum by the velocity without contact: with FLIP this adds energy in every step. Fields that are bonded at the
+// node share its velocity, however light they are.
+template <int Dim>
+void NodeImpulses<Dim>::change_at_start(const ContactNode<Dim>& node, double sign) {
+  constexpr double light = 0.3;  // of the mass of the heaviest field at the node
+  const auto& members = contacts_.members;
+  double heaviest = 0.0;
+  for (std::size_t i = node.first_member; i < node.end_member; ++i) heaviest = std::max(heaviest, members[i].mass);
+  for (const ContactPair& pair : contacts_.pairs_of(node)) {
+    const bool bonded = pair.crack >= 0 || !pair.law || !pair.law->uses_face() || pair.law->interface();
+    for (const auto& [i, side] : {std::pair{pair.a, sign}, std::pair{pair.b, -sign}}) {
+      const ContactMember& m = members[i];
+      const double share = bonded ? 1.0 : std::min(1.0, m.mass / (light * heaviest));
+      Node& at = system_.fields[m.field].nodes[static_cast<std::size_t>(m.node)];
+      Eigen::Map<Vec3>(at.velocity) += side * share * m.inverse_mass * pair.impulse;
+    }
+  }
+}
+
 template <int Dim>
 void NodeImpulses<Dim>::remove() {
-  auto& [nodes, members, pairs] = contacts_;
-  parallel_for(static_cast<std::ptrdiff_t>(nodes.size()), [&](std::ptrdiff_t k) {
-    const ContactNode<Dim>& node = nodes[static_cast<std::size_t>(k)];
-    if (node.solved_on_faces) return;
-    for (std::size_t p = node.first_pair; p < node.end_pair; ++p)
-      for (const auto& [i, sign] : {std::pair{pairs[p].a, 1.0}, std::pair{pairs[p].b, -1.0}}) {
-        Node& at = system_.fields[members[i].field].nodes[static_cast<std::size_t>(members[i].node)];
-        Eigen::Map<Vec3>(at.velocity) -= sign * members[i].inverse_mass * pairs[p].impulse;
-      }
+  parallel_for(static_cast<std::ptrdiff_t>(contacts_.nodes.size()), [&](std::ptrdiff_t k) {
+    const ContactNode<Dim>& node = contacts_.nodes[static_cast<std::size_t>(k)];
+    if (!node.solved_on_faces) change_at_start(node, -1.0);
   });
 }
 

@@ -16,13 +16,15 @@ class NodeImpulses {
 
   /// Applies the laws to the present velocities. In the corrector the accelerations change accordingly. `dt`: step.
   void apply(double dt, ContactPass pass);
-  /// Subtracts the velocity changes of the last apply().
+  /// Subtracts the velocity changes of the last apply(), which must have been the predictor.
   void remove();
   /// Applies the laws to the velocities that follow from the increments in Field::filter; an increment becomes the
   /// change of velocity that contact then makes: see Contact::constrain_increments.
   void constrain_increments(ContactPass pass);
 
  private:
+  void change_at_start(const ContactNode<Dim>& node, double sign);
+
   System<Dim>& system_;
   ContactNodes<Dim>& contacts_;
 };
