@@ -204,8 +204,11 @@ TEST_CASE("TS9: a broken bond heals when sliding ends under pressure", "[spring_
   CHECK(c.joint.state == 6);
   c.shear(1e-8);
   CHECK(c.joint.state == 2);
+  const double stored = torn.joint.strain;
   torn.move(2.1e-6);
   CHECK(torn.joint.state == 1);
+  CHECK(stored > 0);
+  CHECK(last_break(torn).energy == near(stored));  // a healed bond has no tensile strength: what it stored before
   CHECK(torn.joint.Fn == 0);
   CHECK(torn.joint.Fs.norm() == 0);
 }
