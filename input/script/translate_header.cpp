@@ -3,6 +3,7 @@
 
 #include "base/schema.hpp"
 #include "base/text.hpp"
+#include "input/script/commands.hpp"
 #include "input/script/translator.hpp"
 #include "input/xml.hpp"
 #include "model/shape_functions.hpp"
@@ -32,18 +33,13 @@ void replace_attribute(Statement& s, const std::string& name, const std::string&
   attribute(s, name, text, origin);
 }
 
-// Elements that have the same names as their commands.
+// The element of a command that sets one number: it has the name of the command, with one exception.
 std::string element_of(const std::string& command) {
-  static const std::map<std::string, std::string> all{{"maximumtime", "MaxTime"},
-                                                      {"globalarchivetime", "GlobalArchiveTime"},
-                                                      {"damping", "Damping"},
-                                                      {"pdamping", "PDamping"},
-                                                      {"feedbackdamping", "FeedbackDamping"},
-                                                      {"pfeedbackdamping", "PFeedbackDamping"},
-                                                      {"leavelimit", "LeaveLimit"},
-                                                      {"cpdircrit", "CPDIrcrit"},
-                                                      {"stressfreetemp", "StressFreeTemp"}};
-  return all.at(lower(command));
+  const std::string word = lower(command);
+  if (word == "maximumtime") return "MaxTime";
+  const auto& all = commands();
+  const auto same = [&](const CommandInfo& info) { return lower(info.name) == word; };
+  return std::string(std::find_if(all.begin(), all.end(), same)->name);
 }
 
 // Numbers of cells are often results of divisions.

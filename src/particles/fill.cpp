@@ -6,9 +6,8 @@
 #include "particles/cut_sites.hpp"
 #include "particles/geostatic.hpp"
 #include "particles/seed.hpp"
+#include "particles/seed_maker.hpp"
 #include "particles/sites.hpp"
-
-#include <Eigen/LU>
 
 #include <cmath>
 
@@ -37,12 +36,12 @@ std::optional<double> exact_area(const Model& model, const GridBox& grid, std::s
 class Filler {
  public:
   Filler(const Model& model, const std::function<void(const Seed&)>& receive)
-      : model_(model), receive_(receive), grid_(model) {}
+      : model_(model), receive_(receive), grid_(model), seeds_(model, grid_) {}
 
   void run() {
     choose_lattices();
     for (std::size_t p = 0; p < model_.pieces.size(); ++p) fill(p);
-    for (const auto& point : model_.points) place(point);
+    for (const auto& point : model_.points) receive_(seeds_.at(point, per_axis_));
   }
 
  private:
@@ -133,12 +132,8 @@ class Filler {
     const Piece& piece = model_.pieces[p];
     const bool hole = piece.material < 0;
     if (piece.deformation && hole) throw InputError(piece.origin, "a hole cannot be deformed");
-    if (!hole && (piece.K0 || piece.stress_points || given(piece.stress)) &&
-        !keeps_stress(law(piece.material, piece.origin)))
-      throw InputError(piece.origin, "'" + model_.materials[static_cast<std::size_t>(piece.material)].name +
-                                         "' keeps no initial stress: its stress is a function of the deformation. Use "
-                                         "<Deform> instead");
-    if (!hole && !law(piece.material, piece.origin).rigid())
+    if (!hole) seeds_.check_stress(piece);
+    if (!hole && !seeds_.law(piece.material, piece.origin).rigid())
       for (const EdgeCut& cut : edge_cuts(model_, p))
         throw InputError(piece.origin, text_of(cut, model_) +
                                            "; enlarge <Grid>, or make this edge a symmetry plane (symmin, symmax)");
@@ -147,7 +142,7 @@ class Filler {
     const Bounds reach = grid_.clip(piece.region->bounds());
     if (!hole) {
       Sites& lattice = lattices_[static_cast<std::size_t>(own)];
-      const Seed pattern = prepare(p, lattice);
+      const Seed pattern = seeds_.pattern(p, lattice.spacing);
       count =
           model_.whole_particles ? emit_whole(piece, pattern, lattice, reach) : emit_cut(p, pattern, lattice, reach);
       if (count == 0) throw InputError(piece.origin, no_points(piece));
@@ -160,7 +155,7 @@ class Filler {
     long count = 0;
     lattice.visit(reach, [&](const Vec3& x, std::size_t site) {
       if (!take(piece, lattice, x, site)) return;
-      emit(piece, pattern, x);
+      receive_(seeds_.at(piece, pattern, x));
       ++count;
     });
     return count;
@@ -193,9 +188,9 @@ class Filler {
     const double whole = lattice.spacing.head(lattice.flat ? 2 : 3).prod();
     lattice.visit(reach, [&](const Vec3& x, std::size_t site) {
       if (const CutCell* cell = sites.cut(site))
-        emit(piece, cut_seed(pattern, *cell, whole), cell->centroid);
+        receive_(seeds_.at(piece, seeds_.cut(pattern, *cell, whole), cell->centroid));
       else if (sites.is_whole(site))
-        emit(piece, pattern, x);
+        receive_(seeds_.at(piece, pattern, x));
       else
         return;
       ++count;
@@ -212,20 +207,6 @@ class Filler {
       if (!model_.pieces[q].deformation && grid_.overlap(piece.region->bounds(), model_.pieces[q].region->bounds()))
         out.push_back(model_.pieces[q].region.get());
     return out;
-  }
-
-  // The pattern for a cut cell. `whole`: volume of a whole cell, in two dimensions for the thickness 1.
-  Seed cut_seed(const Seed& pattern, const CutCell& cell, double whole) const {
-    Seed seed = pattern;
-    const bool flat = model_.dimension() == 2;
-    seed.volume *= cell.volume / whole;
-    Mat3 axes = cell.half_axes(flat);
-    // A box of the same volume; joined cells are not larger than the grid's, as uGIMP needs
-    seed.half_size = pattern.half_size * std::pow(cell.volume / whole, flat ? 0.5 : 1.0 / 3);
-    seed.half_size = seed.half_size.cwiseMin(pattern.half_size.cwiseMax(0.5 * grid_.cell));
-    if (flat) axes(2, 2) = seed.half_size[2] = pattern.half_size[2];
-    seed.half_axes = axes;
-    return seed;
   }
 
   // Marks the sites of other lattices that lie in the shape as taken.
@@ -248,135 +229,10 @@ class Filler {
            "cover it";
   }
 
-  const Material& law(int material, const Origin& origin) const {
-    if (material < 0 || material >= static_cast<int>(model_.materials.size()))
-      throw InputError(origin, "this body has no material");
-    const auto& spec = model_.materials[static_cast<std::size_t>(material)];
-    if (!spec.law)
-      throw InputError(origin, "'" + spec.name + "' is a contact law and cannot be the material of a body");
-    return *spec.law;
-  }
-
-  // Common data of all points of a piece. `volume` lacks the factor radius; `mass` is the density at this stage.
-  Seed prepare(std::size_t p, const Sites& lattice) const {
-    const Piece& piece = model_.pieces[p];
-    Seed seed;
-    seed.piece = static_cast<int>(p);
-    seed.material = piece.material;
-    seed.mass = law(piece.material, piece.origin).density();
-    seed.angle = piece.angle;
-    seed.temperature = piece.temperature.value_or(model_.heat.reference);
-    seed.v = piece.velocity;
-    seed.half_size = 0.5 * lattice.spacing;
-    if (model_.dimension() == 2) seed.half_size[2] = 0.5 * thickness(piece.thickness);
-    seed.volume = 8.0 * seed.half_size.prod();
-    return seed;
-  }
-
-  // Out-of-plane thickness; one radian for axisymmetric analyses.
-  double thickness(const std::optional<double>& own) const {
-    return model_.analysis == Analysis::axisymmetric ? 1.0 : own.value_or(model_.grid.thickness);
-  }
-
-  void emit(const Piece& piece, const Seed& pattern, const Vec3& x) {
-    Seed seed = pattern;
-    seed.x = x;
-    const auto set = [](double& target, const std::optional<Expression>& function, const Variables& at) {
-      if (function) target = (*function)(at);
-    };
-    if (varies(piece)) {
-      const auto at = Variables::at(x);
-      for (std::size_t k = 0; k < 3; ++k) set(seed.v[static_cast<Eigen::Index>(k)], piece.velocity_function[k], at);
-      static constexpr std::array<std::array<int, 2>, 6> place{{{0, 0}, {1, 1}, {2, 2}, {0, 1}, {1, 2}, {0, 2}}};
-      for (std::size_t k = 0; k < 6; ++k) {
-        double& entry = seed.stress(place[k][0], place[k][1]);
-        set(entry, piece.stress[k], at);
-        if (piece.stress[k]) entry *= piece.stress_factor;
-        seed.stress(place[k][1], place[k][0]) = entry;
-      }
-      if (piece.stress_points) add(piece.stress_points->at(x), seed.stress);
-      if (piece.deformation) deform(piece, at, seed);
-    }
-    weigh(seed, x[0], piece.origin);
-    check_finite(seed, piece.origin);
-    receive_(seed);
-  }
-
-  template <class Functions>
-  static bool given(const Functions& functions) {
-    for (const auto& f : functions)
-      if (f) return true;
-    return false;
-  }
-  static bool varies(const Piece& piece) {
-    return piece.deformation || piece.stress_points || given(piece.velocity_function) || given(piece.stress);
-  }
-
-  static void add(const ScatteredField::Values& v, Mat3& stress) {
-    Mat3 more;
-    more << v[0], v[3], v[5], v[3], v[1], v[4], v[5], v[4], v[2];
-    stress += more;
-  }
-
-  void deform(const Piece& piece, const Variables& at, Seed& seed) const {
-    for (std::size_t i = 0; i < 3; ++i) {
-      const auto row = static_cast<Eigen::Index>(i);
-      if (piece.deformation->shift[i]) seed.x[row] += (*piece.deformation->shift[i])(at);
-      for (std::size_t j = 0; j < 3; ++j)
-        if (piece.deformation->F[i][j]) seed.F(row, static_cast<Eigen::Index>(j)) = (*piece.deformation->F[i][j])(at);
-    }
-    if (!(seed.F.determinant() > 0.0))
-      throw InputError(piece.origin, "the initial deformation is singular or inverts the body (det F = " +
-                                         std::to_string(seed.F.determinant()) + ") at " + text(seed.x));
-    if (!grid_.contains(seed.x))
-      throw InputError(piece.origin, "the initial deformation moves a point out of the grid, to " + text(seed.x));
-  }
-
-  // Sets volume and mass of a domain whose centre is at radius r before any deformation.
-  void weigh(Seed& seed, double r, const Origin& origin) const {
-    if (model_.analysis == Analysis::axisymmetric) {
-      if (!(r > 0.0) || !(seed.x[0] >= 0.0))
-        throw InputError(origin, "a point lies at radius " + std::to_string(std::min(r, seed.x[0])) +
-                                     "; radii must be positive in an axisymmetric analysis");
-      seed.volume *= r;
-    }
-    seed.mass *= seed.volume;
-  }
-
-  static void check_finite(const Seed& seed, const Origin& origin) {
-    if (!seed.x.allFinite() || !seed.v.allFinite() || !seed.stress.allFinite() || !seed.F.allFinite())
-      throw InputError(origin, "a function of this body has no finite value at " + text(seed.x));
-  }
-
-  static std::string text(const Vec3& x) {
-    return "(" + std::to_string(x[0]) + ", " + std::to_string(x[1]) + ", " + std::to_string(x[2]) + ")";
-  }
-
-  void place(const PointSpec& point) {
-    if (!grid_.contains(point.position))
-      throw InputError(point.origin, "the point " + text(point.position) + " lies outside the grid");
-    const Material& material = law(point.material, point.origin);
-    Seed seed;
-    seed.x = point.position;
-    seed.v = point.velocity;
-    seed.angle = point.angle;
-    seed.temperature = point.temperature.value_or(model_.heat.reference);
-    seed.material = point.material;
-    for (int k = 0; k < 3; ++k) seed.half_size[k] = 0.5 * grid_.cell[k] / (k < model_.dimension() ? per_axis_ : 1);
-    if (point.half_size) seed.half_size = *point.half_size;
-    if (model_.dimension() == 2) seed.half_size[2] = 0.5 * thickness(std::nullopt);
-    if (!(seed.half_size.minCoeff() > 0.0)) throw InputError(point.origin, "the domain of the point has no volume");
-    seed.volume = 8.0 * seed.half_size.prod();
-    seed.mass = material.density();
-    weigh(seed, point.position[0], point.origin);
-    if (point.mass) seed.mass = *point.mass;
-    if (!(seed.mass > 0.0)) throw InputError(point.origin, "the mass of the point must be positive");
-    receive_(seed);
-  }
-
   const Model& model_;
   const std::function<void(const Seed&)>& receive_;
   GridBox grid_;
+  SeedMaker seeds_;
   int per_axis_ = 2;
   double particles_ = 0.0;  // estimated number in large bodies
   std::vector<Sites> lattices_;

@@ -16,7 +16,7 @@ namespace {
 // By which a page is known as a report.
 const std::string signature = "<meta name='generator' content='tribo report'>";
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 std::string base64(const std::string& bytes) {
   static constexpr char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -47,8 +47,9 @@ std::string row(const std::string& name, const std::string& value) {
   return "<tr><th>" + escaped(name) + "</th><td>" + escaped(value) + "</td></tr>\n";
 }
 
-std::string plain(const Json& value) {
-  return value.is_string() ? value.get<std::string>() : value.dump(-1, ' ', false, Json::error_handler_t::replace);
+std::string plain(const OrderedJson& value) {
+  return value.is_string() ? value.get<std::string>()
+                           : value.dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
 }
 
 std::string with_unit(const std::string& name, const std::string& unit) {
@@ -116,7 +117,7 @@ std::string energy_section(const Table& table, const Legend& legend) {
   return out + "</table>\n";
 }
 
-std::string timing_section(const Json& record) {
+std::string timing_section(const OrderedJson& record) {
   if (!record.contains("seconds_of")) return {};
   std::vector<std::pair<double, std::string>> parts;
   double sum = 0.0;
@@ -147,9 +148,9 @@ std::string charts_of(const RunFolder& run, const Legend& legend) {
   return out;
 }
 
-std::string report_of(const RunFolder& run, const Json& record, const std::vector<ReportPicture>& pictures) {
+std::string report_of(const RunFolder& run, const OrderedJson& record, const std::vector<ReportPicture>& pictures) {
   const auto text = [&](const char* key) { return record.contains(key) ? plain(record[key]) : std::string(); };
-  const Json model = record.contains("model") ? record["model"] : Json::object();
+  const OrderedJson model = record.contains("model") ? record["model"] : OrderedJson::object();
   const std::string title = model.contains("title") ? plain(model["title"]) : "";
   const std::string name = title.empty() ? run.path().filename().string() : title.substr(0, title.find('\n'));
 
@@ -194,8 +195,8 @@ std::string report_charts(const RunFolder& run) { return charts_of(run, run.lege
 
 std::string report(const RunFolder& run, const std::vector<ReportPicture>& pictures) {
   try {
-    return report_of(run, Json::parse(run.provenance()), pictures);
-  } catch (const Json::exception& error) {
+    return report_of(run, OrderedJson::parse(run.provenance()), pictures);
+  } catch (const OrderedJson::exception& error) {
     throw damaged_record(run.path(), error.what());
   }
 }

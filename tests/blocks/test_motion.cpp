@@ -89,6 +89,62 @@ TEST_CASE("the energies of blocks that break and slide add up", "[blocks]") {
   }
 }
 
+namespace {
+
+/// Two squares that share a face.
+std::shared_ptr<BlocksSpec> two_squares(std::shared_ptr<const JointLaw> law) {
+  auto spec = std::make_shared<BlocksSpec>();
+  for (const double y : {0.0, 1.0}) {
+    BlockGroup g;
+    g.low = Vec3(0, y, 0), g.high = Vec3(1, y + 1, 0), g.density = 2000;
+    spec->groups.push_back(g);
+  }
+  spec->law = std::move(law);
+  return spec;
+}
+
+}  // namespace
+
+TEST_CASE("a block that is turned does the work that its bonds store", "[blocks]") {
+  auto spec = two_squares(elastic_bonds(1e6, 0));
+  for (const double y : {0.0, 1.0}) {
+    BlockHold hold;
+    hold.where = around(0.1, 0.9, y + 0.1, y + 0.9);
+    for (int d = 0; d < 2; ++d) hold.velocity[static_cast<std::size_t>(d)] = constant(0);
+    hold.spin[2] = constant(0.01 * y);
+    spec->holds.push_back(hold);
+  }
+  Assembly body(spec, 2, true, Vec3::Zero(), 1.0);
+  const double before = body.ledger().content();
+  for (int k = 0; k < 100; ++k) body.advance(1e-3);
+  const BlockLedger now = body.ledger();
+  CHECK(now.strain > 0);
+  CHECK(now.boundary_work == Approx(now.strain).epsilon(1e-9));
+  CHECK(now.content() - before == Approx(now.boundary_work).epsilon(1e-9));
+}
+
+TEST_CASE("Poisson's ratio shortens the stable step as it stiffens the body", "[blocks]") {
+  const auto step = [](double nu, bool plane_stress) {
+    return Assembly(two_squares(elastic_bonds(1e6, nu)), 2, plane_stress, Vec3::Zero(), 1.0).critical_step();
+  };
+  for (const double nu : {0.2, 0.4}) {
+    CHECK(step(nu, true) == Approx(std::sqrt(1 - nu * nu) * step(0, true)));
+    CHECK(step(nu, false) == Approx(std::sqrt((1 + nu) * (1 - 2 * nu) / (1 - nu)) * step(0, false)));
+  }
+}
+
+TEST_CASE("a force of the grid acts in the stress of a block from its reference point", "[blocks]") {
+  Assembly body(specimen({{0.2, 0.3, 0}, {0.7, 0.8, 0}}, Vec3(1, 1, 0), elastic_bonds(1e6, 0)), 2, true, Vec3::Zero(),
+                1.0);
+  const Mat3 before = body.mean_stress();
+  body.grid_forces.resize(body.bodies.size());
+  const Vec3 force(3, -2, 0), reference = body.bodies[0].reference;
+  REQUIRE(reference.norm() > 0.01);
+  body.grid_forces[0].force = force;  // at the centre of mass
+  const Mat3 spread = -force * reference.transpose();
+  CHECK((body.mean_stress() - before - 0.5 * (spread + spread.transpose())).norm() < 1e-12);
+}
+
 TEST_CASE("blocks move with the same bits on any number of threads and after a restart", "[blocks]") {
   const std::vector<std::pair<std::shared_ptr<BlocksSpec>, int>> models{
       {rough_load(true), 2}, {rough_load(false), 3}, {heap(), 3}};

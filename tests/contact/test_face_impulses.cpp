@@ -101,6 +101,24 @@ TEST_CASE("impulses on faces keep momentum, take energy and stop faces from pass
       }
 }
 
+TEST_CASE("impulses on faces push a rigid body at the face, not at the nodes", "[contact]") {
+  const auto rough = make_law("61", {{"coeff", "0.4"}});
+  for (const double height : {8.0, 8.3, 7.6}) {
+    SharedNodes shared(*rough, height, true, 3);
+    shared.faces.apply(1e-3, ContactPass::corrector);
+    ContactLedger<2> ledger(shared.system);
+    ledger.record(shared.contacts, 1e-3, false, false);
+    const RigidExchange& exchange = ledger.rigid_exchanges().at(0);
+    REQUIRE(exchange.mass > 0);
+    CHECK(exchange.first_moment[1] == Approx(height * exchange.mass));
+    double moment = 0;  // x cross impulse, at the height of the face
+    for (const auto& node : shared.contacts.nodes)
+      for (const auto& pair : shared.contacts.pairs_of(node))
+        moment += shared.system.lattice.position(node.index)[0] * pair.impulse[1] - height * pair.impulse[0];
+    CHECK(exchange.moment[2] == Approx(moment));
+  }
+}
+
 TEST_CASE("next to a rigid face the mirror image of a node moves against it", "[contact]") {
   // A face on a grid line: linear strain along the normal must pass, only its mean is held.
   const auto law = make_law("61", {{"coeff", "-1"}, {"displacementOnly", "1"}});  // sticks

@@ -156,6 +156,10 @@ TEST_CASE("directions of an interface that the grid cannot resolve are bonded", 
           ->limited(100);
   CHECK(peak->traction(1e-3, 0).normal == Approx(10));
   CHECK(peak->traction(-0.1, 0).normal == Approx(-10));
+  const auto never_closed =
+      interface_law("65", {{"Dnt", "5"}, {"Dnc", "-1"}, {"Dt", "1"}, {"normal_shape", "1"}, {"Npeak", "10"}})
+          ->limited(100);
+  CHECK(never_closed->traction(-0.1, 0).normal == Approx(-10));
 }
 
 TEST_CASE("Morse's law has its slope, its peak, and softens", "[contact]") {

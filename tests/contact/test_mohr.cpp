@@ -211,6 +211,7 @@ TEST_CASE("TM9: pore pressure reduces the strength and not the force", "[mohr]")
     wide.shear(1e-5).move(1e-3);
     CHECK(wide.joint.away);
     CHECK(wide.joint.Fn == near(keeps ? -2e5 : 0.0));
+    CHECK(wide.joint.strain == near(keeps ? 0.5 * 2e5 * 2e5 / (2e9 * wide.joint.area) : 0.0));
   }
 }
 

@@ -204,8 +204,11 @@ TEST_CASE("TS9: a broken bond heals when sliding ends under pressure", "[spring_
   CHECK(c.joint.state == 6);
   c.shear(1e-8);
   CHECK(c.joint.state == 2);
+  const double stored = torn.joint.strain;
   torn.move(2.1e-6);
   CHECK(torn.joint.state == 1);
+  CHECK(stored > 0);
+  CHECK(last_break(torn).energy == near(stored));  // a healed bond has no tensile strength: what it stored before
   CHECK(torn.joint.Fn == 0);
   CHECK(torn.joint.Fs.norm() == 0);
 }
@@ -368,6 +371,27 @@ TEST_CASE("Methods: bond and unbond by the gap, stiffness by its ratio", "[sprin
   CHECK(c.joint.state == 0);
   Contact area("SpringNetwork", {{"kn", "1e9"}, {"user_area", "3"}}, face());
   CHECK(area.joint.area == 3);
+  // an open contact without bond keeps the force it is given
+  JointSite open = face();
+  open.gap = 2e-3;
+  Contact pressed("SpringNetwork", {{"kn", "1e9"}, {"rgap", "1e-3"}, {"sn_force", "50 0 0"}, {"unbond", "gap 1"}},
+                  open);
+  CHECK(pressed.joint.Fn == near(-50));
+  CHECK(pressed.move(0).joint.Fn == near(-50));
+}
+
+TEST_CASE("the moments of an elastic face resist bending along their own axes", "[spring_network]") {
+  // turned by (w_s, w_t), the face opens by w_s t - w_t s at the point (s, t)
+  JointSite skew = face();
+  skew.moments = {2e-9, 1e-9, 0.5e-9};
+  const Properties whole{{"compute-stiffness", "emod 50e9"}, {"bond", ""}, {"sn_ten", "1e30"}, {"sn_coh", "1e30"}};
+  Contact about_s("SpringNetwork", whole, skew), about_t("SpringNetwork", whole, skew);
+  about_s.move(0, {}, 0, {1e-6, 0}), about_t.move(0, {}, 0, {0, 1e-6});
+  const double k = 50e9 / skew.distance * 1e-6;
+  CHECK(about_s.joint.Mb.s == near(-k * 2e-9));
+  CHECK(about_s.joint.Mb.t == near(k * 0.5e-9));
+  CHECK(about_t.joint.Mb.s == near(k * 0.5e-9));
+  CHECK(about_t.joint.Mb.t == near(-k * 1e-9));
 }
 
 TEST_CASE("invalid properties of SpringNetwork are reported", "[spring_network]") {

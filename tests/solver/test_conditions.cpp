@@ -54,6 +54,25 @@ TEST_CASE("a wall gives the boundary-modified B-splines", "[conditions]") {
   }
 }
 
+TEST_CASE("prescribed values begin at their time, and functions have their own unit of time", "[conditions]") {
+  Prescribed p;
+  p.value = 3, p.time = 2;
+  const auto at = [&](const char* word, double time) {
+    p.style = style_of(word);
+    return p.at({.time = time, .dt = 0.5, .displacement = 0.1});
+  };
+  CHECK(at("constant", 1.9) == 0);
+  CHECK(at("constant", 2) == 3);
+  CHECK(at("linear", 1.9) == 0);
+  CHECK(at("linear", 2.5) == Approx(1.5));
+  CHECK(at("elastic", 1.9) == 0);
+  CHECK(at("elastic", 2.5) == Approx(-0.3));
+  p.function = Expression("10*t + dt", Origin{});
+  p.function_time = 0.25, p.function_scale = 7;
+  CHECK(at("function", 1.9) == 0);
+  CHECK(at("function", 2.5) == Approx(7 * (10 * 2 + 2)));
+}
+
 TEST_CASE("a symmetry plane adds the mirror image", "[conditions]") {
   for (const bool high : {false, true}) {
     // quadratic weights at x = 0.2: 0.045 at -1, 0.71 at 0, 0.245 at 1; the image has 0.245, 0.71, 0.045

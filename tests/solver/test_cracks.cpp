@@ -205,6 +205,46 @@ TEST_CASE("IgnoreContact lets the faces of a crack pass through each other", "[c
   CHECK(std::abs(meets.cracks[0].opening(12)[1]) < 0.05);
 }
 
+TEST_CASE("the contact of crack faces has their area, and acts on either in its direction", "[cracks]") {
+  Model model = block<2>(Kernel::quadratic_spline, Transfer::apic);
+  const bool around = GENERATE(false, true);
+  if (around) model.analysis = Analysis::axisymmetric;
+  model.grid.thickness = 3;
+  auto seeds = lattice_seeds<2>(model, 4, 12);
+  for (Seed& s : seeds) s.volume *= around ? s.x[0] : 3.0, s.mass *= around ? s.x[0] : 3.0;
+  const Vec3 left(4, 8, 0), right(12, 8, 0);
+  const auto meeting = [&](const CrackSpec& crack) {
+    model.cracks = {crack};
+    auto system = build_system<2>(model, seeds);
+    set_velocity<2>(system.bodies[0], [](const Vec<2>& x) { return Vec<2>(0, x[1] > 8 ? -1 : 1); });
+    Stepper<2> stepper(model, system);
+    stepper.advance(1e-3);
+    CHECK(stepper.contact().ledger().total().area == Approx(around ? (12 * 12 - 4 * 4) / 2 : 8 * 3).epsilon(1e-9));
+    return system.cracks[0].traction;
+  };
+  const auto to_right = meeting(line(left, right, 16, smooth())), to_left = meeting(line(right, left, 16, smooth()));
+  for (std::size_t k = 4; k <= 12; ++k) {
+    CHECK(to_right[k][1] < -1e5);  // on the lower face
+    CHECK(to_right[k][1] == Approx(to_right[8][1]).epsilon(0.05));
+    CHECK((to_right[k] + to_left[16 - k]).norm() < 1e-9 * to_right[k].norm());
+  }
+}
+
+TEST_CASE("a crack is the middle of its faces, also where it extends beyond its body", "[cracks]") {
+  Model model = block<2>(Kernel::quadratic_spline, Transfer::apic);
+  model.cracks = {line(Vec3(4, 8.2, 0), Vec3(12, 8.2, 0), 16, smooth())};
+  auto system = build_system<2>(model, lattice_seeds<2>(model, 4, 12));
+  set_velocity<2>(system.bodies[0], [](const Vec<2>& x) {
+    return Vec<2>(x[1] > 8.2 ? 0.5 : -0.5, 0.1 * (x[0] - 8) + (x[1] > 8.2 ? 0.5 : 0.0));
+  });
+  Stepper<2> stepper(model, system);
+  for (int k = 0; k < 40; ++k) stepper.advance(5e-3);
+  const Crack<2>& crack = system.cracks[0];
+  REQUIRE(crack.pieces.size() > crack.main_pieces);
+  for (std::size_t k = 0; k < crack.x.size(); ++k)
+    CHECK((0.5 * (crack.face[0][k] + crack.face[1][k]) - crack.x[k]).norm() < 1e-12);
+}
+
 TEST_CASE("cracks: any number of threads gives the same bits", "[cracks][threads]") {
   Model model = block<2>(Kernel::quadratic_spline, Transfer::apic);
   model.cracks = {line(Vec3(5.1, 6.3, 0), Vec3(10.9, 9.77, 0), 13, smooth()),

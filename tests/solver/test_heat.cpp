@@ -70,6 +70,24 @@ TEMPLATE_TEST_CASE_SIG("a linear temperature stays as it is away from the surfac
   CHECK(worst < 1e-11);
 }
 
+TEST_CASE("smoothing of small-scale differences spares a curved temperature", "[heat]") {
+  const Kernel kernel = GENERATE(from_range(all_kernels));
+  INFO(name(kernel));
+  Model model = heat_model<2>(kernel);
+  model.materials[0].conductivity = 6e5;  // alpha dt = 0.3: smoothed in the first step
+  auto system = build_system<2>(model, lattice_seeds<2>(model, 3, 21));
+  Body<2>& body = system.bodies[0];
+  const auto parabola = [](const Vec<2>& x) { return 0.5 * (x[0] - 12) * (x[0] - 12); };
+  set_temperature<2>(body, parabola);
+  Stepper<2> stepper(model, system);
+  stepper.advance(step);
+  for (std::size_t i = 0; i < body.particles.size(); ++i) {
+    const Vec<2> x = body.particles.position(i);
+    if ((x.array() > 11.5).all() && (x.array() < 12.5).all())
+      CHECK(temperature(body, i) == Approx(parabola(x) + 0.3).margin(1e-9));
+  }
+}
+
 TEST_CASE("heat flows from hot to cold, with the conductivity", "[heat]") {
   const Kernel kernel = GENERATE(from_range(all_kernels));
   INFO(name(kernel));

@@ -156,6 +156,35 @@ TEST_CASE("joints: any number of threads gives the same bits", "[joints][threads
   CHECK(one == run(5));
 }
 
+TEST_CASE("dashpots beside a symmetry plane are those of the whole block", "[joints]") {
+  const auto law = joint(
+      strong + Properties{{"stiffness-normal", "2e5"}, {"stiffness-shear", "1e5"}, {"dashpot-ratio-normal", "0.3"}});
+  const auto run = [&](bool half) {
+    Model model = jointed<2>(Kernel::quadratic_spline, Transfer::apic, law);
+    std::vector<Seed> seeds = lattice_seeds<2>(model, 6, 14);
+    if (half) {
+      model.grid.symmetry[0][0] = 10;
+      model.cracks = {line(Vec3(10, 10, 0), Vec3(14, 10, 0), 8)}, model.cracks[0].joint = law;
+      std::erase_if(seeds, [](const Seed& s) { return s.x[0] < 10; });
+    }
+    auto system = build_system<2>(model, seeds);
+    set_apart<2>(system, Vec<2>(0, 1e-3));
+    Stepper<2> stepper(model, system);
+    stepper.advance(1e-3);
+    return system.joints[0].joints;
+  };
+  const auto whole = run(false), half = run(true);
+  REQUIRE(half.size() == 9);
+  for (std::size_t k = 0; k < half.size(); ++k) {
+    INFO("joint " << k);
+    const double share = k == 0 ? 0.5 : 1.0;  // half of the joint on the plane
+    CHECK(half[k].opening == Approx(whole.at(8 + k).opening).epsilon(1e-9));
+    CHECK(half[k].Fn == Approx(share * whole.at(8 + k).Fn).epsilon(1e-9));
+    CHECK(half[k].dashpot_normal == Approx(share * whole.at(8 + k).dashpot_normal).epsilon(1e-9));
+  }
+  CHECK(half[0].dashpot_normal > 0);
+}
+
 TEST_CASE("a joint needs a body to run through", "[joints]") {
   Model model = jointed<2>(Kernel::quadratic_spline, Transfer::apic, joint({{"stiffness-normal", "1"}}));
   for (Vec3& x : model.cracks[0].points) x[1] += 6;

@@ -185,10 +185,40 @@ TEMPLATE_TEST_CASE_SIG("crushed particles merge, and the energy of their relativ
   check_conserved(before, after);
   if (transfer == Transfer::apic) CHECK((after.angular_momentum - before.angular_momentum).norm() < 1e-9);
   CHECK(ledger.damping_work > 0);
+  CHECK(ledger.particle_loss == Approx(before.kinetic - after.kinetic).epsilon(1e-9));
   CHECK(after.kinetic + after.stored + ledger.damping_work == Approx(before.kinetic + before.stored).epsilon(1e-12));
   CHECK(domain_volume(body) == Approx(after.volume).epsilon(1e-12));
   for (std::size_t i = 0; i < body.particles.size(); ++i)
     CHECK(load_full<Dim>(body.particles.F(), static_cast<int>(i)).determinant() == Approx(0.4));
+}
+
+TEST_CASE("particles that merge keep the integral of stress and the ratio of their volume", "[splitting]") {
+  const Model model = splitting_model<2>();
+  auto system = build_system<2>(model, lattice_seeds<2>(model, 10, 14));
+  auto& body = system.bodies[0];
+  Mat<2> F = Mat<2>::Identity();
+  F(0, 0) = 0.4;
+  deform<2>(body, F);
+  auto& particles = body.particles;
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> number(-0.1, 0.1);
+  for (std::size_t i = 0; i < particles.size(); ++i) {  // each is turned and swells a little
+    const double swelling = 1 + number(random);
+    Mat3 own = load_full<2>(particles.F(), static_cast<int>(i));
+    own.topLeftCorner<2, 2>() = swelling * (Eigen::Rotation2Dd(number(random)).toRotationMatrix() * F);
+    store_full<2>(own, particles.F(), static_cast<int>(i));
+    particles.volume()[i] *= swelling * swelling;
+  }
+  settle(system);
+  const Measures before = measure(system);
+  EnergyLedger ledger;
+  ParticleSplitting<2> splitting(model, system, ledger);
+  REQUIRE(splitting.apply());
+  REQUIRE(splitting.merged_count() > 10);
+  check_conserved(before, measure(system));
+  for (std::size_t i = 0; i < particles.size(); ++i)
+    CHECK(load_full<2>(particles.F(), static_cast<int>(i)).determinant() ==
+          Approx(particles.volume()[i] * body.law->density() / particles.mass()[i]).epsilon(1e-12));
 }
 
 TEST_CASE("a jet that stretches splits to the same bits on any number of threads", "[splitting][threads]") {

@@ -118,7 +118,7 @@ void Joints<Dim>::find() {
         constexpr double enough = 0.05;  // below this fraction of the first mass, the face has moved away
         if (mass < enough * first || extrapolates(sample_nodes.side[f])) sample_nodes.side[f].clear();
         for (const NodeWeight& share : sample_nodes.side[f])
-          inverse += share.images * share.weight * share.weight * inverse_mass(share);
+          inverse += share.weight * share.weight * inverse_mass(share);
       }
       const bool apart = opening > system_.lattice.spacing.maxCoeff();
       if (surface.crack == JointSurface<Dim>::none && (apart || !sample_nodes.has_both_faces()))
@@ -259,6 +259,9 @@ void Joints<Dim>::update_laws(double dt, bool filtered) {
     each_contribution(s, [&](SampleNodes& sample_nodes, std::uint32_t joint, double fraction) {
       increments_[joint].mass += fraction / surface_nodes.supported_fraction[joint] * sample_nodes.mass;
     });
+    // Of a joint on a symmetry plane only the half is here, with half of the area and of the mass.
+    for (std::size_t k = 0; k < count; ++k)
+      increments_[k].mass *= std::exp2(-nodes_around_.planes_through(surface.x[k]));
     for (std::size_t k = 0; k < count; ++k) {
       Vec3 jump = Vec3::Zero();
       jump.template head<Dim>() = surface_nodes.motion[k][1].velocity - surface_nodes.motion[k][0].velocity;

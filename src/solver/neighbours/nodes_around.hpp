@@ -75,6 +75,13 @@ class NodesAround {
     for (const SymmetryPlane& plane : planes_) count += node[static_cast<std::size_t>(plane.axis)] == plane.node;
     return count;
   }
+  /// Number of symmetry planes through a point, to round-off.
+  int planes_through(const Vec<Dim>& x) const {
+    int count = 0;
+    for (const SymmetryPlane& plane : planes_)
+      count += std::abs(x[plane.axis] - plane.at) < 1e-9 * lattice_.spacing[plane.axis];
+    return count;
+  }
 
  private:
   double reach_;             // radius of the support of the shape function [cells]

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+/// Keywords of rigid blocks.
+
+#include "input/dialect/rows.hpp"
+
+namespace tribo::keywords {
+
+void add_blocks(Rows& add) {
+  const std::vector<AttributeSpec> of_blocks{
+      text("name", "name used by histories and messages"),
+      text("matname", "with a grid: RigidContact material of the block, for contact with other materials"),
+      text("mat", "number of that material, instead of matname"),
+      number("rho", "density", true),
+      number("vx", "initial velocity"),
+      number("vy", ""),
+      number("vz", ""),
+      number("spinx", "initial angular velocity [rad/time]"),
+      number("spiny", ""),
+      number("spinz", "")};
+  const std::vector<AttributeSpec> block_box{number("xmin", "edge", true), number("xmax", "", true),
+                                             number("ymin", "", true),     number("ymax", "", true),
+                                             number("zmin", ""),           number("zmax", "")};
+  const AttributeSpec points{
+      "points", T::choice,
+      "one contact at the centre of a common face (default), or one at each of its corners with its "
+      "share of the area, so that laws without moments resist relative rotation",
+      "face corners"};
+  add({"Blocks", "JANFEAInput",
+       "rigid blocks with joint laws at their contacts, alone or together with bodies in a grid", T::none,
+       std::vector<AttributeSpec>{
+           text("lawname", "name of the joint law of contacts outside every <Joint>, and of the stiffness of platens"),
+           text("law", "number of that joint law, instead of lawname"),
+           text("touchname",
+                "name of the joint law of contacts formed during the run; if absent, such a contact is an error"),
+           points,
+           number("thickness", "thickness of a plane model (default 1)"),
+           number("damping",
+                  "local damping: fraction of the unbalanced force that acts against the motion of each block; 0 "
+                  "(default) "
+                  "for dynamics, 0.7 for static equilibrium"),
+           {"quasistatic", T::flag,
+            "masses are scaled so that <TimeStep> is stable; time then has a meaning for prescribed motions only"},
+           {"iterations", T::integer, "fixed-point iterations of the fictitious stress within a step (default 0)"},
+           number("step", "fraction of the critical time step (default 0.8)")},
+       true});
+  add({"Voronoi", "Blocks",
+       "blocks that fill a box: the Voronoi cells of nuclei given by <pt>s or a file, on a lattice, or at random",
+       T::none,
+       block_box +
+           std::vector{
+               text("file", "table with columns x, y, z of the nuclei"),
+               number("hexagons", "nuclei of regular hexagons: distance between opposite sides (2D)"),
+               number("cubes", "nuclei of cubes, in two dimensions squares: edge length"),
+               number("octahedra", "nuclei of truncated octahedra: distance between opposite squares (3D)"),
+               {"random", T::integer, "number of randomly placed nuclei"},
+               {"seed", T::integer, "seed of the random numbers; each value gives another specimen (default 1)"},
+               number("apart",
+                      "smallest distance between two random nuclei, as a fraction of the edge length of the square or "
+                      "cube "
+                      "with the mean area or volume per nucleus: 0 to 0.8 (default 0.6)")} +
+           of_blocks});
+  add({"BoxBlock", "Blocks", "a rectangle or box as one block", T::none,
+       block_box + std::vector{number("angle", "rotation about the z axis through the origin [degrees]")} + of_blocks});
+  add({"PolygonBlock", "Blocks", "a convex polygon through <pt>s as one block", T::none,
+       std::vector<AttributeSpec>{number("angle", "rotation about the z axis through the origin [degrees]")} +
+           of_blocks});
+  add({"Ball", "Blocks", "a ball (3D) or a disc (2D) as one block", T::none,
+       std::vector<AttributeSpec>{number("x", "centre", true), number("y", "", true), number("z", ""),
+                                  number("radius", "", true)} +
+           of_blocks});
+  add({"Joint", "Blocks",
+       "joint law of the contacts whose centres lie in its shapes; the first <Joint> that contains a centre applies",
+       T::none,
+       std::vector<AttributeSpec>{text("lawname", "name of the joint law"),
+                                  text("law", "number of the joint law, instead of lawname"), points}});
+  const std::vector<AttributeSpec> motion{function("vx", "velocity, may be a function of t"), function("vy", ""),
+                                          function("vz", "")};
+  add({"Platen", "Blocks",
+       "a stiff platen bonded to the free faces whose centres lie in its shapes, also in tension; velocity components "
+       "that are not given are zero",
+       T::none,
+       std::vector<AttributeSpec>{text("name", "name used by histories"),
+                                  {"rough", T::flag, "it also resists tangential motion of the faces"},
+                                  number("E",
+                                         "modulus of its springs of stiffness E A/d, d the distance from the block "
+                                         "centre to the face (default: stiffness of the joint law of <Blocks>)")} +
+           motion});
+  add({"Pressure", "Blocks", "pressure on the free faces whose centres lie in its shapes", T::none,
+       std::vector<AttributeSpec>{
+           {"value", T::function, "pressure, may be a function of t", {}, true},
+           {"follows", T::flag, "the pressure stays normal to the rotating faces (default yes)"}}});
+  add({"Hold", "Blocks",
+       "prescribed motion of blocks whose centres lie in its shapes; components that are not given are free", T::none,
+       motion + std::vector<AttributeSpec>{function("spinx", "angular velocity [rad/time], may be a function of t"),
+                                           function("spiny", ""), function("spinz", "")}});
+  add({"Load", "Blocks", "force and moment on each block whose centre lies in its shapes", T::none,
+       std::vector<AttributeSpec>{function("Fx", "force, may be a function of t"), function("Fy", ""),
+                                  function("Fz", ""), function("Mx", "moment, may be a function of t"),
+                                  function("My", ""), function("Mz", "")}});
+}
+
+}  // namespace tribo::keywords

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+/// Keywords of bodies, particles and shapes.
+
+#include "input/dialect/rows.hpp"
+
+namespace tribo::keywords {
+namespace {
+
+std::vector<AttributeSpec> body_attributes() {
+  return {text("mat", "number of the material"),
+          text("matname", "name of the material, instead of mat"),
+          number("angle", "rotation of the material axes about z [degrees]"),
+          number("thick", "thickness (2D)"),
+          number("vx", "initial velocity"),
+          number("vy", "initial velocity"),
+          number("vz", "initial velocity"),
+          number("temp", "initial temperature"),
+          number("size", "edge length of a particle domain, instead of a number of particles per cell")};
+}
+
+}  // namespace
+
+void add_bodies(Rows& add) {
+  add({"MaterialPoints", "JANFEAInput", "bodies and particles", T::none, {}, true, true, false, {}, "Blocks"});
+  add({"Body", "MaterialPoints", "shapes filled with a material", T::none,
+       body_attributes() + std::vector{units(velocities_and_lengths)}});
+  add({"Hole", "MaterialPoints", "shapes without particles", T::none});
+  for (const auto name : {"vel0X", "vel0Y", "vel0Z"})
+    add({name, "Body", "initial velocity of the following shapes, a function of position (before Deform moves it)",
+         T::function});
+  for (const auto name : {"RotateX", "RotateY", "RotateZ"})
+    add({name, "Body", "rotation of the material axes of the following shapes [degrees]", T::function});
+  add({"Unrotate", "Body", "the material axes of the following shapes are those of the grid"});
+  add({"Deform",
+       "Body",
+       "displaces and strains the following shapes before the start",
+       T::none,
+       {function("dX", "shift"), function("dY", "shift"), function("dZ", "shift"), function("F11", ""),
+        function("F12", ""), function("F13", ""), function("F21", ""), function("F22", ""), function("F23", ""),
+        function("F31", ""), function("F32", ""), function("F33", "")}});
+  add({"Undeform", "Body", "no initial deformation of the following shapes"});
+  add({"InitialStress",
+       "Body",
+       "initial Cauchy stress of the following shapes: the sum of functions of position, of values at points, and with "
+       "K0 of the geostatic stress",
+       T::none,
+       {text("file", "table with columns x, y, z of points and xx, yy, zz, xy, yz, xz of the stress there"),
+        number("K0", "adds the geostatic stress with this ratio of horizontal to vertical stress"), function("xx", ""),
+        function("yy", ""), function("zz", ""), function("xy", ""), function("yz", ""), function("xz", "")}});
+  add({"PointList", "MaterialPoints", "single particles"});
+  add({"mp",
+       "PointList",
+       "a particle",
+       T::none,
+       {{"elem", T::integer, "accepted"},
+        text("mat", "number of the material"),
+        text("matname", "name of the material, instead of mat"),
+        number("angle", "rotation of the material axes about z [degrees]"),
+        number("thick", "thickness"),
+        number("temp", "temperature"),
+        number("lpx", "half width of its domain [half cells]"),
+        number("lpy", ""),
+        number("lpz", "")}});
+  add({"pt",
+       "mp Polygon Voronoi PolygonBlock",
+       "coordinates",
+       T::none,
+       {{"x", T::coordinate, "", {}, true},
+        {"y", T::coordinate, "", {}, true},
+        {"z", T::coordinate, ""},
+        units(lengths)}});
+  add({"vel", "mp", "velocity", T::none, {number("x", ""), number("y", ""), number("z", ""), units(velocities)}, true});
+  add({"mass", "mp", "mass instead of density times volume", T::none, {number("m", "", true), units(masses)}, true});
+}
+
+void add_shapes(Rows& add) {
+  constexpr std::string_view shapes_in = "Body Hole BCShape LdShape Joint Platen Pressure Hold Load @shape";
+  const auto shape = [&](std::string_view name, std::string_view meaning, std::vector<AttributeSpec> attributes) {
+    add({name, shapes_in, meaning, T::none, std::move(attributes), false, false, true});
+  };
+  shape("Rect", "rectangle", box(false));
+  shape("Oval", "ellipse in a box; with <arc>, a sector", box(false));
+  add({"arc", "Oval", "sector [degrees]", T::none, {number("start", "", true), number("end", "", true)}, true});
+  shape("Polygon", "polygon through <pt>s", {});
+  shape("Line", "strip around a line", ends());
+  shape("Arc", "strip around the edge of an ellipse",
+        box(false) + std::vector{number("start", "[degrees]"), number("end", "[degrees]"),
+                                 AttributeSpec{"tolerance", T::text, "distance, or *f cells"}});
+  shape("Box", "box", box(true));
+  shape("Sphere", "ellipsoid in a box", box(true));
+  shape("Cylinder", "elliptic cylinder or cone in a box",
+        box(true) + std::vector{AttributeSpec{"axis", T::choice, "", "1 2 3 x y z", true},
+                                number("radius", "ratio of the end radii, -1 to 1; 0: a cone")});
+  shape("Torus", "ring in a box",
+        box(true) +
+            std::vector{AttributeSpec{"axis", T::choice, "", "1 2 3 x y z", true},
+                        number("radius", "half width of the cross-section of the ring; 0: circular cross-section")});
+  shape("STL", "closed surface from a file",
+        {text("file", "", true), number("scale", "factor (default 1)"), number("x", "shift"), number("y", "shift"),
+         number("z", "shift")});
+  add({"BMP",
+       "MaterialPoints",
+       "greyscale image (PNG or BMP) that assigns materials in a rectangle",
+       T::none,
+       {text("name", "file", true), number("width", "(default: one unit per pixel)"), number("height", ""),
+        units(lengths)}});
+  add({"Origin", "BMP", "lower left corner", T::none, {number("x", ""), number("y", ""), units(lengths)}, true});
+  add({"Intensity",
+       "BMP",
+       "material of a range of grey values",
+       T::none,
+       {text("mat", "number of the material"),
+        text("matname", "name of the material, instead of mat"),
+        {"imin", T::integer, "0 black", {}, true},
+        {"imax", T::integer, "255 white", {}, true},
+        number("vx", ""),
+        number("vy", ""),
+        number("vz", ""),
+        number("thick", ""),
+        number("angle", "")}});
+}
+
+}  // namespace tribo::keywords
