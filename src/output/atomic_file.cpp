@@ -2,6 +2,7 @@
 #include "output/atomic_file.hpp"
 
 #include "base/error.hpp"
+#include "base/read_file.hpp"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -19,7 +20,8 @@ namespace {
   throw FileError("cannot write '" + path.string() + "': " + (reason ? std::strerror(reason) : "the writer gave up"));
 }
 
-void flush_to_disk(const std::filesystem::path& path, const std::filesystem::path& temporary) {
+// What is written must be on the disk before it gets its name.
+void complete(const std::filesystem::path& path, const std::filesystem::path& temporary) {
   const int file = ::open(temporary.c_str(), O_RDONLY | O_CLOEXEC);  // NOLINT(cppcoreguidelines-pro-type-vararg)
   if (file < 0) fail(path, temporary, errno);
   const int result = ::fsync(file);
@@ -41,8 +43,17 @@ void write_atomically(const std::filesystem::path& path, const std::function<boo
   const auto temporary = temporary_of(path);
   errno = 0;
   if (!write(temporary.string())) fail(path, temporary, errno);
-  flush_to_disk(path, temporary);
+  complete(path, temporary);
   if (std::rename(temporary.c_str(), path.c_str()) != 0) fail(path, temporary, errno);
+}
+
+void flush_to_disk(const std::filesystem::path& path) {
+  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);  // NOLINT(cppcoreguidelines-pro-type-vararg)
+  if (file < 0 && errno == ENOENT) return;
+  const bool done = file >= 0 && (::fsync(file) == 0 || errno == EINVAL);  // some file systems cannot flush folders
+  const int reason = errno;
+  if (file >= 0) ::close(file);
+  if (!done) throw FileError("cannot write '" + printable(path.string()) + "': " + std::strerror(reason));
 }
 
 bool write_over(const std::filesystem::path& path, std::string_view content) {

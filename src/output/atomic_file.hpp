@@ -20,6 +20,10 @@ void write_atomically(const std::filesystem::path& path, const std::function<boo
 /// and nothing changes, if there is no such file or the content needs more space.
 bool write_over(const std::filesystem::path& path, std::string_view content);
 
+/// Flushes a file or the names in a folder to the disk, so that they survive a power cut. Does nothing if there is no
+/// such file. Throws FileError.
+void flush_to_disk(const std::filesystem::path& path);
+
 /// The temporary file of `path`; a program that is killed may leave it.
 std::filesystem::path temporary_of(const std::filesystem::path& path);
 

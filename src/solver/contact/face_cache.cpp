@@ -219,6 +219,22 @@ void FaceCache<Dim>::archive_particles(Archive& a) {
         face.particles[side][static_cast<std::size_t>(k)] = number(*from++);
 }
 
+template <int Dim>
+bool FaceCache<Dim>::fits(const std::vector<Body<Dim>*>& bodies) const {
+  if (empty()) return true;
+  const auto exists = [&](const CachedParticle& p) {
+    return p.label.body < bodies.size() && p.label.particle < bodies[p.label.body]->particles.size();
+  };
+  const auto complete = [&](const ContactFace& face) {
+    for (std::size_t side = 0; side < 2; ++side)
+      for (std::ptrdiff_t k = 0; k < face.listed(side); ++k)
+        if (face.particles[side][static_cast<std::size_t>(k)] >= particles_.size()) return false;
+    return true;
+  };
+  return std::all_of(particles_.begin(), particles_.end(), exists) &&
+         std::all_of(faces_.begin(), faces_.end(), complete);
+}
+
 template class FaceCache<2>;
 template class FaceCache<3>;
 
