@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "output/vtk.hpp"
 
-#include "base/error.hpp"
+#include "base/memory.hpp"
+#include "base/read_file.hpp"
 #include "output/atomic_file.hpp"
 #include "output/number.hpp"
 
@@ -21,7 +22,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <fstream>
+#include <memory>
 #include <sstream>
 
 namespace tribo {
@@ -81,6 +84,12 @@ void add_time(vtkDataObject* object, double time) {
 
 template <class Writer, class Data>
 void write(const std::filesystem::path& path, Data* data) {
+  // VTK ends the program if its memory is too small or it can start no thread.
+  with_memory_for("the file '" + printable(path.string()) + "'", [&] {
+    static constexpr std::size_t working = std::size_t{4} << 20;
+    (void)std::make_unique_for_overwrite<char[]>(2048 * data->GetActualMemorySize() + working);
+  });
+  ::setenv("VTK_SMP_BACKEND_IN_USE", "Sequential", 0);  // NOLINT(concurrency-mt-unsafe): no other thread runs here
   write_atomically(path, [&](const std::string& temporary) {
     vtkNew<Writer> writer;
     writer->SetFileName(temporary.c_str());

@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: MIT
 /// Any bytes must be read or refused with an error of the program, and what is read must be right in form. One program
-/// for all readers: `tribo_fuzz READER [options of libFuzzer] CORPUS_FOLDER`; `scripts/fuzz` runs it for each of them.
+/// for all readers: `tribo_fuzz READER [options of libFuzzer] CORPUS_FOLDER`; `tribo_fuzz_states` also restores
+/// states and takes steps with them. `scripts/fuzz` runs it for each of them.
 
 #include "base/error.hpp"
 #include "base/read_file.hpp"
 #include "input/read.hpp"
 #include "output/checkpoint.hpp"
 #include "particles/seed.hpp"
-#include "run/block_run.hpp"
-#include "run/grid_run.hpp"
 #include "run/model_record.hpp"
 #include "run/result_folder.hpp"
 #include "view/run_folder.hpp"
+#ifdef TRIBO_FUZZ_STATES
+#include "run/block_run.hpp"
+#include "run/grid_run.hpp"
+#endif
 
 #include <zlib.h>
 
@@ -178,9 +181,12 @@ std::string with_checksums(std::string data) {
   return data;
 }
 
-std::string model_file;  // of the checkpoints
+void checkpoints(std::string_view data) { Checkpoint{write("checkpoint.bin", data)}; }
 
-void checkpoints(std::string_view data) {
+#ifdef TRIBO_FUZZ_STATES
+std::string model_file;  // of the states
+
+void states(std::string_view data) {
   static constexpr int steps = 3;
   static const Model model = read_model(model_file);
   const Checkpoint checkpoint(write("checkpoint.bin", with_checksums(std::string(data))));
@@ -194,9 +200,13 @@ void checkpoints(std::string_view data) {
   run->restore(checkpoint);
   for (int k = 0; k < steps; ++k) run->advance();
 }
+#endif
 
 using Reader = void (*)(std::string_view);
 const std::map<std::string, Reader> readers{
+#ifdef TRIBO_FUZZ_STATES
+    {"states", states},
+#endif
     {"xml", command_file},        {"scripts", command_file}, {"blocks", command_file},
     {"cracks", command_file},     {"tables", tables},        {"images", images},
     {"surfaces", surfaces},       {"particles", particles},  {"cells", cells},
@@ -206,7 +216,7 @@ Reader reader = nullptr;
 
 }  // namespace
 
-// The first argument is the reader; of checkpoints, the command file follows.
+// The first argument is the reader; of states, the command file follows.
 extern "C" int LLVMFuzzerInitialize(int* argc, char*** argv) {
   const auto take = [&](const char* what) {
     if (*argc < 2) {
@@ -223,7 +233,9 @@ extern "C" int LLVMFuzzerInitialize(int* argc, char*** argv) {
   const auto found = readers.find(take("the reader"));
   if (found == readers.end()) std::exit(2);
   reader = found->second;
-  if (found->first == "checkpoints") model_file = take("the command file");
+#ifdef TRIBO_FUZZ_STATES
+  if (found->first == "states") model_file = take("the command file");
+#endif
   return 0;
 }
 
