@@ -86,7 +86,7 @@ template <class Writer, class Data>
 void write(const std::filesystem::path& path, Data* data) {
   // VTK ends the program if its memory is too small or it can start no thread.
   with_memory_for("the file '" + printable(path.string()) + "'", [&] {
-    static constexpr std::size_t working = std::size_t{4} << 20;
+    static constexpr std::size_t working = std::size_t{16} << 20;
     (void)std::make_unique_for_overwrite<char[]>(2048 * data->GetActualMemorySize() + working);
   });
   ::setenv("VTK_SMP_BACKEND_IN_USE", "Sequential", 0);  // NOLINT(concurrency-mt-unsafe): no other thread runs here
