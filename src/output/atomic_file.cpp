@@ -30,6 +30,30 @@ void complete(const std::filesystem::path& path, const std::filesystem::path& te
   if (result != 0) fail(path, temporary, reason);
 }
 
+// Devices and pipes, such as /dev/stdout, are written to: a file must not take their place.
+bool is_special(const std::filesystem::path& path) {
+  struct stat status {};
+  return ::stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
+}
+
+bool write_to(const std::string& path, std::string_view content) {
+  const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);  // NOLINT
+  if (file < 0) return false;
+  std::size_t done = 0;
+  while (done < content.size()) {
+    const auto n = ::write(file, content.data() + done, content.size() - done);
+    if (n < 0 && errno == EINTR) continue;
+    if (n <= 0) {
+      const int reason = errno;
+      ::close(file);
+      errno = reason;
+      return false;
+    }
+    done += static_cast<std::size_t>(n);
+  }
+  return ::close(file) == 0;
+}
+
 }  // namespace
 
 // The extension is kept because some writers choose their format by it.
@@ -40,6 +64,8 @@ std::filesystem::path temporary_of(const std::filesystem::path& path) {
 }
 
 void write_atomically(const std::filesystem::path& path, const std::function<bool(const std::string&)>& write) {
+  if (is_special(path))
+    throw FileError("cannot write '" + printable(path.string()) + "': it is a pipe, a socket or a device, not a file");
   const auto temporary = temporary_of(path);
   errno = 0;
   if (!write(temporary.string())) fail(path, temporary, errno);
@@ -71,23 +97,11 @@ bool write_over(const std::filesystem::path& path, std::string_view content) {
 }
 
 void write_atomically(const std::filesystem::path& path, std::string_view content) {
-  write_atomically(path, [&](const std::string& temporary) {
-    const int file = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);  // NOLINT
-    if (file < 0) return false;
-    std::size_t done = 0;
-    while (done < content.size()) {
-      const auto n = ::write(file, content.data() + done, content.size() - done);
-      if (n < 0 && errno == EINTR) continue;
-      if (n <= 0) {
-        const int reason = errno;
-        ::close(file);
-        errno = reason;
-        return false;
-      }
-      done += static_cast<std::size_t>(n);
-    }
-    return ::close(file) == 0;
-  });
+  if (!is_special(path))
+    return write_atomically(path, [&](const std::string& temporary) { return write_to(temporary, content); });
+  errno = 0;
+  if (!write_to(path.string(), content))
+    throw FileError("cannot write '" + printable(path.string()) + "': " + std::strerror(errno));
 }
 
 }  // namespace tribo

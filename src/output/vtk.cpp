@@ -24,7 +24,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
-#include <memory>
 #include <sstream>
 
 namespace tribo {
@@ -85,10 +84,10 @@ void add_time(vtkDataObject* object, double time) {
 template <class Writer, class Data>
 void write(const std::filesystem::path& path, Data* data) {
   // VTK ends the program if its memory is too small or it can start no thread.
-  with_memory_for("the file '" + printable(path.string()) + "'", [&] {
-    static constexpr std::size_t working = std::size_t{16} << 20;
-    (void)std::make_unique_for_overwrite<char[]>(2048 * data->GetActualMemorySize() + working);
-  });
+  static constexpr std::size_t working = std::size_t{8} << 20;
+  void* volatile probe = std::malloc(2048 * data->GetActualMemorySize() + working);  // NOLINT(*-no-malloc)
+  if (!probe) refuse_memory("the file '" + printable(path.string()) + "'");
+  std::free(probe);                                     // NOLINT(*-no-malloc)
   ::setenv("VTK_SMP_BACKEND_IN_USE", "Sequential", 0);  // NOLINT(concurrency-mt-unsafe): no other thread runs here
   write_atomically(path, [&](const std::string& temporary) {
     vtkNew<Writer> writer;

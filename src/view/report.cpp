@@ -184,6 +184,7 @@ std::string report_of(const RunFolder& run, const Json& record, const std::vecto
 }  // namespace
 
 bool is_report(const std::filesystem::path& file) {
+  if (!std::filesystem::is_regular_file(file)) return false;  // a pipe would wait
   std::ifstream in(file, std::ios::binary);
   std::string begin(200, '\0');
   in.read(begin.data(), static_cast<std::streamsize>(begin.size()));
