@@ -32,6 +32,9 @@ void complete(const std::filesystem::path& path, const std::filesystem::path& te
 
 // Devices and pipes, such as /dev/stdout, are written to: a file must not take their place.
 bool is_special(const std::filesystem::path& path) {
+  // /dev/stdout may lead to a file of the shell, which must remain the same.
+  const std::string name = std::filesystem::absolute(path).lexically_normal().string();
+  if (name.starts_with("/proc/") || (name.starts_with("/dev/") && !name.starts_with("/dev/shm/"))) return true;
   struct stat status {};
   return ::stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
 }

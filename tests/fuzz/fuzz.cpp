@@ -132,7 +132,7 @@ void collections(std::string_view data) {
   }
 }
 void histories(std::string_view data) {
-  const Table table = read_table(write("history.csv", data));
+  const ResultTable table = read_table(write("history.csv", data));
   require(table.names.size() == table.columns.size(), "the columns");
   for (const auto& column : table.columns) require(column.size() == table.rows(), "the rows");
 }

@@ -112,7 +112,7 @@ TEST_CASE("damaged tables, lists of files and records are refused or read", "[ou
   write_atomically(table, "time,velx\n0,1\n1,-2.5e-3\n2,nan\n");
   CHECK(read_table(table).columns[1][1] == -2.5e-3);
   refused(table, 2000, [&] {
-    const Table t = read_table(table);
+    const ResultTable t = read_table(table);
     for (const auto& column : t.columns) CHECK(column.size() == t.rows());
   });
   Collection collection(list);

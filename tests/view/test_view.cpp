@@ -315,7 +315,7 @@ TEST_CASE("tables are read back, without a torn last line", "[view]") {
   const ScratchFolder scratch;
   const auto file = scratch.path / "t.csv";
   std::ofstream(file) << "time,\"velx:a,b\"\n0,1\n1,2.5\n2,";
-  const Table table = read_table(file);
+  const ResultTable table = read_table(file);
   CHECK(table.names == std::vector<std::string>{"time", "velx:a,b"});
   REQUIRE(table.rows() == 2);
   CHECK((*table.column("velx:a,b"))[1] == 2.5);
