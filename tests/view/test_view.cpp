@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "base/error.hpp"
+#include "output/atomic_file.hpp"
 #include "scratch.hpp"
 #include "view/chart.hpp"
 #include "view/colours.hpp"
@@ -355,4 +356,25 @@ TEST_CASE("Blocks are drawn with their field, grey without, and broken bonds on 
   CHECK(std::isnan(shade.values[3]));
   options.field = "pressure";
   CHECK(count(read_png(picture(scene, options)), stone) > 1000);
+}
+
+TEST_CASE("pictures and films of render are known by their marks", "[view]") {
+  const ScratchFolder folder;
+  ParticleFrame frame;
+  frame.position = {{0, 0, 0}, {1, 1, 0}};
+  frame.fields.push_back({"mass", 1, false, {1, 2}});
+  PictureOptions options;
+  options.field = "mass", options.width = 200;
+  const std::string png = picture(frame, options);
+  const auto file = folder.path / "a.png", film = folder.path / "a.mp4";
+  write_atomically(file, png);
+  CHECK(!is_rendered(file));
+  write_atomically(file, marked_as_rendered(png));
+  CHECK(is_rendered(file));
+  write_atomically(film, "a film" + film_mark());
+  CHECK(is_rendered(film));
+  write_atomically(film, "a film" + film_mark() + ".");
+  CHECK(!is_rendered(film));
+  CHECK(!is_rendered(folder.path / "none"));
+  CHECK(!is_rendered(folder.path));
 }
