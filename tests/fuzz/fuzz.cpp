@@ -78,9 +78,13 @@ constexpr const char* rubber =
     "</MaterialPoints><Material Type='1' Name='rubber'><rho>1000</rho><E>1e6</E><nu>0.3</nu></Material></JANFEAInput>";
 
 // A file with data that a command file names.
-void data_file(const char* head, const char* body, const char* name, std::string_view data) {
+Model with_file(const char* head, const char* body, const char* name, std::string_view data) {
   write(name, data);
-  const Model model = read_model(write("case.xml", std::string(head) + body + rubber));
+  return read_model(write("case.xml", std::string(head) + body + rubber));
+}
+
+void data_file(const char* body, const char* name, std::string_view data) {
+  const Model model = with_file(flat, body, name, data);
   for (const Seed& seed : place_points(model)) {
     require(seed.x.allFinite(), "the place of a particle");
     require(seed.material >= 0 && seed.material < static_cast<int>(model.materials.size()), "the material");
@@ -94,13 +98,17 @@ void tables(std::string_view data) {
       "table.csv", data);
 }
 void images(std::string_view data) {
-  data_file(flat,
-            "<BMP name='picture' width='4' height='3'><Origin x='2' y='0.5'/><Intensity matname='rubber' imin='0' "
-            "imax='100'/></BMP>",
-            "picture", data);
+  data_file(
+      "<BMP name='picture' width='4' height='3'><Origin x='2' y='0.5'/><Intensity matname='rubber' imin='0' "
+      "imax='100'/></BMP>",
+      "picture", data);
 }
+// Filling the body would take most of the time.
 void surfaces(std::string_view data) {
-  data_file(solid, "<Body matname='rubber'><STL file='surface.stl'/></Body>", "surface.stl", data);
+  const Model model = with_file(solid, "<Body matname='rubber'><STL file='surface.stl'/></Body>", "surface.stl", data);
+  const auto box = model.pieces.at(0).region->bounds();
+  for (double part = 0.05; part < 1; part += 0.1)
+    model.pieces[0].region->contains(box.low + Vec3(part, 0.5, 1 - part).cwiseProduct(box.high - box.low));
 }
 
 // Results

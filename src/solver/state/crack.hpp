@@ -123,7 +123,7 @@ void archive(Archive& a, Crack<Dim>& crack) {
   for (const auto& piece : pieces) corners.insert(corners.end(), piece.begin(), piece.end());
   a("pieces", corners);
   for (std::size_t k = 0; k < corners.size(); ++k) pieces[k / Dim][k % Dim] = corners[k];
-  if (std::any_of(corners.begin(), corners.end(), [&](auto corner) { return corner >= x.size(); }) ||
+  if (std::any_of(corners.begin(), corners.end(), [count = x.size()](auto corner) { return corner >= count; }) ||
       main_points > x.size() || main_pieces > pieces.size())
     refuse_checkpoint("a crack has a corner that does not exist");
   a("gap", gap), a("slip", slip), a("bond", bond), a("status", status), a("traction", traction);

@@ -181,8 +181,8 @@ void archive(Archive& a, Body<Dim>& body, const Lattice<Dim>& lattice) {
   if (!a.reading() || bins.list().empty()) return;  // none before the first step, which sorts
   if (bins.before(bins.list().size()) != particles.size() || !bins.hold(lattice, particles))
     refuse_checkpoint("the particles of '" + name + "' are not sorted into bins");
-  const auto negative = [&](const double* x) {
-    return std::any_of(x, x + particles.size(), [](double y) { return y < 0; });
+  const auto negative = [count = particles.size()](const double* x) {
+    return std::any_of(x, x + count, [](double y) { return y < 0; });
   };
   if (negative(particles.mass()) || negative(particles.volume()))
     refuse_checkpoint("a particle of '" + name + "' has a negative mass or volume");
