@@ -93,7 +93,6 @@ void data_file(const char* body, const char* name, std::string_view data) {
 
 void tables(std::string_view data) {
   data_file(
-      flat,
       "<Body matname='rubber'><InitialStress file='table.csv'/><Rect xmin='2' xmax='5' ymin='1' ymax='3'/></Body>",
       "table.csv", data);
 }
