@@ -6,6 +6,8 @@
 #include "base/types.hpp"
 #include "contact/tangent.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <span>
 
 namespace tribo {
@@ -27,6 +29,10 @@ struct JointAxes {
 inline void archive(Archive& a, JointAxes& axes) {
   auto& [n, s, t] = axes;
   a("n", n), a("s", s), a("t", t);
+  static constexpr double tolerance = 1e-3;
+  const double skew = std::max({std::abs(n.norm() - 1), std::abs(s.norm() - 1), std::abs(t.norm() - 1),
+                                std::abs(n.dot(s)), std::abs(n.dot(t)), std::abs(s.dot(t))});
+  if (a.reading() && !(skew < tolerance)) refuse_checkpoint("the axes of a joint are not at right angles");
 }
 
 /// Area, centroid and second moments of a plane polygon about its centroid. The corners may run either way.

@@ -4,7 +4,23 @@
 #include "base/archive.hpp"
 #include "contact/joint_law.hpp"
 
+#include <cmath>
+
 namespace tribo {
+namespace {
+
+bool is_possible(const Joint& joint) {
+  static constexpr double most = 1e150;  // the squares must be numbers, too
+  for (const double x : {joint.Fn, joint.Fs.s, joint.Fs.t, joint.Mt, joint.Mb.s, joint.Mb.t, joint.opening,
+                         joint.shear.s, joint.shear.t, joint.gap, joint.rest_gap, joint.strain, joint.work})
+    if (!(std::abs(x) < most)) return false;
+  for (const double x : {joint.area, joint.kn, joint.ks, joint.twist_stiffness, joint.radius, joint.inertia,
+                         joint.polar, joint.slip, joint.elongation})
+    if (!(x >= 0 && x < most)) return false;
+  return joint.state >= 0;
+}
+
+}  // namespace
 
 void archive(Archive& a, Joint& joint) {
   auto& [area, kn, ks, twist_stiffness, bend_stiffness, radius, inertia, polar, Fn, Fs, Mt, Mb, dashpot_normal,
@@ -21,6 +37,7 @@ void archive(Archive& a, Joint& joint) {
   a("slips", slips), a("bends", bends), a("twists", twists);
   a("shear_weak", shear_weak), a("torn", torn), a("away", away);
   a("strain", strain), a("slid", slid), a("damped", damped), a("work", work), a("start", start);
+  if (a.reading() && !is_possible(joint)) refuse_checkpoint("'" + a.full_name("") + "': the state of a joint");
 }
 
 }  // namespace tribo

@@ -86,6 +86,7 @@ CrackSpec Builder::crack(const Statement& s) {
     cell = std::min(cell, (model_.grid.high[d] - model_.grid.low[d]) / model_.grid.cells[d]);
   CrackShape shape(out, cell);
   const bool solid = model_.dimension() == 3;
+  bool refused = false;  // a part of it
   for (const auto& part : s.children) {
     const bool surface = part.name == "Quad" || part.name == "Disc";
     if (surface != solid) {
@@ -130,7 +131,10 @@ CrackSpec Builder::crack(const Statement& s) {
           resolution <= most, part.origin,
           format("'resolution' %.6g makes segments much shorter than a cell, which cost time without use; at most %.0f",
                  resolution, most));
-      if (resolution > most || !fits(count)) continue;
+      if (resolution > most || !fits(count)) {
+        refused = true;
+        continue;
+      }
       const int n = static_cast<int>(count);
       if (begins) set_end(part, "start_tip", out.ends[0]);
       set_end(part, "end_tip", out.ends[1]);
@@ -156,7 +160,8 @@ CrackSpec Builder::crack(const Statement& s) {
     }
     static_cast<void>(unit);
   }
-  must(!out.pieces.empty(), s.origin, solid ? "this crack has no surface" : "a crack needs at least two points");
+  must(refused || !out.pieces.empty(), s.origin,
+       solid ? "this crack has no surface" : "a crack needs at least two points");
   for (const Vec3& x : out.points)
     for (std::size_t d = 0; d < static_cast<std::size_t>(model_.dimension()); ++d)
       if (const double v = x[static_cast<Eigen::Index>(d)]; v < model_.grid.low[d] || v > model_.grid.high[d]) {

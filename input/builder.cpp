@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "input/builder.hpp"
 
+#include "base/memory.hpp"
 #include "base/read_file.hpp"
 #include "input/dialect.hpp"
 #include "input/read.hpp"
@@ -23,7 +24,7 @@ Model Builder::build() {
     archive(*root_.child("MPMHeader"));
     materials();
     gravity();
-    blocks();
+    with_memory_for("the blocks", place_of("Blocks"), [&] { blocks(); });
     problems_.raise();
     for (const auto& w : problems_.warnings()) warn(w.origin, w.message);
     return std::move(model_);
@@ -34,18 +35,23 @@ Model Builder::build() {
   check_cells();
   check_wave_steps();
   contact();
-  cracks();
+  with_memory_for("the cracks", place_of("CrackList"), [&] { cracks(); });
   fracture();
-  bodies();
+  with_memory_for("the bodies", place_of("MaterialPoints"), [&] { bodies(); });
   conditions();
   heat();
   gravity();
-  if (root_.child("Blocks")) blocks();
+  if (root_.child("Blocks")) with_memory_for("the blocks", place_of("Blocks"), [&] { blocks(); });
   tasks();
   check_histories();
   problems_.raise();
   for (const auto& w : problems_.warnings()) warn(w.origin, w.message);
   return std::move(model_);
+}
+
+Origin Builder::place_of(std::string_view element) const {
+  const Statement* found = root_.child(element);
+  return found ? found->origin : root_.origin;
 }
 
 double Builder::number(const Statement& s, std::string_view attribute, Dimension dimension, double fallback) {
@@ -70,7 +76,8 @@ double Builder::converted(const Statement& s, const std::string& text, const Ori
 
 std::optional<std::string> Builder::content_of(const std::filesystem::path& file, const Origin& origin) {
   try {
-    return read_file(file);
+    return with_memory_for("the contents of '" + printable(file.string()) + "'", origin,
+                           [&] { return read_file(file); });
   } catch (const FileError& error) {
     problems_.add(origin, error.what());
     return std::nullopt;
@@ -312,11 +319,16 @@ Model model_of(const std::string& text, const std::string& file, const std::file
 Statement read_statements(const std::filesystem::path& file, Settings settings, std::FILE* output) {
   About about;
   const auto name = std::make_shared<const std::string>(printable(file.string()));
-  return statements_of(read_file(file, most_text), name, std::move(settings), output, about);
+  return with_memory_for("the contents of this file", Origin{name, 1, 1}, [&] {
+    return statements_of(read_file(file, most_text), name, std::move(settings), output, about);
+  });
 }
 
 Model read_model(const std::filesystem::path& file, const Settings& settings) {
-  return model_of(read_file(file, most_text), file.string(), file.parent_path(), settings);
+  const auto name = std::make_shared<const std::string>(printable(file.string()));
+  return with_memory_for("the contents of this file", Origin{name, 1, 1}, [&] {
+    return model_of(read_file(file, most_text), file.string(), file.parent_path(), settings);
+  });
 }
 
 Model read_model_text(std::string_view text, const std::string& name) {

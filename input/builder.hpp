@@ -74,6 +74,8 @@ class Builder {
   void check_cells();
   void reference_temperature(const Statement& header);
   /// Contents of a file that is named at `origin`. A file that cannot be read is a problem at `origin`.
+  /// Place of an element of the root, or of the root if there is none.
+  Origin place_of(std::string_view element) const;
   std::optional<std::string> content_of(const std::filesystem::path& file, const Origin& origin);
   std::shared_ptr<const ScatteredField> stress_points(const Statement& s);
   double taylor_quinney(const Statement& s);

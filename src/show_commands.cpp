@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "base/error.hpp"
+#include "base/memory.hpp"
+#include "base/read_file.hpp"
 #include "commands.hpp"
 #include "output/atomic_file.hpp"
 #include "view/picture.hpp"
@@ -10,6 +12,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <fstream>
 
 namespace tribo {
 namespace {
@@ -68,6 +71,27 @@ std::string quoted(const std::string& text) {
   return out + "'";
 }
 
+std::string drawn(const RunFolder& run, const CollectionEntry& entry, const PictureOptions& options) {
+  return with_memory_for("the picture of '" + printable(entry.file.string()) + "'",
+                         [&] { return picture(run.scene(entry), options); });
+}
+
+// Pictures of earlier calls may be replaced, nothing else.
+void must_be_rendered(const std::filesystem::path& file) {
+  if (std::filesystem::exists(std::filesystem::symlink_status(file)) && !is_rendered(file))
+    throw FileError("'" + printable(file.string()) +
+                    "' was not made by 'tribo render': nothing was changed; move it, or choose another folder with "
+                    "--output");
+}
+
+void make_film(const std::filesystem::path& pictures, std::size_t count, int rate, const std::filesystem::path& film) {
+  write_atomically(film, [&](const std::string& temporary) {
+    return succeeds("ffmpeg -y -framerate " + std::to_string(rate) + " -i " + quoted(pictures.string()) +
+                    " -frames:v " + std::to_string(count) + " -pix_fmt yuv420p " + quoted(temporary)) &&
+           (std::ofstream(temporary, std::ios::binary | std::ios::app) << film_mark()).flush();
+  });
+}
+
 }  // namespace
 
 int render_command(const Arguments& a) {
@@ -75,27 +99,25 @@ int render_command(const Arguments& a) {
   const auto frames = chosen(run.frames(), a.times);
   const PictureOptions options = common_options(run, frames, a);
   const std::filesystem::path folder = a.output.empty() ? a.folder / "pictures" : a.output;
+  const auto place = [&](const Frame& frame) {
+    char name[32];
+    std::snprintf(name, sizeof name, "_%05zu.png", frame.number);
+    return folder / (options.field + name);
+  };
+  const auto film = a.times.empty() && succeeds("command -v ffmpeg") ? std::optional(folder / (options.field + ".mp4"))
+                                                                     : std::nullopt;
+  for (const auto& frame : frames) must_be_rendered(place(frame));
+  if (film) must_be_rendered(*film);
   std::error_code refused;
   std::filesystem::create_directories(folder, refused);
   if (refused) throw FileError("cannot create '" + folder.string() + "': " + refused.message());
   // Pictures of different fields do not replace each other.
-  for (const auto& [number, entry] : frames) {
-    char name[32];
-    std::snprintf(name, sizeof name, "_%05zu.png", number);
-    write_atomically(folder / (options.field + name), picture(run.scene(entry), options));
-  }
+  for (const auto& frame : frames) write_atomically(place(frame), marked_as_rendered(drawn(run, frame.entry, options)));
   std::printf("%zu pictures in %s\n", frames.size(), folder.c_str());
   if (!a.times.empty()) return done;
-  const std::string film = (folder / (options.field + ".mp4")).string();
-  if (!succeeds("command -v ffmpeg"))
-    std::printf("no film: ffmpeg is not installed\n");
-  else if (succeeds("ffmpeg -y -framerate " + std::to_string(a.rate) + " -i " +
-                    quoted((folder / (options.field + "_%05d.png")).string()) + " -frames:v " +
-                    std::to_string(frames.size()) + " -pix_fmt yuv420p " + quoted(film)))
-    std::printf("film: %s\n", film.c_str());
-  else
-    throw FileError("ffmpeg could not make '" + film + "'");
-  return done;
+  if (!film) return print("no film: ffmpeg is not installed\n");
+  make_film(folder / (options.field + "_%05d.png"), frames.size(), a.rate, *film);
+  return print("film: " + film->string() + "\n");
 }
 
 int report_command(const Arguments& a) {
@@ -109,7 +131,7 @@ int report_command(const Arguments& a) {
   const auto frames = chosen(all, times);
   const PictureOptions options = common_options(run, frames, a);
   std::vector<ReportPicture> pictures;
-  for (const auto& frame : frames) pictures.push_back({frame.entry.time, picture(run.scene(frame.entry), options)});
+  for (const auto& frame : frames) pictures.push_back({frame.entry.time, drawn(run, frame.entry, options)});
   const std::filesystem::path file = a.output.empty() ? a.folder / "report.html" : a.output;
   if (std::filesystem::exists(std::filesystem::symlink_status(file)) && !is_report(file))
     throw FileError("'" + file.string() + "' is not a report of Tribo; --output names another file");

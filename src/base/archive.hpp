@@ -17,6 +17,7 @@
 #include "base/error.hpp"
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <map>
@@ -40,6 +41,11 @@ struct DoublesIn<Eigen::Matrix<double, Rows, Columns, Options>>
 template <class T, std::size_t Count>
 struct DoublesIn<std::array<T, Count>> : std::integral_constant<std::size_t, Count * DoublesIn<T>::value> {};
 
+/// Throws the FileError of a checkpoint with numbers that are not possible, although its check sums may be right.
+[[noreturn]] inline void refuse_checkpoint(const std::string& why) {
+  throw FileError("the checkpoint is damaged or belongs to another command file: " + why);
+}
+
 class Archive {
  public:
   virtual ~Archive() = default;
@@ -60,7 +66,7 @@ class Archive {
     } else if constexpr (std::is_arithmetic_v<T> || std::is_enum_v<T>) {
       auto number = static_cast<std::int64_t>(value);
       integers(name, {&number, 1});
-      value = static_cast<T>(number);
+      value = narrowed<T>(name, number);
     } else {
       enter(name);
       archive(*this, value);
@@ -80,7 +86,8 @@ class Archive {
     } else if constexpr (std::is_integral_v<T>) {
       std::vector<std::int64_t> numbers(list.begin(), list.end());
       integers(name, numbers);
-      std::copy(numbers.begin(), numbers.end(), list.begin());
+      std::transform(numbers.begin(), numbers.end(), list.begin(),
+                     [&](std::int64_t number) { return narrowed<T>(name, number); });
     } else {
       columns(name, list);
     }
@@ -131,6 +138,14 @@ class Archive {
  private:
   template <class List>
   void columns(std::string_view name, List& list);
+  /// A saved number as the type that it was saved from.
+  template <class T>
+  T narrowed(std::string_view name, std::int64_t number) const {
+    const T value = static_cast<T>(number);
+    if (static_cast<std::int64_t>(value) != number)
+      refuse_checkpoint("'" + full_name(name) + "' is " + std::to_string(number));
+    return value;
+  }
 
   bool reading_;
 };

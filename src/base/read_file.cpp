@@ -13,6 +13,7 @@
 #include <cstring>
 #include <fstream>
 #include <limits>
+#include <new>
 
 namespace tribo {
 namespace {
@@ -102,10 +103,15 @@ std::string read_file(const std::filesystem::path& file, std::uintmax_t most) {
   const auto too_large = [&] { refuse(file, "it is larger than " + std::to_string(most >> 20) + " MB"); };
   if (size > most) too_large();
   std::string out;
+  const auto no_memory = [&] { refuse(file, "not enough memory for its " + std::to_string(size >> 20) + " MB"); };
   static constexpr std::size_t piece = 1 << 16;
   std::size_t used = 0;
   while (true) {
-    if (used == out.size()) out.resize(std::max(used + piece, static_cast<std::size_t>(size) + 1));
+    try {
+      if (used == out.size()) out.resize(std::max(used + piece, static_cast<std::size_t>(size) + 1));
+    } catch (const std::bad_alloc&) {
+      no_memory();
+    }
     const auto n = ::read(in.number, out.data() + used, out.size() - used);
     if (n < 0 && errno == EINTR) continue;
     if (n < 0) refuse(file, reason(errno));

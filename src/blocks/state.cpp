@@ -52,6 +52,16 @@ void archive(Archive& a, BlockLedger& ledger) {
   a("outer_work", outer_work), a("boundary_work", boundary_work), a("stepping", stepping);
 }
 
+// Refuses blocks, restored from a checkpoint, whose places are not possible.
+static void check(const Assembly& blocks) {
+  static constexpr double farthest = 1e100, tolerance = 1e-3;
+  for (const BlockMotion& m : blocks.motion)
+    if (!(m.x.norm() < farthest) || !((m.R.transpose() * m.R - Mat<3>::Identity()).cwiseAbs().maxCoeff() < tolerance))
+      refuse_checkpoint("the place of a block");
+  if (!blocks.is_finite()) refuse_checkpoint("the velocity of a block");
+  if (blocks.step < 0 || blocks.time < 0) refuse_checkpoint("its time or its number of steps is negative");
+}
+
 // The members from `spec` on that are not visited belong to the model, follow from the contacts, or serve within a
 // step. Contacts that were found during the run exist again once their pairs of blocks are known.
 void archive(Archive& a, Assembly& blocks) {
@@ -72,6 +82,7 @@ void archive(Archive& a, Assembly& blocks) {
   a("contacts", contacts), a("contact_forces", contact_forces), a("shift", shift);
   a("found_at", found_at), a("checked_at", checked_at), a("removed", removed);
   a("time", time), a("time_error", time_error), a("last_step", last_step), a("step", step), a("broken", broken);
+  if (a.reading()) check(blocks);
 }
 
 }  // namespace tribo

@@ -2,6 +2,7 @@
 #include "output/atomic_file.hpp"
 
 #include "base/error.hpp"
+#include "base/read_file.hpp"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -19,13 +20,41 @@ namespace {
   throw FileError("cannot write '" + path.string() + "': " + (reason ? std::strerror(reason) : "the writer gave up"));
 }
 
-void flush_to_disk(const std::filesystem::path& path, const std::filesystem::path& temporary) {
+// What is written must be on the disk before it gets its name.
+void complete(const std::filesystem::path& path, const std::filesystem::path& temporary) {
   const int file = ::open(temporary.c_str(), O_RDONLY | O_CLOEXEC);  // NOLINT(cppcoreguidelines-pro-type-vararg)
   if (file < 0) fail(path, temporary, errno);
   const int result = ::fsync(file);
   const int reason = errno;
   ::close(file);
   if (result != 0) fail(path, temporary, reason);
+}
+
+// Devices and pipes, such as /dev/stdout, are written to: a file must not take their place.
+bool is_special(const std::filesystem::path& path) {
+  // /dev/stdout may lead to a file of the shell, which must remain the same.
+  const std::string name = std::filesystem::absolute(path).lexically_normal().string();
+  if (name.starts_with("/proc/") || (name.starts_with("/dev/") && !name.starts_with("/dev/shm/"))) return true;
+  struct stat status {};
+  return ::stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
+}
+
+bool write_to(const std::string& path, std::string_view content) {
+  const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);  // NOLINT
+  if (file < 0) return false;
+  std::size_t done = 0;
+  while (done < content.size()) {
+    const auto n = ::write(file, content.data() + done, content.size() - done);
+    if (n < 0 && errno == EINTR) continue;
+    if (n <= 0) {
+      const int reason = errno;
+      ::close(file);
+      errno = reason;
+      return false;
+    }
+    done += static_cast<std::size_t>(n);
+  }
+  return ::close(file) == 0;
 }
 
 }  // namespace
@@ -38,11 +67,22 @@ std::filesystem::path temporary_of(const std::filesystem::path& path) {
 }
 
 void write_atomically(const std::filesystem::path& path, const std::function<bool(const std::string&)>& write) {
+  if (is_special(path))
+    throw FileError("cannot write '" + printable(path.string()) + "': it is a pipe, a socket or a device, not a file");
   const auto temporary = temporary_of(path);
   errno = 0;
   if (!write(temporary.string())) fail(path, temporary, errno);
-  flush_to_disk(path, temporary);
+  complete(path, temporary);
   if (std::rename(temporary.c_str(), path.c_str()) != 0) fail(path, temporary, errno);
+}
+
+void flush_to_disk(const std::filesystem::path& path) {
+  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);  // NOLINT(cppcoreguidelines-pro-type-vararg)
+  if (file < 0 && errno == ENOENT) return;
+  const bool done = file >= 0 && (::fsync(file) == 0 || errno == EINVAL);  // some file systems cannot flush folders
+  const int reason = errno;
+  if (file >= 0) ::close(file);
+  if (!done) throw FileError("cannot write '" + printable(path.string()) + "': " + std::strerror(reason));
 }
 
 bool write_over(const std::filesystem::path& path, std::string_view content) {
@@ -60,23 +100,11 @@ bool write_over(const std::filesystem::path& path, std::string_view content) {
 }
 
 void write_atomically(const std::filesystem::path& path, std::string_view content) {
-  write_atomically(path, [&](const std::string& temporary) {
-    const int file = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);  // NOLINT
-    if (file < 0) return false;
-    std::size_t done = 0;
-    while (done < content.size()) {
-      const auto n = ::write(file, content.data() + done, content.size() - done);
-      if (n < 0 && errno == EINTR) continue;
-      if (n <= 0) {
-        const int reason = errno;
-        ::close(file);
-        errno = reason;
-        return false;
-      }
-      done += static_cast<std::size_t>(n);
-    }
-    return ::close(file) == 0;
-  });
+  if (!is_special(path))
+    return write_atomically(path, [&](const std::string& temporary) { return write_to(temporary, content); });
+  errno = 0;
+  if (!write_to(path.string(), content))
+    throw FileError("cannot write '" + printable(path.string()) + "': " + std::strerror(errno));
 }
 
 }  // namespace tribo

@@ -2,6 +2,7 @@
 #include "output/checkpoint_archive.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace tribo {
 
@@ -16,6 +17,9 @@ void RestoringArchive::take(std::string_view name, std::vector<T> saved, std::sp
 
 void RestoringArchive::doubles(std::string_view name, std::span<double> values) {
   take(name, from_.doubles(full_name(name)), values);
+  // Nothing else is ever saved.
+  if (!std::all_of(values.begin(), values.end(), [](double x) { return std::isfinite(x); }))
+    refuse_checkpoint("'" + full_name(name) + "' has a number that is not finite");
 }
 
 void RestoringArchive::integers(std::string_view name, std::span<std::int64_t> values) {

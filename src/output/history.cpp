@@ -2,13 +2,14 @@
 #include "output/history.hpp"
 
 #include "base/error.hpp"
+#include "base/read_file.hpp"
 #include "output/atomic_file.hpp"
 #include "output/number.hpp"
 
 #include <cerrno>
 #include <cmath>
 #include <cstring>
-#include <fstream>
+#include <sstream>
 
 namespace tribo {
 namespace {
@@ -42,8 +43,7 @@ History::History(std::filesystem::path path, const std::vector<std::string>& col
 }
 
 History History::resume(std::filesystem::path path, const std::vector<std::string>& columns, double time) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw FileError("cannot read '" + path.string() + "'");
+  std::istringstream file(read_file(path, std::uintmax_t{1} << 40));
   std::string kept, line;
   std::getline(file, line);
   if (line + '\n' != header(columns))
@@ -51,7 +51,6 @@ History History::resume(std::filesystem::path path, const std::vector<std::strin
   kept = line + '\n';
   while (std::getline(file, line) && !file.eof())  // a last line without line end is incomplete
     if (parse_number(line) <= time) kept += line + '\n';
-  file.close();
   write_atomically(path, kept);
   History history;
   history.path_ = std::move(path);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "output/vtk.hpp"
 
-#include "base/error.hpp"
+#include "base/memory.hpp"
+#include "base/read_file.hpp"
 #include "output/atomic_file.hpp"
 #include "output/number.hpp"
 
@@ -21,6 +22,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <fstream>
 #include <sstream>
 
@@ -81,6 +83,12 @@ void add_time(vtkDataObject* object, double time) {
 
 template <class Writer, class Data>
 void write(const std::filesystem::path& path, Data* data) {
+  // VTK ends the program if its memory is too small or it can start no thread.
+  static constexpr std::size_t working = std::size_t{8} << 20;
+  void* volatile probe = std::malloc(2048 * data->GetActualMemorySize() + working);  // NOLINT(*-no-malloc)
+  if (!probe) refuse_memory("the file '" + printable(path.string()) + "'");
+  std::free(probe);                                     // NOLINT(*-no-malloc)
+  ::setenv("VTK_SMP_BACKEND_IN_USE", "Sequential", 0);  // NOLINT(concurrency-mt-unsafe): no other thread runs here
   write_atomically(path, [&](const std::string& temporary) {
     vtkNew<Writer> writer;
     writer->SetFileName(temporary.c_str());

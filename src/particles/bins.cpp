@@ -84,7 +84,7 @@ void Bins<Dim>::paint(const Lattice<Dim>& lattice) {
     // Bins of a checkpoint may be damaged.
     if (bins_[k].block < 0 || bins_[k].block >= lattice.block_count() || bins_[k].begin != before(k) ||
         bins_[k].end < bins_[k].begin)
-      throw FileError("the checkpoint is damaged: the bins of particles do not follow each other");
+      refuse_checkpoint("the bins of particles do not follow each other");
     const auto block = lattice.block_at(bins_[k].block);
     std::size_t colour = 0;
     for (const int b : block)
@@ -95,6 +95,21 @@ void Bins<Dim>::paint(const Lattice<Dim>& lattice) {
   for (std::size_t colour = 0; colour < count; ++colour)
     for (const std::uint32_t k : colours_[colour])
       before_[colour].push_back(before_[colour].back() + bins_[k].end - bins_[k].begin);
+}
+
+template <int Dim>
+bool Bins<Dim>::hold(const Lattice<Dim>& lattice, const Particles<Dim>& particles) const {
+  for (const Bin& bin : bins_) {
+    const auto block = lattice.block_at(bin.block);
+    for (std::size_t i = bin.begin; i < bin.end; ++i) {
+      const Vec<Dim> cells = ((particles.position(i) - lattice.origin).array() / lattice.spacing.array()) - shift_;
+      for (int d = 0; d < Dim; ++d) {
+        const double from = cells[d] - block[static_cast<std::size_t>(d)] * block_edge<Dim>;
+        if (!(from >= -1 && from <= block_edge<Dim> + 1)) return false;
+      }
+    }
+  }
+  return true;
 }
 
 template class Bins<2>;

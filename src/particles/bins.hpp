@@ -45,6 +45,9 @@ class Bins {
     if (a.reading()) bins.paint(lattice);
   }
 
+  /// Whether each particle is in the block of its bin or less than a cell from it.
+  bool hold(const Lattice<Dim>& lattice, const Particles<Dim>& particles) const;
+
   const std::vector<Bin>& list() const { return bins_; }
   /// Bins of each colour, as indices into list().
   const std::vector<std::vector<std::uint32_t>>& colours() const { return colours_; }

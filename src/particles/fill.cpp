@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "base/memory.hpp"
 #include "base/read_file.hpp"
 #include "base/text.hpp"
 #include "materials/material.hpp"
@@ -40,7 +41,8 @@ class Filler {
 
   void run() {
     choose_lattices();
-    for (std::size_t p = 0; p < model_.pieces.size(); ++p) fill(p);
+    for (std::size_t p = 0; p < model_.pieces.size(); ++p)
+      with_memory_for("the particles of this body", model_.pieces[p].origin, [&] { fill(p); });
     for (const auto& point : model_.points) receive_(seeds_.at(point, per_axis_));
   }
 

@@ -2,6 +2,7 @@
 #include "run/block_run.hpp"
 
 #include "base/error.hpp"
+#include "base/memory.hpp"
 #include "base/parallel.hpp"
 
 #include <algorithm>
@@ -10,8 +11,11 @@
 namespace tribo {
 
 Assembly assemble(const Model& model) {
-  return Assembly(model.blocks, model.dimension(), model.analysis == Analysis::plane_stress, model.body_force.gravity,
-                  model.time.max_step);
+  const auto build = [&] {
+    return Assembly(model.blocks, model.dimension(), model.analysis == Analysis::plane_stress, model.body_force.gravity,
+                    model.time.max_step);
+  };
+  return with_memory_for("the blocks", model.blocks->origin, build);
 }
 
 BlockSteps steps_of(const Model& model, const Assembly& blocks) {

@@ -2,6 +2,7 @@
 #include "run/model_record.hpp"
 
 #include "base/error.hpp"
+#include "base/read_file.hpp"
 #include "output/atomic_file.hpp"
 #include "output/provenance.hpp"
 
@@ -65,6 +66,23 @@ Lines difference(const Lines& a, const Lines& b) {
   return out;
 }
 
+// A name that is not UTF-8, which JSON could not hold, as a list of its bytes.
+Json name_record(const std::string& name) {
+  try {
+    (void)Json(name).dump();
+    return name;
+  } catch (const Json::type_error&) {
+    return std::vector<int>(name.begin(), name.end());
+  }
+}
+
+std::string name_of(const Json& record) {
+  if (record.is_string()) return record.get<std::string>();
+  std::string out;
+  for (const int byte : record.get<std::vector<int>>()) out += static_cast<char>(byte);
+  return out;
+}
+
 }  // namespace
 
 fs::path copy_of_model(const fs::path& folder) { return folder / "tribo-model.xml"; }
@@ -74,7 +92,7 @@ void write_model_record(const fs::path& folder, const Model& model) {
   std::error_code none;
   const fs::path relative = fs::relative(file, folder, none);
   Json record;
-  record["file"] = file.string(), record["relative"] = relative.string();
+  record["file"] = name_record(file.string()), record["relative"] = name_record(relative.string());
   record["settings"] = model.settings, record["data"] = checksums(model);
   record["lines"] = lines_of(model.source);
   write_atomically(copy_of_model(folder), model.meaning);
@@ -82,19 +100,16 @@ void write_model_record(const fs::path& folder, const Model& model) {
 }
 
 ModelRecord read_model_record(const fs::path& folder) {
-  std::ifstream in(folder / record_name);
-  if (!in)
+  if (!fs::exists(folder / record_name))
     throw FileError("'" + folder.string() + "' is not the folder of a run of this version: it has no " + record_name);
-  const Json record = Json::parse(in, nullptr, false);
-  std::ifstream copy(copy_of_model(folder), std::ios::binary);
-  std::ostringstream meaning;
-  meaning << copy.rdbuf();
+  const Json record = Json::parse(read_file(folder / record_name), nullptr, false);
+  const std::string meaning = read_file(copy_of_model(folder));
   try {
-    return {record.at("file").get<std::string>(),
-            record.at("relative").get<std::string>(),
+    return {name_of(record.at("file")),
+            name_of(record.at("relative")),
             record.at("settings").get<std::map<std::string, std::string>>(),
             record.at("lines").get<Lines>(),
-            meaning.str(),
+            meaning,
             record.at("data").get<std::map<std::string, std::string>>()};
   } catch (const Json::exception&) {
     throw FileError("'" + (folder / record_name).string() + "' is damaged");

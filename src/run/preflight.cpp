@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "run/preflight.hpp"
 
+#include "base/memory.hpp"
 #include "base/parallel.hpp"
 #include "base/text.hpp"
 #include "contact/contact_law.hpp"
@@ -269,8 +270,11 @@ class Report {
 }  // namespace
 
 std::string preflight(const Model& model, int threads) {
-  if (model.only_blocks()) return describe_blocks(model, threads);
-  return model.dimension() == 2 ? Report<2>(model, threads).text() : Report<3>(model, threads).text();
+  if (model.only_blocks())
+    return with_memory_for("this model", model.blocks->origin, [&] { return describe_blocks(model, threads); });
+  return with_memory_for("this model", model.grid.origin, [&] {
+    return model.dimension() == 2 ? Report<2>(model, threads).text() : Report<3>(model, threads).text();
+  });
 }
 
 }  // namespace tribo

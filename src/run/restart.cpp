@@ -17,12 +17,15 @@ void visit(Archive& a, RunState& state, System<Dim>& system, Stepper<Dim>& stepp
   a("stepper", stepper);
 }
 
+void check_counters(const RunState& state) {
+  if (state.archive < 0 || state.history < 0 || state.checkpoint < 0 || state.dt < 0)
+    refuse_checkpoint("the number of files or the time step is negative");
+}
+
 // Numbers of a checkpoint that others are looked up with.
 template <int Dim>
 void check(const RunState& state, const System<Dim>& system, const Stepper<Dim>&) {
-  const auto refuse = [](const std::string& what) {
-    throw FileError("the checkpoint is damaged or belongs to another command file: " + what);
-  };
+  check_counters(state);
   const auto bodies = static_cast<std::int64_t>(system.bodies.size());
   for (std::size_t k = 0; k < sign_count; ++k) {
     const Finding& f = state.monitor.findings[k];
@@ -30,22 +33,11 @@ void check(const RunState& state, const System<Dim>& system, const Stepper<Dim>&
                               k == static_cast<std::size_t>(Sign::expanded) ||
                               k == static_cast<std::size_t>(Sign::stretched);
     if (f.seen && (f.body >= bodies || (of_particles && f.body < 0)))
-      refuse("a remark is on a body that does not exist");
+      refuse_checkpoint("a remark is on a body that does not exist");
   }
-  const auto complete = [&](const auto& list) {
-    for (const Body<Dim>& body : list)
-      // none before the first step, which sorts
-      if (const auto bins = body.bins.list().size(); bins > 0 && body.bins.before(bins) != body.particles.size())
-        refuse("the particles of '" + body.name + "' are not sorted into bins");
-  };
-  complete(system.bodies), complete(system.rigids);
-  for (const auto& crack : system.cracks)
-    for (const auto& piece : crack.pieces)
-      for (const auto corner : piece)
-        if (corner >= crack.x.size()) refuse("a crack has a corner that does not exist");
 }
 
-void check(const RunState&, const Assembly&) {}
+void check(const RunState& state, const Assembly&) { check_counters(state); }
 
 void visit(Archive& a, RunState& state, Assembly& blocks) {
   const std::int64_t expected = blocks.plane() ? 2 : 3;

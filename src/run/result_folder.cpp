@@ -2,13 +2,13 @@
 #include "run/result_folder.hpp"
 
 #include "base/error.hpp"
+#include "base/read_file.hpp"
 #include "output/atomic_file.hpp"
 #include "output/provenance.hpp"
 
 #include <algorithm>
 #include <cctype>
 #include <cstdio>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 namespace tribo {
@@ -29,8 +29,11 @@ const ResultNames names_of_old_runs{{"run.pvd", "grid.pvd", "cracks.pvd", "joint
                                     {"particles", "grid", "cracks", "joints", "blocks", "contacts"}};
 
 nlohmann::json read_json(const fs::path& file) {
-  std::ifstream in(file);
-  return nlohmann::json::parse(in, nullptr, false);
+  try {
+    return nlohmann::json::parse(read_file(file), nullptr, false);
+  } catch (const FileError&) {  // missing, or a pipe, which would wait
+    return nlohmann::json::value_t::discarded;
+  }
 }
 
 // Names of files in the folder itself only, whatever the list says.

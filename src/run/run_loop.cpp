@@ -4,6 +4,7 @@
 #include "base/parallel.hpp"
 #include "base/stopwatch.hpp"
 #include "base/text.hpp"
+#include "output/atomic_file.hpp"
 #include "output/progress.hpp"
 #include "output/provenance.hpp"
 #include "run/model_record.hpp"
@@ -40,6 +41,7 @@ class RunLoop {
         stepped_(stepped),
         options_(options),
         checkpoint_(options.folder / "checkpoint.bin"),
+        names_(names_of_every_run()),
         resume_time_(prepare()),
         begin_time_(stepped.time()),
         provenance_(options.folder / "provenance.json", options.command_line, model.file, threads(),
@@ -47,6 +49,7 @@ class RunLoop {
         progress_(options.quiet, stepped.time(), model.time.end, stepped.moving().first, stepped.moving().second) {
     std::vector<std::string> materials;
     for (const auto& m : model.materials) materials.push_back(m.name);
+    names_.add(stepped.result_names());
     provenance_.set_legend(units_of_results(model), materials);
   }
 
@@ -58,7 +61,13 @@ class RunLoop {
       const bool usable = std::filesystem::exists(checkpoint_);
       throw SimulationError(std::string(error.what()) +
                             (usable ? "\nThe last checkpoint is in '" + checkpoint_.string() + "'." : std::string()));
-    } catch (const std::exception& error) {  // a full disk, no memory
+    } catch (const std::bad_alloc&) {
+      report_failure("not enough memory");
+      throw FileError("not enough memory for step " + std::to_string(stepped_.step()) + " of this run" + remains());
+    } catch (const FileError& error) {
+      report_failure(error.what());
+      throw FileError(error.what() + remains());
+    } catch (const std::exception& error) {
       report_failure(error.what());
       throw;
     }
@@ -88,6 +97,13 @@ class RunLoop {
     progress_.finish(stepped_.time(), stepped_.step());
     summary();
     return Outcome::finished;
+  }
+
+  // What a user can do after a failure that the model is not to blame for.
+  std::string remains() const {
+    return std::filesystem::exists(checkpoint_)
+               ? "\nThe last checkpoint remains; to continue from it: tribo resume " + options_.folder.string()
+               : "\nThere is no checkpoint yet; to start again: tribo run --overwrite";
   }
 
   // The failure itself is told in any case.
@@ -160,7 +176,19 @@ class RunLoop {
   void save() {
     RunState state;
     state.archive = files_.count(), state.history = histories_.count(), state.checkpoint = checkpoints_.count();
-    stepped_.save(state).save(checkpoint_);
+    const CheckpointWriter all = stepped_.save(state);
+    flush_results();
+    all.save(checkpoint_);
+    flush_to_disk(options_.folder);
+  }
+
+  // Everything that is older than a checkpoint reaches the disk before it, so that a run continues after a power cut.
+  // The files themselves are flushed when they are written, but not the rows of tables and the names of files.
+  void flush_results() const {
+    for (const std::string& name : names_.files)
+      if (name.ends_with(".csv")) flush_to_disk(options_.folder / name);
+    for (const std::string& name : names_.frames) flush_to_disk(options_.folder / name);
+    flush_to_disk(options_.folder);
   }
 
   void report(const std::string& status, const std::string& reason) {
@@ -185,6 +213,7 @@ class RunLoop {
   Schedule histories_ = every(model_.output.history_interval, model_.output);
   Schedule checkpoints_ = every(model_.output.checkpoint_interval, model_.output);
   std::filesystem::path checkpoint_;
+  ResultNames names_;
   std::optional<double> resume_time_;
   double begin_time_;
   Provenance provenance_;

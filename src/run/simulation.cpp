@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "run/simulation.hpp"
 
+#include "base/memory.hpp"
 #include "base/parallel.hpp"
 #include "run/block_run.hpp"
 #include "run/grid_run.hpp"
@@ -10,14 +11,21 @@
 namespace tribo {
 namespace {
 
+// Where the size of a model is given.
+const Origin& place_of(const Model& model) { return model.only_blocks() ? model.blocks->origin : model.grid.origin; }
+
 // The model is built before the folder is touched, so that a wrong command file leaves old results as they are. Signals
 // end the program until the run is able to continue from where they stop it.
 template <class Stepped>
 Outcome start(const Model& model, const RunOptions& options) {
   if (!options.opened) check_folder(options);
-  Stepped stepped(model);
-  stepped.choose_threads(options.threads);
-  stepped.start();
+  std::optional<Stepped> built;
+  with_memory_for("this model", place_of(model), [&] {
+    built.emplace(model);
+    built->choose_threads(options.threads);
+    built->start();
+  });
+  Stepped& stepped = *built;
   const SignalGuard signals;
   std::optional<ResultFolder> own;
   if (!options.opened) own.emplace(options.folder);
@@ -33,7 +41,9 @@ Outcome resume(const Model& model, const RunOptions& options) {
     throw FileError("there is no folder '" + options.folder.string() + "'");
   ResultFolder folder(options.folder);
   folder.require_checkpoint();
-  Stepped stepped(model);
+  std::optional<Stepped> built;
+  with_memory_for("this model", place_of(model), [&] { built.emplace(model); });
+  Stepped& stepped = *built;
   stepped.choose_threads(options.threads);
   return run_to_end(model, stepped, options);
 }
@@ -88,7 +98,9 @@ Outcome run(const Model& model, const RunOptions& options) {
 }
 
 Settlement settle(const Model& model, int thread_count) {
-  return model.dimension() == 2 ? settle<2>(model, thread_count) : settle<3>(model, thread_count);
+  return with_memory_for("this model", place_of(model), [&] {
+    return model.dimension() == 2 ? settle<2>(model, thread_count) : settle<3>(model, thread_count);
+  });
 }
 
 }  // namespace tribo

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "solver/build.hpp"
 
+#include "base/memory.hpp"
 #include "blocks/assembly.hpp"
 #include "solver/cracks/crack_build.hpp"
 #include "solver/impulse_choice.hpp"
@@ -232,7 +233,11 @@ System<Dim> build_system(const Model& model, const std::vector<Seed>& seeds) {
     for (const Seed& seed : seeds)
       if (seed.material == m) mine.push_back(&seed);
     if (mine.empty()) continue;
-    auto body = make_body<Dim>(model, m, mine, next_id, *transfers);
+    auto body =
+        with_memory_for("the particles of '" + model.materials[static_cast<std::size_t>(m)].name + "'",
+                        mine.front()->piece < 0 ? model.grid.origin
+                                                : model.pieces[static_cast<std::size_t>(mine.front()->piece)].origin,
+                        [&] { return make_body<Dim>(model, m, mine, next_id, *transfers); });
     next_id += static_cast<std::int64_t>(mine.size());
     body.cell.setConstant(system.lattice.spacing[0]);
     body.cell.template head<Dim>() = system.lattice.spacing;
@@ -244,9 +249,12 @@ System<Dim> build_system(const Model& model, const std::vector<Seed>& seeds) {
             "particles of '" + body.name + "' are larger than a cell; uGIMP needs at least one per cell and axis");
     (body.law->rigid() ? system.rigids : system.bodies).push_back(std::move(body));
   }
-  if (model.blocks) add_blocks(model, system, *transfers, next_id);
+  if (model.blocks)
+    with_memory_for("the blocks", model.blocks->origin, [&] { add_blocks(model, system, *transfers, next_id); });
   assign_fields(model, system);
-  if (!model.cracks.empty()) add_cracks(model, system, transfers->stencil_width());
+  if (!model.cracks.empty())
+    with_memory_for("the cracks", model.cracks.front().origin,
+                    [&] { add_cracks(model, system, transfers->stencil_width()); });
   add_interfaces(model, system);
   add_sides(system);
   if (system.bodies.empty())

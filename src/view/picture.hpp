@@ -27,6 +27,13 @@ struct PictureOptions {
 std::string picture(const Scene& scene, const PictureOptions& options);
 std::string picture(const ParticleFrame& frame, const PictureOptions& options);
 
+/// The bytes of a PNG file with a text that says it was made by `tribo render`.
+std::string marked_as_rendered(const std::string& png);
+/// Whether a file is such a picture, or a film that ends with `film_mark()`.
+bool is_rendered(const std::filesystem::path& file);
+/// To be appended to a film: a box without meaning for players.
+std::string film_mark();
+
 /// The bounding box of particles and blocks.
 std::array<std::array<double, 3>, 2> box_of(const ParticleFrame& frame);
 std::array<std::array<double, 3>, 2> box_of(const Scene& scene);

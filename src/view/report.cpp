@@ -59,7 +59,7 @@ std::string with_unit(const std::string& name, const std::string& unit) {
 std::string time_name_of(const Legend& legend) { return with_unit("time", legend.time); }
 
 // Columns of one quantity, `velx:Left` and `velx:Right`, in one chart.
-std::string history_charts(const Table& table, const Legend& legend, bool contact) {
+std::string history_charts(const ResultTable& table, const Legend& legend, bool contact) {
   std::vector<std::string> order;
   std::map<std::string, std::vector<Curve>> groups;
   std::map<std::string, std::string> unit;
@@ -87,7 +87,7 @@ double largest(const std::vector<double>& values) {
   return most;
 }
 
-std::string energy_section(const Table& table, const Legend& legend) {
+std::string energy_section(const ResultTable& table, const Legend& legend) {
   const std::string energy = legend.unit_of("kinetic");
   std::vector<Curve> contents;
   double most = 0.0;
@@ -138,12 +138,12 @@ std::string timing_section(const OrderedJson& record) {
 
 std::string charts_of(const RunFolder& run, const Legend& legend) {
   std::string out;
-  const Table history = run.history();
+  const ResultTable history = run.history();
   if (const std::string charts = history_charts(history, legend, true); !charts.empty())
     out += "<h2>Contact</h2>\n" + charts;
   if (const std::string charts = history_charts(history, legend, false); !charts.empty())
     out += "<h2>Histories</h2>\n" + charts;
-  if (const Table energy = run.energy(); energy.rows() > 0)
+  if (const ResultTable energy = run.energy(); energy.rows() > 0)
     out += "<h2>Energy ledger</h2>\n" + energy_section(energy, legend);
   return out;
 }
@@ -185,6 +185,7 @@ std::string report_of(const RunFolder& run, const OrderedJson& record, const std
 }  // namespace
 
 bool is_report(const std::filesystem::path& file) {
+  if (!std::filesystem::is_regular_file(file)) return false;  // a pipe would wait
   std::ifstream in(file, std::ios::binary);
   std::string begin(200, '\0');
   in.read(begin.data(), static_cast<std::streamsize>(begin.size()));

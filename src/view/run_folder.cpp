@@ -30,14 +30,14 @@ std::vector<std::string> cells(const std::string& line) {
 
 }  // namespace
 
-const std::vector<double>* Table::column(std::string_view name) const {
+const std::vector<double>* ResultTable::column(std::string_view name) const {
   const auto found = std::find(names.begin(), names.end(), name);
   return found == names.end() ? nullptr : &columns[static_cast<std::size_t>(found - names.begin())];
 }
 
-Table read_table(const std::filesystem::path& file) {
+ResultTable read_table(const std::filesystem::path& file) {
   const std::string text = read_file(file);
-  Table table;
+  ResultTable table;
   std::size_t number = 0;
   const auto fail = [&](const std::string& why) {
     throw FileError("the file '" + printable(file.string()) + "' is damaged: line " + std::to_string(number) + ": " +

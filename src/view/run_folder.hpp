@@ -10,7 +10,7 @@
 namespace tribo {
 
 /// Columns of numbers with names.
-struct Table {
+struct ResultTable {
   std::vector<std::string> names;
   std::vector<std::vector<double>> columns;
 
@@ -20,7 +20,7 @@ struct Table {
 };
 
 /// A file of History: an incomplete last line is left out. Throws FileError.
-Table read_table(const std::filesystem::path& file);
+ResultTable read_table(const std::filesystem::path& file);
 
 /// The state at one output time: particles, rigid blocks and their contacts. Any may be empty.
 struct Scene {
@@ -52,8 +52,8 @@ class RunFolder {
   std::vector<CollectionEntry> frames() const;
   /// The state that was written together with a file of `frames`. Throws FileError.
   Scene scene(const CollectionEntry& frame) const;
-  Table history() const { return read_table(folder_ / "history.csv"); }
-  Table energy() const { return read_table(folder_ / "energy.csv"); }
+  ResultTable history() const { return read_table(folder_ / "history.csv"); }
+  ResultTable energy() const { return read_table(folder_ / "energy.csv"); }
   Legend legend() const;
   /// provenance.json as text.
   std::string provenance() const;

@@ -118,6 +118,10 @@ def with_new_checksums(data):
             struct.pack_into("<q", one[2], 0, rng.choice([-1, 0, 1 << 62, 10**9, 10**7, -2**63, 3]))
         else:
             del one[2][rng.randrange(len(one[2]) + 1):]
+    if rng.random() < 0.4:
+        one = rng.choice([e for e in entries if e[0] == b"d" and len(e[2]) >= 8])
+        value = rng.choice([float("nan"), float("inf"), 1e300, -1e300, 1e10, -1.0, 0.0, 1e-300])
+        struct.pack_into("<d", one[2], 8 * rng.randrange(len(one[2]) // 8), value)
     for kind, name, content in entries:
         out += kind + struct.pack("<QQ", len(name), len(content)) + name + bytes(content)
         out += struct.pack("<I", zlib.crc32(name + bytes(content)))
@@ -259,7 +263,7 @@ def main():
                  lambda: with_file("pictures", of_picture, "picture", rng.choice([png, bmp])(), True),
                  lambda: with_file("surfaces", of_surface, "surface.stl", stl(), True),
                  lambda: with_file("surfaces", of_surface, "surface.stl", ascii_stl(), False), special_file,
-                 lambda: result(rng.choice(runs)), lambda: result(rng.choice(runs)), lambda: checkpoint(runs[0])]
+                 lambda: result(rng.choice(runs)), lambda: result(rng.choice(runs)), lambda: checkpoint(rng.choice(runs))]
         begin = time.time()
         for k in range(count):
             os.mkdir("case")
@@ -275,4 +279,5 @@ def main():
     sys.exit(1 if failures else 0)
 
 
-main()
+if __name__ == "__main__":
+    main()

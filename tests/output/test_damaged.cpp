@@ -11,6 +11,10 @@
 
 #include <catch2/catch.hpp>
 
+#include <zlib.h>
+
+#include <cstring>
+#include <limits>
 #include <random>
 
 using namespace tribo;
@@ -112,7 +116,7 @@ TEST_CASE("damaged tables, lists of files and records are refused or read", "[ou
   write_atomically(table, "time,velx\n0,1\n1,-2.5e-3\n2,nan\n");
   CHECK(read_table(table).columns[1][1] == -2.5e-3);
   refused(table, 2000, [&] {
-    const Table t = read_table(table);
+    const ResultTable t = read_table(table);
     for (const auto& column : t.columns) CHECK(column.size() == t.rows());
   });
   Collection collection(list);
@@ -150,4 +154,35 @@ TEST_CASE("a checkpoint whose lists cannot be that long is refused before memory
     std::vector<double> list;
     CHECK_THROWS_AS(archive.resizable("list", list), FileError);
   }
+}
+
+TEST_CASE("a checkpoint with a number that is not finite or not of its type is refused", "[output]") {
+  const ScratchFolder folder;
+  const auto file = folder.path / "checkpoint.bin";
+  const double right = 1.25, wrong = std::numeric_limits<double>::quiet_NaN();
+  CheckpointWriter writer;
+  writer.put("x", right), writer.put("flag", std::int64_t{2});
+  writer.save(file);
+  std::string bytes = read_file(file);
+  const auto at = bytes.find(std::string(reinterpret_cast<const char*>(&right), sizeof right));
+  REQUIRE(at != std::string::npos);
+  std::memcpy(bytes.data() + at, &wrong, sizeof wrong);
+  const auto crc = static_cast<std::uint32_t>(
+      ::crc32(0, reinterpret_cast<const Bytef*>(bytes.data() + at - 1), static_cast<uInt>(1 + sizeof wrong)));
+  std::memcpy(bytes.data() + at + sizeof wrong, &crc, sizeof crc);
+  write_atomically(file, bytes);
+  const Checkpoint checkpoint(file);
+  RestoringArchive archive(checkpoint);
+  double x = 0;
+  bool flag = false;
+  CHECK_THROWS_WITH(archive("x", x), Catch::Contains("'x' has a number that is not finite"));
+  CHECK_THROWS_WITH(archive("flag", flag), Catch::Contains("'flag' is 2"));
+}
+
+TEST_CASE("a device is written to, and not replaced by a file", "[output]") {
+  write_atomically("/dev/null", "text");
+  CHECK(std::filesystem::is_character_file("/dev/null"));
+  if (std::filesystem::exists("/dev/full")) CHECK_THROWS_AS(write_atomically("/dev/full", "text"), FileError);
+  CHECK(!std::filesystem::is_regular_file("/dev/full"));
+  CHECK_THROWS_AS(write_atomically("/dev/null", [](const std::string&) { return true; }), FileError);
 }

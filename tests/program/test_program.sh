@@ -248,6 +248,25 @@ if [ -w /dev/full ]; then
   "$tribo" convert "$script" >/dev/full 2>err.txt || code=$?
   [ $code -eq 5 ] || fail "convert to a full disk ended with $code, not 5"
 fi
+if [ -c /dev/full ]; then
+  expect 5 "$tribo" convert --overwrite -o /dev/full "$script"
+  [ -c /dev/full ] || fail "convert has replaced a device by a file"
+fi
+expect 0 "$tribo" convert --overwrite -o /dev/stdout "$script"
+grep -q "<JANFEAInput" out.txt || fail "convert to /dev/stdout"
+mkfifo pipe piped.json
+expect 5 timeout 10 "$tribo" report -o pipe own
+mkdir piped && mv piped.json piped/tribo-run.json
+expect 5 timeout 10 "$tribo" run --quiet -o piped "$deck"
+
+# A name that is not UTF-8
+odd=$'n\xff'
+cp "$deck" "$odd.xml"
+code=0
+"$tribo" run --quiet --max-wall 0.02 -o "$odd" "$odd.xml" 2>/dev/null || code=$?
+[ $code -eq 6 ] || fail "a name that is not UTF-8: $code"
+expect 0 "$tribo" resume --quiet "$odd"
+[ ! -s err.txt ] || { cat err.txt; fail "a command file is not found by its name that is not UTF-8"; }
 mkdir small
 if mount -t tmpfs -o size=1m none small 2>/dev/null; then
   code=0

@@ -70,6 +70,15 @@ with tempfile.TemporaryDirectory() as folder:
     subprocess.run([tribo, "render", "few", "--time", "0", "--width", "400"], check=True, stdout=subprocess.DEVNULL)
     check(os.listdir("few/pictures") == ["velocity_00000.png"], "without von_mises another field is drawn")
 
+    again = [tribo, "render", "few", "--time", "0", "1e9", "--width", "300"]
+    check(subprocess.run(again, stdout=subprocess.DEVNULL).returncode == 0, "pictures of an earlier call are replaced")
+    last = max(os.listdir("few/pictures"))
+    open("few/pictures/" + last, "w").write("mine")
+    drawn = open("few/pictures/velocity_00000.png", "rb").read()
+    refused = subprocess.run(again[:-1] + ["400"], stderr=subprocess.PIPE, text=True)
+    check(refused.returncode == 5 and "not made by 'tribo render'" in refused.stderr and last in refused.stderr, "a file that render has not made is in the way")
+    check(open("few/pictures/" + last).read() == "mine" and open("few/pictures/velocity_00000.png", "rb").read() == drawn, "nothing was changed")
+
     blocks = subprocess.run([tribo, "run", "--quiet", "-o", "blocks", source + "/input/examples/direct_tension.xml"])
     check(blocks.returncode == 0, "a run of blocks")
     server = subprocess.Popen([tribo, "watch", "blocks"], stdout=subprocess.PIPE, text=True)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "base/error.hpp"
+#include "output/atomic_file.hpp"
 #include "scratch.hpp"
 #include "view/chart.hpp"
 #include "view/colours.hpp"
@@ -315,7 +316,7 @@ TEST_CASE("tables are read back, without a torn last line", "[view]") {
   const ScratchFolder scratch;
   const auto file = scratch.path / "t.csv";
   std::ofstream(file) << "time,\"velx:a,b\"\n0,1\n1,2.5\n2,";
-  const Table table = read_table(file);
+  const ResultTable table = read_table(file);
   CHECK(table.names == std::vector<std::string>{"time", "velx:a,b"});
   REQUIRE(table.rows() == 2);
   CHECK((*table.column("velx:a,b"))[1] == 2.5);
@@ -355,4 +356,25 @@ TEST_CASE("Blocks are drawn with their field, grey without, and broken bonds on 
   CHECK(std::isnan(shade.values[3]));
   options.field = "pressure";
   CHECK(count(read_png(picture(scene, options)), stone) > 1000);
+}
+
+TEST_CASE("pictures and films of render are known by their marks", "[view]") {
+  const ScratchFolder folder;
+  ParticleFrame frame;
+  frame.position = {{0, 0, 0}, {1, 1, 0}};
+  frame.fields.push_back({"mass", 1, false, {1, 2}});
+  PictureOptions options;
+  options.field = "mass", options.width = 200;
+  const std::string png = picture(frame, options);
+  const auto file = folder.path / "a.png", film = folder.path / "a.mp4";
+  write_atomically(file, png);
+  CHECK(!is_rendered(file));
+  write_atomically(file, marked_as_rendered(png));
+  CHECK(is_rendered(file));
+  write_atomically(film, "a film" + film_mark());
+  CHECK(is_rendered(film));
+  write_atomically(film, "a film" + film_mark() + ".");
+  CHECK(!is_rendered(film));
+  CHECK(!is_rendered(folder.path / "none"));
+  CHECK(!is_rendered(folder.path));
 }

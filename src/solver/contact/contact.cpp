@@ -202,6 +202,7 @@ template <int Dim>
 void Contact<Dim>::archive_kept(Archive& a) {
   a.version(1);
   a("faces", cache_);
+  if (a.reading() && !cache_.fits(bodies_)) refuse_checkpoint("a face of contact has a particle that does not exist");
   if (cache_.empty() || finder_.needs_volumes()) return;
   for (std::size_t f = 0; f < system_.fields.size(); ++f) {
     auto& volumes = system_.fields[f].volumes;
@@ -216,9 +217,12 @@ void Contact<Dim>::archive_kept(Archive& a) {
     a.resizable("nodes" + std::to_string(f), numbers), a.resizable("volumes" + std::to_string(f), values);
     if (!a.reading()) continue;
     volumes.assign(system_.fields[f].nodes.size(), VolumeNode{});
+    if (numbers.size() != values.size()) refuse_checkpoint("volumes of nodes are missing");
     for (std::size_t k = 0; k < numbers.size(); ++k) {
+      if (numbers[k] < 0 || static_cast<std::size_t>(numbers[k]) >= volumes.size())
+        refuse_checkpoint("a node with a volume does not exist");
       const auto& v = values[k];
-      volumes.at(static_cast<std::size_t>(numbers[k])) = {v[0], {v[1], v[2], v[3]}, 0.0, {v[4], v[5], v[6]}};
+      volumes[static_cast<std::size_t>(numbers[k])] = {v[0], {v[1], v[2], v[3]}, 0.0, {v[4], v[5], v[6]}};
     }
   }
 }

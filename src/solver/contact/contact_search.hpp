@@ -48,7 +48,7 @@ class ContactSearch {
     a.resizable("pairs", numbers), a.resizable("impulses", impulses);
     search.kept_.resize(numbers.size() / 4);
     if (numbers.size() != 4 * search.kept_.size() || impulses.size() != 3 * search.kept_.size())
-      throw FileError("the checkpoint is damaged: the pairs of contact and their impulses differ in number");
+      refuse_checkpoint("the pairs of contact and their impulses differ in number");
     for (std::size_t k = 0; k < search.kept_.size(); ++k) {
       const std::int64_t* n = numbers.data() + 4 * k;
       search.kept_[k] = {n[0], n[1], n[2], n[3] != 0, Eigen::Map<const Vec3>(impulses.data() + 3 * k)};

@@ -208,7 +208,11 @@ void FaceCache<Dim>::archive_particles(Archive& a) {
       members.insert(members.end(), face.particles[side].begin(), face.particles[side].begin() + face.listed(side));
   a.resizable("particles", labels), a.resizable("members", members);
   if (!a.reading()) return;
-  const auto number = [](std::int64_t n) { return static_cast<std::uint32_t>(n); };
+  const auto number = [](std::int64_t n) {
+    if (n < 0 || n > std::numeric_limits<std::uint32_t>::max())
+      refuse_checkpoint("the number of a particle at a face of contact");
+    return static_cast<std::uint32_t>(n);
+  };
   particles_.resize(labels.size() / 3);
   for (std::size_t k = 0; k < particles_.size(); ++k)
     particles_[k].label = {number(labels[3 * k]), number(labels[3 * k + 1]), number(labels[3 * k + 2])};
@@ -217,6 +221,23 @@ void FaceCache<Dim>::archive_particles(Archive& a) {
     for (std::size_t side = 0; side < 2; ++side)
       for (std::ptrdiff_t k = 0; k < face.listed(side) && from != members.end(); ++k)
         face.particles[side][static_cast<std::size_t>(k)] = number(*from++);
+}
+
+template <int Dim>
+bool FaceCache<Dim>::fits(const std::vector<Body<Dim>*>& bodies) const {
+  if (empty()) return true;
+  const auto exists = [&](const CachedParticle& p) {
+    return p.label.body < bodies.size() && p.label.particle < bodies[p.label.body]->particles.size() &&
+           p.label.field == bodies[p.label.body]->field;
+  };
+  const auto complete = [&](const ContactFace& face) {
+    for (std::size_t side = 0; side < 2; ++side)
+      for (std::ptrdiff_t k = 0; k < face.listed(side); ++k)
+        if (face.particles[side][static_cast<std::size_t>(k)] >= particles_.size()) return false;
+    return true;
+  };
+  return std::all_of(particles_.begin(), particles_.end(), exists) &&
+         std::all_of(faces_.begin(), faces_.end(), complete);
 }
 
 template class FaceCache<2>;

@@ -102,6 +102,9 @@ class FaceCache {
   void store(ContactFace& face, NearParticles<Dim>& near) const;
   /// Ends a search: copies the stored particles from the cloud.
   void end_search(const ParticleCloud<Dim>& cloud);
+  /// Whether the numbers of bodies and particles exist, as they do unless a checkpoint is damaged. `bodies`: as in the
+  /// cloud.
+  bool fits(const std::vector<Body<Dim>*>& bodies) const;
   /// Counts the steps for which faces are kept.
   void count_step() { steps_ = enabled_ ? steps_ + 1 : 0; }
 

@@ -6,6 +6,7 @@
 #include "base/types.hpp"
 #include "contact/contact_law.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -122,8 +123,13 @@ void archive(Archive& a, Crack<Dim>& crack) {
   for (const auto& piece : pieces) corners.insert(corners.end(), piece.begin(), piece.end());
   a("pieces", corners);
   for (std::size_t k = 0; k < corners.size(); ++k) pieces[k / Dim][k % Dim] = corners[k];
+  if (std::any_of(corners.begin(), corners.end(), [count = x.size()](auto corner) { return corner >= count; }) ||
+      main_points > x.size() || main_pieces > pieces.size())
+    refuse_checkpoint("a crack has a corner that does not exist");
   a("gap", gap), a("slip", slip), a("bond", bond), a("status", status), a("traction", traction);
   a("tips", tips);
+  for (const CrackTip& tip : tips)
+    if (tip.point >= x.size() || tip.previous >= x.size()) refuse_checkpoint("a crack tip has no point");
 }
 
 }  // namespace tribo

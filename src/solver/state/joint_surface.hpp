@@ -75,6 +75,20 @@ void archive(Archive& a, JointSample<Dim>& sample) {
   a("joint", joint[0]), a("area_fraction", area_fraction[0]), a("local", local);
 }
 
+/// Refuses joints, restored from a checkpoint, that are not possible.
+template <int Dim>
+void check(const JointSurface<Dim>& surface) {
+  for (const auto& of_body : surface.mass)
+    for (const double mass : of_body)
+      if (!(mass >= 0 || mass == JointSurface<Dim>::detached)) refuse_checkpoint("the mass at a joint is negative");
+  if (!surface.interface || surface.crack != JointSurface<Dim>::none) return;
+  static constexpr double largest_fraction = 1 + 1e-9;
+  for (const JointSample<Dim>& sample : surface.samples)
+    if (sample.joint[0] >= surface.joints.size() || !(sample.area_fraction[0] >= 0) ||
+        sample.area_fraction[0] > largest_fraction)
+      refuse_checkpoint("a part of an interface belongs to no joint");
+}
+
 /// Saves and restores the joints. The integration points follow from the model, except those of interfaces.
 template <int Dim>
 void archive(Archive& a, JointSurface<Dim>& surface) {
@@ -88,6 +102,7 @@ void archive(Archive& a, JointSurface<Dim>& surface) {
     a("dissipated", dissipated);
   }
   a("x", x), a("axes", axes), a("joints", joints), a("mass1", mass[0]), a("mass2", mass[1]);
+  if (a.reading()) check(surface);
 }
 
 }  // namespace tribo

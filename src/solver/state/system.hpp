@@ -10,6 +10,7 @@
 #include "solver/state/crack.hpp"
 #include "solver/state/joint_surface.hpp"
 
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <vector>
@@ -177,6 +178,38 @@ void archive(Archive& a, Body<Dim>& body, const Lattice<Dim>& lattice) {
          conductivity, taylor_quinney, reference_temperature, cell, residual_share, volume_of_displacement,
          particle_damping, total_mass, read_by_scatter, read_by_gather] = body;
   a("particles", particles), archive(a, bins, lattice);
+  if (!a.reading() || bins.list().empty()) return;  // none before the first step, which sorts
+  if (bins.before(bins.list().size()) != particles.size() || !bins.hold(lattice, particles))
+    refuse_checkpoint("the particles of '" + name + "' are not sorted into bins");
+  const auto negative = [count = particles.size()](const double* x) {
+    return std::any_of(x, x + count, [](double y) { return y < 0; });
+  };
+  if (negative(particles.mass()) || negative(particles.volume()))
+    refuse_checkpoint("a particle of '" + name + "' has a negative mass or volume");
+}
+
+/// Refuses a system, restored from a checkpoint, with points far outside of the grid.
+template <int Dim>
+void check(const System<Dim>& system) {
+  static constexpr double farthest = 100;  // sizes of the grid
+  const Lattice<Dim>& lattice = system.lattice;
+  const double most = farthest * (lattice.high - lattice.low).norm();
+  const auto look = [&](const std::vector<Vec<Dim>>& points) {
+    for (const Vec<Dim>& x : points)
+      if (!((x - lattice.low).norm() < most))
+        refuse_checkpoint("a point of a crack or joint lies far outside of the grid");
+  };
+  for (const auto& crack : system.cracks) {
+    look(crack.x), look(crack.face[0]), look(crack.face[1]);
+    for (const CrackTip& tip : crack.tips)
+      if (tip.active && tip.body >= system.bodies.size()) refuse_checkpoint("a crack tip lies in no body");
+  }
+  for (const auto& surface : system.joints) {
+    look(surface.x);
+    for (const auto& sample : surface.samples)
+      if (!(sample.local.norm() < most)) refuse_checkpoint("a part of a joint lies far outside of the grid");
+  }
+  if (system.step < 0 || system.time < 0) refuse_checkpoint("its time or its number of steps is negative");
 }
 
 /// Saves and restores bodies, cracks, joints and time. Fields are computed in every step. Blocks have an archive of
@@ -194,6 +227,7 @@ void archive(Archive& a, System<Dim>& system) {
       archive(a, (*list)[k], lattice);
       a.leave();
     }
+  if (a.reading()) check(system);
 }
 
 }  // namespace tribo
