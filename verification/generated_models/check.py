@@ -22,10 +22,11 @@ def keeps_noise(options):
     return options["transfer"].startswith(("FLIP", "XPIC"))
 
 
-def measure(case, number):
+def measure(case, number, model=models.model):
     """Options, largest mean energy over the initial one, relative change of momentum, and the message of a run that stopped."""
-    options, text = models.model(number)
-    deck, out = case.scratch / f"{number}.xml", case.scratch / f"{number}.out"
+    options, text = model(number)
+    name = f"{model.__name__}_{number}"
+    deck, out = case.scratch / f"{name}.xml", case.scratch / f"{name}.out"
     deck.write_text(text)
     done = subprocess.run([case.tribo, "run", "--quiet", "--overwrite", "--output", out, deck], capture_output=True, text=True)
     if done.returncode == 3:
@@ -40,7 +41,17 @@ def measure(case, number):
     return options, mean.max() / total[0], change / (mass * 0.05), done.stderr if done.returncode else ""
 
 
+def thin_plates(case):
+    """Plates of one to three cells: nodes that they hardly reach must not add energy."""
+    found = [measure(case, number, models.thin_model) for number in range(6 if case.quick else 120)]
+    for label, of, limit in (("APIC and FMPM", False, 1.01), ("FLIP", True, 1.025)):
+        group = [gain for options, gain, _, _ in found if keeps_noise(options) == of]
+        case.check(f"thin plates: largest energy over the initial one, {len(group)} models with {label}", max(group), 0, limit, "at most")
+    case.check("thin plates: runs that stop", sum(1 for *_, message in found if message), 0, 0, "at most")
+
+
 def run(case):
+    thin_plates(case)
     numbers = range(12) if case.quick else range(200)
     found = [measure(case, number) for number in numbers]
     gains = [gain for _, gain, _, _ in found]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Random models of bodies in contact. `models.py N` prints the command file of the N-th."""
+"""Random models of bodies in contact. `models.py N` prints the command file of the N-th, `models.py N --thin` that of the N-th with a thin plate."""
 
 import sys
 
@@ -122,5 +122,58 @@ def model(number):
     return dict(number=number, analysis=analysis, count=count, transfer=transfer, order=order, kernel=kernel, law=words, impulses=impulses), deck
 
 
+def turned(centre, angle, x, y):
+    """A point of a body that is turned about its centre."""
+    c, s = np.cos(angle), np.sin(angle)
+    return centre[0] + c * x - s * y, centre[1] + s * x + c * y
+
+
+def turned_rectangle(centre, angle, width, height):
+    corners = [turned(centre, angle, sx * width / 2, sy * height / 2) for sx, sy in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
+    return "<Polygon>" + "".join(f"<pt x='{x:.9g}' y='{y:.9g}'/>" for x, y in corners) + "</Polygon>"
+
+
+def thin_model(number):
+    """Words, options and command file of a plate of one to three cells, at any angle, that another body hits. Cells of 1."""
+    random = np.random.default_rng([number, 1])
+    kernel = str(random.choice(["uGIMP", "uGIMP", "quadratic", "lCPDI"]))
+    transfer = str(random.choice(["FLIP", "FLIP", "APIC", "FMPM(2)"]))
+    order = str(random.choice(["USL+", "USAVG+"]))
+    thickness, length = random.choice([1, 1.5, 2, 3]), random.choice([6, 10, 14])
+    angle = np.radians(random.choice([0, 0, 17, 45, random.uniform(0, 90)]))
+    friction, speed, gap = random.choice([0, 0.3, 0.8]), random.uniform(0.005, 0.03), random.choice([0, 0.3])
+    impulses = str(random.choice(["chosen", "chosen", "faces", "nodes"]))
+    other, third = str(random.choice(["block", "disc", "plate"])), random.random() < 0.3
+    centre = np.array([15, 15 + random.uniform(-0.5, 0.5)])
+    width, height = {"block": (5, 4), "disc": (6, 6), "plate": (8, 2)}[other]
+    there = turned(centre, angle, random.uniform(-length / 3, length / 3), thickness / 2 + height / 2 + gap)
+    if other == "disc":
+        shape = f"<Oval xmin='{there[0] - 3:.9g}' xmax='{there[0] + 3:.9g}' ymin='{there[1] - 3:.9g}' ymax='{there[1] + 3:.9g}'/>"
+    else:
+        shape = turned_rectangle(there, angle, width, height)
+    course = angle - np.pi / 2 + random.uniform(-0.7, 0.7)
+    bodies = f"<Body matname='plate'>{turned_rectangle(centre, angle, length, thickness)}</Body>"
+    bodies += f"<Body matname='other' vx='{speed * np.cos(course):.6g}' vy='{speed * np.sin(course):.6g}'>{shape}</Body>"
+    moduli = {"plate": 1, "other": random.choice([1, 1, 0.1, 10])}
+    if third:
+        bodies += f"<Body matname='third'>{turned_rectangle(turned(centre, angle, 0, -thickness / 2 - 2), angle, 8, 4)}</Body>"
+        moduli["third"] = 1
+    materials = "".join(f"<Material Type='LinearElastic' Name='{name}'><rho>1</rho><E>{E}</E><nu>0.3</nu></Material>" for name, E in moduli.items())
+    attribute = "" if impulses == "chosen" else f" Impulses='{impulses}'"
+    method, skip = orders[order]
+    deck = f"""<?xml version='1.0'?>
+<JANFEAInput version='3'>
+  <Header><Description>Generated thin model {number}</Description><Analysis>10</Analysis><ConsistentUnits length='m' mass='kg' time='s'/></Header>
+  <MPMHeader><MPMMethod>{method}</MPMMethod>{skip}<GIMP type='{kernel}'/>{transfers[transfer]}<MatlPtsPerElement>{random.choice([4, 4, 16])}</MatlPtsPerElement>
+    <TimeFactor>0.4</TimeFactor><MaxTime>60</MaxTime><ArchiveTime>60</ArchiveTime><GlobalArchiveTime>0.5</GlobalArchiveTime>
+    <MultiMaterialMode{attribute}><Friction lawname='law'/></MultiMaterialMode></MPMHeader>
+  <Mesh><Grid xmin='0' xmax='30' ymin='0' ymax='30'><Horiz cellsize='1'/><Vert cellsize='1'/></Grid></Mesh>
+  <MaterialPoints>{bodies}</MaterialPoints>
+  {materials}<Material Type='CoulombFriction' Name='law'><coeff>{friction}</coeff></Material>
+</JANFEAInput>
+"""
+    return dict(number=number, analysis="plane strain", transfer=transfer, order=order, kernel=kernel, law=f"friction {friction}", impulses=impulses), deck
+
+
 if __name__ == "__main__":
-    print(model(int(sys.argv[1]))[1])
+    print((thin_model if "--thin" in sys.argv else model)(int(sys.argv[1]))[1])
