@@ -60,31 +60,36 @@ TEST_CASE("contact shows on the row of particles that touches, whose tractions s
   Stepper<2> stepper(model, system);
   Body<2>& block = system.bodies[0];
   for (int k = 0; k < 2; ++k) stepper.advance(fall_step);  // the faces only touch at the start
-  const Vec<2> before = momentum_of(block);
-  stepper.advance(fall_step);
-  const Vec<2> force = (momentum_of(block) - before) / fall_step;
-  stepper.contact().fill_view();
   const Vec<2> up(-std::sin(angle * std::numbers::pi / 180), std::cos(angle * std::numbers::pi / 180));
+  // Means over many steps: the force of a block that falls on the floor oscillates from step to step.
   Vec<2> sum = Vec<2>::Zero();
-  int touching = 0;
-  for (std::size_t i = 0; i < block.particles.size(); ++i) {
-    const double height = (block.particles.position(i) - Vec<2>(20, 20)).dot(up);
-    const bool first = height < particle_size;
-    const double state = block.particles[block.contact_state][i];
-    Vec<2> traction, normal;
-    for (std::size_t d = 0; d < 2; ++d) {
-      traction[static_cast<Eigen::Index>(d)] = block.particles[block.contact_traction][d][i];
-      normal[static_cast<Eigen::Index>(d)] = block.particles[block.contact_normal][d][i];
+  const Vec<2> before = momentum_of(block);
+  constexpr int steps = 100;
+  for (int step = 0; step < steps; ++step) {
+    stepper.advance(fall_step);
+    stepper.contact().fill_view();
+    int touching = 0;
+    for (std::size_t i = 0; i < block.particles.size(); ++i) {
+      const double height = (block.particles.position(i) - Vec<2>(20, 20)).dot(up);
+      const bool first = height < particle_size;
+      const double state = block.particles[block.contact_state][i];
+      Vec<2> traction, normal;
+      for (std::size_t d = 0; d < 2; ++d) {
+        traction[static_cast<Eigen::Index>(d)] = block.particles[block.contact_traction][d][i];
+        normal[static_cast<Eigen::Index>(d)] = block.particles[block.contact_normal][d][i];
+      }
+      sum += particle_size / steps * traction, touching += first ? 1 : 0;
+      if (step > 0) continue;
+      CHECK((state > 0) == first);
+      CHECK((traction.norm() > 0) == first);
+      if (first) CHECK((normal + up).norm() < 1e-3);
     }
-    CHECK((state > 0) == first);
-    CHECK((traction.norm() > 0) == first);
-    if (first) CHECK((normal + up).norm() < 1e-3);
-    sum += particle_size * traction, touching += first ? 1 : 0;
+    if (step == 0) CHECK(touching == static_cast<int>(block_width / particle_size));
   }
-  CHECK(touching == static_cast<int>(block_width / particle_size));
+  const Vec<2> force = (momentum_of(block) - before) / (steps * fall_step);
   CHECK(sum.dot(up) > 0);
   // Off the grid lines the nodes at the ends of the face carry more than their share.
-  CHECK((sum - force).norm() < (angle == 45 ? 0.06 : 0.02) * force.norm());
+  CHECK((sum - force).norm() < 0.02 * force.norm());
   for (const Body<2>& floor : system.rigids)
     for (std::size_t i = 0; i < floor.particles.size(); ++i)
       if ((floor.particles.position(i) - Vec<2>(20, 20)).dot(up) < -particle_size)

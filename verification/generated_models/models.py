@@ -142,7 +142,7 @@ def thin_model(number):
     thickness, length = random.choice([1, 1.5, 2, 3]), random.choice([6, 10, 14])
     angle = np.radians(random.choice([0, 0, 17, 45, random.uniform(0, 90)]))
     friction, speed, gap = random.choice([0, 0.3, 0.8]), random.uniform(0.005, 0.03), random.choice([0, 0.3])
-    impulses = str(random.choice(["chosen", "chosen", "faces", "nodes"]))
+    impulses = str(random.choice(["chosen", "chosen", "faces"]))
     other, third = str(random.choice(["block", "disc", "plate"])), random.random() < 0.3
     centre = np.array([15, 15 + random.uniform(-0.5, 0.5)])
     width, height = {"block": (5, 4), "disc": (6, 6), "plate": (8, 2)}[other]

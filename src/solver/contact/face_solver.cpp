@@ -20,7 +20,7 @@ constexpr int max_image_distance = 4;
 // Nodes with less than this fraction of the mean mass of the nodes of a constraint have a smaller weight
 constexpr double light_node = 1e-3;
 // At the start of the step contact changes nodes with less than this fraction of the mean mass in part only
-constexpr double light_at_start = 0.1;
+constexpr double light_at_start = 0.3;
 constexpr std::ptrdiff_t serial_below = 200;  // constraints
 
 template <int Dim>

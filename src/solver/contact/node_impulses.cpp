@@ -42,10 +42,11 @@ void NodeImpulses<Dim>::apply(double dt, ContactPass pass) {
 // node share its velocity, however light they are.
 template <int Dim>
 void NodeImpulses<Dim>::change_at_start(const ContactNode<Dim>& node, double sign) {
-  constexpr double light = 0.3;  // of the mass of the heaviest field at the node
+  constexpr double light = 0.03;  // of the mass of the heaviest deformable field at the node
   const auto& members = contacts_.members;
   double heaviest = 0.0;
-  for (std::size_t i = node.first_member; i < node.end_member; ++i) heaviest = std::max(heaviest, members[i].mass);
+  for (std::size_t i = node.first_member; i < node.end_member; ++i)
+    if (members[i].inverse_mass > 0.0) heaviest = std::max(heaviest, members[i].mass);
   for (const ContactPair& pair : contacts_.pairs_of(node)) {
     const bool bonded = pair.crack >= 0 || !pair.law || !pair.law->uses_face() || pair.law->interface();
     for (const auto& [i, side] : {std::pair{pair.a, sign}, std::pair{pair.b, -sign}}) {
