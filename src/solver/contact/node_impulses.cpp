@@ -10,7 +10,9 @@ namespace tribo {
 
 template <int Dim>
 void NodeImpulses<Dim>::apply(double dt, ContactPass pass) {
-  auto& [nodes, members, pairs] = contacts_;
+  auto& nodes = contacts_.nodes;
+  auto& members = contacts_.members;
+  auto& pairs = contacts_.pairs;
   parallel_for(static_cast<std::ptrdiff_t>(nodes.size()), [&](std::ptrdiff_t k) {
     const ContactNode<Dim>& node = nodes[static_cast<std::size_t>(k)];
     if (node.solved_on_faces) return;
@@ -68,7 +70,8 @@ void NodeImpulses<Dim>::remove() {
 
 template <int Dim>
 void NodeImpulses<Dim>::constrain_increments(ContactPass pass) {
-  auto& [nodes, members, all_pairs] = contacts_;
+  auto& nodes = contacts_.nodes;
+  auto& members = contacts_.members;
   parallel_for(static_cast<std::ptrdiff_t>(nodes.size()), [&](std::ptrdiff_t k) {
     const ContactNode<Dim>& node = nodes[static_cast<std::size_t>(k)];
     if (node.solved_on_faces) return;
