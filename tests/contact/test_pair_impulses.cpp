@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "contact/contact_cases.hpp"
+#include "solver/contact/node_impulses.hpp"
 #include "solver/contact/node_solver.hpp"
 
 #include <catch2/catch.hpp>
@@ -112,5 +113,45 @@ TEST_CASE("many bodies with any frictional laws keep momentum and never gain ene
     }
     REQUIRE((after - momentum).norm() <= 1e-13 * (1 + momentum.norm()));
     REQUIRE(energy_after <= energy * (1 + 1e-9));
+  }
+}
+
+TEST_CASE("at the start of a step impulses at nodes change light fields in part, bonded ones fully", "[contact]") {
+  const auto smooth = make_law("61", {}), joined = make_law("60", {});
+  const double light = 0.003, heavy = 1.0;
+  for (const auto* law : {smooth.get(), joined.get()}) {
+    System<2> system{Lattice<2>(Vec<2>(0, 0), Vec<2>(4, 4), {4, 4})};
+    const Index<2> place{Lattice<2>::padding + 1, Lattice<2>::padding + 1};
+    const std::vector blocks{system.lattice.block_index({place[0] / block_edge<2>, place[1] / block_edge<2>})};
+    ContactNodes<2> contacts;
+    ContactNode<2> node;
+    node.index = place, node.end_member = 2, node.end_pair = 1;
+    for (std::size_t f = 0; f < 2; ++f) {
+      auto& field = system.fields.emplace_back(system.lattice);
+      field.map.rebuild(blocks);
+      field.nodes.resize(static_cast<std::size_t>(field.map.node_count()), Node{});
+      ContactMember& m = contacts.members.emplace_back();
+      m.field = f, m.node = field.map.node(place), m.mass = f == 0 ? light : heavy, m.inverse_mass = 1 / m.mass;
+      Node& at = field.nodes[static_cast<std::size_t>(m.node)];
+      at.mass = m.mass, at.velocity[1] = f == 0 ? 1 : 0;
+    }
+    ContactPair pair;
+    pair.a = 0, pair.b = 1, pair.law = law;
+    pair.state.mass = light * heavy / (light + heavy), pair.state.normal = Vec3::UnitY(), pair.state.area = 1;
+    contacts.nodes.push_back(node), contacts.pairs.push_back(pair);
+    NodeImpulses<2> impulses(system, contacts);
+    const auto velocity = [&](std::size_t f) {
+      return system.fields[f].nodes[static_cast<std::size_t>(contacts.members[f].node)].velocity[1];
+    };
+    const double common = light / (light + heavy);
+    impulses.apply(1e-3, ContactPass::predictor);
+    const double share = law == joined.get() ? 1.0 : light / (0.03 * heavy);
+    CHECK(velocity(0) == Approx(1 + share * (common - 1)));
+    CHECK(velocity(1) == Approx(common));
+    impulses.remove();
+    CHECK(velocity(0) == Approx(1));
+    CHECK(velocity(1) == Approx(0).margin(1e-15));
+    impulses.apply(1e-3, ContactPass::corrector);
+    CHECK(velocity(0) == Approx(common));
   }
 }
