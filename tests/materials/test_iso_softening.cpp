@@ -17,6 +17,17 @@ const Properties rock{
     {"rho", "1"},     {"K", "86.666666666666667"}, {"G", "40"}, {"sigmac", "2"}, {"tauc", "1"}, {"I-Gc", "1"},
     {"II-Gc", "0.25"}};
 
+// A thousand times as stiff with the same ratios of energies, so that strains are small and volumes stay.
+Properties stiff(Properties properties, bool exponential) {
+  for (auto& [name, text] : properties) {
+    if (name == "K") text = "86666.666666666667";
+    if (name == "G") text = "40000";
+    if (name == "I-Gc") text = "1e-3";
+    if (name == "II-Gc") text = "2.5e-4";
+  }
+  return with(properties, {{"SofteningI", exponential ? "Exponential" : "Linear"}});
+}
+
 Mat3 stretch(double e) { return symmetric(e, 0, 0); }
 
 // The tension of a face that was pulled apart by `e` of a length of 1: what opens and what stretches.
@@ -80,15 +91,7 @@ TEST_CASE("a crack of any mode mix dissipates its fracture energy", "[materials]
   const bool exponential = GENERATE(false, true);
   const double pull = GENERATE(1.0, 0.3, 0.0, -0.5);
   INFO("exponential " << exponential << ", pulled by " << pull);
-  // small strains, so that volumes stay: a stiff law with the same ratios
-  auto properties = with(rock, {{"SofteningI", exponential ? "Exponential" : "Linear"}});
-  for (auto& [name, text] : properties) {
-    if (name == "K") text = "86666.666666666667";
-    if (name == "G") text = "40000";
-    if (name == "I-Gc") text = "1e-3";
-    if (name == "II-Gc") text = "2.5e-4";
-  }
-  const auto law = make_material("50", properties);
+  const auto law = make_material("50", stiff(rock, exponential));
   MaterialPoint<3> point(*law);
   const Mat3 direction = symmetric(pull, -0.2 * pull, 0, 0.6);
   const Mat3 T = 60e3 * direction.trace() * Mat3::Identity() + 80e3 * direction;
@@ -116,13 +119,7 @@ TEST_CASE("a crack of any mode mix dissipates its fracture energy", "[materials]
 
 TEST_CASE("a crack that opens within one step dissipates its fracture energy", "[materials]") {
   const bool exponential = GENERATE(false, true);
-  auto properties = with(brittle, {{"SofteningI", exponential ? "Exponential" : "Linear"}});
-  for (auto& [name, text] : properties) {  // stiff, so that strains are small
-    if (name == "K") text = "86666.666666666667";
-    if (name == "G") text = "40000";
-    if (name == "I-Gc") text = "1e-3";
-  }
-  const auto law = make_material("50", properties);
+  const auto law = make_material("50", stiff(brittle, exponential));
   MaterialPoint<3> point(*law);
   point.step(stretch(0.01), 1.0);
   CHECK(point.history_value("dissipation") == Approx(1e-3 * std::exp(0.01)).epsilon(exponential ? 1e-6 : 1e-12));
@@ -158,14 +155,7 @@ TEST_CASE("a second and a third crack release what the first cannot", "[material
 TEST_CASE("cracks in three directions lose the energy that they dissipate", "[materials]") {
   const bool exponential = GENERATE(false, true);
   const int seed = GENERATE(range(1, 9));
-  auto properties = with(rock, {{"SofteningI", exponential ? "Exponential" : "Linear"}});
-  for (auto& [name, text] : properties) {  // stiff, so that strains are small
-    if (name == "K") text = "86666.666666666667";
-    if (name == "G") text = "40000";
-    if (name == "I-Gc") text = "1e-3";
-    if (name == "II-Gc") text = "2.5e-4";
-  }
-  const auto law = make_material("50", properties);
+  const auto law = make_material("50", stiff(rock, exponential));
   MaterialPoint<3> point(*law);
   std::mt19937 random(static_cast<unsigned>(seed));
   std::uniform_real_distribution<double> uniform(-1, 1);
