@@ -32,6 +32,15 @@ std::vector<std::string> law_names(bool with_number) {
 
 // Materials that are referenced by name are numbered in the order of first reference, otherwise in the order of the
 // file.
+void Builder::check_materials() {
+  const Statement* h = root_.child("Header");
+  if (!h || !h->child("Analysis")) return;  // then the units are unknown too
+  header();
+  number_materials();
+  materials();
+  problems_.raise();
+}
+
 void Builder::number_materials() {
   std::vector<const Statement*> in_file;
   for (const auto& s : root_.children)

@@ -218,17 +218,36 @@ RegionPtr Builder::placed(const Statement& s, const std::function<RegionPtr()>& 
 
 namespace {
 
-// Adds the problems of values to those of the form, so that all are told in one round. Those on a line that has a
-// problem already may be its consequence.
-void add_values(const Statement& root, const std::filesystem::path& folder, const InputError& form,
-                Problems& problems) {
+using Place = std::pair<int, int>;  // line and column
+
+Place place_of(const Origin& origin) { return {origin.line, origin.column}; }
+
+// The places of all attributes and texts, and those of elements without text.
+void collect_places(const Statement& s, std::set<Place>& values, std::set<Place>& elements) {
+  for (const Attribute& a : s.attributes) values.insert(place_of(a.origin));
+  if (s.text.empty())
+    elements.insert(place_of(s.origin));
+  else
+    values.insert(place_of(s.text_origin));
+  for (const Statement& child : s.children) collect_places(child, values, elements);
+}
+
+// Adds the problems that `check` throws to those already found, so that all are told in one round. Those on a line that
+// has a problem already may be its consequence. If something is missing in the tree, so may be those of elements, and
+// only problems of values are added.
+template <class Check>
+void add_problems(const Statement& root, bool complete, Problems& problems, const Check& check) {
   std::set<int> lines;
-  for (const Problem& p : form.problems()) lines.insert(p.origin.line);
+  for (const Problem& p : problems.list()) lines.insert(p.origin.line);
+  std::set<Place> values, elements;
+  collect_places(root, values, elements);
+  const auto of_value = [&](const Place& p) { return values.count(p) > 0 && elements.count(p) == 0; };
   try {
-    Builder(root, folder).build();
+    check();
   } catch (const InputError& error) {
     for (const Problem& p : error.problems())
-      if (lines.count(p.origin.line) == 0) problems.add(p.origin, p.message);
+      if (lines.count(p.origin.line) == 0 && (complete || of_value(place_of(p.origin))))
+        problems.add(p.origin, p.message);
   }
 }
 
@@ -237,13 +256,16 @@ void add_values(const Statement& root, const std::filesystem::path& folder, cons
 Model build_model(const Statement& root, const std::filesystem::path& folder) {
   Problems problems;
   check_statements(root, problems);
-  try {
-    problems.raise();
-    return Builder(root, folder).build();
-  } catch (const InputError& error) {
-    if (problems.empty() || !is_complete(root)) throw;
-    add_values(root, folder, error, problems);
-  }
+  if (problems.empty()) return Builder(root, folder).build();
+  const bool complete = is_complete(root);
+  const Statement usable = complete ? root : complete_part(root);
+  add_problems(root, complete, problems, [&] {
+    Builder builder(usable, folder);
+    if (is_complete(usable))
+      builder.build();
+    else
+      builder.check_materials();
+  });
   problems.raise();
   return {};
 }
@@ -259,11 +281,12 @@ std::string warning_text(const Origin& origin, const std::string& message) {
 /// What is known about a text besides its statements.
 struct About {
   std::vector<std::string> warnings;
+  Problems problems;  ///< of the commands of a script, which the statements then lack, and of settings
   bool script = false;
   std::vector<std::array<int, 2>> xml_lines;
 };
 
-// The statements of a text.
+// The statements of a text, as far as it could be translated.
 Statement statements_of(const std::string& text, const std::shared_ptr<const std::string>& name, Settings settings,
                         std::FILE* output, About& about) {
   std::string written;
@@ -272,18 +295,17 @@ Statement statements_of(const std::string& text, const std::shared_ptr<const std
     Script script = read_script(text, name, settings);
     root = std::move(script.root), written = std::move(script.output);
     about.script = true, about.xml_lines = std::move(script.xml_lines);
+    about.problems = std::move(script.problems);
     for (const auto& w : script.warnings) about.warnings.push_back(warning_text(w.origin, w.message));
   } else {
     root = read_xml(text, name, settings);
-    written = run_commands(root, settings);
+    written = run_commands(root, settings, about.problems);
   }
-  Problems problems;
   for (const auto& [variable, value] : settings.values())
     if (!settings.used(variable))
-      problems.add({name, 1, 1}, "the file has no variable or entity '" + variable + "' to set" +
-                                     did_you_mean(variable, {settings.seen().begin(), settings.seen().end()}));
-  problems.raise();
-  std::fputs(written.c_str(), output);
+      about.problems.add({name, 1, 1}, "the file has no variable or entity '" + variable + "' to set" +
+                                           did_you_mean(variable, {settings.seen().begin(), settings.seen().end()}));
+  if (about.problems.empty()) std::fputs(written.c_str(), output);
   return root;
 }
 
@@ -304,6 +326,8 @@ Model model_of(const std::string& text, const std::string& file, const std::file
   const auto name = std::make_shared<const std::string>(printable(file));
   const Statement root = statements_of(text, name, settings, stdout, about);
   try {
+    if (!about.problems.empty()) add_problems(root, false, about.problems, [&] { build_model(root, folder); });
+    about.problems.raise();
     Model model = build_model(root, folder);
     model.warnings.insert(model.warnings.begin(), about.warnings.begin(), about.warnings.end());
     model.file = file, model.settings = settings.values(), model.source = text, model.meaning = meaning_of(root);
@@ -320,7 +344,9 @@ Statement read_statements(const std::filesystem::path& file, Settings settings, 
   About about;
   const auto name = std::make_shared<const std::string>(printable(file.string()));
   return with_memory_for("the contents of this file", Origin{name, 1, 1}, [&] {
-    return statements_of(read_file(file, most_text), name, std::move(settings), output, about);
+    Statement root = statements_of(read_file(file, most_text), name, std::move(settings), output, about);
+    about.problems.raise();
+    return root;
   });
 }
 

@@ -24,6 +24,8 @@ class Builder {
   Builder(const Statement& root, std::filesystem::path folder) : root_(root), folder_(std::move(folder)) {}
   /// The model. Throws InputError with all problems found.
   Model build();
+  /// Checks the materials only, for a file whose other parts are incomplete. Throws InputError.
+  void check_materials();
   /// The law and path of <Drive>; apart from it only units and materials are read. Throws InputError.
   Drive build_drive();
 

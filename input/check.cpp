@@ -184,7 +184,21 @@ bool complete(const Statement& s, const ElementSpec& spec) {
   return true;
 }
 
+Statement without_incomplete(Statement s) {
+  std::vector<Statement> kept;
+  for (Statement& child : s.children) {
+    const ElementSpec* of_child = find_element(child.name, s.name);
+    if (!of_child && s.name != "Material") continue;
+    if (of_child) child = without_incomplete(std::move(child));
+    if (!of_child || of_child->required || complete(child, *of_child)) kept.push_back(std::move(child));
+  }
+  s.children = std::move(kept);
+  return s;
+}
+
 }  // namespace
+
+Statement complete_part(const Statement& root) { return without_incomplete(root); }
 
 bool is_complete(const Statement& root) {
   if (root.name != "JANFEAInput" || !complete(root, *find_element("JANFEAInput", ""))) return false;

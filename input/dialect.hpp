@@ -66,6 +66,9 @@ void check_statements(const Statement& root, Problems& problems, bool only_drive
 /// model can be built to find problems of its values, whatever else is wrong.
 bool is_complete(const Statement& root);
 
+/// A tree without the elements that are unknown or lack something required, as far as they may be left out.
+Statement complete_part(const Statement& root);
+
 /// XML schema of the format as Tribo reads it.
 std::string schema();
 

@@ -21,7 +21,8 @@ Statement statement(const std::string& name, const Origin& origin, const std::st
 }  // namespace
 
 Statement& Document::section(const std::string& name, const Origin& origin) {
-  return sections_.try_emplace(name, statement(name, origin)).first->second;
+  // Not the place of an argument: what is missing in the section is not a problem of a value
+  return sections_.try_emplace(name, statement(name, {origin.file, origin.line, 1})).first->second;
 }
 
 Statement& Document::add(const std::string& to, const std::string& element, const Origin& origin,
@@ -99,20 +100,15 @@ void Document::surround(const std::vector<std::string>& names) {
   for (const auto& name : names) ids_.emplace(name, ++surrounding_);
 }
 
-void Document::check_references(Problems& problems) const {
-  for (auto [name, section] : sections_) resolve(section, problems);
-  for (Statement m : materials_) resolve(m, problems);
-  for (Statement crack : cracks_) resolve(crack, problems);
+void Document::resolve_references(Problems& problems) {
+  for (auto& [name, section] : sections_) resolve(section, problems);
+  for (auto& m : materials_) resolve(m, problems);
+  for (auto& crack : cracks_) resolve(crack, problems);
 }
 
 std::vector<Statement> Document::finish_sections(bool legacy) {
   std::vector<Statement> out;
   if (!description_.empty()) set("Header", "Description", origin_, description_);
-  Problems problems;
-  for (auto& [name, section] : sections_) resolve(section, problems);
-  for (auto& m : materials_) resolve(m, problems);
-  for (auto& crack : cracks_) resolve(crack, problems);
-  problems.raise();
   for (const char* name : order) {
     if (name == std::string_view("CrackList"))
       for (auto& crack : cracks_) out.push_back(std::move(crack));

@@ -53,13 +53,13 @@ class Document {
   /// since the file determines their numbers.
   void surround(const std::vector<std::string>& names);
 
-  /// Reports ids that were never defined.
-  void check_references(Problems& problems) const;
+  /// Replaces the ids of materials by numbers or names. Reports ids that were never defined.
+  void resolve_references(Problems& problems);
 
-  /// The sections only, to be added to an XML file. Throws as finish().
+  /// The sections only, to be added to an XML file, after resolve_references().
   std::vector<Statement> finish_sections(bool legacy);
 
-  /// The complete file. Throws InputError for ids that were never defined.
+  /// The complete file, after resolve_references().
   Statement finish(bool legacy);
 
  private:

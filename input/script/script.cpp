@@ -22,8 +22,10 @@ bool is_script(std::string_view text) {
 
 namespace {
 
-// Runs a script; the translator stores the elements that its commands produce.
-std::string interpret(std::string_view text, const Origin& begin, Settings& settings, script::Translator& translator) {
+// Runs a script; the translator stores the elements that its commands produce. Problems of commands are added to
+// `problems`, unless the script does not run to its end.
+std::string interpret(std::string_view text, const Origin& begin, Settings& settings, script::Translator& translator,
+                      Problems& problems) {
   const script::Program program = script::parse(text, begin);
   script::Interpreter interpreter(program, [&](const script::Command& c) { translator.take(c); });
   interpreter.before_assignment = [&](const std::string& name, const script::Node& n) { translator.assigned(name, n); };
@@ -36,9 +38,7 @@ std::string interpret(std::string_view text, const Origin& begin, Settings& sett
     interpreter.run();
   } catch (const InputError& error) {
     if (!interpreter.ran_to_end()) throw;
-    Problems problems = translator.misnamed();
     problems.add(error);
-    problems.raise();
   }
   return interpreter.output();
 }
@@ -49,8 +49,10 @@ Script read_script(std::string_view text, const std::shared_ptr<const std::strin
   if (text.substr(0, 3) == "\xEF\xBB\xBF") text.remove_prefix(3);
   const Origin begin{file_name, 1, 1};
   script::Translator translator(begin);
-  std::string output = interpret(text, begin, settings, translator);
-  return {translator.finish(), std::move(output), translator.warnings(), translator.xml_lines()};
+  Problems problems;
+  std::string output = interpret(text, begin, settings, translator, problems);
+  Statement root = translator.finish(problems);
+  return {std::move(root), std::move(output), std::move(problems), translator.warnings(), translator.xml_lines()};
 }
 
 namespace {
@@ -128,7 +130,7 @@ std::vector<Problem> in_words_of_scripts(std::vector<Problem> problems,
   return problems;
 }
 
-std::string run_commands(Statement& root, Settings& settings) {
+std::string run_commands(Statement& root, Settings& settings, Problems& problems) {
   std::string output;
   while (true) {
     const auto found = std::find_if(root.children.begin(), root.children.end(),
@@ -144,8 +146,11 @@ std::string run_commands(Statement& root, Settings& settings) {
     script::Translator translator(commands.origin);
     translator.surround(analysis ? static_cast<int>(to_number(analysis->text).value_or(0)) : 0, names,
                         header && header->child("ConsistentUnits"));
-    output += interpret(commands.text, commands.text_origin, settings, translator);
-    for (Statement& section : translator.finish_sections()) {
+    Problems of_commands;
+    output += interpret(commands.text, commands.text_origin, settings, translator, of_commands);
+    std::vector<Statement> sections = translator.finish_sections(of_commands);
+    problems.add(of_commands);
+    for (Statement& section : sections) {
       const auto same = std::find_if(root.children.begin(), root.children.end(), [&](const Statement& s) {
         return s.name == section.name && s.name != "Material";
       });

@@ -17,6 +17,9 @@ namespace tribo {
 struct Script {
   Statement root;      ///< the equivalent command file, with places in the script
   std::string output;  ///< the text written by `Write` and `WriteLine`
+  /// Problems of commands, each with the calls and loops through which it was reached. The commands with problems are
+  /// missing in `root`.
+  Problems problems = {};
   std::vector<Problem> warnings = {};
   std::vector<std::array<int, 2>> xml_lines = {};  ///< first and last lines of XML in it
 };
@@ -26,13 +29,12 @@ struct Script {
 std::vector<Problem> in_words_of_scripts(std::vector<Problem> problems,
                                          const std::vector<std::array<int, 2>>& xml_lines);
 
-/// Runs a script. Variables in `settings` keep their values. Throws InputError with every problem found, each with the
-/// calls and loops through which it was reached.
+/// Runs a script. Variables in `settings` keep their values. Throws InputError if the script cannot be run to its end.
 Script read_script(std::string_view text, const std::shared_ptr<const std::string>& file_name, Settings& settings);
 
-/// Runs the scripts in <Commands> of an XML file and adds the resulting elements to its sections. Returns the text that
-/// they wrote. Throws as read_script.
-std::string run_commands(Statement& root, Settings& settings);
+/// Runs the scripts in <Commands> of an XML file and adds the resulting elements to its sections, and problems of their
+/// commands to `problems`. Returns the text that they wrote. Throws as read_script.
+std::string run_commands(Statement& root, Settings& settings, Problems& problems);
 
 /// Whether a text is a script, not XML.
 bool is_script(std::string_view text);

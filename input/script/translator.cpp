@@ -193,6 +193,11 @@ void Translator::end_block(const Command& c) {
   if (std::find(fitting.begin(), fitting.end(), open_) == fitting.end())
     throw InputError(c.origin(), "'" + c.node.word + "' closes nothing" +
                                      (open_ == Open::nothing ? "" : "; '" + opened_by_ + "' is open"));
+  store_block();
+}
+
+// Adds the open block to its section.
+void Translator::store_block() {
   if (open_ == Open::region || open_ == Open::hole || open_ == Open::picture)
     document_.section("MaterialPoints", opened_at_).children.push_back(std::move(block_));
   if (open_ == Open::grid) document_.section("GridBCs", opened_at_).children.push_back(std::move(block_));
@@ -211,23 +216,25 @@ void Translator::surround(int analysis, const std::vector<std::string>& material
   document_.surround(materials);
 }
 
-Problems Translator::misnamed() const {
-  Problems problems;
-  if (!lost_a_material_) document_.check_references(problems);
-  for (const Statement& m : document_.materials()) unknown_properties(m, problems);
-  return problems;
+void Translator::conclude(Problems& problems) {
+  close_polygon();
+  if (open_ != Open::nothing) problems.add(opened_at_, "this '" + opened_by_ + "' is never closed");
+  store_block();
+  Problems undefined;
+  document_.resolve_references(undefined);
+  if (!lost_a_material_) problems.add(undefined);
+  if (!problems.empty())
+    for (const Statement& m : document_.materials()) unknown_properties(m, problems);
 }
 
-std::vector<Statement> Translator::finish_sections() {
-  close_polygon();
-  if (open_ != Open::nothing) throw InputError(opened_at_, "this '" + opened_by_ + "' is never closed");
+std::vector<Statement> Translator::finish_sections(Problems& problems) {
+  conclude(problems);
   return document_.finish_sections(!consistent_);
 }
 
-Statement Translator::finish() {
-  close_polygon();
-  if (open_ != Open::nothing) throw InputError(opened_at_, "this '" + opened_by_ + "' is never closed");
-  if (analysis_ == 0) throw InputError(origin_, "the script has no 'Analysis'");
+Statement Translator::finish(Problems& problems) {
+  if (analysis_ == 0 && problems.empty()) problems.add(origin_, "the script has no 'Analysis'");
+  conclude(problems);
   return document_.finish(!consistent_);
 }
 

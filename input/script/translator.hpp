@@ -23,14 +23,13 @@ class Translator {
   const std::vector<std::array<int, 2>>& xml_lines() const { return xml_lines_; }
   /// For a script in an XML file: its analysis (10 to 13), its materials, and whether it has consistent units.
   void surround(int analysis, const std::vector<std::string>& materials, bool consistent);
-  /// Reports undefined materials and properties, for a script that has other errors and is not completed.
-  Problems misnamed() const;
   /// Possible mistakes that do not stop the program.
   const std::vector<Problem>& warnings() { return document_.problems().warnings(); }
-  /// The complete command file. Throws InputError.
-  Statement finish();
-  /// The elements that the script adds to the file that contains it. Throws InputError.
-  std::vector<Statement> finish_sections();
+  /// The complete command file. Adds a block that is still open and undefined materials to `problems`; if there are any
+  /// problems, also unknown properties.
+  Statement finish(Problems& problems);
+  /// The elements that the script adds to the file that contains it. Problems as in finish().
+  std::vector<Statement> finish_sections(Problems& problems);
 
  private:
   using Action = void (Translator::*)(const Command&);
@@ -118,6 +117,8 @@ class Translator {
   Statement& multimaterial_mode(const Command& c);
   Statement& place(const Command& c, int cuts);
   void close_polygon() { polygon_ = nullptr; }
+  void store_block();
+  void conclude(Problems& problems);
   Statement& condition(const Command& c, const std::string& element);
   void style(Statement& s, const Command& c, std::size_t k, const char* value_name);
   static std::string direction(const Command& c, std::size_t k, bool traction);

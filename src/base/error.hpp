@@ -47,9 +47,11 @@ class Problems {
  public:
   void add(Origin origin, std::string message) { list_.push_back({std::move(origin), std::move(message)}); }
   void add(const InputError& error) { list_.insert(list_.end(), error.problems().begin(), error.problems().end()); }
+  void add(const Problems& others) { list_.insert(list_.end(), others.list_.begin(), others.list_.end()); }
   /// A possible mistake that does not stop the program.
   void warn(Origin origin, std::string message) { warnings_.push_back({std::move(origin), std::move(message)}); }
   const std::vector<Problem>& warnings() const { return warnings_; }
+  const std::vector<Problem>& list() const { return list_; }
   bool empty() const { return list_.empty(); }
   /// So many problems that more would not help.
   bool full() const { return list_.size() >= 1000; }

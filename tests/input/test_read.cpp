@@ -9,6 +9,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -93,6 +94,49 @@ TEST_CASE("all problems are reported at once, in the order of the file", "[input
     for (std::size_t k = 1; k < error.problems().size(); ++k)
       CHECK(error.problems()[k - 1].origin.line <= error.problems()[k].origin.line);
   }
+}
+
+TEST_CASE("wrong names and wrong values of a file are reported in one round", "[input]") {
+  const auto complaint = [](const std::string& text) {
+    try {
+      read_model_text(text, "deck");
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  const auto script = [](const std::string& method, const std::string& grid) {
+    return "Analysis \"Plane Strain MPM\"\nConsistentUnits m,kg,s\n" + method +
+           " USAVG\nMaximumTime -1\nArchiveTime 1\n" + grid +
+           " 10\nGridVert 10\nGridRect 0,1,0,1\nMaterial \"s\",\"sand\",\"MohrCoulomb\"\nrho -1\nE nan\nnu .3\n"
+           "cohesio 1\nfriction 30\nDone\nRegion \"r\",0,0,1\nRect .2,.4,.2,.4\nEndRegion\n"
+           "GridBC\nLine 0,0,0,1\nVelocity q,constant,0\nEndGridBC\n";
+  };
+  const std::string wrong = complaint(script("MPMMetod", "GridHoriz"));
+  for (const char* part :
+       {"deck:3:1: error: there is no command 'MPMMetod'", "deck:4:13: error: 'MaximumTime' must be positive",
+        "deck:10:5: error: 'rho' is -1", "deck:11:3: error: 'E' needs one number, not 'nan'",
+        "deck:13:1: error: 'cohesio' is not a property", "deck:16:8: error: there is no material 'r'",
+        "deck:21:10: error: 'q' is not a direction"})
+    CHECK_THAT(wrong, Catch::Contains(part));
+  CHECK(std::count(wrong.begin(), wrong.end(), '\n') == 6);
+  // Without a grid only the materials can be checked
+  const std::string no_grid = complaint(script("MPMMethod", "GridHorz"));
+  for (const char* part : {"deck:6:1: error: there is no command 'GridHorz'", "deck:10:5: error: 'rho' is -1"})
+    CHECK_THAT(no_grid, Catch::Contains(part));
+  const std::string open =
+      complaint("Analysis \"Plane Strain MPM\"\nMaterial \"s\",\"sand\",\"MohrCoulomb\"\nrho -1\n");
+  CHECK_THAT(open, Catch::Contains("deck:2:1: error: this 'Material' is never closed"));
+  CHECK_THAT(open, Catch::Contains("deck:3:5: error: 'rho' is -1"));
+  const std::string in_xml = complaint(
+      "<JANFEAInput version='3'><Header><Analysis>10</Analysis></Header>\n<Commands>\n"
+      "Material \"s\",\"sand\",\"MohrCoulomb\"\nrho -1\nDone\nRegoin \"s\",0,0,1\nRegion \"s\",0,0,1\nRect "
+      ".2,.4,.2,.4\nEndRegion\n</Commands>\n"
+      "<Mesh><Grid xmin='0' xmax='1' ymin='0' ymax='1'><Horiz cellsize='-1'/><Vert cellsize='1'/></Grid></Mesh>\n"
+      "<MPMHeader><MaxTime>1</MaxTime><ArchiveTime>1</ArchiveTime></MPMHeader></JANFEAInput>");
+  for (const char* part : {"deck:4:5: error: <rho> is -1", "deck:6:1: error: there is no command 'Regoin'",
+                           "deck:11:56: error: the cell size must be positive"})
+    CHECK_THAT(in_xml, Catch::Contains(part));
 }
 
 TEST_CASE("a legacy file is read into mm, g and s", "[input]") {

@@ -21,13 +21,20 @@ script::Piece piece(const std::string& text) { return {text, {std::make_shared<c
 double number(const std::string& text) { return std::get<double>(evaluate(piece(text), some)); }
 std::string words(const std::string& text) { return printed(evaluate(piece(text), some)); }
 
+// Runs a script. Throws InputError with the problems of its commands.
+Script checked_script(const std::string& text, const std::string& name = "s") {
+  Settings none;
+  Script script = read_script(text, std::make_shared<const std::string>(name), none);
+  script.problems.raise();
+  return script;
+}
+
 // What a script writes, in a frame that makes it a whole file.
 std::string output(const std::string& script) {
   static const std::string frame =
       "Analysis \"Plane Strain MPM\"\nArchiveTime 1\nMaximumTime 1\nGridHoriz 4\nGridVert 4\nGridRect 0,4,0,4\n"
       "Material \"m\",\"rubber\",\"Isotropic\"\nrho 1\nE 1\nnu .3\nDone\nRegion \"m\",0,0,1\nRect 1,2,1,2\nEndRegion\n";
-  Settings none;
-  return read_script(script + "\n" + frame, std::make_shared<const std::string>("s"), none).output;
+  return checked_script(script + "\n" + frame).output;
 }
 
 // All that is wrong with a script.
@@ -234,11 +241,10 @@ TEST_CASE("walls, planes of symmetry and periodic edges of scripts", "[script]")
 }
 
 TEST_CASE("joint laws in scripts: keywords with hyphens, tables and methods", "[script]") {
-  Settings settings;
-  const Script script = read_script(
+  const Script script = checked_script(
       "Analysis \"3D MPM\"\nMaterial \"r\",\"Rock\",\"Mohr\"\nstiffness-normal 2e9\nslip-table 1,0,0.4,5e-4\nDone\n"
       "Material \"b\",\"Bond\",\"SpringNetwork\"\ncompute-stiffness emod,5e10\nbond\nDone\n",
-      std::make_shared<const std::string>("joint.fmcmd"), settings);
+      "joint.fmcmd");
   std::vector<const Statement*> materials;
   for (const auto& s : script.root.children)
     if (s.name == "Material") materials.push_back(&s);
@@ -256,8 +262,7 @@ TEST_CASE("the initial stress and XML of a body in a script", "[script]") {
         "GridRect 0,4,0,4\nMaterial \"m\",\"soil\",\"MohrCoulomb\"\nrho 1\nE 1\nnu .3\ncohesion 1\nfriction 0\nDone\n"
         "Region \"m\",0,0,1\n" +
         lines + "Rect 1,2,1,2\nEndRegion\n";
-    Settings none;
-    const Statement root = read_script(script, std::make_shared<const std::string>("s"), none).root;
+    const Statement root = checked_script(script).root;
     return *root.child("MaterialPoints")->child("Body");
   };
   const Statement by_command = body_with("InitialStress K0,0.5,yy,-1e4\n");

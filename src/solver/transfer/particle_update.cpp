@@ -30,8 +30,6 @@ void move(Body<Dim>& body, const Lattice<Dim>& lattice, std::uint32_t first, int
     const double* __restrict sa = sums.acceleration[d];
     const double inverse = 1.0 / lattice.spacing[d];
     double far = 0.0;
-    double* change = what.record_change ? body.particles[body.filtered][static_cast<std::size_t>(d)] + first : nullptr;
-    if (change) std::copy_n(v, count, change);
 #pragma omp simd reduction(max : far) reduction(+ : not_finite)
     for (int i = 0; i < count; ++i) {
       const double old = v[i];
@@ -43,11 +41,24 @@ void move(Body<Dim>& body, const Lattice<Dim>& lattice, std::uint32_t first, int
       far = cells > far ? cells : far;
       not_finite += 0.0 * (now + dx);  // NaN if any value is not finite
     }
-    for (int i = 0; change && i < count; ++i) change[i] = sa[i] * (v[i] - change[i]);
     travel = far > travel ? far : travel;
   }
   result.travel = travel;
   if (!(not_finite == 0.0)) result.valid = false;
+}
+
+// Moves particles and stores the power of their accelerations over the change of their velocities.
+template <int Dim>
+void move_and_record_change(Body<Dim>& body, const Lattice<Dim>& lattice, std::uint32_t first, int count,
+                            const Gather& what, const GatherSums<Dim>& sums, GatherResult& result) {
+  const auto vs = body.particles.v(), changes = body.particles[body.filtered];
+  for (std::size_t d = 0; d < Dim; ++d) std::copy_n(vs[d] + first, count, changes[d] + first);
+  move(body, lattice, first, count, what, sums, result);
+  for (std::size_t d = 0; d < Dim; ++d) {
+    const double *v = vs[d] + first, *acceleration = sums.acceleration[d];
+    double* change = changes[d] + first;
+    for (int i = 0; i < count; ++i) change[i] = acceleration[i] * (v[i] - change[i]);
+  }
 }
 
 template <int Dim>
@@ -238,7 +249,10 @@ void update_particles(Body<Dim>& body, const Lattice<Dim>& lattice, std::uint32_
     if (body.heated) heat_by_dissipation(body, first, count);
   }
   if (what.move) {
-    move(body, lattice, first, count, what, sums, result);
+    if (what.record_change)
+      move_and_record_change(body, lattice, first, count, what, sums, result);
+    else
+      move(body, lattice, first, count, what, sums, result);
     if (body.affine)
       for (std::size_t k = 0; k < Dim * Dim; ++k)
         std::copy_n(sums.affine[k], count, body.particles[body.affine][k] + first);
