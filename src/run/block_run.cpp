@@ -4,6 +4,7 @@
 #include "base/error.hpp"
 #include "base/memory.hpp"
 #include "base/parallel.hpp"
+#include "base/text.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -50,18 +51,43 @@ double BlockRun::advance() {
   return steps_.size;
 }
 
+std::vector<std::string> BlockRun::look() {
+  if (!results_ || (!monitor_.is_due(blocks_.step, steps_.size, model_.time.end) && !at_end())) return {};
+  const BlockLedger energy = blocks_.ledger();
+  const auto gained = [](double x) { return std::max(0.0, x); };
+  const double initial = results_->initial_energy;
+  const double supplied =
+      initial + gained(energy.outer_work) + gained(energy.boundary_work) + gained(-energy.potential);
+  // Joints that release a negative energy, as an undamped fictitious stress does, make energy too.
+  const double residual =
+      energy.content() - initial - energy.outer_work - energy.boundary_work + gained(-energy.released);
+  if (!monitor_.record_balance(supplied, residual, 0.0, blocks_.time)) return {};
+  return remarks();
+}
+
+std::vector<std::string> BlockRun::remarks() const {
+  const Finding& f = monitor_.of(Sign::energy);
+  if (!f.seen) return {};
+  return {
+      format("energy: %.3g %% of what was supplied came from nowhere until time %.4g: a smaller 'step' of <Blocks>, or "
+             "'damping'",
+             100 * f.worst, f.time)};
+}
+
 void BlockRun::check() {
   if (blocks_.step % steps_per_check != 0 && !at_end()) return;
   blocks_.check_contacts();
 }
 
 CheckpointWriter BlockRun::save(RunState run) {
+  run.monitor = monitor_;
   if (results_) run.initial_block_energy = results_->initial_energy;
   return save_state(run, blocks_);
 }
 
 RunState BlockRun::restore(const Checkpoint& checkpoint) {
   restored_ = load_state(checkpoint, blocks_);
+  monitor_ = restored_.monitor;
   return restored_;
 }
 

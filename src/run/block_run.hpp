@@ -33,6 +33,9 @@ class BlockRun final : public SteppedModel {
   void choose_threads(int wanted) const override;
   void start() override {}
   double advance() override;
+  std::vector<std::string> look() override;
+  std::vector<std::string> remarks() const override;
+  std::vector<std::string> figures() const override { return monitor_.energy_figures(); }
   void check() override;
   CheckpointWriter save(RunState run) override;
   RunState restore(const Checkpoint& checkpoint) override;
@@ -57,6 +60,7 @@ class BlockRun final : public SteppedModel {
   Assembly blocks_;
   BlockSteps steps_;
   std::optional<BlockResults> results_;
+  MonitorState monitor_;
   RunState restored_;
 };
 

@@ -27,7 +27,7 @@ class GridRun final : public SteppedModel {
   double advance() override;
   std::vector<std::string> look() override;
   std::vector<std::string> remarks() const override { return monitor_.summary(); }
-  std::vector<std::string> figures() const override { return monitor_.figures(); }
+  std::vector<std::string> figures() const override { return monitor_.state.energy_figures(); }
   CheckpointWriter save(RunState run) override;
   RunState restore(const Checkpoint& checkpoint) override;
 

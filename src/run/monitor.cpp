@@ -11,14 +11,6 @@
 namespace tribo {
 namespace {
 
-/// A look costs a fraction of a step, and a run has about this many of them, but none more often than every
-/// `least_stride` steps.
-constexpr double looks_per_run = 50;
-constexpr std::int64_t least_stride = 20;
-/// Share of the supplied energy; gains above it are warned of, other figures are told.
-constexpr double noticed = 0.02;
-/// A gain must last for so many looks.
-constexpr std::int64_t lasting = 5;
 constexpr double short_step = 0.1;  ///< over the first one
 /// Share of stretched particles of a body that is noticed; where matter is cut or torn, a few are always drawn out.
 constexpr double many = 0.01;
@@ -40,11 +32,7 @@ Monitor<Dim>::Monitor(const Model& model, System<Dim>& system, Stepper<Dim>& ste
 template <int Dim>
 std::vector<std::string> Monitor<Dim>::look(double dt, double initial_energy, bool last) {
   Warnings warnings;
-  if (state.stride == 0) {
-    state.first_step = dt;
-    state.stride = std::max(least_stride, static_cast<std::int64_t>(model_.time.end / dt / looks_per_run));
-  }
-  if (!last && system_.step % state.stride != 0) return warnings;
+  if (!state.is_due(system_.step, dt, model_.time.end) && !last) return warnings;
   const auto lap = watch.lap();
   balance(initial_energy, warnings);
   particles(warnings);
@@ -54,11 +42,7 @@ std::vector<std::string> Monitor<Dim>::look(double dt, double initial_energy, bo
 
 template <int Dim>
 void Monitor<Dim>::record(Sign sign, const Finding& now, bool worse, Warnings& warnings) {
-  Finding& f = state.of(sign);
-  const bool fresh = !f.seen;
-  const double first = fresh ? system_.time : f.first;
-  if (fresh || worse) f = now, f.seen = true, f.first = first, f.time = system_.time;
-  if (fresh) warnings.push_back(text(sign));
+  if (state.record(sign, now, worse, system_.time)) warnings.push_back(text(sign));
 }
 
 template <int Dim>
@@ -66,16 +50,10 @@ void Monitor<Dim>::balance(double initial_energy, Warnings& warnings) {
   const Measures all = measure(system_);
   const RunEnergies run = run_energies(model_, system_, stepper_, all);
   const auto gained = [](double x) { return std::max(0.0, x); };
-  state.supplied = std::max(
-      state.supplied, initial_energy + gained(run.external_work) + gained(run.boundary_work) + gained(-run.potential));
-  state.residual = energy_content(all, run) - initial_energy - run.external_work - run.boundary_work;
-  state.transfer = run.transfer;
-  state.gain = state.residual - run.transfer;
-  state.gains = state.gain > noticed * state.supplied ? state.gains + 1 : 0;
-  if (state.gains < lasting) return;
-  Finding now;
-  now.worst = state.gain / state.supplied;
-  record(Sign::energy, now, now.worst > state.of(Sign::energy).worst, warnings);
+  const double supplied =
+      initial_energy + gained(run.external_work) + gained(run.boundary_work) + gained(-run.potential);
+  const double residual = energy_content(all, run) - initial_energy - run.external_work - run.boundary_work;
+  if (state.record_balance(supplied, residual, run.transfer, system_.time)) warnings.push_back(text(Sign::energy));
 }
 
 template <int Dim>
@@ -111,21 +89,6 @@ std::vector<std::string> Monitor<Dim>::summary() const {
   for (std::size_t k = 0; k < sign_count; ++k)
     if (state.findings[k].seen) out.push_back(text(static_cast<Sign>(k)));
   if (sudden_gravity(model_).static_slip) out.push_back(sudden_gravity_advice());
-  return out;
-}
-
-template <int Dim>
-std::vector<std::string> Monitor<Dim>::figures() const {
-  std::vector<std::string> out;
-  const auto tell = [&](const char* what, double energy) {
-    const double share = std::abs(energy) / state.supplied;
-    if (share > noticed) out.push_back(format("energy: %s %.3g %% of what was supplied", what, 100 * share));
-  };
-  if (!(state.supplied > 0)) return out;
-  tell(state.transfer > 0 ? "the transfer between particles and grid dissipated"
-                          : "the transfer between particles and grid created",
-       state.transfer);
-  tell(state.residual < 0 ? "the balance lacks" : "the balance exceeds by", state.residual);
   return out;
 }
 

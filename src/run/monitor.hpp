@@ -31,9 +31,6 @@ class Monitor {
   std::vector<std::string> look(double dt, double initial_energy, bool last);
   /// One line for each sign that was seen, with the worst it came to, and further remarks on the whole run.
   std::vector<std::string> summary() const;
-  /// Lines on the energy that the transfers dissipated and on what is missing, where they are more than a trifle.
-  std::vector<std::string> figures() const;
-
   MonitorState state;
   Stopwatch watch;  ///< time spent in looks
 

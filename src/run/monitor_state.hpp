@@ -7,6 +7,8 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
+#include <vector>
 
 namespace tribo {
 
@@ -44,6 +46,16 @@ struct MonitorState {
   std::array<Finding, sign_count> findings{};
   Finding& of(Sign sign) { return findings[static_cast<std::size_t>(sign)]; }
   const Finding& of(Sign sign) const { return findings[static_cast<std::size_t>(sign)]; }
+
+  /// Whether the run is to be looked at after this step of size dt [time]; `end`: of the run [time].
+  bool is_due(std::int64_t step, double dt, double end);
+  /// Notes a sign, with its figures where it is worst so far. True if it is seen for the first time.
+  bool record(Sign sign, const Finding& now, bool worse, double time);
+  /// Notes the balance of energy at a time: what was supplied so far, what is not accounted for, and what the transfers
+  /// dissipated [energy]. True if it is seen for the first time that energy comes from nowhere.
+  bool record_balance(double supplied_now, double residual_now, double transfer_now, double time);
+  /// Lines on the energy that the transfers dissipated and on what is missing, where they are more than a trifle.
+  std::vector<std::string> energy_figures() const;
 };
 
 inline void archive(Archive& a, MonitorState& state) {

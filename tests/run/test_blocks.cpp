@@ -108,6 +108,30 @@ TEST_CASE("undamped blocks with Poisson's ratio are warned of", "[blocks]") {
              Catch::Contains("pulled.xml:") && Catch::Contains("grow without bound") && Catch::Contains("'damping'"));
 }
 
+TEST_CASE("blocks that gain energy from nowhere are reported", "[blocks][monitor]") {
+  const std::string damped = std::string(header) + pulled;
+  std::string text = damped;
+  text.replace(text.find("damping='0.7' "), 14, "");
+  text.replace(text.find("<sn_ten>1e6</sn_ten><sn_coh>5e6</sn_coh>"), 40, "<sn_ten>1e30</sn_ten><sn_coh>1e30</sn_coh>");
+  text.replace(text.find("<MaxTime>0.125"), 14, "<MaxTime>0.375");
+  const ScratchFolder sound, gaining, parts;
+  run(read_model_text(damped, "pulled.xml"), quiet(sound.path));
+  CHECK_THAT(text_of(sound.path / "provenance.json"), !Catch::Contains("came from nowhere"));
+  run(read_model_text(text, "pulled.xml"), quiet(gaining.path));
+  const std::string record = text_of(gaining.path / "provenance.json");
+  CHECK_THAT(record, Catch::Contains("of what was supplied came from nowhere") && Catch::Contains("'damping'"));
+  RunOptions options = quiet(parts.path);
+  options.max_wall = 1e-9;
+  REQUIRE(run(read_model_text(text, "pulled.xml"), options) == Outcome::stopped);
+  options.max_wall = 0, options.resume = true;
+  REQUIRE(run(read_model_text(text, "pulled.xml"), options) == Outcome::finished);
+  const auto line = [](const std::string& of) {
+    const auto at = of.find("energy: ");
+    return of.substr(at, of.find('"', at) - at);
+  };
+  CHECK(line(text_of(parts.path / "provenance.json")) == line(record));
+}
+
 TEST_CASE("blocks that meet without a contact end the run with their names", "[blocks]") {
   const char* const fly = R"(
   <Blocks lawname='bond'>

@@ -53,7 +53,7 @@ struct Watched {
   }
   std::string look_at_state() { return look(measure(system).kinetic); }
   std::string summary() const { return joined(monitor.summary()); }
-  std::string figures() const { return joined(monitor.figures()); }
+  std::string figures() const { return joined(monitor.state.energy_figures()); }
   static std::string joined(const std::vector<std::string>& lines) {
     std::string all;
     for (const auto& text : lines) all += text + "\n";
