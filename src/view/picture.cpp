@@ -11,6 +11,7 @@
 #include <cmath>
 #include <functional>
 #include <memory>
+#include <numeric>
 
 namespace tribo {
 namespace {
@@ -101,10 +102,12 @@ Box joined(const Box& a, const Box& b) {
 
 namespace {
 
-// The domains of the particles as parallelograms, or as the sides of parallelepipeds that face the eye.
-void draw_domains(Canvas& canvas, const ParticleFrame& frame, const Camera& eye, bool flat,
-                  const std::function<Colour(std::size_t)>& colour) {
-  for (std::size_t i = 0; i < frame.count(); ++i) {
+constexpr double slit_share = 0.4;  // half the width of a slit that is filled, over the size of domains
+
+// The domains of particles as parallelograms, or as the sides of parallelepipeds that face the eye.
+void draw_domains(Canvas& canvas, const ParticleFrame& frame, const std::vector<std::size_t>& particles,
+                  const Camera& eye, bool flat, const std::function<Colour(std::size_t)>& colour) {
+  for (const std::size_t i : particles) {
     const Vec3 x = eye.project(frame.position[i]);
     std::array<Vec3, 3> axes;
     for (std::size_t k = 0; k < 3; ++k) axes[k] = eye.project(frame.domains[i][k]);
@@ -135,6 +138,23 @@ double width_of(const std::vector<HalfAxes>& domains) {
   const auto middle = widths.begin() + static_cast<std::ptrdiff_t>(widths.size() / 2);
   std::nth_element(widths.begin(), middle, widths.end());
   return widths.empty() ? 0.0 : *middle;
+}
+
+// Particles in the plane whose domains are stretched to more than twice their width. `length`: the median of their
+// lengths.
+std::vector<std::size_t> stretched(const std::vector<HalfAxes>& domains, double& length) {
+  std::vector<std::size_t> out;
+  std::vector<double> lengths;
+  for (std::size_t i = 0; i < domains.size(); ++i) {
+    Eigen::Matrix2d m;
+    for (int k = 0; k < 2; ++k) m.col(k) = Vec3::Map(domains[i][static_cast<std::size_t>(k)].data()).head<2>();
+    const Eigen::Vector2d axes = m.jacobiSvd().singularValues();
+    if (axes[0] > 2 * axes[1]) out.push_back(i), lengths.push_back(2 * axes[0]);
+  }
+  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
+  std::nth_element(lengths.begin(), middle, lengths.end());
+  length = lengths.empty() ? 0.0 : *middle;
+  return out;
 }
 
 // Polygons of blocks, and strokes along the edges of facets whose bond broke.
@@ -176,9 +196,13 @@ std::string picture(const Scene& scene, const PictureOptions& options) {
   const bool domains = !frame.domains.empty();
   const double spacing = domains ? width_of(frame.domains) : spacing_of(frame.position);
   // Domains leave narrow slits where the deformation varies, and where rotations are not kept.
-  const double slit = (domains ? 0.4 : 0.45) * spacing;
+  const double slit = (domains ? slit_share : 0.45) * spacing;
   // Around domains there is twice the width of a slit, so that nothing is filled at the edge of the picture.
-  const double radius = domains ? (flat ? 2 * slit : 0.0) : flat ? 0.54 * spacing : 0.62 * spacing;
+  double length = 0.0;
+  const std::vector<std::size_t> long_domains = flat ? stretched(frame.domains, length) : std::vector<std::size_t>();
+  const double radius = domains ? (flat ? std::max(2 * slit, slit_share * length) : 0.0)
+                        : flat  ? 0.54 * spacing
+                                : 0.62 * spacing;
   Box box = options.box.value_or(particles);
   for (std::size_t d = 0; d < 3; ++d)
     if (d < 2 || !flat) box[0][d] -= radius, box[1][d] += radius;
@@ -191,11 +215,19 @@ std::string picture(const Scene& scene, const PictureOptions& options) {
     if (std::isnan(v)) return Colour{186, 184, 178};  // stone
     return shade.integers ? distinct(static_cast<int>(v) - 1) : viridis((v - range[0]) / (range[1] - range[0]));
   };
-  if (domains)
-    draw_domains(canvas, frame, eye, flat, colour);
-  else
+  if (!long_domains.empty()) {
+    // Where matter flows, neighbours are so far apart, and so are the slits between their domains.
+    draw_domains(canvas, frame, long_domains, eye, flat, colour);
+    canvas.close_gaps(slit_share * length);
+  }
+  if (domains) {
+    std::vector<std::size_t> all(frame.count());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    draw_domains(canvas, frame, all, eye, flat, colour);
+  } else {
     for (std::size_t i = 0; i < frame.count(); ++i)
       canvas.particle(eye.project(frame.position[i]), radius, colour(i), !flat);
+  }
   if (flat && frame.count() > 0) canvas.close_gaps(slit);
   const double size = std::max(particles[1][0] - particles[0][0], particles[1][1] - particles[0][1]);
   draw_blocks(canvas, scene, eye, !flat, size, [&](std::size_t c) { return colour(frame.count() + c); });

@@ -257,6 +257,28 @@ TEST_CASE("domains are drawn where they are, with their area and without holes",
   CHECK(apart.at(64 + (1.875 + border + 3) * wide, 36 + (0.75 + border) * wide) == Colour{255, 255, 255});
 }
 
+TEST_CASE("slits between stretched domains that are shorter than the domains are filled", "[view]") {
+  // Three rows of domains with an area of 2; in the middle one there is a slit of 2 at the centre of the picture.
+  const auto centre = [](double half_length, double half_height) {
+    ParticleFrame frame;
+    for (int row = 0; row < 3; ++row)
+      for (const double x : {-1.0, 1.0})
+        frame.position.push_back({x * (half_length + (row == 1 ? 1.0 : 0.0)), 2 * half_height * row, 0});
+    frame.domains.assign(6, HalfAxes{{{half_length, 0, 0}, {0, half_height, 0}, {0, 0, 0}}});
+    frame.fields = {{"material", 1, true, std::vector<double>(6, 1.0)}};
+    PictureOptions options;
+    options.field = "material", options.width = 1200;
+    const Pixels p = read_png(picture(frame, options));
+    const double wide = 4 * half_length + 2, high = 6 * half_height;
+    const double ratio = half_length / half_height;
+    const double around = std::max(0.8 * std::sqrt(2.0), ratio > 2 ? 0.8 * half_length : 0.0);
+    const double margin = around + 0.02 * (wide + 2 * around), scale = (1200 - 182) / (wide + 2 * margin);
+    return p.at(64 + 0.5 * (1200 - 182), 36 + 0.5 * (high + 2 * margin) * scale);
+  };
+  CHECK(centre(2, 0.25) == distinct(0));
+  CHECK(centre(std::sqrt(0.5), std::sqrt(0.5)) == Colour{255, 255, 255});
+}
+
 TEST_CASE("in space, domains are boxes whose nearer sides hide the others", "[view]") {
   ParticleFrame frame;
   frame.position = {{0, 0, 0}, {0, 0, 2}};
