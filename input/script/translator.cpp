@@ -5,6 +5,7 @@
 #include "input/script/commands.hpp"
 
 #include <algorithm>
+#include <set>
 #include <unordered_map>
 
 namespace tribo::script {
@@ -116,20 +117,72 @@ const CommandInfo* find_command(const std::string& word) {
 
 }  // namespace
 
+namespace {
+
+bool opens_block(const std::string& word) {
+  static const std::set<std::string> all{"material", "region", "hole", "bmpregion", "gridbc", "particlebc"};
+  return all.count(word) > 0;
+}
+
+bool closes_block(const std::string& word) {
+  static const std::set<std::string> all{"done", "endregion", "endhole", "endgridbc", "endparticlebc"};
+  return all.count(word) > 0;
+}
+
+// The known command that an unknown word resembles, in lower case; empty if there is none.
+std::string resembled(const std::string& word) {
+  std::vector<std::string> names;
+  for (const CommandInfo& info : commands()) names.emplace_back(info.name);
+  const std::string near = did_you_mean(word, names);
+  const auto first = near.find('\''), last = near.rfind('\'');
+  return first == last ? "" : lower(near.substr(first + 1, last - first - 1));
+}
+
+}  // namespace
+
 void Translator::take(const Command& c) {
   const std::string word = lower(c.node.word);
+  if (in_lost_block_) {
+    in_lost_block_ = !closes_block(word) && !opens_block(word);
+    if (!opens_block(word)) return;
+  }
+  try {
+    translate(c, word);
+  } catch (const InputError&) {
+    limit_damage(c, find_command(word) ? word : resembled(c.node.word));
+    throw;
+  }
+}
+
+// After an error in a command that begins or ends a block, prevents problems of the commands around it that are only
+// its consequences: what belongs to a block that did not begin is skipped, and a block whose end has an error is
+// closed.
+void Translator::limit_damage(const Command& c, const std::string& meant) {
+  if (opens_block(meant)) {
+    const bool began = open_ != Open::nothing && opened_at_.line == c.origin().line;
+    if (began) return;
+    store_block();
+    in_lost_block_ = true;
+    lost_a_material_ |= meant == "material";
+  } else if (closes_block(meant)) {
+    store_block();
+  } else if (meant == "analysis" && analysis_ == 0) {
+    analysis_ = 10;
+  }
+}
+
+void Translator::translate(const Command& c, const std::string& word) {
   if (word != "polypt") close_polygon();
   const CommandInfo* info = find_command(word);
   static const std::set<std::string> also_properties{"temperature", "pdamping", "velocity", "load", "origin", "rotate"};
-  if (open_ == Open::material && (!info || also_properties.count(word))) return property(c);
+  const bool end_of_material = !info && c.size() == 0 && resembled(c.node.word) == "done";
+  if (open_ == Open::material && (!info || also_properties.count(word)) && !end_of_material) return property(c);
   if (!info) return refused(c);
-  if (c.size() < info->least || c.size() > info->most) {
-    lost_a_material_ |= word == "material";
+  if (c.size() < info->least || c.size() > info->most)
     throw InputError(c.origin(), "'" + c.node.word + "' takes " + std::to_string(info->least) +
                                      (info->most > info->least ? " to " + std::to_string(info->most) : "") +
                                      " arguments, not " + std::to_string(c.size()) +
                                      (info->arguments.empty() ? "" : ": " + std::string(info->arguments)));
-  }
   (this->*actions().at(word))(c);
 }
 

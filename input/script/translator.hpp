@@ -112,6 +112,8 @@ class Translator {
   Statement& crack_setting(const Command& c, const char* element);
   static void no_traction_law(const Command& c, std::size_t k);
 
+  void translate(const Command& c, const std::string& word);
+  void limit_damage(const Command& c, const std::string& meant);
   static void unknown_properties(const Statement& material, Problems& problems);
   int dimension(const Command& c) const;
   Statement& multimaterial_mode(const Command& c);
@@ -131,6 +133,7 @@ class Translator {
   int analysis_ = 0;
   bool consistent_ = false;
   double length_in_m_ = 1e-3, time_in_s_ = 1.0;
+  bool in_lost_block_ = false;    ///< between a command that did not begin a block and the end of the block
   bool lost_a_material_ = false;  ///< a material whose command has an error; references to it are not reported
   Open open_ = Open::nothing;
   std::string opened_by_;

@@ -139,6 +139,27 @@ TEST_CASE("wrong names and wrong values of a file are reported in one round", "[
     CHECK_THAT(in_xml, Catch::Contains(part));
 }
 
+TEST_CASE("a command that begins or ends a block wrongly has no consequences for the commands around it", "[input]") {
+  const std::string sound =
+      "Analysis \"Plane Strain MPM\"\nConsistentUnits m,kg,s\nMaximumTime 1\nArchiveTime 1\nGridHoriz 10\nGridVert 10\n"
+      "GridRect 0,1,0,1\nMaterial \"s\",\"sand\",\"MohrCoulomb\"\nrho 1\nE 1\nnu .3\ncohesion 1\nfriction 30\nDone\n"
+      "Region \"s\",0,0,1\nRect .2,.4,.2,.4\nEndRegion\nGridBC\nLine 0,0,0,1\nVelocity x,constant,0\nEndGridBC\n";
+  CHECK_NOTHROW(read_model_text(sound, "deck"));
+  for (const std::string word : {"Analysis", "Material", "Done", "Region", "EndRegion", "GridBC", "EndGridBC"}) {
+    std::string text = sound;
+    const auto at = ("\n" + text).find("\n" + word);
+    text.insert(at + word.size(), "z");
+    INFO(text);
+    try {
+      read_model_text(text, "deck");
+      FAIL();
+    } catch (const InputError& error) {
+      REQUIRE(error.problems().size() == 1);
+      CHECK_THAT(error.what(), Catch::Contains("there is no command '" + word + "z' (did you mean '" + word + "'?)"));
+    }
+  }
+}
+
 TEST_CASE("a legacy file is read into mm, g and s", "[input]") {
   const Model m = read_model(here / "legacy_disks.xml");
   CHECK(m.units.legacy);
