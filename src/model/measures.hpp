@@ -19,12 +19,16 @@ struct Measures {
   double kinetic = 0.0;                  ///< [energy]
   double stored = 0.0;                   ///< elastic                                            [energy]
   double dissipated = 0.0;               ///< by the material                                    [energy]
+  double expansion = 0.0;                ///< work of the stress on thermal expansion                [energy]
   double work_heat = 0.0;                ///< dissipated work that became heat                   [energy]
   double heat = 0.0;                     ///< m c T                                              [energy]
-  double temperature = 0.0;              ///< mean, weighted by heat capacity
+  double temperature = 0.0;              ///< mean, weighted by heat capacity, or by mass without one
+  double weighted_temperature = 0.0;     ///< its sum before the division by the weights
   Mat3 stress = Mat3::Zero();            ///< volume average                                     [stress]
   Mat3 deformation = Mat3::Zero();       ///< volume average of F, zero if not kept
   Mat3 strain = Mat3::Zero();            ///< volume average of the Biot strain, if asked for and F is kept
+  Mat3 elastic = Mat3::Zero();           ///< volume average of the elastic strain, if a history asks for it
+  double variable = 0.0;                 ///< volume average of the history variable that a history asks for
   Vec3 low = Vec3::Constant(1e300);      ///< corners of the box around the particles' centres       [length]
   Vec3 high = Vec3::Constant(-1e300);
   double largest_speed = 0.0;       ///< of a component                                     [velocity]

@@ -114,12 +114,27 @@ struct CrackSpec {
 };
 
 /// Heat: sources of temperature changes.
+/// Change of the temperature of all particles from `start` to `start + duration`, besides all other changes.
+struct TemperatureRamp {
+  double start = 0.0, duration = 0.0;  ///< [time]; a duration of 0: in one step
+  double change = 0.0;                 ///< [temperature]
+  bool sigmoidal = false;              ///< with a smooth start and end
+  double lifetimes = 0.0;              ///< > 0: share 1 - exp(-(lifetimes x)^stretch) of the change, x from 0 to 1
+  double stretch = 1.0;
+  std::optional<Expression> share;  ///< of the change, as a function of position and time
+  double function_time = 1.0;       ///< consistent time of one unit of the functions' argument t
+  /// Fraction of the change that is done at a time.
+  double done(double time) const;
+};
+
 struct HeatSpec {
   bool kept = false;  ///< particles have temperatures, because one of the options below or a law needs them
   bool conduction = false;
   bool work_heating = false;     ///< the work dissipated by material laws becomes heat
   bool contact_heating = false;  ///< the work of friction becomes heat
   double reference = 0.0;        ///< initial temperature of bodies without one of their own
+  bool expansion = false;        ///< a material expands with its temperature
+  std::vector<TemperatureRamp> ramps;
 };
 
 /// The regular grid of the input, without the padding layers that the solver adds.
@@ -194,6 +209,7 @@ struct MaterialSpec {
   double heat_capacity = 0.0;             ///< [energy/(mass temperature)]
   double conductivity = 0.0;              ///< [power/(length temperature)]
   double taylor_quinney = 1.0;            ///< fraction of the dissipated work that becomes heat
+  double expansion = 0.0;                 ///< coefficient of linear thermal expansion [1/temperature]
   int share_field_with = -1;              ///< index of the material whose velocity field is shared; -1: none
   Toughness toughness{};
   Growth growth{};  ///< of cracks in this material
@@ -287,6 +303,17 @@ struct StrengthReduction {
   std::optional<double> displacement;  ///< failure: largest displacement [length]
 };
 
+/// What loads, tractions and the motion of rigid materials do when a history passes a value.
+struct LoadReversal {
+  std::size_t history = 0;  ///< index into OutputSpec::history
+  double value = 0.0;       ///< in the unit of the history
+  enum class Style {
+    reverse,  ///< they go back the way they came, and the run ends when they are back
+    hold,     ///< they stay as they are, rigid materials stop
+    stop      ///< the run ends
+  } style = Style::reverse;
+};
+
 struct BodyForce {
   Vec3 gravity = Vec3::Zero();
   std::array<std::optional<Expression>, 3> function;      ///< acceleration f(x, y, z, t) of grid nodes
@@ -302,6 +329,7 @@ struct HistoryQuantity {
   int material = -1;          ///< -1: all materials
   int condition_id = 0;       ///< reactions: id of a node condition, 0: none
   int other = -1;             ///< contact: only contact with this material; -1: with all
+  int variable = -1;          ///< histories of a history variable: its index in the law
   std::optional<Vec3> point;  ///< value of the particle whose initial position is nearest to this point
   Origin origin;
 };
@@ -327,6 +355,8 @@ struct OutputSpec {
   }
   /// Whether a history is an average strain.
   bool wants_strain() const;
+  /// Whether a history is an elastic or plastic share of a strain.
+  bool wants_elastic_strain() const;
   /// Whether a field or a history needs the deformation gradient.
   bool wants_deformation() const;
 };
@@ -363,6 +393,7 @@ struct Model {
   std::optional<FractureSpec> fracture;
   HeatSpec heat;
   OutputSpec output;
+  std::optional<LoadReversal> reversal;
   /// Number of particles that may be put back into the grid after leaving it before the run stops; unset: the first
   /// particle that leaves stops the run.
   std::optional<long> leave_limit;

@@ -64,12 +64,43 @@ const std::vector<QuantityInfo>& global_quantities() {
        [](const S& s) { return s.measures().strain(0, 2); }},
       {"eyz", "-", "volume average of the Biot strain, yz", Scope::particle,
        [](const S& s) { return s.measures().strain(1, 2); }},
+      {"exxe", "-", "volume average of the elastic strain, xx", Scope::particle,
+       [](const S& s) { return s.measures().elastic(0, 0); }},
+      {"eyye", "-", "the same, yy", Scope::particle, [](const S& s) { return s.measures().elastic(1, 1); }},
+      {"ezze", "-", "the same, zz", Scope::particle, [](const S& s) { return s.measures().elastic(2, 2); }},
+      {"exye", "-", "the same, xy", Scope::particle, [](const S& s) { return s.measures().elastic(0, 1); }},
+      {"exze", "-", "the same, xz", Scope::particle, [](const S& s) { return s.measures().elastic(0, 2); }},
+      {"eyze", "-", "the same, yz", Scope::particle, [](const S& s) { return s.measures().elastic(1, 2); }},
+      {"exxp", "-", "total minus elastic strain: the plastic strain, xx", Scope::particle,
+       [](const S& s) { return s.measures().strain(0, 0) - s.measures().elastic(0, 0); }},
+      {"eyyp", "-", "the same, yy", Scope::particle,
+       [](const S& s) { return s.measures().strain(1, 1) - s.measures().elastic(1, 1); }},
+      {"ezzp", "-", "the same, zz", Scope::particle,
+       [](const S& s) { return s.measures().strain(2, 2) - s.measures().elastic(2, 2); }},
+      {"exyp", "-", "the same, xy", Scope::particle,
+       [](const S& s) { return s.measures().strain(0, 1) - s.measures().elastic(0, 1); }},
+      {"exzp", "-", "the same, xz", Scope::particle,
+       [](const S& s) { return s.measures().strain(0, 2) - s.measures().elastic(0, 2); }},
+      {"eyzp", "-", "the same, yz", Scope::particle,
+       [](const S& s) { return s.measures().strain(1, 2) - s.measures().elastic(1, 2); }},
+      {"Fxx", "-", "volume average of the deformation gradient, xx", Scope::particle,
+       [](const S& s) { return s.measures().deformation(0, 0); }},
+      {"Fxy", "-", "the same, xy", Scope::particle, [](const S& s) { return s.measures().deformation(0, 1); }},
+      {"Fxz", "-", "the same, xz", Scope::particle, [](const S& s) { return s.measures().deformation(0, 2); }},
+      {"Fyx", "-", "the same, yx", Scope::particle, [](const S& s) { return s.measures().deformation(1, 0); }},
+      {"Fyy", "-", "the same, yy", Scope::particle, [](const S& s) { return s.measures().deformation(1, 1); }},
+      {"Fyz", "-", "the same, yz", Scope::particle, [](const S& s) { return s.measures().deformation(1, 2); }},
+      {"Fzx", "-", "the same, zx", Scope::particle, [](const S& s) { return s.measures().deformation(2, 0); }},
+      {"Fzy", "-", "the same, zy", Scope::particle, [](const S& s) { return s.measures().deformation(2, 1); }},
+      {"Fzz", "-", "the same, zz", Scope::particle, [](const S& s) { return s.measures().deformation(2, 2); }},
       {"Kinetic Energy", "energy", "kinetic energy of the particles", Scope::particle,
        [](const S& s) { return s.measures().kinetic; }},
       {"Strain Energy", "energy", "elastically stored energy", Scope::particle,
        [](const S& s) { return s.measures().stored; }},
       {"Plastic Energy", "energy", "energy dissipated by the material laws", Scope::particle,
        [](const S& s) { return s.measures().dissipated; }},
+      {"Work Energy", "energy", "Strain Energy plus Plastic Energy", Scope::particle,
+       [](const S& s) { return s.measures().stored + s.measures().dissipated; }},
       {"Potential Energy", "energy", "potential energy of constant gravity, zero at the start", Scope::run,
        [](const S& s) { return s.energies().potential; }},
       {"External Work", "energy", "work of body forces, loads and tractions", Scope::run,
@@ -115,6 +146,12 @@ const std::vector<QuantityInfo>& global_quantities() {
       {"Contact Heat", "energy", "heat from friction", Scope::run, [](const S& s) { return s.contact_heat(); }},
       {"Work Heat", "energy", "heat from the work dissipated by the material", Scope::particle,
        [](const S& s) { return s.measures().work_heat; }},
+      {"Expansion Work", "energy", "work of the stress on thermal expansion", Scope::particle,
+       [](const S& s) { return s.measures().expansion; }},
+      {"history", "-",
+       "followed by a blank and the number or name of a history variable of a material or a particle: its volume "
+       "average",
+       Scope::particle, [](const S& s) { return s.measures().variable; }},
       {"alpha", "1/time", "grid damping", Scope::run, [](const S& s) { return s.grid_damping(); }},
       {"palpha", "1/time", "particle damping", Scope::run, [](const S& s) { return s.particle_damping(); }},
       {"step number", "-", "number of steps done", Scope::run,
@@ -124,19 +161,45 @@ const std::vector<QuantityInfo>& global_quantities() {
   return list;
 }
 
+namespace {
+
+// The first letter of the components of a tensor: stress, strain, deformation gradient.
+bool is_component(std::string_view name) {
+  return name.size() == 3 && (name[0] == 's' || name[0] == 'e' || name[0] == 'F');
+}
+
+}  // namespace
+
 const QuantityInfo* find_global_quantity(std::string_view name) {
   if (same_name(name, "temp")) return find_name(global_quantities(), "Temperature");
+  if (!history_variable_of(name).empty()) return find_name(global_quantities(), "history");
   // axisymmetric names of components: R is x, Z is y, T is z
-  std::string plain(name);
-  if (plain.size() == 4 && (plain[0] == 'e') && plain[3] == 'e') plain.pop_back();  // elastic strain
-  const bool tensor = plain.size() == 3 && (plain[0] == 's' || plain[0] == 'e');
-  for (std::size_t k = tensor ? 1 : plain.size() - 1; k < plain.size() && plain.size() > 1; ++k) {
+  std::string plain(name), share;
+  if (plain.size() == 4 && plain[0] == 'e' && (plain[3] == 'e' || plain[3] == 'p'))  // elastic or plastic strain
+    share = plain.substr(3), plain.pop_back();
+  for (std::size_t k = is_component(plain) ? 1 : plain.size() - 1; k < plain.size() && plain.size() > 1; ++k) {
     constexpr std::string_view axisymmetric = "RZT";
     if (const auto axis = axisymmetric.find(plain[k]); axis != std::string_view::npos) plain[k] = "xyz"[axis];
   }
-  return find_name(global_quantities(), plain);
+  return find_name(global_quantities(), plain + share);
 }
 
-bool is_strain(const QuantityInfo& quantity) { return quantity.name.size() == 3 && quantity.name[0] == 'e'; }
+std::string_view history_variable_of(std::string_view name) {
+  constexpr std::string_view word = "history ";
+  return name.size() > word.size() && same_name(name.substr(0, word.size()), word) ? name.substr(word.size())
+                                                                                   : std::string_view();
+}
+
+bool is_elastic_strain(const QuantityInfo& quantity) {
+  return quantity.name.size() == 4 && quantity.name[0] == 'e' && (quantity.name[3] == 'e' || quantity.name[3] == 'p');
+}
+
+bool is_strain(const QuantityInfo& quantity) {
+  return (quantity.name.size() == 3 && quantity.name[0] == 'e') || is_elastic_strain(quantity);
+}
+
+bool is_deformation(const QuantityInfo& quantity) {
+  return is_strain(quantity) || (is_component(quantity.name) && quantity.name[0] == 'F');
+}
 
 }  // namespace tribo

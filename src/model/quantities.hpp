@@ -55,5 +55,11 @@ const std::vector<QuantityInfo>& global_quantities();
 const QuantityInfo* find_global_quantity(std::string_view name);
 /// Whether a quantity is a mean strain, which needs the deformation gradient.
 bool is_strain(const QuantityInfo& quantity);
+/// Whether it is an elastic or plastic share of the mean strain.
+bool is_elastic_strain(const QuantityInfo& quantity);
+/// Whether it needs the deformation gradient.
+bool is_deformation(const QuantityInfo& quantity);
+/// The number or name in `history 3`; empty for other quantities.
+std::string_view history_variable_of(std::string_view name);
 
 }  // namespace tribo

@@ -11,11 +11,11 @@ namespace tribo {
 template <int Dim>
 RunEnergies run_energies(const Model& model, const System<Dim>& system, Stepper<Dim>& stepper, const Measures& all);
 
-/// Content of energy: kinetic, stored, dissipated by materials, contact, damping and transfers, and potential
-/// [energy].
+/// Content of energy: kinetic, stored, dissipated by materials, contact, damping and transfers, and potential, and what
+/// thermal expansion has taken [energy].
 inline double energy_content(const Measures& all, const RunEnergies& run) {
-  return all.kinetic + all.stored + all.dissipated + run.potential + run.damping + run.transfer + run.contact +
-         run.interface;
+  return all.kinetic + all.stored + all.dissipated + all.expansion + run.potential + run.damping + run.transfer +
+         run.contact + run.interface;
 }
 
 }  // namespace tribo

@@ -2,6 +2,7 @@
 #include "run/grid_run.hpp"
 
 #include "base/parallel.hpp"
+#include "base/text.hpp"
 #include "solver/build.hpp"
 
 #include <cmath>
@@ -57,6 +58,26 @@ void GridRun<Dim>::open_results(const std::filesystem::path& folder, std::option
   if (!resume_time) return;
   results_->initial_energy = restored_.initial_energy;
   if (results_->blocks) results_->blocks->initial_energy = restored_.initial_block_energy;
+}
+
+template <int Dim>
+void GridRun<Dim>::write_history() {
+  results_->write_history(dt_);
+  if (model_.reversal)
+    system_.load_clock.look(results_->last_row().at(1 + model_.reversal->history), system_.time, *model_.reversal);
+}
+
+template <int Dim>
+std::vector<std::string> GridRun<Dim>::figures() const {
+  auto out = monitor_.state.energy_figures();
+  if (!model_.reversal) return out;
+  const std::string column = "'" + model_.output.history[model_.reversal->history].column + "'";
+  const LoadClock& clock = system_.load_clock;
+  const char* done[] = {"the loads went back", "the loads were held", "the run stopped"};
+  out.push_back(clock.is_turned() ? column + " passed its value at time " + format("%.6g", clock.turned) + ": " +
+                                        done[static_cast<std::size_t>(model_.reversal->style)]
+                                  : column + " has not passed the value of ReverseLoad");
+  return out;
 }
 
 template <int Dim>

@@ -18,7 +18,7 @@ class GridRun final : public SteppedModel {
   double time() const override { return system_.time; }
   std::int64_t step() const override { return system_.step; }
   double step_size() const override { return dt_; }
-  bool at_end() const override { return has_reached(model_.time.end); }
+  bool at_end() const override { return has_reached(system_.load_clock.end_of_run(model_.time.end, model_.reversal)); }
   /// True once the time is `end`, up to round-off.
   bool has_reached(double end) const { return !(system_.time < end * (1 - 1e-12)); }
 
@@ -27,13 +27,13 @@ class GridRun final : public SteppedModel {
   double advance() override;
   std::vector<std::string> look() override;
   std::vector<std::string> remarks() const override { return monitor_.summary(); }
-  std::vector<std::string> figures() const override { return monitor_.state.energy_figures(); }
+  std::vector<std::string> figures() const override;
   CheckpointWriter save(RunState run) override;
   RunState restore(const Checkpoint& checkpoint) override;
 
   ResultNames result_names() const override { return Results<Dim>::names(model_, system_); }
   void open_results(const std::filesystem::path& folder, std::optional<double> resume_time) override;
-  void write_history() override { results_->write_history(dt_); }
+  void write_history() override;
   void write_files(std::int64_t number) override { results_->write_files(number); }
   void write_events() override { results_->write_events(); }
   bool history_of_last_step() const override { return false; }

@@ -13,13 +13,20 @@
 namespace tribo {
 namespace {
 
-std::vector<std::string> energy_columns(bool heat) {
+std::vector<std::string> energy_columns(const HeatSpec& heat) {
   std::vector<std::string> columns{"time",      "kinetic",   "elastic",       "plastic",       "potential",
                                    "contact",   "interface", "external_work", "boundary_work", "damping",
                                    "transfer",  "residual",  "momentum_x",    "momentum_y",    "momentum_z",
                                    "impulse_x", "impulse_y", "impulse_z"};
-  if (heat) columns.insert(columns.end(), {"heat", "heat_supplied", "contact_heat", "work_heat"});
+  if (heat.kept) columns.insert(columns.end(), {"heat", "heat_supplied", "contact_heat", "work_heat"});
+  if (heat.expansion) columns.emplace_back("expansion");
   return columns;
+}
+
+// By Hooke's law. Laws that do not dissipate have no other strain than the elastic one.
+Mat3 elastic_strain(const Material& law, const std::optional<ElasticModuli>& moduli, const Measures& m) {
+  if (law.dissipation_index() < 0 || !moduli) return m.strain;
+  return (m.stress - moduli->nu / (1 + moduli->nu) * m.stress.trace() * Mat3::Identity()) / (2 * moduli->G);
 }
 
 const std::vector<std::string> event_columns{"time", "joint", "point", "x",        "y",
@@ -40,6 +47,8 @@ Results<Dim>::Results(const Model& model, System<Dim>& system, Stepper<Dim>& ste
       grid_(folder_ / "grid.pvd"),
       cracks_(folder_ / "cracks.pvd"),
       joints_(folder_ / "joints.pvd") {
+  if (model.output.wants_elastic_strain())
+    for (const auto& body : system.bodies) moduli_.push_back(elastic_moduli(*body.law));
   std::vector<std::string> columns{"time"};
   for (const auto& q : model.output.history) columns.push_back(q.column);
   if (system.blocks) {
@@ -52,13 +61,13 @@ Results<Dim>::Results(const Model& model, System<Dim>& system, Stepper<Dim>& ste
     const Measures all = measure(system);
     initial_energy = energy_content(all, run_energies(model, system, stepper, all));
     history_.emplace(folder_ / "history.csv", columns);
-    energy_.emplace(folder_ / "energy.csv", energy_columns(model.heat.kept));
+    energy_.emplace(folder_ / "energy.csv", energy_columns(model.heat));
     if (!system.joints.empty()) events_.emplace(folder_ / "events.csv", event_columns);
     if (model.fracture) tips_.emplace(folder_ / "tips.csv", tip_columns);
     return;
   }
   history_.emplace(History::resume(folder_ / "history.csv", columns, *resume_time));
-  energy_.emplace(History::resume(folder_ / "energy.csv", energy_columns(model.heat.kept), *resume_time));
+  energy_.emplace(History::resume(folder_ / "energy.csv", energy_columns(model.heat), *resume_time));
   particles_.resume(*resume_time);
   if (!model.output.grid_fields.empty()) grid_.resume(*resume_time);
   if (!system.cracks.empty()) cracks_.resume(*resume_time);
@@ -122,13 +131,17 @@ void Results<Dim>::write_history(double dt) {
     const HistoryQuantity& q = model_.output.history[k];
     const QuantityInfo* info = find_global_quantity(q.name);
     if (!info) throw std::logic_error("no such quantity: " + q.name);
-    row.push_back(info->value(RunHistorySource<Dim>(model_, system_, stepper_, q, measures_of(k, all, bodies), l, dt)));
+    Measures m = measures_of(k, all, bodies);
+    if (is_elastic_strain(*info)) add_elastic_strain(k, bodies, m);
+    if (q.variable >= 0) m.variable = mean_variable(k);
+    row.push_back(info->value(RunHistorySource<Dim>(model_, system_, stepper_, q, m, l, dt)));
   }
   if (blocks) {
     for (const double value : blocks->values(dt)) row.push_back(value);
     blocks->write_history(dt);
   }
   history_->add(row);
+  row_ = std::move(row);
   write_tips();
 
   const double content = energy_content(all, l);
@@ -142,6 +155,7 @@ void Results<Dim>::write_history(double dt) {
   energies.insert(energies.end(), impulse.begin(), impulse.end());
   if (model_.heat.kept)
     energies.insert(energies.end(), {all.heat, stepper_.heat().supplied, stepper_.heat().from_contact, all.work_heat});
+  if (model_.heat.expansion) energies.push_back(all.expansion);
   energy_->add(energies);
 }
 
@@ -155,6 +169,40 @@ Measures Results<Dim>::measures_of(std::size_t k, const Measures& all, const std
   for (auto& body : system_.rigids)
     if (body.material == q.material && body.block < 0) return measure(body);
   return {};
+}
+
+// The mean of all bodies is weighted by their volumes, as that of the strain.
+template <int Dim>
+void Results<Dim>::add_elastic_strain(std::size_t k, const std::vector<Measures>& bodies, Measures& m) const {
+  const HistoryQuantity& q = model_.output.history[k];
+  if (q.point) {
+    const auto body = tracers_.deformable_body(k);
+    if (body) m.elastic = elastic_strain(*system_.bodies[*body].law, moduli_[*body], m);
+    return;
+  }
+  double volume = 0.0;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    if (q.material >= 0 && system_.bodies[b].material != q.material) continue;
+    m.elastic += bodies[b].volume * elastic_strain(*system_.bodies[b].law, moduli_[b], bodies[b]);
+    volume += bodies[b].volume;
+  }
+  if (volume > 0) m.elastic /= volume;
+}
+
+template <int Dim>
+double Results<Dim>::mean_variable(std::size_t k) const {
+  const HistoryQuantity& q = model_.output.history[k];
+  const auto column = static_cast<std::size_t>(q.variable);
+  for (auto& body : system_.bodies) {
+    if (body.material != q.material || column >= body.law->history().size()) continue;
+    const double* values = body.particles.column(body.history + column);
+    if (q.point) return values[tracers_.particle(system_, k)];
+    const double* volumes = body.particles.volume();
+    double sum = 0.0, volume = 0.0;
+    for (std::size_t i = 0; i < body.particles.size(); ++i) sum += volumes[i] * values[i], volume += volumes[i];
+    return volume > 0 ? sum / volume : 0.0;
+  }
+  return 0.0;
 }
 
 template class Results<2>;

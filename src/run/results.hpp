@@ -26,6 +26,8 @@ class Results {
   /// Files of particles, and of the grid, cracks, joints and blocks if the model has them.
   void write_files(std::int64_t number);
   void write_history(double dt);
+  /// The last row of the histories: the time and the values.
+  const std::vector<double>& last_row() const { return row_; }
   /// The events at joints and blocks since the last call.
   void write_events();
   /// Content of energy at the start, for the residual [energy]. Found by the constructor for a new run; to be set for
@@ -36,6 +38,9 @@ class Results {
  private:
   /// Sums over what history `k` refers to: all particles, a material or one particle.
   Measures measures_of(std::size_t k, const Measures& all, const std::vector<Measures>& bodies) const;
+  /// Elastic strain of what history `k` refers to, and its mean of a history variable.
+  void add_elastic_strain(std::size_t k, const std::vector<Measures>& bodies, Measures& m) const;
+  double mean_variable(std::size_t k) const;
   void write_particles(std::int64_t number);
   void write_grid(std::int64_t number);
   void write_cracks(std::int64_t number);
@@ -46,9 +51,11 @@ class Results {
   System<Dim>& system_;
   Stepper<Dim>& stepper_;
   Tracers<Dim> tracers_;
+  std::vector<std::optional<ElasticModuli>> moduli_;  ///< per body, if a history asks for elastic strains
   std::filesystem::path folder_;
   Collection particles_, grid_, cracks_, joints_;
   std::optional<History> history_, energy_, events_, tips_;
+  std::vector<double> row_;
 };
 
 }  // namespace tribo

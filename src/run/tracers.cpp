@@ -46,9 +46,13 @@ Tracers<Dim>::Tracers(const Model& model, System<Dim>& system) {
 template <int Dim>
 Measures Tracers<Dim>::measure(System<Dim>& system, std::size_t k, bool strain) const {
   auto& body = (tracers_[k].rigid ? system.rigids : system.bodies)[tracers_[k].body];
-  const auto& id = body.particles.id;
-  const auto at = std::find(id.begin(), id.end(), tracers_[k].id);
-  return measure_particle(body, static_cast<std::size_t>(at - id.begin()), strain);
+  return measure_particle(body, particle(system, k), strain);
+}
+
+template <int Dim>
+std::size_t Tracers<Dim>::particle(const System<Dim>& system, std::size_t k) const {
+  const auto& id = (tracers_[k].rigid ? system.rigids : system.bodies)[tracers_[k].body].particles.id;
+  return static_cast<std::size_t>(std::find(id.begin(), id.end(), tracers_[k].id) - id.begin());
 }
 
 template class Tracers<2>;

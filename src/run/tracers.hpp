@@ -6,6 +6,7 @@
 #include "solver/measures.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace tribo {
@@ -19,6 +20,12 @@ class Tracers {
   Tracers(const Model& model, System<Dim>& system);
   /// Measures of the particle of history `k`, which must be a history of a point.
   Measures measure(System<Dim>& system, std::size_t k, bool strain) const;
+  /// Present number of the particle in its body.
+  std::size_t particle(const System<Dim>& system, std::size_t k) const;
+  /// Number of the deformable body of the particle; none if it is rigid.
+  std::optional<std::size_t> deformable_body(std::size_t k) const {
+    return tracers_[k].rigid ? std::nullopt : std::optional(tracers_[k].body);
+  }
 
  private:
   struct Tracer {

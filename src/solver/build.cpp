@@ -34,6 +34,11 @@ void keep_temperature(const Model& model, Body<Dim>& body) {
     body.heated = particles.add("heated", Dimension::stress);
     body.taylor_quinney = spec.taylor_quinney;
   }
+  if (model.heat.expansion && spec.expansion != 0.0) {
+    body.expansion = spec.expansion;
+    body.expanded = particles.add("stress_temperature", Dimension::temperature, model.heat.reference);
+    body.expansion_work = particles.add("expansion_work", Dimension::stress);
+  }
 }
 
 template <int Dim>

@@ -16,7 +16,9 @@ void add(Measures& to, const Measures& from) {
   to.momentum += from.momentum, to.angular_momentum += from.angular_momentum;
   to.centre += from.centre, to.displacement += from.displacement;
   to.kinetic += from.kinetic, to.stored += from.stored, to.dissipated += from.dissipated;
-  to.heat += from.heat, to.work_heat += from.work_heat, to.temperature += from.temperature;
+  to.heat += from.heat, to.expansion += from.expansion, to.work_heat += from.work_heat,
+      to.temperature += from.temperature;
+  to.weighted_temperature += from.weighted_temperature;
   to.stress += from.stress, to.deformation += from.deformation, to.strain += from.strain;
   to.low = to.low.cwiseMin(from.low), to.high = to.high.cwiseMax(from.high);
   to.largest_speed = std::max(to.largest_speed, from.largest_speed);
@@ -27,8 +29,8 @@ void add(Measures& to, const Measures& from) {
 // Converts sums into means.
 void average(Measures& m) {
   if (m.mass > 0) m.centre /= m.mass, m.displacement /= m.mass;
-  // m.temperature is the sum of the heat capacities before this line
-  if (m.temperature > 0) m.temperature = m.heat / m.temperature;
+  // m.temperature is the sum of the weights before this line
+  if (m.temperature > 0) m.temperature = m.weighted_temperature / m.temperature;
   if (m.volume > 0) m.stress /= m.volume, m.deformation /= m.volume, m.strain /= m.volume;
 }
 
@@ -68,8 +70,11 @@ Measures measure_range(Body<Dim>& body, std::uint32_t first, int count, bool str
     m.centre += mass * position, m.displacement += mass * shift;
     if (body.temperature) {
       const double capacity = mass * body.heat_capacity;
-      m.heat += capacity * particles[body.temperature][i], m.temperature += capacity;
+      const double weight = body.heat_capacity > 0 ? capacity : mass;
+      m.heat += capacity * particles[body.temperature][i];
+      m.weighted_temperature += weight * particles[body.temperature][i], m.temperature += weight;
     }
+    if (body.expansion_work) m.expansion += particles[body.expansion_work][i] * mass / density;
     if (body.heated) m.work_heat += body.taylor_quinney * particles[body.heated][i] * mass / density;
     m.kinetic += 0.5 * mass * velocity.squaredNorm();
     m.stress += volume * load_symmetric<Dim>(stress, static_cast<int>(i));

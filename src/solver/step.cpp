@@ -19,6 +19,7 @@ void Stepper<Dim>::advance(double dt) {
   const bool again = model_.scheme.extrapolate_again && order != UpdateOrder::usf;
   const auto lap = watches_.all.lap();
   begin_step();
+  heat_.supplied += ramps_.apply(dt);
 
   // 1. Transfer mass and momentum to the nodes, and the forces if the stress is updated last.
   loads_.apply(dt);
@@ -115,6 +116,7 @@ Stepper<Dim>::Stepper(const Model& model, System<Dim>& system)
       rigid_bodies_(model, system, *transfers_, exchanges_, ledger_),
       rigid_blocks_(system),
       heat_(model, system, *transfers_),
+      ramps_(model, system),
       b_bar_(model.scheme, system, *transfers_, exchanges_),
       filter_(model, system, *transfers_, exchanges_, conditions_, contact_) {
   for (std::size_t f = 0; f < system.fields.size(); ++f) {

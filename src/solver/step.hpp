@@ -7,6 +7,7 @@
 #include "solver/cracks/crack_tips.hpp"
 #include "solver/cracks/cracks.hpp"
 #include "solver/heat/heat.hpp"
+#include "solver/heat/temperature_ramps.hpp"
 #include "solver/joints/interface_faces.hpp"
 #include "solver/joints/joints.hpp"
 #include "solver/loads/body_forces.hpp"
@@ -65,7 +66,7 @@ class Stepper {
   friend void archive(Archive& a, Stepper& stepper) {
     auto& [model, system, ledger, watches, transfers, sort, splitting, exchanges, conditions, cracks, crack_tips,
            interface_faces, joints, contact, loads, tractions, body_forces, nodal_work, damping, rigid_bodies,
-           rigid_blocks, heat, b_bar, filter] = stepper;
+           rigid_blocks, heat, ramps, b_bar, filter] = stepper;
     a.version(4);
     a("system", system);
     a("ledger", ledger), a("sort", sort), a("splitting", splitting), a.each("conditions", conditions),
@@ -123,6 +124,7 @@ class Stepper {
   RigidBodies<Dim> rigid_bodies_;
   RigidBlocks<Dim> rigid_blocks_;
   HeatConduction<Dim> heat_;
+  TemperatureRamps<Dim> ramps_;
   BBar<Dim> b_bar_;
   VelocityFilter<Dim> filter_;
 };

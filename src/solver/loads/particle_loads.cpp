@@ -57,7 +57,8 @@ Vec3 ParticleLoads<Dim>::force_on(Body<Dim>& body, std::size_t i, double dt) con
       for (std::size_t c = 0; c < model_.particle_conditions.size(); ++c) {
         const auto& condition = model_.particle_conditions[c];
         if ((bits >> c & 1U) && condition.kind == ParticleCondition::Kind::force)
-          sum[static_cast<int>(condition.direction)] += factor_[c] * condition.value.at(system_.time, x);
+          sum[static_cast<int>(condition.direction)] +=
+              factor_[c] * condition.value.at(system_.load_clock.at(system_.time, model_.reversal), x);
       }
   }
   const BodyForce& force = model_.body_force;

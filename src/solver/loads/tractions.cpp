@@ -27,7 +27,7 @@ void Tractions<Dim>::apply(const ParticleCondition& condition, Body<Dim>& body, 
                          : condition.direction == LoadDirection::tangential
                              ? Vec3(face.normal.cross(Vec3::UnitZ()) * -1.0)
                              : Vec3(Mat3::Identity().col(static_cast<int>(condition.direction)));
-  ConditionPoint point{.time = system_.time};
+  ConditionPoint point{.time = system_.load_clock.at(system_.time, model_.reversal)};
   Vec3 v = Vec3::Zero(), start = Vec3::Zero();
   point.position.head<Dim>() = body.particles.position(i);
   v.head<Dim>() = body.particles.velocity(i);

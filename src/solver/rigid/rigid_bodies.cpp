@@ -37,11 +37,13 @@ RigidBodies<Dim>::RigidBodies(const Model& model, System<Dim>& system, const Tra
 // The prescribed velocity at a position at the end of a step; components without a function are those of `otherwise`.
 template <int Dim>
 Vec3 RigidBodies<Dim>::wanted(const MaterialSpec& spec, const Vec3& position, const Vec3& otherwise, double dt) const {
-  auto at = Variables::at(position, (system_.time + dt) / model_.units.alternative_time());
+  const LoadClock& clock = system_.load_clock;
+  const double time = system_.time + dt, rate = clock.rate(time, model_.reversal);
+  auto at = Variables::at(position, clock.at(time, model_.reversal) / model_.units.alternative_time());
   at.dt = dt / model_.units.alternative_time();
   Vec3 v = otherwise;
   for (std::size_t d = 0; d < Dim; ++d)
-    if (spec.rigid_velocity[d]) v[static_cast<Eigen::Index>(d)] = (*spec.rigid_velocity[d])(at);
+    if (spec.rigid_velocity[d]) v[static_cast<Eigen::Index>(d)] = rate * (*spec.rigid_velocity[d])(at);
   return v;
 }
 

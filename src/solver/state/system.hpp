@@ -9,6 +9,7 @@
 #include "particles/particles.hpp"
 #include "solver/state/crack.hpp"
 #include "solver/state/joint_surface.hpp"
+#include "solver/state/load_clock.hpp"
 
 #include <algorithm>
 #include <memory>
@@ -107,12 +108,15 @@ struct Body {
   VectorColumn temperature_gradient;  ///< conduction                                             [temperature/length]
   /// Conduction: particle temperature minus the interpolated nodal temperature [temperature].
   ScalarColumn temperature_residual;
-  ScalarColumn heated;         ///< dissipated work per initial volume that has been converted to heat   [stress]
-  ScalarColumn crossings;      ///< for output: number of times the particle moved to another cell
-  ScalarColumn cell_number;    ///< for output: number of the current cell, -1 before the first count
-  ScalarColumn volumetric;     ///< B-bar: scratch for the rate of volume change or the mean stress
-  double heat_capacity = 0.0;  ///< [energy/(mass temperature)]
-  double conductivity = 0.0;   ///< [power/(length temperature)]
+  ScalarColumn heated;          ///< dissipated work per initial volume that has been converted to heat   [stress]
+  ScalarColumn expanded;        ///< thermal expansion: temperature of the last update of the stress   [temperature]
+  ScalarColumn expansion_work;  ///< work of the stress on thermal expansion, per initial volume       [stress]
+  double expansion = 0.0;       ///< coefficient of linear thermal expansion [1/temperature]
+  ScalarColumn crossings;       ///< for output: number of times the particle moved to another cell
+  ScalarColumn cell_number;     ///< for output: number of the current cell, -1 before the first count
+  ScalarColumn volumetric;      ///< B-bar: scratch for the rate of volume change or the mean stress
+  double heat_capacity = 0.0;   ///< [energy/(mass temperature)]
+  double conductivity = 0.0;    ///< [power/(length temperature)]
   /// Taylor-Quinney coefficient: fraction of the dissipated work that becomes heat.
   double taylor_quinney = 0.0;
   double reference_temperature = 0.0;   ///< temperature at which the material properties hold [temperature]
@@ -163,6 +167,7 @@ struct System {
   std::string contact_reason;     ///< a phrase on why they hold there or at nodes; empty without contact
   double time = 0.0;
   std::int64_t step = 0;
+  LoadClock load_clock;
   double drift = 0.0;  ///< largest distance any particle may have moved since the last sort [cells]
   bool sorted = false;
 };
@@ -174,9 +179,9 @@ void archive(Archive& a, Body<Dim>& body, const Lattice<Dim>& lattice) {
   auto& [name, law, material, field, block, across_fields, cut, cut_bins, particles, bins, history, history_columns,
          affine, filtered, start, half_size, half_axes, generation, uniform_half_size, thickness, domain, load, origin,
          load_set, contact_slip, contact_bond, contact_state, contact_traction, contact_normal, temperature,
-         temperature_gradient, temperature_residual, heated, crossings, cell_number, volumetric, heat_capacity,
-         conductivity, taylor_quinney, reference_temperature, cell, residual_share, volume_of_displacement,
-         particle_damping, total_mass, read_by_scatter, read_by_gather] = body;
+         temperature_gradient, temperature_residual, heated, expanded, expansion_work, expansion, crossings,
+         cell_number, volumetric, heat_capacity, conductivity, taylor_quinney, reference_temperature, cell,
+         residual_share, volume_of_displacement, particle_damping, total_mass, read_by_scatter, read_by_gather] = body;
   a("particles", particles), archive(a, bins, lattice);
   if (!a.reading() || bins.list().empty()) return;  // none before the first step, which sorts
   if (bins.before(bins.list().size()) != particles.size() || !bins.hold(lattice, particles))
@@ -217,9 +222,9 @@ void check(const System<Dim>& system) {
 template <int Dim>
 void archive(Archive& a, System<Dim>& system) {
   auto& [lattice, analysis, fields, bodies, cracks, joints, rigids, blocks, contact_at_faces, contact_reason, time,
-         step, drift, sorted] = system;
-  a.version(1);
-  a("time", time), a("step", step), a("drift", drift), a("sorted", sorted);
+         step, load_clock, drift, sorted] = system;
+  a.version(2);
+  a("time", time), a("step", step), a("load_clock", load_clock), a("drift", drift), a("sorted", sorted);
   a.each("crack", cracks), a.each("joints", joints);
   for (auto* list : {&bodies, &rigids})
     for (std::size_t k = 0; k < list->size(); ++k) {

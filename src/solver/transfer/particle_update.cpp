@@ -90,6 +90,57 @@ void heat_by_dissipation(Body<Dim>& body, std::uint32_t first, int count) {
   }
 }
 
+/// Thermal expansion of a batch during an update of the stress: the law gets the rate of strain without it.
+template <int Dim>
+class Expansion {
+ public:
+  Expansion(Body<Dim>& body, std::uint32_t first, int count, const Gather& what, GatherSums<Dim>& sums)
+      : body_(body), first_(first), count_(count), dt_(what.strain_dt), plane_stress_(what.plane_stress) {
+    const double* temperature = body.particles[body.temperature] + first;
+    double* before = body.particles[body.expanded] + first;
+    for (int i = 0; i < count; ++i) {
+      rate_[i] = body.expansion * (temperature[i] - before[i]) / dt_;
+      before[i] = temperature[i];
+      trace_[i] = trace(i);
+    }
+    for (const int diagonal : {0, Dim + 1, Layout<Dim>::full - 1})
+      for (int i = 0; i < count; ++i) sums.L[diagonal][i] -= rate_[i];
+  }
+
+  // In plane stress the law has set the elastic part of the strain out of the plane.
+  void finish() {
+    const auto F = body_.particles.F();
+    double* volume = body_.particles.volume() + first_;
+    const double* mass = body_.particles.mass() + first_;
+    double* work = body_.particles[body_.expansion_work] + first_;
+    constexpr auto zz = static_cast<std::size_t>(Layout<Dim>::full - 1);
+    for (int i = 0; i < count_; ++i) {
+      if (plane_stress_) {
+        const double stretch = std::exp(rate_[i] * dt_);
+        volume[i] *= stretch;
+        if (F[zz]) F[zz][first_ + static_cast<std::size_t>(i)] *= stretch;
+      }
+      const double ratio = volume[i] * body_.law->density() / mass[i];
+      work[i] += 0.5 * (trace_[i] + trace(i)) * rate_[i] * dt_ * ratio;
+    }
+  }
+
+ private:
+  double trace(int i) const {
+    const auto stress = body_.particles.stress();
+    const std::size_t k = first_ + static_cast<std::size_t>(i);
+    return stress[0][k] + stress[1][k] + stress[2][k];
+  }
+
+  Body<Dim>& body_;
+  std::uint32_t first_;
+  int count_;
+  double dt_;
+  bool plane_stress_;
+  alignas(64) double rate_[batch_lanes];   ///< of linear expansion [1/time]
+  alignas(64) double trace_[batch_lanes];  ///< of the stress before the update
+};
+
 template <int Dim>
 void reduce_temperature_residual(Body<Dim>& body, std::uint32_t first, int count, const GatherSums<Dim>& sums) {
   double* temperature = body.particles[body.temperature] + first;
@@ -245,7 +296,13 @@ void update_particles(Body<Dim>& body, const Lattice<Dim>& lattice, std::uint32_
     points.dt = what.strain_dt;
     points.plane_stress = what.plane_stress;
     for (std::size_t k = 0; k < points.L.size(); ++k) points.L[k] = sums.L[k];
-    body.law->update(points);
+    if (body.expanded) {
+      Expansion<Dim> expansion(body, first, count, what, sums);
+      body.law->update(points);
+      expansion.finish();
+    } else {
+      body.law->update(points);
+    }
     if (body.heated) heat_by_dissipation(body, first, count);
   }
   if (what.move) {
