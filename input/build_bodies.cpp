@@ -2,7 +2,9 @@
 /// <MaterialPoints>: bodies, holes, images and single particles; also the shapes used by conditions.
 
 #include "input/builder.hpp"
+#include "materials/material.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -92,8 +94,13 @@ RegionPtr Builder::line_shape(const Statement& s) {
 RegionPtr Builder::arc_shape(const Statement& s) {
   const double start = number(s, "start", Dimension::angle),
                end = has(s, "end") ? number(s, "end", Dimension::angle) : 360 * degrees;
-  return arc(coordinate(s, "xmin", 0), coordinate(s, "xmax", 0), coordinate(s, "ymin", 1), coordinate(s, "ymax", 1),
-             start, end, tolerance(s));
+  const auto edge = [&](const char* one, const char* other, int axis) {
+    must(has(s, one) || has(s, other), s.origin, "<" + s.name + "> needs the attribute '" + one + "'");
+    return coordinate(s, has(s, one) ? one : other, axis);
+  };
+  const double x1 = edge("xmin", "x1", 0), x2 = edge("xmax", "x2", 0), y1 = edge("ymin", "y1", 1),
+               y2 = edge("ymax", "y2", 1);
+  return arc(std::min(x1, x2), std::max(x1, x2), std::min(y1, y2), std::max(y1, y2), start, end, tolerance(s));
 }
 
 void Builder::bodies() {
@@ -138,14 +145,23 @@ void Builder::body(const Statement& s, bool hole) {
   must(any, s.origin, "<" + s.name + "> has no shape");
 }
 
+// Whether the law of a material has axes; a rotation of the others has no effect.
+bool Builder::has_axes(int material) const {
+  if (material < 0 || material >= static_cast<int>(model_.materials.size())) return false;
+  const auto& law = model_.materials[static_cast<std::size_t>(material)].law;
+  return law && std::any_of(law->history().begin(), law->history().end(),
+                            [](const HistoryVariable& h) { return h.name == material_angle; });
+}
+
 // Elements between the shapes act on the shapes that follow.
 void Builder::modify(const Statement& s, Piece& piece) {
   if (s.name == "vel0X") piece.velocity_function[0] = function(s.text, s.text_origin, "<" + s.name + ">");
   if (s.name == "vel0Y") piece.velocity_function[1] = function(s.text, s.text_origin, "<" + s.name + ">");
   if (s.name == "vel0Z") piece.velocity_function[2] = function(s.text, s.text_origin, "<" + s.name + ">");
   if (s.name == "RotateZ") piece.angle += function(s.text, s.text_origin, "<" + s.name + ">")(Variables{}) * degrees;
-  must(s.name != "RotateX" && s.name != "RotateY", s.origin,
-       "<" + s.name + "> rotates material axes out of the plane, which is not implemented");
+  if (s.name == "RotateX" || s.name == "RotateY")
+    must(!has_axes(piece.material), s.origin,
+         "<" + s.name + "> rotates material axes out of the plane, which is not implemented");
   if (s.name == "Unrotate") piece.angle = 0.0;
   if (s.name == "Undeform") piece.deformation.reset();
   if (s.name == "MatlPtsPerElement") {

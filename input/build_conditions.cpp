@@ -2,6 +2,7 @@
 /// GridBCs, ParticleBCs, Thermal and Gravity.
 
 #include "input/builder.hpp"
+#include "input/common_properties.hpp"
 
 #include "materials/material.hpp"
 
@@ -28,8 +29,10 @@ void Builder::selector(const Statement& s, bool grid) {
   const RegionPtr where = selected(s);
   bool any = false, net = false;
   for (const auto& child : s.children) {
-    if (child.name == "net") net = true;
-    if (child.name == "perParticle") net = false;
+    if (child.name == "net" || child.name == "perParticle") {
+      must(!grid, child.origin, "<" + child.name + "> is about loads and belongs into <ParticleBCs>");
+      net = child.name == "net";
+    }
     if (!on_nodes(child) && !on_particles(child)) continue;
     any = true;
     must(grid == on_nodes(child), child.origin,
@@ -147,6 +150,9 @@ void Builder::heat_flux(const Statement& s, const RegionPtr& where) {
   c.face = face_of(s);
   must(model_.dimension() == 3 || !needs_three_dimensions(c.face), s.origin,
        "this face needs a three-dimensional model");
+  must(word(s, "dir", "1") == "1", s.attribute("dir") ? s.attribute("dir")->origin : s.origin,
+       "a heat flux that depends on the temperature of the particle (coupled, direction 2) is not implemented; give "
+       "the flux as a function of t, x, y and z (external, direction 1)");
   c.value = prescribed(s, "value", Dimension::heat_flux);
   model_.particle_conditions.push_back(std::move(c));
 }
@@ -174,22 +180,36 @@ void Builder::heat() {
 // Decides whether particles have temperatures, and checks the heat properties of the materials.
 void Builder::check_capacities(const Statement* thermal) {
   HeatSpec& heat = model_.heat;
-  const bool changes = heat.conduction || heat.work_heating;
-  heat.kept = changes;
+  const bool needs_capacity = heat.conduction || heat.work_heating;
+  const auto differs = [&](const std::optional<double>& t) { return t && *t != heat.reference; };
+  const bool changes =
+      needs_capacity || !heat.ramps.empty() ||
+      std::any_of(model_.pieces.begin(), model_.pieces.end(), [&](const Piece& p) { return differs(p.temperature); }) ||
+      std::any_of(model_.points.begin(), model_.points.end(),
+                  [&](const PointSpec& p) { return differs(p.temperature); });
+  heat.kept = needs_capacity || !heat.ramps.empty();
   for (const auto& m : model_.materials) {
     if (!m.law || m.law->rigid()) continue;
     heat.kept |= m.law->feels_temperature();
-    if (!changes) continue;
-    const std::string why = heat.conduction ? "<Conduction>" : "<EnergyCoupling>";
-    must(m.heat_capacity > 0, m.origin, why + " needs the heat capacity of '" + m.name + "': <Cv>");
-    if (const auto* alpha = m.statement.child("alpha"))
-      must(to_number(alpha->text).value_or(0.0) == 0.0, alpha->origin,
-           "thermal expansion is not implemented; without " + why + ", or with <alpha>0</alpha>, the model runs");
+    if (needs_capacity)
+      must(m.heat_capacity > 0, m.origin,
+           std::string(heat.conduction ? "<Conduction>" : "<EnergyCoupling>") + " needs the heat capacity of '" +
+               m.name + "': <Cv>");
+    for (const Statement& property : m.statement.children)
+      must(!changes || !of_anisotropic_expansion(property.name) || to_number(property.text) == 0.0, property.origin,
+           "thermal expansion of anisotropic materials is not implemented; at a constant temperature, or with 0, the "
+           "model runs");
+    if (!changes || m.expansion == 0.0) continue;
+    heat.expansion = heat.kept = true;
+    must(keeps_stress(*m.law), m.statement.child("alpha")->origin,
+         "thermal expansion is implemented for laws with an incremental stress; the stress of '" + m.name +
+             "' is a function of its deformation. With <alpha>0</alpha> the model runs");
   }
   const auto dissipates = [](const MaterialSpec& m) { return m.law && m.law->dissipation_index() >= 0; };
-  if (heat.work_heating)
-    must(std::any_of(model_.materials.begin(), model_.materials.end(), dissipates), thermal->origin,
-         "<EnergyCoupling> converts dissipated work to heat, but none of these materials dissipates");
+  if (heat.work_heating && std::none_of(model_.materials.begin(), model_.materials.end(), dissipates))
+    problems_.warn(thermal->child("EnergyCoupling")->origin,
+                   "<EnergyCoupling> converts dissipated work to heat, but none of these materials dissipates: it has "
+                   "no effect");
 }
 
 void Builder::gravity() {

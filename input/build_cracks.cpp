@@ -88,6 +88,7 @@ CrackSpec Builder::crack(const Statement& s) {
   const bool solid = model_.dimension() == 3;
   bool refused = false;  // a part of it
   for (const auto& part : s.children) {
+    if (part.name == "Thickness") continue;
     const bool surface = part.name == "Quad" || part.name == "Disc";
     if (surface != solid) {
       problems_.add(part.origin, "<" + part.name + "> belongs to cracks in " + (surface ? "three" : "two") +
@@ -183,6 +184,34 @@ void Builder::set_end(const Statement& s, const char* code, CrackSpec::End& end)
   end = tip == -2 ? CrackSpec::End::exterior : tip == -1 ? CrackSpec::End::none : CrackSpec::End::tip;
 }
 
+// Settings that say what Tribo does anyway, and others without effect.
+void Builder::crack_settings(const Statement& general) {
+  const bool none = model_.cracks.empty(),
+             laws = std::all_of(general.children.begin(), general.children.end(),
+                                [](const Statement&s) { return s.name == "Friction" || s.name == "ContactPosition"; });
+  if (none && laws)  // written with every model by the desktop program
+    problems_.warn(general.origin, "<Cracks> without a <CrackList> has no effect");
+  must(!none || laws, general.origin, "<Cracks> without a <CrackList> has no effect");
+  if (const Statement* position = general.child("ContactPosition"); position && !none)
+    problems_.warn(position->origin,
+                   "<ContactPosition> has no effect on cracks: gaps follow from the displacements of their faces");
+  if (const Statement* thickness = general.child("Thickness")) crack_thickness(*thickness);
+  if (const Statement* plane = general.child("MovePlane")) {
+    must(word(*plane, "type", "avg") == "avg", plane->origin,
+         "a crack that moves with the centre of mass (cm) is not implemented; it moves with the mean of its two faces "
+         "(avg)");
+    must(word(*plane, "prevent", "no") == "no", plane->origin,
+         "a check of the line of a crack that prevents its faces from crossing is not implemented; their contact does");
+  }
+}
+
+void Builder::crack_thickness(const Statement& s) {
+  const double thickness = text_number(s, Dimension::length);
+  must(std::abs(thickness - model_.grid.thickness) <= 1e-9 * model_.grid.thickness, s.origin,
+       "a crack is as thick as the grid, " + format("%.6g", model_.grid.thickness) +
+           "; another thickness is not implemented");
+}
+
 void Builder::cracks() {
   const Statement* general = root_.child("MPMHeader")->child("Cracks");
   struct Laws {
@@ -203,6 +232,7 @@ void Builder::cracks() {
   for (const auto& s : root_.children) {
     if (s.name != "CrackList") continue;
     CrackSpec spec = crack(s);
+    if (const Statement* thickness = s.child("Thickness")) crack_thickness(*thickness);
     Laws laws = fallback;
     if (has(s, "law") || has(s, "lawname")) {
       laws = named(s);
@@ -221,7 +251,7 @@ void Builder::cracks() {
   }
   must(model_.cracks.empty() || !model_.scheme.b_bar, model_.cracks.empty() ? Origin{} : model_.cracks.front().origin,
        "cracks with <BBar> are not implemented: its averages over cells would cross the crack");
-  if (general) must(!model_.cracks.empty(), general->origin, "<Cracks> without a <CrackList> has no effect");
+  if (general) crack_settings(*general);
 }
 
 }  // namespace tribo

@@ -29,10 +29,8 @@ void Builder::fracture_property(const Statement& s, MaterialSpec& spec) {
     t.KIexp = above_zero(Dimension::none);
   else if (s.name == "KIIexp")
     t.KIIexp = above_zero(Dimension::none);
-  else if (s.name == "Propagate")
-    spec.growth = growth(s);
   else
-    problems_.add(s.origin, why_not(s.name));
+    spec.growth = growth(s);
 }
 
 Growth Builder::growth(const Statement& s) {

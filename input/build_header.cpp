@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-/// Header, MPMHeader, Mesh and CustomTasks.
+/// Header, MPMHeader and Mesh.
 
 #include "input/builder.hpp"
 #include "materials/material.hpp"
-#include "model/output_fields.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -134,6 +133,8 @@ void Builder::time_control(const Statement& h) {
     time.courant = number(*t, "CFL", Dimension::none, 0.5);
     positive_time(*t, std::min({time.max_step, time.end, time.courant}));
     must(time.courant <= 1, t->origin, "'CFL' must be in (0, 1]");
+    time.transport_courant = number(*t, "TransCFL", Dimension::none, time.transport_courant);
+    must(time.transport_courant > 0 && time.transport_courant <= 1, t->origin, "'TransCFL' must be in (0, 1]");
   }
   if (const auto* t = h.child("TimeStep")) time.max_step = positive_time(*t, text_number(*t, Dimension::time, 1.0));
   if (const auto* t = h.child("MaxTime")) time.end = positive_time(*t, text_number(*t, Dimension::time, 1.0));
@@ -259,6 +260,12 @@ void Builder::axis(const Statement& grid, int axis, std::string_view element, st
   for (const auto* other : {"nx", "ny", "nz"})
     must(other == count || !has(*s, other), s->origin,
          "<" + std::string(element) + "> takes " + std::string(count) + ", not " + other);
+  for (const auto& [ratio, mine] : {std::pair("rx", 0), std::pair("ry", 1), std::pair("rz", 2)}) {
+    if (!has(*s, ratio)) continue;
+    must(mine == axis, s->attribute(ratio)->origin, "<" + std::string(element) + "> does not take " + ratio);
+    must(number(*s, ratio, Dimension::none) == 1, s->attribute(ratio)->origin,
+         std::string(ratio) + " must be 1: grids with unequal cells are not implemented");
+  }
   if (has(*s, "cellsize")) {
     must(!has(*s, count), s->origin, "give either the number of cells or their size");
     const double size = number(*s, "cellsize", Dimension::length);
@@ -296,76 +303,6 @@ void Builder::axis(const Statement& grid, int axis, std::string_view element, st
   }
   for (const auto* other : {"symmin", "symmax", "wallmin", "wallmax"})
     must(!g.periodic[k] || !has(*s, other), s->origin, std::string("a periodic axis has no '") + other + "'");
-}
-
-void Builder::tasks() {
-  const auto* tasks = root_.child("CustomTasks");
-  if (!tasks) return;
-  for (const auto& schedule : tasks->children)
-    if (schedule.name == "Schedule") task(schedule);
-}
-
-void Builder::task(const Statement& schedule) {
-  const std::string name = word(schedule, "name");
-  std::vector<std::string> known;
-  // Calls set(value) if the task has a parameter with this name.
-  const auto parameter = [&](const char* wanted, const std::function<void(const Statement&, double)>& set) {
-    known.emplace_back(wanted);
-    for (const auto& p : schedule.children)
-      if (word(p, "name") == wanted) {
-        const auto value = to_number(p.text);
-        must(value.has_value(), p.text.empty() ? p.origin : p.text_origin,
-             "parameter '" + std::string(wanted) + "' needs a number");
-        set(p, value.value_or(1.0));
-      }
-  };
-  Scheme& scheme = model_.scheme;
-  if (name == "PeriodicXPIC") {
-    parameter("FMPMOrder", [&](const Statement&, double v) {
-      scheme.transfer = Transfer::fmpm, scheme.filter_order = static_cast<int>(v);
-    });
-    parameter("XPICOrder", [&](const Statement&, double v) {
-      scheme.transfer = Transfer::xpic, scheme.filter_order = static_cast<int>(v);
-    });
-    parameter("periodicSteps", [&](const Statement& p, double v) {
-      must(v >= 1, p.text_origin, "periodicSteps must be at least 1");
-      scheme.filter_every = static_cast<int>(v);
-    });
-    parameter("periodicTime",
-              [&](const Statement&, double v) { scheme.filter_period = v * model_.units.alternative_time(); });
-    parameter("verbose", [](const Statement&, double) {});
-    must(scheme.filter_order >= 1 && scheme.filter_order <= 100, schedule.origin, "the order must be in 1 ... 100");
-  } else if (name == "AdjustTimeStep") {
-    model_.time.adaptive = true;
-    parameter("adjustTime", [](const Statement&, double) {});
-    parameter("velocityCFL", [&](const Statement& p, double v) {
-      must(v > 0, p.text_origin, "velocityCFL must be positive");
-      model_.time.velocity_courant = v;
-    });
-    parameter("maxIncrease", [&](const Statement& p, double v) {
-      must(v > 0, p.text_origin, "maxIncrease must be positive");
-      model_.time.max_increase = v > 1 ? v : 1 + v;
-    });
-    parameter("verbose", [](const Statement&, double) {});
-  } else if (name == "VTKArchive") {
-    for (const auto& p : schedule.children) {
-      const std::string wanted = word(p, "name");
-      if (find_grid_field(wanted)) model_.output.grid_fields.push_back(wanted);
-    }
-    for (const auto& field : grid_fields()) known.emplace_back(field.name);
-  } else {
-    problems_.add(schedule.attribute("name")->origin,
-                  "the task '" + name + "' is not supported by Tribo" +
-                      did_you_mean(name, {"PeriodicXPIC", "AdjustTimeStep", "VTKArchive"}) +
-                      "; valid: PeriodicXPIC, AdjustTimeStep, VTKArchive");
-    return;
-  }
-  for (const auto& p : schedule.children) {
-    const std::string wanted = word(p, "name");
-    if (std::find(known.begin(), known.end(), wanted) == known.end())
-      problems_.add(p.origin, "task " + name + " has no parameter '" + wanted + "' in Tribo" +
-                                  did_you_mean(wanted, known) + "; valid: " + join(known));
-  }
 }
 
 }  // namespace tribo

@@ -5,6 +5,7 @@
 #include "contact/joint_law.hpp"
 #include "input/builder.hpp"
 #include "input/common_properties.hpp"
+#include "input/dialect.hpp"
 #include "materials/material.hpp"
 
 #include <algorithm>
@@ -118,6 +119,22 @@ void Builder::must_be_solid(const Statement& s, int material) {
   must_not_be(tribo::joint_laws().find(spec.type), "joint");
 }
 
+// Reports properties that Tribo does not have and that are not of the law, which then need not look at them.
+template <class Item>
+void Builder::refuse_properties(const Statement& s, const Item& law, std::vector<std::string>& elsewhere) {
+  for (const Statement& child : s.children) {
+    const auto reason = reason_against(refused_properties(), child.name);
+    const bool own = std::any_of(law.parameters.begin(), law.parameters.end(),
+                                 [&](const auto& p) { return p.name == child.name || p.alias == child.name; }) ||
+                     std::any_of(law.own_properties.begin(), law.own_properties.end(),
+                                 [&](const auto& p) { return p.name == child.name; });
+    if (reason.empty() || own) continue;
+    elsewhere.push_back(child.name);
+    const bool harmless = child.name == "allowsCracks" && child.text == "1";
+    must(harmless, child.origin, "<" + child.name + "> is not supported by Tribo: " + std::string(reason));
+  }
+}
+
 void Builder::materials() {
   for (const auto* s : material_statements_) {
     MaterialSpec spec;
@@ -131,15 +148,21 @@ void Builder::materials() {
     if (law) {
       spec.type = law->name;
       auto elsewhere = quiet_properties;
+      refuse_properties(*s, *law, elsewhere);
       elsewhere.insert(elsewhere.end(), {"rho", "Friction"});
       if (s->child("E"))
         problems_.add(type->origin, "'" + law->name + "' is a contact law, but this looks like a solid");
       spec.contact = law->make(*s, elsewhere, model_.units, problems_);
     } else if (joint) {
       spec.type = joint->name;
-      spec.joint = joint->make(*s, quiet_properties, model_.units, problems_);
+      auto elsewhere = quiet_properties;
+      refuse_properties(*s, *joint, elsewhere);
+      spec.joint = joint->make(*s, elsewhere, model_.units, problems_);
     } else if (!type) {
       problems_.add(s->origin, "<Material> needs the attributes Type and Name");
+    } else if (const auto reason = reason_against_type(type->text); !item && !reason.empty()) {
+      problems_.add(type->origin,
+                    "material type '" + type->text + "' is not supported by Tribo: " + std::string(reason));
     } else if (!item) {
       problems_.add(type->origin, "there is no material type '" + type->text + "'" +
                                       did_you_mean(type->text, law_names(false)) + "; valid: " + join(law_names(true)));
@@ -147,7 +170,8 @@ void Builder::materials() {
       spec.type = item->name;
       auto elsewhere = quiet_properties;
       elsewhere.insert(elsewhere.end(), common_properties.begin(), common_properties.end());
-      elsewhere.insert(elsewhere.end(), fracture_properties.begin(), fracture_properties.end());
+      elsewhere.insert(elsewhere.end(), growth_properties.begin(), growth_properties.end());
+      refuse_properties(*s, *item, elsewhere);
       const bool has_own_density =
           std::any_of(item->parameters.begin(), item->parameters.end(), [](const auto& p) { return p.name == "rho"; });
       if (!has_own_density) elsewhere.emplace_back("rho");
@@ -166,12 +190,12 @@ void Builder::materials() {
           spec.heat_capacity = thermal_property(child, Dimension::heat_capacity);
         else if (child.name == "kCond")
           spec.conductivity = thermal_property(child, Dimension::conductivity);
+        else if (child.name == "alpha")
+          spec.expansion = expansion(child);
         else if (child.name == "TaylorQuinney")
           spec.taylor_quinney = taylor_quinney(child);
         else if (std::find(elsewhere.begin(), elsewhere.end(), child.name) != elsewhere.end() && of_cracks(child.name))
           fracture_property(child, spec);
-        else if (child.name == "ArtificialVisc")
-          problems_.add(child.origin, "<ArtificialVisc> is not supported by Tribo");
       if (spec.law && spec.law->rigid()) rigid_functions(*s, spec, item->number == 35);
     }
     model_.materials.push_back(std::move(spec));
@@ -221,7 +245,16 @@ bool Builder::work_heating() const {
   return thermal && thermal->child("EnergyCoupling");
 }
 
+// The format has parts per million in all systems of units.
+double Builder::expansion(const Statement& s) {
+  must(to_number(s.text).has_value(), s.text.empty() ? s.origin : s.text_origin,
+       "<" + s.name + "> needs one number, not '" + s.text + "'");
+  return 1e-6 * text_number(s, Dimension::none);
+}
+
 double Builder::thermal_property(const Statement& s, Dimension dimension) {
+  must(to_number(s.text).has_value(), s.text.empty() ? s.origin : s.text_origin,
+       "<" + s.name + "> needs one number, not '" + s.text + "'");
   const double value = text_number(s, dimension);
   must(value >= 0, s.origin, "<" + s.name + "> must not be negative");
   return value;

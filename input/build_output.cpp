@@ -3,13 +3,13 @@
 
 #include "base/text.hpp"
 #include "input/builder.hpp"
+#include "input/dialect.hpp"
 #include "materials/material.hpp"
 #include "model/output_fields.hpp"
 #include "model/quantities.hpp"
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <sstream>
 
@@ -98,6 +98,8 @@ void Builder::archive(const Statement& h) {
   if (start > 0) {
     // The first file after the start comes at `start`, then at every interval.
     const double interval = out.archive.front().interval;
+    must(out.archive.size() < 2 || start < out.archive[1].start, h.child("FirstArchiveTime")->origin,
+         "the first file must come before the start of the next archive group");
     out.archive.front() = {0.0, 0.0, 0};
     out.archive.insert(out.archive.begin() + 1, {start, interval, 0});
   }
@@ -109,7 +111,9 @@ void Builder::archive(const Statement& h) {
 
   const auto add_field = [&](const std::string& name, const Origin& origin) {
     const auto* field = find_particle_field(name);
-    if (!field)
+    if (const auto reason = reason_against(refused_outputs(), name); !field && !reason.empty())
+      problems_.warn(origin, "the field '" + name + "' is not written: " + std::string(reason));
+    else if (!field)
       problems_.add(origin, "'" + name + "' is no field of the particle files" +
                                 did_you_mean(name, names_of(particle_fields())) +
                                 "; valid: " + join(names_of(particle_fields())));
@@ -165,17 +169,18 @@ void Builder::history(const Statement& h) {
     q.name = q.column = word(s, "type");
     q.origin = s.origin;
     const auto* info = find_global_quantity(q.name);
+    if (const auto reason = reason_against(refused_outputs(), q.name); !info && !reason.empty()) {
+      problems_.add(s.attribute("type")->origin,
+                    "the quantity '" + q.name + "' is not supported by Tribo: " + std::string(reason));
+      continue;
+    }
     if (!info) {
       problems_.add(s.attribute("type")->origin, "'" + q.name + "' is no quantity of the histories" +
                                                      did_you_mean(q.name, names_of(global_quantities())) +
                                                      "; valid: " + join(names_of(global_quantities())));
       continue;
     }
-    const bool elastic = q.name.size() == 4 && std::tolower(static_cast<unsigned char>(q.name[0])) == 'e';
-    if (elastic)
-      q.name = "elastic " + std::string(info->name);  // checked when the materials are known
-    else
-      q.name = info->name;
+    q.name = info->name;
     const Attribute* of = s.attribute("material") ? s.attribute("material") : s.attribute("mat");
     const bool reaction = info->name.rfind("reaction", 0) == 0;
     if (of && !s.attribute("matname") && to_number(of->text).value_or(0) <= 0) {
@@ -219,19 +224,53 @@ Vec3 Builder::history_point(const Attribute& at) {
   return readable ? Vec3(x[0], x[1], dim == 3 ? x[2] : 0.0) : Vec3(Vec3::Zero());
 }
 
+// Elastic strains follow from the stress by Hooke's law, or are the total strains of laws that do not dissipate.
+void Builder::check_elastic_strain(const HistoryQuantity& q) {
+  for (std::size_t k = 0; k < model_.materials.size(); ++k) {
+    const auto& spec = model_.materials[k];
+    const bool asked = q.material < 0 || q.material == static_cast<int>(k);
+    if (!asked || !spec.law || spec.law->rigid()) continue;
+    const bool constant = spec.type != "Viscoelastic" && spec.type != "CamClay";
+    must(spec.law->dissipation_index() < 0 || (constant && elastic_moduli(*spec.law)), q.origin,
+         "'" + q.column + "': '" + spec.name +
+             "' dissipates and has no constant isotropic moduli, so that its elastic strain is not known; use '" +
+             q.name.substr(0, 3) + "'");
+  }
+}
+
+// The history variable that a history names by its number in the law, from 1, or by its name.
+void Builder::find_variable(HistoryQuantity& q) {
+  const std::string wanted(history_variable_of(q.column.substr(0, q.column.find(':'))));
+  must(!wanted.empty(), q.origin, "'history' is followed by a blank and the number or name of a history variable");
+  int solids = 0;
+  for (std::size_t k = 0; k < model_.materials.size() && q.material < 0; ++k)
+    if (model_.materials[k].law && !model_.materials[k].law->rigid()) ++solids;
+  for (std::size_t k = 0; k < model_.materials.size() && q.material < 0 && solids == 1; ++k)
+    if (model_.materials[k].law && !model_.materials[k].law->rigid()) q.material = static_cast<int>(k);
+  if (q.material < 0) {
+    problems_.add(q.origin, "'" + q.column + "' is a variable of one material; name it by 'matname' or 'material'");
+    return;
+  }
+  const auto& spec = model_.materials[static_cast<std::size_t>(q.material)];
+  if (!spec.law || wanted.empty()) return;
+  std::vector<std::string> names;
+  for (const auto& variable : spec.law->history()) names.push_back(variable.name);
+  const auto found = std::find(names.begin(), names.end(), wanted);
+  const double number = to_number(wanted).value_or(0);
+  if (found != names.end())
+    q.variable = static_cast<int>(found - names.begin());
+  else if (number >= 1 && number <= static_cast<double>(names.size()) && number == std::floor(number))
+    q.variable = static_cast<int>(number) - 1;
+  else
+    problems_.add(q.origin, "'" + spec.name + "' has no history variable '" + wanted + "'" +
+                                (names.empty() ? "; it has none" : "; it has, from 1 on: " + join(names)));
+}
+
 // Checks that need all materials and conditions.
 void Builder::check_histories() {
   for (auto& q : model_.output.history) {
-    if (q.name.rfind("elastic ", 0) == 0) {
-      q.name.erase(0, 8);
-      for (std::size_t k = 0; k < model_.materials.size(); ++k) {
-        const auto& spec = model_.materials[k];
-        const bool asked = q.material < 0 || q.material == static_cast<int>(k);
-        must(!asked || !spec.law || spec.law->dissipation_index() < 0, q.origin,
-             "'" + q.column + "': '" + spec.name +
-                 "' dissipates, and its elastic strain is not stored separately; use '" + q.name + "'");
-      }
-    }
+    if (is_elastic_strain(*find_global_quantity(q.name))) check_elastic_strain(q);
+    if (q.name == "history") find_variable(q);
     if (q.name.rfind("reaction", 0) != 0) continue;
     if (q.material >= 0) {
       const auto& spec = model_.materials[static_cast<std::size_t>(q.material)];

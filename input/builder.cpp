@@ -39,10 +39,10 @@ Model Builder::build() {
   fracture();
   with_memory_for("the bodies", place_of("MaterialPoints"), [&] { bodies(); });
   conditions();
+  tasks();
   heat();
   gravity();
   if (root_.child("Blocks")) with_memory_for("the blocks", place_of("Blocks"), [&] { blocks(); });
-  tasks();
   check_histories();
   problems_.raise();
   for (const auto& w : problems_.warnings()) warn(w.origin, w.message);

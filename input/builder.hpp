@@ -40,21 +40,39 @@ class Builder {
   void strength_reduction(const Statement& header);
   void mesh();
   void axis(const Statement& grid, int axis, std::string_view element, std::string_view count);
+
+  // build_tasks.cpp
   void tasks();
   void task(const Statement& schedule);
+  void check_parameters(const Statement& schedule, const std::string& task);
+  void parameter(const Statement& schedule, const char* wanted,
+                 const std::function<void(const Statement&, double)>& set);
+  void periodic_filter(const Statement& schedule);
+  void adjust_step(const Statement& schedule);
+  void property_ramp(const Statement& schedule);
+  void reverse_load(const Statement& schedule);
+  double factor_of_history(const HistoryQuantity& q, const Statement& value);
+  void archive_task(const Statement& schedule);
+  void archive_task_time(const Statement& p, bool interval);
 
   // build_output.cpp
   void archive(const Statement& header);
   void check_outputs(const Origin& origin, double time, double interval, double most, const char* what);
   void history(const Statement& header);
   void check_histories();
+  void check_elastic_strain(const HistoryQuantity& q);
+  void find_variable(HistoryQuantity& q);
   Vec3 history_point(const Attribute& at);
 
   // build_materials.cpp
   void number_materials();
+  template <class Item>
+  void refuse_properties(const Statement& s, const Item& law, std::vector<std::string>& elsewhere);
   void materials();
   void contact();
   void cracks();
+  void crack_settings(const Statement& general);
+  void crack_thickness(const Statement& s);
   void set_end(const Statement& s, const char* code, CrackSpec::End& end);
 
   // build_fracture.cpp
@@ -71,6 +89,7 @@ class Builder {
   void pair_law(const Statement& f, int self, int other);
   void must_suit_grid(const MaterialSpec& law, const Origin& origin);
   std::shared_ptr<const ContactLaw> law_by_number(const Statement& s);
+  double expansion(const Statement& s);
   double thermal_property(const Statement& s, Dimension dimension);
   void check_cell(const MaterialSpec& spec, double size, const Origin& origin);
   void check_cells();
@@ -93,6 +112,7 @@ class Builder {
   void picture(const Statement& s);
   void point(const Statement& s);
   void modify(const Statement& s, Piece& piece);
+  bool has_axes(int material) const;
   void must_be_solid(const Statement& s, int material);
   RegionPtr shape(const Statement& s);
   RegionPtr plain_shape(const Statement& s);

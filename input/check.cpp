@@ -113,11 +113,17 @@ void check_element(const Statement& s, const ElementSpec& spec, Problems& proble
   for (const auto& a : s.attributes) {
     const auto known = std::find_if(spec.attributes.begin(), spec.attributes.end(),
                                     [&](const AttributeSpec& k) { return k.name == a.name; });
-    if (known == spec.attributes.end()) {
+    if (const auto reason = reason_against_attribute(s.name, a.name);
+        known == spec.attributes.end() && !reason.empty()) {
+      problems.add(a.origin, tag + " with '" + a.name + "' is not supported by Tribo: " + std::string(reason));
+    } else if (known == spec.attributes.end()) {
       std::vector<std::string> names;
       for (const auto& valid : spec.attributes) names.emplace_back(valid.name);
       problems.add(a.origin, tag + " has no attribute '" + a.name + "'" + did_you_mean(a.name, names) +
                                  (names.empty() ? "; it takes none" : "; valid: " + join(names)));
+    } else if (const auto reason = reason_against_word(s.name, a.text);
+               known->type == ValueType::choice && !reason.empty()) {
+      problems.add(a.origin, tag + " with '" + a.text + "' is not supported by Tribo: " + std::string(reason));
     } else {
       check_value("attribute '" + a.name + "' of " + tag, known->type, known->choices, a.text, a.origin, problems);
     }

@@ -9,24 +9,22 @@
 namespace tribo {
 
 /// Heat properties and properties of the display.
-inline const std::vector<std::string> quiet_properties{"alpha", "Cv", "Cp", "kCond", "TaylorQuinney", "color"};
+inline const std::vector<std::string> quiet_properties{"alpha",  "Cv",     "Cp",     "kCond",  "TaylorQuinney", "color",
+                                                       "alphaA", "alphaT", "alphax", "alphay", "alphaz"};
+/// Thermal expansion of anisotropic materials, which has no effect at a constant temperature.
+inline bool of_anisotropic_expansion(const std::string& name) {
+  return name.size() == 6 && name.rfind("alpha", 0) == 0;
+}
 /// Properties of all deformable materials.
-inline const std::vector<std::string> common_properties{"PDamping", "largeRotation", "ArtificialVisc", "Friction",
-                                                        "shareMatField"};
+inline const std::vector<std::string> common_properties{"PDamping", "largeRotation", "Friction", "shareMatField"};
 /// Properties of rigid materials.
 inline const std::vector<std::string> rigid_properties{"SetDirection", "SettingFunction", "SettingFunction2",
                                                        "SettingFunction3", "mirrored"};
 
-/// Fracture properties: those that are implemented, and others of NairnMPM.
+/// Properties of the growth of cracks.
 inline const std::vector<std::string> growth_properties{"KIc", "KIIc", "JIc", "KIexp", "KIIexp", "Propagate"};
-inline const std::vector<std::string> fracture_properties{
-    "KIc",      "KIIc",  "JIc",       "JIIc",  "KIexp", "KIIexp",      "delIc",     "delIIc",       "nmix",
-    "initTime", "speed", "maxLength", "xGrow", "yGrow", "constantTip", "Propagate", "AltPropagate", "allowsCracks"};
 inline bool of_cracks(const std::string& name) {
-  return std::find(fracture_properties.begin(), fracture_properties.end(), name) != fracture_properties.end();
-}
-inline std::string why_not(const std::string& fracture_property) {
-  return "<" + fracture_property + "> belongs to a criterion for the growth of cracks that is not implemented";
+  return std::find(growth_properties.begin(), growth_properties.end(), name) != growth_properties.end();
 }
 
 /// Whether a property may occur in a <Material>, irrespective of its law.

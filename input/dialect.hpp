@@ -54,6 +54,36 @@ struct RefusedName {
 };
 const std::vector<RefusedName>& refused_names();
 
+/// Attributes, by the elements that have them; both lists are separated by blanks.
+struct RefusedAttribute {
+  std::string_view elements, names, reason;
+};
+const std::vector<RefusedAttribute>& refused_attributes();
+/// Properties of materials.
+const std::vector<RefusedName>& refused_properties();
+/// Types of materials by numbers and names, separated by blanks.
+struct RefusedType {
+  std::string_view words, reason;
+};
+const std::vector<RefusedType>& refused_types();
+const std::vector<RefusedName>& refused_tasks();
+/// Quantities of histories and fields of files.
+const std::vector<RefusedName>& refused_outputs();
+
+/// Tasks of <CustomTasks>, and whether a task has a parameter (build_tasks.cpp).
+const std::vector<std::string>& task_names();
+std::vector<std::string> parameter_names(const std::string& task);
+bool knows_parameter(const std::string& task, const std::string& name);
+/// Why the parameter of a task is refused; empty if it is not.
+std::string_view reason_against_parameter(std::string_view name);
+
+/// Why a name of the list is refused, irrespective of case; empty if it is not in the list.
+std::string_view reason_against(const std::vector<RefusedName>& list, std::string_view name);
+std::string_view reason_against_attribute(std::string_view element, std::string_view attribute);
+std::string_view reason_against_type(std::string_view word);
+/// The same for a word of an element's text or attribute that has a list of words.
+std::string_view reason_against_word(std::string_view element, std::string_view word);
+
 /// The spec of an element inside a parent, or null.
 const ElementSpec* find_element(std::string_view name, std::string_view parent);
 

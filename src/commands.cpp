@@ -2,6 +2,7 @@
 #include "commands.hpp"
 
 #include "base/error.hpp"
+#include "input/coverage.hpp"
 #include "input/manual.hpp"
 #include "input/read.hpp"
 #include "input/script/write_xml.hpp"
@@ -184,7 +185,7 @@ int list_command(const Arguments& a) {
 }
 
 int doc_command(const Arguments& a) {
-  const std::string text = a.markdown ? manual_markdown() : manual_text(a.keyword);
+  const std::string text = a.coverage ? coverage_markdown() : a.markdown ? manual_markdown() : manual_text(a.keyword);
   return print(text);
 }
 

@@ -19,7 +19,7 @@ struct Arguments {
   double max_wall = 0.0;              ///< seconds
   std::vector<std::string> settings;  ///< name=value
   std::string keyword;
-  bool markdown = false, names = false;
+  bool markdown = false, coverage = false, names = false;
   std::string field, view;  ///< empty: chosen by the run
   std::vector<double> times, range;
   int width = 900, rate = 20, port = 0;

@@ -123,6 +123,7 @@ class CommandLine {
     auto* doc = add("doc", "describe an element, material, law, command or quantity, or all", doc_command);
     doc->add_option("NAME", a.keyword, "name to describe");
     doc->add_flag("--markdown", a.markdown, "print all as Markdown");
+    doc->add_flag("--coverage", a.coverage, "print what is known of the dialect of NairnMPM, as Markdown");
     add("completion", "print a completion script for bash or zsh",
         [this](const Arguments&) { return print(completion(app, a.keyword)); })
         ->add_option("SHELL", a.keyword, "bash or zsh")

@@ -20,15 +20,12 @@ std::vector<AttributeSpec> condition_attributes() {
 void add_conditions(Rows& add) {
   // Conditions on the grid
   add({"GridBCs", "JANFEAInput", "conditions on grid nodes", T::none, {}, true});
-  for (const auto* parent : {"GridBCs", "ParticleBCs"}) {
-    const std::string_view in = parent;
-    const bool grid = in == "GridBCs";
-    add({grid ? "BCShape" : "LdShape", in, "nodes or particles in a shape"});
-  }
+  add({"BCShape", "GridBCs ParticleBCs", "nodes or particles in a shape"});
+  add({"LdShape", "ParticleBCs", "particles in a shape; the same as BCShape"});
   add({"BCLine", "GridBCs ParticleBCs", "nodes or particles near a line", T::none, ends()});
-  add({"BCArc", "GridBCs ParticleBCs", "nodes or particles near the edge of an ellipse", T::none,
-       box(false) + std::vector{number("start", "[degrees]"), number("end", "[degrees]"),
-                                AttributeSpec{"tolerance", T::text, "distance, or *f cells"}}});
+  add({"BCArc", "GridBCs ParticleBCs",
+       "nodes or particles near the edge of an ellipse, given by its box: xmin to ymax, or two corners x1, y1, x2, y2",
+       T::none, ends() + std::vector{number("start", "[degrees]"), number("end", "[degrees]"), units(lengths)}});
   add({"LdRect", "GridBCs ParticleBCs", "nodes or particles in a rectangle", T::none, box(false)});
   add({"BCBox", "GridBCs ParticleBCs", "nodes or particles in a box, or with axis in the inscribed cylinder", T::none,
        box(true) + std::vector{AttributeSpec{"axis", T::choice, "axis of the cylinder", "1 2 3 x y z"}}});
@@ -44,14 +41,14 @@ void add_conditions(Rows& add) {
 
   // Conditions on particles
   add({"ParticleBCs", "JANFEAInput", "loads on particles", T::none, {}, true});
-  add({"net", "LdShape BCLine BCArc LdRect BCBox",
+  add({"net", "BCShape LdShape BCLine BCArc LdRect BCBox",
        "the following loads are totals, divided among the particles found"});
-  add({"perParticle", "LdShape BCLine BCArc LdRect BCBox", "the following loads act on each particle"});
-  add({"LoadBC", "LdShape BCLine BCArc LdRect BCBox", "force", T::none,
+  add({"perParticle", "BCShape LdShape BCLine BCArc LdRect BCBox", "the following loads act on each particle"});
+  add({"LoadBC", "BCShape LdShape BCLine BCArc LdRect BCBox", "force", T::none,
        std::vector{AttributeSpec{"dir", T::choice, "1 x, 2 y, 3 z", "1 2 3", true}, number("load", "force"),
                    number("value", "the same as load")} +
            condition_attributes()});
-  add({"TractionBC", "LdShape BCLine BCArc LdRect BCBox", "traction on a face of the particle domains", T::none,
+  add({"TractionBC", "BCShape LdShape BCLine BCArc LdRect BCBox", "traction on a face of the particle domains", T::none,
        std::vector{
            AttributeSpec{"dir", T::choice,
                          "1 x, 2 y, 3 z, 11 outward normal, 12 tangential: the normal rotated by 90 degrees "
@@ -64,9 +61,10 @@ void add_conditions(Rows& add) {
                   "traction = -k times displacement. Style silent: without effect, the boundary absorbs waves")} +
            condition_attributes()});
 
-  add({"HeatFluxBC", "LdShape BCLine BCArc LdRect BCBox",
+  add({"HeatFluxBC", "BCShape LdShape BCLine BCArc LdRect BCBox",
        "heat flux into the particles through a face, positive if it heats them", T::none,
-       std::vector{AttributeSpec{"dir", T::choice, "1: the flux is given", "1"},
+       std::vector{AttributeSpec{"dir", T::choice,
+                                 "1: the flux is given; 2, a flux that depends on the temperature, is refused", "1 2"},
                    AttributeSpec{"face", T::choice, "2D: 1 bottom 2 right 3 top 4 left; 3D also 5, 6: low and high z",
                                  "1 2 3 4 5 6", true},
                    number("value", "power per area")} +

@@ -50,6 +50,12 @@ void add_contact(Rows& add) {
        T::number,
        {},
        true});
+  add({"ContactPosition",
+       "Cracks",
+       "accepted without effect: gaps of cracks follow from the displacements of their faces",
+       T::number,
+       {},
+       true});
 }
 
 void add_shared_fields(Rows& add) {

@@ -51,7 +51,23 @@ void add_cracks(Rows& add) {
        std::vector<AttributeSpec>{{"type", T::choice, "accepted", "fixed free"},
                                   text("law", "number of the contact or joint law between its faces"),
                                   text("lawname", "name of the law, instead of law"),
-                                  number("friction", "old form: friction coefficient of the faces")}});
+                                  number("friction", "old form: friction coefficient of the faces"),
+                                  number("Dn", "old form, with friction='11': normal stiffness of an interface"),
+                                  number("Dnt", "normal stiffness in tension"),
+                                  number("Dnc", "normal stiffness in compression"),
+                                  number("Dt", "tangential stiffness")}});
+  add({"Thickness",
+       "Cracks CrackList",
+       "accepted if it is the thickness of the grid, which cracks have",
+       T::number,
+       {units(lengths)}});
+  add({"MovePlane",
+       "Cracks",
+       "how the line of a crack moves",
+       T::none,
+       {{"type", T::choice, "avg: with the mean of its two faces; cm is refused", "avg cm"},
+        {"prevent", T::choice, "no; the contact of the faces prevents that they cross", "no yes"}},
+       true});
   add({"pt",
        "CrackList",
        "the next point of the line",

@@ -74,7 +74,7 @@ void add_header(Rows& add) {
        "time step, end of the run and Courant number in one element",
        T::none,
        {number("step", "largest time step"), number("max", "end of the run"), number("CFL", "Courant number"),
-        number("TransCFL", "accepted without effect"), units(times)},
+        number("TransCFL", "fraction of the largest stable time step of conduction"), units(times)},
        true});
 }
 

@@ -31,7 +31,7 @@ void add_tasks(Rows& add) {
   add({"CustomTasks", "JANFEAInput", "additional tasks", T::none, {}, true});
   add({"Schedule",
        "CustomTasks",
-       "a task: PeriodicXPIC, AdjustTimeStep, VTKArchive",
+       "a task: PeriodicXPIC, AdjustTimeStep, VTKArchive, HistoryArchive, PropertyRamp (or ThermalRamp), ReverseLoad",
        T::none,
        {text("name", "", true)}});
   add({"Parameter", "Schedule", "a setting of the task; the text is its value", T::text, {text("name", "", true)}});

@@ -29,7 +29,7 @@ std::vector<AttributeSpec> box(bool three) {
 std::vector<AttributeSpec> ends() {
   std::vector<AttributeSpec> out;
   for (const auto name : {"x1", "y1", "z1", "x2", "y2", "z2", "xmin", "ymin", "zmin", "xmax", "ymax", "zmax"})
-    out.push_back({name, T::coordinate, "end"});
+    out.push_back({name, T::coordinate, "end, or corner"});
   out.push_back({"tolerance", T::text, "distance, or *f for f cells (default *0.1)"});
   return out;
 }

@@ -85,6 +85,12 @@ void add_settings(Rows& add) {
        T::none,
        {},
        true});
+  add({"ExtrapolateRigid",
+       "MPMHeader",
+       "accepted without effect: rigid particles always act through extrapolated velocities",
+       T::none,
+       {},
+       true});
   add({"CPDIrcrit",
        "MPMHeader",
        "largest distance of a CPDI corner from the particle, in cells (at most 1)",
@@ -133,8 +139,10 @@ void add_grid(Rows& add) {
           number("wallmin", "wall at this coordinate with boundary-modified shape functions (B-splines)"),
           number("wallmax", "wall at this coordinate with boundary-modified shape functions (B-splines)"),
           {"periodic", T::integer, "1: periodic; particles that leave at one edge enter at the opposite edge"},
-          {"rx", T::number, "accepted for equal cells: 1"},
-          {"style", T::text, "accepted for equal cells"},
+          {"rx", T::number, "ratio of neighbouring cells (Horiz); must be 1, since all cells are equal"},
+          {"ry", T::number, "the same (Vert)"},
+          {"rz", T::number, "the same (Depth)"},
+          {"style", T::text, "how cells grow; without effect, since all cells are equal"},
           units(lengths)},
          true});
 }

@@ -20,4 +20,10 @@ const std::vector<CommandInfo>& commands();
 /// Commands of the language itself, which check their arguments themselves.
 const std::vector<CommandInfo>& language();
 
+/// A command of NairnFEAMPM that Tribo does not have.
+struct RefusedCommand {
+  std::string_view name, reason;
+};
+const std::vector<RefusedCommand>& refused_commands();
+
 }  // namespace tribo::script

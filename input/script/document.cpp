@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "input/script/document.hpp"
 
+#include "base/schema.hpp"
+
 #include <array>
 
 namespace tribo::script {
@@ -87,8 +89,11 @@ void Document::resolve(Attribute& a, Problems& problems) const {
 void Document::resolve(Statement& s, Problems& problems) const {
   for (auto& a : s.attributes) resolve(a, problems);
   if (!s.text.empty() && s.text[0] == reference) {
-    s.text = number_of(s.text.substr(1), s.text_origin, problems);
-    if (inside_)
+    const std::string id = s.text.substr(1);
+    const bool number =
+        (s.name == "LiquidPhase" || s.name == "Parameter") && ids_.count(id) == 0 && to_number(id);  // of a material
+    s.text = number ? id : number_of(id, s.text_origin, problems);
+    if (inside_ && !number)
       problems.add(s.text_origin,
                    "<" + s.name + "> takes a number, which is not known in <Commands>; write it in the XML file");
   }
@@ -123,7 +128,8 @@ std::vector<Statement> Document::finish_sections(bool legacy) {
   for (auto& section : out)
     if (section.name == "MPMHeader")
       for (auto& s : section.children)
-        for (const char* timed : {"TimeStep", "MaxTime", "ArchiveTime", "FirstArchiveTime", "GlobalArchiveTime"})
+        for (const char* timed :
+             {"TimeStep", "MaxTime", "ArchiveTime", "FirstArchiveTime", "ArchiveGroup", "GlobalArchiveTime"})
           if (s.name == timed) attribute(s, "units", "ms", s.origin);
   return out;
 }

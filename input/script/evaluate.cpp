@@ -338,6 +338,9 @@ double evaluate_number(const Piece& piece, const Variables& variables) {
 }
 
 std::string variable_name(const Piece& piece, const Variables& variables) {
+  const std::size_t length = piece.text.size();
+  if (length > 2 && piece.text.front() == '"' && piece.text.back() == '"')
+    return variable_name({piece.text.substr(1, length - 2), origin_inside(piece.origin, piece.text, 1)}, variables);
   if (piece.text.empty() || !name_begins(piece.text[0]))
     throw InputError(piece.origin, "the name of a variable is needed here");
   Evaluator reader(piece, variables);

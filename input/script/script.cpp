@@ -81,6 +81,12 @@ std::string command_of(const std::string& element) {
                                                       {"BCLine", "GridBC"},
                                                       {"BCArc", "GridBC"},
                                                       {"LdShape", "ParticleBC"},
+                                                      {"LdRect", "ParticleBC"},
+                                                      {"ArchiveGroup", "ArchiveTime"},
+                                                      {"ContactHeating", "Conduction"},
+                                                      {"GridBodyXForce", "Gravity"},
+                                                      {"GridBodyYForce", "Gravity"},
+                                                      {"GridBodyZForce", "Gravity"},
                                                       {"DisBC", "Velocity"},
                                                       {"TempBC", "Temperature"},
                                                       {"LoadBC", "Load"},
@@ -125,7 +131,10 @@ std::vector<Problem> in_words_of_scripts(std::vector<Problem> problems,
     const bool xml = std::any_of(xml_lines.begin(), xml_lines.end(), [&](const auto& lines) {
       return p.origin.line >= lines[0] && p.origin.line <= lines[1];
     });
-    if (!xml) p.message = without_tags(p.message);
+    if (xml) continue;
+    p.message = without_tags(p.message);
+    const auto at = p.message.find("'GridBC'");  // the blocks of nodes and of particles have the same element
+    if (at == 0 && p.message.find("particle") != std::string::npos) p.message.replace(at, 8, "'ParticleBC'");
   }
   return problems;
 }

@@ -35,6 +35,11 @@ std::vector<std::string> properties_of(const Statement& material) {
 // The name of a property as defined by its law. Names in scripts are case-insensitive, and some differ.
 std::string property_name(const Statement& material, const std::string& word) {
   static const std::map<std::string, std::string> all{{"a", "alpha"},
+                                                      {"aa", "alphaA"},
+                                                      {"at", "alphaT"},
+                                                      {"ax", "alphax"},
+                                                      {"ay", "alphay"},
+                                                      {"az", "alphaz"},
                                                       {"direction", "SetDirection"},
                                                       {"settingfunction", "SettingFunction"},
                                                       {"settingfunction2", "SettingFunction2"},
@@ -51,6 +56,7 @@ std::string property_name(const Statement& material, const std::string& word) {
                                                       {"kcond", "kCond"}};
   if (const auto found = all.find(lower(word)); found != all.end()) return found->second;
   const std::vector<std::string> known = properties_of(material);
+  if (std::find(known.begin(), known.end(), word) != known.end()) return word;  // EZ and Ez are two properties
   const auto same =
       std::find_if(known.begin(), known.end(), [&](const auto& name) { return lower(name) == lower(word); });
   return same == known.end() ? word : *same;
@@ -69,7 +75,9 @@ std::string type_name(const std::string& word) {
 
 // Unknown types are reported here, where the names of scripts are also known.
 void check_type(const Command& c, const std::string& type) {
-  if (to_number(type) || materials().find(type) || contact_laws().find(type) || joint_laws().find(type)) return;
+  if (to_number(type) || materials().find(type) || contact_laws().find(type) || joint_laws().find(type) ||
+      !reason_against_type(type).empty())
+    return;
   std::vector<std::string> known;
   for (const auto& [name, number] : scripted_types()) known.push_back(name);
   for (const auto& item : materials().items()) known.push_back(item.name);
@@ -109,8 +117,17 @@ void Translator::property(const Command& c) {
     Document::refer(s, "law", c.text(0), c.origin(0)), Document::refer(s, "mat", c.text(1), c.origin(1));
     return add(std::move(s));
   }
-  if (word == "sharematfield") {
-    Statement s = element("shareMatField", c.origin());
+  if (word == "friction" || word == "imperfectinterface" || word == "interface") {
+    const std::size_t other = word == "friction" ? 1 : 3;
+    if (!c.given(other))
+      throw InputError(c.origin(), "'" + c.node.word + "' inside a material needs the other material of the pair as " +
+                                       (other == 1 ? "second" : "fourth") + " argument");
+    Statement s = number_law(c);
+    Document::refer(s, "mat", c.text(other), c.origin(other));
+    return add(std::move(s));
+  }
+  if (word == "sharematfield" || word == "liquidphase") {
+    Statement s = element(word == "liquidphase" ? "LiquidPhase" : "shareMatField", c.origin());
     Document::refer_text(s, c.text(0), c.origin(0));
     return add(std::move(s));
   }
@@ -132,15 +149,12 @@ void Translator::assigned(const std::string& name, const Node& n) const {
 
 void Translator::unknown_properties(const Statement& material, Problems& problems) {
   const std::vector<std::string> known = properties_of(material);
-  const auto refused = [](const std::string& name) {
-    const auto& list = refused_names();
-    return std::any_of(list.begin(), list.end(), [&](const RefusedName& r) { return r.name == name; });
-  };
   for (const Statement& p : material.children) {
     if (known.empty() || std::find(known.begin(), known.end(), p.name) != known.end()) continue;
-    if (of_cracks(p.name) && !of_no_law(p.name))
-      problems.add(p.origin, why_not(p.name));
-    else if (!of_no_law(p.name) && !refused(p.name) && !find_element(p.name, "Material"))
+    const auto reason = reason_against(refused_properties(), p.name);
+    if (!reason.empty())
+      problems.add(p.origin, "Tribo does not read '" + p.name + "': " + std::string(reason));
+    else if (!of_no_law(p.name) && !find_element(p.name, "Material"))
       problems.add(p.origin, not_a_property(p.name, known));
   }
 }
@@ -241,7 +255,7 @@ Statement& Translator::place(const Command& c, int cuts) {
   if (selects && cuts == 0 && !block_.name.empty()) throw InputError(c.origin(), "there is a shape already");
   if (static_cast<std::size_t>(cuts) > path_.size())
     throw InputError(c.origin(), "'Cut' needs a shape to cut from before it");
-  if (selects && block_.name.empty()) block_ = element(open_ == Open::grid ? "BCShape" : "LdShape", c.origin());
+  if (selects && block_.name.empty()) block_ = element("BCShape", c.origin());
   path_.resize(static_cast<std::size_t>(cuts));
   Statement* at = &block_;
   for (const std::size_t k : path_) at = &at->children[k];
@@ -296,6 +310,28 @@ void Translator::conditions(const Command& c) {
   open(lower(c.node.word) == "gridbc" ? Open::grid : Open::particles, c);
 }
 
+// MoveLine, LoadLine and the like: a shape and its conditions in one block.
+void Translator::old_selector(const Command& c) {
+  struct Kind {
+    std::string_view word;
+    const char* element;
+    std::vector<const char*> attributes;
+  };
+  static const std::vector<Kind> kinds{{"line", "BCLine", {"x1", "y1", "x2", "y2", "tolerance"}},
+                                       {"arc", "BCArc", {"x1", "y1", "x2", "y2", "start", "end", "tolerance"}},
+                                       {"box", "BCBox", {"xmin", "ymin", "zmin", "xmax", "ymax", "zmax", "axis"}},
+                                       {"rect", "LdRect", {"xmin", "xmax", "ymin", "ymax"}}};
+  const std::string word = lower(c.node.word);
+  open(word.starts_with("move") ? Open::grid : Open::particles, c);
+  const Kind& kind = *std::find_if(kinds.begin(), kinds.end(), [&](const Kind& k) { return word.ends_with(k.word); });
+  block_ = element(kind.element, c.origin());
+  for (std::size_t k = 0; k < c.size(); ++k) {
+    const bool default_tolerance =
+        std::string_view(kind.attributes[k]) == "tolerance" && to_number(c.text(k)).value_or(1) <= 0;
+    if (c.given(k) && !default_tolerance) attribute(block_, kind.attributes[k], c.text(k), c.origin(k));
+  }
+}
+
 Statement& Translator::condition(const Command& c, const std::string& name) {
   if (open_ != Open::grid && open_ != Open::particles)
     throw InputError(c.origin(), "'" + c.node.word + "' belongs into 'GridBC' or 'ParticleBC'");
@@ -347,6 +383,11 @@ void Translator::load(const Command& c) {
   Statement& s = condition(c, "LoadBC");
   attribute(s, "dir", direction(c, 0, false), c.origin(0));
   style(s, c, 1, "load");
+  if (c.given(4)) without_effect(c, 4);
+}
+
+void Translator::without_effect(const Command& c, std::size_t k) {
+  document_.problems().warn(c.origin(k), "this argument of '" + c.node.word + "', '" + c.text(k) + "', has no effect");
 }
 
 void Translator::load_type(const Command& c) {
@@ -360,13 +401,23 @@ void Translator::traction(const Command& c) {
   Statement& s = condition(c, "TractionBC");
   attribute(s, "dir", direction(c, 0, true), c.origin(0));
   attribute(s, "face", c.text(1), c.origin(1));
-  style(s, c, 2, "stress");
+  const bool number = c.given(5) && to_number(c.text(5));
+  if (number) without_effect(c, 5);
+  if (number || !c.given(5)) return style(s, c, 2, "stress");
+  const std::string word = lower(c.text(2));
+  if (word != "function" && word != "6")
+    throw InputError(c.origin(5), "a function belongs to the style 'function', not to '" + c.text(2) + "'");
+  if (c.given(3) && to_number(c.text(3)) != 0.0)
+    throw InputError(c.origin(3),
+                     "a traction of style 'function' has no value besides its function; leave it out or 0");
+  attribute(s, "style", word, c.origin(2)), attribute(s, "function", c.text(5), c.origin(5));
+  if (c.given(4)) attribute(s, "time", c.text(4), c.origin(4));
 }
 
 void Translator::heat_flux(const Command& c) {
   Statement& s = condition(c, "HeatFluxBC");
   const std::string kind = lower(c.text(0));
-  attribute(s, "dir", kind == "external" ? "1" : c.text(0), c.origin(0));
+  attribute(s, "dir", kind == "external" ? "1" : kind == "coupled" ? "2" : c.text(0), c.origin(0));
   attribute(s, "face", c.text(1), c.origin(1));
   style(s, c, 2, "value");
 }

@@ -120,6 +120,26 @@ void Translator::contact_of_cracks(const Command& c) {
   Document::refer(crack_setting(c, "Friction"), "law", c.text(0), c.origin(0));
 }
 
+void Translator::crack_interface(const Command& c) {
+  if (document_.cracks().empty())
+    throw InputError(c.origin(), "'" + c.node.word + "' belongs to a crack; start one with 'NewCrack'");
+  Statement& crack = document_.cracks().back();
+  std::erase_if(crack.attributes, [](const Attribute& a) { return a.name == "friction" || a.name == "law"; });
+  attribute(crack, "friction", "11", c.origin());
+  for (const Attribute& a : number_law(c).attributes) crack.attributes.push_back(a);
+}
+
+void Translator::crack_thickness(const Command& c) {
+  Statement& s = document_.cracks().empty() ? crack_setting(c, "Thickness") : crack_part(c, "Thickness");
+  s.text = c.text(0), s.text_origin = c.origin(0);
+}
+
+void Translator::move_plane(const Command& c) {
+  Statement& s = crack_setting(c, "MovePlane");
+  attribute(s, "type", lower(c.text(0)), c.origin(0));
+  if (c.given(1)) attribute(s, "prevent", lower(c.text(1)), c.origin(1));
+}
+
 void Translator::propagate(const Command& c) {
   static const std::vector<std::pair<std::string, std::string>> criteria{
       {"none", "0"},           {"max energy release", "1"}, {"steady state", "2"}, {"energy balance", "3"},

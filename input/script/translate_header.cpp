@@ -74,6 +74,17 @@ void Translator::analysis(const Command& c) {
       "analysis");
   analysis_ = static_cast<int>(*to_number(code));
   document_.set("Header", "Analysis", c.origin(0), code);
+  if (c.given(1)) must_be_cells(c, 1);
+}
+
+void Translator::element_type(const Command& c) { must_be_cells(c, 0); }
+
+// The element type of an analysis: the cells of the grid.
+void Translator::must_be_cells(const Command& c, std::size_t k) const {
+  const char* cells = dimension(c) == 3 ? "8 node brick" : "4 node quadrilateral";
+  if (lower(c.text(k)) != cells)
+    throw InputError(c.origin(k),
+                     "the cells of this analysis are \"" + std::string(cells) + "\", not '" + c.text(k) + "'");
 }
 
 void Translator::units(const Command& c) {
@@ -95,7 +106,7 @@ void Translator::method(const Command& c) {
   std::string update = c.text(0);
   const bool minus = !update.empty() && update.back() == '-', plus = !update.empty() && update.back() == '+';
   if (minus || plus) update.pop_back();
-  static const std::map<std::string, std::string> codes{{"usf", "0"}, {"usavg", "2"}, {"usl", "3"},
+  static const std::map<std::string, std::string> codes{{"usf", "0"}, {"usavg", "2"}, {"usl", "3"}, {"szs", "3"},
                                                         {"0", "0"},   {"2", "2"},     {"3", "3"}};
   const auto code = codes.find(lower(update));
   if (code == codes.end())
@@ -127,15 +138,28 @@ void Translator::courant(const Command& c) {
   if (c.given(1)) document_.set("MPMHeader", "TransTimeFactor", c.origin(1), c.text(1));
 }
 
+// The first interval, or a further one that applies later.
 void Translator::archive_time(const Command& c) {
-  Statement& s = document_.set("MPMHeader", "ArchiveTime", c.origin(0), c.text(0));
+  if (!document_.find("MPMHeader", "ArchiveTime")) {
+    Statement& s = document_.set("MPMHeader", "ArchiveTime", c.origin(0), c.text(0));
+    if (c.given(2)) attribute(s, "maxProps", c.text(2), c.origin(2));
+    if (c.given(1)) document_.set("MPMHeader", "FirstArchiveTime", c.origin(1), c.text(1));
+    return;
+  }
+  if (!c.given(1))
+    throw InputError(c.origin(), "a further '" + c.node.word + "' needs the time from which on its interval applies");
+  Statement& s = document_.add("MPMHeader", "ArchiveGroup", c.origin());
+  attribute(s, "time", c.text(0), c.origin(0)), attribute(s, "start", c.text(1), c.origin(1));
   if (c.given(2)) attribute(s, "maxProps", c.text(2), c.origin(2));
-  if (c.given(1)) document_.set("MPMHeader", "FirstArchiveTime", c.origin(1), c.text(1));
 }
 
 void Translator::archive(const Command& c) {
   Statement& s = document_.set("MPMHeader", "ArchiveRoot", c.origin(0), c.text(0));
   if (lower(c.node.word) == "archiveunique") attribute(s, "unique", "1", c.origin());
+  if (c.size() < 2) return;
+  Node times = c.node;
+  times.arguments.erase(times.arguments.begin());
+  archive_time({times, c.variables});
 }
 
 void Translator::global_archive(const Command& c) {
@@ -171,6 +195,10 @@ void Translator::plain(const Command& c) {
 
 // A number or a function.
 void Translator::rate(const Command& c) {
+  if (c.given(1) && c.number(1) != 0)
+    throw InputError(c.origin(1), "a fraction of PIC is no longer part of '" + c.node.word +
+                                      "'; for a blend of FLIP and " + "PIC write 'Transfer blend," +
+                                      written(1 - c.number(1)) + "'");
   Statement& s = document_.set("MPMHeader", element_of(c.node.word), c.origin(0));
   const std::string text = c.text(0);
   if (to_number(text))
@@ -184,6 +212,8 @@ void Translator::feedback(const Command& c) {
   if (c.given(1)) attribute(s, "target", c.text(1), c.origin(1));
   if (c.given(2)) attribute(s, "max", c.text(2), c.origin(2));
 }
+
+void Translator::extrapolate_rigid(const Command& c) { document_.set("MPMHeader", "ExtrapolateRigid", c.origin()); }
 
 // Not a property of the model; use --threads.
 void Translator::processors(const Command& c) { c.number(0); }
@@ -223,22 +253,43 @@ void Translator::contact_law(const Command& c) {
   multimaterial_mode(c).children.push_back(std::move(s));
 }
 
-void Translator::old_friction(const Command& c) {
+// The law of the older commands: a friction coefficient, a word, or the stiffnesses of an interface.
+Statement Translator::number_law(const Command& c) {
   Statement s;
-  s.name = "Friction", s.origin = c.origin();
-  const bool interface = lower(c.node.word) == "imperfectinterfacemm";
-  s.text = interface ? "11" : c.text(0), s.text_origin = c.origin(0);
-  if (interface) {
-    attribute(s, "Dt", c.text(0), c.origin(0)), attribute(s, "Dnt", c.text(1), c.origin(1));
-    if (c.given(2)) attribute(s, "Dnc", c.text(2), c.origin(2));
+  s.name = "Friction", s.origin = c.origin(), s.text_origin = c.origin(0);
+  const std::string word = lower(c.node.word);
+  if (word.find("interface") == std::string::npos) {
+    static const std::map<std::string, std::string> words{
+        {"stick", "-5"}, {"ignore", "-11"}, {"single", "-11"}, {"none", "0"}};
+    const auto found = words.find(lower(c.text(0)));
+    s.text = found == words.end() ? c.text(0) : found->second;
+    return s;
   }
-  multimaterial_mode(c).children.push_back(std::move(s));
+  s.text = "11";
+  attribute(s, "Dt", c.text(0), c.origin(0)), attribute(s, "Dnt", c.text(1), c.origin(1));
+  if (c.given(2)) attribute(s, "Dnc", c.text(2), c.origin(2));
+  return s;
+}
+
+void Translator::old_friction(const Command& c) {
+  const std::string word = lower(c.node.word);
+  if (word.ends_with("mm")) {
+    multimaterial_mode(c).children.push_back(number_law(c));
+    return;
+  }
+  const std::size_t material = word == "friction" ? 1 : 3;
+  if (c.given(material))
+    throw InputError(c.origin(material), "the law of a pair of materials belongs into 'Material ... Done'");
+  crack_setting(c, "Friction") = number_law(c);
 }
 
 void Translator::contact_position(const Command& c) {
   Statement s;
   s.name = "ContactPosition", s.origin = c.origin(), s.text = c.text(0), s.text_origin = c.origin(0);
-  multimaterial_mode(c).children.push_back(std::move(s));
+  if (lower(c.node.word) == "contactpositioncracks")
+    crack_setting(c, "ContactPosition") = std::move(s);
+  else
+    multimaterial_mode(c).children.push_back(std::move(s));
 }
 
 Statement& Translator::grid_axis(const Command& c, std::size_t axis) {
@@ -309,26 +360,41 @@ void Translator::grid_thickness(const Command& c) {
 
 void Translator::gravity(const Command& c) {
   constexpr std::array names{"BodyXForce", "BodyYForce", "BodyZForce"};
-  const auto set = [&](const char* name, const Origin& origin, const std::string& text) {
+  const auto set = [&](const std::string& name, const Origin& origin, const std::string& text) {
     const Statement* before = document_.find("Gravity", name);
     if (before && before->text != text && to_number(before->text) != 0.0)
       document_.problems().warn(origin, "this replaces the gravity of " + before->origin.text() + ", " + before->text +
                                             ": a model has one gravity along each axis");
     document_.set("Gravity", name, origin, text);
   };
-  for (std::size_t k = 0; k < c.size(); ++k)
-    if (c.given(k)) set(names[k], c.origin(k), c.text(k));
-  if (c.size() > 0) return;
+  for (std::size_t k = 0; k < c.size(); ++k) {
+    if (!c.given(k)) continue;
+    const std::string text = c.text(k);
+    set(to_number(text) ? names[k] : std::string("Grid") + names[k], c.origin(k), text);
+  }
+  if (c.given(1)) return;
   if (!(length_in_m_ > 0 && time_in_s_ > 0))
-    throw InputError(c.origin(), "'Gravity' without numbers needs units with a size; give its components");
-  set("BodyYForce", c.origin(), written(-9.80665 * time_in_s_ * time_in_s_ / length_in_m_));
+    throw InputError(c.origin(), "'Gravity' without a number for y needs units with a size; give its components");
+  const std::string standard = written(-9.80665 * time_in_s_ * time_in_s_ / length_in_m_);
+  if (c.size() > 0)
+    document_.problems().warn(c.origin(), "'Gravity' without a second number sets the standard gravity along y, " +
+                                              standard + "; write 'Gravity " + c.text(0) + ",0' for none");
+  set("BodyYForce", c.origin(), standard);
 }
 
 void Translator::conduction(const Command& c) {
   static const std::vector<std::pair<std::string, std::string>> yes_no{{"yes", "1"}, {"no", "0"}},
-      modes{{"adiabatic", "1"}, {"isothermal", "0"}};
+      options{{"adiabatic", "EnergyCoupling"},
+              {"mechanical energy", "EnergyCoupling"},
+              {"isothermal", ""},
+              {"friction", "ContactHeating"},
+              {"crack tips", "CrackTipHeating"},
+              {"crack friction", "CrackContactHeating"}};
   if (choice(c, 0, yes_no, "choice") == "1") document_.set("Thermal", "Conduction", c.origin(0));
-  if (c.given(1) && choice(c, 1, modes, "mode") == "1") document_.set("Thermal", "EnergyCoupling", c.origin(1));
+  for (std::size_t k = 1; k < c.size(); ++k) {
+    const std::string element = c.given(k) ? choice(c, k, options, "option") : "";
+    if (!element.empty()) document_.set("Thermal", element, c.origin(k));
+  }
 }
 
 void Translator::task(const Command& c) {
@@ -341,6 +407,11 @@ void Translator::parameter(const Command& c) {
   Statement s;
   s.name = "Parameter", s.origin = c.origin(), s.text = c.text(1), s.text_origin = c.origin(1);
   attribute(s, "name", c.text(0), c.origin(0));
+  // numbers of materials are known at the end; a number that is not positive is the id of a condition
+  static const std::set<std::string> materials{"material", "mat", "selectmaterial", "volumegradient"};
+  const bool of_files = lower(task_->attribute("name")->text) == "vtkarchive" && lower(c.text(0)) == "material";
+  if (materials.count(lower(c.text(0))) && c.given(1) && !of_files && to_number(s.text).value_or(1) > 0)
+    Document::refer_text(s, s.text, s.text_origin);
   task_->children.push_back(std::move(s));
 }
 

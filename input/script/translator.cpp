@@ -18,6 +18,7 @@ auto Translator::actions() -> const std::map<std::string, Action>& {
                                                  {"comment", &A::comment},
                                                  {"header", &A::header},
                                                  {"analysis", &A::analysis},
+                                                 {"element", &A::element_type},
                                                  {"consistentunits", &A::units},
                                                  {"mpmmethod", &A::method},
                                                  {"timestep", &A::time_step},
@@ -36,6 +37,7 @@ auto Translator::actions() -> const std::map<std::string, Action>& {
                                                  {"feedbackdamping", &A::feedback},
                                                  {"pfeedbackdamping", &A::feedback},
                                                  {"leavelimit", &A::plain},
+                                                 {"extrapolaterigid", &A::extrapolate_rigid},
                                                  {"cpdircrit", &A::plain},
                                                  {"stressfreetemp", &A::plain},
                                                  {"processors", &A::processors},
@@ -44,6 +46,8 @@ auto Translator::actions() -> const std::map<std::string, Action>& {
                                                  {"contactmm", &A::contact_law},
                                                  {"frictionmm", &A::old_friction},
                                                  {"imperfectinterfacemm", &A::old_friction},
+                                                 {"friction", &A::old_friction},
+                                                 {"imperfectinterface", &A::old_friction},
                                                  {"contactposition", &A::contact_position},
                                                  {"gridhoriz", &A::grid_cells},
                                                  {"gridvert", &A::grid_cells},
@@ -79,6 +83,13 @@ auto Translator::actions() -> const std::map<std::string, Action>& {
                                                  {"torus", &A::shape},
                                                  {"polypt", &A::polygon_point},
                                                  {"gridbc", &A::conditions},
+                                                 {"moveline", &A::old_selector},
+                                                 {"movearc", &A::old_selector},
+                                                 {"movebox", &A::old_selector},
+                                                 {"loadline", &A::old_selector},
+                                                 {"loadarc", &A::old_selector},
+                                                 {"loadrect", &A::old_selector},
+                                                 {"loadbox", &A::old_selector},
                                                  {"particlebc", &A::conditions},
                                                  {"velocity", &A::velocity},
                                                  {"temperature", &A::temperature},
@@ -92,6 +103,10 @@ auto Translator::actions() -> const std::map<std::string, Action>& {
                                                  {"growcrackline", &A::grow_crack_line},
                                                  {"growcrackarc", &A::grow_crack_arc},
                                                  {"contactcracks", &A::contact_of_cracks},
+                                                 {"contactpositioncracks", &A::contact_position},
+                                                 {"crackinterface", &A::crack_interface},
+                                                 {"crackthickness", &A::crack_thickness},
+                                                 {"moveplane", &A::move_plane},
                                                  {"propagate", &A::propagate},
                                                  {"propagatelength", &A::propagate_length},
                                                  {"jcontour", &A::j_contour},
@@ -99,7 +114,14 @@ auto Translator::actions() -> const std::map<std::string, Action>& {
                                                  {"endregion", &A::end_block},
                                                  {"endhole", &A::end_block},
                                                  {"endgridbc", &A::end_block},
-                                                 {"endparticlebc", &A::end_block}};
+                                                 {"endparticlebc", &A::end_block},
+                                                 {"endmoveline", &A::end_block},
+                                                 {"endmovearc", &A::end_block},
+                                                 {"endmovebox", &A::end_block},
+                                                 {"endloadline", &A::end_block},
+                                                 {"endloadarc", &A::end_block},
+                                                 {"endloadrect", &A::end_block},
+                                                 {"endloadbox", &A::end_block}};
   return all;
 }
 
@@ -120,12 +142,16 @@ const CommandInfo* find_command(const std::string& word) {
 namespace {
 
 bool opens_block(const std::string& word) {
-  static const std::set<std::string> all{"material", "region", "hole", "bmpregion", "gridbc", "particlebc"};
+  static const std::set<std::string> all{"material",   "region",   "hole",    "bmpregion", "gridbc",
+                                         "particlebc", "moveline", "movearc", "movebox",   "loadline",
+                                         "loadarc",    "loadrect", "loadbox"};
   return all.count(word) > 0;
 }
 
 bool closes_block(const std::string& word) {
-  static const std::set<std::string> all{"done", "endregion", "endhole", "endgridbc", "endparticlebc"};
+  static const std::set<std::string> all{"done",          "endregion",   "endhole",     "endgridbc",
+                                         "endparticlebc", "endmoveline", "endmovearc",  "endmovebox",
+                                         "endloadline",   "endloadarc",  "endloadrect", "endloadbox"};
   return all.count(word) > 0;
 }
 
@@ -174,7 +200,8 @@ void Translator::limit_damage(const Command& c, const std::string& meant) {
 void Translator::translate(const Command& c, const std::string& word) {
   if (word != "polypt") close_polygon();
   const CommandInfo* info = find_command(word);
-  static const std::set<std::string> also_properties{"temperature", "pdamping", "velocity", "load", "origin", "rotate"};
+  static const std::set<std::string> also_properties{"temperature", "pdamping", "velocity",           "load",
+                                                     "origin",      "rotate",   "imperfectinterface", "friction"};
   const bool end_of_material = !info && c.size() == 0 && resembled(c.node.word) == "done";
   if (open_ == Open::material && (!info || also_properties.count(word)) && !end_of_material) return property(c);
   if (!info) return refused(c);
@@ -188,41 +215,13 @@ void Translator::translate(const Command& c, const std::string& word) {
 
 // Reports commands of NairnFEAMPM that Tribo does not support, and unknown commands.
 void Translator::refused(const Command& c) {
-  struct Refused {
-    const char* commands;
-    const char* why;
-  };
-  static constexpr Refused all[] = {
-      {"friction imperfectinterface crackinterface",
-       "it is an old form of ContactCracks, or of ContactMM for materials"},
-      {"crackthickness", "a crack is as thick as the grid; use GridThickness"},
-      {"cracktractionprop",
-       "traction laws are not implemented; give the crack a joint law as fourth argument of NewCrack"},
-      {"altpropagate", "a second criterion for crack growth is not implemented"},
-      {"moveplane", "cracks always move with the mean of their two faces"},
-      {"contactpositioncracks", "gaps of cracks are computed from the displacements of their faces"},
-      {"diffusion concentration concentrationflux", "diffusion is not implemented"},
-      {"poroelasticity porepressure porepressureflux", "pore pressure is not implemented"},
-      {"damage phasefield", "initial damage is not implemented"},
-      {"angularmom0", "initial angular momentum is not implemented; use vel0X, vel0Y, vel0Z"},
-      {"shell", "its definition is not documented; use a Cylinder with a Cut Cylinder"},
-      {"deletelimit", "particles are never deleted; use LeaveLimit"},
-      {"extrapolaterigid", "rigid particles always act through extrapolated velocities"},
-      {"exacttractions", "tractions act at the particles"},
-      {"fill", "particle reservoirs are not implemented"},
-      {"tartanaoi tartanborder", "grids with unequal cells are not implemented"},
-      {"moveline movearc movebox endmoveline endmovearc endmovebox", "it is obsolete; use GridBC ... EndGridBC"},
-      {"loadline loadarc loadbox loadrect endloadline endloadarc endloadbox endloadrect",
-       "it is obsolete; use ParticleBC ... EndParticleBC"},
-      {"element keypoint path paths area fixline selectbc resequence",
-       "it belongs to finite element analysis, which Tribo does not do"},
-      {"script open createlist createdictionary userinput", "it controls the user interface of NairnFEAMPM"}};
   const std::string word = lower(c.node.word);
   std::vector<std::string> known;
-  for (const Refused& r : all) {
-    const std::string commands = std::string(" ") + r.commands + " ";
-    if (commands.find(" " + word + " ") != std::string::npos)
-      throw InputError(c.origin(), "Tribo does not read '" + c.node.word + "': " + r.why);
+  for (const RefusedCommand& r : refused_commands()) {
+    if (lower(r.name) != word) continue;
+    const bool off = (word == "diffusion" || word == "poroelasticity") && c.size() > 0 && lower(c.text(0)) == "no";
+    if (off) return;
+    throw InputError(c.origin(), "Tribo does not read '" + c.node.word + "': " + std::string(r.reason));
   }
   for (const CommandInfo& info : commands()) known.emplace_back(info.name);
   for (const CommandInfo& info : language()) known.emplace_back(info.name);
@@ -241,7 +240,14 @@ void Translator::end_block(const Command& c) {
                                                                {"endregion", {Open::region, Open::picture}},
                                                                {"endhole", {Open::hole}},
                                                                {"endgridbc", {Open::grid}},
-                                                               {"endparticlebc", {Open::particles}}};
+                                                               {"endparticlebc", {Open::particles}},
+                                                               {"endmoveline", {Open::grid}},
+                                                               {"endmovearc", {Open::grid}},
+                                                               {"endmovebox", {Open::grid}},
+                                                               {"endloadline", {Open::particles}},
+                                                               {"endloadarc", {Open::particles}},
+                                                               {"endloadrect", {Open::particles}},
+                                                               {"endloadbox", {Open::particles}}};
   const auto& fitting = closes.at(word);
   if (std::find(fitting.begin(), fitting.end(), open_) == fitting.end())
     throw InputError(c.origin(), "'" + c.node.word + "' closes nothing" +

@@ -41,6 +41,8 @@ class Translator {
   void comment(const Command& c);
   void header(const Command& c);
   void analysis(const Command& c);
+  void element_type(const Command& c);
+  void must_be_cells(const Command& c, std::size_t k) const;
   void units(const Command& c);
   void method(const Command& c);
   void transfer(const Command& c);
@@ -52,6 +54,7 @@ class Translator {
   void to_archive(const Command& c);
   void points_per_element(const Command& c);
   void plain(const Command& c);
+  void extrapolate_rigid(const Command& c);
   void rate(const Command& c);
   void feedback(const Command& c);
   void processors(const Command& c);
@@ -88,9 +91,11 @@ class Translator {
   void shape(const Command& c);
   void polygon_point(const Command& c);
   void conditions(const Command& c);
+  void old_selector(const Command& c);
   void velocity(const Command& c);
   void temperature(const Command& c);
   void load(const Command& c);
+  void without_effect(const Command& c, std::size_t k);
   void load_type(const Command& c);
   void traction(const Command& c);
   void heat_flux(const Command& c);
@@ -103,6 +108,9 @@ class Translator {
   void grow_crack_line(const Command& c);
   void grow_crack_arc(const Command& c);
   void contact_of_cracks(const Command& c);
+  void crack_interface(const Command& c);
+  void crack_thickness(const Command& c);
+  void move_plane(const Command& c);
   void propagate(const Command& c);
   void propagate_length(const Command& c);
   void j_contour(const Command& c);
@@ -117,6 +125,7 @@ class Translator {
   static void unknown_properties(const Statement& material, Problems& problems);
   int dimension(const Command& c) const;
   Statement& multimaterial_mode(const Command& c);
+  static Statement number_law(const Command& c);
   Statement& place(const Command& c, int cuts);
   void close_polygon() { polygon_ = nullptr; }
   void store_block();

@@ -35,6 +35,7 @@ expect 0 "$tribo" doc impulses
 grep -q "^attribute Impulses of element <MultiMaterialMode>" out.txt || { cat out.txt; fail "doc: an attribute"; }
 expect 0 "$tribo" doc --markdown
 cmp out.txt "$source/docs/keywords.md" || fail "docs/keywords.md is old: tribo doc --markdown > docs/keywords.md"
+"$tribo" doc --coverage | cmp - "$source/docs/coverage_dialect.md" || fail "docs/coverage_dialect.md is old: tribo doc --coverage > docs/coverage_dialect.md"
 "$tribo" schema | cmp - "$source/docs/editor/workspace/.vscode/tribo.xsd" || fail "docs/editor/workspace/.vscode/tribo.xsd is old"
 for shell in bash zsh; do expect 0 "$tribo" completion $shell; done
 "$tribo" completion bash >completion.bash

@@ -1,0 +1,314 @@
+// SPDX-License-Identifier: MIT
+/// CustomTasks: settings of the scheme and of the output that NairnMPM calls tasks.
+
+#include "base/text.hpp"
+#include "input/builder.hpp"
+#include "input/dialect.hpp"
+#include "model/output_fields.hpp"
+#include "model/quantities.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tribo {
+namespace {
+
+const std::vector<std::string> known_tasks{"PeriodicXPIC", "AdjustTimeStep", "VTKArchive", "HistoryArchive",
+                                           "PropertyRamp", "ThermalRamp",    "ReverseLoad"};
+
+// The quantity of ReverseLoad may be part of the name of a parameter: 'global dispx'.
+constexpr std::string_view global = "global ";
+
+// Parameters that Tribo does not have.
+const std::vector<RefusedName>& refused_parameters() {
+  constexpr std::string_view heat = "a filter of the heat transfer is not implemented",
+                             diffusion = "diffusion is not implemented",
+                             image = "a ramp given by an image is not implemented; use scale, a function of x, y and z";
+  static const std::vector<RefusedName> all{
+      {"periodicCFL", "it is not implemented; use periodicSteps or periodicTime"},
+      {"GridBCOption", "it is not implemented; prescribed velocities hold after the filter"},
+      {"FMPMOrderConduction", heat},
+      {"XPICOrderConduction", heat},
+      {"periodicStepsConduction", heat},
+      {"periodicTimeConduction", heat},
+      {"periodicCFLConduction", heat},
+      {"FMPMOrderDiffusion", diffusion},
+      {"XPICOrderDiffusion", diffusion},
+      {"periodicStepsDiffusion", diffusion},
+      {"periodicTimeDiffusion", diffusion},
+      {"periodicCFLDiffusion", diffusion},
+      {"minValue", "it is not implemented"},
+      {"hold", "it is not implemented; style 1 holds the loads to the end of the run"},
+      {"maxLength", "a reversal by the length of a crack is not implemented; give a quantity and maxValue"},
+      {"crackNumber", "a reversal by the length of a crack is not implemented; give a quantity and maxValue"},
+      {"file", image},
+      {"xorigin", image},
+      {"yorigin", image},
+      {"zlevel", image},
+      {"width", image},
+      {"height", image},
+      {"flipped", image},
+      {"DeltaTmin", image},
+      {"DeltaTmax", image},
+      {"DeltaMin", image},
+      {"DeltaMax", image}};
+  return all;
+}
+
+// Particle fields by the quantities of VTKArchive whose names differ.
+std::string field_of(const std::string& quantity) {
+  static const std::vector<std::pair<std::string, std::string>> all{{"totalstrain", "strain"},
+                                                                    {"deltav", "volume_ratio"},
+                                                                    {"equivstress", "von_mises"},
+                                                                    {"contactforce", "contact_traction"}};
+  for (const auto& [name, field] : all)
+    if (lower(quantity) == name) return field;
+  return quantity;
+}
+
+}  // namespace
+
+const std::vector<std::string>& task_names() { return known_tasks; }
+
+std::vector<std::string> parameter_names(const std::string& task) {
+  if (task == "PeriodicXPIC") return {"FMPMOrder", "XPICOrder", "periodicSteps", "periodicTime", "verbose"};
+  if (task == "AdjustTimeStep") return {"adjustTime", "velocityCFL", "maxIncrease", "verbose"};
+  if (task == "PropertyRamp" || task == "ThermalRamp")
+    return {"property", "time", "start", "Delta", "DeltaT", "sigmoidal", "exponential", "stretch", "scale"};
+  if (task == "ReverseLoad") return {"quantity", "material", "mat", "maxValue", "style"};
+  std::vector<std::string> names{"archiveTime", "firstArchiveTime"};
+  if (task != "VTKArchive") return names;
+  names.emplace_back("selectMaterial");
+  for (const auto& field : particle_fields()) names.emplace_back(field.name);
+  return names;
+}
+
+bool knows_parameter(const std::string& task, const std::string& name) {
+  const auto names = parameter_names(task);
+  if (std::find(names.begin(), names.end(), name) != names.end()) return true;
+  if (task == "VTKArchive") return find_grid_field(name) || find_particle_field(field_of(name));
+  if (task == "ReverseLoad") return name.starts_with(global);
+  return task == "HistoryArchive" && to_number(name).has_value();
+}
+
+std::string_view reason_against_parameter(std::string_view name) {
+  // those of diffusion end in the number of the diffusing substance
+  while (!name.empty() && name.back() >= '0' && name.back() <= '9') name.remove_suffix(1);
+  const auto reason = reason_against(refused_parameters(), name);
+  return reason.empty() ? reason_against(refused_outputs(), name) : reason;
+}
+
+void Builder::tasks() {
+  const auto* tasks = root_.child("CustomTasks");
+  if (!tasks) return;
+  for (const auto& schedule : tasks->children)
+    if (schedule.name == "Schedule") task(schedule);
+}
+
+void Builder::task(const Statement& schedule) {
+  const std::string name = word(schedule, "name");
+  if (const auto reason = reason_against(refused_tasks(), name); !reason.empty()) {
+    problems_.add(schedule.attribute("name")->origin,
+                  "the task '" + name + "' is not supported by Tribo: " + std::string(reason));
+    return;
+  }
+  if (std::find(known_tasks.begin(), known_tasks.end(), name) == known_tasks.end()) {
+    problems_.add(
+        schedule.attribute("name")->origin,
+        "there is no task '" + name + "'" + did_you_mean(name, known_tasks) + "; valid: " + join(known_tasks));
+    return;
+  }
+  check_parameters(schedule, name);
+  if (name == "PeriodicXPIC") periodic_filter(schedule);
+  if (name == "AdjustTimeStep") adjust_step(schedule);
+  if (name == "ReverseLoad") reverse_load(schedule);
+  if (name == "PropertyRamp" || name == "ThermalRamp") property_ramp(schedule);
+  if (name == "VTKArchive" || name == "HistoryArchive") archive_task(schedule);
+}
+
+void Builder::check_parameters(const Statement& schedule, const std::string& task) {
+  const bool archives = task.ends_with("Archive");
+  for (const auto& p : schedule.children) {
+    const std::string name = word(p, "name");
+    if (knows_parameter(task, name)) continue;
+    const auto reason = reason_against_parameter(name);
+    if (!reason.empty() && archives) {
+      problems_.warn(p.origin, "'" + name + "' of " + task + " is not written: " + std::string(reason));
+      continue;
+    }
+    problems_.add(p.origin, "task " + task + " has no parameter '" + name + "' in Tribo" +
+                                (reason.empty() ? did_you_mean(name, parameter_names(task)) +
+                                                      "; valid: " + join(parameter_names(task))
+                                                : ": " + std::string(reason)));
+  }
+}
+
+// Calls set(value) if the task has a parameter with this name.
+void Builder::parameter(const Statement& schedule, const char* wanted,
+                        const std::function<void(const Statement&, double)>& set) {
+  for (const auto& p : schedule.children) {
+    if (word(p, "name") != wanted) continue;
+    const auto value = to_number(p.text);
+    must(value.has_value(), p.text.empty() ? p.origin : p.text_origin,
+         "parameter '" + std::string(wanted) + "' needs a number");
+    set(p, value.value_or(1.0));
+  }
+}
+
+void Builder::periodic_filter(const Statement& schedule) {
+  Scheme& scheme = model_.scheme;
+  parameter(schedule, "FMPMOrder", [&](const Statement&, double v) {
+    scheme.transfer = Transfer::fmpm, scheme.filter_order = static_cast<int>(v);
+  });
+  parameter(schedule, "XPICOrder", [&](const Statement&, double v) {
+    scheme.transfer = Transfer::xpic, scheme.filter_order = static_cast<int>(v);
+  });
+  parameter(schedule, "periodicSteps", [&](const Statement& p, double v) {
+    must(v >= 1, p.text_origin, "periodicSteps must be at least 1");
+    scheme.filter_every = static_cast<int>(v);
+  });
+  parameter(schedule, "periodicTime",
+            [&](const Statement&, double v) { scheme.filter_period = v * model_.units.alternative_time(); });
+  must(scheme.filter_order >= 1 && scheme.filter_order <= 100, schedule.origin, "the order must be in 1 ... 100");
+}
+
+void Builder::adjust_step(const Statement& schedule) {
+  model_.time.adaptive = true;
+  parameter(schedule, "velocityCFL", [&](const Statement& p, double v) {
+    must(v > 0, p.text_origin, "velocityCFL must be positive");
+    model_.time.velocity_courant = v;
+  });
+  parameter(schedule, "maxIncrease", [&](const Statement& p, double v) {
+    must(v > 0, p.text_origin, "maxIncrease must be positive");
+    model_.time.max_increase = v > 1 ? v : 1 + v;
+  });
+}
+
+// The quantity is a column of the histories, which is added if it is missing.
+void Builder::reverse_load(const Statement& schedule) {
+  must(!model_.reversal, schedule.origin, "a model has one ReverseLoad");
+  Statement column;
+  column.name = "GlobalArchive", column.origin = schedule.origin;
+  const Statement* value = nullptr;
+  LoadReversal reversal;
+  for (const auto& p : schedule.children) {
+    const std::string name = word(p, "name");
+    if (name == "quantity") column.attributes.push_back({"type", p.text, p.text_origin});
+    if (name.starts_with(global))
+      column.attributes.push_back({"type", name.substr(global.size()), p.attribute("name")->origin});
+    if (name == "material" || name == "mat") column.attributes.push_back({"material", p.text, p.text_origin});
+    if (name == "maxValue") value = &p;
+  }
+  if (!column.attribute("type") || !value) {
+    problems_.add(schedule.origin,
+                  "ReverseLoad needs a quantity, such as <Parameter name='global dispx'/>, and maxValue");
+    return;
+  }
+  parameter(schedule, "style", [&](const Statement& p, double v) {
+    must(v == 0 || v == 1 || v == 3, p.text_origin,
+         "'style' must be 0 (the loads go back), 1 (they are held) or 3 (the run ends)");
+    reversal.style = v == 1   ? LoadReversal::Style::hold
+                     : v == 3 ? LoadReversal::Style::stop
+                              : LoadReversal::Style::reverse;
+  });
+  Statement all;
+  all.children.push_back(column);
+  auto& columns = model_.output.history;
+  const std::size_t before = columns.size();
+  history(all);
+  if (columns.size() == before) return;
+  reversal.history = static_cast<std::size_t>(
+      std::find_if(columns.begin(), columns.end(), [&](const auto& q) { return q.column == columns.back().column; }) -
+      columns.begin());
+  if (reversal.history < before) columns.pop_back();
+  parameter(schedule, "maxValue", [&](const Statement&, double v) { reversal.value = v; });
+  reversal.value *= factor_of_history(columns[reversal.history], *value);
+  model_.reversal = reversal;
+}
+
+// Factor from the units of the file to those of history.csv.
+double Builder::factor_of_history(const HistoryQuantity& q, const Statement& value) {
+  if (!model_.units.legacy) return 1.0;
+  const std::string_view unit = find_global_quantity(q.name)->unit;
+  for (const auto d :
+       {Dimension::stress, Dimension::force, Dimension::length, Dimension::velocity, Dimension::temperature})
+    if (unit == dimension_name(d)) return model_.units.factor(d);
+  problems_.add(value.origin,
+                "a value of '" + q.column + "' needs <ConsistentUnits>: its unit in legacy files is not known");
+  return 1.0;
+}
+
+void Builder::property_ramp(const Statement& schedule) {
+  TemperatureRamp ramp;
+  ramp.function_time = model_.units.alternative_time();
+  for (const auto& p : schedule.children) {
+    const std::string name = word(p, "name");
+    if (name == "property")
+      must(p.text == "1" || lower(p.text) == "temperature", p.text_origin,
+           "a ramp of another property than the temperature (1) is not implemented");
+    if (name == "scale") ramp.share = function(p.text, p.text_origin, "parameter 'scale'");
+  }
+  const auto time = [&](const char* name, double& to) {
+    parameter(schedule, name, [&](const Statement& p, double v) {
+      must(v >= 0, p.text_origin, "'" + std::string(name) + "' must not be negative");
+      to = v * ramp.function_time;
+    });
+  };
+  time("time", ramp.duration), time("start", ramp.start);
+  for (const char* name : {"Delta", "DeltaT"})
+    parameter(schedule, name, [&](const Statement&, double v) { ramp.change = v; });
+  parameter(schedule, "sigmoidal", [&](const Statement&, double v) { ramp.sigmoidal = v != 0; });
+  parameter(schedule, "exponential", [&](const Statement&, double v) { ramp.lifetimes = v; });
+  parameter(schedule, "stretch", [&](const Statement& p, double v) {
+    must(v > 0, p.text_origin, "'stretch' must be positive");
+    ramp.stretch = v;
+  });
+  must(ramp.change != 0, schedule.origin, "a ramp needs 'Delta', the change of the temperature");
+  model_.heat.ramps.push_back(std::move(ramp));
+}
+
+// The fields that VTKArchive extrapolates to the grid are written with the particles, which they belong to; mass and
+// velocity of the nodes with the grid.
+void Builder::archive_task(const Statement& schedule) {
+  const bool history = word(schedule, "name") == "HistoryArchive";
+  OutputSpec& out = model_.output;
+  const auto also_write = [&](const std::string& field) {
+    auto& fields = out.particle_fields;
+    const auto& standard = standard_particle_fields();
+    if (fields.empty() && std::find(standard.begin(), standard.end(), field) != standard.end()) return;
+    if (fields.empty()) fields = standard;
+    if (std::find(fields.begin(), fields.end(), field) == fields.end()) fields.push_back(field);
+  };
+  for (const auto& p : schedule.children) {
+    const std::string name = word(p, "name");
+    if (name == "archiveTime" || name == "firstArchiveTime") {
+      archive_task_time(p, name == "archiveTime");
+    } else if (name == "selectMaterial") {
+      problems_.warn(p.origin,
+                     "'selectMaterial' has no effect: the files contain all materials; select one in ParaView");
+    } else if (history) {
+      if (to_number(name)) also_write("history");
+    } else if (find_grid_field(name)) {
+      auto& fields = out.grid_fields;
+      if (std::find(fields.begin(), fields.end(), name) == fields.end()) fields.push_back(name);
+    } else if (const auto* field = find_particle_field(field_of(name))) {
+      also_write(std::string(field->name));
+    }
+  }
+}
+
+void Builder::archive_task_time(const Statement& p, bool interval) {
+  const auto number = to_number(p.text);
+  must(number && *number >= 0, p.text.empty() ? p.origin : p.text_origin,
+       "parameter '" + word(p, "name") + "' needs a time");
+  const double time = number.value_or(0) * model_.units.alternative_time();
+  const auto& groups = model_.output.archive;
+  const bool same = interval ? !groups.empty() && std::abs(groups.back().interval - time) <= 1e-9 * time
+                             : time == 0 || (groups.size() > 1 && std::abs(groups[1].start - time) <= 1e-9 * time);
+  if (!same)
+    problems_.warn(p.origin, "'" + word(p, "name") +
+                                 "' of a task has no effect: its fields are in the particle and grid "
+                                 "files, which are written at the times of <ArchiveTime>");
+}
+
+}  // namespace tribo
