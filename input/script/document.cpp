@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "input/script/document.hpp"
 
+#include "base/schema.hpp"
+
 #include <array>
 
 namespace tribo::script {
