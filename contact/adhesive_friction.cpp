@@ -77,10 +77,10 @@ struct AdhesiveFriction final : ContactLaw {
     const bool adheres = shear_strength > 0 && normal_strength > 0;
     if (c.closed) {
       const double N = c.pressure();
-      const double mu = SlipWeakening{static_coefficient, coefficient, weakening}.coefficient(m);
-      const double at_rest = half_speed > 0 ? static_coefficient : mu;
+      const SlipWeakening friction{static_coefficient, coefficient, weakening};
+      const double at_rest = half_speed > 0 ? static_coefficient : friction.at_rest(m);
       const bool holds = c.stick <= shear_strength * m.area * m.dt + at_rest * N;
-      ContactResponse out = frictional_response(m, c, slide(m, c.stick, N, mu), holds);
+      ContactResponse out = frictional_response(m, c, slide(m, c.stick, N, friction.sliding(m)), holds);
       if (adheres && (m.bond == Bond::none || rebond > 0)) out.bond = Bond::whole;
       return out;
     }
@@ -93,7 +93,8 @@ struct AdhesiveFriction final : ContactLaw {
     return {m.mass * m.velocity, ContactStatus::stick, Bond::whole};
   }
   bool has_memory() const override {
-    return (static_coefficient > 0 && half_speed == 0) || (shear_strength > 0 && normal_strength > 0);
+    return (half_speed == 0 && SlipWeakening{static_coefficient, coefficient, weakening}.has_memory()) ||
+           (shear_strength > 0 && normal_strength > 0);
   }
   bool uses_area() const override { return true; }
 };

@@ -5,8 +5,9 @@
 ///
 /// S is the shear traction, which opposes the relative velocity at the end of the step, and N the pressure. With a
 /// static coefficient mu_s, faces that stick begin to slide at S = mu_s N. The coefficient then decreases to the
-/// dynamic one within the weakening distance, see SlipWeakening, and is mu_s again once they stick. With a negative
-/// coefficient faces in contact do not slide, but separate freely.
+/// dynamic one within the weakening distance, see SlipWeakening, and is mu_s again once they stick. Without a weakening
+/// distance it drops at once: S = mu N in every step in which mu_s N does not suffice to make the faces stick. With a
+/// negative coefficient faces in contact do not slide, but separate freely.
 
 #include "contact/friction.hpp"
 
@@ -45,10 +46,11 @@ struct CoulombFriction final : ContactLaw {
   ContactResponse response(const ContactState& m) const override {
     const NormalContact c = resolve_contact(m, {displacement_only, contact_stiffness});
     if (!c.closed) return {Vec3::Zero(), ContactStatus::open, m.bond};
-    const double mu = SlipWeakening{static_coefficient, coefficient, weakening}.coefficient(m);
-    return frictional_response(m, c, mu * c.pressure(), coefficient < 0);
+    const SlipWeakening friction{static_coefficient, coefficient, weakening};
+    const bool holds = coefficient < 0 || c.stick <= friction.at_rest(m) * c.pressure();
+    return frictional_response(m, c, friction.sliding(m) * c.pressure(), holds);
   }
-  bool has_memory() const override { return static_coefficient > 0; }
+  bool has_memory() const override { return SlipWeakening{static_coefficient, coefficient, weakening}.has_memory(); }
   bool uses_area() const override { return contact_stiffness >= 0 || displacement_only < 0; }
 };
 

@@ -19,15 +19,27 @@ struct NormalContactRule {
 /// Slip-weakening friction: the coefficient decreases linearly from the static to the dynamic value while the faces
 /// slide by the weakening distance. If it dropped at once, the onset of sliding would dissipate no energy beyond
 /// dynamic friction, and slip would start at stress concentrations at any load above the dynamic one and propagate
-/// along the face; the distance sets a length that the grid can resolve.
+/// along the face; the distance sets a length that the grid can resolve. Without a distance the drop is sudden: faces
+/// stick in a step in which the static coefficient suffices for that, and slide with the dynamic one otherwise.
 struct SlipWeakening {
   double static_coefficient = -1.0;  ///< not positive: always the dynamic coefficient
   double dynamic_coefficient = 0.0;
   double distance = -1.0;  ///< weakening distance [length]; 0: sudden drop; negative: 0.01 cells
+  /// The coefficient that limits the force of faces that stick in this step.
+  double at_rest(const ContactState& m) const {
+    return static_coefficient > 0 && distance == 0 ? static_coefficient : weakened(m);
+  }
+  /// The coefficient of faces that slide in this step.
+  double sliding(const ContactState& m) const {
+    return static_coefficient > 0 && distance == 0 ? dynamic_coefficient : weakened(m);
+  }
+  /// The coefficients depend on the slip, which the particles then store.
+  bool has_memory() const { return static_coefficient > 0 && distance != 0; }
+
+ private:
   /// The coefficient for the slip of the state.
-  double coefficient(const ContactState& m) const {
+  double weakened(const ContactState& m) const {
     if (!(static_coefficient > 0)) return dynamic_coefficient;
-    if (!(m.slip > 0)) return static_coefficient;
     const double length = distance >= 0 ? distance : 0.01 * m.cell;
     return m.slip < length ? static_coefficient + (dynamic_coefficient - static_coefficient) * m.slip / length
                            : dynamic_coefficient;
@@ -89,20 +101,22 @@ template <class Law>
 Parameter<Law> displacement_only_parameter(double Law::*member) {
   return {"displacementOnly",
           member,
-          Dimension::none,
+          Dimension::stress,
           any_value,
-          "1: in contact whenever faces overlap; 0: only under compression; negative: up to that tension",
+          "positive: in contact whenever faces overlap; 0: only under compression; negative: up to that tension",
           0.0};
 }
 /// Table entry of the weakening distance of SlipWeakening.
 template <class Law>
 Parameter<Law> weakening_parameter(double Law::*member) {
-  return {"weakening",
-          member,
-          Dimension::length,
-          any_value,
-          "way of sliding along which friction falls from static to dynamic; 0: at once; negative: 0.01 cells",
-          -1.0};
+  return {
+      "weakening",
+      member,
+      Dimension::length,
+      any_value,
+      "way of sliding along which friction falls from static to dynamic; 0: at once, whenever faces slide; negative: "
+      "0.01 cells",
+      -1.0};
 }
 /// Table entry of the parameter compliance_stiffness of NormalContactRule.
 template <class Law>

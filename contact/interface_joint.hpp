@@ -21,7 +21,6 @@ class InterfaceJoint final : public JointLaw {
   std::vector<std::string_view> own_names() const override { return {}; }
   std::vector<double> own_values(const Joint&) const override { return {}; }
   double stiffness() const override { return law_->stiffness(); }
-  double user_area() const override { return 0.0; }
 
  private:
   std::shared_ptr<const InterfaceLaw> law_;

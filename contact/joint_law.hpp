@@ -86,8 +86,9 @@ struct JointEvent {
   int mode = 0;             ///< bond_break: 1 tension, 2 shear; slip_change: the modes that changed, 1 shear, 2 bend,
                             ///< 3 twist, 4 shear and bend, 5 shear and twist, 6 bend and twist, 7 all
   bool shear = false, twist = false, bend = false;  ///< slip_change: the modes that slide now
-  double strength = 0.0;                            ///< bond_break                     [stress]
-  double energy = 0.0;  ///< bond_break: strain energy when the strength was first exceeded [energy]
+  double strength = 0.0;  ///< bond_break: the strength that was exceeded, of this step [stress]
+  double energy = 0.0;    ///< bond_break: strain energy when the strength was first exceeded [energy]
+  double force = 0.0;     ///< bond_break: force at failure, Fn in tension, |Fs| in shear    [force]
   /// Name in `events.csv`, for example `slip_change`.
   std::string_view name() const;
 };
@@ -99,7 +100,9 @@ struct JointSite {
   double distance = 0.0;            ///< between the reference points of the bodies; 0: not known [length]
   bool plane = true;                ///< two dimensions
   double thickness = 1.0;           ///< out of plane, in two dimensions                   [length]
-  double radius = 0.0;              ///< of a ball; 0: from the area                       [length]
+  double radius = 0.0;              ///< of a ball, which determines the area; 0: from the area [length]
+  std::size_t number = 0;           ///< of the contact on its surface
+  bool part_of_face = false;        ///< one of several contacts of a face, which resist its rotation together
   std::array<double, 3> moments{};  ///< I_s, I_t, I_st of the face; ignored if `radius` > 0 [length^4]
   bool has_moments = false;         ///< false: the moments are those of the disc or strip of the same area
   double poisson_normal = 0.0;      ///< initial force of the fictitious stress            [force]
@@ -131,8 +134,11 @@ class JointLaw {
   /// Fictitious stress: Poisson's ratio nu, and the factor `off_diagonal` of its shear components (poisson_force).
   virtual double poisson() const { return 0.0; }
   virtual double off_diagonal() const { return 0.0; }
-  /// Area that replaces the area found by the host [length^2]; 0: none.
-  virtual double user_area() const = 0;
+  /// Areas that replace those found by the host [length^2]: one for all contacts, or one for each contact of a surface
+  /// in the order of JointSite::number; empty: none.
+  virtual std::span<const double> user_areas() const { return {}; }
+  /// The largest gap at which a contact is bonded at the start, or at which its faces count as closed [length].
+  virtual double proximity() const { return 0.0; }
 };
 
 /// The state of a joint; the version covers its tangents, too.

@@ -75,10 +75,36 @@ void Dashpots::act(Joint& j, const JointIncrement& d) const {
   j.damped += gain, j.work -= gain;
 }
 
+UserAreas::UserAreas(const Statement& material, std::initializer_list<const char*> names, Problems& problems) {
+  const Statement* first = nullptr;
+  for (const auto& child : material.children) {
+    if (std::find(names.begin(), names.end(), child.name) == names.end()) continue;
+    const auto values = read_numbers(child.text);
+    if (child.name == "area" && values && values->empty()) continue;
+    if (first) {
+      problems.add(child.origin, "<" + child.name + "> gives the area again; first at " + first->origin.text());
+    } else if (!values || values->empty()) {
+      problems.add(child.text_origin,
+                   "<" + child.name + "> needs an area, or one for each contact, not '" + child.text + "'");
+    } else if (values->size() > 1 && !(*std::min_element(values->begin(), values->end()) > 0)) {
+      problems.add(child.text_origin, "<" + child.name + ">: the area of every contact must be positive");
+    } else if (values->front() < 0) {
+      problems.add(child.text_origin, "<" + child.name + "> is " + child.text + " but must be >= 0");
+    } else {
+      areas_ = *values;
+    }
+    first = &child;
+  }
+  if (areas_.size() == 1 && areas_[0] == 0) areas_.clear();  // the default: the area of the host
+}
+
 void set_area(Joint& j, const JointSite& site, double user_area) {
   constexpr double pi = std::numbers::pi;
-  j.area = user_area > 0 ? user_area : site.area;
   const bool ball = site.radius > 0 && !(user_area > 0);
+  j.area = user_area > 0 ? user_area
+           : !ball       ? site.area
+           : site.plane  ? 2 * site.radius * site.thickness
+                         : pi * site.radius * site.radius;
   if (site.plane) {
     j.radius = ball ? site.radius : j.area / (2 * site.thickness);
     j.inertia = 2.0 / 3 * std::pow(j.radius, 3) * site.thickness, j.polar = 0;

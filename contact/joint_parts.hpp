@@ -40,8 +40,25 @@ struct Dashpots {
   void act(Joint& joint, const JointIncrement& step) const;
 };
 
-/// Sets the area, and the radius R and moments I, J used by the strength criteria, from the site.
-/// `user_area` > 0 replaces the area of the site.
+/// Areas given by a user, which replace those of the host.
+class UserAreas {
+ public:
+  UserAreas() = default;
+  /// Reads the children <`names`> of a material, of which at most one may hold numbers: positive, one or one for each
+  /// contact. An empty <area/> is the method that keeps the initial area, which is always kept.
+  UserAreas(const Statement& material, std::initializer_list<const char*> names, Problems& problems);
+  std::span<const double> all() const { return areas_; }
+  /// The area of a contact [length^2]; 0: none given.
+  double of(std::size_t contact) const {
+    return areas_.size() > 1 ? areas_.at(contact) : areas_.empty() ? 0.0 : areas_[0];
+  }
+
+ private:
+  std::vector<double> areas_;
+};
+
+/// Sets the area, and the radius R and moments I, J used by the strength criteria, from the site. The area of a ball
+/// follows from its radius. `user_area` > 0 replaces the area of the site.
 void set_area(Joint& joint, const JointSite& site, double user_area);
 /// Second moments I_s, I_t, I_st for the bending stiffness, and the polar moment J for the twist stiffness [length^4].
 std::array<double, 4> stiffness_moments(const Joint& joint, const JointSite& site);

@@ -31,7 +31,7 @@ struct Mohr final : JointLaw {
       "Rock joint: Mohr-Coulomb slip with weakening, dilation, pore pressure, healing and dashpots.";
   static constexpr int number = 0;
 
-  double kn = 0, ks = 0, own_area = 0;
+  double kn = 0, ks = 0;
   double c = 0, c_residual = 0, phi = 0, phi_residual = 0, tension = 0, tension_residual = 0;
   double psi = 0, psi_residual = 0, dilation_zero = std::numeric_limits<double>::infinity();
   double slip_length = 0, healing = 0, pressure = 0, gap_shift = 0, keep_pressure = 0;
@@ -40,6 +40,7 @@ struct Mohr final : JointLaw {
   Dashpots dashpots;
   double dashpot_normal = 0, dashpot_shear = 0, dashpot_mode = 0;
   MultiplierTable table;
+  UserAreas own_areas;
   // from the above
   double tan_phi = 0, tan_phi_residual = 0, tan_psi = 0, tan_psi_residual = 0;
 
@@ -51,8 +52,6 @@ struct Mohr final : JointLaw {
     return std::array{
         P{"stiffness-normal", &L::kn, D::interface_stiffness, not_negative, "normal stiffness per area", 0.0},
         P{"stiffness-shear", &L::ks, D::interface_stiffness, not_negative, "shear stiffness per area", 0.0},
-        P{"user_area", &L::own_area, D::none, not_negative, "area used instead of the computed contact area", 0.0,
-          false, "area"},
         P{"cohesion", &L::c, D::stress, not_negative, "cohesion at the peak", 0.0},
         P{"cohesion-residual", &L::c_residual, D::stress, not_negative, "residual cohesion", 0.0},
         P{"friction", &L::phi, D::angle, slope, "friction angle at the peak", 0.0},
@@ -90,6 +89,10 @@ struct Mohr final : JointLaw {
   }
   static std::vector<OwnProperty> own_properties() {
     return {
+        {"user_area",
+         "area used instead of the computed contact area: one, or one for each contact of a crack or interface"},
+        {"area",
+         "method without a value: the initial area is kept, as is always the case in Tribo; with a value: user_area"},
         {"slip-table",
          "pairs of multiplier and slip, sorted by slip, instead of slip-dc; multiplier 1: peak, 0: residual strength"},
         {"stress-shear", "shear traction on body 2 at the start along s and t; one number: along t"},
@@ -125,6 +128,7 @@ struct Mohr final : JointLaw {
     shear_stress = pair("stress-shear", Dimension::stress), shear_force = pair("force-shear", Dimension::force);
     shear_at_start = pair("disp-shear", Dimension::length);
     table = MultiplierTable(s, "slip-table", units, problems);
+    own_areas = UserAreas(s, {"user_area", "area"}, problems);
     dashpots = {dashpot_normal, dashpot_shear, dashpot_mode};
     tan_phi = std::tan(phi), tan_phi_residual = std::tan(phi_residual);
     tan_psi = std::tan(psi), tan_psi_residual = std::tan(psi_residual);
@@ -140,13 +144,19 @@ struct Mohr final : JointLaw {
 
   Joint start(const JointSite& site) const override {
     Joint j;
-    set_area(j, site, own_area);
+    set_area(j, site, own_areas.of(site.number));
     j.kn = kn, j.ks = ks;
     j.Fn = normal_stress * j.area + normal_force, j.Fs = j.area * shear_stress + shear_force;
     j.gap = site.gap, j.opening = opening_at_start, j.shear = shear_at_start;
     j.state = static_cast<int>(state_at_start);
     j.slips = j.state & slips_now;
     j.shear_weak = j.state != 0, j.torn = (j.state & (tears_now | torn_before)) != 0;
+    if (j.state != 0) {
+      // A joint that has failed closes at the gap at which its initial force vanishes, and may be open.
+      const double overlap_gap = j.gap - gap_shift;
+      if (j.Fn != 0 && kn * j.area > 0) j.rest_gap = overlap_gap - j.Fn / (kn * j.area);
+      j.away = overlap_gap - j.rest_gap > 0 && !(tension_residual > 0);
+    }
     j.strain = j.start = strain_energy(j);
     return j;
   }
@@ -179,12 +189,22 @@ struct Mohr final : JointLaw {
         events.push_back({JointEvent::Kind::slip_change, contact, 1, j.slips, false, false, 0.0, 0.0});
     };
 
+    // The first failure, and each one of a joint that had healed, is an event.
+    bool whole = !j.shear_weak;
+    const auto report_break = [&](int mode, double strength, double force) {
+      if (whole && j.shear_weak && (c > 0 || tension > 0))
+        events.push_back(
+            {JointEvent::Kind::bond_break, contact, mode, false, false, false, strength, before.strain, force});
+    };
+
     if (failed && overlap_gap - j.rest_gap > 0 && !(tension_residual > 0)) {
+      if (whole) j.shear_weak = j.torn = true;  // it had healed
       j.Fn = keep_pressure > 0 ? -A * pressure : 0.0, j.Fs = {};
       j.dashpot_normal = 0, j.dashpot_shear = {};
       j.strain = keep_pressure > 0 ? strain_energy(j) : 0.0;
       j.away = true;
       add_work(j, before, d);
+      report_break(1, 0.0, 0.0);
       report_slip();
       return;
     }
@@ -198,17 +218,18 @@ struct Mohr final : JointLaw {
     const bool tears = N > most;
     if (tears) N = most, j.state |= tears_now;
 
-    double dilated = 0.0;
+    double dilated = 0.0, shear_strength = 0.0;
     if (tears && !(tension_residual > 0)) {
       j.Fs = {};
     } else {
       if (slid)
         j.slip += d.shear.norm();
       else if (healing > 0)
-        j.slip = 0, j.shear_weak = j.torn = false;
+        j.slip = 0, j.shear_weak = j.torn = false, whole = true;
       const double w = weakening(j);
       const double peak = c * A - N * tan_phi, residual = c_residual * A - N * tan_phi_residual;
       const double limit = std::max(0.0, peak - (peak - residual) * w);
+      shear_strength = A > 0 ? limit / A : 0.0;
       Tangent T = j.Fs - (j.ks * A) * d.shear;
       const double size = T.norm();
       if (size >= limit && size > 0) T *= limit / size, j.slips = true, j.state |= slips_now;
@@ -232,9 +253,10 @@ struct Mohr final : JointLaw {
     }
     add_work(j, before, d);
     dashpots.act(j, d);
-    if (!failed && j.state != 0 && (c > 0 || tension > 0))
-      events.push_back({JointEvent::Kind::bond_break, contact, tears ? 1 : 2, false, false, false,
-                        tears ? most / A : before.Fs.norm() / A, before.strain});
+    if (tears)
+      report_break(1, failed ? tension_residual : tension, most - A * pressure);
+    else
+      report_break(2, shear_strength, j.Fs.norm());
     report_slip();
   }
 
@@ -255,7 +277,8 @@ struct Mohr final : JointLaw {
     return {j.area > 0 ? j.Fn / j.area + pressure : 0.0};
   }
   double stiffness() const override { return std::max(kn, ks); }
-  double user_area() const override { return own_area; }
+  std::span<const double> user_areas() const override { return own_areas.all(); }
+  double proximity() const override { return gap_shift; }
 };
 
 }  // namespace

@@ -17,9 +17,8 @@ auto SpringNetwork::parameters() {
   return std::array{
       P{"kn", &L::kn, D::interface_stiffness, not_negative, "normal stiffness per area", 0.0},
       P{"ks", &L::ks, D::interface_stiffness, not_negative, "shear stiffness per area", 0.0},
-      P{"user_area", &L::own_area, D::none, not_negative, "area used instead of the computed contact area", 0.0, false,
-        "sn_area"},
-      P{"fric", &L::mu, D::none, not_negative, "friction coefficient (default: tangent of sn_fa)", 0.0},
+      P{"fric", &L::mu, D::none, not_negative, "friction coefficient without bond; if it is not given: tan(sn_fa)",
+        0.0},
       P{"rgap", &L::gap_shift, D::length, any_value, "gap at which the faces count as closed", 0.0},
       P{"sn_bmul", &L::bend_factor, D::none, not_negative, "factor of the bending moment limit of an unbonded contact",
         1.0},
@@ -61,12 +60,19 @@ auto SpringNetwork::parameters() {
 
 std::vector<OwnProperty> SpringNetwork::own_properties() {
   return {
-      {"krot", "rotational stiffnesses about n, s, t; one number: about s (two dimensions)"},
+      {"user_area",
+       "area used instead of the computed contact area: one, or one for each contact of a crack or interface"},
+      {"sn_area", "the same"},
+      {"krot",
+       "rotational stiffnesses about n, s, t; one number: about s (two dimensions); default: ks J, kn I_s, kn I_t of "
+       "the "
+       "contact area, and 0 with assign-stiffness"},
       {"sn_tentab", "pairs of multiplier and elongation, sorted by elongation, instead of sn_tendc"},
       {"sn_cohtab", "pairs of multiplier and slip, sorted by slip, instead of sn_cohdc"},
       {"sn_force", "forces of each contact at the start: -F_n, F_ss, F_st"},
       {"sn_moment", "moments of each contact at the start: M_t, M_bs, M_bt"},
-      {"area", "method without a value: the initial area is kept, as is always the case in Tribo"},
+      {"area",
+       "method without a value: the initial area is kept, as is always the case in Tribo; with a value: user_area"},
       {"compute-stiffness",
        "'emod E poisson nu': kn = ks = E/d of an elastic body, d the distance between the block centres"},
       {"assign-stiffness", "'kn k kratio kappa': kn = k and ks = k/kappa, no rotational stiffness"},
@@ -192,7 +198,10 @@ void SpringNetwork::prepare(const Statement& s, const Units& units, Problems& pr
                    "<" + std::string(length) + "> and <" + of + "> exclude each other; give one of them");
   tension_table = MultiplierTable(s, "sn_tentab", units, problems);
   shear_table = MultiplierTable(s, "sn_cohtab", units, problems);
-  const auto rotation = numbers_of(s, "krot", 1, 3, problems);
+  turns_with_area = !s.child("krot") && !s.child("assign-stiffness");
+  own_areas = UserAreas(s, {"user_area", "sn_area", "area"}, problems);
+  auto rotation = numbers_of(s, "krot", 1, 3, problems);
+  for (double& k : rotation) k *= units.factor(Dimension::force) * units.factor(Dimension::length);
   if (rotation.size() == 1) krot_s = rotation[0];
   if (rotation.size() == 3) krot_n = rotation[0], krot_s = rotation[1], krot_t = rotation[2];
   if (rotation.size() == 2)

@@ -57,10 +57,12 @@ Joint SpringNetwork::start(const JointSite& site) const {
   Joint j;
   JointSite here = site;
   here.radius *= radius_factor;
-  set_area(j, here, own_area);
+  set_area(j, here, own_areas.of(site.number));
   const auto [is, it, ist, polar] = stiffness_moments(j, here);
   j.kn = kn, j.ks = ks;
   j.twist_stiffness = krot_n, j.bend_stiffness = {krot_s, krot_t, 0.0};
+  if (turns_with_area && !site.part_of_face)
+    j.twist_stiffness = ks * polar, j.bend_stiffness = {kn * is, kn * it, -kn * ist};
   if (methods.modulus) {
     const double per_length = *methods.modulus / site.distance;
     j.kn = j.ks = per_length;
@@ -73,11 +75,17 @@ Joint SpringNetwork::start(const JointSite& site) const {
     j.state = bonded, j.poisson_normal = site.poisson_normal, j.poisson_shear = site.poisson_shear;
   if (methods.unbond && methods.unbond->contains(site.gap)) {
     j.state = loose, j.poisson_normal = 0, j.poisson_shear = {};
-    if (j.kn * j.area > 0) j.rest_gap = site.gap - gap_shift - j.Fn / (j.kn * j.area);
+    // The given force belongs to this gap. Without one, faces that overlap press on each other.
+    if (j.Fn != 0 && j.kn * j.area > 0) j.rest_gap = site.gap - gap_shift - j.Fn / (j.kn * j.area);
   }
   j.away = j.state == loose && site.gap - gap_shift - j.rest_gap > 0;
   j.strain = j.start = strain_energy(j);
   return j;
+}
+
+double SpringNetwork::proximity() const {
+  const double bonds = methods.bond ? methods.bond->high : 0.0;
+  return std::max({0.0, gap_shift, bonds});
 }
 
 double SpringNetwork::rim_stress(const Joint& j) const {
@@ -120,19 +128,20 @@ SpringNetwork::Break SpringNetwork::update_bonded(Joint& j, const JointIncrement
 
   Break out;
   const bool may_soften = tension_length > 0 || !tension_table.empty();
+  const double pull = j.Fn;
   if (j.state == healed) {
-    if (rim_stress(j) > 0) out = {1, tension};
+    if (rim_stress(j) > 0) out = {1, 0.0, j.Fn};  // healed bonds have no tensile strength
   } else if (j.state == bonded) {
     if (rim_stress(j) > tension) {
       j.onset = strain_energy(j);
-      if (!may_soften || soften(j)) out = {1, tension};
+      if (!may_soften || soften(j)) out = {1, tension, pull};
     }
-  } else if (soften(j)) {
-    out = {1, tension};
+  } else if (const double strength = tension * remaining(tension_table, tension_length, j.elongation); soften(j)) {
+    out = {1, strength, pull};
   }
   if (out.mode == 0 && rim_shear(j) > shear_strength(j)) {
     if (j.state == bonded || j.state == healed) j.onset = strain_energy(j);
-    out = {2, shear_strength(j)};
+    out = {2, shear_strength(j), j.Fs.norm()};
   }
   if (out.mode == 1 && j.state == healed) j.onset = energy_before;
   return out;
@@ -209,7 +218,8 @@ void SpringNetwork::step(Joint& j, const JointIncrement& d, std::size_t contact,
   add_work(j, before, d);
   dashpots.act(j, d);
   if (broke.mode)
-    events.push_back({Kind::bond_break, contact, broke.mode, false, false, false, broke.strength, j.onset});
+    events.push_back(
+        {Kind::bond_break, contact, broke.mode, false, false, false, broke.strength, j.onset, broke.force});
   report_slip();
 }
 
@@ -225,13 +235,22 @@ std::string SpringNetwork::state_text(const Joint& j) const {
 }
 
 std::vector<std::string_view> SpringNetwork::own_names() const {
-  return {"elongation", "sn_shear", "sn_sigma", "sn_esigma", "sn_tau", "sn_slip", "sn_slipb", "sn_slipt"};
+  return {"elongation", "sn_shear", "sn_sigma", "sn_esigma", "sn_tau",
+          "sn_slip",    "sn_slipb", "sn_slipt", "sn_radius", "kratio"};
 }
 
 std::vector<double> SpringNetwork::own_values(const Joint& j) const {
   const double sigma = rim_stress(j);
-  return {j.elongation, shear_strength(j),   sigma - pressure,    sigma,
-          rim_shear(j), j.slips ? 1.0 : 0.0, j.bends ? 1.0 : 0.0, j.twists ? 1.0 : 0.0};
+  return {j.elongation,
+          shear_strength(j),
+          sigma - pressure,
+          sigma,
+          rim_shear(j),
+          j.slips ? 1.0 : 0.0,
+          j.bends ? 1.0 : 0.0,
+          j.twists ? 1.0 : 0.0,
+          j.radius,
+          j.kn > 0 && j.ks > 0 ? j.kn / j.ks : 0.0};
 }
 
 }  // namespace tribo

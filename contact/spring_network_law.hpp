@@ -27,7 +27,9 @@ struct SpringNetwork final : JointLaw {
       "Bond of a spring network with moments, softening, friction and a correction for Poisson's ratio.";
   static constexpr int number = 0;
 
-  double kn = 0, ks = 0, own_area = 0, krot_n = 0, krot_s = 0, krot_t = 0;
+  double kn = 0, ks = 0, krot_n = 0, krot_s = 0, krot_t = 0;
+  bool turns_with_area = false;  ///< the rotational stiffnesses are kn and ks times the moments of the contact area
+  UserAreas own_areas;
   double mu = 0, gap_shift = 0, bend_factor = 1, twist_factor = 1, mode = 0, moment_share = 1;
   double tension = 0, tension_length = 0, c = 0, shear_length = 0, c_residual = 0, phi = 0;
   double psi = 0, dilation_zero = std::numeric_limits<double>::infinity(), heals = 0;
@@ -63,13 +65,14 @@ struct SpringNetwork final : JointLaw {
   bool needs_distance() const override { return methods.modulus.has_value(); }
   double poisson() const override { return nu; }
   double off_diagonal() const override { return non_diagonal; }
-  double user_area() const override { return own_area; }
+  std::span<const double> user_areas() const override { return own_areas.all(); }
+  double proximity() const override;
 
  private:
   enum State : int { loose = 0, torn = 1, sheared = 2, bonded = 3, softening = 4, unloaded = 5, healed = 6 };
   struct Break {
     int mode = 0;  // 0: none, 1: in tension, 2: in shear
-    double strength = 0.0;
+    double strength = 0.0, force = 0.0;
   };
 
   void read_stiffness(const Statement& s, const Units& units, Problems& problems);

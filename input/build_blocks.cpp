@@ -102,7 +102,7 @@ void Builder::blocks() {
       site.area = site.distance = site.radius = 1.0, site.gap = -1e-3, site.plane = model_.dimension() == 2;
       must(!spec->touch->is_bonded(spec->touch->start(site)), a->origin,
            "'" + a->text + "' creates bonds, but contacts formed during the run have none; name a law without <bond>");
-      site.gap = 1.0;
+      site.gap = 1.0 + spec->touch->proximity();
       must(spec->touch->start(site).away, a->origin,
            "'" + a->text +
                "' does not compute its force from the gap, so it cannot serve contacts formed during the run; use "
@@ -195,6 +195,8 @@ std::shared_ptr<const JointLaw> Builder::joint_of(const Statement& s) {
   must(found->joint != nullptr || tribo::joint_laws().find(found->type) != nullptr, s.origin,
        "'" + found->name + "' is the contact law " + found->type +
            ", which serves grids only; contacts of blocks need a joint law: SpringNetwork or Mohr");
+  must(!found->joint || found->joint->user_areas().size() <= 1, s.origin,
+       "<user_area> of '" + found->name + "' has an area for each point of a crack; contacts of blocks take one area");
   return found->joint;
 }
 

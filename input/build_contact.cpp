@@ -97,6 +97,11 @@ void Builder::must_suit_grid(const MaterialSpec& law, const Origin& origin) {
        "'" + law.name +
            "' represents the elasticity of the bodies (compute-stiffness, sn_pois), but bodies in the grid "
            "have their own elasticity; use assign-stiffness");
+  if (law.joint && law.joint->user_areas().size() == 1)
+    problems_.warn(origin,
+                   "<user_area> of '" + law.name +
+                       "' is the area of every single point of the crack or interface, not of the whole; give one "
+                       "area for each point, or leave it out: the program finds the area of each point");
 }
 
 // <Friction>0.3</Friction>: the old form of NairnMPM, in which a number selects the law.

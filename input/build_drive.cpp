@@ -179,6 +179,8 @@ JointDrive Builder::joint_drive(const Statement& s, const MaterialSpec& spec) {
        s.origin, "'distance', 'mass', 'block' and the springs must not be negative");
   must(!spec.joint || !spec.joint->needs_distance() || site.distance > 0, s.origin,
        "<compute-stiffness> of '" + spec.name + "' needs 'distance', the distance between the centres of the bodies");
+  must(!spec.joint || spec.joint->user_areas().size() <= 1, s.origin,
+       "<user_area> of '" + spec.name + "' has an area for each point of a crack; a single contact takes one area");
   out.path = path(s, joint_columns(units.factor(Dimension::length), units.factor(Dimension::force)));
   return out;
 }

@@ -88,12 +88,11 @@ void Document::resolve(Attribute& a, Problems& problems) const {
 
 void Document::resolve(Statement& s, Problems& problems) const {
   for (auto& a : s.attributes) resolve(a, problems);
-  if (!s.text.empty() && s.text[0] == reference) {
-    const std::string id = s.text.substr(1);
-    const bool number =
-        (s.name == "LiquidPhase" || s.name == "Parameter") && ids_.count(id) == 0 && to_number(id);  // of a material
-    s.text = number ? id : number_of(id, s.text_origin, problems);
-    if (inside_ && !number)
+  if (s.text.size() > 1 && s.text[0] == reference && !ids_.contains(s.text.substr(1)) && to_number(s.text.substr(1))) {
+    s.text.erase(0, 1);  // the number of a material
+  } else if (!s.text.empty() && s.text[0] == reference) {
+    s.text = number_of(s.text.substr(1), s.text_origin, problems);
+    if (inside_)
       problems.add(s.text_origin,
                    "<" + s.name + "> takes a number, which is not known in <Commands>; write it in the XML file");
   }

@@ -136,6 +136,7 @@ void Translator::property(const Command& c) {
   for (std::size_t k = 0; k < c.size(); ++k) text += (k ? "," : "") + c.text(k);
   Statement s = element(property_name(m, c.node.word), c.origin(), text);
   s.text_origin = c.origin(0);
+  if (s.name == "LiquidPhase") Document::refer_text(s, text, c.origin(0));
   add(std::move(s));
 }
 

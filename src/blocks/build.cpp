@@ -109,7 +109,7 @@ void Assembly::add_facet(const BlockFacet& f, const JointLaw& law, bool corners)
     JointSite site;
     site.area = area, site.gap = f.gap, site.plane = plane_, site.thickness = thickness_;
     site.distance = platen ? n.dot(at - ref_a) : (ref_b - ref_a).norm();
-    site.has_moments = !corners;
+    site.has_moments = !corners, site.part_of_face = corners;
     if (plane_) {
       site.moments = {std::pow(area / thickness_, 3) * thickness_ / 12, 0, 0};
     } else if (!corners) {

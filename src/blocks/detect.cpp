@@ -104,7 +104,8 @@ std::pair<BlockContact, JointSite> Assembly::ball_contact(std::uint32_t a, std::
   return {c, site};
 }
 
-// Balls that touch at the start have a permanent contact with the common law.
+// Balls that touch at the start, or are so near that the common law acts between them, have a permanent contact with
+// it.
 void Assembly::join_balls() {
   double smallest = std::numeric_limits<double>::infinity();
   for (std::uint32_t k = 0; k < blocks_; ++k) {
@@ -118,10 +119,11 @@ void Assembly::join_balls() {
     for (const Vec3& x : s.corners) reach_.back() = std::max(reach_.back(), x.norm() + s.radius);
   }
   if (!spec_->law) return;
+  const double near = std::max(1e-6 * smallest, spec_->law->proximity());
   for (std::size_t i = 0; i < balls_.size(); ++i)
     for (std::size_t j = i + 1; j < balls_.size(); ++j) {
       const auto [c, site] = ball_contact(balls_[i], balls_[j]);
-      if (site.gap <= 1e-6 * smallest) add_contact(c, site, *spec_->law, ContactKind::ball, {}, Vec3::Zero());
+      if (site.gap <= near) add_contact(c, site, *spec_->law, ContactKind::ball, {}, Vec3::Zero());
     }
 }
 
@@ -164,9 +166,10 @@ void Assembly::find_pairs(double dt) {
     if (joints[k].area > 0)
       lasting.emplace(std::min(contacts[k].a, contacts[k].b), std::max(contacts[k].a, contacts[k].b));
   std::vector<Pair> pairs;
-  each_near_pair(bounds(0.5 * skin_), [&](std::uint32_t a, std::uint32_t b) {
+  const double near = skin_ + spec_->touch->proximity();
+  each_near_pair(bounds(0.5 * near), [&](std::uint32_t a, std::uint32_t b) {
     if (lasting.count({a, b}) || (bodies[a].held == 63 && bodies[b].held == 63)) return;
-    if (gap_between(a, b, skin_) > skin_) return;
+    if (gap_between(a, b, near) > near) return;
     const bool faces = !shapes[a].ball() && !shapes[b].ball();
     pairs.insert(pairs.end(), faces ? shared_parts(plane_) : 1, {a, b});
   });
@@ -185,6 +188,7 @@ void Assembly::set_pairs(const std::vector<Pair>& pairs) {
     double dashpot, failure_mode;
   };
   const bool running = !forces.empty();
+  const double near = skin_ + spec_->touch->proximity();
   std::vector<Old> old;
   for (std::size_t k = permanent_; k < contacts.size(); ++k)
     old.push_back(
@@ -207,7 +211,7 @@ void Assembly::set_pairs(const std::vector<Pair>& pairs) {
     c.part = part = &p > pairs.data() && *(&p - 1) == p ? part + 1 : 0;
     if (faces) {  // its area is that of the intersection, found later
       c.pa = c.pb = Vec3::Zero();
-      site.radius = 0, site.gap = skin_;
+      site.radius = 0, site.gap = near, site.part_of_face = true;
       const double volume = std::min(bodies[c.a].volume, bodies[c.b].volume);
       site.area = 0.01 * (plane_ ? std::sqrt(volume * thickness_) : std::pow(volume, 2.0 / 3));
       c.axes = axes_between(c.a, c.b);

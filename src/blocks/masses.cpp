@@ -29,9 +29,9 @@ std::vector<Assembly::Stiffness> Assembly::stiffness_around() const {
 // Contacts that may form later: around a ball as many balls of its size as fit, some of the stiffest balls on a block
 // with faces, other blocks on half of its surface.
 void Assembly::expect_neighbours(std::vector<Stiffness>& around) const {
-  const auto at_least = [&](std::size_t k, double stiff) {
+  const auto at_least = [&](std::size_t k, double stiff, double turning = 0.0) {
     around[k].straight = std::max(around[k].straight, stiff);
-    around[k].turning = std::max(around[k].turning, stiff * reach_[k] * reach_[k]);
+    around[k].turning = std::max(around[k].turning, stiff * reach_[k] * reach_[k] + turning);
   };
   double stiffest_ball = 0;
   for (const auto k : balls_) {
@@ -39,7 +39,8 @@ void Assembly::expect_neighbours(std::vector<Stiffness>& around) const {
     twin.distance = 2 * shapes[k].radius, twin.gap = 0;
     const Joint j = spec_->touch->start(twin);
     const double stiff = std::max(j.kn, j.ks) * j.area;
-    at_least(k, (plane_ ? 6 : 12) * stiff);
+    const double count = plane_ ? 6 : 12;
+    at_least(k, count * stiff, count * std::max({j.twist_stiffness, j.bend_stiffness[0], j.bend_stiffness[1]}));
     stiffest_ball = std::max(stiffest_ball, stiff);
   }
   for (std::size_t k = 0; k < blocks_; ++k) {

@@ -53,7 +53,6 @@ class PlatenLaw final : public JointLaw {
   bool needs_distance() const override { return true; }
   double poisson() const override { return like_ ? like_->poisson() : 0.0; }
   double off_diagonal() const override { return like_ ? like_->off_diagonal() : 0.0; }
-  double user_area() const override { return 0.0; }
 
  private:
   std::shared_ptr<const JointLaw> like_;

@@ -88,10 +88,11 @@ class Machine {
   }
 
   std::vector<std::string> names() const {
-    std::vector<std::string> out{"time",   "Fn",         "Fss",         "Fst",      "Mt",        "Mbs", "Mbt",
-                                 "state",  "slip",       "E_strain",    "E_slip",   "E_dashpot", "Fdn", "Fdss",
-                                 "Fdst",   "E_released", "un",          "uss",      "ust",       "gap", "rest_gap",
-                                 "active", "bond_break", "slip_change", "activated"};
+    std::vector<std::string> out{"time",       "Fn",        "Fss",        "Fst",         "Mt",
+                                 "Mbs",        "Mbt",       "state",      "slip",        "E_strain",
+                                 "E_slip",     "E_dashpot", "Fdn",        "Fdss",        "Fdst",
+                                 "E_released", "un",        "uss",        "ust",         "gap",
+                                 "rest_gap",   "active",    "bond_break", "slip_change", "contact_activated"};
     for (const auto name : what_.law->own_names()) out.emplace_back(name);
     if (what_.mass > 0) out.insert(out.end(), {"vn", "vss", "vst"});
     if (has_springs()) out.insert(out.end(), {"Sn", "Sss", "Sst"});

@@ -69,6 +69,12 @@ const std::vector<BlockQuantityInfo>& block_quantities() {
       {"Kinetic Energy", "energy", "", Of::run, [](const S& s) { return s.kinetic_energy(); }},
       {"Strain Energy", "energy", "energy stored in the contacts", Of::run,
        [](const S& s) { return s.strain_energy(); }},
+      {"Slip Energy", "energy", "energy dissipated by friction in the contacts", Of::run,
+       [](const S& s) { return s.slip_energy(); }},
+      {"Dashpot Energy", "energy", "energy dissipated by the dashpots of the contacts", Of::run,
+       [](const S& s) { return s.dashpot_energy(); }},
+      {"Released Energy", "energy", "energy released by brittle failure, dilation and changes of pressure", Of::run,
+       [](const S& s) { return s.released_energy(); }},
       {"Step Number", "-", "", Of::run, [](const S& s) { return static_cast<double>(s.step()); }},
       {"Time Step", "time", "", Of::run, [](const S& s) { return s.step_size(); }},
   };

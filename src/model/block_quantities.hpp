@@ -36,6 +36,9 @@ class BlockHistorySource {
   virtual double unbalanced() const = 0;             ///< largest force on a free block over the mean force of contacts
   virtual double kinetic_energy() const = 0;         ///< [energy]
   virtual double strain_energy() const = 0;          ///< [energy]
+  virtual double slip_energy() const = 0;            ///< dissipated so far [energy]
+  virtual double dashpot_energy() const = 0;         ///< dissipated so far [energy]
+  virtual double released_energy() const = 0;        ///< so far            [energy]
   virtual std::int64_t step() const = 0;             ///< number of steps done
   virtual double step_size() const = 0;              ///< [time]
 };

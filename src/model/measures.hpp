@@ -38,13 +38,17 @@ struct Measures {
 
 /// Energies of a run that no sum over particles contains [energy].
 struct RunEnergies {
-  double potential = 0.0;      ///< of constant gravity, zero at the start
-  double external_work = 0.0;  ///< of body forces as functions, and of loads
-  double boundary_work = 0.0;  ///< of prescribed velocities and rigid particles
-  double damping = 0.0;        ///< taken out
-  double transfer = 0.0;       ///< kinetic energy lost in the transfers between particles and nodes; negative: gained
-  double contact = 0.0;        ///< dissipated by contact
-  double interface = 0.0;      ///< stored in imperfect interfaces
+  double potential = 0.0;       ///< of constant gravity, zero at the start
+  double external_work = 0.0;   ///< of body forces as functions, and of loads
+  double boundary_work = 0.0;   ///< of prescribed velocities and rigid particles
+  double damping = 0.0;         ///< taken out
+  double transfer = 0.0;        ///< kinetic energy lost in the transfers between particles and nodes; negative: gained
+  double contact = 0.0;         ///< dissipated by contact
+  double interface = 0.0;       ///< stored in imperfect interfaces and joints
+  double joint_strain = 0.0;    ///< stored in joints
+  double joint_slip = 0.0;      ///< dissipated by friction in joints
+  double joint_dashpot = 0.0;   ///< dissipated by dashpots of joints
+  double joint_released = 0.0;  ///< released by brittle failure, dilation and changes of pressure in joints
 };
 
 /// Contact of one pair of materials, or the sum over pairs.

@@ -16,6 +16,7 @@
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkStringArray.h>
 #include <vtkTypeInt64Array.h>
 #include <vtkXMLImageDataWriter.h>
 #include <vtkXMLPolyDataWriter.h>
@@ -64,6 +65,14 @@ void add_fields(vtkDataSetAttributes* data, std::size_t count, std::span<const O
       array->SetName(field.name.c_str());
       array->SetNumberOfTuples(n);
       for (vtkIdType i = 0; i < n; ++i) array->SetValue(i, field.integers[i]);
+      data->AddArray(array);
+      continue;
+    }
+    if (field.texts) {
+      vtkNew<vtkStringArray> array;
+      array->SetName(field.name.c_str());
+      array->SetNumberOfTuples(n);
+      for (vtkIdType i = 0; i < n; ++i) array->SetValue(i, field.texts[i]);
       data->AddArray(array);
       continue;
     }

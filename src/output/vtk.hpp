@@ -20,6 +20,7 @@ struct OutputField {
   std::vector<const double*> components;
   const std::int64_t* integers = nullptr;  ///< instead of components
   bool single = false;                     ///< numbers of four bytes each, for fields that only pictures need
+  const std::string* texts = nullptr;      ///< instead of components; the functions that read skip such fields
 };
 
 /// Writes points as a .vtp with one vertex each, appended and compressed, with the field data TimeValue. Throws

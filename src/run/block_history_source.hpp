@@ -42,6 +42,9 @@ class AssemblyHistorySource final : public BlockHistorySource {
   double unbalanced() const override { return blocks_.unbalanced(); }
   double kinetic_energy() const override { return blocks_.ledger().kinetic; }
   double strain_energy() const override { return blocks_.ledger().strain; }
+  double slip_energy() const override { return blocks_.ledger().slip; }
+  double dashpot_energy() const override { return blocks_.ledger().dashpot; }
+  double released_energy() const override { return blocks_.ledger().released; }
   std::int64_t step() const override { return blocks_.step; }
   double step_size() const override { return dt_; }
 

@@ -4,7 +4,7 @@
 #include "model/block_quantities.hpp"
 #include "output/number.hpp"
 #include "run/block_history_source.hpp"
-#include "run/columns.hpp"
+#include "run/joint_columns.hpp"
 #include "run/result_folder.hpp"
 
 #include <cmath>
@@ -16,8 +16,11 @@ namespace {
 const std::vector<std::string> energy_columns{"time",       "kinetic",       "strain",  "potential",
                                               "slip",       "dashpot",       "damping", "released",
                                               "outer_work", "boundary_work", "residual"};
-const std::vector<std::string> event_columns{"time", "contact", "block1", "block2",   "x",     "y",
-                                             "z",    "event",   "mode",   "strength", "energy"};
+std::vector<std::string> event_columns() {
+  std::vector<std::string> columns{"time", "contact", "block1", "block2", "x", "y", "z"};
+  for (const auto& name : joint_event_columns()) columns.push_back(name);
+  return columns;
+}
 
 /// Polygons of a block at its present position: its faces, or polygons that approximate a ball.
 std::vector<std::vector<Vec3>> outlines(const BlockShape& shape, const BlockMotion& m, bool plane) {
@@ -87,7 +90,7 @@ BlockResults::BlockResults(const Model& model, Assembly& blocks, std::filesystem
   for (const auto& name : columns(model)) columns_of_history.push_back(name);
   if (alone) open(history_, "history.csv", columns_of_history);
   open(energy_, alone ? "energy.csv" : "block_energy.csv", energy_columns);
-  open(events_, alone ? "events.csv" : "block_events.csv", event_columns);
+  open(events_, alone ? "events.csv" : "block_events.csv", event_columns());
   if (resume_time)
     cells_.resume(*resume_time), contacts_.resume(*resume_time);
   else
@@ -160,6 +163,9 @@ void BlockResults::write_blocks(std::int64_t number) {
 // Facets move with body 1. Tractions act on body 2.
 void BlockResults::write_contacts(std::int64_t number) {
   Cells out;
+  std::vector<const JointLaw*> laws;
+  for (const ContactGroup& group : blocks_.groups) laws.push_back(group.law);
+  const JointColumns columns(laws);
   for (const ContactGroup& group : blocks_.groups)
     for (std::size_t c = group.begin; c < group.end; ++c) {
       const BlockContact& contact = blocks_.contacts[c];
@@ -189,8 +195,8 @@ void BlockResults::write_contacts(std::int64_t number) {
       out.fields.number("shear_stress", j.area > 0 ? j.Fs.norm() / j.area : 0.0);
       out.fields.vector("force", blocks_.contact_forces[c].all);
       out.fields.vector("moment", blocks_.contact_forces[c].moment);
-      out.fields.number("strain_energy", j.strain);
       out.fields.number("lost_energy", j.released() - j.slid + blocks_.dashpot_work[c]);
+      columns.add(out.fields, *group.law, j, contact.axes, blocks_.dashpot_work[c]);
     }
   const std::string file = "contacts/" + numbered(number, ".vtp");
   out.write(folder_ / file, blocks_.time);
@@ -201,10 +207,14 @@ void BlockResults::write_events() {
   for (const BlockEvent& e : blocks_.take_events()) {
     const auto text = [](double x) { return number_text(x); };
     const BlockContact& c = blocks_.contacts[e.contact];
-    events_->add(e.time, std::vector<std::string>{std::to_string(e.contact + 1), std::to_string(c.a + 1),
-                                                  std::to_string(c.b + 1), text(e.x[0]), text(e.x[1]), text(e.x[2]),
-                                                  std::string(e.event.name()), std::to_string(e.event.mode),
-                                                  text(e.event.strength), text(e.event.energy)});
+    std::vector<std::string> row{std::to_string(e.contact + 1),
+                                 std::to_string(c.a + 1),
+                                 std::to_string(c.b + 1),
+                                 text(e.x[0]),
+                                 text(e.x[1]),
+                                 text(e.x[2])};
+    for (auto& value : joint_event_texts(e.event)) row.push_back(std::move(value));
+    events_->add(e.time, row);
   }
 }
 

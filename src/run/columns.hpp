@@ -28,6 +28,7 @@ class Columns {
     }
   }
   void integer(const std::string& name, std::int64_t k) { of(name, 0).integers.push_back(k); }
+  void text(const std::string& name, std::string words) { of(name, 0).texts.push_back(std::move(words)); }
   std::array<const double*, 3> positions() {
     auto& x = of("position", 3).data;
     return {x[0].data(), x[1].data(), x[2].data()};
@@ -38,6 +39,7 @@ class Columns {
     for (const Column& c : columns_) {
       if (c.name == "position") continue;
       OutputField field{c.name, {}, c.integers.empty() ? nullptr : c.integers.data()};
+      if (!c.texts.empty()) field.texts = c.texts.data();
       for (const auto& data : c.data) field.components.push_back(data.data());
       out.push_back(std::move(field));
     }
@@ -49,11 +51,12 @@ class Columns {
     std::string name;
     std::vector<std::vector<double>> data;
     std::vector<std::int64_t> integers;
+    std::vector<std::string> texts = {};
   };
   Column& of(const std::string& name, std::size_t components) {
     for (Column& c : columns_)
       if (c.name == name) return c;
-    columns_.push_back({name, std::vector<std::vector<double>>(components), {}});
+    columns_.push_back({name, std::vector<std::vector<double>>(components), {}, {}});
     return columns_.back();
   }
   std::vector<Column> columns_;

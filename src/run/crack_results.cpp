@@ -2,7 +2,7 @@
 /// Files of cracks and joints.
 
 #include "output/number.hpp"
-#include "run/columns.hpp"
+#include "run/joint_columns.hpp"
 #include "run/result_folder.hpp"
 #include "run/results.hpp"
 
@@ -47,6 +47,9 @@ void Results<Dim>::write_cracks(std::int64_t number) {
 template <int Dim>
 void Results<Dim>::write_joints(std::int64_t number) {
   Columns out;
+  std::vector<const JointLaw*> laws;
+  for (const auto& surface : system_.joints) laws.push_back(surface.law);
+  const JointColumns columns(laws);
   for (std::size_t s = 0; s < system_.joints.size(); ++s) {
     const JointSurface<Dim>& surface = system_.joints[s];
     for (std::size_t k = 0; k < surface.joints.size(); ++k) {
@@ -66,6 +69,7 @@ void Results<Dim>::write_joints(std::int64_t number) {
       out.vector("traction", Vec3(-surface.force(k) / area));
       out.number("stored_energy", j.strain / area);
       out.number("lost_energy", (j.released() - j.slid - j.damped) / area);
+      columns.add(out, *surface.law, j, surface.axes[k], -j.damped);
     }
   }
   const std::string file = "joints/" + numbered(number, ".vtp");
@@ -97,10 +101,10 @@ void Results<Dim>::write_events() {
   if (blocks) blocks->write_events();
   for (const PlacedEvent& e : stepper_.joints().take_events()) {
     const auto text = [](double x) { return number_text(x); };
-    events_->add(e.time,
-                 std::vector<std::string>{std::to_string(e.surface + 1), std::to_string(e.event.contact + 1),
-                                          text(e.x[0]), text(e.x[1]), text(e.x[2]), std::string(e.event.name()),
-                                          std::to_string(e.event.mode), text(e.event.strength), text(e.event.energy)});
+    std::vector<std::string> row{std::to_string(e.surface + 1), std::to_string(e.event.contact + 1), text(e.x[0]),
+                                 text(e.x[1]), text(e.x[2])};
+    for (auto& value : joint_event_texts(e.event)) row.push_back(std::move(value));
+    events_->add(e.time, row);
   }
 }
 

@@ -15,6 +15,8 @@ RunEnergies run_energies(const Model& model, const System<Dim>& system, Stepper<
   const PairLedger contact = stepper.contact().ledger().total();
   const auto joints = stepper.joints().energies();
   l.interface = joints.stored;
+  l.joint_strain = joints.stored, l.joint_slip = joints.slip, l.joint_dashpot = joints.dashpot;
+  l.joint_released = joints.dissipated - joints.slip - joints.dashpot;
   l.contact = contact.friction + contact.impact + contact.interface + joints.dissipated;
   l.boundary_work += stepper.contact().ledger().rigid_work;
   for (std::size_t f = 0; f < system.fields.size(); ++f) l.boundary_work += stepper.conditions(f).work();

@@ -5,6 +5,7 @@
 #include "run/energy_balance.hpp"
 #include "run/grid_file.hpp"
 #include "run/history_source.hpp"
+#include "run/joint_columns.hpp"
 #include "run/particle_fields.hpp"
 #include "run/result_folder.hpp"
 
@@ -29,8 +30,12 @@ Mat3 elastic_strain(const Material& law, const std::optional<ElasticModuli>& mod
   return (m.stress - moduli->nu / (1 + moduli->nu) * m.stress.trace() * Mat3::Identity()) / (2 * moduli->G);
 }
 
-const std::vector<std::string> event_columns{"time", "joint", "point", "x",        "y",
-                                             "z",    "event", "mode",  "strength", "energy"};
+std::vector<std::string> event_columns() {
+  std::vector<std::string> columns{"time", "joint", "point", "x", "y", "z"};
+  for (const auto& name : joint_event_columns()) columns.push_back(name);
+  return columns;
+}
+
 const std::vector<std::string> tip_columns{"time", "crack", "end", "x", "y", "length", "J", "K1", "K2"};
 
 }  // namespace
@@ -62,7 +67,7 @@ Results<Dim>::Results(const Model& model, System<Dim>& system, Stepper<Dim>& ste
     initial_energy = energy_content(all, run_energies(model, system, stepper, all));
     history_.emplace(folder_ / "history.csv", columns);
     energy_.emplace(folder_ / "energy.csv", energy_columns(model.heat));
-    if (!system.joints.empty()) events_.emplace(folder_ / "events.csv", event_columns);
+    if (!system.joints.empty()) events_.emplace(folder_ / "events.csv", event_columns());
     if (model.fracture) tips_.emplace(folder_ / "tips.csv", tip_columns);
     return;
   }
@@ -74,7 +79,7 @@ Results<Dim>::Results(const Model& model, System<Dim>& system, Stepper<Dim>& ste
   if (model.fracture) tips_.emplace(History::resume(folder_ / "tips.csv", tip_columns, *resume_time));
   if (system.joints.empty()) return;
   joints_.resume(*resume_time);
-  events_.emplace(History::resume(folder_ / "events.csv", event_columns, *resume_time));
+  events_.emplace(History::resume(folder_ / "events.csv", event_columns(), *resume_time));
 }
 
 template <int Dim>

@@ -181,9 +181,13 @@ std::shared_ptr<BlocksSpec> ball_on_slab(bool plane, const std::string& friction
   ball.shape = BlockGroup::Shape::ball;
   ball.points = {Vec3(0, 1, 0)}, ball.radius = 1, ball.density = 1000;
   spec->groups = {slab, ball};
-  spec->law = spec->touch = joint_law(
-      "SpringNetwork",
-      {{"kn", "1e9"}, {"ks", "1e9"}, {"fric", friction}, {"dp_nratio", "0.3"}, {"dp_sratio", "0.3"}, {"dp_mode", "3"}});
+  spec->law = spec->touch = joint_law("SpringNetwork", {{"kn", "1e9"},
+                                                        {"ks", "1e9"},
+                                                        {"krot", "0 0 0"},
+                                                        {"fric", friction},
+                                                        {"dp_nratio", "0.3"},
+                                                        {"dp_sratio", "0.3"},
+                                                        {"dp_mode", "3"}});
   BlockHold hold;
   hold.where = plane ? around(-60, 60, -1, -0.1) : box(Vec3(-60, -1, -60), Vec3(60, -0.1, 60));
   hold.velocity = {constant(0), constant(0), constant(0)}, hold.spin = {constant(0), constant(0), constant(0)};
@@ -215,4 +219,34 @@ TEST_CASE("a ball rolls down a slab, and slides where friction is too little", "
       CHECK((blocks.motion[1].w[2] - w) / span == Approx(-turns).epsilon(1e-3));
       CHECK(std::abs(blocks.motion[1].v[2]) < 1e-9);
     }
+}
+
+TEST_CASE("balls that are apart are bonded and press within the gaps of their law", "[blocks]") {
+  const auto pair_of_balls = [](double gap, const Properties& properties, bool touch = false) {
+    auto spec = std::make_shared<BlocksSpec>();
+    BlockGroup ball;
+    ball.shape = BlockGroup::Shape::ball, ball.radius = 1, ball.density = 1000;
+    for (const double x : {0.0, 2 + gap}) ball.points = {Vec3(x, 0, 0)}, spec->groups.push_back(ball);
+    (touch ? spec->touch : spec->law) =
+        joint_law("SpringNetwork", Properties{{"kn", "1e8"}, {"ks", "1e8"}} + properties);
+    return Assembly(spec, 2, false, Vec3::Zero(), 1e-3);
+  };
+  const Properties bonded{{"bond", "gap 1e-2"}, {"sn_ten", "1e30"}, {"sn_coh", "1e30"}};
+  CHECK(pair_of_balls(2e-2, bonded).contacts.empty());
+  Assembly bond = pair_of_balls(1e-3, bonded);
+  REQUIRE(bond.bonds() == 1);
+  bond.motion[1].v = Vec3(1, 0, 0);
+  const double dt = bond.critical_step();
+  bond.advance(dt);
+  CHECK(bond.joints[0].Fn == Approx(2e8 * dt).epsilon(1e-12));
+
+  // without a bond they press from the gap rgap on
+  for (const bool touch : {false, true}) {
+    INFO((touch ? "found during the run" : "from the start"));
+    CHECK(pair_of_balls(0.8, {{"rgap", "0.3"}}, touch).contacts.empty());
+    Assembly near = pair_of_balls(0.25, {{"rgap", "0.3"}}, touch);
+    REQUIRE(near.contacts.size() == 1);
+    near.advance(1e-9);
+    CHECK(near.joints[0].Fn == Approx(2e8 * (0.25 - 0.3)).epsilon(1e-9));
+  }
 }

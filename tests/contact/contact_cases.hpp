@@ -12,7 +12,7 @@ namespace tribo::test {
 
 using LawProperties = std::initializer_list<std::pair<const char*, const char*>>;
 
-inline std::unique_ptr<ContactLaw> make_law(const char* type, LawProperties properties) {
+inline std::unique_ptr<ContactLaw> make_law(const char* type, LawProperties properties, const Units& units = {}) {
   Statement s;
   s.name = "Material";
   for (const auto& [name, value] : properties) {
@@ -21,7 +21,7 @@ inline std::unique_ptr<ContactLaw> make_law(const char* type, LawProperties prop
     s.children.push_back(child);
   }
   Problems problems;
-  auto law = contact_laws().find(type)->make(s, {}, Units{}, problems);
+  auto law = contact_laws().find(type)->make(s, {}, units, problems);
   problems.raise();
   return law;
 }

@@ -46,9 +46,10 @@ inline std::string complaints(const char* type, const Properties& properties) {
 
 class Contact {
  public:
-  Contact(const char* type, const Properties& properties, const JointSite& site) : gap_(site.gap) {
+  Contact(const char* type, const Properties& properties, const JointSite& site, const Units& units = {})
+      : gap_(site.gap) {
     Problems problems;
-    law_ = joint_laws().find(type)->make(joint_statement(properties), {}, Units{}, problems);
+    law_ = joint_laws().find(type)->make(joint_statement(properties), {}, units, problems);
     problems.raise();
     joint = law_->start(site);
   }

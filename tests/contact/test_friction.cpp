@@ -68,6 +68,15 @@ TEST_CASE("contact may be held by overlap alone, or up to a tension", "[contact]
   CHECK(make_law("61", {{"displacementOnly", "-4799"}})->response(m).impulse.norm() == 0.0);
 }
 
+TEST_CASE("the tension that contact may bear is a stress, in legacy units in MPa", "[contact]") {
+  ContactState m = plain_meeting();
+  m.velocity = Vec3(0.8, 0.6, 0), m.gap = -1e-3;  // parting with 1: tension 4800 g/(mm s^2) = 0.0048 MPa
+  const Units legacy{true, "mm", "g", "s"};
+  CHECK(make_law("61", {{"displacementOnly", "-0.004801"}}, legacy)->response(m).impulse.dot(m.normal) == Approx(1.2));
+  CHECK(make_law("61", {{"displacementOnly", "-0.004799"}}, legacy)->response(m).impulse.norm() == 0.0);
+  CHECK(make_law("61", {{"displacementOnly", "1"}}, legacy)->response(m).impulse.dot(m.normal) == Approx(1.2));
+}
+
 TEST_CASE("compliant faces push back with their stiffness", "[contact]") {
   ContactState m = plain_meeting();
   m.gap = -0.01, m.velocity = m.start = Vec3(0, 0, 0);
@@ -102,8 +111,17 @@ TEST_CASE("static friction holds until faces slide, and falls along the way they
     CHECK(friction(*given, 0.25) == Approx(0.5));
     CHECK(law->has_memory());
     const auto sudden = make_law(type, {{"coeff", "0.3"}, {"coeffStatic", "0.7"}, {"weakening", "0"}});
-    CHECK(friction(*sudden, 0) == Approx(0.7));
-    CHECK(friction(*sudden, 1e-12) == Approx(0.3));
+    for (const double slip : {0.0, 1e-12, 1.0}) {
+      INFO("slip " << slip);
+      CHECK(friction(*sudden, slip) == Approx(0.3));
+      m.velocity = Vec3(-1, 0.71, 0);
+      CHECK(friction(*sudden, slip) == Approx(0.3));
+      m.velocity = Vec3(-1, 0.69, 0);
+      CHECK(friction(*sudden, slip) == Approx(0.69));
+      CHECK(sudden->response(m).status == ContactStatus::stick);
+      m.velocity = Vec3(-1, 10, 0);
+    }
+    CHECK_FALSE(sudden->has_memory());
     m.slip = 0, m.velocity = Vec3(-1, 0.69, 0);
     CHECK(law->response(m).status == ContactStatus::stick);
     m.velocity = Vec3(-1, 10, 0);

@@ -439,3 +439,63 @@ TEST_CASE("invalid properties of Mohr are reported", "[mohr]") {
   CHECK(warned.find("warning: <friction-residual> is not given") != std::string::npos);
   CHECK(complaints("Mohr", {{"friction", "30"}, {"friction-residual", "0"}}).empty());
 }
+
+TEST_CASE("a joint that failed before and starts open presses by its overlap only", "[mohr]") {
+  JointSite site;
+  site.area = 0.5, site.gap = 3e-4;
+  const Properties failed = base + Properties{{"state", "4"}};
+  Contact at_once("Mohr", failed, site), slowly("Mohr", failed, site);
+  CHECK(at_once.joint.away);
+  at_once.move(-4e-4);  // overlap 1e-4
+  slowly.move(-2e-4).move(-2e-4);
+  CHECK(at_once.joint.Fn == near(-1e5));
+  CHECK(slowly.joint.Fn == near(-1e5));
+  Contact shifted("Mohr", failed + Properties{{"rgap", "3e-4"}}, site);
+  CHECK_FALSE(shifted.joint.away);
+  CHECK(shifted.move(-1e-4).joint.Fn == near(-1e5));
+  // under a stress at the start it opens once this is gone
+  site.gap = 0;
+  Contact stressed("Mohr", failed + Properties{{"stress-normal", "-4e5"}}, site);
+  CHECK(stressed.move(1e-4).joint.Fn == near(-1e5));
+  CHECK(stressed.move(1.5e-4).joint.Fn == 0);
+  CHECK(stressed.move(-3.5e-4).joint.Fn == near(-3e5));
+}
+
+TEST_CASE("the event of a failed joint has the strength and the force of its step", "[mohr]") {
+  auto sheared = joint(weakening);
+  sheared.move(1e-4, {1e-2, 0});  // N = -4e5 in the failing step, -5e5 before
+  const double strength = 5e5 + 8e5 * tangent(30);
+  REQUIRE(sheared.count(JointEvent::Kind::bond_break) == 1);
+  CHECK(sheared.events[0].mode == 2);
+  CHECK(sheared.events[0].strength == near(strength));
+  CHECK(sheared.events[0].force == near(0.5 * strength));
+  auto torn = joint(base + Properties{{"tension", "1e6"}, {"cohesion", "1e9"}, {"pore-pressure", "2e5"}});
+  torn.move(1e-3);
+  REQUIRE(torn.events.size() == 1);
+  CHECK(torn.events[0].mode == 1);
+  CHECK(torn.events[0].strength == near(1e6));
+  CHECK(torn.events[0].force == near(0.5 * (1e6 - 2e5)));
+}
+
+TEST_CASE("a healed joint that fails again sends its event again", "[mohr]") {
+  for (const bool heals : {true, false}) {
+    INFO((heals ? "heals" : "does not heal"));
+    auto j = joint(weakening + Properties{{"healing", heals ? "1" : "0"}});
+    j.slide(120, 1e-5).slide(5, -1e-5);
+    REQUIRE(j.count(JointEvent::Kind::bond_break) == 1);
+    j.slide(150, 1e-5);
+    REQUIRE(j.count(JointEvent::Kind::bond_break) == (heals ? 2 : 1));
+    CHECK(j.joint.Fs.norm() == near(residual));
+    j.slide(20, -1e-5);
+    j.move(2e-3);  // pulled apart
+    CHECK(j.count(JointEvent::Kind::bond_break) == (heals ? 3 : 1));
+    for (const JointEvent& e : j.events)
+      if (e.kind == JointEvent::Kind::bond_break && e.mode == 2) CHECK(e.strength == near(2 * peak));
+    j.move(1e-4);
+    CHECK(j.count(JointEvent::Kind::bond_break) == (heals ? 3 : 1));
+  }
+  // a step that heals may also be one that slips again
+  auto big = joint(weakening + Properties{{"healing", "1"}});
+  big.shear(1e-2).shear(-7e-4).shear(1e-2);
+  CHECK(big.count(JointEvent::Kind::bond_break) == 2);
+}

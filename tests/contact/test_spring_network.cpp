@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// The joint law SpringNetwork against closed forms: a square face of 10 x 10 mm, E = 50 GPa, d = 10 mm.
 
-#include "contact/joint_cases.hpp"
+#include "contact/bond_cases.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -9,44 +9,7 @@
 
 using namespace tribo;
 using namespace tribo::test;
-
-namespace {
-
-constexpr double A = 1e-4, kA = 5e8, k_twist = 8333.333333333334, k_bend = 4166.666666666667;
-const double R = std::sqrt(A / std::numbers::pi), I = A * A / (4 * std::numbers::pi), J = 2 * I;
-
-JointSite face() {
-  JointSite site;
-  site.area = A, site.distance = 0.01, site.plane = false;
-  site.has_moments = true, site.moments = {A * A / 12, A * A / 12, 0};
-  return site;
-}
-Contact bond(const Properties& properties) {
-  return {"SpringNetwork", Properties{{"compute-stiffness", "emod 50e9"}, {"bond", ""}} + properties, face()};
-}
-Contact loose(const Properties& properties) {
-  return {"SpringNetwork", Properties{{"compute-stiffness", "emod 50e9"}} + properties, face()};
-}
-const JointEvent& last_break(const Contact& c) {
-  for (auto e = c.events.rbegin(); e != c.events.rend(); ++e)
-    if (e->kind == JointEvent::Kind::bond_break) return *e;
-  throw std::logic_error("nothing broke");
-}
-const Properties strong{{"sn_ten", "1e12"}, {"sn_coh", "1e12"}};
-const Properties brittle{{"sn_ten", "5e6"}, {"sn_coh", "50e6"}};
-const Properties rock{{"sn_ten", "5e6"}, {"sn_coh", "10e6"}, {"sn_fa", "30"}};
-const Properties soft = brittle + Properties{{"sn_tendc", "4e-6"}};
-/// Slides along s under F_n until the bond breaks; the largest shear force.
-double slide_to_break(Contact& c, double by = 1e-9) {
-  double most = 0;
-  for (int k = 0; k < 20000 && c.joint.state >= 3; ++k) {
-    most = std::max(most, c.joint.Fs.norm());
-    c.shear(by);
-  }
-  return most;
-}
-
-}  // namespace
+using namespace tribo::test::bonds;
 
 TEST_CASE("TS2: a bond is elastic in all six directions", "[spring_network]") {
   auto c = bond(strong);

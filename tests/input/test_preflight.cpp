@@ -305,3 +305,25 @@ TEST_CASE("bodies whose slanted or round faces touch do not overlap", "[prefligh
   CHECK_THAT(with("<Oval xmin='2' xmax='10' ymin='1' ymax='9'/>", "<Oval xmin='10' xmax='18' ymin='1' ymax='9'/>"),
              Contains("touch: 'm' and 'n'") && !Contains("overlap"));
 }
+
+TEST_CASE("one user_area for all points of a crack is warned of", "[preflight]") {
+  const auto warnings = [](const std::string& area) {
+    return read_model_text(R"(<JANFEAInput version='3'>
+ <Header><Analysis>10</Analysis><ConsistentUnits length='m' mass='kg' time='s'/></Header>
+ <MPMHeader><MaxTime>1</MaxTime><ArchiveTime>1</ArchiveTime><GIMP/></MPMHeader>
+ <Mesh><Grid xmin='0' xmax='20' ymin='0' ymax='10'><Horiz nx='20'/><Vert ny='10'/></Grid></Mesh>
+ <MaterialPoints><Body matname='m'><Rect xmin='4' xmax='8' ymin='2' ymax='6'/></Body></MaterialPoints>
+ <CrackList lawname='joint'><Line xmin='4' ymin='4' xmax='8' ymax='4'/></CrackList>
+ <Material Type='1' Name='m'><rho>1000</rho><E>1e6</E><nu>0</nu></Material>
+ <Material Type='Mohr' Name='joint'><stiffness-normal>1e6</stiffness-normal>)" +
+                               area + "</Material></JANFEAInput>",
+                           "deck.xml")
+        .warnings;
+  };
+  CHECK(warnings("").empty());
+  CHECK(warnings("<user_area>1 2 3</user_area>").empty());
+  CHECK(warnings("<area/>").empty());
+  REQUIRE(warnings("<user_area>0.25</user_area>").size() == 1);
+  CHECK_THAT(warnings("<user_area>0.25</user_area>")[0],
+             Contains("deck.xml:") && Contains("<user_area> of 'joint' is the area of every single point"));
+}

@@ -279,3 +279,24 @@ TEST_CASE("the initial stress and XML of a body in a script", "[script]") {
   CHECK_THAT(complaint("InitialStress K0,0.5"), Contains("belongs into 'Region ... EndRegion'"));
   CHECK_THAT(complaint("GridBC\nXMLData\n<DisBC dir='1'/>\nEndXMLData"), Contains("needs a shape before it"));
 }
+
+TEST_CASE("a script names the liquid of LiquidContact by its id or number", "[script]") {
+  const auto liquid = [](const std::string& id, const std::string& named) {
+    const std::string script =
+        "Analysis \"Plane Strain MPM\"\nConsistentUnits m,kg,s\nMaximumTime 1\nGridHoriz 4\nGridVert 4\n"
+        "GridRect 0,4,0,4\nMaterial \"m\",\"rubber\",\"Isotropic\"\nrho 1\nE 1\nnu .3\nDone\n"
+        "Material \"film\",\"Film\",\"LiquidContact\"\ncoeff 3\nLiquidPhase " +
+        named + "\nDone\nMaterial \"" + id +
+        "\",\"Oil\",\"TaitLiquid\"\nrho 1\nK 1\nviscosity 1\nDone\nRegion \"m\",0,0,1\nRect 1,2,1,2\nEndRegion\n";
+    Settings none;
+    const Statement root = read_script(script, std::make_shared<const std::string>("s"), none).root;
+    for (const Statement& s : root.children)
+      if (s.name == "Material" && s.child("LiquidPhase")) return s.child("LiquidPhase")->text;
+    return std::string();
+  };
+  CHECK(liquid("oil", "\"oil\"") == "3");
+  CHECK(liquid("oil", "oil") == "3");
+  CHECK(liquid("oil", "3") == "3");
+  CHECK(liquid("7", "7") == "3");  // an id that looks like a number
+  CHECK_THROWS_WITH(liquid("oil", "\"oik\""), Contains("there is no material 'oik'") && Contains("oil"));
+}

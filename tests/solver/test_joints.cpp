@@ -191,3 +191,20 @@ TEST_CASE("a joint needs a body to run through", "[joints]") {
   CHECK_THROWS_WITH(build_system<2>(model, lattice_seeds<2>(model, 6, 14)),
                     Catch::Contains("does not run through any body"));
 }
+
+TEST_CASE("user_area of a crack is the area of each of its points", "[joints]") {
+  const auto areas = [](const std::string& given) {
+    Model model =
+        jointed<2>(Kernel::quadratic_spline, Transfer::apic, joint({{"stiffness-normal", "1"}, {"user_area", given}}));
+    auto system = build_system<2>(model, lattice_seeds<2>(model, 6, 14));
+    std::vector<double> out;
+    for (const Joint& j : system.joints[0].joints) out.push_back(j.area);
+    return out;
+  };
+  CHECK(areas("0.25") == std::vector<double>(17, 0.25));
+  std::string list;
+  std::vector<double> each;
+  for (int k = 1; k <= 17; ++k) list += std::to_string(k) + " ", each.push_back(k);
+  CHECK(areas(list) == each);
+  CHECK_THROWS_WITH(areas("1 2 3"), Catch::Contains("has 3 areas, but the crack has 17 points"));
+}

@@ -82,12 +82,18 @@ void add_joint(const Model& model, const CrackSpec& spec, const JointLaw& law, c
   }
   if (surface.samples.empty())
     throw InputError(spec.origin, "this crack has a joint law but does not run through any body");
+  const auto points =
+      static_cast<std::size_t>(std::count_if(areas.begin(), areas.end(), [](double a) { return a > 0; }));
+  if (const std::size_t given = law.user_areas().size(); given > 1 && given != points)
+    throw InputError(spec.origin, "<user_area> of the joint law has " + std::to_string(given) +
+                                      " areas, but the crack has " + std::to_string(points) + " points in bodies");
   const auto normals = crack.normals();
   std::vector<std::uint32_t> joint_of(crack.x.size(), 0);
   for (std::size_t k = 0; k < crack.x.size(); ++k) {
     if (!(areas[k] > 0)) continue;
     JointSite site;
     site.area = areas[k], site.plane = Dim == 2, site.thickness = model.grid.thickness;
+    site.number = surface.joints.size();
     Vec3 normal = Vec3::Zero();
     normal.template head<Dim>() = normals[k];
     joint_of[k] = static_cast<std::uint32_t>(surface.joints.size());

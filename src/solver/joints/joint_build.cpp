@@ -31,7 +31,7 @@ void add_joint(const std::vector<CommonFacePiece<Dim>>& pieces, std::size_t firs
   normal.template head<Dim>() = n.normalized();
   const JointAxes axes = JointAxes::of_normal(normal);
   JointSite site;
-  site.area = area, site.plane = Dim == 2, site.thickness = thickness;
+  site.area = area, site.plane = Dim == 2, site.thickness = thickness, site.number = surface.joints.size();
   const auto number = static_cast<std::uint32_t>(surface.joints.size());
   surface.x.push_back(x / area), surface.axes.push_back(axes), surface.joints.push_back(surface.law->start(site));
   for (std::size_t k = first; k < end; ++k) {
@@ -66,6 +66,13 @@ void add_interfaces(const Model& model, System<Dim>& system) {
     JointSurface<Dim> surface;
     surface.law = joint.law.get();
     surface.field = {one.field, two.field}, surface.material = {first, second};
+    std::size_t points = 0;
+    for (std::size_t k = 0; k < pieces.size(); ++k)
+      points += k == 0 || pieces[k].side_number != pieces[k - 1].side_number;
+    if (const std::size_t given = joint.law->user_areas().size(); given > 1 && given != points)
+      throw InputError(joint.origin, "<user_area> of the joint law has " + std::to_string(given) +
+                                         " areas, but the common face of " + both + " has " + std::to_string(points) +
+                                         " points");
     for (std::size_t begin = 0, end = 0; begin < pieces.size(); begin = end) {
       while (end < pieces.size() && pieces[end].side_number == pieces[begin].side_number) ++end;
       add_joint(pieces, begin, end, model.grid.thickness, surface);

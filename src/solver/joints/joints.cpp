@@ -366,7 +366,8 @@ auto Joints<Dim>::energies() const -> Energies {
   for (const auto& surface : system_.joints) {
     out.dissipated += surface.dissipated;
     for (const Joint& joint : surface.joints)
-      out.stored += joint.strain, out.dissipated += joint.released() - joint.slid - joint.damped;
+      out.stored += joint.strain, out.slip -= joint.slid, out.dashpot -= joint.damped,
+          out.dissipated += joint.released() - joint.slid - joint.damped;
   }
   return out;
 }

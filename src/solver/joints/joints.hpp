@@ -63,6 +63,8 @@ class Joints {
   struct Energies {
     double stored = 0.0;      ///< elastic energy of the joints [energy]
     double dissipated = 0.0;  ///< dissipated by friction, dashpots and broken bonds [energy]
+    double slip = 0.0;        ///< the part of it that friction dissipated [energy]
+    double dashpot = 0.0;     ///< the part of it that dashpots dissipated [energy]
   };
   Energies energies() const;
   /// Returns the events since the last call and clears the list.
