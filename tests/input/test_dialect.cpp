@@ -37,7 +37,7 @@ const std::string half = "ArchiveTime 0.5\n";
 
 Model read(const std::string& text) { return read_model_text(text, "deck"); }
 
-std::string complaint(const std::string& text) {
+std::string problems_of(const std::string& text) {
   try {
     read(text);
   } catch (const InputError& error) {
@@ -83,11 +83,12 @@ TEST_CASE("BCShape selects particles, and scripts write it", "[dialect]") {
   const Script s =
       read_script(deck(half, on_particles("Load x,constant,3")), std::make_shared<const std::string>("s"), none);
   CHECK(s.root.child("ParticleBCs")->children.front().name == "BCShape");
-  CHECK_THAT(complaint(xml("<ParticleBCs><BCShape><Rect xmin='1' xmax='2' ymin='1' ymax='2'/><DisBC dir='1'/></BCShape>"
-                           "</ParticleBCs>")),
-             Contains("<DisBC> belongs into <GridBCs>"));
-  CHECK_THAT(complaint(deck(half, on_particles("LoadType net"))), Contains("'ParticleBC' selects particles"));
-  CHECK_THAT(complaint(xml("<GridBCs><BCLine x1='0' y1='0' x2='4' y2='0'><net/><DisBC dir='1'/></BCLine></GridBCs>")),
+  CHECK_THAT(
+      problems_of(xml("<ParticleBCs><BCShape><Rect xmin='1' xmax='2' ymin='1' ymax='2'/><DisBC dir='1'/></BCShape>"
+                      "</ParticleBCs>")),
+      Contains("<DisBC> belongs into <GridBCs>"));
+  CHECK_THAT(problems_of(deck(half, on_particles("LoadType net"))), Contains("'ParticleBC' selects particles"));
+  CHECK_THAT(problems_of(xml("<GridBCs><BCLine x1='0' y1='0' x2='4' y2='0'><net/><DisBC dir='1'/></BCLine></GridBCs>")),
              Contains("<net> is about loads"));
 }
 
@@ -107,7 +108,7 @@ TEST_CASE("older blocks of conditions", "[dialect]") {
       read(xml("<GridBCs><BCArc x1='3' y1='3' x2='1' y2='1' start='0' end='360'><DisBC dir='1'/></BCArc>"
                "</GridBCs>"));
   CHECK(arc.node_conditions[0].where->contains({3, 2, 0}));
-  CHECK_THAT(complaint(deck(half, "MoveLine 0,0,4,0\nVelocity x,constant,2\nEndLoadLine")),
+  CHECK_THAT(problems_of(deck(half, "MoveLine 0,0,4,0\nVelocity x,constant,2\nEndLoadLine")),
              Contains("'EndLoadLine' closes nothing"));
 }
 
@@ -115,14 +116,14 @@ TEST_CASE("variables of loops may be quoted", "[dialect]") {
   Settings none;
   const auto file = std::make_shared<const std::string>("s");
   CHECK(read_script("Repeat \"#i\",1,3\nWrite #i\nEndRepeat\n" + deck(half), file, none).output == "123");
-  CHECK_THAT(complaint("Repeat \"3\",1,3\nEndRepeat\n" + deck(half)), Contains("the name of a variable is needed"));
+  CHECK_THAT(problems_of("Repeat \"3\",1,3\nEndRepeat\n" + deck(half)), Contains("the name of a variable is needed"));
 }
 
 TEST_CASE("values that are left out are zero", "[dialect]") {
   const Model m = read(deck(half, on_nodes("Velocity y,constant") + "\n" + on_particles("Load x,constant")));
   CHECK(m.node_conditions.at(0).velocity.value == 0);
   CHECK(m.particle_conditions.at(0).value.value == 0);
-  CHECK_THAT(complaint(deck(half, on_nodes("Velocity y,function"))), Contains("needs the attribute 'function'"));
+  CHECK_THAT(problems_of(deck(half, on_nodes("Velocity y,function"))), Contains("needs the attribute 'function'"));
 }
 
 TEST_CASE("times between files in one or several commands", "[dialect]") {
@@ -139,8 +140,9 @@ TEST_CASE("times between files in one or several commands", "[dialect]") {
   CHECK(two[1].start == 0.5);
   CHECK(two[1].interval == 0.125);
   CHECK(groups("ArchiveTime 0.25\nArchiveTime 0.125,0.5", "").at(1).start == Approx(0.5e-3));  // ms
-  CHECK_THAT(complaint(deck("ArchiveTime 0.25\nArchiveTime 0.125")), Contains("needs the time from which on"));
-  CHECK_THAT(complaint(deck("ArchiveTime 0.25,0.6\nArchiveTime 0.125,0.5")), Contains("before the start of the next"));
+  CHECK_THAT(problems_of(deck("ArchiveTime 0.25\nArchiveTime 0.125")), Contains("needs the time from which on"));
+  CHECK_THAT(problems_of(deck("ArchiveTime 0.25,0.6\nArchiveTime 0.125,0.5")),
+             Contains("before the start of the next"));
 }
 
 TEST_CASE("a traction with a function in its fourth or sixth argument", "[dialect]") {
@@ -152,26 +154,26 @@ TEST_CASE("a traction with a function in its fourth or sixth argument", "[dialec
     at.t = 3;
     CHECK(p.function(at) == 6);
   }
-  CHECK_THAT(complaint(deck(half, on_particles("Traction normal,2,constant,1,0,\"2*t\""))),
+  CHECK_THAT(problems_of(deck(half, on_particles("Traction normal,2,constant,1,0,\"2*t\""))),
              Contains("belongs to the style 'function'"));
   CHECK_THAT(warnings(deck(half, on_particles("Traction normal,2,constant,1,0,-1\nLoad x,constant,1,0,-1"))),
              Contains("argument of 'Traction', '-1', has no effect") && Contains("argument of 'Load'"));
-  CHECK_THAT(complaint(deck(half, on_particles("Traction normal,2,function,1,0,\"2*t\""))),
+  CHECK_THAT(problems_of(deck(half, on_particles("Traction normal,2,function,1,0,\"2*t\""))),
              Contains("no value besides its function"));
 }
 
 TEST_CASE("damping with a fraction of PIC, and Courant numbers", "[dialect]") {
   CHECK(read(deck(half + "Damping 2,0")).damping.grid);
-  CHECK_THAT(complaint(deck(half + "Damping 2,0.25")), Contains("write 'Transfer blend,0.75'"));
-  CHECK_THAT(complaint(xml("", "<Damping PIC='0.2'>1</Damping>")), Contains("<Transfer type='blend'"));
-  CHECK_THAT(complaint(deck(half + "CFLFactor -1")), Contains("'CFLFactor' must be in (0, 1]"));
+  CHECK_THAT(problems_of(deck(half + "Damping 2,0.25")), Contains("write 'Transfer blend,0.75'"));
+  CHECK_THAT(problems_of(xml("", "<Damping PIC='0.2'>1</Damping>")), Contains("<Transfer type='blend'"));
+  CHECK_THAT(problems_of(deck(half + "CFLFactor -1")), Contains("'CFLFactor' must be in (0, 1]"));
   CHECK(read(xml("", "<Timing CFL='0.4' TransCFL='0.3' max='1' step='1'/>")).time.transport_courant == 0.3);
 }
 
 TEST_CASE("ratios of cells must be one", "[dialect]") {
-  CHECK(complaint(xml("", "", "", " rx='1' style='G'")).empty());
-  CHECK_THAT(complaint(xml("", "", "", " rx='1.1'")), Contains("grids with unequal cells are not implemented"));
-  CHECK_THAT(complaint(xml("", "", "", " ry='1'")), Contains("<Horiz> does not take ry"));
+  CHECK(problems_of(xml("", "", "", " rx='1' style='G'")).empty());
+  CHECK_THAT(problems_of(xml("", "", "", " rx='1.1'")), Contains("grids with unequal cells are not implemented"));
+  CHECK_THAT(problems_of(xml("", "", "", " ry='1'")), Contains("<Horiz> does not take ry"));
 }
 
 TEST_CASE("heat: directions of a flux, options of conduction, coupling without effect", "[dialect]") {
@@ -179,12 +181,12 @@ TEST_CASE("heat: directions of a flux, options of conduction, coupling without e
   CHECK(read(deck(half + "Conduction yes", on_particles("HeatFlux external,2,constant,4"), heat))
             .particle_conditions.at(0)
             .value.value == 4);
-  CHECK_THAT(complaint(deck(half + "Conduction yes", on_particles("HeatFlux coupled,2,function,\"q\""), heat)),
+  CHECK_THAT(problems_of(deck(half + "Conduction yes", on_particles("HeatFlux coupled,2,function,\"q\""), heat)),
              Contains("(coupled, direction 2) is not implemented"));
   const Model m = read(deck(half + "MultimaterialMPM\nConduction yes,\"mechanical energy\",friction", "", heat));
   CHECK(m.heat.contact_heating);
   CHECK(m.heat.work_heating);
-  CHECK_THAT(complaint(deck(half + "Conduction yes,\"crack tips\"", "", heat)), Contains("heat of cracks"));
+  CHECK_THAT(problems_of(deck(half + "Conduction yes,\"crack tips\"", "", heat)), Contains("heat of cracks"));
   CHECK_THAT(warnings(xml("<Thermal><EnergyCoupling/></Thermal>", "", "<Cv>1</Cv>")),
              Contains("none of these materials dissipates: it has no effect"));
 }
@@ -204,12 +206,13 @@ TEST_CASE("settings of cracks that say what Tribo does", "[dialect]") {
              Contains("<ContactPosition> has no effect on cracks"));
   CHECK_THAT(warnings(xml("", "<Cracks><ContactPosition>0.8</ContactPosition></Cracks>")),
              Contains("<Cracks> without a <CrackList> has no effect"));
-  CHECK(complaint(xml(crack, "<Cracks><MovePlane type='avg' prevent='no'/><Thickness>1</Thickness></Cracks>")).empty());
-  CHECK_THAT(complaint(xml(crack, "<Cracks><MovePlane type='cm'/></Cracks>")), Contains("is not implemented"));
-  CHECK_THAT(complaint(xml(crack, "<Cracks><Thickness>2</Thickness></Cracks>")), Contains("as thick as the grid, 1"));
-  CHECK(complaint(deck(half + "ContactPositionCracks 0.8\nMovePlane avg",
-                       "NewCrack 1.5,1\nCrackThickness 1\n"
-                       "GrowCrack 1.5,2"))
+  CHECK(
+      problems_of(xml(crack, "<Cracks><MovePlane type='avg' prevent='no'/><Thickness>1</Thickness></Cracks>")).empty());
+  CHECK_THAT(problems_of(xml(crack, "<Cracks><MovePlane type='cm'/></Cracks>")), Contains("is not implemented"));
+  CHECK_THAT(problems_of(xml(crack, "<Cracks><Thickness>2</Thickness></Cracks>")), Contains("as thick as the grid, 1"));
+  CHECK(problems_of(deck(half + "ContactPositionCracks 0.8\nMovePlane avg",
+                         "NewCrack 1.5,1\nCrackThickness 1\n"
+                         "GrowCrack 1.5,2"))
             .empty());
 }
 
@@ -225,7 +228,7 @@ TEST_CASE("older forms of laws in scripts", "[dialect]") {
   CHECK(read(deck(half + "MultimaterialMPM\n" + other, "", "ImperfectInterface 1e3,2e3,3e3,\"o\""))
             .contact.pair_laws.begin()
             ->second->interface());
-  CHECK_THAT(complaint(deck(half + "MultimaterialMPM\n" + other, "", "Friction 0.3")),
+  CHECK_THAT(problems_of(deck(half + "MultimaterialMPM\n" + other, "", "Friction 0.3")),
              Contains("needs the other material of the pair as second argument"));
 }
 
@@ -243,12 +246,12 @@ TEST_CASE("properties of anisotropic materials in scripts", "[dialect]") {
   const std::string wood =
       "Material \"w\",\"wood\",\"Orthotropic\"\nrho 1\nEx 1\nEy 2\nEz 3\nnuxy .1\nnuxz .1\nnuyz "
       ".1\nGxy 1\nGxz 1\nGyz 1\nax 20\nay 40\naz 60\nDone\n";
-  CHECK(complaint(deck(half + wood)).empty());
-  CHECK_THAT(complaint(deck(half + wood, "CustomTask ThermalRamp\nParameter DeltaT,5\nParameter time,1")),
+  CHECK(problems_of(deck(half + wood)).empty());
+  CHECK_THAT(problems_of(deck(half + wood, "CustomTask ThermalRamp\nParameter DeltaT,5\nParameter time,1")),
              Contains("thermal expansion of anisotropic materials is not implemented"));
-  CHECK_THAT(complaint(deck(half + "MPMMethod USL-,qCPDI")), Contains("this shape function is not implemented"));
+  CHECK_THAT(problems_of(deck(half + "MPMMethod USL-,qCPDI")), Contains("this shape function is not implemented"));
   const auto turned = [](const std::string& property, const std::string& type) {
-    return complaint(
+    return problems_of(
         "Analysis \"3D MPM\"\nConsistentUnits mm,g,ms\nMaximumTime 1\nArchiveTime 1\nGridHoriz 4\nGridVert "
         "4\nGridDepth 4\nGridRect 0,4,0,4,0,4\nMaterial \"m\",\"m\",\"" +
         type + "\"\nrho 1\n" + property + "\nDone\nRegion \"m\",0,0,0\nRotate y,90\nBox 1,2,1,2,1,2\nEndRegion\n");
@@ -259,21 +262,21 @@ TEST_CASE("properties of anisotropic materials in scripts", "[dialect]") {
 }
 
 TEST_CASE("names that are refused have a reason", "[dialect]") {
-  CHECK_THAT(complaint(xml("", "", "<csat>1</csat>")), Contains("<csat> is not supported by Tribo: diffusion"));
+  CHECK_THAT(problems_of(xml("", "", "<csat>1</csat>")), Contains("<csat> is not supported by Tribo: diffusion"));
   for (const char* type : {"TIViscoelastic", "HillPlastic", "IsoPlasticSoftening"})
-    CHECK_THAT(complaint(deck(half + "Material \"other\",\"Other\",\"" + type + "\"\nrho 1\nDone")),
+    CHECK_THAT(problems_of(deck(half + "Material \"other\",\"Other\",\"" + type + "\"\nrho 1\nDone")),
                Contains("material type '" + std::string(type) + "' is not supported by Tribo: "));
-  CHECK_THAT(complaint(deck(half, "", "Darcy 1")), Contains("pore pressure is not implemented"));
-  CHECK_THAT(complaint(xml("<Material Type='12' Name='t'/>")), Contains("traction laws are not implemented"));
+  CHECK_THAT(problems_of(deck(half, "", "Darcy 1")), Contains("pore pressure is not implemented"));
+  CHECK_THAT(problems_of(xml("<Material Type='12' Name='t'/>")), Contains("traction laws are not implemented"));
   CHECK_THAT(
-      complaint(xml("<GridBCs><BCLine x1='0' y1='0' x2='4' y2='0'><DisBC dir='1' depth='2'/></BCLine></GridBCs>")),
+      problems_of(xml("<GridBCs><BCLine x1='0' y1='0' x2='4' y2='0'><DisBC dir='1' depth='2'/></BCLine></GridBCs>")),
       Contains("moving walls are not implemented"));
-  CHECK_THAT(complaint(xml("<CustomTasks><Schedule name='CarnotCycle'/></CustomTasks>")), Contains("not supported"));
-  CHECK_THAT(complaint(xml("", "<GlobalArchive type='Entropy'/>")), Contains("'Entropy' is not supported"));
+  CHECK_THAT(problems_of(xml("<CustomTasks><Schedule name='CarnotCycle'/></CustomTasks>")), Contains("not supported"));
+  CHECK_THAT(problems_of(xml("", "<GlobalArchive type='Entropy'/>")), Contains("'Entropy' is not supported"));
   CHECK_THAT(warnings(deck(half + "ToArchive velocity,damagenormal")), Contains("'damagenormal' is not written"));
-  CHECK(complaint(deck(half + "Diffusion no")).empty());
-  CHECK(complaint(xml("", "", "<allowsCracks>1</allowsCracks>")).empty());
-  CHECK_FALSE(complaint(xml("", "", "<allowsCracks>0</allowsCracks>")).empty());
+  CHECK(problems_of(deck(half + "Diffusion no")).empty());
+  CHECK(problems_of(xml("", "", "<allowsCracks>1</allowsCracks>")).empty());
+  CHECK_FALSE(problems_of(xml("", "", "<allowsCracks>0</allowsCracks>")).empty());
 }
 
 TEST_CASE("tasks that write files select fields", "[dialect]") {
@@ -318,8 +321,8 @@ TEST_CASE("a ramp of the temperature", "[dialect]") {
   CHECK(decay.done(0.5) == Approx(1 - std::exp(-1.5)));
   CHECK(decay.done(2) == Approx(1 - std::exp(-3.0)));
   CHECK_THAT(
-      complaint(xml("<CustomTasks><Schedule name='PropertyRamp'><Parameter name='property'>2</Parameter></Schedule>"
-                    "</CustomTasks>")),
+      problems_of(xml("<CustomTasks><Schedule name='PropertyRamp'><Parameter name='property'>2</Parameter></Schedule>"
+                      "</CustomTasks>")),
       Contains("another property than the temperature"));
 }
 
@@ -335,10 +338,10 @@ TEST_CASE("a reversal of the loads", "[dialect]") {
   const std::string task = "<CustomTasks><Schedule name='ReverseLoad'><Parameter name='global sxx'/>";
   const Model added = read(xml(task + "<Parameter name='maxValue'>-3</Parameter></Schedule></CustomTasks>"));
   CHECK(added.output.history.at(added.reversal->history).name == "sxx");
-  CHECK_THAT(complaint(xml(task + "</Schedule></CustomTasks>")), Contains("needs a quantity"));
+  CHECK_THAT(problems_of(xml(task + "</Schedule></CustomTasks>")), Contains("needs a quantity"));
   CHECK_THAT(
-      complaint(xml(task + "<Parameter name='maxValue'>1</Parameter><Parameter name='hold'>1</Parameter></Schedule>"
-                           "</CustomTasks>")),
+      problems_of(xml(task + "<Parameter name='maxValue'>1</Parameter><Parameter name='hold'>1</Parameter></Schedule>"
+                             "</CustomTasks>")),
       Contains("style 1 holds the loads"));
 }
 
@@ -359,7 +362,7 @@ TEST_CASE("quantities of histories", "[dialect]") {
   const std::string name = m.materials.at(static_cast<std::size_t>(h.at(4).material)).law->history().front().name;
   CHECK(read(xml(plastic, "<GlobalArchive type='history " + name + "' matname='p'/>")).output.history.at(0).variable ==
         0);
-  CHECK_THAT(complaint(xml(plastic, "<GlobalArchive type='history 99' matname='p'/>")),
+  CHECK_THAT(problems_of(xml(plastic, "<GlobalArchive type='history 99' matname='p'/>")),
              Contains("has no history variable"));
-  CHECK_THAT(complaint(xml(plastic, "<GlobalArchive type='history 1'/>")), Contains("is a variable of one material"));
+  CHECK_THAT(problems_of(xml(plastic, "<GlobalArchive type='history 1'/>")), Contains("is a variable of one material"));
 }
