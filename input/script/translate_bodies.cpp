@@ -117,7 +117,9 @@ void Translator::property(const Command& c) {
     Document::refer(s, "law", c.text(0), c.origin(0)), Document::refer(s, "mat", c.text(1), c.origin(1));
     return add(std::move(s));
   }
-  if (word == "friction" || word == "imperfectinterface" || word == "interface") {
+  const auto known = properties_of(m);
+  const bool own = std::find(known.begin(), known.end(), property_name(m, c.node.word)) != known.end();
+  if (!own && (word == "friction" || word == "imperfectinterface" || word == "interface")) {
     const std::size_t other = word == "friction" ? 1 : 3;
     if (!c.given(other))
       throw InputError(c.origin(), "'" + c.node.word + "' inside a material needs the other material of the pair as " +

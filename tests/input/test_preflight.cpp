@@ -274,7 +274,8 @@ Gravity 0,-10
   };
   CHECK(script("", "B").empty());
   CHECK(script("Gravity 0,-10\n", "B").empty());
-  CHECK(script("Gravity 3\n", "B").empty());  // the other axis
+  CHECK(script("Gravity 3,-10\n", "B").empty());  // the other axis
+  CHECK_THAT(script("Gravity 3\n", "B").at(0), Contains("sets the standard gravity along y"));
   REQUIRE(script("Gravity 0,-5\n", "B").size() == 1);
   CHECK_THAT(script("Gravity 0,-5\n", "B")[0],
              Contains("deck.fmcmd:27:") && Contains("warning: this replaces the gravity of deck.fmcmd:26:"));

@@ -145,7 +145,7 @@ TEST_CASE("quantities can be given by the names of NairnMPM", "[reactions]") {
   CHECK(find_global_quantity("sTT")->name == "szz");
   CHECK(find_global_quantity("szz")->name == "szz");
   CHECK(find_global_quantity("sRZ")->name == "sxy");
-  CHECK(find_global_quantity("eZZe")->name == "eyy");
+  CHECK(find_global_quantity("eZZe")->name == "eyye");
   CHECK(find_global_quantity("contactZ")->name == "contacty");
   CHECK(find_global_quantity("VELX")->name == "velx");
   CHECK_FALSE(find_global_quantity("sQQ"));
