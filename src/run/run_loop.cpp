@@ -80,7 +80,7 @@ class RunLoop {
   Outcome run_or_throw() {
     report("running", "");
     for (const std::string& choice : stepped_.choices()) progress_.say(choice);
-    if (!resume_time_) write_due();
+    if (!resume_time_) write_due(), save_due();
     const std::int64_t first_step = stepped_.step();
     while (!stepped_.at_end()) {
       if (wants_stop()) {
@@ -137,7 +137,8 @@ class RunLoop {
     for (const std::string& warning : stepped_.look()) progress_.warn(warning);
     stepped_.write_events();
     write_due();
-    stepped_.check();
+    stepped_.check();  // before the checkpoint, which then holds a state that was found sound, and what the check noted
+    save_due();
     if (stepped_.step() % steps_per_report == 0 && seconds_since(reported_) > between_reports) {
       report("running", "");
       reported_ = Clock::now();
@@ -158,7 +159,10 @@ class RunLoop {
     const bool last = stepped_.history_of_last_step() && stepped_.step() > 0 && stepped_.at_end();
     if (histories_.due(time, tolerance) || last) stepped_.write_history();
     if (files_.due(time, tolerance)) stepped_.write_files(files_.count() - 1);
-    if (checkpoints_.due(time, tolerance)) save();
+  }
+
+  void save_due() {
+    if (checkpoints_.due(stepped_.time(), 1e-6 * stepped_.step_size())) save();
   }
 
   // The last state is always on disk, also if the end is no output time.

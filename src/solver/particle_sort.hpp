@@ -14,7 +14,7 @@ class ParticleSort {
   ParticleSort(const Model& model, System<Dim>& system) : model_(model), system_(system) {}
 
   /// Whether the particles must be sorted before the next step.
-  bool is_due() const { return !system_.sorted || system_.drift >= 1.0 - 1e-6; }
+  bool is_due() const { return system_.sort_is_due(); }
   /// Sorts the particles of all bodies. Throws SimulationError if a position is not finite, or if a particle left the
   /// grid more often than Model::leave_limit permits.
   void sort();

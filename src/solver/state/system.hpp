@@ -170,12 +170,16 @@ struct System {
   LoadClock load_clock;
   double drift = 0.0;  ///< largest distance any particle may have moved since the last sort [cells]
   bool sorted = false;
+
+  /// Whether the particles must be sorted into bins before the next step.
+  bool sort_is_due() const { return !sorted || !(drift < 1.0 - 1e-6); }
 };
 
 /// Saves and restores the particles and their bins. Columns, fields and material follow from the model; all other
-/// members are computed when particles are sorted, or are used within a step only.
+/// members are computed when particles are sorted, or are used within a step only. `binned`: the next step does not
+/// sort the particles, so they must lie in their bins.
 template <int Dim>
-void archive(Archive& a, Body<Dim>& body, const Lattice<Dim>& lattice) {
+void archive(Archive& a, Body<Dim>& body, const Lattice<Dim>& lattice, bool binned) {
   auto& [name, law, material, field, block, across_fields, cut, cut_bins, particles, bins, history, history_columns,
          affine, filtered, start, half_size, half_axes, generation, uniform_half_size, thickness, domain, load, origin,
          load_set, contact_slip, contact_bond, contact_state, contact_traction, contact_normal, temperature,
@@ -184,7 +188,7 @@ void archive(Archive& a, Body<Dim>& body, const Lattice<Dim>& lattice) {
          residual_share, volume_of_displacement, particle_damping, total_mass, read_by_scatter, read_by_gather] = body;
   a("particles", particles), archive(a, bins, lattice);
   if (!a.reading() || bins.list().empty()) return;  // none before the first step, which sorts
-  if (bins.before(bins.list().size()) != particles.size() || !bins.hold(lattice, particles))
+  if (bins.before(bins.list().size()) != particles.size() || (binned && !bins.hold(lattice, particles)))
     refuse_checkpoint("the particles of '" + name + "' are not sorted into bins");
   const auto negative = [count = particles.size()](const double* x) {
     return std::any_of(x, x + count, [](double y) { return y < 0; });
@@ -229,7 +233,7 @@ void archive(Archive& a, System<Dim>& system) {
   for (auto* list : {&bodies, &rigids})
     for (std::size_t k = 0; k < list->size(); ++k) {
       a.enter((list == &bodies ? "body" : "rigid") + std::to_string(k));
-      archive(a, (*list)[k], lattice);
+      archive(a, (*list)[k], lattice, !system.sort_is_due());
       a.leave();
     }
   if (a.reading()) check(system);
