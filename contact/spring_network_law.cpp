@@ -240,12 +240,13 @@ std::vector<std::string_view> SpringNetwork::own_names() const {
 }
 
 std::vector<double> SpringNetwork::own_values(const Joint& j) const {
-  const double sigma = rim_stress(j);
+  const bool touches = j.area > 0;  // a face that its block has left behind has no area, and no stress
+  const double sigma = touches ? rim_stress(j) : pressure;
   return {j.elongation,
-          shear_strength(j),
+          touches ? shear_strength(j) : 0.0,
           sigma - pressure,
           sigma,
-          rim_shear(j),
+          touches ? rim_shear(j) : 0.0,
           j.slips ? 1.0 : 0.0,
           j.bends ? 1.0 : 0.0,
           j.twists ? 1.0 : 0.0,

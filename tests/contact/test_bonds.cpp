@@ -145,3 +145,14 @@ TEST_CASE("areas may be given to each contact of a surface", "[spring_network][m
     CHECK(complaints(type, {{"user_area", ""}}).find("needs an area") != std::string::npos);
   }
 }
+
+TEST_CASE("a contact without area has no stress, but the results are numbers", "[spring_network][mohr]") {
+  for (const char* type : {"SpringNetwork", "Mohr"}) {
+    Contact left(type, {}, face());
+    left.joint.area = 0;
+    for (const char* name : {"sn_sigma", "sn_esigma", "sn_tau", "sn_shear", "stress_effective"})
+      if (std::string_view(type) == "Mohr" ? std::string_view(name) == "stress_effective"
+                                           : std::string_view(name) != "stress_effective")
+        CHECK(left.own(name) == 0);
+  }
+}
