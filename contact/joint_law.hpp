@@ -14,6 +14,8 @@
 #include "contact/tangent.hpp"
 
 #include <array>
+#include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -108,6 +110,17 @@ struct JointSite {
   double poisson_normal = 0.0;      ///< initial force of the fictitious stress            [force]
   Tangent poisson_shear;
 };
+
+/// Properties of the surfaces of two bodies, which a contact between them takes over; each if it is given.
+struct SurfaceProperties {
+  std::optional<double> kn, ks;    ///< stiffness per area       [stress/length]
+  std::optional<double> friction;  ///< coefficient
+  bool given() const { return kn || ks || friction; }
+  /// Those of a contact: the springs of both sides in series, and the smaller friction. What one side lacks is not
+  /// given.
+  static SurfaceProperties between(const SurfaceProperties& a, const SurfaceProperties& b);
+};
+
 /// Interface of all joint laws. A law holds parameters only; the state of each contact is in `Joint`.
 class JointLaw {
  public:
@@ -139,6 +152,11 @@ class JointLaw {
   virtual std::span<const double> user_areas() const { return {}; }
   /// The largest gap at which a contact is bonded at the start, or at which its faces count as closed [length].
   virtual double proximity() const { return 0.0; }
+  /// This law with given surface properties in place of its own; null: it has no such properties.
+  virtual std::shared_ptr<const JointLaw> with_surface(const SurfaceProperties&) const { return nullptr; }
+  /// The law of a contact that forms during the run between faces that follow this law: it has no bond, and its force
+  /// follows from the gap alone. Null: there is none.
+  virtual std::shared_ptr<const JointLaw> for_new_contacts() const { return nullptr; }
 };
 
 /// The state of a joint; the version covers its tangents, too.

@@ -75,6 +75,16 @@ void Dashpots::act(Joint& j, const JointIncrement& d) const {
   j.damped += gain, j.work -= gain;
 }
 
+SurfaceProperties SurfaceProperties::between(const SurfaceProperties& a, const SurfaceProperties& b) {
+  const auto in_series = [](const std::optional<double>& x, const std::optional<double>& y) -> std::optional<double> {
+    if (!x || !y) return std::nullopt;
+    return *x + *y > 0 ? *x * *y / (*x + *y) : 0.0;
+  };
+  SurfaceProperties out{in_series(a.kn, b.kn), in_series(a.ks, b.ks), std::nullopt};
+  if (a.friction && b.friction) out.friction = std::min(*a.friction, *b.friction);
+  return out;
+}
+
 UserAreas::UserAreas(const Statement& material, std::initializer_list<const char*> names, Problems& problems) {
   const Statement* first = nullptr;
   for (const auto& child : material.children) {

@@ -15,7 +15,7 @@
 ///
 /// docs/joints.md gives the reasons for each branch, and the differences from the published description.
 
-#include "contact/joint_parts.hpp"
+#include "contact/spring_network_law.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -279,6 +279,24 @@ struct Mohr final : JointLaw {
   double stiffness() const override { return std::max(kn, ks); }
   std::span<const double> user_areas() const override { return own_areas.all(); }
   double proximity() const override { return gap_shift; }
+  std::shared_ptr<const JointLaw> with_surface(const SurfaceProperties& surface) const override {
+    auto law = std::make_shared<Mohr>(*this);
+    if (surface.kn) law->kn = *surface.kn;
+    if (surface.ks) law->ks = *surface.ks;
+    if (surface.friction) {
+      law->phi = law->phi_residual = std::atan(*surface.friction);
+      law->tan_phi = law->tan_phi_residual = *surface.friction;
+    }
+    return law;
+  }
+  // Springs of the same stiffness with the residual friction and dilation; fluid does not keep its pressure there.
+  std::shared_ptr<const JointLaw> for_new_contacts() const override {
+    auto law = std::make_shared<SpringNetwork>();
+    law->kn = kn, law->ks = ks, law->mu = tan_phi_residual, law->gap_shift = gap_shift;
+    law->psi = psi_residual, law->tan_psi = tan_psi_residual, law->dilation_zero = dilation_zero;
+    law->dashpots = dashpots;
+    return law;
+  }
 };
 
 }  // namespace

@@ -66,7 +66,8 @@ Joint SpringNetwork::start(const JointSite& site) const {
   if (methods.modulus) {
     const double per_length = *methods.modulus / site.distance;
     j.kn = j.ks = per_length;
-    j.twist_stiffness = per_length * polar, j.bend_stiffness = {per_length * is, per_length * it, -per_length * ist};
+    if (!site.part_of_face || methods.bond)
+      j.twist_stiffness = per_length * polar, j.bend_stiffness = {per_length * is, per_length * it, -per_length * ist};
   }
   j.gap = site.gap;
   if (!force.empty()) j.Fn = -force[0], j.Fs = {force[1], force[2]};
@@ -86,6 +87,27 @@ Joint SpringNetwork::start(const JointSite& site) const {
 double SpringNetwork::proximity() const {
   const double bonds = methods.bond ? methods.bond->high : 0.0;
   return std::max({0.0, gap_shift, bonds});
+}
+
+// A stiffness that is computed from a modulus is replaced as a whole.
+std::shared_ptr<const JointLaw> SpringNetwork::with_surface(const SurfaceProperties& surface) const {
+  auto law = std::make_shared<SpringNetwork>(*this);
+  if (methods.modulus && (surface.kn || surface.ks)) {
+    law->methods.modulus.reset();
+    law->kn = surface.kn.value_or(*surface.ks), law->ks = surface.ks.value_or(*surface.kn);
+  }
+  if (surface.kn) law->kn = *surface.kn;
+  if (surface.ks) law->ks = *surface.ks;
+  if (surface.friction) law->mu = *surface.friction;
+  return law;
+}
+
+std::shared_ptr<const JointLaw> SpringNetwork::for_new_contacts() const {
+  auto law = std::make_shared<SpringNetwork>(*this);
+  law->methods.bond.reset(), law->methods.unbond.reset();
+  law->force.clear(), law->moment.clear(), law->own_areas = {};
+  law->mode = law->nu = law->pressure = 0;
+  return law;
 }
 
 double SpringNetwork::rim_stress(const Joint& j) const {

@@ -67,6 +67,8 @@ struct SpringNetwork final : JointLaw {
   double off_diagonal() const override { return non_diagonal; }
   std::span<const double> user_areas() const override { return own_areas.all(); }
   double proximity() const override;
+  std::shared_ptr<const JointLaw> with_surface(const SurfaceProperties& surface) const override;
+  std::shared_ptr<const JointLaw> for_new_contacts() const override;
 
  private:
   enum State : int { loose = 0, torn = 1, sheared = 2, bonded = 3, softening = 4, unloaded = 5, healed = 6 };

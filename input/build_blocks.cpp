@@ -91,26 +91,6 @@ void Builder::blocks() {
   const Statement& s = *root_.child("Blocks");
   auto spec = std::make_shared<BlocksSpec>();
   spec->origin = s.origin, spec->in_grid = in_grid();
-  if (has(s, "lawname") || has(s, "law")) spec->law = joint_of(s);
-  if (const Attribute* a = s.attribute("touchname")) {
-    Statement by_name = s;
-    by_name.attributes = {*a};
-    by_name.attributes.front().name = "lawname";
-    spec->touch = joint_of(by_name);
-    if (spec->touch) {
-      JointSite site;
-      site.area = site.distance = site.radius = 1.0, site.gap = -1e-3, site.plane = model_.dimension() == 2;
-      must(!spec->touch->is_bonded(spec->touch->start(site)), a->origin,
-           "'" + a->text + "' creates bonds, but contacts formed during the run have none; name a law without <bond>");
-      site.gap = 1.0 + spec->touch->proximity();
-      must(spec->touch->start(site).away, a->origin,
-           "'" + a->text +
-               "' does not compute its force from the gap, so it cannot serve contacts formed during the run; use "
-               "SpringNetwork "
-               "without <bond>");
-    }
-  }
-  spec->corners = word(s, "points") == "corners";
   spec->thickness = number(s, "thickness", Dimension::length, in_grid() ? model_.grid.thickness : 1.0);
   spec->local_damping = number(s, "damping", Dimension::none);
   spec->stress_iterations = static_cast<int>(number(s, "iterations", Dimension::none));
@@ -140,7 +120,7 @@ void Builder::blocks() {
       }
     };
     if (part.name == "Joint") {
-      spec->joints.push_back({shapes_of(part), joint_of(part), word(part, "points") == "corners", part.origin});
+      continue;  // rules refer to all blocks, and are read when these are known
     } else if (part.name == "Platen") {
       BlockPlaten p{word(part, "name"), shapes_of(part), {}, yes(word(part, "rough")), 0.0, part.origin};
       p.modulus = number(part, "E", Dimension::stress);
@@ -162,9 +142,11 @@ void Builder::blocks() {
       spec->loads.push_back(std::move(l));
     } else {
       spec->groups.push_back(block_group(part));
+      surfaces_.push_back(block_surface(part));
     }
   }
   must(!spec->groups.empty(), s.origin, "<Blocks> has no block; give <Voronoi>, <BoxBlock>, <PolygonBlock> or <Ball>");
+  block_joints(s, *spec);
   block_histories(*spec);
   if (in_grid()) blocks_in_grid(*spec);
 
@@ -218,6 +200,17 @@ std::optional<TimeFunction> Builder::time_function(const Statement& s, const cha
   if (!a) return std::nullopt;
   return TimeFunction{function(a->text, a->origin, "'" + a->name + "' of <" + s.name + ">"),
                       model_.units.alternative_time(), model_.units.factor(dimension) * factor};
+}
+
+SurfaceProperties Builder::block_surface(const Statement& s) {
+  const auto value = [&](const char* name, Dimension dimension) -> std::optional<double> {
+    if (!has(s, name)) return std::nullopt;
+    const double given = number(s, name, dimension);
+    must(given >= 0, s.origin, "'" + std::string(name) + "' must not be negative");
+    return given;
+  };
+  return {value("kn", Dimension::interface_stiffness), value("ks", Dimension::interface_stiffness),
+          value("fric", Dimension::none)};
 }
 
 BlockGroup Builder::block_group(const Statement& s) {

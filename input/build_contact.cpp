@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// Contact between materials: methods for normals and gaps, and the laws of pairs.
 
+#include "base/text.hpp"
 #include "contact/contact_law.hpp"
 #include "contact/joint_law.hpp"
 #include "input/builder.hpp"
@@ -97,6 +98,18 @@ void Builder::must_suit_grid(const MaterialSpec& law, const Origin& origin) {
        "'" + law.name +
            "' represents the elasticity of the bodies (compute-stiffness, sn_pois), but bodies in the grid "
            "have their own elasticity; use assign-stiffness");
+  for (const char* name : {"krot", "sn_moment"})
+    if (const Statement* moment = law.joint ? law.statement.child(name) : nullptr) {
+      std::string text = moment->text;
+      std::replace(text.begin(), text.end(), ',', ' ');
+      const auto words = words_of(text);
+      must(std::all_of(words.begin(), words.end(), [](const auto& word) { return to_number(word) == 0.0; }),
+           moment->origin,
+           "<" + std::string(name) + "> of '" + law.name + "' acts on a relative rotation of two faces at a point, but " +
+               origin.text() +
+               " uses the law in a grid, where the faces of bodies are deformable and such a rotation is a gap that varies "
+               "along them: the points of a joint resist it together. Leave <" + name + "> out");
+    }
   if (law.joint && law.joint->user_areas().size() == 1)
     problems_.warn(origin,
                    "<user_area> of '" + law.name +

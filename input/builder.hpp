@@ -4,6 +4,7 @@
 #pragma once
 
 #include "base/schema.hpp"
+#include "contact/joint_law.hpp"
 #include "geometry/point_sets.hpp"
 #include "input/read.hpp"
 #include "model/blocks.hpp"
@@ -145,6 +146,17 @@ class Builder {
     return root_.child("Blocks") && (has(s, "platen") || has(s, "block"));
   }
   BlockGroup block_group(const Statement& s);
+  SurfaceProperties block_surface(const Statement& s);
+
+  // build_block_joints.cpp
+  void block_joints(const Statement& s, BlocksSpec& spec);
+  BlockJoint block_joint(const Statement& s, const BlocksSpec& spec);
+  BlockLaws block_laws(const Statement& s, const BlocksSpec& spec);
+  std::shared_ptr<const JointLaw> named_later_law(const Statement& s);
+  std::vector<std::int32_t> block_groups(const Statement& s, const char* attribute, const BlocksSpec& spec);
+  std::optional<std::array<double, 2>> angle_range(const Statement& s, const char* attribute, double largest);
+
+  // build_blocks.cpp
   void nuclei(const Statement& s, BlockGroup& group);
   void random_nuclei(const Statement& s, BlockGroup& group);
   void lattice_nuclei(const Statement& s, const std::string& kind, PointLattice lattice, BlockGroup& group);
@@ -191,6 +203,7 @@ class Builder {
   Problems problems_;
   std::optional<Origin> wants_tip_loads_;  ///< place of an output request that needs crack tips
   std::vector<const Statement*> material_statements_;
+  std::vector<SurfaceProperties> surfaces_;  ///< of blocks, in the order of BlocksSpec::groups
 };
 
 }  // namespace tribo

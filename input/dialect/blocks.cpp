@@ -16,7 +16,14 @@ void add_blocks(Rows& add) {
       number("vz", ""),
       number("spinx", "initial angular velocity [rad/time]"),
       number("spiny", ""),
-      number("spinz", "")};
+      number("spinz", ""),
+      number("kn",
+             "property of its surface, normal stiffness per area, for joint laws with 'inherit': springs of both sides "
+             "in series"),
+      number("ks", "as kn, shear stiffness per area"),
+      number("fric", "as kn, friction coefficient: the smaller one of both sides")};
+  const AttributeSpec inherit{
+      "inherit", T::flag, "kn, ks and friction of a contact follow from those of its two blocks, where both have them"};
   const std::vector<AttributeSpec> block_box{number("xmin", "edge", true), number("xmax", "", true),
                                              number("ymin", "", true),     number("ymax", "", true),
                                              number("zmin", ""),           number("zmax", "")};
@@ -31,8 +38,10 @@ void add_blocks(Rows& add) {
            text("lawname", "name of the joint law of contacts outside every <Joint>, and of the stiffness of platens"),
            text("law", "number of that joint law, instead of lawname"),
            text("touchname",
-                "name of the joint law of contacts formed during the run; if absent, such a contact is an error"),
+                "name of the joint law of contacts formed during the run outside every <Joint>; default: the law "
+                "'lawname' without its bonds; 'none': such a contact is an error"),
            points,
+           inherit,
            number("thickness", "thickness of a plane model (default 1)"),
            number("damping",
                   "local damping: fraction of the unbalanced force that acts against the motion of each block; 0 "
@@ -69,10 +78,28 @@ void add_blocks(Rows& add) {
                                   number("radius", "", true)} +
            of_blocks});
   add({"Joint", "Blocks",
-       "joint law of the contacts whose centres lie in its shapes; the first <Joint> that contains a centre applies",
+       "rule: joint law of the contacts that fulfil all of its criteria; the first <Joint> that fits a contact "
+       "applies. "
+       "Criteria are its shapes, one of which contains the middle of the contact, and the attributes",
        T::none,
-       std::vector<AttributeSpec>{text("lawname", "name of the joint law"),
-                                  text("law", "number of the joint law, instead of lawname"), points}});
+       std::vector<AttributeSpec>{
+           text("lawname", "name of the joint law"),
+           text("law", "number of the joint law, instead of lawname"),
+           text("blocks", "names of blocks, separated by blanks: both blocks of the contact are among them"),
+           text("with", "one block is among these, the other among 'blocks'; 'any': any block"),
+           text("dip",
+                "two angles: the face is inclined to the horizontal by an angle between them [degrees, 0 to 90]; y "
+                "points up, in three dimensions z"),
+           text("dipdirection",
+                "two angles, clockwise from y as seen from above: the face descends in a direction between them; "
+                "'350 10' contains north; in two dimensions to the right is 90, to the left 270 [degrees]"),
+           {"kind", T::choice, "between faces, between balls, or between a ball and a face", "faces balls ball-face"},
+           {"contacts", T::choice,
+            "contacts that exist at the start (default), that form later, or all; later ones have the law without its "
+            "bonds",
+            "initial later all"},
+           inherit,
+           points}});
   const std::vector<AttributeSpec> motion{function("vx", "velocity, may be a function of t"), function("vy", ""),
                                           function("vz", "")};
   add({"Platen", "Blocks",

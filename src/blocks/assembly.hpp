@@ -17,6 +17,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -189,7 +190,7 @@ class Assembly {
 
   /// All that changes with time.
   friend void archive(Archive& a, Assembly& blocks);
-  /// Pairs of blocks that may touch, found since the start, a b a b ...
+  /// Pairs of blocks that may touch, found since the start, each with the index of its law: law a b law a b ...
   std::vector<std::int64_t> found_pairs() const;
 
   // State; blocks come first, then platens
@@ -225,6 +226,11 @@ class Assembly {
     std::size_t group, begin, end;
   };
   static constexpr std::size_t batch_size = 128;
+  /// Two blocks that may touch, found during the run, and the index of their law in later_laws_.
+  struct FoundPair {
+    std::uint32_t law, a, b;
+    auto operator<=>(const FoundPair&) const = default;
+  };
 
   // build.cpp
   std::size_t add_body(const BlockShape& shape, const Vec3& reference, double density);
@@ -248,12 +254,19 @@ class Assembly {
   void set_step(const std::vector<Stiffness>& around, double max_step, double nu);
   double mass_between(std::uint32_t a, std::uint32_t b) const;
 
+  // new_laws.cpp
+  void list_later_laws();
+  BlockPairing pairing(std::uint32_t a, std::uint32_t b, ContactKind kind, const Vec3& place, const Vec3& normal,
+                       bool later) const;
+  std::optional<std::uint32_t> later_law(std::uint32_t a, std::uint32_t b) const;
+
   // detect.cpp
-  void join_balls();
+  void join_balls(std::vector<bool>& used);
   void find_pairs(double dt);
   void release_moved_faces(double dt);
   void set_found_pairs(std::span<const std::int64_t> pairs);
-  void set_pairs(const std::vector<std::pair<std::uint32_t, std::uint32_t>>& pairs);
+  double later_reach() const;
+  void set_pairs(const std::vector<FoundPair>& pairs);
   std::pair<BlockContact, JointSite> ball_contact(std::uint32_t a, std::uint32_t b) const;
   bool moved(std::span<const Vec3> since, double distance) const;
   std::array<Vec3, 3> marks(std::size_t body) const;
@@ -310,6 +323,7 @@ class Assembly {
   std::vector<BlockEvent> events_;
   std::vector<std::uint32_t> balls_;
   std::vector<std::vector<BlockEdge>> edges_;  // of every block in three dimensions; else empty
+  std::vector<const JointLaw*> later_laws_;    // of contacts formed during the run, each once; empty: none may form
   std::size_t permanent_ = 0;                  // contacts that exist from the start; those detected later follow
   double skin_ = 0.0;                          // pairs of blocks closer than this have a contact
   std::vector<double> reach_;                  // of blocks from their centres

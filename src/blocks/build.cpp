@@ -128,7 +128,7 @@ Assembly::Assembly(const Tessellation& cells, std::span<const Vec3> nuclei, cons
                    bool plane, bool plane_stress, double thickness, int stress_iterations)
     : plane_(plane), plane_stress_(plane_stress), thickness_(thickness), iterations_(stress_iterations) {
   auto spec = std::make_shared<BlocksSpec>();
-  spec->law = law, spec->stress_iterations = stress_iterations;
+  spec->laws.initial = law, spec->stress_iterations = stress_iterations;
   spec_ = spec;
   for (std::size_t k = 0; k < cells.shapes.size(); ++k) add_body(cells.shapes[k], nuclei[k], 1.0);
   blocks_ = bodies.size();
@@ -192,6 +192,7 @@ Assembly::Assembly(std::shared_ptr<const BlocksSpec> spec, int dimension, bool p
   if (blocks_ == 0) fail(spec_->origin, "<Blocks> has no block");
   for (const BlockShape& s : shapes)
     for (const Vec3& x : s.corners) size = std::max(size, x.norm() + s.radius);
+  list_later_laws();
   join_faces(group, plane_, thickness_, 1e-6 * size, facets);
   if (!plane_)
     for (const BlockShape& s : shapes) edges_.push_back(edges_of(s));
@@ -205,30 +206,33 @@ Assembly::Assembly(std::shared_ptr<const BlocksSpec> spec, int dimension, bool p
       free.push_back(f);
       continue;
     }
-    std::size_t k = 0;
-    while (k < spec_->joints.size() && !spec_->joints[k].where->contains(f.geometry.centre)) ++k;
+    const std::size_t k = spec_->rule(pairing(static_cast<std::uint32_t>(f.a), static_cast<std::uint32_t>(f.b),
+                                              ContactKind::facet, f.geometry.centre, f.geometry.normal, false),
+                                      plane_);
     if (k < used.size()) used[k] = true;
-    if (k == spec_->joints.size() && !spec_->law)
-      fail(spec_->origin, "blocks touch at " + place_text(f.geometry.centre) + ", but <Blocks> has no 'law' for that");
+    if (!spec_->laws_of(k).initial)
+      fail(spec_->origin, "blocks touch at " + place_text(f.geometry.centre) +
+                              ", where no <Joint> fits and <Blocks> has no 'lawname' for the rest");
     by_joint.emplace_back(k, &f);
   }
-  for (std::size_t k = 0; k < used.size(); ++k)
-    if (!used[k])
-      fail(spec_->joints[k].origin,
-           "no two blocks touch in this shape: the middles of common faces must lie in it, and faces touch if they "
-           "are at most " +
-               short_number(1e-6 * size) + " apart");
   std::stable_sort(by_joint.begin(), by_joint.end(), [](const auto& x, const auto& y) { return x.first < y.first; });
   for (const auto& [k, f] : by_joint) {
-    const bool common = k == spec_->joints.size();
-    add_facet(*f, common ? *spec_->law : *spec_->joints[k].law, common ? spec_->corners : spec_->joints[k].corners);
+    const auto group_of = [&](std::int64_t body) { return bodies[static_cast<std::size_t>(body)].group; };
+    add_facet(*f, *spec_->laws_of(k).initial_of({group_of(f->a), group_of(f->b)}),
+              k < spec_->joints.size() ? spec_->joints[k].corners : spec_->corners);
   }
-  join_balls();
+  join_balls(used);
+  for (std::size_t k = 0; k < used.size(); ++k)
+    if (!used[k] && !spec_->joints[k].later)
+      fail(spec_->joints[k].origin,
+           "no two blocks touch that fulfil this rule: the middles of common faces must lie in its shapes, and faces "
+           "touch if they are at most " +
+               short_number(1e-6 * size) + " apart");
   add_holds_and_loads();
   add_platens(free);
   add_pressures(free);
   permanent_ = contacts.size();
-  if (spec_->touch) find_pairs(0.0);
+  if (!later_laws_.empty()) find_pairs(0.0);
   finish(max_step);
 }
 
@@ -293,9 +297,9 @@ std::vector<const BlockFacet*> selected(const std::vector<BlockFacet>& free, con
 void Assembly::add_platens(const std::vector<BlockFacet>& free) {
   for (const BlockPlaten& platen : spec_->platens) {
     const auto faces = selected(free, *platen.where, platen.origin);
-    if (!(platen.modulus > 0) && !spec_->law)
+    if (!(platen.modulus > 0) && !spec_->laws.initial)
       fail(platen.origin, "a platen needs 'E', or a 'law' of <Blocks> to be as stiff as");
-    own_laws_.push_back(std::make_shared<PlatenLaw>(spec_->law, platen.modulus, platen.rough));
+    own_laws_.push_back(std::make_shared<PlatenLaw>(spec_->laws.initial, platen.modulus, platen.rough));
     BlockBody body;
     body.held = 63, body.hold = static_cast<std::int32_t>(prescribed_motions_.size());
     ScatterTerms prescribed;
@@ -331,7 +335,7 @@ void Assembly::finish(double max_step) {
   for (const ContactGroup& g : groups) nu = std::max(nu, g.law->poisson());
   poisson_ = std::any_of(groups.begin(), groups.end(), [](const ContactGroup& g) { return g.law->poisson() != 0; });
   auto around = stiffness_around();
-  if (spec_->touch) expect_neighbours(around);
+  if (!later_laws_.empty()) expect_neighbours(around);
   if (spec_->quasi_static) choose_masses(around, max_step, nu);
   set_step(around, max_step, nu);
   for (BlockContact& c : contacts) c.mass = mass_between(c.a, c.b);

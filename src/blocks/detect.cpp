@@ -104,9 +104,8 @@ std::pair<BlockContact, JointSite> Assembly::ball_contact(std::uint32_t a, std::
   return {c, site};
 }
 
-// Balls that touch at the start, or are so near that the common law acts between them, have a permanent contact with
-// it.
-void Assembly::join_balls() {
+// Balls that touch at the start, or are so near that their law acts between them, have a permanent contact.
+void Assembly::join_balls(std::vector<bool>& used) {
   double smallest = std::numeric_limits<double>::infinity();
   for (std::uint32_t k = 0; k < blocks_; ++k) {
     if (shapes[k].ball()) balls_.push_back(k);
@@ -118,17 +117,29 @@ void Assembly::join_balls() {
     reach_.push_back(s.radius);
     for (const Vec3& x : s.corners) reach_.back() = std::max(reach_.back(), x.norm() + s.radius);
   }
-  if (!spec_->law) return;
-  const double near = std::max(1e-6 * smallest, spec_->law->proximity());
-  for (std::size_t i = 0; i < balls_.size(); ++i)
-    for (std::size_t j = i + 1; j < balls_.size(); ++j) {
-      const auto [c, site] = ball_contact(balls_[i], balls_[j]);
-      if (site.gap <= near) add_contact(c, site, *spec_->law, ContactKind::ball, {}, Vec3::Zero());
-    }
+  double reach = 1e-6 * smallest;
+  for (std::size_t k = 0; k <= spec_->joints.size(); ++k)
+    if (const auto& law = spec_->laws_of(k).initial) reach = std::max(reach, law->proximity());
+  std::vector<std::tuple<std::size_t, std::uint32_t, std::uint32_t>> found;  // rule and balls
+  each_near_pair(bounds(0.5 * reach), [&](std::uint32_t a, std::uint32_t b) {
+    if (!shapes[a].ball() || !shapes[b].ball()) return;
+    const auto [c, site] = ball_contact(a, b);
+    const Vec3 place = motion[a].x + (shapes[a].radius + 0.5 * site.gap) * c.axes.n;
+    const std::size_t rule = spec_->rule(pairing(a, b, ContactKind::ball, place, c.axes.n, false), plane_);
+    const auto& law = spec_->laws_of(rule).initial;
+    if (law && site.gap <= std::max(1e-6 * smallest, law->proximity())) found.emplace_back(rule, a, b);
+  });
+  std::sort(found.begin(), found.end());
+  for (const auto& [rule, a, b] : found) {
+    const auto [c, site] = ball_contact(a, b);
+    if (rule < used.size()) used[rule] = true;
+    const JointLaw& law = *spec_->laws_of(rule).initial_of({bodies[a].group, bodies[b].group});
+    add_contact(c, site, law, ContactKind::ball, {}, Vec3::Zero());
+  }
 }
 
-// Pairs of blocks whose faces, all without bond, slid or separated lose their permanent contacts; new ones are
-// detected. The forces at the start of the present step still act.
+// Pairs of blocks whose faces, all without bond, slid or separated lose their permanent contacts if they have a law for
+// new ones, which are then detected. The forces at the start of the present step still act.
 void Assembly::release_moved_faces(double dt) {
   std::set<Pair> leave, stay;
   const auto each_face = [&](auto&& f) {
@@ -146,6 +157,8 @@ void Assembly::release_moved_faces(double dt) {
     else if (j.shear.norm() >= 0.05 * size || j.gap >= 0.05 * size || turned >= 0.03)
       leave.insert(pair);
   });
+  for (auto pair = leave.begin(); pair != leave.end();)
+    pair = later_law(pair->first, pair->second) ? std::next(pair) : leave.erase(pair);
   if (leave.empty()) return;
   each_face([&](std::size_t g, std::size_t k, Joint& j, const BlockContact&, const Pair& pair) {
     if (leave.count(pair) == 0 || stay.count(pair) > 0) return;
@@ -165,34 +178,54 @@ void Assembly::find_pairs(double dt) {
   for (std::size_t k = 0; k < permanent_; ++k)
     if (joints[k].area > 0)
       lasting.emplace(std::min(contacts[k].a, contacts[k].b), std::max(contacts[k].a, contacts[k].b));
-  std::vector<Pair> pairs;
-  const double near = skin_ + spec_->touch->proximity();
+  std::map<Pair, std::uint32_t> law_of;  // a pair that was found before keeps its law
+  const std::vector<std::int64_t> before = found_pairs();
+  for (std::size_t k = 0; k + 2 < before.size(); k += 3)
+    law_of[{static_cast<std::uint32_t>(before[k + 1]), static_cast<std::uint32_t>(before[k + 2])}] =
+        static_cast<std::uint32_t>(before[k]);
+  std::vector<FoundPair> pairs;
+  const double near = later_reach();
   each_near_pair(bounds(0.5 * near), [&](std::uint32_t a, std::uint32_t b) {
     if (lasting.count({a, b}) || (bodies[a].held == 63 && bodies[b].held == 63)) return;
     if (gap_between(a, b, near) > near) return;
     const bool faces = !shapes[a].ball() && !shapes[b].ball();
-    pairs.insert(pairs.end(), faces ? shared_parts(plane_) : 1, {a, b});
+    const auto known = law_of.find({a, b});
+    const auto law = known == law_of.end() ? later_law(a, b) : known->second;
+    if (law) pairs.insert(pairs.end(), faces ? shared_parts(plane_) : 1, {*law, a, b});
   });
   std::sort(pairs.begin(), pairs.end());
   store_marks(found_at_);
   set_pairs(pairs);
 }
 
+// Distance up to which pairs of blocks have a contact.
+double Assembly::later_reach() const {
+  double out = skin_;
+  for (const JointLaw* law : later_laws_) out = std::max(out, skin_ + law->proximity());
+  return out;
+}
+
 // Replaces the contacts after the permanent ones by those of the pairs; contacts that existed keep their state.
-void Assembly::set_pairs(const std::vector<Pair>& pairs) {
+void Assembly::set_pairs(const std::vector<FoundPair>& pairs) {
   struct Old {
-    Pair pair;
+    FoundPair pair;
     BlockContact contact;
     Joint joint;
     ContactForce force;
     double dashpot, failure_mode;
   };
   const bool running = !forces.empty();
-  const double near = skin_ + spec_->touch->proximity();
+  const double near = later_reach();
   std::vector<Old> old;
-  for (std::size_t k = permanent_; k < contacts.size(); ++k)
-    old.push_back(
-        {{contacts[k].a, contacts[k].b}, contacts[k], joints[k], contact_forces[k], dashpot_work[k], failure_mode[k]});
+  const std::vector<std::int64_t> before = found_pairs();
+  const auto number = [&](std::size_t k) { return static_cast<std::uint32_t>(before[k]); };
+  for (std::size_t k = permanent_, at = 0; k < contacts.size(); ++k, at += 3)
+    old.push_back({{number(at), number(at + 1), number(at + 2)},
+                   contacts[k],
+                   joints[k],
+                   contact_forces[k],
+                   dashpot_work[k],
+                   failure_mode[k]});
   contacts.resize(permanent_), joints.resize(permanent_), outlines.resize(permanent_);
   if (running) contact_forces.resize(permanent_), dashpot_work.resize(permanent_), failure_mode.resize(permanent_);
   while (!groups.empty() && groups.back().begin >= permanent_) groups.pop_back();
@@ -203,11 +236,10 @@ void Assembly::set_pairs(const std::vector<Pair>& pairs) {
     removed_.slip -= o.joint.slid, removed_.dashpot += o.dashpot;
     removed_.released += o.joint.released() + o.joint.strain;
   };
-  for (const Pair& p : pairs) {
+  for (const FoundPair& p : pairs) {
     for (; at < old.size() && old[at].pair < p; ++at) let_go(old[at]);
-    const bool ball = shapes[p.first].ball() && shapes[p.second].ball(),
-               faces = !shapes[p.first].ball() && !shapes[p.second].ball();
-    auto [c, site] = ball_contact(p.first, p.second);
+    const bool ball = shapes[p.a].ball() && shapes[p.b].ball(), faces = !shapes[p.a].ball() && !shapes[p.b].ball();
+    auto [c, site] = ball_contact(p.a, p.b);
     c.part = part = &p > pairs.data() && *(&p - 1) == p ? part + 1 : 0;
     if (faces) {  // its area is that of the intersection, found later
       c.pa = c.pb = Vec3::Zero();
@@ -218,7 +250,7 @@ void Assembly::set_pairs(const std::vector<Pair>& pairs) {
     }
     c.mass = mass_between(c.a, c.b);
     const auto kind = ball ? ContactKind::ball : faces ? ContactKind::overlap : ContactKind::ball_on_face;
-    add_contact(c, site, *spec_->touch, kind, {}, Vec3::Zero());
+    add_contact(c, site, *later_laws_[p.law], kind, {}, Vec3::Zero());
     if (!running) continue;
     contact_forces.emplace_back(), contact_forces.back().at = motion[c.a].x + motion[c.a].R * c.pa;
     dashpot_work.push_back(0), failure_mode.push_back(0);
@@ -235,20 +267,25 @@ void Assembly::set_pairs(const std::vector<Pair>& pairs) {
 
 std::vector<std::int64_t> Assembly::found_pairs() const {
   std::vector<std::int64_t> out;
-  for (std::size_t k = permanent_; k < contacts.size(); ++k)
-    out.insert(out.end(), {std::int64_t{contacts[k].a}, std::int64_t{contacts[k].b}});
+  for (const ContactGroup& g : groups)
+    for (std::size_t k = std::max(g.begin, permanent_); k < g.end; ++k) {
+      const auto law = std::find(later_laws_.begin(), later_laws_.end(), g.law) - later_laws_.begin();
+      out.insert(out.end(), {std::int64_t{law}, std::int64_t{contacts[k].a}, std::int64_t{contacts[k].b}});
+    }
   return out;
 }
 
 void Assembly::set_found_pairs(std::span<const std::int64_t> pairs) {
-  std::vector<Pair> list;
-  const auto count = static_cast<std::int64_t>(blocks_);
-  for (const std::int64_t block : pairs)
-    if (block < 0 || block >= count || pairs.size() % 2 != 0)
-      throw FileError("the checkpoint is damaged: it has a contact of a block that does not exist");
-  for (std::size_t k = 0; k + 1 < pairs.size(); k += 2)
-    list.emplace_back(static_cast<std::uint32_t>(pairs[k]), static_cast<std::uint32_t>(pairs[k + 1]));
-  if (spec_->touch) set_pairs(list);
+  std::vector<FoundPair> list;
+  const auto number = [&](std::size_t k, std::size_t count) {
+    if (pairs[k] < 0 || pairs[k] >= static_cast<std::int64_t>(count))
+      throw FileError("the checkpoint is damaged: it has a contact of a block or a law that does not exist");
+    return static_cast<std::uint32_t>(pairs[k]);
+  };
+  if (pairs.size() % 3 != 0) throw FileError("the checkpoint is damaged: a contact of blocks is not complete");
+  for (std::size_t k = 0; k < pairs.size(); k += 3)
+    list.push_back({number(k, later_laws_.size()), number(k + 1, blocks_), number(k + 2, blocks_)});
+  if (!later_laws_.empty()) set_pairs(list);
 }
 
 void Assembly::check_contacts() {
@@ -257,7 +294,7 @@ void Assembly::check_contacts() {
     smallest = std::min(smallest, plane_ ? std::sqrt(bodies[k].volume / thickness_) : std::cbrt(bodies[k].volume));
   if (!moved(checked_at_, 0.01 * smallest)) return;
   store_marks(checked_at_);
-  const double much = (spec_->touch ? 0.1 : 0.02) * smallest;  // pairs are searched for after a twentieth
+  const double much = (later_laws_.empty() ? 0.02 : 0.1) * smallest;  // pairs are searched for after a twentieth
 
   // Pairs that have contacts, with the depth of their overlap; bonded ones are not checked.
   std::map<Pair, double> known;
@@ -276,7 +313,7 @@ void Assembly::check_contacts() {
     if (std::isinf(deep) || gap_between(a, b, -deep) >= -deep) return;
     throw SimulationError("the blocks " + std::to_string(a + 1) + " and " + std::to_string(b + 1) + " met at " +
                           place_text(motion[b].x) + ", time " + std::to_string(time) +
-                          "; blocks that meet need 'touchname' of <Blocks>");
+                          "; blocks that meet need a law for new contacts, 'touchname' of <Blocks>");
   });
   for (const ContactGroup& g : groups)
     for (std::size_t k = g.begin; k < g.end; ++k) {

@@ -26,8 +26,8 @@ std::vector<Assembly::Stiffness> Assembly::stiffness_around() const {
   return out;
 }
 
-// Contacts that may form later: around a ball as many balls of its size as fit, some of the stiffest balls on a block
-// with faces, other blocks on half of its surface.
+// Contacts that may form later, with the stiffest of their laws: around a ball as many balls of its size as fit, some
+// of the stiffest balls on a block with faces, other blocks on half of its surface.
 void Assembly::expect_neighbours(std::vector<Stiffness>& around) const {
   const auto at_least = [&](std::size_t k, double stiff, double turning = 0.0) {
     around[k].straight = std::max(around[k].straight, stiff);
@@ -37,11 +37,13 @@ void Assembly::expect_neighbours(std::vector<Stiffness>& around) const {
   for (const auto k : balls_) {
     JointSite twin = ball_contact(k, k).second;
     twin.distance = 2 * shapes[k].radius, twin.gap = 0;
-    const Joint j = spec_->touch->start(twin);
-    const double stiff = std::max(j.kn, j.ks) * j.area;
-    const double count = plane_ ? 6 : 12;
-    at_least(k, count * stiff, count * std::max({j.twist_stiffness, j.bend_stiffness[0], j.bend_stiffness[1]}));
-    stiffest_ball = std::max(stiffest_ball, stiff);
+    for (const JointLaw* law : later_laws_) {
+      const Joint j = law->start(twin);
+      const double stiff = std::max(j.kn, j.ks) * j.area;
+      const double count = plane_ ? 6 : 12;
+      at_least(k, count * stiff, count * std::max({j.twist_stiffness, j.bend_stiffness[0], j.bend_stiffness[1]}));
+      stiffest_ball = std::max(stiffest_ball, stiff);
+    }
   }
   for (std::size_t k = 0; k < blocks_; ++k) {
     if (shapes[k].ball()) continue;
@@ -50,8 +52,10 @@ void Assembly::expect_neighbours(std::vector<Stiffness>& around) const {
       site.area += 0.5 * face_geometry(shapes[k].face(f), plane_, thickness_).area;
     site.plane = plane_, site.thickness = thickness_;
     site.distance = plane_ ? std::sqrt(bodies[k].volume / thickness_) : std::cbrt(bodies[k].volume);
-    const Joint j = spec_->touch->start(site);
-    at_least(k, std::max({std::max(j.kn, j.ks) * site.area, (plane_ ? 3 : 6) * stiffest_ball}));
+    for (const JointLaw* law : later_laws_) {
+      const Joint j = law->start(site);
+      at_least(k, std::max({std::max(j.kn, j.ks) * site.area, (plane_ ? 3 : 6) * stiffest_ball}));
+    }
   }
 }
 

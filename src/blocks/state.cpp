@@ -69,9 +69,9 @@ void archive(Archive& a, Assembly& blocks) {
          failure_mode, shift, groups, outlines, pressed, grid_forces, stress, box_rate, time, step, broken, spec, plane,
          plane_stress, poisson, thickness, damping, critical_step, iterations, gravity, block_count, batches,
          batch_events, kept_increments, predicted, first, entries, first_pressed, pressed_of, pressed_force,
-         pressure_now, loaded, motions, motions_now, own_laws, platen_area, events, balls, edges, permanent, skin,
-         reach, found_at, checked_at, removed, last_step, time_error] = blocks;
-  a.version(1);
+         pressure_now, loaded, motions, motions_now, own_laws, platen_area, events, balls, edges, later_laws, permanent,
+         skin, reach, found_at, checked_at, removed, last_step, time_error] = blocks;
+  a.version(2);
   std::vector<std::int64_t> pairs = blocks.found_pairs();
   a.resizable("found_pairs", pairs);
   if (a.reading()) blocks.set_found_pairs(pairs);

@@ -45,7 +45,7 @@ double local_damping(double alpha, double force, double velocity) {
 void Assembly::advance(double dt) {
   move_bodies(dt);
   if (skin_ > 0) refuse_jumps(*this, dt, 0.05 * skin_);
-  if (spec_->touch && moved(found_at_, 0.25 * skin_)) find_pairs(dt);
+  if (!later_laws_.empty() && moved(found_at_, 0.25 * skin_)) find_pairs(dt);
   const auto batch_count = static_cast<std::ptrdiff_t>(batches_.size());
   if (iterations_ > 0 && poisson_) iterate_stress(dt);
   parallel_for(batch_count, [&](std::ptrdiff_t k) { update_contacts(batches_[static_cast<std::size_t>(k)], dt); });

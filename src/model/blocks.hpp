@@ -7,6 +7,8 @@
 #include "geometry/region.hpp"
 
 #include <array>
+#include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -43,13 +45,50 @@ struct BlockGroup {
   Origin origin;
 };
 
-/// Joint law of the contacts whose centre lies in a region. The first joint whose region contains the centre applies.
+/// The laws of contacts between blocks.
+struct BlockLaws {
+  std::shared_ptr<const JointLaw> initial;  ///< of contacts that exist at the start; null: they are an error
+  std::shared_ptr<const JointLaw> later;    ///< of contacts formed during the run; null: they are an error
+  /// With inheritance: both laws with the surface properties of two groups, smaller index first.
+  std::map<std::array<std::int32_t, 2>, std::array<std::shared_ptr<const JointLaw>, 2>> by_groups;
+  const JointLaw* initial_of(std::array<std::int32_t, 2> groups) const { return of(groups, 0, initial); }
+  const JointLaw* later_of(std::array<std::int32_t, 2> groups) const { return of(groups, 1, later); }
+
+ private:
+  const JointLaw* of(std::array<std::int32_t, 2> groups, std::size_t which,
+                     const std::shared_ptr<const JointLaw>& otherwise) const {
+    if (groups[1] < groups[0]) std::swap(groups[0], groups[1]);
+    const auto found = by_groups.find(groups);
+    return (found == by_groups.end() ? otherwise : found->second[which]).get();
+  }
+};
+
+/// A contact between two blocks, as the rules for its law see it.
+struct BlockPairing {
+  enum class Kind { faces, balls, ball_on_face };
+  std::array<std::int32_t, 2> groups{};  ///< of the two blocks, indices into BlocksSpec::groups
+  Vec3 place = Vec3::Zero(), normal = Vec3::UnitX();
+  Kind kind = Kind::faces;
+  bool later = false;  ///< it forms during the run
+};
+
+/// A rule that assigns laws to the contacts that fulfil all its criteria.
 struct BlockJoint {
-  RegionPtr where;
-  std::shared_ptr<const JointLaw> law;
+  RegionPtr where;  ///< contains the place of the contact; null: anywhere
+  /// Groups of the one block and of the other; empty: any.
+  std::array<std::vector<std::int32_t>, 2> groups;
+  /// Ranges of the angle between the face and the horizontal, and of the direction in which it descends: clockwise
+  /// from y as seen from above, in two dimensions 90 degrees to the right and 270 to the left. If the first limit is
+  /// larger, the range contains north [rad].
+  std::optional<std::array<double, 2>> dip, dip_direction;
+  std::optional<BlockPairing::Kind> kind;
+  bool at_start = true, later = false;  ///< whether contacts that exist at the start, or form later, are meant
+  BlockLaws laws;
   bool corners =
       false;  ///< true: one contact at each corner of a face with its share of the area; false: one at the centre
   Origin origin;
+  /// `plane`: two dimensions, in which y points up; else z does.
+  bool fits(const BlockPairing& contact, bool plane) const;
 };
 
 /// A stiff platen bonded to the free faces whose centres lie in a region.
@@ -58,7 +97,7 @@ struct BlockPlaten {
   RegionPtr where;
   std::array<std::optional<TimeFunction>, 3> velocity;  ///< absent: zero
   bool rough = false;                                   ///< also resists tangential motion of the faces
-  double modulus = 0.0;  ///< E of its springs of stiffness E A/d; 0: the normal stiffness of BlocksSpec::law
+  double modulus = 0.0;  ///< E of its springs of stiffness E A/d; 0: the normal stiffness of BlocksSpec::laws
   Origin origin;
 };
 
@@ -95,15 +134,13 @@ struct BlockHistory {
 struct BlocksSpec {
   bool in_grid = false;  ///< coupled to a grid with particles
   std::vector<BlockGroup> groups;
-  std::vector<BlockJoint> joints;
+  std::vector<BlockJoint> joints;  ///< the first that fits a contact determines its laws
   std::vector<BlockPlaten> platens;
   std::vector<BlockPressure> pressures;
   std::vector<BlockHold> holds;
   std::vector<BlockLoad> loads;
-  std::shared_ptr<const JointLaw> law;  ///< joint law of contacts outside all `joints`
-  bool corners = false;                 ///< as BlockJoint::corners, for `law`
-  std::shared_ptr<const JointLaw>
-      touch;                   ///< joint law of contacts formed during the run; null: such contacts are an error
+  BlockLaws laws;              ///< of contacts that none of `joints` fits
+  bool corners = false;        ///< as BlockJoint::corners, for `laws`
   double thickness = 1.0;      ///< out of plane, in two dimensions
   double local_damping = 0.0;  ///< alpha: a force of magnitude alpha |F| acts against the velocity
   int stress_iterations = 0;   ///< fixed-point iterations of the fictitious stress within a step
@@ -111,6 +148,11 @@ struct BlocksSpec {
   double step_share = 0.8;     ///< fraction of the critical time step
   std::vector<BlockHistory> histories;
   Origin origin;
+
+  /// Index of the first rule that fits a contact; the number of rules if none does.
+  std::size_t rule(const BlockPairing& contact, bool plane) const;
+  /// The laws that belong to a result of rule().
+  const BlockLaws& laws_of(std::size_t rule) const { return rule < joints.size() ? joints[rule].laws : laws; }
 };
 
 }  // namespace tribo

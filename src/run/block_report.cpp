@@ -22,6 +22,30 @@ double seconds_per_step(Assembly& blocks, const BlockSteps& steps) {
   return seconds() / static_cast<double>(trial);
 }
 
+// A law of the input by its name; laws derived from it say how.
+std::string words_of_law(const Model& model, const ContactGroup& group) {
+  if (group.platen) return "a platen";
+  const auto name = [&](const JointLaw* law) {
+    for (const auto& m : model.materials)
+      if (m.joint.get() == law) return "'" + m.name + "'";
+    return std::string();
+  };
+  if (const std::string given = name(group.law); !given.empty()) return given;
+  for (std::size_t k = 0; k <= model.blocks->joints.size(); ++k) {
+    const BlockLaws& laws = model.blocks->laws_of(k);
+    const std::string base = name(laws.initial.get());
+    if (laws.later.get() == group.law) return base + " without bonds";
+    for (const auto& [groups, both] : laws.by_groups)
+      for (const auto& law : both)
+        if (law.get() == group.law) {
+          const auto block = [&](std::int32_t g) { return model.blocks->groups[static_cast<std::size_t>(g)].name; };
+          return base +
+                 format(" with the surfaces of '%s' and '%s'", block(groups[0]).c_str(), block(groups[1]).c_str());
+        }
+  }
+  return "a law of its own";
+}
+
 // Without a folder for scratch files the time of output is left out.
 double output_seconds(const Model& model, Assembly& blocks, double dt) {
   try {
@@ -52,10 +76,8 @@ std::string describe_blocks(const Model& model, int wanted_threads) {
   for (const ContactGroup& g : blocks.groups) {
     double stiffest = 0;
     for (std::size_t k = g.begin; k < g.end; ++k) stiffest = std::max(stiffest, blocks.joints[k].kn);
-    std::string law = g.platen ? "a platen" : "a law of its own";
-    for (const auto& m : model.materials)
-      if (m.joint.get() == g.law) law = "'" + m.name + "'";
-    line(format("contacts of %s: %zu, normal stiffness up to %.4g", law.c_str(), g.end - g.begin, stiffest));
+    line(format("contacts of %s: %zu, normal stiffness up to %.4g", words_of_law(model, g).c_str(), g.end - g.begin,
+                stiffest));
   }
   line(format("bonds: %zu", blocks.bonds()));
   for (std::size_t p = 0; p < model.blocks->platens.size(); ++p)

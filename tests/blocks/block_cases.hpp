@@ -70,7 +70,7 @@ inline std::shared_ptr<BlocksSpec> specimen(const std::vector<Vec3>& nuclei, con
   group.shape = BlockGroup::Shape::voronoi;
   group.high = size, group.points = nuclei, group.density = 2500;
   spec->groups.push_back(group);
-  spec->law = std::move(law);
+  spec->laws.initial = std::move(law);
   const double e = 1e-6 * size.norm();
   for (const double y : {0.0, size[1]}) {
     BlockPlaten platen;

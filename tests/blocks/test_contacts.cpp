@@ -37,7 +37,7 @@ TEST_CASE("polygons that meet part again with their momentum", "[blocks]") {
   for (const double aside : {0.0, 0.3}) {
     auto spec = std::make_shared<BlocksSpec>();
     spec->groups = {brick({0, 0, 0}, {1, 1, 0}, {1, 0, 0}), brick({1.1, aside, 0}, {2.1, 1 + aside, 0})};
-    spec->touch = rubbing("0", "0");
+    spec->laws.later = rubbing("0", "0");
     Assembly body(spec, 2, true, Vec3::Zero(), 1.0);
     const double dt = body.critical_step(), energy = body.ledger().kinetic;
     const auto spin = [&] {
@@ -65,7 +65,7 @@ TEST_CASE("a polygon that falls on a floor rests on its springs", "[blocks]") {
   auto spec = std::make_shared<BlocksSpec>();
   spec->groups = {brick({-2, -1, 0}, {2, 0, 0}), brick({0, 0.05, 0}, {1, 1.05, 0})};
   spec->holds = {standing(-2, 2, -1, -0.1)};
-  spec->touch = rubbing("0.5", "0.5");
+  spec->laws.later = rubbing("0.5", "0.5");
   Assembly body(spec, 2, true, Vec3(0, -10, 0), 1.0);
   const double dt = body.critical_step();
   for (int k = 0; k * dt < 2; ++k) body.advance(dt), body.check_contacts();
@@ -80,7 +80,7 @@ TEST_CASE("a block slides from one block to the next", "[blocks]") {
   spec->groups = {brick({0, -1, 0}, {2, 0, 0}), brick({2, -1, 0}, {4, 0, 0}),
                   brick({0.5, 0, 0}, {1.5, 1, 0}, {3, 0, 0})};
   spec->holds = {standing(0, 4, -1, -0.1)};
-  spec->law = spec->touch = rubbing("0.3", "0.3");
+  spec->laws.initial = spec->laws.later = rubbing("0.3", "0.3");
   Assembly body(spec, 2, true, Vec3(0, -10, 0), 1.0);
   const double dt = body.critical_step();
   for (int k = 0; k * dt < 1.5; ++k) body.advance(dt), body.check_contacts();
@@ -92,7 +92,7 @@ TEST_CASE("polyhedra that meet part again with their momentum", "[blocks]") {
   const auto pair = [](const Vec3& turned) {
     auto spec = std::make_shared<BlocksSpec>();
     spec->groups = {brick({0, 0, 0}, {1, 1, 1}, {1, 0, 0}), brick({1.5, 0.1, -0.2}, {2.5, 1.1, 0.8})};
-    spec->touch = rubbing("0.2", "0");
+    spec->laws.later = rubbing("0.2", "0");
     auto body = std::make_unique<Assembly>(spec, 3, true, Vec3::Zero(), 1.0);
     if (!turned.isZero(0.0)) {
       const Eigen::Quaterniond q(Eigen::AngleAxisd(turned.norm(), turned.normalized()));
@@ -131,7 +131,7 @@ TEST_CASE("a box that falls on a floor rests on its springs, and slides off it a
   spec->groups = {brick({-2, -1, -2}, {2, 0, 2}), brick({0, 0.05, 0}, {1, 1.05, 1}),
                   brick({-2, 0, -1.5}, {-1, 1, -0.5}, {2, 0, 0})};
   spec->holds = {standing(-2, 2, -1, -0.1)};
-  spec->law = spec->touch = rubbing("0.5", "0.5"), spec->corners = true;
+  spec->laws.initial = spec->laws.later = rubbing("0.5", "0.5"), spec->corners = true;
   Assembly body(spec, 3, true, Vec3(0, -10, 0), 1.0);
   const double dt = body.critical_step();
   for (int k = 0; k * dt < 2; ++k) body.advance(dt), body.check_contacts();
@@ -181,7 +181,7 @@ std::shared_ptr<BlocksSpec> ball_on_slab(bool plane, const std::string& friction
   ball.shape = BlockGroup::Shape::ball;
   ball.points = {Vec3(0, 1, 0)}, ball.radius = 1, ball.density = 1000;
   spec->groups = {slab, ball};
-  spec->law = spec->touch = joint_law("SpringNetwork", {{"kn", "1e9"},
+  spec->laws.initial = spec->laws.later = joint_law("SpringNetwork", {{"kn", "1e9"},
                                                         {"ks", "1e9"},
                                                         {"krot", "0 0 0"},
                                                         {"fric", friction},
@@ -227,7 +227,7 @@ TEST_CASE("balls that are apart are bonded and press within the gaps of their la
     BlockGroup ball;
     ball.shape = BlockGroup::Shape::ball, ball.radius = 1, ball.density = 1000;
     for (const double x : {0.0, 2 + gap}) ball.points = {Vec3(x, 0, 0)}, spec->groups.push_back(ball);
-    (touch ? spec->touch : spec->law) =
+    (touch ? spec->laws.later : spec->laws.initial) =
         joint_law("SpringNetwork", Properties{{"kn", "1e8"}, {"ks", "1e8"}} + properties);
     return Assembly(spec, 2, false, Vec3::Zero(), 1e-3);
   };

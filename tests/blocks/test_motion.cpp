@@ -28,7 +28,7 @@ std::shared_ptr<BlocksSpec> rough_load(bool plane) {
   group.high = size, group.points = scattered(plane ? 120 : 100, size, plane, plane ? 0.004 : 0.008);
   group.density = 2500, group.velocity = Vec3(0, 0.01, 0);
   spec->groups.push_back(group);
-  spec->law = law, spec->local_damping = 0.05, spec->stress_iterations = 1;
+  spec->laws.initial = law, spec->local_damping = 0.05, spec->stress_iterations = 1;
   BlockPlaten platen;
   const auto at = [&](double y) {
     const Vec3 e = Vec3::Constant(1e-6);
@@ -66,7 +66,7 @@ std::shared_ptr<BlocksSpec> heap() {
     for (auto& v : *list) v = constant(0);
   spec->holds = {floor};
   spec->corners = true;
-  spec->law = spec->touch =
+  spec->laws.initial = spec->laws.later =
       joint_law("SpringNetwork", {{"kn", "1e8"}, {"ks", "1e8"}, {"fric", "0.5"}, {"dp_nratio", "0.2"}});
   return spec;
 }
@@ -99,7 +99,7 @@ std::shared_ptr<BlocksSpec> two_squares(std::shared_ptr<const JointLaw> law) {
     g.low = Vec3(0, y, 0), g.high = Vec3(1, y + 1, 0), g.density = 2000;
     spec->groups.push_back(g);
   }
-  spec->law = std::move(law);
+  spec->laws.initial = std::move(law);
   return spec;
 }
 
@@ -149,18 +149,18 @@ TEST_CASE("blocks move with the same bits on any number of threads and after a r
   const std::vector<std::pair<std::shared_ptr<BlocksSpec>, int>> models{
       {rough_load(true), 2}, {rough_load(false), 3}, {heap(), 3}};
   for (const auto& [spec, dimension] : models) {
-    const Vec3 gravity(0, dimension == 3 && spec->touch ? -10 : -1e5, 0);
+    const Vec3 gravity(0, dimension == 3 && spec->laws.later ? -10 : -1e5, 0);
     std::vector<ArchivedState> ends;
     for (const int count : {1, 2}) {
       set_threads(count);
       Assembly body(spec, dimension, true, gravity, 1.0);
       const double dt = body.critical_step();
-      const int steps = spec->touch ? static_cast<int>(0.4 / dt) : 100;
+      const int steps = spec->laws.later ? static_cast<int>(0.4 / dt) : 100;
       for (int k = 0; k < steps; ++k) body.advance(dt);
       const auto pairs = body.found_pairs();
       const ArchivedState saved = archived(body);
       for (int k = 0; k < steps; ++k) body.advance(dt);
-      if (spec->touch) CHECK(body.found_pairs() != pairs);
+      if (spec->laws.later) CHECK(body.found_pairs() != pairs);
       ends.push_back(archived(body));
       Assembly again(spec, dimension, true, gravity, 1.0);
       restore(saved, again);

@@ -41,7 +41,7 @@ TEST_CASE("a row of blocks bends as a beam", "[blocks]") {
       brick.low = Vec3(k * d - d / 2, 0, 0), brick.high = Vec3(k * d + d / 2, d, 0);
       spec->groups.push_back(brick);
     }
-    spec->law = elastic_bonds(E, 0.0);
+    spec->laws.initial = elastic_bonds(E, 0.0);
     spec->quasi_static = true, spec->local_damping = 0.8;
     BlockHold clamp;
     clamp.where = around(-0.01, 0.01, 0, d);
@@ -143,7 +143,7 @@ TEST_CASE("the lag of the fictitious stress feeds vibrations as it should", "[bl
         brick.velocity = 1e-12 * out, brick.density = 1;
         spec->groups.push_back(brick);
       }
-      spec->law = elastic_bonds(1.0, nu, 1.0);
+      spec->laws.initial = elastic_bonds(1.0, nu, 1.0);
       spec->stress_iterations = iterations;
       Assembly body(spec, 2, true, Vec3::Zero(), 1.0);
       const double a = nu / 2, dt = std::sqrt(1e-3 / 2);  // k dt^2/m = 1e-3, k = 2 E A/d
