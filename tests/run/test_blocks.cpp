@@ -135,7 +135,7 @@ TEST_CASE("blocks that gain energy from nowhere are reported", "[blocks][monitor
 
 TEST_CASE("blocks that meet without a contact end the run with their names", "[blocks]") {
   const char* const fly = R"(
-  <Blocks lawname='bond'>
+  <Blocks lawname='bond' touchname='none'>
     <BoxBlock xmin='0' xmax='1' ymin='0' ymax='1' rho='2500' vx='10'/>
     <BoxBlock xmin='1.1' xmax='2' ymin='0' ymax='1' rho='2500'/>
   </Blocks>
