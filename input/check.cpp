@@ -121,9 +121,9 @@ void check_element(const Statement& s, const ElementSpec& spec, Problems& proble
       for (const auto& valid : spec.attributes) names.emplace_back(valid.name);
       problems.add(a.origin, tag + " has no attribute '" + a.name + "'" + did_you_mean(a.name, names) +
                                  (names.empty() ? "; it takes none" : "; valid: " + join(names)));
-    } else if (const auto reason = reason_against_word(s.name, a.text);
-               known->type == ValueType::choice && !reason.empty()) {
-      problems.add(a.origin, tag + " with '" + a.text + "' is not supported by Tribo: " + std::string(reason));
+    } else if (const auto against = reason_against_word(s.name, a.text);
+               known->type == ValueType::choice && !against.empty()) {
+      problems.add(a.origin, tag + " with '" + a.text + "' is not supported by Tribo: " + std::string(against));
     } else {
       check_value("attribute '" + a.name + "' of " + tag, known->type, known->choices, a.text, a.origin, problems);
     }
