@@ -105,10 +105,12 @@ void Builder::must_suit_grid(const MaterialSpec& law, const Origin& origin) {
       const auto words = words_of(text);
       must(std::all_of(words.begin(), words.end(), [](const auto& word) { return to_number(word) == 0.0; }),
            moment->origin,
-           "<" + std::string(name) + "> of '" + law.name + "' acts on a relative rotation of two faces at a point, but " +
-               origin.text() +
-               " uses the law in a grid, where the faces of bodies are deformable and such a rotation is a gap that varies "
-               "along them: the points of a joint resist it together. Leave <" + name + "> out");
+           "<" + std::string(name) + "> of '" + law.name +
+               "' acts on a relative rotation of two faces at a point, but " + origin.text() +
+               " uses the law in a grid, where the faces of bodies are deformable and such a rotation is a gap that "
+               "varies "
+               "along them: the points of a joint resist it together. Leave <" +
+               name + "> out");
     }
   if (law.joint && law.joint->user_areas().size() == 1)
     problems_.warn(origin,

@@ -20,6 +20,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace tribo {
@@ -229,7 +230,8 @@ class Assembly {
   /// Two blocks that may touch, found during the run, and the index of their law in later_laws_.
   struct FoundPair {
     std::uint32_t law, a, b;
-    auto operator<=>(const FoundPair&) const = default;
+    bool operator==(const FoundPair&) const = default;
+    bool operator<(const FoundPair& o) const { return std::tie(law, a, b) < std::tie(o.law, o.a, o.b); }
   };
 
   // build.cpp

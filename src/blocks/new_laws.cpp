@@ -15,7 +15,7 @@ void Assembly::list_later_laws() {
     if (k < spec_->joints.size() && !spec_->joints[k].later) continue;
     const BlockLaws& laws = spec_->laws_of(k);
     add(laws.later.get());
-    for (const auto& [groups, both] : laws.by_groups) add(both[1].get());
+    for (const auto& of_two : laws.by_groups) add(of_two.second[1].get());
   }
 }
 

@@ -182,12 +182,12 @@ std::shared_ptr<BlocksSpec> ball_on_slab(bool plane, const std::string& friction
   ball.points = {Vec3(0, 1, 0)}, ball.radius = 1, ball.density = 1000;
   spec->groups = {slab, ball};
   spec->laws.initial = spec->laws.later = joint_law("SpringNetwork", {{"kn", "1e9"},
-                                                        {"ks", "1e9"},
-                                                        {"krot", "0 0 0"},
-                                                        {"fric", friction},
-                                                        {"dp_nratio", "0.3"},
-                                                        {"dp_sratio", "0.3"},
-                                                        {"dp_mode", "3"}});
+                                                                      {"ks", "1e9"},
+                                                                      {"krot", "0 0 0"},
+                                                                      {"fric", friction},
+                                                                      {"dp_nratio", "0.3"},
+                                                                      {"dp_sratio", "0.3"},
+                                                                      {"dp_mode", "3"}});
   BlockHold hold;
   hold.where = plane ? around(-60, 60, -1, -0.1) : box(Vec3(-60, -1, -60), Vec3(60, -0.1, 60));
   hold.velocity = {constant(0), constant(0), constant(0)}, hold.spin = {constant(0), constant(0), constant(0)};
