@@ -2,6 +2,7 @@
 /// Traction of one mode (opening or sliding) of a cohesive zone as a function of its displacement, while that grows.
 #pragma once
 
+#include <algorithm>
 #include <memory>
 
 namespace tribo {
@@ -32,9 +33,9 @@ class TractionCurve {
   /// T/d [stress/length]; the initial slope at d = 0.
   double secant(double d) const { return d > elastic_limit() ? traction(d) / d : slope(); }
   /// 1 - secant/slope, 1 from critical() on.
-  double damage(double d) const { return slope() > 0 ? 1 - secant(d) / slope() : 0.0; }
+  double damage(double d) const { return slope() > 0 ? std::max(0.0, 1 - secant(d) / slope()) : 0.0; }
   /// Energy per area that has been dissipated once d has been reached: the area without the triangle below the secant.
-  double dissipated(double d) const { return area(d) - 0.5 * secant(d) * d * d; }
+  double dissipated(double d) const { return std::max(0.0, area(d) - 0.5 * secant(d) * d * d); }
 };
 
 using SharedCurve = std::shared_ptr<const TractionCurve>;

@@ -2,6 +2,7 @@
 /// Traction laws of cohesive zones against closed forms: loading, unloading, reloading, peak, failure, compression,
 /// mixed modes, energy to failure. All zones have an area of 0.5.
 
+#include "archived.hpp"
 #include "contact/joint_cases.hpp"
 #include "contact/traction_curve.hpp"
 
@@ -208,6 +209,12 @@ TEST_CASE("a traction law creates no energy on any path", "[traction]") {
         CHECK(energy(j) >= last - 1e-15);
         last = energy(j);
         CHECK(j.joint.strain >= 0);
+        // the state can be saved and restored at any time
+        ArchivedState state = archived(j.joint);
+        Joint restored;
+        MemoryArchive reader(state, true);
+        reader("object", restored);
+        REQUIRE(archived(restored) == state);
         REQUIRE(j.joint.released() == Approx(zone_area * last).margin(2e-3));
       }
     }
