@@ -3,7 +3,7 @@ import numpy as np
 
 import verify
 
-E, nu, depth, notch, length = 3000.0, 0.3, 6.0, 18.0, 42.0  # of one arm [MPa, mm], lengths from the line of load
+E, nu, depth, notch, length = 3000.0, 0.3, 6.0, 18.0, 54.0  # of one arm [MPa, mm], lengths from the line of load
 stiff = E / (1 - nu**2)
 
 
@@ -36,7 +36,7 @@ class Exponential:
         return self.peak * np.where(d > self.at, after / np.maximum(d, self.at), 1 / self.at)
 
 
-def beam(law, opening, elements=84):
+def beam(law, opening, elements=90):
     """Force and dissipated energy for openings of the line of load: two Timoshenko beams on a cohesive zone.
 
     The face of a beam moves against the mean of its section, too: by 0.35 depth/E' times the traction, for the stress
@@ -85,8 +85,8 @@ decayed = 2 * toughness / peak / (0.15 + 0.85 * full)
 laws = {
     "TriangularTraction": (both("<sigmaI>0.66</sigmaI><JIc>0.091</JIc>"), triangle),
     "CubicTraction": (both("<sigmaI>0.66</sigmaI><JIc>0.091</JIc>"), Cubic(peak, 16 / 9 * toughness / peak)),
-    "TrilinearTraction": (both("<sigmaI>0.8</sigmaI><delpkI>0.1</delpkI><sigmaI2>0.4</sigmaI2><delpkI2>0.4</delpkI2><delIc>0.3</delIc>"),
-                          Triangle((0.03, 0.8), (0.12, 0.4), (0.3, 0))),
+    "TrilinearTraction": (both("<sigmaI>0.66</sigmaI><delpkI>0.25</delpkI><sigmaI2>0.4</sigmaI2><delpkI2>0.5</delpkI2><delIc>0.3</delIc>"),
+                          Triangle((0.075, 0.66), (0.15, 0.4), (0.3, 0))),
     "ExponentialTraction": (both("<sigmaI>0.66</sigmaI><JIc>0.091</JIc><delpkI>0.15</delpkI><alphaI>2</alphaI>"),
                             Exponential(peak, 0.15 * decayed, decayed, 2.0)),
     "CoupledTraction": ("<sigmaI>0.66</sigmaI><JIc>0.091</JIc>", triangle),
