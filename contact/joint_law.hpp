@@ -31,6 +31,7 @@ struct JointIncrement {
   Tangent bend;             ///< about s and t                                         [rad]
   double gap = 0.0;         ///< between the faces at the end of the step              [length]
   double dt = 1.0;          ///< time step                                                  [time]
+  double time = 0.0;        ///< at the end of the step                                     [time]
   double mass = 0.0;        ///< m1 m2/(m1 + m2), for dashpots                         [mass]
   double poisson_normal{};  ///< force of the fictitious stress that belongs to the end of the step [force]
   Tangent poisson_shear;
@@ -70,6 +71,11 @@ struct Joint {
   bool shear_weak = false;                            ///< cohesion and friction have residual values
   bool torn = false;                                  ///< the joint has failed in tension
   bool away = false;                                  ///< the faces are separated and exert no force
+
+  // History of a cohesive zone: opening, sliding
+  std::array<double, 2> largest{};     ///< largest displacement; one damage for both: shares of the modes [length]
+  std::array<double, 2> damage{};      ///< loss of stiffness, 0 to 1
+  std::array<double, 2> decohesion{};  ///< dissipated by the modes                            [energy/area]
 
   // Energies
   double strain = 0.0;  ///< stored energy, >= 0

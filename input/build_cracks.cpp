@@ -78,7 +78,22 @@ class CrackShape {
 
 }  // namespace
 
-CrackSpec Builder::crack(const Statement& s) {
+// The joint law that an element names; null if it names none.
+std::shared_ptr<const JointLaw> Builder::traction_law(const Statement& s, const char* by_number, const char* by_name) {
+  const Attribute* number = s.attribute(by_number);
+  if (!s.attribute(by_name) && (!number || number->text == "0")) return nullptr;
+  const auto k = static_cast<std::size_t>(material(s, by_number, by_name));
+  if (k >= model_.materials.size()) return nullptr;
+  const MaterialSpec& law = model_.materials[k];
+  must(tribo::joint_laws().find(law.type) != nullptr, s.origin,
+       "'" + law.name + "' at " + law.origin.text() + " is no traction law; valid types: " +
+           join({"TriangularTraction", "CubicTraction", "TrilinearTraction", "CoupledTraction", "MixedModeTraction",
+                 "ExponentialTraction", "LinearTraction", "PressureTraction", "Mohr", "SpringNetwork"}));
+  must_suit_grid(law, s.origin);
+  return law.joint;
+}
+
+CrackSpec Builder::crack(const Statement& s, std::vector<std::shared_ptr<const JointLaw>>& tractions) {
   CrackSpec out;
   out.origin = s.origin;
   double cell = std::numeric_limits<double>::infinity();
@@ -87,6 +102,7 @@ CrackSpec Builder::crack(const Statement& s) {
   CrackShape shape(out, cell);
   const bool solid = model_.dimension() == 3;
   bool refused = false;  // a part of it
+  std::shared_ptr<const JointLaw> of_first_point;
   for (const auto& part : s.children) {
     if (part.name == "Thickness") continue;
     const bool surface = part.name == "Quad" || part.name == "Disc";
@@ -160,6 +176,11 @@ CrackSpec Builder::crack(const Statement& s) {
         shape.disc(at("x", "y", "z"), normal, radius);
     }
     static_cast<void>(unit);
+    if (solid) continue;
+    auto traction = traction_law(part, "mat", "matname");
+    if (!traction) traction = of_first_point;
+    of_first_point = out.pieces.empty() ? traction : nullptr;
+    tractions.resize(out.pieces.size(), traction);
   }
   must(refused || !out.pieces.empty(), s.origin,
        solid ? "this crack has no surface" : "a crack needs at least two points");
@@ -212,6 +233,27 @@ void Builder::crack_thickness(const Statement& s) {
            "; another thickness is not implemented");
 }
 
+// Parts with different laws are cracks of their own with common ends.
+void Builder::add_crack(const CrackSpec& all, const std::vector<std::shared_ptr<const JointLaw>>& tractions) {
+  if (std::all_of(tractions.begin(), tractions.end(), [&](const auto& t) { return t == tractions.front(); })) {
+    model_.cracks.push_back(all);
+    if (!tractions.empty() && tractions.front())
+      model_.cracks.back().joint = tractions.front(), model_.cracks.back().law = nullptr;
+    return;
+  }
+  for (std::size_t first = 0, end = 0; first < tractions.size(); first = end) {
+    while (end < tractions.size() && tractions[end] == tractions[first]) ++end;
+    CrackSpec part = all;
+    part.points.assign(all.points.begin() + static_cast<std::ptrdiff_t>(first),
+                       all.points.begin() + static_cast<std::ptrdiff_t>(end) + 1);
+    part.pieces.assign(all.pieces.begin(), all.pieces.begin() + static_cast<std::ptrdiff_t>(end - first));
+    if (first > 0) part.ends[0] = CrackSpec::End::none;
+    if (end < tractions.size()) part.ends[1] = CrackSpec::End::none;
+    if (tractions[first]) part.joint = tractions[first], part.law = nullptr;
+    model_.cracks.push_back(std::move(part));
+  }
+}
+
 void Builder::cracks() {
   const Statement* general = root_.child("MPMHeader")->child("Cracks");
   struct Laws {
@@ -231,7 +273,8 @@ void Builder::cracks() {
     fallback.contact = tribo::contact_laws().find("CoulombFriction")->make(Statement{}, {}, model_.units, problems_);
   for (const auto& s : root_.children) {
     if (s.name != "CrackList") continue;
-    CrackSpec spec = crack(s);
+    std::vector<std::shared_ptr<const JointLaw>> tractions;
+    CrackSpec spec = crack(s, tractions);
     if (const Statement* thickness = s.child("Thickness")) crack_thickness(*thickness);
     Laws laws = fallback;
     if (has(s, "law") || has(s, "lawname")) {
@@ -247,7 +290,16 @@ void Builder::cracks() {
     if (spec.law && !spec.law->uses_face() && !spec.law->interface()) spec.law = nullptr;
     must(!spec.law || spec.law->liquid() == 0, s.origin,
          "LiquidContact needs a liquid on one side and cannot act between the faces of a crack");
-    model_.cracks.push_back(std::move(spec));
+    if (const auto rest = traction_law(s, "Tprop", "Tpropname"))
+      for (auto& traction : tractions)
+        if (!traction) traction = rest;
+    const bool bonded =
+        !tractions.empty() && std::all_of(tractions.begin(), tractions.end(), [](auto& t) { return !!t; });
+    if (bonded && (has(s, "law") || has(s, "lawname") || has(s, "friction")))
+      problems_.warn(s.origin,
+                     "all parts of this crack have a traction law, so that its contact law has no effect: "
+                     "closed faces press on each other with the stiffness <kClosed>, without friction");
+    add_crack(spec, tractions);
   }
   must(model_.cracks.empty() || !model_.scheme.b_bar, model_.cracks.empty() ? Origin{} : model_.cracks.front().origin,
        "cracks with <BBar> are not implemented: its averages over cells would cross the crack");

@@ -54,7 +54,7 @@ Growth Builder::growth(const Statement& s) {
   out.way = static_cast<Growth::Way>(std::clamp(way, 0, 4));
   must(number(s, "traction", Dimension::none, 0) == 0, s.origin,
        "a traction law for new parts of a crack is not implemented; define the crack along its whole expected path and "
-       "assign a joint law with tensile strength to it");
+       "give its parts a traction law (mat)");
   return out;
 }
 

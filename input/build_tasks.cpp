@@ -13,8 +13,8 @@
 namespace tribo {
 namespace {
 
-const std::vector<std::string> known_tasks{"PeriodicXPIC", "AdjustTimeStep", "VTKArchive", "HistoryArchive",
-                                           "PropertyRamp", "ThermalRamp",    "ReverseLoad"};
+const std::vector<std::string> known_tasks{"PeriodicXPIC", "AdjustTimeStep", "VTKArchive",  "HistoryArchive",
+                                           "PropertyRamp", "ThermalRamp",    "ReverseLoad", "LoadControl"};
 
 // The quantity of ReverseLoad may be part of the name of a parameter: 'global dispx'.
 constexpr std::string_view global = "global ";
@@ -75,6 +75,8 @@ std::vector<std::string> parameter_names(const std::string& task) {
   if (task == "AdjustTimeStep") return {"adjustTime", "velocityCFL", "maxIncrease", "verbose"};
   if (task == "PropertyRamp" || task == "ThermalRamp")
     return {"property", "time", "start", "Delta", "DeltaT", "sigmoidal", "exponential", "stretch", "scale"};
+  if (task == "LoadControl")
+    return {"material", "mat", "direction", "velocity", "MaxVelocity", "Load_Function", "Kp", "Ki", "Kd", "smooth"};
   if (task == "ReverseLoad") return {"quantity", "material", "mat", "maxValue", "style"};
   std::vector<std::string> names{"archiveTime", "firstArchiveTime"};
   if (task != "VTKArchive") return names;
@@ -122,6 +124,7 @@ void Builder::task(const Statement& schedule) {
   if (name == "PeriodicXPIC") periodic_filter(schedule);
   if (name == "AdjustTimeStep") adjust_step(schedule);
   if (name == "ReverseLoad") reverse_load(schedule);
+  if (name == "LoadControl") load_control(schedule);
   if (name == "PropertyRamp" || name == "ThermalRamp") property_ramp(schedule);
   if (name == "VTKArchive" || name == "HistoryArchive") archive_task(schedule);
 }
@@ -224,6 +227,58 @@ void Builder::reverse_load(const Statement& schedule) {
   parameter(schedule, "maxValue", [&](const Statement&, double v) { reversal.value = v; });
   reversal.value *= factor_of_history(columns[reversal.history], *value);
   model_.reversal = reversal;
+}
+
+// The gains are those of Tribo's controller; NairnMPM has its own.
+void Builder::load_control(const Statement& schedule) {
+  must(!model_.load_control, schedule.origin, "a model has one LoadControl");
+  LoadControl control;
+  const Units& units = model_.units;
+  control.function_time = units.alternative_time(), control.load_unit = units.factor(Dimension::force);
+  control.fastest = 5e3 * (units.legacy ? 1.0 : std::numeric_limits<double>::infinity());
+  bool has_load = false;
+  for (const auto& p : schedule.children) {
+    const std::string name = word(p, "name");
+    if (name == "Load_Function")
+      control.load = function(p.text, p.text_origin, "parameter 'Load_Function'"), has_load = true;
+    if (name != "material" && name != "mat") continue;
+    Statement reference = schedule;
+    reference.attributes = {{to_number(p.text) ? "mat" : "matname", p.text, p.text_origin}};
+    control.material = material(reference);
+  }
+  if (control.material < 0 || !has_load) {
+    problems_.add(schedule.origin, "LoadControl needs 'material', the number of a rigid material, and 'Load_Function'");
+    return;
+  }
+  const auto& spec = model_.materials.at(static_cast<std::size_t>(control.material));
+  must(spec.law && spec.law->rigid(), schedule.origin,
+       "LoadControl moves a rigid material; '" + spec.name + "' is none");
+  parameter(schedule, "direction", [&](const Statement& p, double v) {
+    must(v >= 1 && v <= model_.dimension() && v == std::floor(v), p.text_origin,
+         "'direction' must be 1 (x), 2 (y) or 3 (z)");
+    control.axis = static_cast<int>(v) - 1;
+  });
+  must(!spec.rigid_velocity[static_cast<std::size_t>(control.axis)], schedule.origin,
+       "'" + spec.name + "' has a function for its velocity in this direction, which LoadControl sets");
+  parameter(schedule, "velocity",
+            [&](const Statement&, double v) { control.start = units.factor(Dimension::velocity) * v; });
+  parameter(schedule, "MaxVelocity", [&](const Statement& p, double v) {
+    must(v > 0, p.text_origin, "'MaxVelocity' must be positive");
+    control.fastest = units.factor(Dimension::velocity) * v;
+  });
+  const double second = units.factor(Dimension::time);
+  parameter(schedule, "Kp", [&](const Statement&, double v) { control.Kp = v / second; });
+  parameter(schedule, "Ki", [&](const Statement&, double v) { control.Ki = v / second / second; });
+  parameter(schedule, "Kd", [&](const Statement&, double v) { control.Kd = v; });
+  parameter(schedule, "smooth", [&](const Statement& p, double v) {
+    must(v >= 0 && v < 1, p.text_origin, "'smooth' must be at least 0 and below 1");
+    control.smooth = v;
+  });
+  must(control.start != 0, schedule.origin,
+       "LoadControl needs 'velocity', with which the material moves until its force has been felt");
+  must(control.Kp > 0, schedule.origin,
+       "LoadControl needs 'Kp' > 0: the velocity is Kp times the error of the position [1/time]");
+  model_.load_control = control;
 }
 
 // Factor from the units of the file to those of history.csv.

@@ -52,6 +52,7 @@ class Builder {
   void adjust_step(const Statement& schedule);
   void property_ramp(const Statement& schedule);
   void reverse_load(const Statement& schedule);
+  void load_control(const Statement& schedule);
   double factor_of_history(const HistoryQuantity& q, const Statement& value);
   void archive_task(const Statement& schedule);
   void archive_task_time(const Statement& p, bool interval);
@@ -81,7 +82,9 @@ class Builder {
   void fracture_property(const Statement& s, MaterialSpec& spec);
   Growth growth(const Statement& s);
   static std::string missing_toughness(const MaterialSpec& material);
-  CrackSpec crack(const Statement& s);
+  CrackSpec crack(const Statement& s, std::vector<std::shared_ptr<const JointLaw>>& tractions);
+  std::shared_ptr<const JointLaw> traction_law(const Statement& s, const char* by_number, const char* by_name);
+  void add_crack(const CrackSpec& all, const std::vector<std::shared_ptr<const JointLaw>>& tractions);
   void pair_laws();
   void shared_fields();
   void liquid_of(const MaterialSpec& law);

@@ -3,11 +3,11 @@
 ///
 ///   q <= sigma_y(e, e'),   e the accumulated plastic strain, e' its rate
 ///
-///   Linear        sigma_y = yield + Khard e            (or Ep, the slope in tension: Khard = E Ep/(E - Ep))
+///   Linear        sigma_y = yield + Khard e, at least yieldMin  (or Ep, the slope in tension: Khard = E Ep/(E - Ep))
 ///   Nonlinear     sigma_y = yield (1 + Khard e)^nhard
 ///   Nonlinear2    sigma_y = yield (1 + Khard e^nhard)
-///   JohnsonCook   sigma_y = (Ajc + Bjc e^njc) max(1/2, 1 + Cjc ln(e'/ep0jc)) (1 - t^mjc),
-///                 t = (T - T_0)/(Tmjc - T_0) within 0 and 1, T_0 the reference temperature
+///   JohnsonCook   sigma_y = (Ajc + Bjc e^njc) max(1/2, 1 + Cjc ln r + Djc (ln max(r, 1))^n2jc) (1 - t^mjc),
+///                 r = e'/ep0jc, t = (T - T_0)/(Tmjc - T_0) within 0 and 1, T_0 the reference temperature
 ///
 /// Radial return, backward Euler: q_trial - 3 G de = sigma_y(e + de, de/dt) is one scalar equation for de. Simo &
 /// Hughes, Computational Inelasticity (1998), box 3.2; Johnson & Cook, Eng. Fract. Mech. 21 (1985) 31-48. The lower
@@ -33,7 +33,8 @@ struct IsoPlasticity {
   double density = 0;
   double young_modulus = absent, poisson_ratio = absent, bulk_modulus = absent, shear_modulus = absent;
   double yield = absent, slope = absent, coefficient = absent, power = absent;
-  double A = absent, B = absent, n = absent, C = absent, reference_rate = absent, melting = absent, m = absent;
+  double A = absent, B = absent, n = absent, C = absent, D = absent, n2 = absent, reference_rate = absent,
+         melting = absent, m = absent, least = absent;
   Hardening hardening = Hardening::linear;
   Elasticity elastic;
 
@@ -48,6 +49,7 @@ struct IsoPlasticity {
         P{"K", &L::bulk_modulus, stress, positive, "bulk modulus, with G", {}, true},
         P{"G", &L::shear_modulus, stress, positive, "shear modulus, with K", {}, true},
         P{"yield", &L::yield, stress, positive, "yield stress before hardening", {}, true},
+        P{"yieldMin", &L::least, stress, not_negative, "Linear: least yield stress (default 0)", {}, true},
         P{"Ep", &L::slope, stress, not_negative, "Linear: slope of stress over strain in tension", {}, true},
         P{"Khard",
           &L::coefficient,
@@ -65,6 +67,20 @@ struct IsoPlasticity {
           none,
           not_negative,
           "JohnsonCook: coefficient of the logarithmic rate dependence (default 0)",
+          {},
+          true},
+        P{"Djc",
+          &L::D,
+          none,
+          not_negative,
+          "JohnsonCook: coefficient of a second term of the rate (default 0)",
+          {},
+          true},
+        P{"n2jc",
+          &L::n2,
+          none,
+          positive,
+          "JohnsonCook: exponent of the logarithm in the second term (default 1)",
           {},
           true},
         P{"ep0jc",
@@ -98,7 +114,8 @@ struct IsoPlasticity {
       if (given(coefficient)) coefficient *= units.factor(Dimension::stress);
       if (given(slope)) coefficient = elastic_slope(statement, problems);
     }
-    set(coefficient, 0), set(power, 1), set(B, 0), set(n, 1), set(C, 0), set(reference_rate, 1), set(m, 1);
+    set(coefficient, 0), set(power, 1), set(B, 0), set(n, 1), set(C, 0), set(D, 0), set(n2, 1), set(reference_rate, 1),
+        set(m, 1), set(least, 0);
     if (hardening != Hardening::linear && coefficient < 0)
       problems.add(statement.child("Khard")->origin,
                    "<Khard> must not be negative: softening needs an internal length, which this law does not have");
@@ -107,7 +124,7 @@ struct IsoPlasticity {
   }
 
   void weaken(double factor) {
-    for (double* stress : {&yield, &A, &B}) *stress /= factor;
+    for (double* stress : {&yield, &A, &B, &least}) *stress /= factor;
     if (hardening == Hardening::linear) coefficient /= factor;
   }
 
@@ -137,9 +154,10 @@ struct IsoPlasticity {
       if (const Statement* s = statement.child(word); s && !fits)
         problems.add(s->origin, "<" + std::string(word) + "> belongs to <Hardening>" + law + "</Hardening>");
     };
-    for (const char* word : {"Ajc", "Bjc", "njc", "Cjc", "ep0jc", "Tmjc", "mjc"}) only(cook, word, "JohnsonCook");
+    for (const char* word : {"Ajc", "Bjc", "njc", "Cjc", "Djc", "n2jc", "ep0jc", "Tmjc", "mjc"})
+      only(cook, word, "JohnsonCook");
     for (const char* word : {"yield", "Khard"}) only(!cook, word, "Linear, Nonlinear or Nonlinear2");
-    only(linear, "Ep", "Linear");
+    only(linear, "Ep", "Linear"), only(linear, "yieldMin", "Linear");
     only(!cook && !linear, "nhard", "Nonlinear or Nonlinear2");
     if (const Statement* s = statement.child("mjc"); s && !given(melting))
       problems.add(s->origin, "<mjc> needs <Tmjc>, the temperature at which the strength vanishes");
@@ -173,13 +191,14 @@ struct IsoPlasticity {
       case Hardening::nonlinear2:
         return yield * (1 + coefficient * std::pow(e, power));
       case Hardening::johnson_cook: {
-        const double growth = C > 0 && rate > 0 ? 1 + C * std::log(rate / reference_rate) : C > 0 ? 0.5 : 1.0;
+        double growth = C > 0 && rate > 0 ? 1 + C * std::log(rate / reference_rate) : C > 0 ? 0.5 : 1.0;
+        if (D > 0 && rate > reference_rate) growth += D * std::pow(std::log(rate / reference_rate), n2);
         return (A + B * std::pow(e, n)) * std::max(0.5, growth);
       }
       case Hardening::linear:
         break;
     }
-    return std::max(0.0, yield + coefficient * e);
+    return std::max(least, yield + coefficient * e);
   }
 
   // The increment x of plastic strain: the root of excess(x) = q - 3 G x - share sigma_y(e + x, x/dt), which decreases

@@ -47,10 +47,15 @@ void add_cracks(Rows& add) {
   const std::vector<AttributeSpec> tips{
       {"start_tip", T::integer, "first end: number of the material around the tip, -1 no tip, -2 outside the body"},
       {"end_tip", T::integer, "the same for the last end"}};
+  const std::vector<AttributeSpec> tractions{
+      text("mat", "number of the traction law (or another joint law) of this part; 0: that of the crack"),
+      text("matname", "name of this law, instead of mat")};
   add({"CrackList", "JANFEAInput", "a crack: points and lines in this order, or surfaces in three dimensions", T::none,
        std::vector<AttributeSpec>{{"type", T::choice, "accepted", "fixed free"},
                                   text("law", "number of the contact or joint law between its faces"),
                                   text("lawname", "name of the law, instead of law"),
+                                  text("Tprop", "number of the traction law of the parts without mat (0: none)"),
+                                  text("Tpropname", "name of this traction law, instead of Tprop"),
                                   number("friction", "old form: friction coefficient of the faces"),
                                   number("Dn", "old form, with friction='11': normal stiffness of an interface"),
                                   number("Dnt", "normal stiffness in tension"),
@@ -68,11 +73,10 @@ void add_cracks(Rows& add) {
        {{"type", T::choice, "avg: with the mean of its two faces; cm is refused", "avg cm"},
         {"prevent", T::choice, "no; the contact of the faces prevents that they cross", "no yes"}},
        true});
-  add({"pt",
-       "CrackList",
-       "the next point of the line",
-       T::none,
-       {number("x", "", true), number("y", "", true), {"tip", T::integer, "as start_tip of Line"}, units(lengths)}});
+  add({"pt", "CrackList", "the next point of the line", T::none,
+       std::vector<AttributeSpec>{
+           number("x", "", true), number("y", "", true), {"tip", T::integer, "as start_tip of Line"}, units(lengths)} +
+           tractions});
   add({"Line", "CrackList", "segments along a line; joined to the preceding point if that differs from the start",
        T::none,
        std::vector<AttributeSpec>{{"xmin", T::coordinate, "start", {}, true},
@@ -81,7 +85,7 @@ void add_cracks(Rows& add) {
                                   {"ymax", T::coordinate, "end", {}, true},
                                   {"resolution", T::integer, "number of pieces (default: two per cell)"},
                                   units(lengths)} +
-           tips});
+           tips + tractions});
   add({"Circle", "CrackList", "segments along an arc of an ellipse", T::none,
        std::vector<AttributeSpec>{{"xmin", T::coordinate, "edge of the ellipse's box", {}, true},
                                   {"ymin", T::coordinate, "edge", {}, true},
@@ -91,7 +95,7 @@ void add_cracks(Rows& add) {
                                   number("end_angle", "end of the arc [degrees] (default 360)"),
                                   {"resolution", T::integer, "number of pieces (default: two per cell)"},
                                   units(lengths)} +
-           tips});
+           tips + tractions});
   add({"Quad",
        "CrackList",
        "a parallelogram in three dimensions, given by a corner and the two adjacent corners",

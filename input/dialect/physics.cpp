@@ -31,7 +31,8 @@ void add_tasks(Rows& add) {
   add({"CustomTasks", "JANFEAInput", "additional tasks", T::none, {}, true});
   add({"Schedule",
        "CustomTasks",
-       "a task: PeriodicXPIC, AdjustTimeStep, VTKArchive, HistoryArchive, PropertyRamp (or ThermalRamp), ReverseLoad",
+       "a task: PeriodicXPIC, AdjustTimeStep, VTKArchive, HistoryArchive, PropertyRamp (or ThermalRamp), ReverseLoad, "
+       "LoadControl",
        T::none,
        {text("name", "", true)}});
   add({"Parameter", "Schedule", "a setting of the task; the text is its value", T::text, {text("name", "", true)}});

@@ -79,7 +79,7 @@ void Document::resolve(Attribute& a, Problems& problems) const {
   const std::string id = a.text.substr(1), number = number_of(id, a.origin, problems);
   a.text = number;
   if (!inside_ || a.name == "tip" || a.name == "end_tip") return;  // a tip only states that it lies in a material
-  a.name = a.name == "law" ? "lawname" : "matname";
+  a.name = a.name == "law" ? "lawname" : a.name == "Tprop" ? "Tpropname" : "matname";
   const auto k = static_cast<std::size_t>(std::stoul(number));
   a.text = id;
   if (k > surrounding_ && k <= surrounding_ + materials_.size())

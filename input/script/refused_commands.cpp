@@ -10,8 +10,6 @@ const std::vector<RefusedCommand>& refused_commands() {
                              elements = "it belongs to finite element analysis, which Tribo does not do",
                              interface = "it controls the user interface of NairnFEAMPM";
   static const std::vector<RefusedCommand> all{
-      {"CrackTractionProp",
-       "traction laws are not implemented; give the crack a joint law as fourth argument of NewCrack"},
       {"AltPropagate", "a second criterion for crack growth is not implemented"},
       {"Diffusion", diffusion},
       {"Concentration", diffusion},

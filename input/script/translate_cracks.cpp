@@ -46,11 +46,13 @@ Statement& Translator::crack_part(const Command& c, const char* element) {
   return parts.back();
 }
 
-void Translator::no_traction_law(const Command& c, std::size_t k) {
-  if (c.given(k))
-    throw InputError(c.origin(k),
-                     "parts of a crack have no traction law of their own; give the crack a joint law as "
-                     "the fourth argument of 'NewCrack'");
+// The traction law of a part of a crack: the id of a material, or a number.
+void Translator::traction_of_part(Statement& s, const Command& c, std::size_t k) {
+  if (!c.given(k) || lower(c.text(k)) == "none") return;
+  if (to_number(c.text(k)))
+    attribute(s, "mat", c.text(k), c.origin(k));
+  else
+    Document::refer(s, "mat", c.text(k), c.origin(k));
 }
 
 void Translator::new_crack(const Command& c) {
@@ -60,16 +62,15 @@ void Translator::new_crack(const Command& c) {
   if (fixed) attribute(crack, "type", "fixed", c.origin(2));
   if (c.given(3)) {
     const std::string law = c.text(3);
-    if (lower(law) == "traction") no_traction_law(c, 3);
     if (to_number(law))
       attribute(crack, "friction", law, c.origin(3));
-    else
+    else if (lower(law) != "traction")
       Document::refer(crack, "law", law, c.origin(3));
   }
-  no_traction_law(c, 4);
   Statement& point = crack_part(c, "pt");
   attribute(point, "x", c.text(0), c.origin(0)), attribute(point, "y", c.text(1), c.origin(1));
   if (!fixed) crack_end(point, "tip", c, 2);
+  traction_of_part(point, c, 4);
   crack_x_ = c.text(0), crack_y_ = c.text(1);
 }
 
@@ -77,7 +78,7 @@ void Translator::grow_crack(const Command& c) {
   Statement& point = crack_part(c, "pt");
   attribute(point, "x", c.text(0), c.origin(0)), attribute(point, "y", c.text(1), c.origin(1));
   crack_end(point, "tip", c, 2);
-  no_traction_law(c, 3);
+  traction_of_part(point, c, 3);
   crack_x_ = c.text(0), crack_y_ = c.text(1);
 }
 
@@ -87,7 +88,7 @@ void Translator::grow_crack_line(const Command& c) {
   attribute(line, "xmax", c.text(0), c.origin(0)), attribute(line, "ymax", c.text(1), c.origin(1));
   if (c.given(2)) attribute(line, "resolution", c.text(2), c.origin(2));
   crack_end(line, "end_tip", c, 3);
-  no_traction_law(c, 4);
+  traction_of_part(line, c, 4);
   crack_x_ = c.text(0), crack_y_ = c.text(1);
 }
 
@@ -97,7 +98,7 @@ void Translator::grow_crack_arc(const Command& c) {
   constexpr std::array names{"xmin", "ymin", "xmax", "ymax", "resolution", "start_angle", "end_angle"};
   for (std::size_t k = 0; k < names.size(); ++k) attribute(arc, names[k], c.text(k), c.origin(k));
   crack_end(arc, "end_tip", c, 7);
-  no_traction_law(c, 8);
+  traction_of_part(arc, c, 8);
 }
 
 Statement& Translator::crack_settings(const Command& c) {
@@ -127,6 +128,17 @@ void Translator::crack_interface(const Command& c) {
   std::erase_if(crack.attributes, [](const Attribute& a) { return a.name == "friction" || a.name == "law"; });
   attribute(crack, "friction", "11", c.origin());
   for (const Attribute& a : number_law(c).attributes) crack.attributes.push_back(a);
+}
+
+void Translator::crack_traction(const Command& c) {
+  if (document_.cracks().empty())
+    throw InputError(c.origin(), "'" + c.node.word + "' belongs to a crack; start one with 'NewCrack'");
+  Statement& crack = document_.cracks().back();
+  std::erase_if(crack.attributes, [](const Attribute& a) { return a.name == "Tprop"; });
+  if (to_number(c.text(0)))
+    attribute(crack, "Tprop", c.text(0), c.origin(0));
+  else
+    Document::refer(crack, "Tprop", c.text(0), c.origin(0));
 }
 
 void Translator::crack_thickness(const Command& c) {

@@ -105,6 +105,7 @@ auto Translator::actions() -> const std::map<std::string, Action>& {
                                                  {"contactcracks", &A::contact_of_cracks},
                                                  {"contactpositioncracks", &A::contact_position},
                                                  {"crackinterface", &A::crack_interface},
+                                                 {"cracktractionprop", &A::crack_traction},
                                                  {"crackthickness", &A::crack_thickness},
                                                  {"moveplane", &A::move_plane},
                                                  {"propagate", &A::propagate},

@@ -109,6 +109,7 @@ class Translator {
   void grow_crack_arc(const Command& c);
   void contact_of_cracks(const Command& c);
   void crack_interface(const Command& c);
+  void crack_traction(const Command& c);
   void crack_thickness(const Command& c);
   void move_plane(const Command& c);
   void propagate(const Command& c);
@@ -118,7 +119,7 @@ class Translator {
   Statement& crack_part(const Command& c, const char* element);
   Statement& crack_settings(const Command& c);
   Statement& crack_setting(const Command& c, const char* element);
-  static void no_traction_law(const Command& c, std::size_t k);
+  static void traction_of_part(Statement& s, const Command& c, std::size_t k);
 
   void translate(const Command& c, const std::string& word);
   void limit_damage(const Command& c, const std::string& meant);

@@ -165,6 +165,7 @@ void Assembly::update_contacts(const Batch& batch, double dt) {
     increments(batch, dt, d);
   else
     d = kept_increments_.data() + batch.begin;
+  for (std::size_t k = 0; k < count; ++k) d[k].time = time + dt;
   if (const double nu = group.law->poisson(); nu != 0)
     for (std::size_t k = 0; k < count; ++k) {
       const BlockContact& c = contacts[batch.begin + k];

@@ -116,7 +116,7 @@ class Machine {
     JointIncrement d;
     d.normal = u[0], d.shear = {u[1], u[2]};
     d.twist = given(row, dtwist), d.bend = {given(row, dbs), given(row, dbt)};
-    d.gap = joint_.gap + u[0], d.dt = row.dt, d.mass = what_.dashpot_mass;
+    d.gap = joint_.gap + u[0], d.dt = row.dt, d.time = time_ + row.dt, d.mass = what_.dashpot_mass;
     d.poisson_normal = given(row, Ffn), d.poisson_shear = {given(row, Ffss), given(row, Ffst)};
     return d;
   }

@@ -49,6 +49,8 @@ struct RunEnergies {
   double joint_slip = 0.0;      ///< dissipated by friction in joints
   double joint_dashpot = 0.0;   ///< dissipated by dashpots of joints
   double joint_released = 0.0;  ///< released by brittle failure, dilation and changes of pressure in joints
+  double decohesion = 0.0;      ///< dissipated by cohesive zones
+  double grid_kinetic = 0.0;    ///< kinetic energy of the nodes at the end of the last step
 };
 
 /// Contact of one pair of materials, or the sum over pairs.

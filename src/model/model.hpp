@@ -314,6 +314,21 @@ struct LoadReversal {
   } style = Style::reverse;
 };
 
+/// Feedback that moves a rigid material so that its force on the rest follows a function of time.
+struct LoadControl {
+  int material = -1;           ///< the rigid material
+  int axis = 0;                ///< direction of motion and load
+  Expression load;             ///< wanted force, in the units of the input, as a function of t
+  double load_unit = 1.0;      ///< force of a value 1 of `load`                            [force]
+  double function_time = 1.0;  ///< time of one unit of t in `load`                         [time]
+  double start = 0.0;          ///< velocity until the stiffness is known                   [velocity]
+  double fastest = 0.0;        ///< largest speed                                           [velocity]
+  double Kp = 0.0;             ///< gain of the error                                       [1/time]
+  double Ki = 0.0;             ///< gain of its integral                                    [1/time^2]
+  double Kd = 0.0;             ///< gain of its rate
+  double smooth = 0.9;         ///< share of the last value in the smoothed ones, per step
+};
+
 struct BodyForce {
   Vec3 gravity = Vec3::Zero();
   std::array<std::optional<Expression>, 3> function;      ///< acceleration f(x, y, z, t) of grid nodes
@@ -394,6 +409,7 @@ struct Model {
   HeatSpec heat;
   OutputSpec output;
   std::optional<LoadReversal> reversal;
+  std::optional<LoadControl> load_control;
   /// Number of particles that may be put back into the grid after leaving it before the run stops; unset: the first
   /// particle that leaves stops the run.
   std::optional<long> leave_limit;

@@ -97,6 +97,10 @@ const std::vector<QuantityInfo>& global_quantities() {
        [](const S& s) { return s.measures().kinetic; }},
       {"Strain Energy", "energy", "elastically stored energy", Scope::particle,
        [](const S& s) { return s.measures().stored; }},
+      {"Grid Kinetic Energy", "energy", "kinetic energy of the nodes at the end of the last step", Scope::run,
+       [](const S& s) { return s.energies().grid_kinetic; }},
+      {"Energy", "energy", "Kinetic Energy plus Strain Energy plus Plastic Energy", Scope::particle,
+       [](const S& s) { return s.measures().kinetic + s.measures().stored + s.measures().dissipated; }},
       {"Plastic Energy", "energy", "energy dissipated by the material laws", Scope::particle,
        [](const S& s) { return s.measures().dissipated; }},
       {"Work Energy", "energy", "Strain Energy plus Plastic Energy", Scope::particle,
@@ -142,6 +146,8 @@ const std::vector<QuantityInfo>& global_quantities() {
       {"Joint Released Energy", "energy",
        "energy released in joints by brittle failure, dilation and changes of pressure", Scope::run,
        [](const S& s) { return s.energies().joint_released; }},
+      {"Decohesion", "energy", "energy dissipated by cohesive zones (traction laws)", Scope::run,
+       [](const S& s) { return s.energies().decohesion; }},
       {"Contact Area", "length^2", "area of the faces in contact", Scope::material,
        [](const S& s) { return s.contact().area; }},
       {"Temperature", "temperature", "mean temperature, weighted by heat capacity", Scope::particle,
@@ -166,6 +172,10 @@ const std::vector<QuantityInfo>& global_quantities() {
       {"step number", "-", "number of steps done", Scope::run,
        [](const S& s) { return static_cast<double>(s.step()); }},
       {"time step", "time", "current time step", Scope::run, [](const S& s) { return s.step_size(); }},
+      {"CPU time", "-", "time of all processors in seconds so far", Scope::run,
+       [](const S& s) { return s.processor_time(); }},
+      {"Elapsed time", "-", "time of the clock in seconds since the first row", Scope::run,
+       [](const S& s) { return s.elapsed_time(); }},
   };
   return list;
 }

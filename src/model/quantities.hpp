@@ -26,6 +26,8 @@ class HistorySource {
   virtual double particle_damping() const = 0;  ///< present coefficient           [1/time]
   virtual std::int64_t step() const = 0;        ///< number of steps done
   virtual double step_size() const = 0;         ///< [time]
+  virtual double processor_time() const = 0;    ///< of all threads so far   [s]
+  virtual double elapsed_time() const = 0;      ///< of the clock, since the first row of the history [s]
   /// Of the centre of mass; zero without mass [velocity].
   Vec3 velocity() const {
     const Measures& m = measures();

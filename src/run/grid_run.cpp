@@ -3,6 +3,7 @@
 
 #include "base/parallel.hpp"
 #include "base/text.hpp"
+#include "run/history_source.hpp"
 #include "solver/build.hpp"
 
 #include <cmath>
@@ -15,7 +16,9 @@ GridRun<Dim>::GridRun(const Model& model)
       system_(build_system<Dim>(model, place_points(model))),
       stepper_(model, system_),
       step_size_(model, system_),
-      monitor_(model, system_, stepper_, step_size_) {}
+      monitor_(model, system_, stepper_, step_size_) {
+  if (model.load_control) system_.load_controller.velocity = model.load_control->start;
+}
 
 template <int Dim>
 void GridRun<Dim>::choose_threads(int wanted) const {
@@ -28,7 +31,20 @@ double GridRun<Dim>::advance() {
   const double step = step_size_.up_to_end(std::min(dt_, stepper_.joints().stable_step()));
   stepper_.damping().update(step, [&] { return measure(system_).kinetic; });
   stepper_.advance(step);
+  if (model_.load_control) control_load(step);
   return step;
+}
+
+template <int Dim>
+void GridRun<Dim>::control_load(double step) {
+  const LoadControl& control = *model_.load_control;
+  HistoryQuantity force;
+  force.material = control.material;
+  const RunEnergies none;
+  const RunHistorySource<Dim> source(model_, system_, stepper_, force, {}, none, step);
+  // a rigid material either prescribes velocities of nodes or is in contact
+  const double load = source.reaction()[control.axis] - source.contact().force[control.axis];
+  system_.load_controller.update(load, system_.time, step, control);
 }
 
 template <int Dim>

@@ -47,6 +47,7 @@ class GridRun final : public SteppedModel {
   double largest_displacement();
 
  private:
+  void control_load(double step);
   const Model& model_;
   System<Dim> system_;
   Stepper<Dim> stepper_;

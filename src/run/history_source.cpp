@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "run/history_source.hpp"
 
+#include <chrono>
+#include <ctime>
+
 namespace tribo {
 
 // Force on the material: of a rigid body, of the conditions or the symmetry plane with an id, or of all but the planes.
@@ -49,6 +52,18 @@ ContactSums RunHistorySource<Dim>::contact() const {
     sum.friction += entry.friction, sum.impact += entry.impact, sum.stored += entry.stored, sum.area += entry.area;
   }
   return sum;
+}
+
+template <int Dim>
+double RunHistorySource<Dim>::processor_time() const {
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+template <int Dim>
+double RunHistorySource<Dim>::elapsed_time() const {
+  using Clock = std::chrono::steady_clock;
+  static const Clock::time_point first = Clock::now();
+  return std::chrono::duration<double>(Clock::now() - first).count();
 }
 
 template class RunHistorySource<2>;

@@ -32,6 +32,8 @@ class RunHistorySource final : public HistorySource {
   double particle_damping() const override { return stepper_.damping().particle; }
   std::int64_t step() const override { return system_.step; }
   double step_size() const override { return dt_; }
+  double processor_time() const override;
+  double elapsed_time() const override;
 
  private:
   bool has_material(std::size_t field, int material) const;

@@ -216,6 +216,72 @@ TEST_CASE("settings of cracks that say what Tribo does", "[dialect]") {
             .empty());
 }
 
+TEST_CASE("traction laws of cracks and of their parts", "[dialect]") {
+  const std::string law =
+      "<Material Type='14' Name='glue'><sigmaI>1</sigmaI><JIc>1</JIc><sigmaII>1</sigmaII><JIIc>1"
+      "</JIIc></Material>";
+  const auto crack = [&](const std::string& attributes, const std::string& parts) {
+    return xml("<CrackList " + attributes + ">" + parts + "</CrackList>" + law);
+  };
+  const std::string notch = "<Line xmin='1.5' ymin='0.5' xmax='1.5' ymax='1.5' resolution='2'/>";
+  const std::string bonded = "<Line xmin='1.5' ymin='1.5' xmax='1.5' ymax='2.5' resolution='3' mat='2'/>";
+  {  // parts with different laws are cracks with common ends
+    const Model m = read(crack("", notch + bonded));
+    REQUIRE(m.cracks.size() == 2);
+    CHECK(m.cracks[0].joint == nullptr);
+    CHECK(m.cracks[0].law != nullptr);
+    CHECK(m.cracks[0].pieces.size() == 2);
+    CHECK(m.cracks[1].joint == m.materials[1].joint);
+    CHECK(m.cracks[1].law == nullptr);
+    CHECK(m.cracks[1].points.size() == 4);
+    CHECK(m.cracks[0].points.back() == m.cracks[1].points.front());
+    CHECK(m.cracks[0].ends[1] == CrackSpec::End::none);
+  }
+  CHECK(read(crack("Tprop='2'", notch + bonded)).cracks.size() == 1);
+  CHECK(read(crack("Tpropname='glue'", notch)).cracks.at(0).joint != nullptr);
+  CHECK(read(crack("Tprop='0'", notch)).cracks.at(0).joint == nullptr);
+  CHECK(read(crack("lawname='glue'", notch)).cracks.at(0).joint != nullptr);
+  CHECK(read(crack("", "<pt x='1.5' y='0.5'/><pt x='1.5' y='1.2' matname='glue'/><pt x='1.5' y='2'/>")).cracks.size() ==
+        2);
+  CHECK(read(crack("", "<pt x='1.5' y='0.5' mat='2'/><pt x='1.5' y='1.2'/><pt x='1.5' y='2'/>")).cracks.size() == 2);
+  CHECK_THAT(problems_of(crack("Tprop='1'", notch)), Contains("is no traction law; valid types"));
+  CHECK_THAT(problems_of(crack("Tprop='7'", notch)), Contains("there is no material number '7'"));
+  CHECK_THAT(warnings(crack("friction='0.2' Tprop='2'", notch)), Contains("its contact law has no effect"));
+
+  const std::string glue = "Material \"g\",\"glue\",\"TriangularTraction\"\nsigmaI 1\nJIc 1\nsigmaII 1\nJIIc 1\nDone\n";
+  const auto script = [&](const std::string& commands) { return read(deck(half + glue, commands)); };
+  const Model parts = script("NewCrack 1.5,0.5\nGrowCrackLine 1.5,1.5,2\nGrowCrackLine 1.5,2.5,3,\"free\",\"g\"");
+  REQUIRE(parts.cracks.size() == 2);
+  CHECK(parts.cracks[1].joint != nullptr);
+  CHECK(parts.cracks[1].ends[1] == CrackSpec::End::none);
+  CHECK(script("NewCrack 1.5,0.5,\"m\",\"g\"\nGrowCrack 1.5,1.5").cracks.at(0).joint != nullptr);
+  CHECK(script("NewCrack 1.5,0.5,\"free\",\"traction\",\"g\"\nGrowCrack 1.5,1.5").cracks.at(0).joint != nullptr);
+  CHECK(script("NewCrack 1.5,0.5\nGrowCrack 1.5,1.5,\"free\",\"g\"").cracks.at(0).joint != nullptr);
+  CHECK(script("NewCrack 1.5,0.5\nCrackTractionProp \"g\"\nGrowCrack 1.5,1.5").cracks.at(0).joint != nullptr);
+}
+
+TEST_CASE("a load that a feedback controls", "[dialect]") {
+  const std::string grip = "Material \"g\",\"grip\",\"Rigid\"\nSetDirection 1\nDone\n";
+  const std::string task =
+      "CustomTask LoadControl\nParameter material,\"g\"\nParameter direction,1\n"
+      "Parameter Load_Function,\"3*t\"\nParameter velocity,2\nParameter MaxVelocity,9\n";
+  const std::string body = "Region \"g\",2,0,1\nRect 2,3,1,2\nEndRegion\n";
+  const Model m = read(deck(half + grip, body + task + "Parameter Kp,4\nParameter Ki,5"));
+  REQUIRE(m.load_control);
+  CHECK(m.load_control->material == 0);
+  CHECK(m.load_control->axis == 0);
+  CHECK(m.load_control->start == 2);
+  CHECK(m.load_control->fastest == 9);
+  CHECK(m.load_control->Kp == 4);
+  CHECK(m.load_control->Ki == 5);
+  CHECK_THAT(problems_of(deck(half + grip, body + task)), Contains("needs 'Kp' > 0"));
+  CHECK_THAT(problems_of(deck(half,
+                              "CustomTask LoadControl\nParameter material,\"m\"\nParameter Load_Function,\"3\"\n"
+                              "Parameter velocity,1\nParameter Kp,1")),
+             Contains("moves a rigid material; 'rubber' is none"));
+  CHECK_THAT(problems_of(deck(half, "CustomTask LoadControl\nParameter Kp,1")), Contains("needs 'material'"));
+}
+
 TEST_CASE("older forms of laws in scripts", "[dialect]") {
   const std::string crack = "NewCrack 1.5,1\nGrowCrack 1.5,2";
   const auto law = [](const Model& m) { return m.cracks.at(0).law; };
@@ -267,7 +333,6 @@ TEST_CASE("names that are refused have a reason", "[dialect]") {
     CHECK_THAT(problems_of(deck(half + "Material \"other\",\"Other\",\"" + type + "\"\nrho 1\nDone")),
                Contains("material type '" + std::string(type) + "' is not supported by Tribo: "));
   CHECK_THAT(problems_of(deck(half, "", "Darcy 1")), Contains("pore pressure is not implemented"));
-  CHECK_THAT(problems_of(xml("<Material Type='12' Name='t'/>")), Contains("traction laws are not implemented"));
   CHECK_THAT(
       problems_of(xml("<GridBCs><BCLine x1='0' y1='0' x2='4' y2='0'><DisBC dir='1' depth='2'/></BCLine></GridBCs>")),
       Contains("moving walls are not implemented"));

@@ -94,6 +94,33 @@ TEST_CASE("Johnson and Cook's law hardens with strain and rate", "[materials]") 
   }
 }
 
+TEST_CASE("the second term of the rate in Johnson and Cook's law", "[materials]") {
+  const Properties copper{{"rho", "1"},  {"E", "124e3"},  {"nu", "0.34"},   {"Hardening", "JohnsonCook"},
+                          {"Ajc", "90"}, {"Cjc", "0.02"}, {"Djc", "0.003"}, {"n2jc", "1.7"},
+                          {"ep0jc", "2"}};
+  const auto law = make_material("9", copper);
+  for (const double rate : {0.5, 50.0, 1e4}) {
+    INFO(rate);
+    const int steps = 400;
+    const double strain = 0.1, dt = strain / rate / steps;
+    auto point = pulled(*law, strain * (steps - 1) / steps, steps - 1, dt);
+    const double before = point.history_value("plastic_strain");
+    point.step_mixed(diagonal(rate, -0.5 * rate, -0.5 * rate), dt, {1, 2}, Mat3::Zero(), 1e-9);
+    const double flow = (point.history_value("plastic_strain") - before) / dt, log = std::log(flow / 2);
+    const double second = log > 0 ? 0.003 * std::pow(log, 1.7) : 0.0;  // none below the reference rate
+    CHECK(point.stress(0, 0) == Approx(90 * (1 + 0.02 * log + second)).epsilon(1e-9));
+  }
+}
+
+TEST_CASE("a yield stress that decreases with plastic strain stops at yieldMin", "[materials]") {
+  const auto law = make_material(
+      "9", {{"rho", "1"}, {"E", "200e3"}, {"nu", "0.3"}, {"yield", "250"}, {"Khard", "-2000"}, {"yieldMin", "200"}});
+  const auto soft = pulled(*law, 0.01, 40);
+  CHECK(soft.stress(0, 0) == Approx(250 - 2000 * soft.history_value("plastic_strain")).epsilon(1e-9));
+  const auto least = pulled(*law, 0.05, 200);
+  CHECK(least.stress(0, 0) == Approx(200).epsilon(1e-9));
+}
+
 TEST_CASE("the strength of Johnson and Cook's law decreases with temperature up to melting", "[materials]") {
   const auto law = make_material("9", {{"rho", "1"},
                                        {"E", "124e3"},

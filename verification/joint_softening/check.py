@@ -20,7 +20,28 @@ def pull(case, what, law, per_area):
     return opening, stress
 
 
+def traction_law(case):
+    """The same bar in two materials with a traction law on their common face."""
+    text = (case.folder / "case.xml").read_text()
+    bond = text[text.index("  <Material Type='SpringNetwork'"):text.index("  <GridBCs>")]
+    crack = "<CrackList lawname='bond'><Line xmin='0' ymin='10' xmax='4' ymax='10'/></CrackList>"
+    solid = "<rho>1e-2</rho><E>1000</E><nu>0</nu>"
+    law = "<sigmaI>1</sigmaI><JIc>0.02</JIc><kIe>500</kIe><alphaI>1.5</alphaI>"
+    out = case.run("traction_law", replace={
+        "<Rect xmin='0' xmax='4' ymin='0' ymax='20'/></Body>":
+            "<Rect xmin='0' xmax='4' ymin='0' ymax='10'/></Body><Body matname='top'><Rect xmin='0' xmax='4' ymin='10' ymax='20'/></Body>",
+        f"{solid}</Material>": f"{solid}<Friction lawname='bond' matname='top'/></Material><Material Type='LinearElastic' Name='top'>{solid}</Material>",
+        bond: f"<Material Type='ExponentialTraction' Name='bond'>{law}{law.replace('I>', 'II>').replace('Ic>', 'IIc>').replace('Ie>', 'IIe>')}</Material>\n",
+        crack: "",
+        "</MPMHeader>": "<MultiMaterialMode/><GlobalArchive type='Decohesion'/></MPMHeader>"})
+    case.check("traction law between two materials: energy of the zone [mJ]", verify.history(out)["Decohesion"][-1], 4 * 0.02, 1e-6)
+    last = {name: column[-1] for name, column in verify.energy(out).items()}
+    rest = last["boundary_work"] - last["kinetic"] - last["elastic"] - last["damping"]
+    case.check("the same from the work of the grips [mJ]", rest, 4 * 0.02, 2e-2)
+
+
 def run(case):
+    traction_law(case)
     linear = pull(case, "linear", "<sn_tendc>4e-2</sn_tendc>", (0.002 + 0.04) / 2)
     if case.quick:
         return

@@ -267,7 +267,7 @@ void Joints<Dim>::update_laws(double dt, bool filtered) {
       jump.template head<Dim>() = surface_nodes.motion[k][1].velocity - surface_nodes.motion[k][0].velocity;
       JointIncrement& d = increments_[k];
       d.normal = dt * jump.dot(surface.axes[k].n), d.shear = dt * surface.axes[k].tangent(jump);
-      d.gap = surface.joints[k].gap + d.normal, d.dt = dt;
+      d.gap = surface.joints[k].gap + d.normal, d.dt = dt, d.time = system_.time + dt;
     }
     std::vector<Vec3> before;
     if (rigid(surface, 0) || rigid(surface, 1))
@@ -367,7 +367,8 @@ auto Joints<Dim>::energies() const -> Energies {
     out.dissipated += surface.dissipated;
     for (const Joint& joint : surface.joints)
       out.stored += joint.strain, out.slip -= joint.slid, out.dashpot -= joint.damped,
-          out.dissipated += joint.released() - joint.slid - joint.damped;
+          out.dissipated += joint.released() - joint.slid - joint.damped,
+          out.decohesion += joint.area * (joint.decohesion[0] + joint.decohesion[1]);
   }
   return out;
 }

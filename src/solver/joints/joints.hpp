@@ -65,6 +65,7 @@ class Joints {
     double dissipated = 0.0;  ///< dissipated by friction, dashpots and broken bonds [energy]
     double slip = 0.0;        ///< the part of it that friction dissipated [energy]
     double dashpot = 0.0;     ///< the part of it that dashpots dissipated [energy]
+    double decohesion = 0.0;  ///< the part of it that cohesive zones dissipated [energy]
   };
   Energies energies() const;
   /// Returns the events since the last call and clears the list.

@@ -75,6 +75,8 @@ void RigidBodies<Dim>::set_velocities(double dt) {
     if (body.block >= 0) continue;
     const MaterialSpec& spec = model_.materials[static_cast<std::size_t>(body.material)];
     const auto x = body.particles.x(), v = body.particles.v();
+    if (const auto& control = model_.load_control; control && control->material == body.material)
+      std::fill_n(v[static_cast<std::size_t>(control->axis)], body.particles.size(), system_.load_controller.velocity);
     for (std::size_t i = 0; i < body.particles.size(); ++i) {
       const Vec3 position = vector_at<Dim>(x, i), before = vector_at<Dim>(v, i);
       Vec3 now = wanted(spec, position, before, dt);

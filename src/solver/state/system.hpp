@@ -10,6 +10,7 @@
 #include "solver/state/crack.hpp"
 #include "solver/state/joint_surface.hpp"
 #include "solver/state/load_clock.hpp"
+#include "solver/state/load_controller.hpp"
 
 #include <algorithm>
 #include <memory>
@@ -168,6 +169,7 @@ struct System {
   double time = 0.0;
   std::int64_t step = 0;
   LoadClock load_clock;
+  LoadController load_controller;
   double drift = 0.0;  ///< largest distance any particle may have moved since the last sort [cells]
   bool sorted = false;
 
@@ -226,9 +228,10 @@ void check(const System<Dim>& system) {
 template <int Dim>
 void archive(Archive& a, System<Dim>& system) {
   auto& [lattice, analysis, fields, bodies, cracks, joints, rigids, blocks, contact_at_faces, contact_reason, time,
-         step, load_clock, drift, sorted] = system;
-  a.version(2);
-  a("time", time), a("step", step), a("load_clock", load_clock), a("drift", drift), a("sorted", sorted);
+         step, load_clock, load_controller, drift, sorted] = system;
+  a.version(3);
+  a("time", time), a("step", step), a("load_clock", load_clock), a("load_controller", load_controller);
+  a("drift", drift), a("sorted", sorted);
   a.each("crack", cracks), a.each("joints", joints);
   for (auto* list : {&bodies, &rigids})
     for (std::size_t k = 0; k < list->size(); ++k) {

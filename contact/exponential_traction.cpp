@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+/// Traction that grows linearly up to a peak and then falls to zero like an exponential, in each mode:
+///   T = sigma (e^(-alpha x) - e^-alpha)/(1 - e^-alpha),  x = (d - d_peak)/(delta_c - d_peak)
+
+#include "contact/cohesive_properties.hpp"
+
+namespace tribo {
+namespace {
+
+struct ExponentialTraction final : CohesiveProperties {
+  static constexpr std::string_view name = "ExponentialTraction";
+  static constexpr std::string_view summary =
+      "Cohesive zone: traction up to a peak, then an exponential decay to zero.";
+  static constexpr int number = 34;
+
+  static auto parameters() {
+    using Rows = CohesiveRows<ExponentialTraction>;
+    return Rows::join(Rows::peaks(), Rows::energies(), Rows::ends(), Rows::slopes(), Rows::places(), Rows::decays(),
+                      Rows::mixture(), Rows::closed());
+  }
+  void prepare(const Statement& s, Problems& problems) { make_curves(s, problems, exponential_from); }
+};
+
+}  // namespace
+
+Catalogue<JointLaw>::Item exponential_traction() {
+  return catalogue_item<JointLaw, ExponentialTraction, ExponentialTraction>({});
+}
+
+}  // namespace tribo

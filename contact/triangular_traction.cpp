@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+/// Traction that grows linearly up to a peak and then falls linearly to zero, in each mode.
+
+#include "contact/cohesive_properties.hpp"
+
+namespace tribo {
+namespace {
+
+struct TriangularTraction final : CohesiveProperties {
+  static constexpr std::string_view name = "TriangularTraction";
+  static constexpr std::string_view summary = "Cohesive zone: traction up to a peak and down again in straight lines.";
+  static constexpr int number = 12;
+
+  static auto parameters() {
+    using Rows = CohesiveRows<TriangularTraction>;
+    return Rows::join(Rows::peaks(), Rows::energies(), Rows::ends(), Rows::slopes(), Rows::places(), Rows::mixture(),
+                      Rows::closed());
+  }
+  void prepare(const Statement& s, Problems& problems) { make_curves(s, problems, triangular_from); }
+};
+
+}  // namespace
+
+Catalogue<JointLaw>::Item triangular_traction() {
+  return catalogue_item<JointLaw, TriangularTraction, TriangularTraction>({});
+}
+
+}  // namespace tribo
