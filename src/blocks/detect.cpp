@@ -253,7 +253,8 @@ void Assembly::set_pairs(const std::vector<FoundPair>& pairs, const std::map<Pai
     }
     c.mass = mass_between(c.a, c.b);
     const auto kind = ball ? ContactKind::ball : faces ? ContactKind::overlap : ContactKind::ball_on_face;
-    if (const auto before = replaced.find({p.a, p.b}); before != replaced.end()) c.replaced = before->second;
+    if (const auto faces_before = replaced.find({p.a, p.b}); faces_before != replaced.end())
+      c.replaced = faces_before->second;
     add_contact(c, site, *later_laws_[p.law], kind, {}, Vec3::Zero());
     if (!running) continue;
     contact_forces.emplace_back(), contact_forces.back().at = motion[c.a].x + motion[c.a].R * c.pa;
