@@ -16,6 +16,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -89,6 +90,8 @@ struct BlockContact {
   double mass = 0.0;       ///< m_a m_b/(m_a + m_b)
   double on_a = 0.5;       ///< position between pa (1) and pb (0); the normal is weighted the other way round
   std::uint32_t part = 0;  ///< of an overlap: index of the part
+  /// Of an overlap that replaces faces, until it is first computed: the normal force that they carried, <= 0.
+  std::optional<double> replaced = std::nullopt;
 };
 void archive(Archive& a, BlockContact& contact);
 
@@ -265,10 +268,12 @@ class Assembly {
   // detect.cpp
   void join_balls(std::vector<bool>& used);
   void find_pairs(double dt);
-  void release_moved_faces(double dt);
+  /// Normal force of all faces of each pair of blocks that lose their permanent contacts.
+  std::map<std::pair<std::uint32_t, std::uint32_t>, double> release_moved_faces(double dt);
   void set_found_pairs(std::span<const std::int64_t> pairs);
   double later_reach() const;
-  void set_pairs(const std::vector<FoundPair>& pairs);
+  void set_pairs(const std::vector<FoundPair>& pairs,
+                 const std::map<std::pair<std::uint32_t, std::uint32_t>, double>& replaced = {});
   std::pair<BlockContact, JointSite> ball_contact(std::uint32_t a, std::uint32_t b) const;
   bool moved(std::span<const Vec3> since, double distance) const;
   std::array<Vec3, 3> marks(std::size_t body) const;
@@ -282,6 +287,8 @@ class Assembly {
   template <bool Plane>
   void move_contact(std::size_t contact, const Vec3& n, const Vec3& at, double dt, JointIncrement& d);
   void resize(Joint& joint, double area, const JointIncrement& d) const;
+  /// `gap`: of a part of an overlap, `mean_gap` and `area`: of all its parts; gaps are those that count for the law.
+  static void begin_without_jump(BlockContact& contact, Joint& joint, double gap, double mean_gap, double area);
   void overlap_increments(const Batch& batch, double dt, JointIncrement* to);
   void ball_on_face_increments(const Batch& batch, double dt, JointIncrement* to);
 

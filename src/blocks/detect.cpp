@@ -140,7 +140,8 @@ void Assembly::join_balls(std::vector<bool>& used) {
 
 // Pairs of blocks whose faces, all without bond, slid or separated lose their permanent contacts if they have a law for
 // new ones, which are then detected. The forces at the start of the present step still act.
-void Assembly::release_moved_faces(double dt) {
+std::map<Pair, double> Assembly::release_moved_faces(double dt) {
+  std::map<Pair, double> forces_before;
   std::set<Pair> leave, stay;
   const auto each_face = [&](auto&& f) {
     for (std::size_t i = 0; i < groups.size(); ++i)
@@ -159,21 +160,23 @@ void Assembly::release_moved_faces(double dt) {
   });
   for (auto pair = leave.begin(); pair != leave.end();)
     pair = later_law(pair->first, pair->second) ? std::next(pair) : leave.erase(pair);
-  if (leave.empty()) return;
+  if (leave.empty()) return forces_before;
   each_face([&](std::size_t g, std::size_t k, Joint& j, const BlockContact&, const Pair& pair) {
     if (leave.count(pair) == 0 || stay.count(pair) > 0) return;
     JointIncrement d;
     increments({g, k, k + 1}, dt, &d);
+    forces_before[{std::min(pair.first, pair.second), std::max(pair.first, pair.second)}] += std::min(j.Fn, 0.0);
     j.work += half_work(j, d);
     dashpot_work[k] += 0.5 * (j.dashpot_normal * d.normal - j.dashpot_shear.dot(d.shear));
     j.area = j.Fn = j.Mt = j.strain = j.dashpot_normal = j.poisson_normal = 0;
     j.Fs = j.Mb = j.dashpot_shear = j.poisson_shear = {};
     j.away = true;
   });
+  return forces_before;
 }
 
 void Assembly::find_pairs(double dt) {
-  if (dt > 0) release_moved_faces(dt);
+  const auto replaced = dt > 0 ? release_moved_faces(dt) : std::map<Pair, double>{};
   std::set<Pair> lasting;
   for (std::size_t k = 0; k < permanent_; ++k)
     if (joints[k].area > 0)
@@ -195,7 +198,7 @@ void Assembly::find_pairs(double dt) {
   });
   std::sort(pairs.begin(), pairs.end());
   store_marks(found_at_);
-  set_pairs(pairs);
+  set_pairs(pairs, replaced);
 }
 
 // Distance up to which pairs of blocks have a contact.
@@ -206,7 +209,7 @@ double Assembly::later_reach() const {
 }
 
 // Replaces the contacts after the permanent ones by those of the pairs; contacts that existed keep their state.
-void Assembly::set_pairs(const std::vector<FoundPair>& pairs) {
+void Assembly::set_pairs(const std::vector<FoundPair>& pairs, const std::map<Pair, double>& replaced) {
   struct Old {
     FoundPair pair;
     BlockContact contact;
@@ -250,6 +253,8 @@ void Assembly::set_pairs(const std::vector<FoundPair>& pairs) {
     }
     c.mass = mass_between(c.a, c.b);
     const auto kind = ball ? ContactKind::ball : faces ? ContactKind::overlap : ContactKind::ball_on_face;
+    if (const auto faces_before = replaced.find({p.a, p.b}); faces_before != replaced.end())
+      c.replaced = faces_before->second;
     add_contact(c, site, *later_laws_[p.law], kind, {}, Vec3::Zero());
     if (!running) continue;
     contact_forces.emplace_back(), contact_forces.back().at = motion[c.a].x + motion[c.a].R * c.pa;

@@ -49,12 +49,26 @@ void Assembly::resize(Joint& j, double area, const JointIncrement& d) const {
   j.area = area, j.radius = plane_ ? 0.5 * area / thickness_ : std::sqrt(area / std::numbers::pi);
 }
 
+// Faces that were in contact at their middle only may overlap elsewhere when an overlap replaces them. If its springs
+// were to press more than the faces did, they begin with the force of the faces, distributed as the overlap is. Where
+// the blocks part, the gap without force follows them until they no longer overlap.
+void Assembly::begin_without_jump(BlockContact& c, Joint& j, double gap, double mean_gap, double area) {
+  if (c.replaced) {
+    const double whole = j.kn * area * mean_gap;
+    if (whole < *c.replaced) j.rest_gap = (gap < 0 ? gap : mean_gap) * (1 - *c.replaced / whole);
+    c.replaced.reset();
+  } else if (j.away && j.rest_gap < 0) {
+    j.rest_gap = std::min(0.0, std::max(j.rest_gap, gap));
+  }
+}
+
 void Assembly::overlap_increments(const Batch& batch, double dt, JointIncrement* d) {
   thread_local PlacedBlock a, b;
   std::array<SharedPart, 4> of_pair;
   const std::span<SharedPart> parts(of_pair.data(), shared_parts(plane_));
   BlockGap apart;
   bool shared = false;
+  const double closed = groups[batch.group].law->proximity();
   for (std::size_t k = batch.begin; k < batch.end; ++k, ++d) {
     BlockContact& c = contacts[k];
     if (k == batch.begin || c.part == 0) {
@@ -66,6 +80,7 @@ void Assembly::overlap_increments(const Batch& batch, double dt, JointIncrement*
     if (apart.gap >= 0) {
       plane_ ? move_contact<true>(k, apart.n, middle, dt, *d) : move_contact<false>(k, apart.n, middle, dt, *d);
       d->gap = apart.gap;
+      begin_without_jump(c, joints[k], d->gap - closed, 0.0, 0.0);
       continue;
     }
     if (!shared) {  // cut along the axes of this step, which all parts of a pair use
@@ -76,6 +91,10 @@ void Assembly::overlap_increments(const Batch& batch, double dt, JointIncrement*
     const SharedPart& part = parts[c.part];
     plane_ ? move_contact<true>(k, apart.n, part.at, dt, *d) : move_contact<false>(k, apart.n, part.at, dt, *d);
     d->gap = part.area > 0 ? -part.volume / part.area : 0.0;
+    double area = 0, volume = 0;
+    for (const SharedPart& p : parts) area += p.area, volume += p.volume;
+    begin_without_jump(c, joints[k], d->gap - closed, (area > 0 ? -volume / area : 0.0) - closed,
+                       plane_ ? area * thickness_ : area);
     if (part.area > 0) resize(joints[k], plane_ ? part.area * thickness_ : part.area, *d);
   }
 }

@@ -31,9 +31,9 @@ void archive(Archive& a, BlockWork& work) {
 }
 
 // Only the axes carry something over from the last step. Points, normals and masses of faces are constant, those of
-// other contacts are computed from the positions of the blocks.
+// other contacts are computed from the positions of the blocks. What a contact replaces matters within a step only.
 void archive(Archive& a, BlockContact& contact) {
-  auto& [body_a, body_b, pa, pb, na, nb, axes, mass, on_a, part] = contact;
+  auto& [body_a, body_b, pa, pb, na, nb, axes, mass, on_a, part, replaced] = contact;
   a.version(1);
   a("axes", axes);
 }

@@ -68,7 +68,9 @@ std::vector<std::string> BlockRun::look() {
 std::vector<std::string> BlockRun::remarks() const {
   const Finding& f = monitor_.of(Sign::energy);
   if (!f.seen) return {};
-  const bool fictitious = blocks_.ledger().released < 0;
+  const bool fictitious =
+      blocks_.ledger().released < 0 && std::any_of(blocks_.groups.begin(), blocks_.groups.end(),
+                                                   [](const ContactGroup& g) { return g.law->poisson() != 0; });
   return {format("energy: %.3g %% of what was supplied came from %s until time %.4g: ", 100 * f.worst,
                  fictitious ? "the fictitious stress of Poisson's ratio" : "nowhere", f.time) +
           (fictitious ? "'damping' if blocks vibrate; after failure compare with Poisson's ratio 0"

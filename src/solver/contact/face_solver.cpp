@@ -243,6 +243,26 @@ void FaceSolver<Dim>::distribute(const Constraint& c, const Vec3& impulse) {
   }
 }
 
+// Applies an impulse at the start of the step. Light nodes take a share of it, see NodalVelocity::start_share, and so
+// do the others of the side whose nodes are heavier, so that both sides receive equally much: momentum is conserved.
+template <int Dim>
+void FaceSolver<Dim>::distribute_at_start(const Constraint& c, const Vec3& impulse) {
+  std::array<double, 2> taken{};  // by each side
+  std::array<bool, 2> moves{};    // false: a rigid body
+  const auto side_of = [](const Term& t) -> std::size_t { return t.weight < 0 ? 0 : 1; };
+  for (std::size_t t = 0; t < c.term_count; ++t) {
+    const Term& term = c.terms[t];
+    moves[side_of(term)] = true;
+    taken[side_of(term)] += std::abs(term.weight) * dofs_[term.dof].start_share;
+  }
+  const double both = moves[0] && moves[1] ? std::min(taken[0], taken[1]) : std::max(taken[0], taken[1]);
+  for (std::size_t t = 0; t < c.term_count; ++t) {
+    const Term& term = c.terms[t];
+    NodalVelocity& p = dofs_[term.dof];
+    p.change -= term.weight * p.inverse_mass * p.start_share * (both / taken[side_of(term)]) * impulse;
+  }
+}
+
 template <int Dim>
 bool FaceSolver<Dim>::is_inactive(const Constraint& c) {
   return c.pair->has_no_face || c.pair->replaced_by_joint;
@@ -313,8 +333,14 @@ void FaceSolver<Dim>::apply(double dt, ContactPass pass) {
   });
   solve(pass);
   if (pass == ContactPass::corrector) each_constraint([](Constraint& c) { c.pair->applied = c.pair->impulse; });
+  if (pass == ContactPass::predictor) {
+    each_velocity([](NodalVelocity& p) { p.change.setZero(); });
+    each_group(false, [&](Group& group) {
+      for (std::size_t k = group.first; k < group.end; ++k)
+        distribute_at_start(constraints_[k], constraints_[k].pair->impulse);
+    });
+  }
   each_velocity([&](NodalVelocity& p) {
-    if (pass == ContactPass::predictor) p.change *= p.start_share;
     Eigen::Map<Vec3>(node(p).velocity) += p.change;
     if (pass == ContactPass::corrector) Eigen::Map<Vec3>(node(p).acceleration) += p.change / dt;
   });

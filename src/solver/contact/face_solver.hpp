@@ -99,6 +99,7 @@ class FaceSolver {
   void each_velocity(F&& f);
   void update_impulse(Constraint& c, double mass, ContactPass pass);
   void distribute(const Constraint& c, const Vec3& impulse);
+  void distribute_at_start(const Constraint& c, const Vec3& impulse);
   void solve(ContactPass pass);
 
   System<Dim>& system_;

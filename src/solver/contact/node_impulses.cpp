@@ -40,8 +40,8 @@ void NodeImpulses<Dim>::apply(double dt, ContactPass pass) {
 
 // The velocity of a field at a node that its body hardly reaches is that of its outermost particles. With the velocity
 // of the other body there it would strain them, but the force at the node, which belongs to this strain, changes the
-// momentum by the velocity without contact: with FLIP this adds energy in every step. Fields that are bonded at the
-// node share its velocity, however light they are.
+// momentum by the velocity without contact: with FLIP this adds energy in every step. The other body takes the same
+// share of the impulse. Fields that are bonded at the node share its velocity, however light they are.
 template <int Dim>
 void NodeImpulses<Dim>::change_at_start(const ContactNode<Dim>& node, double sign) {
   constexpr double light = 0.03;  // of the mass of the heaviest deformable field at the node
@@ -51,9 +51,11 @@ void NodeImpulses<Dim>::change_at_start(const ContactNode<Dim>& node, double sig
     if (members[i].inverse_mass > 0.0) heaviest = std::max(heaviest, members[i].mass);
   for (const ContactPair& pair : contacts_.pairs_of(node)) {
     const bool bonded = pair.crack >= 0 || !pair.law || !pair.law->uses_face() || pair.law->interface();
+    double share = 1.0;  // the same for both, so that momentum is conserved
+    for (const std::size_t i : {std::size_t{pair.a}, std::size_t{pair.b}})
+      if (!bonded && members[i].inverse_mass > 0.0) share = std::min(share, members[i].mass / (light * heaviest));
     for (const auto& [i, side] : {std::pair{pair.a, sign}, std::pair{pair.b, -sign}}) {
       const ContactMember& m = members[i];
-      const double share = bonded ? 1.0 : std::min(1.0, m.mass / (light * heaviest));
       Node& at = system_.fields[m.field].nodes[static_cast<std::size_t>(m.node)];
       Eigen::Map<Vec3>(at.velocity) += side * share * m.inverse_mass * pair.impulse;
     }
