@@ -124,7 +124,8 @@ std::vector<std::size_t> material_order(const Statement& root) {
     if (const Attribute* a = s.attribute("matname"))
       for (std::size_t k = 0; k < in_file.size(); ++k)
         if (text_of(*in_file[k], "Name") == a->text) number(k);
-    for (const auto& child : s.children) visit(child);
+    for (const auto& child : s.children)
+      if (child.name != "Stage") visit(child);  // a stage does not change the numbers of the file
   };
   visit(root);
   for (std::size_t k = 0; k < in_file.size(); ++k) number(k);
