@@ -140,6 +140,13 @@ class JointLaw {
                       std::vector<JointEvent>& events) const = 0;
   /// Whether the faces are bonded.
   virtual bool is_bonded(const Joint&) const { return false; }
+  /// Takes over a contact that obeyed `former`, a law of the same type with other properties: its stiffnesses become
+  /// those of this law while its forces stay as they are. The change of the stored energy is not counted as released.
+  virtual void adopt(Joint&, const JointLaw& former) const { (void)former; }
+  /// Bonds a contact whose faces touch, or breaks its bond, without a change of its compressive force. False if the
+  /// contact does not change: it is open or bonded already, or the law has no bonds.
+  virtual bool bond(Joint&) const { return false; }
+  virtual bool unbond(Joint&) const { return false; }
   /// The state in words, for output.
   virtual std::string state_text(const Joint& joint) const = 0;
   /// Names and values of output quantities that only this law has.

@@ -67,6 +67,18 @@ std::array<double, 4> stiffness_moments(const Joint& joint, const JointSite& sit
 inline double spring_energy(double force, double elastic, double stiffness) {
   return stiffness > 0 ? 0.5 * force * elastic / stiffness : 0.0;
 }
+/// Changes the stiffnesses per area of a contact whose forces stay as they are: the gap at zero force follows, and the
+/// change of the stored energy, which `energy(joint)` computes, is not counted as released. `overlap_gap`: the gap less
+/// that at which faces count as closed [length].
+template <class Energy>
+void restiffen(Joint& j, double kn, double ks, double overlap_gap, Energy&& energy) {
+  const double before = j.strain;
+  if (kn > 0 && j.kn > 0 && kn != j.kn) j.rest_gap = overlap_gap - (overlap_gap - j.rest_gap) * (j.kn / kn);
+  j.kn = kn, j.ks = ks;
+  if (j.away) return;
+  j.strain = energy(j);
+  j.start += j.strain - before;
+}
 /// Adds the work of the springs in this step by the trapezoidal rule; `before` is the state at the start of the step.
 void add_work(Joint& joint, const Joint& before, const JointIncrement& step);
 

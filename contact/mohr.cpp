@@ -265,6 +265,23 @@ struct Mohr final : JointLaw {
     for (std::size_t k = 0; k < joints.size(); ++k) step(joints[k], increments[k], k, events);
   }
 
+  void adopt(Joint& j, const JointLaw&) const override {
+    if (j.kn != kn || j.ks != ks) restiffen(j, kn, ks, j.gap - gap_shift, strain_energy);
+  }
+  /// Its strengths are those of the peak again.
+  bool bond(Joint& j) const override {
+    if (j.away || !(j.shear_weak || j.torn)) return false;
+    j.state &= slips_now, j.slip = 0, j.shear_weak = j.torn = false;
+    return true;
+  }
+  /// Its strengths are the residual ones from now on.
+  bool unbond(Joint& j) const override {
+    if (j.torn) return false;
+    if (j.state == 0) j.rest_gap = j.gap - gap_shift - (j.kn * j.area > 0 ? j.Fn / (j.kn * j.area) : 0.0);
+    j.state |= slipped | torn_before, j.shear_weak = j.torn = true;
+    return true;
+  }
+
   std::string state_text(const Joint& j) const override {
     std::string out;
     for (const auto& [bit, word] :

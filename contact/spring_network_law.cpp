@@ -84,6 +84,38 @@ Joint SpringNetwork::start(const JointSite& site) const {
   return j;
 }
 
+void SpringNetwork::adopt(Joint& j, const JointLaw& former) const {
+  const auto* before = dynamic_cast<const SpringNetwork*>(&former);
+  if (!before) return;
+  const auto ratio = [](double now, double then) { return then > 0 ? now / then : 1.0; };
+  double normal = ratio(kn, before->kn), shear = ratio(ks, before->ks);
+  double twist = turns_with_area ? shear : ratio(krot_n, before->krot_n);
+  std::array<double, 2> bending{ratio(krot_s, before->krot_s), ratio(krot_t, before->krot_t)};
+  if (turns_with_area) bending.fill(normal);
+  if (methods.modulus && before->methods.modulus)
+    normal = shear = twist = bending[0] = bending[1] = *methods.modulus / *before->methods.modulus;
+  if (normal == 1 && shear == 1 && twist == 1 && bending[0] == 1 && bending[1] == 1) return;
+  j.twist_stiffness *= twist;
+  j.bend_stiffness = {j.bend_stiffness[0] * bending[0], j.bend_stiffness[1] * bending[1],
+                      j.bend_stiffness[2] * bending[0]};
+  restiffen(j, j.kn * normal, j.ks * shear, j.gap - gap_shift, strain_energy);
+}
+
+// The fictitious stress that a new bond would start with is not known.
+bool SpringNetwork::bond(Joint& j) const {
+  if (j.state >= bonded || j.away || nu != 0) return false;
+  j.state = bonded, j.elongation = j.onset = j.slip = 0;
+  j.poisson_normal = 0, j.poisson_shear = {};
+  j.slips = j.bends = j.twists = false;
+  return true;
+}
+
+bool SpringNetwork::unbond(Joint& j) const {
+  if (j.state < bonded) return false;
+  break_bond(j, loose, j.gap - gap_shift);
+  return true;
+}
+
 double SpringNetwork::proximity() const {
   const double bonds = methods.bond ? methods.bond->high : 0.0;
   return std::max({0.0, gap_shift, bonds});

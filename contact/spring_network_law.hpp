@@ -58,6 +58,9 @@ struct SpringNetwork final : JointLaw {
   void update(std::span<Joint> joints, std::span<const JointIncrement> increments,
               std::vector<JointEvent>& events) const override;
   bool is_bonded(const Joint& j) const override { return j.state >= bonded; }
+  void adopt(Joint& joint, const JointLaw& former) const override;
+  bool bond(Joint& joint) const override;
+  bool unbond(Joint& joint) const override;
   std::string state_text(const Joint& j) const override;
   std::vector<std::string_view> own_names() const override;
   std::vector<double> own_values(const Joint& j) const override;

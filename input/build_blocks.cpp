@@ -20,8 +20,8 @@ bool lists(const std::vector<std::string_view>& list, const std::string& name) {
 
 // A model that consists of blocks only has no other sections, and many settings of <MPMHeader> refer to the grid.
 void Builder::only_of_blocks() {
-  static const std::vector<std::string_view> sections{"Header",  "MPMHeader", "Blocks", "Material",
-                                                      "Gravity", "Commands",  "Drive"};
+  static const std::vector<std::string_view> sections{"Header",   "MPMHeader", "Blocks", "Material", "Gravity",
+                                                      "Commands", "Drive",     "Stage",  "When"};
   static const std::vector<std::string_view> settings{
       "TimeStep",     "MaxTime",           "Timing",        "ArchiveTime", "FirstArchiveTime",
       "ArchiveGroup", "GlobalArchiveTime", "GlobalArchive", "Output",      "ArchiveRoot"};

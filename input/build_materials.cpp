@@ -6,6 +6,7 @@
 #include "input/builder.hpp"
 #include "input/common_properties.hpp"
 #include "input/dialect.hpp"
+#include "input/stage_edits.hpp"
 #include "materials/material.hpp"
 
 #include <algorithm>
@@ -46,6 +47,10 @@ void Builder::number_materials() {
   std::vector<const Statement*> in_file;
   for (const auto& s : root_.children)
     if (s.name == "Material") in_file.push_back(&s);
+  if (!order_.empty()) {  // a stage has the numbers of the whole file
+    for (const std::size_t k : order_) material_statements_.push_back(in_file.at(k));
+    return;
+  }
   // Two materials may have the same name if nothing refers to it.
   std::set<std::string> referred;
   const std::function<void(const Statement&)> collect = [&](const Statement& s) {
@@ -67,18 +72,7 @@ void Builder::number_materials() {
     }
     same.push_back(m);
   }
-  std::set<const Statement*> numbered;
-  const auto number = [&](const Statement* m) {
-    if (numbered.insert(m).second) material_statements_.push_back(m);
-  };
-  const std::function<void(const Statement&)> visit = [&](const Statement& s) {
-    if (const Attribute* a = s.attribute("matname"))
-      if (const auto found = named.find(a->text); found != named.end())
-        for (const auto* m : found->second) number(m);
-    for (const auto& child : s.children) visit(child);
-  };
-  visit(root_);
-  for (const auto* m : in_file) number(m);
+  for (const std::size_t k : material_order(root_)) material_statements_.push_back(in_file[k]);
 }
 
 int Builder::material(const Statement& s, std::string_view by_number, std::string_view by_name) {

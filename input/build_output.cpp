@@ -16,6 +16,13 @@
 namespace tribo {
 namespace {
 
+// Whether a condition of a stage has this id.
+bool has_condition(const Statement& s, int id) {
+  const Attribute* a = s.name == "DisBC" ? s.attribute("id") : nullptr;
+  return (a && to_number(a->text) == id) ||
+         std::any_of(s.children.begin(), s.children.end(), [&](const Statement& c) { return has_condition(c, id); });
+}
+
 template <class Table>
 std::vector<std::string> names_of(const Table& list) {
   std::vector<std::string> out;
@@ -284,6 +291,8 @@ void Builder::check_histories() {
         for (int side = 0; side < 2; ++side)
           known = known || (symmetry_plane_id(axis, side) == q.condition_id &&
                             model_.grid.symmetry[static_cast<std::size_t>(axis)][static_cast<std::size_t>(side)]);
+      // Conditions may come and go with stages.
+      known = known || !order_.empty() || has_condition(root_, q.condition_id);
       must(known, q.origin,
            "no condition has the id " + std::to_string(q.condition_id) +
                " (symmetry planes: -10 and -11 for x, -20 and -21 for y, -30 and -31 for z)");

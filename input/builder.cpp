@@ -25,6 +25,7 @@ Model Builder::build() {
     materials();
     gravity();
     with_memory_for("the blocks", place_of("Blocks"), [&] { blocks(); });
+    stages();
     problems_.raise();
     for (const auto& w : problems_.warnings()) warn(w.origin, w.message);
     return std::move(model_);
@@ -44,6 +45,7 @@ Model Builder::build() {
   gravity();
   if (root_.child("Blocks")) with_memory_for("the blocks", place_of("Blocks"), [&] { blocks(); });
   check_histories();
+  stages();
   problems_.raise();
   for (const auto& w : problems_.warnings()) warn(w.origin, w.message);
   return std::move(model_);
@@ -256,7 +258,7 @@ void add_problems(const Statement& root, bool complete, Problems& problems, cons
 Model build_model(const Statement& root, const std::filesystem::path& folder) {
   Problems problems;
   check_statements(root, problems);
-  if (problems.empty()) return Builder(root, folder).build();
+  if (problems.empty()) return build_with_stages(root, folder);
   const bool complete = is_complete(root);
   const Statement usable = complete ? root : complete_part(root);
   add_problems(root, complete, problems, [&] {

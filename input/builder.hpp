@@ -20,9 +20,14 @@ namespace tribo {
 /// Whether an attribute of type flag, which has been checked, says yes.
 inline bool yes(std::string_view flag) { return flag == "yes" || flag == "1" || flag == "true"; }
 
+/// The model of a tree without problems, with those of its stages.
+Model build_with_stages(const Statement& root, const std::filesystem::path& folder);
+
 class Builder {
  public:
-  Builder(const Statement& root, std::filesystem::path folder) : root_(root), folder_(std::move(folder)) {}
+  /// `order`: positions of the materials among those of the tree, by their number; empty: to be found.
+  Builder(const Statement& root, std::filesystem::path folder, std::vector<std::size_t> order = {})
+      : root_(root), folder_(std::move(folder)), order_(std::move(order)) {}
   /// The model. Throws InputError with all problems found.
   Model build();
   /// Checks the materials only, for a file whose other parts are incomplete. Throws InputError.
@@ -171,6 +176,13 @@ class Builder {
                                             double factor = 1.0);
   void block_histories(BlocksSpec& spec);
 
+  // build_stages.cpp
+  void stages();
+  StageSpec stage(const Statement& s, int number);
+  StageAction stage_action(const Statement& s);
+  void reactions();
+  void reaction(const Statement& s);
+
   // build_drive.cpp
   MaterialDrive material_drive(const Statement& s, const MaterialSpec& spec);
   ContactDrive contact_drive(const Statement& s, const MaterialSpec& spec);
@@ -202,6 +214,7 @@ class Builder {
   const Statement& root_;
   std::filesystem::path data_file(const std::string& name);
   std::filesystem::path folder_;
+  std::vector<std::size_t> order_;
   Model model_;
   Problems problems_;
   std::optional<Origin> wants_tip_loads_;  ///< place of an output request that needs crack tips

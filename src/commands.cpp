@@ -71,7 +71,8 @@ void refuse_changes(const ModelToResume& found, const std::filesystem::path& fol
   for (std::size_t k = 0; k < std::min(most, found.changed.size()); ++k) text += "  " + found.changed[k] + "\n";
   if (found.changed.size() > most) text += "  and " + std::to_string(found.changed.size() - most) + " further lines\n";
   throw FileError(text + "'tribo resume --changed " + folder.string() +
-                  "' continues with the changed file; 'tribo run' starts anew");
+                  "' continues with the changed file, with --accept-edits as a stage from now on; 'tribo run' starts "
+                  "anew");
 }
 
 }  // namespace
@@ -103,9 +104,20 @@ int run_command(const Arguments& a) {
 }
 
 int resume_command(const Arguments& a) {
-  const auto [model, changed] = model_of(a.folder);
-  if (!changed.empty() && !a.changed) refuse_changes({model, changed}, a.folder);
+  auto [model, changed] = model_of(a.folder);
+  if (!changed.empty() && !a.changed && !a.accept_edits) refuse_changes({model, changed}, a.folder);
   RunOptions options;
+  if (!changed.empty() && a.accept_edits) {
+    const auto copy = copy_of_model(a.folder);
+    options.former = std::make_shared<const Model>(read_model(copy));
+    const Statement before = read_statements(copy), now = read_statements(model.file, Settings(model.settings), stderr);
+    const auto same = [&](const char* section) {
+      const Statement *x = before.child(section), *y = now.child(section);
+      return (!x && !y) || (x && y && xml_text(*x) == xml_text(*y));
+    };
+    model.stage.kept = same("ParticleBCs") ? model.particle_conditions.size() : 0;
+    model.stage.conditions = !same("GridBCs");
+  }
   options.changed = !changed.empty(), options.changes = join(changed, "; ");
   options.folder = a.folder, options.threads = a.thread_count, options.quiet = a.quiet, options.max_wall = a.max_wall;
   options.resume = true, options.command_line = a.command_line;

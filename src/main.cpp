@@ -92,6 +92,10 @@ class CommandLine {
     auto* resume = add("resume", "continue a stopped run", resume_command);
     resume->add_option("DIR", a.folder, "folder of the run")->required();
     resume->add_flag("--changed", a.changed, "continue with a command file that has changed since");
+    resume->add_flag(
+        "--accept-edits", a.accept_edits,
+        "the same, and what has changed is a stage from now on: with a time step, energies and loads of its "
+        "own");
     has_threads(resume), may_be_quiet(resume), has_wall(resume);
     has_threads(reads_file(
         "check", "read the file, build the model and print a summary with checks, without running it", check_command));

@@ -22,9 +22,9 @@ std::vector<AttributeSpec> body_attributes() {
 
 void add_bodies(Rows& add) {
   add({"MaterialPoints", "JANFEAInput", "bodies and particles", T::none, {}, true, true, false, {}, "Blocks"});
-  add({"Body", "MaterialPoints", "shapes filled with a material", T::none,
+  add({"Body", "MaterialPoints Stage", "shapes filled with a material", T::none,
        body_attributes() + std::vector{units(velocities_and_lengths)}});
-  add({"Hole", "MaterialPoints", "shapes without particles", T::none});
+  add({"Hole", "MaterialPoints Stage", "shapes without particles", T::none});
   for (const auto name : {"vel0X", "vel0Y", "vel0Z"})
     add({name, "Body", "initial velocity of the following shapes, a function of position (before Deform moves it)",
          T::function});
@@ -74,7 +74,8 @@ void add_bodies(Rows& add) {
 }
 
 void add_shapes(Rows& add) {
-  constexpr std::string_view shapes_in = "Body Hole BCShape LdShape Joint Platen Pressure Hold Load @shape";
+  constexpr std::string_view shapes_in =
+      "Body Hole BCShape LdShape Joint Platen Pressure Hold Load Excavate Bond Unbond @shape";
   const auto shape = [&](std::string_view name, std::string_view meaning, std::vector<AttributeSpec> attributes) {
     add({name, shapes_in, meaning, T::none, std::move(attributes), false, false, true});
   };
@@ -99,7 +100,7 @@ void add_shapes(Rows& add) {
         {text("file", "", true), number("scale", "factor (default 1)"), number("x", "shift"), number("y", "shift"),
          number("z", "shift")});
   add({"BMP",
-       "MaterialPoints",
+       "MaterialPoints Stage",
        "greyscale image (PNG or BMP) that assigns materials in a rectangle",
        T::none,
        {text("name", "file", true), number("width", "(default: one unit per pixel)"), number("height", ""),

@@ -65,9 +65,9 @@ void add_header(Rows& add) {
         number("fraction", "fraction of FLIP in a blend with PIC"),
         {"order", T::integer, "order m of XPIC(m), k of FMPM(k)"}},
        true});
-  add({"TimeStep", "MPMHeader", "largest time step", T::number, {units(times)}, true});
+  add({"TimeStep", "MPMHeader Stage", "largest time step", T::number, {units(times)}, true});
   add({"MaxTime", "MPMHeader", "end of the run", T::number, {units(times)}, true});
-  add({"TimeFactor", "MPMHeader", "Courant number of the fastest wave, in cells per step", T::number, {}, true});
+  add({"TimeFactor", "MPMHeader Stage", "Courant number of the fastest wave, in cells per step", T::number, {}, true});
   add({"TransTimeFactor", "MPMHeader", "fraction of the largest stable time step of conduction", T::number, {}, true});
   add({"Timing",
        "MPMHeader",

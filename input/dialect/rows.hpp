@@ -56,5 +56,6 @@ void add_blocks(Rows& add);
 void add_conditions(Rows& add);
 void add_heat_and_gravity(Rows& add);
 void add_tasks(Rows& add);
+void add_stages(Rows& add);
 
 }  // namespace tribo::keywords

@@ -73,8 +73,20 @@ const std::vector<CommandInfo>& commands() {
        "XML for a section of the file, e.g. MPMHeader, MaterialPoints, Gravity, Thermal; without a section inside "
        "Region, Hole, GridBC or ParticleBC: elements of that body or condition, elsewhere whole sections"},
       {"Entity", 2, 2, "name, value", "defines an XML entity for XMLData"},
-      {"Material", 3, 3, "id, name, type; properties up to Done",
-       "material, contact law or joint law; one property per line, and Contact law,material"},
+      {"Material", 1, 3, "id, name, type; properties up to Done",
+       "material, contact law or joint law; one property per line, and Contact law,material. In a stage: id; the "
+       "properties that change"},
+      {"When", 2, 4, "bond_break, effect | ratio, value, effect | above or below, history, value, effect",
+       "what is done once when something happens until the next stage: Stop, Frame, Checkpoint or NextStage"},
+      {"Stage", 1, 3, "time[, name[, ratio]]; commands up to EndStage",
+       "from this time on the run continues with what the commands change: Material, ContactMM, Gravity, GridBC, "
+       "ParticleBC, Damping, PDamping, FeedbackDamping, PFeedbackDamping, TimeStep, CFLFactor; Region and Hole place "
+       "bodies, Excavate, Bond and Unbond act once. With a ratio the stage ends once the ratio of unbalanced to "
+       "applied "
+       "forces is below it"},
+      {"Excavate", 0, 1, "[material]; shapes up to EndExcavate", "in a stage: removes the particles in the shapes"},
+      {"Bond", 0, 0, "shapes up to EndBond", "in a stage: bonds the joints in the shapes whose faces touch"},
+      {"Unbond", 0, 0, "shapes up to EndUnbond", "in a stage: breaks the bonds of the joints in the shapes"},
       {"Region", 3, 40, "material, vx, vy[, thickness or vz[, attribute, value ...]]; shapes up to EndRegion", "body"},
       {"Hole", 0, 0, "shapes up to EndHole", "shapes without particles of the following bodies"},
       {"BMPRegion", 2, 4, "file, width[, height]; up to EndRegion", "bodies from a greyscale image"},
@@ -136,8 +148,10 @@ const std::vector<CommandInfo>& commands() {
       {"LoadRect", 4, 4, "xmin, xmax, ymin, ymax; loads up to EndLoadRect", "older form of ParticleBC with Rect"},
       {"LoadBox", 6, 7, "x1, y1, z1, x2, y2, z2[, axis]; loads up to EndLoadBox",
        "older form of ParticleBC with Box, or with an axis with Cylinder"},
-      {"GridBC", 0, 0, "shape, conditions up to EndGridBC", "conditions on nodes in a shape"},
-      {"ParticleBC", 0, 0, "shape, conditions up to EndParticleBC", "conditions on particles in a shape"},
+      {"GridBC", 0, 1, "[add;] shape, conditions up to EndGridBC",
+       "conditions on nodes in a shape. Those of a stage replace the former ones; with add these stay"},
+      {"ParticleBC", 0, 1, "[add;] shape, conditions up to EndParticleBC",
+       "conditions on particles in a shape; add as in GridBC"},
       {"Velocity", 2, 7, "direction, style[, value[, time[, angle[, angle]]]]",
        "prescribed velocity: constant, linear, sine, cosine or function; 0 without a value"},
       {"Temperature", 1, 3, "style[, value[, time]]", "prescribed temperature"},
@@ -152,6 +166,10 @@ const std::vector<CommandInfo>& commands() {
       {"Done", 0, 0, "", "ends Material"},
       {"EndRegion", 0, 0, "", "ends Region and BMPRegion"},
       {"EndHole", 0, 0, "", "ends Hole"},
+      {"EndStage", 0, 0, "", "ends Stage"},
+      {"EndExcavate", 0, 0, "", "ends Excavate"},
+      {"EndBond", 0, 0, "", "ends Bond"},
+      {"EndUnbond", 0, 0, "", "ends Unbond"},
       {"EndGridBC", 0, 0, "", "ends GridBC"},
       {"EndParticleBC", 0, 0, "", "ends ParticleBC"},
       {"EndMoveLine", 0, 0, "", "ends MoveLine"},

@@ -3,7 +3,10 @@
 
 #include "base/schema.hpp"
 
+#include "input/dialect.hpp"
+
 #include <array>
+#include <utility>
 
 namespace tribo::script {
 namespace {
@@ -73,6 +76,47 @@ std::string Document::number_of(const std::string& id, const Origin& origin, Pro
   return "1";
 }
 
+void Document::begin_stage(Statement stage) {
+  stage_ = std::move(stage);
+  sections_before_ = std::exchange(sections_, {}), materials_before_ = std::exchange(materials_, {});
+}
+
+// Bodies and settings are children of the stage itself.
+void Document::end_stage() {
+  Statement stage = std::move(*stage_);
+  stage_.reset();
+  auto sections = std::exchange(sections_, std::move(sections_before_));
+  for (Statement& m : std::exchange(materials_, std::move(materials_before_))) stage.children.push_back(std::move(m));
+  std::optional<InputError> wrong;
+  for (auto& [name, section] : sections) {
+    if (name == "GridBCs" || name == "ParticleBCs" || name == "Gravity") {
+      stage.children.push_back(std::move(section));
+      continue;
+    }
+    for (Statement& child : section.children) {
+      const Statement* law = child.name == "MultiMaterialMode" ? child.child("Friction") : nullptr;
+      const bool known = law || find_element(child.name, "Stage") != nullptr;
+      if (!known && !wrong)
+        wrong.emplace(child.origin,
+                      "this cannot change in a stage; there can be Material, Region, Hole, Excavate, "
+                      "Bond, Unbond, When, GridBC, ParticleBC, Gravity, ContactMM, Damping, PDamping, "
+                      "FeedbackDamping, PFeedbackDamping, TimeStep and CFLFactor");
+      if (known) stage.children.push_back(law ? *law : std::move(child));
+    }
+  }
+  stages_.push_back(std::move(stage));
+  if (wrong) throw InputError(*wrong);
+}
+
+const Statement& Document::material_before(const std::string& id, const Origin& origin) const {
+  Problems problems;
+  const auto number = static_cast<std::size_t>(std::stoul(number_of(id, origin, problems)));
+  problems.raise();
+  if (number <= surrounding_ || number > surrounding_ + materials_before_.size())
+    throw InputError(origin, "the material '" + id + "' is not one of the script; change it in a <Stage> of the file");
+  return materials_before_[number - surrounding_ - 1];
+}
+
 // In an XML file the numbers of materials may depend on the order of references, so references are made by name.
 void Document::resolve(Attribute& a, Problems& problems) const {
   if (a.text.empty() || a.text[0] != reference) return;
@@ -108,6 +152,7 @@ void Document::resolve_references(Problems& problems) {
   for (auto& [name, section] : sections_) resolve(section, problems);
   for (auto& m : materials_) resolve(m, problems);
   for (auto& crack : cracks_) resolve(crack, problems);
+  for (auto& stage : stages_) resolve(stage, problems);
 }
 
 std::vector<Statement> Document::finish_sections(bool legacy) {
@@ -122,14 +167,25 @@ std::vector<Statement> Document::finish_sections(bool legacy) {
       out.push_back(std::move(found->second)), sections_.erase(found);
   }
   for (auto& [name, rest] : sections_) out.push_back(std::move(rest));
-  // Times of a legacy script are milliseconds.
-  if (!legacy) return out;
+  for (auto& stage : stages_) out.push_back(std::move(stage));
+  std::vector<Statement> reactions;
   for (auto& section : out)
     if (section.name == "MPMHeader")
+      std::erase_if(section.children, [&](Statement& s) {
+        if (s.name == "When") reactions.push_back(s);
+        return s.name == "When";
+      });
+  for (auto& reaction : reactions) out.push_back(std::move(reaction));
+  // Times of a legacy script are milliseconds.
+  if (!legacy) return out;
+  for (auto& section : out) {
+    if (section.name == "Stage") attribute(section, "units", "ms", section.origin);
+    if (section.name == "MPMHeader" || section.name == "Stage")
       for (auto& s : section.children)
         for (const char* timed :
              {"TimeStep", "MaxTime", "ArchiveTime", "FirstArchiveTime", "ArchiveGroup", "GlobalArchiveTime"})
           if (s.name == timed) attribute(s, "units", "ms", s.origin);
+  }
   return out;
 }
 

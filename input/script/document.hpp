@@ -37,6 +37,14 @@ class Document {
   const std::vector<Statement>& materials() const { return materials_; }
   /// Adds a crack; each crack is a section of its own.
   std::vector<Statement>& cracks() { return cracks_; }
+  /// From now on sections and materials are those of a stage, until end_stage().
+  void begin_stage(Statement stage);
+  /// Throws InputError if the stage has something that cannot change.
+  void end_stage();
+  /// Adds a stage that is complete.
+  void add_stage(Statement stage) { stages_.push_back(std::move(stage)); }
+  /// The material of the file that a material of a stage changes. Throws InputError if there is none.
+  const Statement& material_before(const std::string& id, const Origin& origin) const;
   /// Names the last material. Throws InputError if another one has this name.
   void name_material(const std::string& id, const Origin& origin);
 
@@ -69,8 +77,11 @@ class Document {
 
   Origin origin_;
   std::map<std::string, Statement> sections_;
-  std::vector<Statement> materials_, cracks_;
-  std::map<std::string, std::size_t> ids_;  ///< number of each id, from 1
+  std::vector<Statement> materials_, cracks_, stages_;
+  std::optional<Statement> stage_;  ///< the open one
+  std::map<std::string, Statement> sections_before_;
+  std::vector<Statement> materials_before_;  ///< while a stage is open: what lies outside of it
+  std::map<std::string, std::size_t> ids_;   ///< number of each id, from 1
   std::string description_;
   Problems problems_;            ///< warnings only
   bool inside_ = false;          ///< the script is part of an XML file

@@ -161,7 +161,7 @@ std::string run_commands(Statement& root, Settings& settings, Problems& problems
     problems.add(of_commands);
     for (Statement& section : sections) {
       const auto same = std::find_if(root.children.begin(), root.children.end(), [&](const Statement& s) {
-        return s.name == section.name && s.name != "Material";
+        return s.name == section.name && s.name != "Material" && s.name != "Stage" && s.name != "When";
       });
       if (same == root.children.end())
         root.children.push_back(std::move(section));

@@ -99,6 +99,8 @@ Statement element(const std::string& name, const Origin& origin, const std::stri
 }  // namespace
 
 void Translator::material(const Command& c) {
+  if (stage_) return material_of_stage(c);
+  if (c.size() < 3) throw InputError(c.origin(), "'Material' takes 3 arguments: id, name, type");
   open(Open::material, c);
   Statement& m = document_.material(
       c.origin());  // first, so that after an error its properties are not assigned to another material
@@ -251,7 +253,8 @@ void Translator::initial_stress(const Command& c) {
 
 // Parent of the next shape: the list of shapes, or for cut-outs the last shape, the last cut-out in it, ...
 Statement& Translator::place(const Command& c, int cuts) {
-  if (open_ != Open::region && open_ != Open::hole && open_ != Open::grid && open_ != Open::particles)
+  if (open_ != Open::region && open_ != Open::hole && open_ != Open::grid && open_ != Open::particles &&
+      open_ != Open::action)
     throw InputError(c.origin(),
                      "'" + c.node.word + "' is a shape; it belongs into 'Region', 'Hole', 'GridBC' or 'ParticleBC'");
   const bool selects = open_ == Open::grid || open_ == Open::particles;
@@ -310,6 +313,14 @@ void Translator::polygon_point(const Command& c) {
 }
 
 void Translator::conditions(const Command& c) {
+  const bool on_nodes = lower(c.node.word) == "gridbc";
+  if (c.given(0)) {
+    if (lower(c.text(0)) != "add" || !stage_)
+      throw InputError(c.origin(0), "'" + c.node.word + "' takes one argument in a stage only: add, which keeps the " +
+                                        "former conditions");
+    Statement& section = document_.section(on_nodes ? "GridBCs" : "ParticleBCs", c.origin());
+    if (!section.attribute("add")) attribute(section, "add", "yes", c.origin(0));
+  }
   open(lower(c.node.word) == "gridbc" ? Open::grid : Open::particles, c);
 }
 

@@ -455,6 +455,8 @@ void Translator::xml_data(const Command& c) {
     } else if (found->second == "Material") {
       document_.materials().push_back(child);
       if (c.given(1)) document_.name_material(c.text(1), c.origin(1));
+    } else if (found->second == "End" && child.name == "Stage") {
+      document_.add_stage(child);
     } else if (found->second == "End") {
       auto& children = document_.section(child.name, child.origin).children;
       children.insert(children.end(), child.children.begin(), child.children.end());

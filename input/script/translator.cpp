@@ -111,6 +111,15 @@ auto Translator::actions() -> const std::map<std::string, Action>& {
                                                  {"propagate", &A::propagate},
                                                  {"propagatelength", &A::propagate_length},
                                                  {"jcontour", &A::j_contour},
+                                                 {"stage", &A::stage},
+                                                 {"endstage", &A::end_stage},
+                                                 {"when", &A::when},
+                                                 {"excavate", &A::action},
+                                                 {"bond", &A::action},
+                                                 {"unbond", &A::action},
+                                                 {"endexcavate", &A::end_block},
+                                                 {"endbond", &A::end_block},
+                                                 {"endunbond", &A::end_block},
                                                  {"done", &A::end_block},
                                                  {"endregion", &A::end_block},
                                                  {"endhole", &A::end_block},
@@ -143,16 +152,16 @@ const CommandInfo* find_command(const std::string& word) {
 namespace {
 
 bool opens_block(const std::string& word) {
-  static const std::set<std::string> all{"material",   "region",   "hole",    "bmpregion", "gridbc",
-                                         "particlebc", "moveline", "movearc", "movebox",   "loadline",
-                                         "loadarc",    "loadrect", "loadbox"};
+  static const std::set<std::string> all{"material", "region",   "hole",    "bmpregion", "gridbc",  "particlebc",
+                                         "moveline", "movearc",  "movebox", "loadline",  "loadarc", "loadrect",
+                                         "loadbox",  "excavate", "bond",    "unbond"};
   return all.count(word) > 0;
 }
 
 bool closes_block(const std::string& word) {
-  static const std::set<std::string> all{"done",          "endregion",   "endhole",     "endgridbc",
-                                         "endparticlebc", "endmoveline", "endmovearc",  "endmovebox",
-                                         "endloadline",   "endloadarc",  "endloadrect", "endloadbox"};
+  static const std::set<std::string> all{"done",        "endregion",  "endhole",     "endgridbc",   "endparticlebc",
+                                         "endmoveline", "endmovearc", "endmovebox",  "endloadline", "endloadarc",
+                                         "endloadrect", "endloadbox", "endexcavate", "endbond",     "endunbond"};
   return all.count(word) > 0;
 }
 
@@ -201,8 +210,8 @@ void Translator::limit_damage(const Command& c, const std::string& meant) {
 void Translator::translate(const Command& c, const std::string& word) {
   if (word != "polypt") close_polygon();
   const CommandInfo* info = find_command(word);
-  static const std::set<std::string> also_properties{"temperature", "pdamping", "velocity",           "load",
-                                                     "origin",      "rotate",   "imperfectinterface", "friction"};
+  static const std::set<std::string> also_properties{"temperature", "pdamping",           "velocity", "load", "origin",
+                                                     "rotate",      "imperfectinterface", "friction", "bond", "unbond"};
   const bool end_of_material = !info && c.size() == 0 && resembled(c.node.word) == "done";
   if (open_ == Open::material && (!info || also_properties.count(word)) && !end_of_material) return property(c);
   if (!info) return refused(c);
@@ -237,18 +246,15 @@ void Translator::open(Open block, const Command& c) {
 
 void Translator::end_block(const Command& c) {
   const std::string word = lower(c.node.word);
-  static const std::map<std::string, std::vector<Open>> closes{{"done", {Open::material}},
-                                                               {"endregion", {Open::region, Open::picture}},
-                                                               {"endhole", {Open::hole}},
-                                                               {"endgridbc", {Open::grid}},
-                                                               {"endparticlebc", {Open::particles}},
-                                                               {"endmoveline", {Open::grid}},
-                                                               {"endmovearc", {Open::grid}},
-                                                               {"endmovebox", {Open::grid}},
-                                                               {"endloadline", {Open::particles}},
-                                                               {"endloadarc", {Open::particles}},
-                                                               {"endloadrect", {Open::particles}},
-                                                               {"endloadbox", {Open::particles}}};
+  static const std::map<std::string, std::vector<Open>> closes{
+      {"done", {Open::material}},        {"endregion", {Open::region, Open::picture}},
+      {"endhole", {Open::hole}},         {"endexcavate", {Open::action}},
+      {"endbond", {Open::action}},       {"endunbond", {Open::action}},
+      {"endgridbc", {Open::grid}},       {"endparticlebc", {Open::particles}},
+      {"endmoveline", {Open::grid}},     {"endmovearc", {Open::grid}},
+      {"endmovebox", {Open::grid}},      {"endloadline", {Open::particles}},
+      {"endloadarc", {Open::particles}}, {"endloadrect", {Open::particles}},
+      {"endloadbox", {Open::particles}}};
   const auto& fitting = closes.at(word);
   if (std::find(fitting.begin(), fitting.end(), open_) == fitting.end())
     throw InputError(c.origin(), "'" + c.node.word + "' closes nothing" +
@@ -258,7 +264,7 @@ void Translator::end_block(const Command& c) {
 
 // Adds the open block to its section.
 void Translator::store_block() {
-  if (open_ == Open::region || open_ == Open::hole || open_ == Open::picture)
+  if (open_ == Open::region || open_ == Open::hole || open_ == Open::picture || open_ == Open::action)
     document_.section("MaterialPoints", opened_at_).children.push_back(std::move(block_));
   if (open_ == Open::grid) document_.section("GridBCs", opened_at_).children.push_back(std::move(block_));
   if (open_ == Open::particles) document_.section("ParticleBCs", opened_at_).children.push_back(std::move(block_));
@@ -280,6 +286,10 @@ void Translator::conclude(Problems& problems) {
   close_polygon();
   if (open_ != Open::nothing) problems.add(opened_at_, "this '" + opened_by_ + "' is never closed");
   store_block();
+  if (stage_) {
+    problems.add(*stage_, "this 'Stage' is never closed by 'EndStage'");
+    document_.end_stage();
+  }
   Problems undefined;
   document_.resolve_references(undefined);
   if (!lost_a_material_) problems.add(undefined);

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <functional>
+#include <optional>
 
 namespace tribo::script {
 
@@ -102,6 +103,13 @@ class Translator {
   void boundary_id(const Command& c);
   void end_block(const Command& c);
 
+  // translate_stages.cpp
+  void stage(const Command& c);
+  void end_stage(const Command& c);
+  void material_of_stage(const Command& c);
+  void action(const Command& c);
+  void when(const Command& c);
+
   // translate_cracks.cpp
   void new_crack(const Command& c);
   void grow_crack(const Command& c);
@@ -135,7 +143,7 @@ class Translator {
   void style(Statement& s, const Command& c, std::size_t k, const char* value_name);
   static std::string direction(const Command& c, std::size_t k, bool traction);
 
-  enum class Open { nothing, material, region, hole, picture, grid, particles };
+  enum class Open { nothing, material, region, hole, picture, grid, particles, action };
   void open(Open block, const Command& c);
 
   Document document_;
@@ -146,6 +154,7 @@ class Translator {
   bool in_lost_block_ = false;    ///< between a command that did not begin a block and the end of the block
   bool lost_a_material_ = false;  ///< a material whose command has an error; references to it are not reported
   Open open_ = Open::nothing;
+  std::optional<Origin> stage_;  ///< place of the stage that is open
   std::string opened_by_;
   Origin opened_at_;
   Statement block_;                ///< the body, hole or selector being filled

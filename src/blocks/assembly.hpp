@@ -155,6 +155,9 @@ class Assembly {
   double critical_step() const { return critical_step_; }
   /// One step of dt: velocities, positions, contacts, forces. Throws SimulationError.
   void advance(double dt);
+  /// Computes the forces on all bodies anew, after a change of gravity, damping, pressures or joints. Contacts keep
+  /// their forces, unless their bonds have changed.
+  void renew_forces();
   /// Events since the last call.
   std::vector<BlockEvent> take_events();
 

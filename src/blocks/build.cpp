@@ -357,6 +357,12 @@ void Assembly::finish(double max_step) {
   for (std::size_t k = 0; k < bodies.size(); ++k) sum_forces(k, 0.0);
 }
 
+void Assembly::renew_forces() {
+  for (std::size_t k = 0; k < contacts.size(); ++k) set_force(k);
+  apply_pressures();
+  for (std::size_t k = 0; k < bodies.size(); ++k) sum_forces(k, 0.0);
+}
+
 // Divides the groups into batches, and lists the contacts of every body in their order.
 void Assembly::connect() {
   batches_.clear();

@@ -41,6 +41,7 @@ struct RunEnergies {
   double potential = 0.0;       ///< of constant gravity, zero at the start
   double external_work = 0.0;   ///< of body forces as functions, and of loads
   double boundary_work = 0.0;   ///< of prescribed velocities and rigid particles
+  double stages = 0.0;          ///< brought by stages of the run; negative: taken away
   double damping = 0.0;         ///< taken out
   double transfer = 0.0;        ///< kinetic energy lost in the transfers between particles and nodes; negative: gained
   double contact = 0.0;         ///< dissipated by contact

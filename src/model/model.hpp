@@ -49,12 +49,15 @@ struct Scheme {
 
 struct TimeControl {
   double end = 1.0;
+  double until = 0.0;  ///< the next stage begins at this time, at the latest; 0: there is none until the end
   double max_step = 1.0;
   double courant = 0.5;
   double transport_courant = 0.5;  ///< fraction of the largest stable time step of conduction
   bool adaptive = false;           ///< the time step follows wave speed and particle speed during the run
   double velocity_courant = 0.5;   ///< adaptive: largest particle travel per step, in cells
   double max_increase = 1.1;       ///< adaptive: largest growth factor of the time step per adjustment
+  /// Time on which a step must land: the begin of the next stage, or the end of the run.
+  double next_end() const { return until > 0 ? until : end; }
 };
 
 /// Method for the contact normal between two bodies at a node.
@@ -92,6 +95,7 @@ struct ContactSpec {
   };
   /// Joint laws by pair of materials, smaller index first. They act where the faces touch at the start.
   std::map<std::pair<int, int>, Joint> joints;
+  bool keeps_memory = false;  ///< a law of some stage of the run has a memory, so particles have columns for it
   /// The contact law of a pair, which acts where there is no joint.
   const ContactLaw* law(int a, int b) const {
     const auto found = pair_laws.find({std::min(a, b), std::max(a, b)});
@@ -329,6 +333,55 @@ struct LoadControl {
   double smooth = 0.9;         ///< share of the last value in the smoothed ones, per step
 };
 
+struct Model;
+
+/// What a stage does to the present state when it begins.
+struct StageAction {
+  enum class Kind {
+    excavate,  ///< removes particles
+    bond,      ///< bonds joints that touch
+    unbond     ///< breaks the bonds of joints
+  } kind = Kind::excavate;
+  RegionPtr where;
+  int material = -1;  ///< excavate: only particles of this material; -1: of all
+  Origin origin;
+};
+
+/// Particles that a stage places.
+struct Placement {
+  int stage = 0;  ///< from 1
+  std::vector<Piece> pieces;
+};
+
+/// An event at which a stage begins before its time, a file is written or the run stops.
+struct Reaction {
+  enum class What { bond_break, above, below, ratio } what = What::bond_break;
+  enum class Effect { stop, frame, checkpoint, next_stage } effect = Effect::stop;
+  std::size_t history = 0;  ///< above, below: index into the columns of history.csv without the time
+  double value = 0.0;       ///< above, below: in the unit of the history; ratio: of unbalanced to applied forces
+  std::string text;         ///< the condition in words
+  Origin origin;
+};
+
+/// A stage of a run: from its time on the run continues with another model, after actions on the present state.
+struct StageSpec {
+  double at = 0.0;  ///< latest time of its begin
+  std::string name;
+  std::shared_ptr<const Model> model;
+  std::vector<StageAction> actions;
+  std::vector<std::string> changes;  ///< a phrase for each, for `tribo check` and stages.csv
+  Origin origin;
+};
+
+/// What the models of a run with stages have in common, and the place of a model among them.
+struct StagePlace {
+  int number = 0;           ///< 0: the model at the start
+  int count = 0;            ///< number of stages after the first model
+  bool loads = false;       ///< a model of the run has forces, tractions or heat fluxes on particles
+  std::size_t kept = 0;     ///< number of particle conditions at the begin of the list that were there before
+  bool conditions = false;  ///< conditions on nodes are other ones than before
+};
+
 struct BodyForce {
   Vec3 gravity = Vec3::Zero();
   std::array<std::optional<Expression>, 3> function;      ///< acceleration f(x, y, z, t) of grid nodes
@@ -410,6 +463,10 @@ struct Model {
   OutputSpec output;
   std::optional<LoadReversal> reversal;
   std::optional<LoadControl> load_control;
+  StagePlace stage;
+  std::vector<StageSpec> stages;      ///< of the model at the start, in the order of time
+  std::vector<Placement> placements;  ///< particles placed by stages; the same in all models of a run
+  std::vector<Reaction> reactions;    ///< in force until the next stage
   /// Number of particles that may be put back into the grid after leaving it before the run stops; unset: the first
   /// particle that leaves stops the run.
   std::optional<long> leave_limit;

@@ -67,7 +67,12 @@ Checkpoint::Checkpoint(const std::filesystem::path& path) : path_(path.string())
   const std::string all = read_file(path, std::uintmax_t{1} << 40);
   if (all.compare(0, magic.size(), magic) != 0)
     throw FileError("'" + path_ + "' is not a checkpoint of this version of Tribo");
-  std::size_t at = magic.size();
+  read(all, magic.size());
+}
+
+Checkpoint::Checkpoint(const CheckpointWriter& writer) : path_("in memory") { read(writer.bytes_ + '\0', 0); }
+
+void Checkpoint::read(const std::string& all, std::size_t at) {
   const auto take = [&](void* to, std::size_t n) {
     if (all.size() - at < n) throw FileError("checkpoint '" + path_ + "' is cut off");
     std::memcpy(to, all.data() + at, n);

@@ -23,6 +23,7 @@ class CheckpointWriter {
   void save(const std::filesystem::path& path) const;
 
  private:
+  friend class Checkpoint;
   void entry(const std::string& name, char kind, const void* data, std::size_t bytes);
   std::string bytes_;
 };
@@ -32,6 +33,8 @@ class Checkpoint {
   /// Reads and checks everything. Throws FileError with the reason: not a checkpoint, another version, cut off, or the
   /// name of the damaged entry.
   explicit Checkpoint(const std::filesystem::path& path);
+  /// What has been put into a writer, without a file.
+  explicit Checkpoint(const CheckpointWriter& writer);
   bool has(const std::string& name) const { return entries_.count(name) > 0; }
   std::vector<std::string> names() const;
   /// True if an entry has the same kind and the same bytes in another checkpoint; both must have it.
@@ -50,6 +53,7 @@ class Checkpoint {
     char kind;
     std::string bytes;
   };
+  void read(const std::string& all, std::size_t at);
   const Entry& entry(const std::string& name, char kind) const;
   template <class T>
   std::vector<T> numbers(const std::string& name, char kind) const;

@@ -36,6 +36,16 @@ void Particles<Dim>::append_copies(std::span<const std::uint32_t> originals, std
   for (std::size_t k = 0; k < originals.size(); ++k) id.push_back(first_id + static_cast<std::int64_t>(k));
 }
 
+template <int Dim>
+void Particles<Dim>::append(const Particles& from, std::span<const std::uint32_t> which) {
+  const std::size_t before = count_;
+  resize(before + which.size());
+  for (std::size_t c = 0; c < columns_.size(); ++c)
+    for (std::size_t k = 0; k < which.size(); ++k)
+      columns_[c].data[before + k] = c < from.columns_.size() ? from.columns_[c].data[which[k]] : 0.0;
+  for (const std::uint32_t k : which) id.push_back(from.id[k]);
+}
+
 template class Particles<2>;
 template class Particles<3>;
 

@@ -114,6 +114,9 @@ class Particles {
   /// Appends a copy of each particle of `originals`. The copies receive the numbers first_id, first_id + 1, ...
   void append_copies(std::span<const std::uint32_t> originals, std::int64_t first_id);
 
+  /// Appends particles of `from`, whose columns are the first ones of this object. Further columns are 0 for them.
+  void append(const Particles& from, std::span<const std::uint32_t> which);
+
   /// Columns without their padding.
   friend void archive(Archive& a, Particles& particles) {
     auto& [count, columns, spare, x, v, mass, volume, F, stress, ids] = particles;

@@ -4,6 +4,7 @@
 #include "base/parallel.hpp"
 #include "base/text.hpp"
 #include "run/block_run.hpp"
+#include "run/stage_report.hpp"
 #include "run/trial_output.hpp"
 
 #include <chrono>
@@ -87,12 +88,14 @@ std::string describe_blocks(const Model& model, int wanted_threads) {
               model.blocks->quasi_static                     ? "<TimeStep>, to which masses are fitted"
               : blocks.critical_step() < model.time.max_step ? "the stiffness of the contacts"
                                                              : "<TimeStep>"));
-  line(format("steps: %lld to time %.6g", static_cast<long long>(steps.count), model.time.end));
+  line(format("steps: %lld to time %.6g", static_cast<long long>(steps.count), model.time.next_end()));
+  for (const std::string& text : describe_stages(model, {})) line(text);
+  for (const StageSpec& stage : model.stages) (void)assemble(*stage.model);
   line(format("memory: about %.3g MB", 1e-6 * blocks.bytes()));
   line(format("files of blocks and contacts: %.0f each", output_times(Schedule(model.output.archive), model.time.end)));
   const double output = output_seconds(model, blocks, steps.size);
   out += format("estimated time: %.3g s on %d thread%s, of which output %.2g s\n",
-                seconds_per_step(blocks, steps) * static_cast<double>(steps.count) + output, threads(),
+                seconds_per_step(blocks, steps) * model.time.end / steps.size + output, threads(),
                 threads() == 1 ? "" : "s", output);
   for (const auto& warning : model.warnings) line(warning);
   return out;

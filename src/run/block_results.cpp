@@ -13,9 +13,12 @@
 namespace tribo {
 namespace {
 
-const std::vector<std::string> energy_columns{"time",       "kinetic",       "strain",  "potential",
-                                              "slip",       "dashpot",       "damping", "released",
-                                              "outer_work", "boundary_work", "residual"};
+std::vector<std::string> energy_columns(const Model& model) {
+  std::vector<std::string> columns{"time",    "kinetic",  "strain",     "potential",     "slip",    "dashpot",
+                                   "damping", "released", "outer_work", "boundary_work", "residual"};
+  if (model.stage.count > 0 && model.only_blocks()) columns.emplace_back("stages");
+  return columns;
+}
 std::vector<std::string> event_columns() {
   std::vector<std::string> columns{"time", "contact", "block1", "block2", "x", "y", "z"};
   for (const auto& name : joint_event_columns()) columns.push_back(name);
@@ -89,7 +92,7 @@ BlockResults::BlockResults(const Model& model, Assembly& blocks, std::filesystem
   std::vector<std::string> columns_of_history{"time"};
   for (const auto& name : columns(model)) columns_of_history.push_back(name);
   if (alone) open(history_, "history.csv", columns_of_history);
-  open(energy_, alone ? "energy.csv" : "block_energy.csv", energy_columns);
+  open(energy_, alone ? "energy.csv" : "block_energy.csv", energy_columns(model));
   open(events_, alone ? "events.csv" : "block_events.csv", event_columns());
   if (resume_time)
     cells_.resume(*resume_time), contacts_.resume(*resume_time);
@@ -215,6 +218,7 @@ void BlockResults::write_events() {
                                  text(e.x[2])};
     for (auto& value : joint_event_texts(e.event)) row.push_back(std::move(value));
     events_->add(e.time, row);
+    breaks += e.event.kind == JointEvent::Kind::bond_break;
   }
 }
 
@@ -223,11 +227,14 @@ void BlockResults::write_history(double dt) {
     std::vector<double> row{blocks_.time};
     for (const double value : values(dt)) row.push_back(value);
     history_->add(row);
+    row_ = row;
   }
   const BlockLedger l = blocks_.ledger();
-  energy_->add(std::array{blocks_.time, l.kinetic, l.strain, l.potential, l.slip, l.dashpot, l.damping, l.released,
-                          l.outer_work, l.boundary_work,
-                          l.content() - initial_energy - l.outer_work - l.boundary_work});
+  std::vector<double> row{blocks_.time, l.kinetic, l.strain,   l.potential,  l.slip,
+                          l.dashpot,    l.damping, l.released, l.outer_work, l.boundary_work};
+  row.push_back(l.content() - initial_energy - l.outer_work - l.boundary_work - stages);
+  if (model_.stage.count > 0 && model_.only_blocks()) row.push_back(stages);
+  energy_->add(row);
 }
 
 }  // namespace tribo

@@ -33,6 +33,10 @@ class BlockResults {
   /// Content of energy at the start, for the residual [energy]. Found by the constructor for a new run; to be set for
   /// one that is continued.
   double initial_energy = 0.0;
+  /// The last row of the histories of a model of blocks alone: the time and the values.
+  const std::vector<double>& last_row() const { return row_; }
+  std::int64_t breaks = 0;  ///< bonds that broke according to the events written by this object
+  double stages = 0.0;      ///< energy that stages have brought, in a model of blocks alone [energy]
 
  private:
   void write_blocks(std::int64_t number);
@@ -43,6 +47,7 @@ class BlockResults {
   std::filesystem::path folder_;
   Collection cells_, contacts_;
   std::optional<History> history_, energy_, events_;
+  std::vector<double> row_;
 };
 
 }  // namespace tribo

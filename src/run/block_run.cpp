@@ -19,16 +19,16 @@ Assembly assemble(const Model& model) {
   return with_memory_for("the blocks", model.blocks->origin, build);
 }
 
-BlockSteps steps_of(const Model& model, const Assembly& blocks) {
+BlockSteps steps_of(const Model& model, const Assembly& blocks, double from) {
   BlockSteps out;
-  const double steps = model.time.end / blocks.critical_step();
+  const double time = model.time.next_end() - from, steps = time / blocks.critical_step();
   if (!(steps <= 1e12))
     throw InputError(
         model.blocks->origin,
         "the blocks would need " + std::to_string(steps) +
             " time steps; at most 1e12 are possible. Are the units of the stiffnesses and densities right?");
-  out.count = static_cast<std::int64_t>(std::ceil(model.time.end / blocks.critical_step() * (1 - 1e-12)));
-  out.size = model.time.end / static_cast<double>(std::max<std::int64_t>(1, out.count));
+  out.count = static_cast<std::int64_t>(std::ceil(time / blocks.critical_step() * (1 - 1e-12)));
+  out.size = time / static_cast<double>(std::max<std::int64_t>(1, out.count));
   return out;
 }
 
@@ -58,7 +58,8 @@ std::vector<std::string> BlockRun::look() {
   const double initial = results_->initial_energy;
   const double supplied =
       initial + gained(energy.outer_work) + gained(energy.boundary_work) + gained(-energy.potential);
-  const double residual = energy.content() - initial - energy.outer_work - energy.boundary_work;
+  const double residual =
+      energy.content() - initial - energy.outer_work - energy.boundary_work - restored_.block_stages;
   // The fictitious stress is no elastic force where bonds have broken or vibrations grow: what it releases may become
   // negative.
   if (!monitor_.record_balance(supplied, residual + gained(-energy.released), 0.0, blocks_.time)) return {};
@@ -82,8 +83,27 @@ void BlockRun::check() {
   blocks_.check_contacts();
 }
 
+StageBalance BlockRun::end_stage() {
+  StageBalance out;
+  out.content = out.of_blocks = blocks_.ledger().content();
+  return out;
+}
+
+StageReport BlockRun::begin_stage(const Model& former, const std::vector<StageAction>& actions,
+                                  const StageBalance& before) {
+  StageReport report;
+  tribo::begin_stage(model_, former, actions, blocks_, report);
+  report.energy = blocks_.ledger().content() - before.content;
+  restored_.block_stages += report.energy;
+  restored_.stage_step = blocks_.step, restored_.stage_time = blocks_.time;
+  steps_ = steps_of(model_, blocks_, blocks_.time);
+  return report;
+}
+
 CheckpointWriter BlockRun::save(RunState run) {
   run.monitor = monitor_;
+  run.stage_step = restored_.stage_step, run.stage_time = restored_.stage_time;
+  run.block_stages = restored_.block_stages;
   if (results_) run.initial_block_energy = results_->initial_energy;
   return save_state(run, blocks_);
 }
@@ -91,12 +111,14 @@ CheckpointWriter BlockRun::save(RunState run) {
 RunState BlockRun::restore(const Checkpoint& checkpoint) {
   restored_ = load_state(checkpoint, blocks_);
   monitor_ = restored_.monitor;
+  steps_ = steps_of(model_, blocks_, restored_.stage_time);
   return restored_;
 }
 
 void BlockRun::open_results(const std::filesystem::path& folder, std::optional<double> resume_time) {
   results_.emplace(model_, blocks_, folder, resume_time);
   if (resume_time) results_->initial_energy = restored_.initial_block_energy;
+  results_->stages = restored_.block_stages;
 }
 
 std::map<std::string, std::string> BlockRun::facts() const {

@@ -4,6 +4,8 @@
 
 #include "run/block_results.hpp"
 #include "run/run_loop.hpp"
+#include "run/stage_balance.hpp"
+#include "solver/stage.hpp"
 
 namespace tribo {
 
@@ -15,7 +17,8 @@ struct BlockSteps {
   double size = 0.0;
   std::int64_t count = 0;
 };
-BlockSteps steps_of(const Model& model, const Assembly& blocks);
+/// `from`: time at which the stage of the model begins.
+BlockSteps steps_of(const Model& model, const Assembly& blocks, double from = 0.0);
 
 /// Number of threads, at most `wanted`, that so many contacts can use. Results do not depend on it.
 int sensible_block_threads(int wanted, std::size_t contacts);
@@ -28,7 +31,16 @@ class BlockRun final : public SteppedModel {
   double time() const override { return blocks_.time; }
   std::int64_t step() const override { return blocks_.step; }
   double step_size() const override { return steps_.size; }
-  bool at_end() const override { return blocks_.step >= steps_.count; }
+  bool at_end() const override { return at_stage_end() && model_.stage.number == model_.stage.count; }
+  bool at_stage_end() const override { return blocks_.step >= restored_.stage_step + steps_.count; }
+  /// As those of GridRun.
+  std::int64_t breaks() const { return results_ ? results_->breaks : 0; }
+  double last_value(std::size_t history) const { return results_->last_row().at(1 + history); }
+  double unbalanced_ratio() const { return blocks_.unbalanced(); }
+  void measure_balance() {}
+  void forget_placed() {}
+  StageBalance end_stage();
+  StageReport begin_stage(const Model& former, const std::vector<StageAction>& actions, const StageBalance& before);
 
   void choose_threads(int wanted) const override;
   void start() override {}

@@ -105,6 +105,7 @@ void Results<Dim>::write_events() {
                                  text(e.x[1]), text(e.x[2])};
     for (auto& value : joint_event_texts(e.event)) row.push_back(std::move(value));
     events_->add(e.time, row);
+    breaks += e.event.kind == JointEvent::Kind::bond_break;
   }
 }
 

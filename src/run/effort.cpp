@@ -83,7 +83,7 @@ class Effort {
   double output_seconds() {
     try {
       const TrialFolder scratch;
-      Results<Dim> results(model_, system_, stepper_, scratch.path, std::nullopt);
+      Results<Dim> results(model_, system_, stepper_, scratch.path, std::nullopt, Tracers<Dim>(model_, system_));
       return seconds_of_output(
           model_.output, model_.time.end, [&] { results.write_files(0); }, [&] { results.write_history(dt_); });
     } catch (const FileError&) {

@@ -9,6 +9,7 @@ RunEnergies run_energies(const Model& model, const System<Dim>& system, Stepper<
   // Mass times the displacement of the centre of mass
   l.potential = -all.mass * model.body_force.gravity.dot(all.displacement);
   l.external_work = stepper.ledger().external_work;
+  l.stages = stepper.ledger().stages;
   l.damping = stepper.ledger().damping_work;
   l.boundary_work = stepper.ledger().rigid_work;
   l.transfer = stepper.ledger().transfer_loss(all.kinetic) + stepper.contact().ledger().nodal_work;

@@ -18,4 +18,9 @@ inline double energy_content(const Measures& all, const RunEnergies& run) {
          run.contact + run.interface;
 }
 
+/// What the balance of a run cannot explain [energy]. `initial`: content at the start.
+inline double energy_residual(const Measures& all, const RunEnergies& run, double initial) {
+  return energy_content(all, run) - initial - run.external_work - run.boundary_work - run.stages;
+}
+
 }  // namespace tribo

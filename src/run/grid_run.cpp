@@ -3,6 +3,7 @@
 
 #include "base/parallel.hpp"
 #include "base/text.hpp"
+#include "run/energy_balance.hpp"
 #include "run/history_source.hpp"
 #include "solver/build.hpp"
 
@@ -18,6 +19,7 @@ GridRun<Dim>::GridRun(const Model& model)
       step_size_(model, system_),
       monitor_(model, system_, stepper_, step_size_) {
   if (model.load_control) system_.load_controller.velocity = model.load_control->start;
+  if (model.stage.count > 0) tracers_.emplace(model, system_);
 }
 
 template <int Dim>
@@ -48,6 +50,39 @@ void GridRun<Dim>::control_load(double step) {
 }
 
 template <int Dim>
+StageBalance GridRun<Dim>::balance() {
+  const Measures all = measure(system_);
+  StageBalance out;
+  out.content = energy_content(all, run_energies(model_, system_, stepper_, all));
+  out.kinetic = all.kinetic, out.momentum = all.momentum;
+  if (system_.blocks) out.of_blocks = system_.blocks->ledger().content();
+  return out;
+}
+
+template <int Dim>
+StageBalance GridRun<Dim>::end_stage() {
+  stepper_.end_stage();
+  return balance();
+}
+
+template <int Dim>
+StageReport GridRun<Dim>::begin_stage(const Model& former, const std::vector<StageAction>& actions,
+                                      const StageBalance& before) {
+  StageReport report = tribo::begin_stage(model_, former, actions, system_, stepper_);
+  EnergyLedger& ledger = stepper_.ledger();
+  ledger.first_kinetic += measure(system_).kinetic - before.kinetic;
+  const StageBalance after = balance();
+  report.energy = after.content - before.content;
+  ledger.stages += report.energy, ledger.impulse += after.momentum - before.momentum;
+  restored_.initial_block_energy += after.of_blocks - before.of_blocks;
+  const double first = step_size_.first().size;
+  dt_ = model_.time.adaptive ? std::min(dt_, first) : first;
+  monitor_.state.first_step = dt_;
+  restored_.stage_step = system_.step, restored_.stage_time = system_.time;
+  return report;
+}
+
+template <int Dim>
 std::vector<std::string> GridRun<Dim>::look() {
   if (!results_) return {};
   return monitor_.look(dt_, results_->initial_energy, at_end());
@@ -56,6 +91,7 @@ std::vector<std::string> GridRun<Dim>::look() {
 template <int Dim>
 CheckpointWriter GridRun<Dim>::save(RunState run) {
   run.dt = dt_, run.monitor = monitor_.state;
+  run.stage_step = restored_.stage_step, run.stage_time = restored_.stage_time;
   if (results_) run.initial_energy = results_->initial_energy;
   if (results_ && results_->blocks) run.initial_block_energy = results_->blocks->initial_energy;
   return save_state(run, system_, stepper_);
@@ -70,7 +106,8 @@ RunState GridRun<Dim>::restore(const Checkpoint& checkpoint) {
 
 template <int Dim>
 void GridRun<Dim>::open_results(const std::filesystem::path& folder, std::optional<double> resume_time) {
-  results_.emplace(model_, system_, stepper_, folder, resume_time);
+  results_.emplace(model_, system_, stepper_, folder, resume_time,
+                   tracers_ ? *tracers_ : Tracers<Dim>(model_, system_));
   if (!resume_time) return;
   results_->initial_energy = restored_.initial_energy;
   if (results_->blocks) results_->blocks->initial_energy = restored_.initial_block_energy;

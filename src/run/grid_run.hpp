@@ -5,7 +5,9 @@
 #include "run/monitor.hpp"
 #include "run/results.hpp"
 #include "run/run_loop.hpp"
+#include "run/stage_balance.hpp"
 #include "run/step_size.hpp"
+#include "solver/stage.hpp"
 
 namespace tribo {
 
@@ -19,6 +21,21 @@ class GridRun final : public SteppedModel {
   std::int64_t step() const override { return system_.step; }
   double step_size() const override { return dt_; }
   bool at_end() const override { return has_reached(system_.load_clock.end_of_run(model_.time.end, model_.reversal)); }
+  bool at_stage_end() const override { return has_reached(model_.time.next_end()); }
+  /// Ends the stage of the model, after which the state is saved for the model of the next one.
+  StageBalance end_stage();
+  /// Begins the stage of the model, after the state has been restored from the end of the stage of `former`.
+  StageReport begin_stage(const Model& former, const std::vector<StageAction>& actions, const StageBalance& before);
+  /// For reactions: bonds that broke since the results were opened, the value of a history in the last row, and the
+  /// ratio of unbalanced to applied forces in the last step.
+  std::int64_t breaks() const {
+    return !results_ ? 0 : results_->breaks + (results_->blocks ? results_->blocks->breaks : 0);
+  }
+  double last_value(std::size_t history) const { return results_->last_row().at(1 + history); }
+  double unbalanced_ratio() const { return stepper_.unbalanced_ratio(); }
+  void measure_balance() { stepper_.measure_balance(); }
+  /// After a restart within the stage of the model, whose particles were placed when it began.
+  void forget_placed() { system_.placed.clear(); }
   /// True once the time is `end`, up to round-off.
   bool has_reached(double end) const { return !(system_.time < end * (1 - 1e-12)); }
 
@@ -48,11 +65,14 @@ class GridRun final : public SteppedModel {
 
  private:
   void control_load(double step);
+  StageBalance balance();
+
   const Model& model_;
   System<Dim> system_;
   Stepper<Dim> stepper_;
   StepSize<Dim> step_size_;
   Monitor<Dim> monitor_;
+  std::optional<Tracers<Dim>> tracers_;  // with stages: those of the start, since later particles may be missing
   std::optional<Results<Dim>> results_;
   RunState restored_;
   double dt_ = 0.0;

@@ -50,9 +50,9 @@ void Monitor<Dim>::balance(double initial_energy, Warnings& warnings) {
   const Measures all = measure(system_);
   const RunEnergies run = run_energies(model_, system_, stepper_, all);
   const auto gained = [](double x) { return std::max(0.0, x); };
-  const double supplied =
-      initial_energy + gained(run.external_work) + gained(run.boundary_work) + gained(-run.potential);
-  const double residual = energy_content(all, run) - initial_energy - run.external_work - run.boundary_work;
+  const double supplied = initial_energy + gained(run.external_work) + gained(run.boundary_work) + gained(run.stages) +
+                          gained(-run.potential);
+  const double residual = energy_residual(all, run, initial_energy);
   if (state.record_balance(supplied, residual, run.transfer, system_.time)) warnings.push_back(text(Sign::energy));
 }
 

@@ -12,6 +12,7 @@
 #include "run/crack_report.hpp"
 #include "run/effort.hpp"
 #include "run/setup_report.hpp"
+#include "run/stage_report.hpp"
 #include "run/step_size.hpp"
 #include "run/sudden_gravity.hpp"
 #include "run/tracers.hpp"
@@ -56,6 +57,7 @@ class Report {
     cracks();
     travel();
     steps();
+    stages();
     take(describe_effort(model_, system_, stepper_, step_.size));
     for (const auto& warning : model_.warnings) line(warning);
     if (!advice_.empty()) line("\nto look at:");
@@ -255,6 +257,15 @@ class Report {
   void steps() {
     line(format("time step: %.6g, set by %s (wave speed %.6g)", step_.size, step_.set_by.c_str(), step_.wave_speed));
     line(format("steps: about %.0f to time %.6g", std::ceil(model_.time.end / step_.size), model_.time.end));
+  }
+
+  // The models of the stages are built, too, which throws for conditions that select nothing.
+  void stages() {
+    for (const std::string& text : describe_stages(model_, seeds_)) line(text);
+    for (const StageSpec& stage : model_.stages) {
+      auto system = build_system<Dim>(*stage.model, seeds_);
+      const Stepper<Dim> stepper(*stage.model, system);
+    }
   }
 
   const Model& model_;

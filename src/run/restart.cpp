@@ -20,6 +20,8 @@ void visit(Archive& a, RunState& state, System<Dim>& system, Stepper<Dim>& stepp
 void check_counters(const RunState& state) {
   if (state.archive < 0 || state.history < 0 || state.checkpoint < 0 || state.dt < 0)
     refuse_checkpoint("the number of files or the time step is negative");
+  if (state.stage < 0 || state.stage_step < 0 || state.stage_time < 0)
+    refuse_checkpoint("the begin of its stage is negative");
 }
 
 // Numbers of a checkpoint that others are looked up with.

@@ -14,13 +14,15 @@
 namespace tribo {
 namespace {
 
-std::vector<std::string> energy_columns(const HeatSpec& heat) {
+std::vector<std::string> energy_columns(const Model& model) {
+  const HeatSpec& heat = model.heat;
   std::vector<std::string> columns{"time",      "kinetic",   "elastic",       "plastic",       "potential",
                                    "contact",   "interface", "external_work", "boundary_work", "damping",
                                    "transfer",  "residual",  "momentum_x",    "momentum_y",    "momentum_z",
                                    "impulse_x", "impulse_y", "impulse_z"};
   if (heat.kept) columns.insert(columns.end(), {"heat", "heat_supplied", "contact_heat", "work_heat"});
   if (heat.expansion) columns.emplace_back("expansion");
+  if (model.stage.count > 0) columns.emplace_back("stages");
   return columns;
 }
 
@@ -42,11 +44,11 @@ const std::vector<std::string> tip_columns{"time", "crack", "end", "x", "y", "le
 
 template <int Dim>
 Results<Dim>::Results(const Model& model, System<Dim>& system, Stepper<Dim>& stepper, std::filesystem::path folder,
-                      std::optional<double> resume_time)
+                      std::optional<double> resume_time, Tracers<Dim> tracers)
     : model_(model),
       system_(system),
       stepper_(stepper),
-      tracers_(model, system),
+      tracers_(std::move(tracers)),
       folder_(std::move(folder)),
       particles_(folder_ / "run.pvd"),
       grid_(folder_ / "grid.pvd"),
@@ -66,13 +68,13 @@ Results<Dim>::Results(const Model& model, System<Dim>& system, Stepper<Dim>& ste
     const Measures all = measure(system);
     initial_energy = energy_content(all, run_energies(model, system, stepper, all));
     history_.emplace(folder_ / "history.csv", columns);
-    energy_.emplace(folder_ / "energy.csv", energy_columns(model.heat));
+    energy_.emplace(folder_ / "energy.csv", energy_columns(model));
     if (!system.joints.empty()) events_.emplace(folder_ / "events.csv", event_columns());
     if (model.fracture) tips_.emplace(folder_ / "tips.csv", tip_columns);
     return;
   }
   history_.emplace(History::resume(folder_ / "history.csv", columns, *resume_time));
-  energy_.emplace(History::resume(folder_ / "energy.csv", energy_columns(model.heat), *resume_time));
+  energy_.emplace(History::resume(folder_ / "energy.csv", energy_columns(model), *resume_time));
   particles_.resume(*resume_time);
   if (!model.output.grid_fields.empty()) grid_.resume(*resume_time);
   if (!system.cracks.empty()) cracks_.resume(*resume_time);
@@ -149,18 +151,17 @@ void Results<Dim>::write_history(double dt) {
   row_ = std::move(row);
   write_tips();
 
-  const double content = energy_content(all, l);
   Vec3 impulse = stepper_.ledger().impulse + stepper_.contact().ledger().rigid_impulse;
   for (std::size_t f = 0; f < system_.fields.size(); ++f) impulse += stepper_.conditions(f).impulse();
-  std::vector<double> energies{
-      system_.time,    all.kinetic, all.stored,  all.dissipated,
-      l.potential,     l.contact,   l.interface, l.external_work,
-      l.boundary_work, l.damping,   l.transfer,  content - initial_energy - l.external_work - l.boundary_work};
+  std::vector<double> energies{system_.time,    all.kinetic, all.stored,  all.dissipated,
+                               l.potential,     l.contact,   l.interface, l.external_work,
+                               l.boundary_work, l.damping,   l.transfer,  energy_residual(all, l, initial_energy)};
   energies.insert(energies.end(), all.momentum.begin(), all.momentum.end());
   energies.insert(energies.end(), impulse.begin(), impulse.end());
   if (model_.heat.kept)
     energies.insert(energies.end(), {all.heat, stepper_.heat().supplied, stepper_.heat().from_contact, all.work_heat});
   if (model_.heat.expansion) energies.push_back(all.expansion);
+  if (model_.stage.count > 0) energies.push_back(l.stages);
   energy_->add(energies);
 }
 
@@ -201,7 +202,10 @@ double Results<Dim>::mean_variable(std::size_t k) const {
   for (auto& body : system_.bodies) {
     if (body.material != q.material || column >= body.law->history().size()) continue;
     const double* values = body.particles.column(body.history + column);
-    if (q.point) return values[tracers_.particle(system_, k)];
+    if (q.point) {
+      const std::size_t particle = tracers_.particle(system_, k);
+      return particle < body.particles.size() ? values[particle] : 0.0;
+    }
     const double* volumes = body.particles.volume();
     double sum = 0.0, volume = 0.0;
     for (std::size_t i = 0; i < body.particles.size(); ++i) sum += volumes[i] * values[i], volume += volumes[i];

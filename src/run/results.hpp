@@ -17,9 +17,9 @@ namespace tribo {
 template <int Dim>
 class Results {
  public:
-  /// Starts the files, or continues them after `resume_time`.
+  /// Starts the files, or continues them after `resume_time`. `tracers`: the particles of histories of points.
   Results(const Model& model, System<Dim>& system, Stepper<Dim>& stepper, std::filesystem::path folder,
-          std::optional<double> resume_time);
+          std::optional<double> resume_time, Tracers<Dim> tracers);
 
   /// What it writes.
   static ResultNames names(const Model& model, const System<Dim>& system);
@@ -34,6 +34,7 @@ class Results {
   /// one that is continued.
   double initial_energy = 0.0;
   std::optional<BlockResults> blocks;
+  std::int64_t breaks = 0;  ///< bonds of joints that broke according to the events written by this object
 
  private:
   /// Sums over what history `k` refers to: all particles, a material or one particle.

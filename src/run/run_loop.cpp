@@ -93,7 +93,7 @@ class RunLoop {
     }
     if (stepped_.step() > first_step) write_last_state();
     save();
-    report("finished", "");
+    report("finished", stepped_.end_reason());
     progress_.finish(stepped_.time(), stepped_.step());
     summary();
     return Outcome::finished;
@@ -139,6 +139,8 @@ class RunLoop {
     write_due();
     stepped_.check();  // before the checkpoint, which then holds a state that was found sound, and what the check noted
     save_due();
+    if (stepped_.take_checkpoint()) save();
+    for (const std::string& news : stepped_.take_news()) progress_.say(news);
     if (stepped_.step() % steps_per_report == 0 && seconds_since(reported_) > between_reports) {
       report("running", "");
       reported_ = Clock::now();
@@ -147,6 +149,8 @@ class RunLoop {
   }
 
   void summary() {
+    if (const std::string reason = stepped_.end_reason(); !reason.empty())
+      progress_.say("the run stopped before its end: " + reason);
     for (const std::string& figure : stepped_.figures()) progress_.say(figure);
     const auto remarks = stepped_.remarks();
     if (!remarks.empty()) progress_.say("to look at:");

@@ -27,6 +27,8 @@ class SteppedModel {
   virtual std::int64_t step() const = 0;  ///< number of steps done
   virtual double step_size() const = 0;   ///< of the present step [time]
   virtual bool at_end() const = 0;
+  /// Whether the time has come at which the stage of the model ends, and the next one begins with the next step.
+  virtual bool at_stage_end() const { return false; }
 
   /// Chooses the number of threads, at most `wanted`. Results do not depend on it.
   virtual void choose_threads(int wanted) const = 0;
@@ -37,6 +39,12 @@ class SteppedModel {
   virtual double advance() = 0;
   /// Called after each step, before its output: warnings of signs that the results are wrong, each of them once.
   virtual std::vector<std::string> look() { return {}; }
+  /// What has happened since the last call and is worth a line of the log each: the begin of a stage.
+  virtual std::vector<std::string> take_news() { return {}; }
+  /// Whether a checkpoint has been asked for since the last call.
+  virtual bool take_checkpoint() { return false; }
+  /// Why the run ends before its time; empty if it does not.
+  virtual std::string end_reason() const { return {}; }
   /// What the program has chosen for this model, a sentence each.
   virtual std::vector<std::string> choices() const { return {}; }
   /// What has been noticed so far, a line each.

@@ -45,6 +45,9 @@ std::string doubt_about(const Safety& safety) {
 Safety find_safety(const Model& model, int threads, const std::function<void(const SafetyTrial&)>& report) {
   static constexpr double least = 0.1, most = 100.0, widen = 1.5;
   const StrengthReduction& search = model.strength_reduction;
+  if (!model.stages.empty())
+    throw InputError(model.stages.front().origin,
+                     "the factor of safety is that of a model without stages: leave out <Stage>");
   Safety safety;
   const auto holds = [&](double factor) {
     const Settlement s = settle(weakened(model, factor), threads);

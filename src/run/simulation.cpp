@@ -7,12 +7,25 @@
 #include "run/grid_run.hpp"
 #include "run/result_folder.hpp"
 #include "run/signals.hpp"
+#include "run/staged_run.hpp"
+
+#include <memory>
 
 namespace tribo {
 namespace {
 
 // Where the size of a model is given.
 const Origin& place_of(const Model& model) { return model.only_blocks() ? model.blocks->origin : model.grid.origin; }
+
+// The kind of model in each stage of a run.
+template <class Stepped>
+struct Plain {
+  using Type = Stepped;
+};
+template <class Stepped>
+struct Plain<StagedRun<Stepped>> {
+  using Type = Stepped;
+};
 
 // The model is built before the folder is touched, so that a wrong command file leaves old results as they are. Signals
 // end the program until the run is able to continue from where they stop it.
@@ -35,12 +48,37 @@ Outcome start(const Model& model, const RunOptions& options) {
   return run_to_end(model, stepped, options);
 }
 
+// Turns the checkpoint of the former model into one of the present model, as at the begin of a stage.
+template <class Stepped>
+void begin_with_edits(const Model& former, const Model& model, const std::filesystem::path& file) {
+  const Checkpoint old(file);
+  const auto stage = static_cast<std::size_t>(std::max<std::int64_t>(0, old.integer("run.stage")));
+  const auto of_stage = [&](const Model& m) -> const Model& {
+    if (stage > m.stages.size())
+      throw FileError("the run is in stage " + std::to_string(stage) + ", which the command file no longer has");
+    return stage == 0 ? m : *m.stages[stage - 1].model;
+  };
+  const Model &before = of_stage(former), &now = of_stage(model);
+  auto run = std::make_unique<Stepped>(before);
+  const RunState state = run->restore(old);
+  const StageBalance balance = run->end_stage();
+  const Checkpoint end(run->save(state));
+  run.reset();
+  run = std::make_unique<Stepped>(now);
+  run->restore(end);
+  run->forget_placed();
+  run->begin_stage(before, {}, balance);
+  run->save(state).save(file);
+}
+
 template <class Stepped>
 Outcome resume(const Model& model, const RunOptions& options) {
   if (!std::filesystem::is_directory(options.folder))
     throw FileError("there is no folder '" + options.folder.string() + "'");
   ResultFolder folder(options.folder);
   folder.require_checkpoint();
+  if (options.former)
+    begin_with_edits<typename Plain<Stepped>::Type>(*options.former, model, folder.path() / "checkpoint.bin");
   std::optional<Stepped> built;
   with_memory_for("this model", place_of(model), [&] { built.emplace(model); });
   Stepped& stepped = *built;
@@ -50,6 +88,8 @@ Outcome resume(const Model& model, const RunOptions& options) {
 
 template <class Stepped>
 Outcome start_or_resume(const Model& model, const RunOptions& options) {
+  if (!model.stages.empty() || !model.reactions.empty())
+    return options.resume ? resume<StagedRun<Stepped>>(model, options) : start<StagedRun<Stepped>>(model, options);
   return options.resume ? resume<Stepped>(model, options) : start<Stepped>(model, options);
 }
 

@@ -15,10 +15,12 @@ struct RunOptions {
   std::filesystem::path folder;  ///< of the results
   int threads = 1;
   bool quiet = false;
-  bool overwrite = false;                       ///< an existing finished run may be replaced
-  bool resume = false;                          ///< continue from the folder's checkpoint
-  bool changed = false;                         ///< resume: the model differs from that of the run, as `changes` says
-  std::string changes = {};                     ///< for provenance.json
+  bool overwrite = false;    ///< an existing finished run may be replaced
+  bool resume = false;       ///< continue from the folder's checkpoint
+  bool changed = false;      ///< resume: the model differs from that of the run, as `changes` says
+  std::string changes = {};  ///< for provenance.json
+  /// Resume with a changed model: the model of the run so far, if what has changed shall be a stage from now on.
+  std::shared_ptr<const Model> former = nullptr;
   double max_wall = 0.0;                        ///< seconds after which the run stops with a checkpoint; 0: none
   std::string command_line;                     ///< for provenance.json
   std::vector<std::string> further_files = {};  ///< that the caller writes into the folder

@@ -18,7 +18,7 @@ double support_limit(const Model& model, Body<Dim>& body) {
   for (const auto& condition : model.particle_conditions) stiffness += condition.value.stiffness();
   if (!(stiffness > 0)) return std::numeric_limits<double>::infinity();
   double thickness = 2 * body.uniform_half_size.minCoeff();
-  if (body.half_size)
+  if (body.half_size && body.particles.size() > 0)
     for (const double* half : body.particles[body.half_size])
       thickness = std::min(thickness, 2 * *std::min_element(half, half + body.particles.size()));
   return model.time.courant * std::sqrt(body.law->density() * thickness / stiffness);

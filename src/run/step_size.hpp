@@ -36,9 +36,9 @@ class StepSize {
   /// The step after one of this size [time]: the same, or every tenth step adapted to wave speeds and the fastest
   /// particle.
   double next(double size);
-  /// This size, or the time left to the end of the run [time].
+  /// This size, or the time left to the next stage or the end of the run [time].
   double up_to_end(double size) const {
-    const double left = model_.time.end - system_.time;
+    const double left = model_.time.next_end() - system_.time;
     return left < size * (1 + 1e-9) ? left : size;
   }
 

@@ -46,7 +46,8 @@ Tracers<Dim>::Tracers(const Model& model, System<Dim>& system) {
 template <int Dim>
 Measures Tracers<Dim>::measure(System<Dim>& system, std::size_t k, bool strain) const {
   auto& body = (tracers_[k].rigid ? system.rigids : system.bodies)[tracers_[k].body];
-  return measure_particle(body, particle(system, k), strain);
+  const std::size_t at = particle(system, k);
+  return at < body.particles.size() ? measure_particle(body, at, strain) : Measures{};
 }
 
 template <int Dim>

@@ -18,9 +18,9 @@ class Tracers {
   /// with the lowest id. A particle of a rigid body is taken if no deformable one is within a cell. Throws InputError
   /// at a history whose point has no particle within a cell.
   Tracers(const Model& model, System<Dim>& system);
-  /// Measures of the particle of history `k`, which must be a history of a point.
+  /// Measures of the particle of history `k`, which must be a history of a point. All are 0 once it was excavated.
   Measures measure(System<Dim>& system, std::size_t k, bool strain) const;
-  /// Present number of the particle in its body.
+  /// Present number of the particle in its body; the number of particles in the body once it was excavated.
   std::size_t particle(const System<Dim>& system, std::size_t k) const;
   /// Number of the deformable body of the particle; none if it is rigid.
   std::optional<std::size_t> deformable_body(std::size_t k) const {

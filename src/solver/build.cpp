@@ -6,6 +6,7 @@
 #include "solver/cracks/crack_build.hpp"
 #include "solver/impulse_choice.hpp"
 #include "solver/joints/joint_build.hpp"
+#include "solver/later_particles.hpp"
 #include "solver/rigid/block_points.hpp"
 #include "solver/transfer/transfer.hpp"
 
@@ -51,7 +52,7 @@ void add_optional_columns(Body<Dim>& body, const Model& model) {
     body.filtered = particles.add_vector("filtered_velocity", Dimension::velocity);
   if (scheme.extrapolate_again && scheme.order != UpdateOrder::usf)
     body.start = particles.add_vector("start_position", Dimension::length);
-  if (!model.particle_conditions.empty() || model.body_force.acts_on_particles())
+  if (!model.particle_conditions.empty() || model.body_force.acts_on_particles() || model.stage.loads)
     body.load = particles.add_vector("load", Dimension::force);
   body.origin = particles.add_vector("origin", Dimension::length);
   if (model.heat.kept && !body.law->rigid()) keep_temperature(model, body);
@@ -68,7 +69,7 @@ void add_optional_columns(Body<Dim>& body, const Model& model) {
            std::any_of(contact.pair_laws.begin(), contact.pair_laws.end(),
                        [&](const auto& p) { return is(*p.second); });
   };
-  if (any_law([](const ContactLaw& law) { return law.has_memory(); })) {
+  if (contact.keeps_memory || any_law([](const ContactLaw& law) { return law.has_memory(); })) {
     body.contact_slip = particles.add("contact_slip", Dimension::length);
     body.contact_bond = particles.add("contact_bond", Dimension::none);
   }
@@ -233,25 +234,32 @@ System<Dim> build_system(const Model& model, const std::vector<Seed>& seeds) {
   system.contact_at_faces = at_faces, system.contact_reason = std::move(reason);
   const auto transfers = make_transfers<Dim>(model.scheme);
   std::int64_t next_id = 0;
+  const std::vector<LaterSeed> later = later_seeds(model);
   for (int m = 0; m < static_cast<int>(model.materials.size()); ++m) {
     std::vector<const Seed*> mine;
     for (const Seed& seed : seeds)
       if (seed.material == m) mine.push_back(&seed);
+    const std::size_t present = mine.size();
+    std::vector<int> stages;  // of the particles that are not present yet
+    for (const LaterSeed& l : later)
+      if (l.seed.material == m) mine.push_back(&l.seed), stages.push_back(l.stage);
     if (mine.empty()) continue;
-    auto body =
-        with_memory_for("the particles of '" + model.materials[static_cast<std::size_t>(m)].name + "'",
-                        mine.front()->piece < 0 ? model.grid.origin
-                                                : model.pieces[static_cast<std::size_t>(mine.front()->piece)].origin,
-                        [&] { return make_body<Dim>(model, m, mine, next_id, *transfers); });
+    const MaterialSpec& of = model.materials[static_cast<std::size_t>(m)];
+    const int piece = mine.front()->piece;
+    auto body = with_memory_for("the particles of '" + of.name + "'",
+                                present == 0 ? of.origin
+                                : piece < 0  ? model.grid.origin
+                                             : model.pieces[static_cast<std::size_t>(piece)].origin,
+                                [&] { return make_body<Dim>(model, m, mine, next_id, *transfers); });
     next_id += static_cast<std::int64_t>(mine.size());
     body.cell.setConstant(system.lattice.spacing[0]);
     body.cell.template head<Dim>() = system.lattice.spacing;
     for (int d = 0; d < Dim; ++d)
       if (model.scheme.kernel == Kernel::gimp &&
           body.uniform_half_size[d] > 0.5 * system.lattice.spacing[d] * (1 + 1e-12))
-        throw InputError(
-            model.materials[static_cast<std::size_t>(m)].origin,
-            "particles of '" + body.name + "' are larger than a cell; uGIMP needs at least one per cell and axis");
+        throw InputError(of.origin, "particles of '" + body.name +
+                                        "' are larger than a cell; uGIMP needs at least one per cell and axis");
+    if (!stages.empty()) set_aside(model, body, present, stages, system);
     (body.law->rigid() ? system.rigids : system.bodies).push_back(std::move(body));
   }
   if (model.blocks)

@@ -5,6 +5,7 @@
 #include "solver/boundary/periodic.hpp"
 #include "solver/cell_crossings.hpp"
 #include "solver/diagnose.hpp"
+#include "solver/exchange/node_sums.hpp"
 #include "solver/measures.hpp"
 #include "solver/step_start.hpp"
 
@@ -70,6 +71,7 @@ void Stepper<Dim>::advance(double dt) {
 
   // 5. Record works and contact, set the contact forces on rigid blocks, evaluate crack tips and conduct heat.
   record_works(dt);
+  if (measures_balance_) record_balance();
   rigid_blocks_.take_contact_forces(contact_.ledger().rigid_exchanges(), dt);
   measure_crack_tips(dt);
   heat_.conduct(dt, contact_, exchanges_);
@@ -93,6 +95,7 @@ void Stepper<Dim>::advance(double dt) {
 
   system_.time += dt;
   ++system_.step;
+  jump_ = false;
   grow_cracks();
 }
 
@@ -271,7 +274,7 @@ void Stepper<Dim>::impose_update(double dt, bool after_impose) {
   const auto lap = watches_.grid.lap();
   for (std::size_t f = 0; f < conditions_.size(); ++f)
     conditions_[f].impose_update(system_.fields[f].nodes, *exchanges_[f], system_.time, dt, after_impose,
-                                 system_.step == 0);
+                                 system_.step == 0 || jump_);
   rigid_bodies_.impose_update(dt, after_impose);
 }
 
@@ -345,6 +348,23 @@ void Stepper<Dim>::record_works(double dt) {
     again ? nodal_work_.record_start(dt, filters_update()) : nodal_work_.record(dt, filters_update());
   }
   contact_.record(dt, replaces, filters_update());
+}
+
+template <int Dim>
+void Stepper<Dim>::record_balance() {
+  NodeSums<Dim> sum(system_, exchanges_);
+  WorkAndImpulse all = WorkAndImpulse::Zero();
+  const double gravity = model_.body_force.gravity.norm();
+  for (std::size_t f = 0; f < system_.fields.size(); ++f) {
+    if (system_.fields[f].rigid_contact) continue;
+    all += sum(f, [&](std::int64_t, const Node& node) {
+      WorkAndImpulse forces = WorkAndImpulse::Zero();
+      forces[0] = node.mass * Eigen::Map<const Vec<Dim>>(node.acceleration).norm();
+      forces[1] = Eigen::Map<const Vec<Dim>>(node.force).norm() + node.mass * gravity;
+      return forces;
+    });
+  }
+  unbalanced_ratio_ = all[1] > 0 ? all[0] / all[1] : 0.0;
 }
 
 // Adds forces, areas and work of joints between bodies to the contact quantities of the histories.

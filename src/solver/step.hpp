@@ -42,6 +42,18 @@ class Stepper {
   /// Rebuilds blocks and nodes for the present bins; needed after a restart.
   void locate_nodes();
 
+  /// To be called before the last step of a stage is saved: forgets what depends on the model of the next one.
+  void end_stage() { contact_.forget_faces(), system_.sorted = false; }
+  /// The next step is the first one with other conditions on nodes, or with particles that were placed: what the
+  /// conditions change then is a reaction, as in the first step of a run.
+  void expect_jump() { jump_ = true; }
+
+  /// From now on each step measures its balance of forces, for unbalanced_ratio().
+  void measure_balance() { measures_balance_ = true; }
+  /// Of the last step: the sum of the magnitudes of the unbalanced nodal forces, m |a|, over that of the internal and
+  /// external ones, |f| + m |g|.
+  double unbalanced_ratio() const { return unbalanced_ratio_; }
+
   /// Nodal conditions and image exchange of a velocity field.
   NodalConditions<Dim>& conditions(std::size_t field) { return conditions_[field]; }
   const Exchange<Dim>& exchange(std::size_t field) const { return *exchanges_[field]; }
@@ -54,6 +66,7 @@ class Stepper {
   HeatConduction<Dim>& heat() { return heat_; }
   const HeatConduction<Dim>& heat() const { return heat_; }
   VelocityDamping<Dim>& damping() { return damping_; }
+  ParticleLoads<Dim>& loads() { return loads_; }
   VelocityFilter<Dim>& filter() { return filter_; }
   const VelocityFilter<Dim>& filter() const { return filter_; }
   ParticleSort<Dim>& particle_sort() { return sort_; }
@@ -66,12 +79,12 @@ class Stepper {
   friend void archive(Archive& a, Stepper& stepper) {
     auto& [model, system, ledger, watches, transfers, sort, splitting, exchanges, conditions, cracks, crack_tips,
            interface_faces, joints, contact, loads, tractions, body_forces, nodal_work, damping, rigid_bodies,
-           rigid_blocks, heat, ramps, b_bar, filter] = stepper;
-    a.version(4);
+           rigid_blocks, heat, ramps, b_bar, filter, jump, measures, ratio] = stepper;
+    a.version(5);
     a("system", system);
     a("ledger", ledger), a("sort", sort), a("splitting", splitting), a.each("conditions", conditions),
         a("interface_faces", interface_faces), a("joints", joints);
-    a("contact", contact), a("damping", damping), a("heat", heat), a("filter", filter);
+    a("contact", contact), a("loads", loads), a("damping", damping), a("heat", heat), a("filter", filter);
     if (a.reading() && system.sorted) stepper.locate_nodes();
     a.enter("kept"), contact.archive_kept(a), a.leave();
   }
@@ -96,6 +109,7 @@ class Stepper {
   // Whether FMPM filters the velocities after the momentum update in this step.
   bool filters_update() const { return filter_.active() && model_.scheme.transfer == Transfer::fmpm; }
   void record_works(double dt);
+  void record_balance();
   void record_joints();
   void measure_crack_tips(double dt);
   void grow_cracks();
@@ -127,6 +141,8 @@ class Stepper {
   TemperatureRamps<Dim> ramps_;
   BBar<Dim> b_bar_;
   VelocityFilter<Dim> filter_;
+  bool jump_ = false, measures_balance_ = false;
+  double unbalanced_ratio_ = 0.0;
 };
 
 }  // namespace tribo

@@ -45,6 +45,8 @@ class Contact {
   void find(const Exchanges<Dim>& exchanges, const Joints<Dim>& joints);
   /// Adds the largest distance that a particle may have moved in this step [cells].
   void add_travel(double cells) { cache_.add_travel(cells); }
+  /// Forgets the faces that are kept from step to step.
+  void forget_faces() { cache_.clear(); }
   /// Applies the contact laws to the present nodal velocities, in the corrector also to the accelerations. `dt`: step.
   void apply(double dt, Pass pass);
   /// Subtracts the velocity changes of the predictor.

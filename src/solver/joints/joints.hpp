@@ -14,6 +14,8 @@
 #include "solver/cracks/cracks.hpp"
 #include "solver/neighbours/nodes_around.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -59,6 +61,9 @@ class Joints {
   void move_points(double dt);
   /// Largest stable time step with all joints [time], computed by the last find(); infinite without joints.
   double stable_step() const { return stable_step_; }
+
+  /// For the first step after joints have become stiffer by this factor.
+  void stiffened(double factor) { stable_step_ /= std::sqrt(std::max(1.0, factor)); }
 
   struct Energies {
     double stored = 0.0;      ///< elastic energy of the joints [energy]

@@ -23,6 +23,7 @@ void VelocityDamping<Dim>::record_particles(const Body<Dim>& body, double rate, 
   double field_mass = 0.0;
   for (const auto& other : system_.bodies)
     if (other.field == body.field) field_mass += other.total_mass;
+  if (!(field_mass > 0)) return;  // all of it was excavated
   const WorkAndImpulse sum = sum_(body.field, [&](std::int64_t, const Node& node) {
     WorkAndImpulse momentum = WorkAndImpulse::Zero();
     for (int d = 0; d < Dim; ++d) {

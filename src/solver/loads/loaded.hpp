@@ -12,8 +12,16 @@ namespace tribo {
 /// Marks the particles on which each condition acts in the column `load_set`. Returns one factor per condition, by
 /// which its value is multiplied: 1, or for net loads the inverse of the number of its particles. Throws InputError if
 /// a condition selects no particle or if there are more conditions than bits in the column.
+///
+/// In the model of a stage no particle is marked: see mark_loaded().
 template <int Dim>
 std::vector<double> find_loaded(const Model& model, System<Dim>& system);
+
+/// At the begin of the stage of a model: marks the particles on which its conditions act by their present positions.
+/// Those that were there before (StagePlace::kept) keep their particles. Returns the factors as find_loaded(), and adds
+/// the places of conditions without a particle to `none`.
+template <int Dim>
+std::vector<double> mark_loaded(const Model& model, System<Dim>& system, std::vector<Origin>& none);
 
 /// Calls f(condition, body, particle) for every marked particle and each of its conditions of one kind, in the order
 /// of the particles.

@@ -16,7 +16,7 @@ template <int Dim>
 std::vector<double> find_loaded(const Model& model, System<Dim>& system) {
   const auto& conditions = model.particle_conditions;
   std::vector<double> share(conditions.size(), 1.0);
-  if (conditions.empty()) return share;
+  if (conditions.empty() && !model.stage.loads) return share;
   Problems problems;
   if (conditions.size() > most_conditions)
     problems.add(conditions[most_conditions].origin,
@@ -24,6 +24,7 @@ std::vector<double> find_loaded(const Model& model, System<Dim>& system) {
   problems.raise();
   for (auto& body : system.bodies)
     if (!body.load_set) body.load_set = body.particles.add("load_set", Dimension::none);
+  if (model.stage.number > 0) return share;
   for (std::size_t c = 0; c < conditions.size(); ++c) {
     std::size_t found = 0;
     for (auto& body : system.bodies) {
@@ -44,6 +45,33 @@ std::vector<double> find_loaded(const Model& model, System<Dim>& system) {
     if (conditions[c].net && found > 0) share[c] = 1.0 / static_cast<double>(found);
   }
   problems.raise();
+  return share;
+}
+
+template <int Dim>
+std::vector<double> mark_loaded(const Model& model, System<Dim>& system, std::vector<Origin>& none) {
+  const auto& conditions = model.particle_conditions;
+  std::vector<double> share(conditions.size(), 1.0);
+  std::vector<std::size_t> found(conditions.size(), 0);
+  for (auto& body : system.bodies) {
+    if (!body.load_set) continue;
+    double* set = body.particles[body.load_set];
+    for (std::size_t i = 0; i < body.particles.size(); ++i) {
+      const auto before = static_cast<std::uint64_t>(set[i]);
+      Vec3 x = Vec3::Zero();
+      x.head<Dim>() = body.particles.position(i);
+      std::uint64_t bits = 0;
+      for (std::size_t c = 0; c < conditions.size(); ++c) {
+        const bool marked = c < model.stage.kept ? (before >> c & 1U) != 0 : conditions[c].where->contains(x);
+        if (marked) bits |= std::uint64_t{1} << c, ++found[c];
+      }
+      set[i] = static_cast<double>(bits);
+    }
+  }
+  for (std::size_t c = 0; c < conditions.size(); ++c) {
+    if (found[c] == 0 && c >= model.stage.kept) none.push_back(conditions[c].origin);
+    if (conditions[c].net && found[c] > 0) share[c] = 1.0 / static_cast<double>(found[c]);
+  }
   return share;
 }
 
@@ -111,6 +139,8 @@ void ParticleLoads<Dim>::record(double dt) {
 
 template std::vector<double> find_loaded<2>(const Model&, System<2>&);
 template std::vector<double> find_loaded<3>(const Model&, System<3>&);
+template std::vector<double> mark_loaded<2>(const Model&, System<2>&, std::vector<Origin>&);
+template std::vector<double> mark_loaded<3>(const Model&, System<3>&, std::vector<Origin>&);
 template class ParticleLoads<2>;
 template class ParticleLoads<3>;
 

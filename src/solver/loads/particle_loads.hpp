@@ -21,6 +21,21 @@ class ParticleLoads {
   /// Adds the impulse of the loads over a time dt, and their work with the current particle velocities, to the ledger.
   /// Recording half a step at its start and half a step at its end is accurate to second order.
   void record(double dt);
+  /// At the begin of the stage of the model: chooses the particles, see mark_loaded(). Returns the places of conditions
+  /// without a particle.
+  std::vector<Origin> choose() {
+    std::vector<Origin> none;
+    factor_ = mark_loaded(model_, system_, none);
+    return none;
+  }
+
+  /// Saves and restores the factors. Which particles they belong to is a column of the particles.
+  friend void archive(Archive& a, ParticleLoads& loads) {
+    auto& [model, system, ledger, factor, partial] = loads;
+    a.version(1);
+    a.resizable("factor", factor);
+    factor.resize(model.particle_conditions.size(), 1.0);
+  }
 
  private:
   Vec3 force_on(Body<Dim>& body, std::size_t particle, double dt) const;

@@ -23,6 +23,7 @@ struct EnergyLedger {
   double particle_loss = 0.0;   ///< kinetic energy taken from particles directly: damping, merging [energy]
   double first_kinetic = 0.0;   ///< kinetic energy of the particles before the first step [energy]
   bool started = false;         ///< whether a step was taken
+  double stages = 0.0;          ///< brought by stages, negative: taken away      [energy]
 
   /// Kinetic energy lost in the transfers so far; negative: gained. `kinetic`: of the particles now.
   double transfer_loss(double kinetic) const {
@@ -31,12 +32,14 @@ struct EnergyLedger {
 };
 
 inline void archive(Archive& a, EnergyLedger& ledger) {
-  auto& [external_work, damping_work, rigid_work, impulse, nodal_work, particle_loss, first_kinetic, started] = ledger;
-  a.version(2);
+  auto& [external_work, damping_work, rigid_work, impulse, nodal_work, particle_loss, first_kinetic, started, stages] =
+      ledger;
+  a.version(3);
   a("external_work", external_work), a("damping_work", damping_work);
   a("rigid_work", rigid_work), a("impulse", impulse);
   a("nodal_work", nodal_work), a("particle_loss", particle_loss);
   a("first_kinetic", first_kinetic), a("started", started);
+  a("stages", stages);
 }
 
 }  // namespace tribo

@@ -150,6 +150,14 @@ struct Body {
   }
 };
 
+/// Particles of a body that the stage of the model places.
+template <int Dim>
+struct PlacedParticles {
+  bool rigid = false;    ///< whether `body` is a number among the rigid bodies
+  std::size_t body = 0;  ///< number of the body
+  Particles<Dim> particles;
+};
+
 /// All state of a run on a grid.
 template <int Dim>
 struct System {
@@ -172,6 +180,7 @@ struct System {
   LoadController load_controller;
   double drift = 0.0;  ///< largest distance any particle may have moved since the last sort [cells]
   bool sorted = false;
+  std::vector<PlacedParticles<Dim>> placed;  ///< to be added when the stage of the model begins
 
   /// Whether the particles must be sorted into bins before the next step.
   bool sort_is_due() const { return !sorted || !(drift < 1.0 - 1e-6); }
@@ -188,7 +197,7 @@ void archive(Archive& a, Body<Dim>& body, const Lattice<Dim>& lattice, bool binn
          temperature_gradient, temperature_residual, heated, expanded, expansion_work, expansion, crossings,
          cell_number, volumetric, heat_capacity, conductivity, taylor_quinney, reference_temperature, cell,
          residual_share, volume_of_displacement, particle_damping, total_mass, read_by_scatter, read_by_gather] = body;
-  a("particles", particles), archive(a, bins, lattice);
+  a("particles", particles), a("total_mass", total_mass), archive(a, bins, lattice);
   if (!a.reading() || bins.list().empty()) return;  // none before the first step, which sorts
   if (bins.before(bins.list().size()) != particles.size() || (binned && !bins.hold(lattice, particles)))
     refuse_checkpoint("the particles of '" + name + "' are not sorted into bins");
@@ -228,8 +237,8 @@ void check(const System<Dim>& system) {
 template <int Dim>
 void archive(Archive& a, System<Dim>& system) {
   auto& [lattice, analysis, fields, bodies, cracks, joints, rigids, blocks, contact_at_faces, contact_reason, time,
-         step, load_clock, load_controller, drift, sorted] = system;
-  a.version(3);
+         step, load_clock, load_controller, drift, sorted, placed] = system;
+  a.version(4);
   a("time", time), a("step", step), a("load_clock", load_clock), a("load_controller", load_controller);
   a("drift", drift), a("sorted", sorted);
   a.each("crack", cracks), a.each("joints", joints);

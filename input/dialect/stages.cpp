@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+/// Keywords of stages within a run.
+
+#include "input/dialect/rows.hpp"
+
+namespace tribo::keywords {
+
+void add_stages(Rows& add) {
+  add({"Stage", "JANFEAInput",
+       "from its time on the run continues with the changes in it; everything else stays as it is", T::none,
+       std::vector{number("at", "time at which it begins", true),
+                   text("name", "of the stage, for messages and stages.csv"),
+                   text("until",
+                        "`ratio` and a number: the stage ends once the ratio of unbalanced to applied forces "
+                        "has fallen below it, at most when the next one begins"),
+                   units(times)}});
+  add({"When",
+       "JANFEAInput Stage",
+       "what is done, once, when something happens while the stage lasts, or in the file before the first stage",
+       T::none,
+       {{"event", T::choice, "bond_break: a bond of a joint breaks", "bond_break"},
+        text("history", "a column of history.csv, which passes a value in a row of the file"),
+        number("above", "the history is above this value, in its unit"),
+        number("below", "the history is below this value"),
+        number("ratio", "the ratio of unbalanced to applied forces is below this value")}});
+  add({"Stop", "When", "the run stops, as if its time were over", T::none, {}, true});
+  add({"Frame", "When", "the files of particles or blocks are written", T::none, {}, true});
+  add({"Checkpoint", "When", "a checkpoint is written", T::none, {}, true});
+  add({"NextStage", "When", "the next stage begins; after the last one the run stops", T::none, {}, true});
+  add({"Material",
+       "Stage",
+       "other properties of a material, contact law or joint law; properties that are not given stay as they are",
+       T::none,
+       {text("Name", "of the material"), text("mat", "number of the material, instead of Name"),
+        text("matname", "the same as Name"), text("Type", "may be given if it is that of the material")}});
+  add({"Gravity", "Stage", "body forces per unit mass, which replace the former ones", T::none, {}, true});
+  add({"GridBCs",
+       "Stage",
+       "conditions on grid nodes, which replace the former ones",
+       T::none,
+       {{"add", T::flag, "yes: the former ones stay"}},
+       true});
+  add({"ParticleBCs",
+       "Stage",
+       "loads on particles by their present positions, which replace the former ones",
+       T::none,
+       {{"add", T::flag, "yes: the former ones stay, on the particles that have them"}},
+       true});
+  add({"Friction", "Stage", "the default contact law from now on", T::number, contact_law(), true});
+  add({"Blocks",
+       "Stage",
+       "other settings of the blocks",
+       T::none,
+       {number("damping", "local damping: fraction of the unbalanced force that acts against the motion of each block"),
+        {"iterations", T::integer, "fixed-point iterations of the fictitious stress within a step"},
+        number("step", "fraction of the critical time step")},
+       true});
+  add({"Platen",
+       "Stage",
+       "other velocities of a platen; components that are not given stay as they are",
+       T::none,
+       {text("name", "of the platen", true), function("vx", "velocity, may be a function of t"), function("vy", ""),
+        function("vz", "")}});
+  add({"Excavate",
+       "Stage",
+       "removes the particles whose centres lie in its shapes",
+       T::none,
+       {text("mat", "number of a material: only particles of this material"),
+        text("matname", "name of the material, instead of mat")}});
+  add({"Bond", "Stage", "bonds the joints in its shapes whose faces touch"});
+  add({"Unbond", "Stage", "breaks the bonds of the joints in its shapes"});
+}
+
+}  // namespace tribo::keywords

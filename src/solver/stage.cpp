@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+#include "solver/stage.hpp"
+
+#include "blocks/assembly.hpp"
+#include "solver/neighbours/body_occupancy.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace tribo {
+namespace {
+
+using Kind = StageAction::Kind;
+
+// Bonds a joint or breaks its bond, as the actions at its place say.
+void bond_or_unbond(const std::vector<StageAction>& actions, const Vec3& x, const JointLaw& law, Joint& joint,
+                    StageReport& report) {
+  for (const StageAction& action : actions) {
+    if (action.kind == Kind::excavate || !action.where->contains(x)) continue;
+    if (action.kind == Kind::bond && law.bond(joint)) ++report.bonded;
+    if (action.kind == Kind::unbond && law.unbond(joint)) ++report.unbonded;
+  }
+}
+
+// The largest factor by which a joint becomes stiffer.
+double adopt(const JointLaw& law, const JointLaw* former, std::span<Joint> joints) {
+  double most = 1.0;
+  if (!former) return most;
+  for (Joint& joint : joints) {
+    const double kn = joint.kn, ks = joint.ks;
+    law.adopt(joint, *former);
+    if (kn > 0) most = std::max(most, joint.kn / kn);
+    if (ks > 0) most = std::max(most, joint.ks / ks);
+  }
+  return most;
+}
+
+template <int Dim>
+void change_joints(const Model& model, const Model& former, const std::vector<StageAction>& actions,
+                   System<Dim>& system, Stepper<Dim>& stepper, StageReport& report) {
+  double stiffer = 1.0;
+  for (JointSurface<Dim>& surface : system.joints) {
+    if (surface.interface) continue;
+    const JointLaw* before = nullptr;
+    if (surface.crack != JointSurface<Dim>::none) {
+      before = former.cracks[surface.crack].joint.get();
+    } else {
+      const auto [a, b] = surface.material;
+      before = former.contact.joints.at({std::min(a, b), std::max(a, b)}).law.get();
+    }
+    stiffer = std::max(stiffer, adopt(*surface.law, before, surface.joints));
+    for (std::size_t k = 0; k < surface.joints.size(); ++k) {
+      Vec3 x = Vec3::Zero();
+      x.template head<Dim>() = surface.x[k];
+      bond_or_unbond(actions, x, *surface.law, surface.joints[k], report);
+    }
+  }
+  (void)model;
+  stepper.joints().stiffened(stiffer);
+}
+
+template <int Dim>
+void weigh(Body<Dim>& body) {
+  body.total_mass = 0.0;
+  for (std::size_t i = 0; i < body.particles.size(); ++i) body.total_mass += body.particles.mass()[i];
+}
+
+template <int Dim>
+void excavate(const StageAction& action, System<Dim>& system, StageReport& report) {
+  std::int64_t removed = 0;
+  for (auto* bodies : {&system.bodies, &system.rigids})
+    for (Body<Dim>& body : *bodies) {
+      if (body.block >= 0 || (action.material >= 0 && action.material != body.material)) continue;
+      std::vector<std::uint32_t> stays;
+      for (std::uint32_t i = 0; i < body.particles.size(); ++i) {
+        Vec3 x = Vec3::Zero();
+        x.template head<Dim>() = body.particles.position(i);
+        if (!action.where->contains(x)) stays.push_back(i);
+      }
+      if (stays.size() == body.particles.size()) continue;
+      removed += static_cast<std::int64_t>(body.particles.size() - stays.size());
+      body.particles.reorder(stays);
+      weigh(body);
+    }
+  if (removed == 0) report.warnings.push_back(action.origin.text() + ": there is nothing to excavate in this shape");
+  report.excavated += removed;
+}
+
+// Adds the particles of the stage whose centres do not lie in other particles.
+template <int Dim>
+void place(const Model& model, System<Dim>& system, StageReport& report) {
+  if (system.placed.empty()) return;
+  Vec<Dim> low = Vec<Dim>::Constant(std::numeric_limits<double>::infinity()), high = -low;
+  for (const auto& placed : system.placed)
+    for (std::size_t i = 0; i < placed.particles.size(); ++i)
+      low = low.cwiseMin(placed.particles.position(i)), high = high.cwiseMax(placed.particles.position(i));
+  const Vec<Dim> margin = Vec<Dim>::Constant(2 * system.lattice.spacing.maxCoeff());
+  BodyOccupancy<Dim> matter(model, system.lattice, low - margin, high + margin);
+  for (auto* bodies : {&system.bodies, &system.rigids})
+    for (Body<Dim>& body : *bodies)
+      if (body.field != Body<Dim>::no_field) matter.add(body);
+  for (const auto& placed : system.placed) {
+    Body<Dim>& body = (placed.rigid ? system.rigids : system.bodies)[placed.body];
+    std::vector<std::uint32_t> fitting;
+    for (std::uint32_t i = 0; i < placed.particles.size(); ++i)
+      if (body.field == Body<Dim>::no_field || !matter.contains(placed.particles.position(i))) fitting.push_back(i);
+    body.particles.append(placed.particles, fitting);
+    weigh(body);
+    report.placed += static_cast<std::int64_t>(fitting.size());
+    report.covered += static_cast<std::int64_t>(placed.particles.size() - fitting.size());
+  }
+  system.placed.clear();
+  if (report.covered > 0)
+    report.warnings.push_back(std::to_string(report.covered) +
+                              " particles are not placed, because there is matter at their places: excavate it first");
+}
+
+}  // namespace
+
+const JointLaw* former_law(const Model& model, const Model& former, const JointLaw* law) {
+  for (std::size_t k = 0; k < std::min(model.materials.size(), former.materials.size()); ++k)
+    if (model.materials[k].joint && model.materials[k].joint.get() == law) return former.materials[k].joint.get();
+  return nullptr;
+}
+
+template <int Dim>
+StageReport begin_stage(const Model& model, const Model& former, const std::vector<StageAction>& actions,
+                        System<Dim>& system, Stepper<Dim>& stepper) {
+  StageReport report;
+  change_joints(model, former, actions, system, stepper, report);
+  if (system.blocks) begin_stage(model, former, actions, *system.blocks, report);
+  for (const StageAction& action : actions)
+    if (action.kind == Kind::excavate) excavate(action, system, report);
+  place(model, system, report);
+  system.sorted = false;
+  for (auto* bodies : {&system.bodies, &system.rigids})
+    for (Body<Dim>& body : *bodies) body.refresh();
+  for (const Origin& origin : stepper.loads().choose())
+    report.warnings.push_back(origin.text() + ": this load selects no particle");
+  if (model.stage.conditions || report.placed > 0) stepper.expect_jump();
+  return report;
+}
+
+void begin_stage(const Model& model, const Model& former, const std::vector<StageAction>& actions, Assembly& blocks,
+                 StageReport& report) {
+  for (const ContactGroup& group : blocks.groups) {
+    const std::span<Joint> joints(blocks.joints.data() + group.begin, group.end - group.begin);
+    adopt(*group.law, former_law(model, former, group.law), joints);
+    for (std::size_t k = 0; k < joints.size(); ++k)
+      bond_or_unbond(actions, blocks.contact_forces[group.begin + k].at, *group.law, joints[k], report);
+  }
+  blocks.renew_forces();
+}
+
+template StageReport begin_stage(const Model&, const Model&, const std::vector<StageAction>&, System<2>&, Stepper<2>&);
+template StageReport begin_stage(const Model&, const Model&, const std::vector<StageAction>&, System<3>&, Stepper<3>&);
+
+}  // namespace tribo
