@@ -116,7 +116,9 @@ TEST_CASE("many bodies with any frictional laws keep momentum and never gain ene
   }
 }
 
-TEST_CASE("at the start of a step impulses at nodes change light fields in part, bonded ones fully, and conserve momentum", "[contact]") {
+TEST_CASE(
+    "at the start of a step impulses at nodes change light fields in part, bonded ones fully, and conserve momentum",
+    "[contact]") {
   const auto smooth = make_law("61", {}), joined = make_law("60", {});
   const double light = 0.003, heavy = 1.0;
   for (const auto* law : {smooth.get(), joined.get()}) {
