@@ -33,6 +33,7 @@ struct JointIncrement {
   double dt = 1.0;          ///< time step                                                  [time]
   double time = 0.0;        ///< at the end of the step                                     [time]
   double mass = 0.0;        ///< m1 m2/(m1 + m2), for dashpots                         [mass]
+  double pressure = 0.0;    ///< at the end of the step, of pore fluid: JointLaw::pore_pressure  [stress]
   double poisson_normal{};  ///< force of the fictitious stress that belongs to the end of the step [force]
   Tangent poisson_shear;
 };
@@ -62,6 +63,7 @@ struct Joint {
   double opening = 0.0;     ///< sum of the normal increments                           [length]
   Tangent shear;            ///< sum of the shear increments                            [length]
   double gap = 0.0;         ///< at the end of the last step                            [length]
+  double pressure = 0.0;    ///< JointIncrement::pressure of the last step              [stress]
   double rest_gap = 0.0;    ///< gap at zero normal force after failure, shifted by dilation [length]
   double slip = 0.0;        ///< slip path since sliding began, or since the bond broke in shear [length]
   double elongation = 0.0;  ///< largest elongation beyond the tensile peak             [length]
@@ -115,6 +117,7 @@ struct JointSite {
   bool has_moments = false;         ///< false: the moments are those of the disc or strip of the same area
   double poisson_normal = 0.0;      ///< initial force of the fictitious stress            [force]
   Tangent poisson_shear;
+  double pressure = 0.0;  ///< of pore fluid: JointLaw::pore_pressure            [stress]
 };
 
 /// Properties of the surfaces of two bodies, which a contact between them takes over; each if it is given.
@@ -152,6 +155,10 @@ class JointLaw {
   /// Names and values of output quantities that only this law has.
   virtual std::vector<std::string_view> own_names() const = 0;
   virtual std::vector<double> own_values(const Joint& joint) const = 0;
+
+  /// Pore pressure at a place and a time, in addition to a constant one that the law has by itself [stress]; a host
+  /// puts it into JointSite::pressure and JointIncrement::pressure.
+  virtual double pore_pressure(const Vec3& at, double time) const { return (void)at, (void)time, 0.0; }
 
   /// Largest stiffness per area [stress/length], used to check the time step; 0 if it depends on the contact.
   virtual double stiffness() const = 0;

@@ -85,6 +85,18 @@ SurfaceProperties SurfaceProperties::between(const SurfaceProperties& a, const S
   return out;
 }
 
+PressureFunction::PressureFunction(const Statement& material, const char* name, const Units& units,
+                                   Problems& problems) {
+  const Statement* given = material.child(name);
+  if (!given) return;
+  try {
+    function_ = Expression(given->text, given->text_origin, "<" + given->name + ">");
+    unit_ = units.factor(Dimension::stress), time_unit_ = units.alternative_time();
+  } catch (const InputError& error) {
+    problems.add(error);
+  }
+}
+
 UserAreas::UserAreas(const Statement& material, std::initializer_list<const char*> names, Problems& problems) {
   const Statement* first = nullptr;
   for (const auto& child : material.children) {

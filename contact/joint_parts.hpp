@@ -2,6 +2,7 @@
 /// Helpers shared by the joint laws: strength multiplier tables, dashpots, areas and the reading of their properties.
 #pragma once
 
+#include "base/expression.hpp"
 #include "contact/joint_law.hpp"
 
 #include <optional>
@@ -31,6 +32,23 @@ class MultiplierTable {
 inline double remaining(const MultiplierTable& table, double length, double displacement) {
   return table.empty() ? std::max(0.0, 1 - displacement / length) : table.at(displacement);
 }
+
+/// Pore pressure as a function of x, y, z and t, which a law has in addition to a constant one.
+class PressureFunction {
+ public:
+  PressureFunction() = default;
+  /// Reads the child <`name`> of a material.
+  PressureFunction(const Statement& material, const char* name, const Units& units, Problems& problems);
+  /// Value at a place and a time [stress]; 0 if there is no function.
+  double at(const Vec3& x, double time) const {
+    return unit_ > 0 ? unit_ * function_(Variables::at(x, time / time_unit_)) : 0.0;
+  }
+
+ private:
+  Expression function_;
+  double unit_ = 0.0;       // stress of a value 1; 0: no function
+  double time_unit_ = 1.0;  // time that is 1 in the function
+};
 
 /// Viscous forces c v on both faces, c = 2 beta sqrt(m k A), with m the effective mass m1 m2/(m1 + m2).
 struct Dashpots {

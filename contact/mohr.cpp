@@ -34,7 +34,8 @@ struct Mohr final : JointLaw {
   double kn = 0, ks = 0;
   double c = 0, c_residual = 0, phi = 0, phi_residual = 0, tension = 0, tension_residual = 0;
   double psi = 0, psi_residual = 0, dilation_zero = std::numeric_limits<double>::infinity();
-  double slip_length = 0, healing = 0, pressure = 0, gap_shift = 0, keep_pressure = 0;
+  double slip_length = 0, healing = 0, constant_pressure = 0, gap_shift = 0, keep_pressure = 0, in_equilibrium = 0;
+  PressureFunction pressure_function;
   double normal_stress = 0, normal_force = 0, state_at_start = 0, opening_at_start = 0;
   Tangent shear_stress, shear_force, shear_at_start;
   Dashpots dashpots;
@@ -71,9 +72,13 @@ struct Mohr final : JointLaw {
         P{"slip-dc", &L::slip_length, D::length, not_negative,
           "slip from the peak to the residual strength; 0: the drop is sudden", 0.0},
         P{"healing", &L::healing, D::none, within(0, 1), "1: the shear strength is restored when sliding ends", 0.0},
-        P{"pore-pressure", &L::pressure, D::stress, not_negative, "pressure of pore fluid", 0.0},
+        P{"pore-pressure", &L::constant_pressure, D::stress, not_negative, "pressure of pore fluid", 0.0},
         P{"keep-pressure-when-open", &L::keep_pressure, D::none, within(0, 1),
           "1: the pore pressure still acts on open faces", 0.0},
+        P{"pressure-in-equilibrium", &L::in_equilibrium, D::none, within(0, 1),
+          "1: the normal stress or force at the start is the effective one; the joint starts with the pore pressure in "
+          "addition",
+          0.0},
         P{"rgap", &L::gap_shift, D::length, not_negative, "gap at which the faces count as closed", 0.0},
         P{"dashpot-ratio-normal", &L::dashpot_normal, D::none, within(0, 1), "fraction of critical damping", 0.0},
         P{"dashpot-ratio-shear", &L::dashpot_shear, D::none, within(0, 1), "fraction of critical damping", 0.0},
@@ -89,6 +94,7 @@ struct Mohr final : JointLaw {
   }
   static std::vector<OwnProperty> own_properties() {
     return {
+        {"pore-pressure-function", "pore pressure as a function of x, y, z and t, added to pore-pressure"},
         {"user_area",
          "area used instead of the computed contact area: one, or one for each contact of a crack or interface"},
         {"area",
@@ -113,7 +119,8 @@ struct Mohr final : JointLaw {
         {"dashpot-force", "is a result: columns of the output"},
         {"state-string", "is a result; set the number <state> instead"}};
     refuse(s, refused, problems);
-    must_be_whole(s, {"healing", "dashpot-mode", "state", "keep-pressure-when-open"}, problems);
+    must_be_whole(s, {"healing", "dashpot-mode", "state", "keep-pressure-when-open", "pressure-in-equilibrium"},
+                  problems);
     const auto either = [&](const char* a, const char* b) {
       if (s.child(a) && s.child(b))
         problems.add(s.child(b)->origin,
@@ -128,6 +135,7 @@ struct Mohr final : JointLaw {
     shear_stress = pair("stress-shear", Dimension::stress), shear_force = pair("force-shear", Dimension::force);
     shear_at_start = pair("disp-shear", Dimension::length);
     table = MultiplierTable(s, "slip-table", units, problems);
+    pressure_function = PressureFunction(s, "pore-pressure-function", units, problems);
     own_areas = UserAreas(s, {"user_area", "area"}, problems);
     dashpots = {dashpot_normal, dashpot_shear, dashpot_mode};
     tan_phi = std::tan(phi), tan_phi_residual = std::tan(phi_residual);
@@ -147,6 +155,8 @@ struct Mohr final : JointLaw {
     set_area(j, site, own_areas.of(site.number));
     j.kn = kn, j.ks = ks;
     j.Fn = normal_stress * j.area + normal_force, j.Fs = j.area * shear_stress + shear_force;
+    j.pressure = site.pressure;
+    if (in_equilibrium > 0) j.Fn -= j.area * pressure_in(j);
     j.gap = site.gap, j.opening = opening_at_start, j.shear = shear_at_start;
     j.state = static_cast<int>(state_at_start);
     j.slips = j.state & slips_now;
@@ -160,6 +170,9 @@ struct Mohr final : JointLaw {
     j.strain = j.start = strain_energy(j);
     return j;
   }
+
+  double pore_pressure(const Vec3& at, double time) const override { return pressure_function.at(at, time); }
+  double pressure_in(const Joint& j) const { return constant_pressure + j.pressure; }
 
   static double strain_energy(const Joint& j) {
     return spring_energy(j.Fn, j.Fn, j.kn * j.area) + spring_energy(j.Fs.norm(), j.Fs.norm(), j.ks * j.area);
@@ -182,6 +195,8 @@ struct Mohr final : JointLaw {
     j.state &= ~(slips_now | tears_now);
     const bool failed = j.state != 0;
     j.opening += d.normal, j.shear += d.shear, j.gap = d.gap;
+    j.pressure = d.pressure;
+    const double pressure = pressure_in(j);
     j.slips = false;
     const double overlap_gap = d.gap - gap_shift;
     const auto report_slip = [&] {
@@ -291,7 +306,7 @@ struct Mohr final : JointLaw {
   }
   std::vector<std::string_view> own_names() const override { return {"stress_effective"}; }
   std::vector<double> own_values(const Joint& j) const override {
-    return {j.area > 0 ? j.Fn / j.area + pressure : 0.0};
+    return {j.area > 0 ? j.Fn / j.area + pressure_in(j) : 0.0};
   }
   double stiffness() const override { return std::max(kn, ks); }
   std::span<const double> user_areas() const override { return own_areas.all(); }

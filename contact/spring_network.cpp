@@ -51,7 +51,10 @@ auto SpringNetwork::parameters() {
         "factor of the shear components of the fictitious stress", 0.0},
       P{"sn_pois", &L::nu, D::none, between(-1, 1), "Poisson's ratio of the elastic body that the bonds represent",
         0.0},
-      P{"sn_porp", &L::pressure, D::stress, any_value, "pressure of pore fluid", 0.0},
+      P{"sn_porp", &L::constant_pressure, D::stress, any_value, "pressure of pore fluid", 0.0},
+      P{"sn_porp_equilibrium", &L::in_equilibrium, D::none, within(0, 1),
+        "1: the normal force at the start is the effective one; the joint starts with the pore pressure in addition",
+        0.0},
       P{"dp_nratio", &L::dashpot_normal, D::none, within(0, 1), "fraction of critical damping", 0.0},
       P{"dp_sratio", &L::dashpot_shear, D::none, within(0, 1), "fraction of critical damping", 0.0},
       P{"dp_mode", &L::dashpot_mode, D::none, within(0, 3),
@@ -60,6 +63,7 @@ auto SpringNetwork::parameters() {
 
 std::vector<OwnProperty> SpringNetwork::own_properties() {
   return {
+      {"sn_porp_function", "pressure of pore fluid as a function of x, y, z and t, added to sn_porp"},
       {"user_area",
        "area used instead of the computed contact area: one, or one for each contact of a crack or interface"},
       {"sn_area", "the same"},
@@ -188,7 +192,7 @@ void SpringNetwork::prepare(const Statement& s, const Units& units, Problems& pr
       {"sn_pois_force", result},
       {"dp_force", result}};
   refuse(s, refused, problems);
-  must_be_whole(s, {"sn_mode", "sn_heal", "dp_mode"}, problems);
+  must_be_whole(s, {"sn_mode", "sn_heal", "dp_mode", "sn_porp_equilibrium"}, problems);
   read_stiffness(s, units, problems);
   methods.bond = gaps(s, "bond", units, problems), methods.unbond = gaps(s, "unbond", units, problems);
   if (methods.bond) mode = 1;
@@ -196,6 +200,7 @@ void SpringNetwork::prepare(const Statement& s, const Units& units, Problems& pr
     if (s.child(length) && s.child(of))
       problems.add(s.child(length)->origin,
                    "<" + std::string(length) + "> and <" + of + "> exclude each other; give one of them");
+  pressure_function = PressureFunction(s, "sn_porp_function", units, problems);
   tension_table = MultiplierTable(s, "sn_tentab", units, problems);
   shear_table = MultiplierTable(s, "sn_cohtab", units, problems);
   turns_with_area = !s.child("krot") && !s.child("assign-stiffness");

@@ -71,6 +71,8 @@ Joint SpringNetwork::start(const JointSite& site) const {
   }
   j.gap = site.gap;
   if (!force.empty()) j.Fn = -force[0], j.Fs = {force[1], force[2]};
+  j.pressure = site.pressure;
+  if (in_equilibrium > 0) j.Fn -= j.area * pressure_in(j);
   if (!moment.empty()) j.Mt = moment[0], j.Mb = {moment[1], moment[2]};
   if (methods.bond && methods.bond->contains(site.gap))
     j.state = bonded, j.poisson_normal = site.poisson_normal, j.poisson_shear = site.poisson_shear;
@@ -138,12 +140,13 @@ std::shared_ptr<const JointLaw> SpringNetwork::for_new_contacts() const {
   auto law = std::make_shared<SpringNetwork>(*this);
   law->methods.bond.reset(), law->methods.unbond.reset();
   law->force.clear(), law->moment.clear(), law->own_areas = {};
-  law->mode = law->nu = law->pressure = 0;
+  law->mode = law->nu = law->constant_pressure = 0;
+  law->pressure_function = {};
   return law;
 }
 
 double SpringNetwork::rim_stress(const Joint& j) const {
-  return j.Fn / j.area + moment_share * j.Mb.norm() * j.radius / j.inertia + pressure;
+  return j.Fn / j.area + moment_share * j.Mb.norm() * j.radius / j.inertia + pressure_in(j);
 }
 
 double SpringNetwork::rim_shear(const Joint& j) const {
@@ -151,7 +154,7 @@ double SpringNetwork::rim_shear(const Joint& j) const {
 }
 
 double SpringNetwork::shear_strength(const Joint& j) const {
-  return std::max(0.0, c - (j.Fn / j.area + pressure) * tan_phi);
+  return std::max(0.0, c - (j.Fn / j.area + pressure_in(j)) * tan_phi);
 }
 
 bool SpringNetwork::soften(Joint& j) const {
@@ -164,7 +167,7 @@ bool SpringNetwork::soften(Joint& j) const {
   j.elongation += (sigma - strength) / j.kn;
   strength = tension * remaining(tension_table, tension_length, j.elongation);
   j.state = softening;
-  const double factor = sigma > 0 ? strength / sigma : 0.0, pressed = j.area * pressure;
+  const double factor = sigma > 0 ? strength / sigma : 0.0, pressed = j.area * pressure_in(j);
   j.Fn = (j.Fn + pressed) * factor - pressed;
   j.Mb *= factor;
   return !(strength > 0);
@@ -210,7 +213,7 @@ void SpringNetwork::break_bond(Joint& j, int mode_of_break, double overlap_gap) 
 
 void SpringNetwork::update_unbonded(Joint& j, const JointIncrement& d, bool fresh, bool slid,
                                     double overlap_gap) const {
-  const double A = j.area, kA = j.kn * A, pressed = A * pressure;
+  const double A = j.area, kA = j.kn * A, pressed = A * pressure_in(j);
   if (fresh) {
     j.Fn = std::min(j.Fn + pressed, 0.0) - pressed;
   } else {
@@ -244,6 +247,7 @@ void SpringNetwork::step(Joint& j, const JointIncrement& d, std::size_t contact,
   using Kind = JointEvent::Kind;
   const Joint before = j;
   j.opening += d.normal, j.shear += d.shear, j.gap = d.gap;
+  j.pressure = d.pressure;
   const double overlap_gap = d.gap - gap_shift;
   const auto report_slip = [&] {
     const bool s = j.slips != before.slips, b = j.bends != before.bends, t = j.twists != before.twists;
@@ -295,7 +299,7 @@ std::vector<std::string_view> SpringNetwork::own_names() const {
 
 std::vector<double> SpringNetwork::own_values(const Joint& j) const {
   const bool touches = j.area > 0;  // a face that its block has left behind has no area, and no stress
-  const double sigma = touches ? rim_stress(j) : pressure;
+  const double pressure = pressure_in(j), sigma = touches ? rim_stress(j) : pressure;
   return {j.elongation,
           touches ? shear_strength(j) : 0.0,
           sigma - pressure,

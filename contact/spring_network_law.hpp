@@ -33,7 +33,8 @@ struct SpringNetwork final : JointLaw {
   double mu = 0, gap_shift = 0, bend_factor = 1, twist_factor = 1, mode = 0, moment_share = 1;
   double tension = 0, tension_length = 0, c = 0, shear_length = 0, c_residual = 0, phi = 0;
   double psi = 0, dilation_zero = std::numeric_limits<double>::infinity(), heals = 0;
-  double non_diagonal = 0, nu = 0, pressure = 0, radius_factor = 1;
+  double non_diagonal = 0, nu = 0, constant_pressure = 0, in_equilibrium = 0, radius_factor = 1;
+  PressureFunction pressure_function;
   double dashpot_normal = 0, dashpot_shear = 0, dashpot_mode = 0;
   Dashpots dashpots;
   MultiplierTable tension_table, shear_table;
@@ -64,6 +65,7 @@ struct SpringNetwork final : JointLaw {
   std::string state_text(const Joint& j) const override;
   std::vector<std::string_view> own_names() const override;
   std::vector<double> own_values(const Joint& j) const override;
+  double pore_pressure(const Vec3& at, double time) const override { return pressure_function.at(at, time); }
   double stiffness() const override { return std::max(kn, ks); }
   bool needs_distance() const override { return methods.modulus.has_value(); }
   double poisson() const override { return nu; }
@@ -74,6 +76,7 @@ struct SpringNetwork final : JointLaw {
   std::shared_ptr<const JointLaw> for_new_contacts() const override;
 
  private:
+  double pressure_in(const Joint& j) const { return constant_pressure + j.pressure; }
   enum State : int { loose = 0, torn = 1, sheared = 2, bonded = 3, softening = 4, unloaded = 5, healed = 6 };
   struct Break {
     int mode = 0;  // 0: none, 1: in tension, 2: in shear

@@ -103,9 +103,30 @@ void Builder::node_condition(const Statement& s, const RegionPtr& where) {
        "direction " + dir + " needs a three-dimensional model");
   must(!(has(s, "vel") && has(s, "disp")), s.origin, "give only one of 'vel' and 'disp', which have the same meaning");
   c.velocity = prescribed(s, has(s, "vel") ? "vel" : "disp", Dimension::velocity);
+  c.wall = moving_wall(s, dir);
   c.id = static_cast<int>(number(s, "id", Dimension::none));
   must(c.id <= 0, s.origin, "the id of a condition must be 0 or negative");
   model_.node_conditions.push_back(std::move(c));
+}
+
+std::optional<MovingWall> Builder::moving_wall(const Statement& s, const std::string& dir) {
+  if (!has(s, "depth")) {
+    for (const char* of_walls : {"gradfxn", "dispfxn"})
+      must(!has(s, of_walls), s.origin,
+           std::string("'") + of_walls + "' belongs to a moving wall, which 'depth' makes of a condition");
+    return std::nullopt;
+  }
+  MovingWall wall;
+  const double depth = number(s, "depth", Dimension::none);
+  wall.side = depth < 0 ? -1 : 1, wall.depth = std::abs(depth);
+  must(dir.size() == 1, s.origin, "a moving wall is normal to an axis: dir 1, 2 or 3");
+  must(wall.depth <= 1000, s.origin, "the depth of a moving wall is a number of cells, at most 1000");
+  wall.function_time = model_.units.alternative_time(), wall.length_unit = model_.units.factor(Dimension::length);
+  if (const auto f = function(s, "dispfxn")) wall.displacement = *f;
+  wall.mirror = word(s, "gradfxn", "") == "mirror";
+  if (wall.mirror) return wall;
+  if (const auto f = function(s, "gradfxn")) wall.gradient = *f;
+  return wall;
 }
 
 DomainFace Builder::face_of(const Statement& s) {

@@ -181,7 +181,8 @@ JointDrive Builder::joint_drive(const Statement& s, const MaterialSpec& spec) {
        "<compute-stiffness> of '" + spec.name + "' needs 'distance', the distance between the centres of the bodies");
   must(!spec.joint || spec.joint->user_areas().size() <= 1, s.origin,
        "<user_area> of '" + spec.name + "' has an area for each point of a crack; a single contact takes one area");
-  out.path = path(s, joint_columns(units.factor(Dimension::length), units.factor(Dimension::force)));
+  out.path = path(s, joint_columns(units.factor(Dimension::length), units.factor(Dimension::force),
+                                   units.factor(Dimension::stress)));
   return out;
 }
 

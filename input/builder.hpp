@@ -132,6 +132,7 @@ class Builder {
   void conditions();
   void selector(const Statement& s, bool grid);
   RegionPtr selected(const Statement& s);
+  std::optional<MovingWall> moving_wall(const Statement& s, const std::string& dir);
   void node_condition(const Statement& s, const RegionPtr& where);
   DomainFace face_of(const Statement& s);
   void particle_condition(const Statement& s, const RegionPtr& where, bool net);

@@ -31,9 +31,19 @@ void add_conditions(Rows& add) {
        box(true) + std::vector{AttributeSpec{"axis", T::choice, "axis of the cylinder", "1 2 3 x y z"}}});
   add({"DisBC", "BCShape BCLine BCArc LdRect BCBox", "prescribed velocity", T::none,
        std::vector{AttributeSpec{"dir", T::choice, "direction: 1 x, 2 y, 3 z, or inclined", "1 2 3 12 13 23 123", true},
-                   number("vel", "velocity"), number("disp", "the same as vel"),
+                   number("vel", "velocity"),
+                   number("disp", "the same as vel"),
                    number("angle", "angle of an inclined direction, clockwise [degrees]"),
-                   number("angle2", "second angle of an inclined direction [degrees]"), units(velocities)} +
+                   number("angle2", "second angle of an inclined direction [degrees]"),
+                   units(velocities),
+                   number("depth",
+                          "makes a moving wall of the condition, which starts at the nodes of the shape: nodes within "
+                          "this number of cells on the side of the material are governed, too. Positive: the material "
+                          "lies at smaller coordinates; negative: at larger ones"),
+                   {"gradfxn", T::text,
+                    "moving wall: velocity gradient along its normal as a function of t, x, y, z, or 'mirror': that of "
+                    "the two last nodes inside (default 0)"},
+                   function("dispfxn", "moving wall: its displacement along the normal")} +
            condition_attributes()});
 
   add({"TempBC", "BCShape BCLine BCArc LdRect BCBox", "prescribed temperature", T::none,

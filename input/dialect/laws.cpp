@@ -51,7 +51,9 @@ void add_laws(Rows& add) {
        "(velocity gradient) and sxx .. sxz (prescribed stress); for a contact law vn, vt1, vt2 and N, St1, St2; for a "
        "joint law the increments per step dn, dss, dst, dtwist, dbs, dbt, or prescribed forces Fn, Fss, Fst, loads on "
        "a "
-       "block Pn, Pss, Pst, and the force of the fictitious stress Ffn, Ffss, Ffst",
+       "block Pn, Pss, Pst, the force of the fictitious stress Ffn, Ffss, Ffst, and the pore pressure at the end of "
+       "the "
+       "row, pressure",
        T::text,
        {text("file", "file that contains the rows")},
        true});

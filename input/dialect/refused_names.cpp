@@ -11,7 +11,6 @@ constexpr std::string_view diffusion = "diffusion is not implemented", pores = "
                            unstructured = "unstructured grids are not implemented",
                            outdated = "it is no longer part of the format",
                            growth = "it belongs to a criterion for the growth of cracks that is not implemented",
-                           wall = "moving walls are not implemented; use a rigid material",
                            softening =
                                "softening of anisotropic solids is not implemented; IsoSoftening (50) is the "
                                "isotropic law";
@@ -67,7 +66,6 @@ const std::vector<RefusedName>& refused_names() {
 const std::vector<RefusedAttribute>& refused_attributes() {
   static const std::vector<RefusedAttribute> all{
       {"Damping PDamping", "PIC", "a fraction of PIC is set by <Transfer type='blend' fraction=''/>"},
-      {"DisBC", "depth gradfxn dispfxn", wall},
       {"Body mp Intensity", "conc wtconc", diffusion},
       {"Body mp Intensity", "pp", pores},
       {"GIMP", "gridz", outdated},

@@ -153,7 +153,8 @@ const std::vector<CommandInfo>& commands() {
       {"ParticleBC", 0, 1, "[add;] shape, conditions up to EndParticleBC",
        "conditions on particles in a shape; add as in GridBC"},
       {"Velocity", 2, 7, "direction, style[, value[, time[, angle[, angle]]]]",
-       "prescribed velocity: constant, linear, sine, cosine or function; 0 without a value"},
+       "prescribed velocity: constant, linear, sine, cosine or function; 0 without a value. A moving wall: direction, "
+       "gradient, velocity function, 0, depth[, gradient function or mirror[, displacement function]]"},
       {"Temperature", 1, 3, "style[, value[, time]]", "prescribed temperature"},
       {"Load", 2, 5, "direction, style[, value[, time]]", "force on each particle"},
       {"LoadType", 1, 1, "net or perParticle",

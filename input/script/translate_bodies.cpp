@@ -382,10 +382,17 @@ void Translator::style(Statement& s, const Command& c, std::size_t k, const char
 }
 
 void Translator::velocity(const Command& c) {
-  if (lower(c.text(1)) == "gradient")
-    throw InputError(c.origin(1), "moving walls are not implemented; use a rigid material");
   Statement& s = condition(c, "DisBC");
   attribute(s, "dir", direction(c, 0, false), c.origin(0));
+  if (lower(c.text(1)) == "gradient") {
+    attribute(s, "style", "function", c.origin(1));
+    const std::pair<std::size_t, const char*> of_walls[] = {
+        {2, "function"}, {3, "time"}, {4, "depth"}, {5, "gradfxn"}, {6, "dispfxn"}};
+    for (const auto& [k, name] : of_walls)
+      if (c.given(k)) attribute(s, name, c.text(k), c.origin(k));
+    if (!c.given(4)) throw InputError(c.origin(1), "a moving wall needs its depth, the fifth argument");
+    return;
+  }
   style(s, c, 1, "vel");
   if (c.given(4)) attribute(s, "angle", c.text(4), c.origin(4));
   if (c.given(5)) attribute(s, "angle2", c.text(5), c.origin(5));

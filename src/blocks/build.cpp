@@ -90,7 +90,9 @@ void Assembly::add_contact(const BlockContact& c, const JointSite& site, const J
     groups.push_back({&law, kind, contacts.size(), contacts.size(), platen});
   }
   ++groups.back().end;
-  contacts.push_back(c), joints.push_back(law.start(site)), outlines.push_back({std::move(outline)});
+  JointSite here = site;
+  here.pressure = law.pore_pressure(motion[c.a].x + c.pa, time);
+  contacts.push_back(c), joints.push_back(law.start(here)), outlines.push_back({std::move(outline)});
   if (!by.isZero(0.0) && shift.empty()) shift.resize(contacts.size() - 1, Vec3::Zero());
   if (!by.isZero(0.0) || !shift.empty()) shift.push_back(by);
 }

@@ -165,7 +165,8 @@ void Assembly::update_contacts(const Batch& batch, double dt) {
     increments(batch, dt, d);
   else
     d = kept_increments_.data() + batch.begin;
-  for (std::size_t k = 0; k < count; ++k) d[k].time = time + dt;
+  for (std::size_t k = 0; k < count; ++k)
+    d[k].time = time + dt, d[k].pressure = group.law->pore_pressure(contact_forces[batch.begin + k].at, d[k].time);
   if (const double nu = group.law->poisson(); nu != 0)
     for (std::size_t k = 0; k < count; ++k) {
       const BlockContact& c = contacts[batch.begin + k];

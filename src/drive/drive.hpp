@@ -59,8 +59,10 @@ struct JointDrive {
   std::vector<PathRow> path;         ///< of the columns below
 };
 /// Per step: dn dss dst [length], dtwist dbs dbt [rad]; prescribed at the end of the row: Fn Fss Fst [force]; loads on
-/// body 2: Pn Pss Pst [force]; force of the fictitious stress: Ffn Ffss Ffst [force].
-std::vector<PathColumn> joint_columns(double length_factor = 1.0, double force_factor = 1.0);
+/// body 2: Pn Pss Pst [force]; force of the fictitious stress: Ffn Ffss Ffst [force]. Of the end of the row, reached
+/// linearly: pressure [stress], the pore pressure in addition to that of the law.
+std::vector<PathColumn> joint_columns(double length_factor = 1.0, double force_factor = 1.0,
+                                      double stress_factor = 1.0);
 
 /// The results: one row per step; the first row is the initial state.
 struct Table {

@@ -16,7 +16,7 @@
 namespace tribo {
 namespace {
 
-enum Column : std::size_t { dn, dss, dst, dtwist, dbs, dbt, Fn, Fss, Fst, Pn, Pss, Pst, Ffn, Ffss, Ffst };
+enum Column : std::size_t { dn, dss, dst, dtwist, dbs, dbt, Fn, Fss, Fst, Pn, Pss, Pst, Ffn, Ffss, Ffst, pressure };
 
 /// Per axis n, s, t the force of the joint on the machine: positive against the motion.
 Vec3 resistance(const Joint& j) { return {j.Fn, -j.Fs.s, -j.Fs.t}; }
@@ -28,16 +28,19 @@ class Machine {
  public:
   explicit Machine(const JointDrive& what)
       : what_(what),
-        joint_(what.law->start(what.site)),
+        joint_(what.law->start(with_pressure(what))),
         at_start_(resistance(joint_)),
         springs_(what.spring_normal, what.spring_shear, what.spring_shear),
         velocity_(what.velocity[0], what.velocity[1], what.velocity[2]) {}
 
   void follow(const PathRow& row, Table& out) {
     const Vec3 from = resistance(joint_);
+    const double pressure_before = pressure_;
     for (int step = 1; step <= row.steps; ++step) {
       events_.clear();
       time_ += row.dt;
+      if (!std::isnan(row.value[pressure]))
+        pressure_ = pressure_before + (row.value[pressure] - pressure_before) * step / row.steps;
       for (std::size_t k = 0; k < 3; ++k) far_[static_cast<Eigen::Index>(k)] += given(row, dn + k);
       if (what_.mass > 0)
         swing(row);
@@ -106,6 +109,11 @@ class Machine {
   }
 
  private:
+  static JointSite with_pressure(const JointDrive& what) {
+    JointSite site = what.site;
+    site.pressure = what.law->pore_pressure(Vec3::Zero(), 0.0);
+    return site;
+  }
   static double given(const PathRow& row, std::size_t column) {
     return std::isnan(row.value[column]) ? 0.0 : row.value[column];
   }
@@ -116,7 +124,8 @@ class Machine {
     JointIncrement d;
     d.normal = u[0], d.shear = {u[1], u[2]};
     d.twist = given(row, dtwist), d.bend = {given(row, dbs), given(row, dbt)};
-    d.gap = joint_.gap + u[0], d.dt = row.dt, d.time = time_ + row.dt, d.mass = what_.dashpot_mass;
+    d.gap = joint_.gap + u[0], d.dt = row.dt, d.time = time_, d.mass = what_.dashpot_mass;
+    d.pressure = what_.law->pore_pressure(Vec3::Zero(), time_) + pressure_;
     d.poisson_normal = given(row, Ffn), d.poisson_shear = {given(row, Ffss), given(row, Ffst)};
     return d;
   }
@@ -189,6 +198,7 @@ class Machine {
   Vec3 at_start_, springs_, velocity_, far_ = Vec3::Zero(), motion_ = Vec3::Zero();
   std::vector<JointEvent> events_;
   double time_ = 0.0;
+  double pressure_ = 0.0;  // of the path [stress]
 };
 
 void check_row(const JointDrive& what, const PathRow& row, Problems& problems) {
@@ -211,11 +221,11 @@ void check_row(const JointDrive& what, const PathRow& row, Problems& problems) {
 
 }  // namespace
 
-std::vector<PathColumn> joint_columns(double length_factor, double force_factor) {
+std::vector<PathColumn> joint_columns(double length_factor, double force_factor, double stress_factor) {
   return {{"dn", length_factor}, {"dss", length_factor}, {"dst", length_factor}, {"dtwist", 1.0},
           {"dbs", 1.0},          {"dbt", 1.0},           {"Fn", force_factor},   {"Fss", force_factor},
           {"Fst", force_factor}, {"Pn", force_factor},   {"Pss", force_factor},  {"Pst", force_factor},
-          {"Ffn", force_factor}, {"Ffss", force_factor}, {"Ffst", force_factor}};
+          {"Ffn", force_factor}, {"Ffss", force_factor}, {"Ffst", force_factor}, {"pressure", stress_factor}};
 }
 
 Table drive(const JointDrive& what) {

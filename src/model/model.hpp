@@ -256,11 +256,24 @@ struct PointSpec {
   Origin origin;
 };
 
+/// A wall normal to an axis that moves through the grid. It starts in a plane of nodes and prescribes the velocity
+/// along its normal on the nodes near its present place: v + g (x - s), with v the velocity of the wall, s its place
+/// and g the velocity gradient at the wall.
+struct MovingWall {
+  int side = 1;        ///< 1: the material lies at smaller coordinates; -1: at larger ones
+  double depth = 0.0;  ///< nodes within this distance on the side of the material are governed, too [cells]
+  Expression displacement, gradient;
+  bool mirror = false;         ///< the gradient is that of the velocities of the two last nodes inside
+  double function_time = 1.0;  ///< consistent time of one unit of t in the functions
+  double length_unit = 1.0, gradient_unit = 1.0;  ///< factors of the values of the functions to consistent units
+};
+
 /// Prescribed velocity of grid nodes in a region.
 struct NodeCondition {
-  RegionPtr where;
+  RegionPtr where;                 ///< of the nodes, or for a wall of the nodes where it starts
   Vec3 direction = Vec3::UnitX();  ///< unit vector of the prescribed component
   Prescribed velocity;
+  std::optional<MovingWall> wall;
   int id = 0;  ///< identifies the condition in reaction histories, <= 0
   Origin origin;
 };

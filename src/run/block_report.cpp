@@ -4,6 +4,7 @@
 #include "base/parallel.hpp"
 #include "base/text.hpp"
 #include "run/block_run.hpp"
+#include "run/pore_pressure.hpp"
 #include "run/stage_report.hpp"
 #include "run/trial_output.hpp"
 
@@ -83,6 +84,7 @@ std::string describe_blocks(const Model& model, int wanted_threads) {
   line(format("bonds: %zu", blocks.bonds()));
   for (std::size_t p = 0; p < model.blocks->platens.size(); ++p)
     line(format("platen '%s': area %.6g", model.blocks->platens[p].name.c_str(), blocks.platen_area(p)));
+  if (const std::string torn = torn_by_pressure(blocks); !torn.empty()) line(torn);
   const BlockSteps steps = steps_of(model, blocks);
   line(format("time step: %.6g, set by %s", steps.size,
               model.blocks->quasi_static                     ? "<TimeStep>, to which masses are fitted"

@@ -5,6 +5,7 @@
 #include "base/memory.hpp"
 #include "base/parallel.hpp"
 #include "base/text.hpp"
+#include "run/pore_pressure.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -64,6 +65,11 @@ std::vector<std::string> BlockRun::look() {
   // negative.
   if (!monitor_.record_balance(supplied, residual + gained(-energy.released), 0.0, blocks_.time)) return {};
   return remarks();
+}
+
+std::vector<std::string> BlockRun::choices() const {
+  const std::string torn = blocks_.step > 0 ? std::string() : torn_by_pressure(blocks_);
+  return torn.empty() ? std::vector<std::string>{} : std::vector{"warning: " + torn};
 }
 
 std::vector<std::string> BlockRun::remarks() const {

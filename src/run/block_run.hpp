@@ -46,6 +46,7 @@ class BlockRun final : public SteppedModel {
   void start() override {}
   double advance() override;
   std::vector<std::string> look() override;
+  std::vector<std::string> choices() const override;
   std::vector<std::string> remarks() const override;
   std::vector<std::string> figures() const override { return monitor_.energy_figures(); }
   void check() override;

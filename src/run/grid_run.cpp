@@ -5,6 +5,7 @@
 #include "base/text.hpp"
 #include "run/energy_balance.hpp"
 #include "run/history_source.hpp"
+#include "run/pore_pressure.hpp"
 #include "solver/build.hpp"
 
 #include <cmath>
@@ -135,8 +136,13 @@ std::vector<std::string> GridRun<Dim>::figures() const {
 
 template <int Dim>
 std::vector<std::string> GridRun<Dim>::choices() const {
-  if (system_.contact_reason.empty()) return {};
-  return {"contact impulses: " + system_.contact_reason};
+  std::vector<std::string> out;
+  if (!system_.contact_reason.empty()) out.push_back("contact impulses: " + system_.contact_reason);
+  if (system_.step > 0) return out;
+  if (const std::string torn = torn_by_pressure(system_); !torn.empty()) out.push_back("warning: " + torn);
+  if (!system_.blocks) return out;
+  if (const std::string torn = torn_by_pressure(*system_.blocks); !torn.empty()) out.push_back("warning: " + torn);
+  return out;
 }
 
 template <int Dim>

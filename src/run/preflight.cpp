@@ -11,6 +11,7 @@
 #include "run/contact_probe.hpp"
 #include "run/crack_report.hpp"
 #include "run/effort.hpp"
+#include "run/pore_pressure.hpp"
 #include "run/setup_report.hpp"
 #include "run/stage_report.hpp"
 #include "run/step_size.hpp"
@@ -53,6 +54,7 @@ class Report {
     stiffness();
     interfaces();
     glued();
+    pressures();
     if (sudden_gravity(model_).slips && has_neighbours(model_, system_)) advice_.push_back(sudden_gravity_advice());
     cracks();
     travel();
@@ -200,6 +202,12 @@ class Report {
   }
 
   // Bodies that share fully constrained nodes with others that slide by a law.
+  void pressures() {
+    for (const std::string& torn :
+         {torn_by_pressure(system_), system_.blocks ? torn_by_pressure(*system_.blocks) : std::string()})
+      if (!torn.empty()) advice_.push_back(torn);
+  }
+
   void glued() {
     if (!model_.contact.active || model_.node_conditions.empty()) return;
     std::map<Index<Dim>, std::set<int>> fixed;

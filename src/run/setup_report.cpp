@@ -156,8 +156,9 @@ class SetupReport {
                                         : format("along (%.3g, %.3g, %.3g)", n[0], n[1], n[2]);
     const Prescribed& v = condition.velocity;
     const std::string style = words_of(v.style->words).front();
-    if (style == "constant") return direction + format(" = %.6g", along && n[axis] < 0 ? -v.value : v.value);
-    return direction + " (" + style + ")";
+    const std::string wall = condition.wall ? " of a moving wall" : "";
+    if (style == "constant") return direction + format(" = %.6g", along && n[axis] < 0 ? -v.value : v.value) + wall;
+    return direction + " (" + style + ")" + wall;
   }
 
   // The position of a node, with zero for what round-off leaves of it.

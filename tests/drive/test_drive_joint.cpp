@@ -76,6 +76,25 @@ TEST_CASE("springs balance a joint, and a mass on it oscillates", "[drive][joint
   CHECK(at(swing, 1000, "un") == Approx(0).margin(1e-12));
 }
 
+TEST_CASE("a joint follows the pore pressure of the path and of its function", "[drive][joint]") {
+  const std::string wet =
+      "<Material Type='Mohr' Name='rock'><stiffness-normal>2e9</stiffness-normal><stiffness-shear>1e9</stiffness-shear>"
+      "<friction>30</friction><friction-residual>30</friction-residual><stress-normal>-1e6</stress-normal>";
+  const double slope = std::tan(std::numbers::pi / 6);
+  const Table path =
+      run("<Drive joint='rock' area='0.5'><Path>dt,steps,dst,pressure\n1,100,-1e-5,\n1,4,-1e-5,4e5</Path></Drive>" +
+          wet + "</Material>");
+  CHECK(at(path, 100, "Fst") == Approx(5e5 * slope).epsilon(1e-9));
+  CHECK(at(path, 102, "Fst") == Approx((5e5 - 0.5 * 2e5) * slope).epsilon(1e-9));
+  CHECK(at(path, 104, "Fst") == Approx((5e5 - 0.5 * 4e5) * slope).epsilon(1e-9));
+  CHECK(at(path, 104, "Fn") == Approx(-5e5));
+  CHECK(at(path, 104, "stress_effective") == Approx(-6e5));
+  const Table function = run("<Drive joint='rock' area='0.5'><Path>dt,steps,dst\n1,102,-1e-5</Path></Drive>" + wet +
+                             "<pore-pressure-function>2e3*t</pore-pressure-function></Material>");
+  CHECK(at(function, 102, "stress_effective") == Approx(-1e6 + 2e3 * 102));
+  CHECK(at(function, 102, "Fst") == Approx(0.5 * (1e6 - 2e3 * 102) * slope).epsilon(1e-9));
+}
+
 TEST_CASE("problems of <Drive> for a joint are reported with their places", "[drive][joint]") {
   const auto tells = [](const std::string& content, const std::string& part) {
     INFO(content);

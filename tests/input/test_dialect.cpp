@@ -333,9 +333,6 @@ TEST_CASE("names that are refused have a reason", "[dialect]") {
     CHECK_THAT(problems_of(deck(half + "Material \"other\",\"Other\",\"" + type + "\"\nrho 1\nDone")),
                Contains("material type '" + std::string(type) + "' is not supported by Tribo: "));
   CHECK_THAT(problems_of(deck(half, "", "Darcy 1")), Contains("pore pressure is not implemented"));
-  CHECK_THAT(
-      problems_of(xml("<GridBCs><BCLine x1='0' y1='0' x2='4' y2='0'><DisBC dir='1' depth='2'/></BCLine></GridBCs>")),
-      Contains("moving walls are not implemented"));
   CHECK_THAT(problems_of(xml("<CustomTasks><Schedule name='CarnotCycle'/></CustomTasks>")), Contains("not supported"));
   CHECK_THAT(problems_of(xml("", "<GlobalArchive type='Entropy'/>")), Contains("'Entropy' is not supported"));
   CHECK_THAT(warnings(deck(half + "ToArchive velocity,damagenormal")), Contains("'damagenormal' is not written"));
@@ -430,4 +427,29 @@ TEST_CASE("quantities of histories", "[dialect]") {
   CHECK_THAT(problems_of(xml(plastic, "<GlobalArchive type='history 99' matname='p'/>")),
              Contains("has no history variable"));
   CHECK_THAT(problems_of(xml(plastic, "<GlobalArchive type='history 1'/>")), Contains("is a variable of one material"));
+}
+
+TEST_CASE("the attribute depth makes a moving wall of a condition", "[dialect]") {
+  const auto with = [](const std::string& attributes) {
+    return xml("<GridBCs><BCLine x1='4' y1='0' x2='4' y2='4'><DisBC " + attributes + "/></BCLine></GridBCs>");
+  };
+  const Model model = read(with("dir='2' vel='3' depth='-2.5' gradfxn='2*t' dispfxn='3*t'"));
+  REQUIRE(model.node_conditions.size() == 1);
+  REQUIRE(model.node_conditions[0].wall);
+  const MovingWall& wall = *model.node_conditions[0].wall;
+  CHECK(wall.side == -1);
+  CHECK(wall.depth == 2.5);
+  CHECK(wall.gradient(Variables::at(Vec3::Zero(), 4)) == 8);
+  CHECK(wall.displacement(Variables::at(Vec3::Zero(), 4)) == 12);
+  CHECK(read(with("dir='1' depth='1' gradfxn='mirror'")).node_conditions[0].wall->mirror);
+  CHECK(!read(with("dir='1'")).node_conditions[0].wall);
+  CHECK_THAT(problems_of(with("dir='12' depth='1'")), Contains("normal to an axis"));
+  CHECK_THAT(problems_of(with("dir='1' gradfxn='t'")), Contains("'gradfxn' belongs to a moving wall"));
+  CHECK_THAT(problems_of(with("dir='1' depth='1' dispfxn='3*'")), Contains("dispfxn"));
+  const Model script = read(deck(half, on_nodes("Velocity x,\"gradient\",\"-0.1*t\",0,1,\"mirror\",\"-0.05*t^2\"")));
+  REQUIRE(script.node_conditions.size() == 1);
+  REQUIRE(script.node_conditions[0].wall);
+  CHECK(script.node_conditions[0].wall->mirror);
+  CHECK(script.node_conditions[0].wall->displacement(Variables::at(Vec3::Zero(), 2)) == Approx(-0.2));
+  CHECK(script.node_conditions[0].velocity.at(2, Vec3::Zero()) == Approx(-0.2));
 }

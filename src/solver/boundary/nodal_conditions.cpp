@@ -9,8 +9,14 @@
 namespace tribo {
 template <int Dim>
 NodalConditions<Dim>::NodalConditions(const Model& model, const Lattice<Dim>& lattice)
-    : model_(model), lattice_(lattice), reactions_(model.node_conditions.size(), Vec3::Zero()) {
-  Problems problems;
+    : NodalConditions(model, lattice, Problems()) {}
+
+template <int Dim>
+NodalConditions<Dim>::NodalConditions(const Model& model, const Lattice<Dim>& lattice, Problems problems)
+    : model_(model),
+      lattice_(lattice),
+      walls_(model, lattice, problems),
+      reactions_(model.node_conditions.size(), Vec3::Zero()) {
   // Whether a node belongs to the grid of the model or to the layer of nodes around it
   const auto near_grid = [&](const Index<Dim>& node) {
     for (std::size_t d = 0; d < Dim; ++d)
@@ -21,6 +27,7 @@ NodalConditions<Dim>::NodalConditions(const Model& model, const Lattice<Dim>& la
   std::map<std::pair<std::int64_t, std::array<double, 3>>, std::size_t> known;
   for (std::size_t c = 0; c < model.node_conditions.size(); ++c) {
     const auto& condition = model.node_conditions[c];
+    if (condition.wall) continue;
     bool any = false;
     each_node_in<Dim>(lattice, *condition.where, [&](const Index<Dim>& node) {
       any = any || near_grid(node);
@@ -43,6 +50,7 @@ void NodalConditions<Dim>::locate(const BlockMap<Dim>& map) {
     const auto node = map.node(chosen_[c].node);
     if (node >= 0) located_.push_back({node, c});
   }
+  walls_.locate(map);
 }
 
 template <int Dim>
@@ -66,6 +74,7 @@ void NodalConditions<Dim>::impose(NodeLayer& nodes, double time, double dt) {
     v += change * chosen.direction;
     l.pending = change;
   }
+  walls_.impose(nodes, time, dt);
 }
 
 template <int Dim>
@@ -93,6 +102,12 @@ void NodalConditions<Dim>::impose_update(NodeLayer& nodes, const Exchange<Dim>& 
     work_ += dt * mass * correction * (wanted - 0.5 * dt * a.dot(chosen.direction));
     impulse_ += dt * force;
   }
+  walls_.impose_update(nodes, exchange, time, dt, after_impose, [&](const auto& on_node) {
+    const Vec3 force = on_node.mass * on_node.acceleration * model_.node_conditions[on_node.condition].direction;
+    reactions_[on_node.condition] += force;
+    work_ += dt * on_node.mass * on_node.acceleration * on_node.speed;
+    impulse_ += dt * force;
+  });
 }
 
 template <int Dim>
@@ -102,6 +117,7 @@ void NodalConditions<Dim>::release(AlignedVector<FilterNode>& nodes) const {
     Eigen::Map<Vec<Dim>> v(nodes[static_cast<std::size_t>(l.node)].increment);
     v -= v.dot(direction) * direction;
   }
+  walls_.release(nodes);
 }
 
 template class NodalConditions<2>;

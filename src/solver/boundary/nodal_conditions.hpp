@@ -2,7 +2,7 @@
 /// Prescribed velocities on the nodes of one velocity field.
 #pragma once
 
-#include "solver/exchange/exchange.hpp"
+#include "solver/boundary/moving_walls.hpp"
 
 #include <vector>
 
@@ -41,12 +41,14 @@ class NodalConditions {
   /// Saves and restores the sums of work and impulse. The reactions are computed in every step; all other members
   /// follow from the model and the current nodes.
   friend void archive(Archive& a, NodalConditions& conditions) {
-    auto& [model, lattice, chosen, located, reactions, work, impulse] = conditions;
+    auto& [model, lattice, chosen, located, walls, reactions, work, impulse] = conditions;
     a.version(1);
     a("work", work), a("impulse", impulse);
   }
 
  private:
+  NodalConditions(const Model& model, const Lattice<Dim>& lattice, Problems problems);
+
   // A node and its conditions with the same direction.
   struct Chosen {
     Index<Dim> node;
@@ -66,6 +68,7 @@ class NodalConditions {
   Lattice<Dim> lattice_;
   std::vector<Chosen> chosen_;
   std::vector<Located> located_;
+  MovingWalls<Dim> walls_;
   std::vector<Vec3> reactions_;
   double work_ = 0.0;
   Vec3 impulse_ = Vec3::Zero();

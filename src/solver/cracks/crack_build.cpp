@@ -100,6 +100,9 @@ void add_joint(const Model& model, const CrackSpec& spec, const JointLaw& law, c
     surface.point.push_back(k);
     surface.x.push_back(crack.x[k]);
     surface.axes.push_back(JointAxes::of_normal(normal));
+    Vec3 at = Vec3::Zero();
+    at.template head<Dim>() = crack.x[k];
+    site.pressure = law.pore_pressure(at, system.time);
     surface.joints.push_back(surface.law->start(site));
   }
   for (auto& sample : surface.samples)

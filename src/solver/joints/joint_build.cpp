@@ -32,6 +32,9 @@ void add_joint(const std::vector<CommonFacePiece<Dim>>& pieces, std::size_t firs
   const JointAxes axes = JointAxes::of_normal(normal);
   JointSite site;
   site.area = area, site.plane = Dim == 2, site.thickness = thickness, site.number = surface.joints.size();
+  Vec3 at = Vec3::Zero();
+  at.template head<Dim>() = x / area;
+  site.pressure = surface.law->pore_pressure(at, 0.0);
   const auto number = static_cast<std::uint32_t>(surface.joints.size());
   surface.x.push_back(x / area), surface.axes.push_back(axes), surface.joints.push_back(surface.law->start(site));
   for (std::size_t k = first; k < end; ++k) {

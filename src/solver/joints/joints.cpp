@@ -268,6 +268,9 @@ void Joints<Dim>::update_laws(double dt, bool filtered) {
       JointIncrement& d = increments_[k];
       d.normal = dt * jump.dot(surface.axes[k].n), d.shear = dt * surface.axes[k].tangent(jump);
       d.gap = surface.joints[k].gap + d.normal, d.dt = dt, d.time = system_.time + dt;
+      Vec3 at = Vec3::Zero();
+      at.template head<Dim>() = surface.x[k];
+      d.pressure = surface.law->pore_pressure(at, d.time);
     }
     std::vector<Vec3> before;
     if (rigid(surface, 0) || rigid(surface, 1))

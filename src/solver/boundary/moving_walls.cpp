@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+#include "solver/boundary/moving_walls.hpp"
+
+#include "base/text.hpp"
+#include "grid/select.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace tribo {
+namespace {
+
+constexpr int beyond = 3;  // nodes with mass that a wall governs on its far side
+
+// The variables of a function of a wall: the time, and the node where it starts.
+Variables variables(const MovingWall& wall, const Vec3& start, double time) {
+  return Variables::at(start, time / wall.function_time);
+}
+
+}  // namespace
+
+template <int Dim>
+MovingWalls<Dim>::MovingWalls(const Model& model, const Lattice<Dim>& lattice, Problems& problems)
+    : model_(model), lattice_(lattice) {
+  for (std::size_t c = 0; c < model.node_conditions.size(); ++c) {
+    const NodeCondition& condition = model.node_conditions[c];
+    if (!condition.wall) continue;
+    Eigen::Index axis = 0;
+    condition.direction.cwiseAbs().maxCoeff(&axis);
+    const auto d = static_cast<std::size_t>(axis);
+    std::set<int> planes;
+    each_node_in<Dim>(lattice, *condition.where, [&](const Index<Dim>& node) {
+      planes.insert(node[d]);
+      lines_.push_back({node, c, d});
+    });
+    if (planes.empty()) problems.add(condition.origin, "this moving wall starts at no node of the grid");
+    if (planes.size() > 1)
+      problems.add(condition.origin, "this moving wall starts in " + std::to_string(planes.size()) +
+                                         " planes of nodes; its shape must hold one of them only");
+  }
+}
+
+// The coordinate of a wall along its normal.
+template <int Dim>
+double MovingWalls<Dim>::place(const Line& line, double time) const {
+  const NodeCondition& condition = model_.node_conditions[line.condition];
+  const MovingWall& wall = *condition.wall;
+  Vec3 start = Vec3::Zero();
+  start.head<Dim>() = lattice_.position(line.start);
+  const auto axis = static_cast<Eigen::Index>(line.axis);
+  const double at = start[axis] + wall.length_unit * wall.displacement(variables(wall, start, time));
+  const double tolerance = 1e-9 * lattice_.spacing[axis];
+  if (at < lattice_.low[axis] - tolerance || at > lattice_.high[axis] + tolerance)
+    throw SimulationError(condition.origin.text() + ": the moving wall has left the grid" + format(" at %.6g", at) +
+                          format(" at time %.6g", time));
+  return at;
+}
+
+// The velocity gradient at a wall. Where it mirrors, the line through the velocity of the wall that fits the velocities
+// of the last two nodes inside, `first` and the one before; 0 if one of them has no mass.
+template <int Dim>
+double MovingWalls<Dim>::gradient(const Line& line, const NodeLayer& nodes, int first, double at, double speed,
+                                  double time) const {
+  const MovingWall& wall = *model_.node_conditions[line.condition].wall;
+  const auto axis = static_cast<Eigen::Index>(line.axis);
+  if (!wall.mirror) {
+    Vec3 x = Vec3::Zero();
+    x.head<Dim>() = lattice_.position(line.start);
+    x[axis] = at;
+    return wall.gradient_unit * wall.gradient(variables(wall, x, time));
+  }
+  double product = 0.0, square = 0.0;
+  for (int k = first - 1; k <= first; ++k) {
+    Index<Dim> index = line.start;
+    index[line.axis] += k * wall.side;
+    const auto node = map_->node(index);
+    if (node < 0 || !(nodes[static_cast<std::size_t>(node)].mass > 0)) return 0.0;
+    const double distance = lattice_.position(index)[axis] - at;
+    product += distance * (nodes[static_cast<std::size_t>(node)].velocity[line.axis] - speed);
+    square += distance * distance;
+  }
+  return product / square;
+}
+
+// Finds the nodes that the walls govern at one time, and the velocities prescribed at another.
+template <int Dim>
+void MovingWalls<Dim>::find(const NodeLayer& nodes, double place_time, double dt, double velocity_time,
+                            bool keep_pending) {
+  before_.clear();
+  if (keep_pending) before_.swap(governed_);
+  governed_.clear();
+  for (std::size_t l = 0; l < lines_.size(); ++l) {
+    const Line& line = lines_[l];
+    const NodeCondition& condition = model_.node_conditions[line.condition];
+    const MovingWall& wall = *condition.wall;
+    const auto axis = static_cast<Eigen::Index>(line.axis);
+    Vec3 start = Vec3::Zero();
+    start.head<Dim>() = lattice_.position(line.start);
+    const double at = place(line, place_time);
+    // place of the node where the wall starts, in cells beyond the wall
+    const double origin = wall.side * (start[axis] - at) / lattice_.spacing[axis];
+    const int first = static_cast<int>(std::ceil(-wall.depth - origin - 1e-9));
+    const double speed = condition.velocity.at(velocity_time, start, dt);
+    const double g = gradient(line, nodes, first, at, speed, velocity_time);
+    int past = 0;
+    for (int k = first; past < beyond; ++k) {
+      Index<Dim> index = line.start;
+      index[line.axis] += k * wall.side;
+      const bool outside = origin + k > 1e-9;
+      const auto node = map_->node(index);
+      if (node >= 0 && nodes[static_cast<std::size_t>(node)].mass > 0)
+        governed_.push_back({node, l, speed + g * (lattice_.position(index)[axis] - at)});
+      else if (outside)
+        break;
+      past += outside;
+    }
+  }
+  for (Governed& g : governed_) {
+    const auto same = [&](const Governed& old) { return old.node == g.node && old.line == g.line; };
+    if (const auto old = std::find_if(before_.begin(), before_.end(), same); old != before_.end())
+      g.pending = old->pending;
+  }
+}
+
+template <int Dim>
+void MovingWalls<Dim>::impose(NodeLayer& nodes, double time, double dt) {
+  if (lines_.empty()) return;
+  find(nodes, time, dt, time, false);
+  for (Governed& g : governed_) {
+    double& v = nodes[static_cast<std::size_t>(g.node)].velocity[lines_[g.line].axis];
+    g.pending = g.wanted - v;
+    v = g.wanted;
+  }
+}
+
+template <int Dim>
+void MovingWalls<Dim>::release(AlignedVector<FilterNode>& nodes) const {
+  for (const Governed& g : governed_) nodes[static_cast<std::size_t>(g.node)].increment[lines_[g.line].axis] = 0.0;
+}
+
+template class MovingWalls<2>;
+template class MovingWalls<3>;
+
+}  // namespace tribo

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+/// Walls normal to an axis that move through the grid.
+#pragma once
+
+#include "solver/exchange/exchange.hpp"
+
+#include <vector>
+
+namespace tribo {
+
+/// The moving walls of the model, for the nodes of one velocity field. A wall governs a line of nodes for each node
+/// where it starts: those within its depth on the side of the material, and up to three with mass beyond it. With a
+/// prescribed gradient the strain of particles next to the wall does not depend on where it lies between two nodes.
+template <int Dim>
+class MovingWalls {
+ public:
+  /// Force of a wall on a node.
+  struct Force {
+    std::size_t condition = 0;  ///< index into Model::node_conditions
+    double mass = 0.0;          ///< of the node, as far as it belongs to this field
+    double acceleration = 0.0;  ///< that the wall adds, along the normal       [acceleration]
+    double speed = 0.0;         ///< along the normal in the middle of the step [velocity]
+  };
+
+  /// Reports to `problems` walls that start at no node or in more than one plane of nodes.
+  MovingWalls(const Model& model, const Lattice<Dim>& lattice, Problems& problems);
+
+  /// To be called after every change of the map.
+  void locate(const BlockMap<Dim>& map) { map_ = &map; }
+  /// Sets the velocities prescribed at `time` before a strain update. Throws SimulationError if a wall has left the
+  /// grid.
+  void impose(NodeLayer& nodes, double time, double dt);
+  /// Sets the velocities prescribed at time + dt on the nodes that the walls govern at `time`, after the momentum
+  /// update; the acceleration is the whole change of velocity in this step. `after_impose`: impose() was called before.
+  /// Calls book(const Force&) for each node.
+  template <class Book>
+  void impose_update(NodeLayer& nodes, const Exchange<Dim>& exchange, double time, double dt, bool after_impose,
+                     Book&& book) {
+    if (lines_.empty()) return;
+    find(nodes, time, dt, time + dt, after_impose);
+    for (const Governed& g : governed_) {
+      Node& node = nodes[static_cast<std::size_t>(g.node)];
+      const auto axis = lines_[g.line].axis;
+      double &v = node.velocity[axis], &a = node.acceleration[axis];
+      const double correction = (g.wanted - v + (after_impose ? g.pending : 0.0)) / dt;
+      v = g.wanted, a += correction;
+      book(Force{lines_[g.line].condition, exchange.ownership(g.node) * node.mass, correction, v - 0.5 * dt * a});
+    }
+  }
+  /// Removes the prescribed components from the increments of a velocity filter.
+  void release(AlignedVector<FilterNode>& nodes) const;
+
+ private:
+  // A line of nodes normal to a wall, through the node where it starts.
+  struct Line {
+    Index<Dim> start;
+    std::size_t condition, axis;
+  };
+  struct Governed {
+    std::int64_t node;
+    std::size_t line;
+    double wanted = 0.0;
+    double pending = 0.0;  // change of the velocity component in impose()
+  };
+
+  void find(const NodeLayer& nodes, double place_time, double dt, double velocity_time, bool keep_pending);
+  double place(const Line& line, double time) const;
+  double gradient(const Line& line, const NodeLayer& nodes, int first, double at, double wall, double time) const;
+
+  const Model& model_;
+  Lattice<Dim> lattice_;
+  const BlockMap<Dim>* map_ = nullptr;
+  std::vector<Line> lines_;
+  std::vector<Governed> governed_, before_;
+};
+
+}  // namespace tribo
