@@ -100,7 +100,8 @@ Statement element(const std::string& name, const Origin& origin, const std::stri
 
 void Translator::material(const Command& c) {
   if (stage_) return material_of_stage(c);
-  if (c.size() < 3) throw InputError(c.origin(), "'Material' takes 3 arguments: id, name, type");
+  if (c.size() < 3)
+    throw InputError(c.origin(), "'Material' takes 3 arguments, not " + std::to_string(c.size()) + ": id, name, type");
   open(Open::material, c);
   Statement& m = document_.material(
       c.origin());  // first, so that after an error its properties are not assigned to another material
