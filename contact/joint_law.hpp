@@ -11,6 +11,7 @@
 #pragma once
 
 #include "base/catalogue.hpp"
+#include "base/types.hpp"
 #include "contact/tangent.hpp"
 
 #include <array>

@@ -42,7 +42,7 @@ void add_conditions(Rows& add) {
                           "lies at smaller coordinates; negative: at larger ones"),
                    {"gradfxn", T::text,
                     "moving wall: velocity gradient along its normal as a function of t, x, y, z, or 'mirror': that of "
-                    "the two last nodes inside (default 0)"},
+                    "the last two free nodes (default 0)"},
                    function("dispfxn", "moving wall: its displacement along the normal")} +
            condition_attributes()});
 

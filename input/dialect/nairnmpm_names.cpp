@@ -151,7 +151,8 @@ const std::vector<DialectNames>& nairnmpm_names() {
        "sxx syy szz sxy sxz syz sRR sZZ sTT sRZ exx eyy ezz exy exz eyz eRR eZZ eTT eRZ exxe eyye ezze exye exze eyze "
        "exxp eyyp ezzp exyp exzp eyzp Fxx Fxy Fyx Fyy Fzz velx vely velz velR velZ dispx dispy dispz reactionx "
        "reactiony "
-       "reactionz contactx contacty contactz temp concentration alpha heatWatts Entropy Decohesion Energy"},
+       "reactionz contactx contacty contactz temp concentration alpha heatWatts Entropy Decohesion Energy Lx Ly Lz "
+       "Lpx Lpy Lpz px py pz"},
       {K::field, "",
        "velocity stress strain plasticstrain workenergy temperature plasticenergy shearcomponents strainenergy "
        "jintegral stressintensity history1 history9 history19 heatenergy concentration porepressure elementcrossings "

@@ -263,8 +263,8 @@ struct MovingWall {
   int side = 1;        ///< 1: the material lies at smaller coordinates; -1: at larger ones
   double depth = 0.0;  ///< nodes within this distance on the side of the material are governed, too [cells]
   Expression displacement, gradient;
-  bool mirror = false;         ///< the gradient is that of the velocities of the two last nodes inside
-  double function_time = 1.0;  ///< consistent time of one unit of t in the functions
+  bool mirror = false;                            ///< the gradient is that of the velocities of the last two free nodes
+  double function_time = 1.0;                     ///< consistent time of one unit of t in the functions
   double length_unit = 1.0, gradient_unit = 1.0;  ///< factors of the values of the functions to consistent units
 };
 

@@ -18,7 +18,7 @@ Model pressed(const std::string& properties, bool crack = false) {
   return read_model_text(
       R"(<JANFEAInput version='3'>
  <Header><Analysis>10</Analysis><ConsistentUnits length='m' mass='kg' time='s'/></Header>
- <MPMHeader><TimeStep>1e-3</TimeStep><MaxTime>0.02</MaxTime>)" +
+ <MPMHeader><TimeStep>1e-3</TimeStep><MaxTime>0.02</MaxTime><ArchiveTime>0.02</ArchiveTime>)" +
           std::string(crack ? "" : "<MultiMaterialMode/>") + R"(</MPMHeader>
  <Mesh><Grid xmin='0' xmax='8' ymin='0' ymax='8'><Horiz nx='8'/><Vert ny='8'/></Grid></Mesh>
  <MaterialPoints>
@@ -76,7 +76,7 @@ TEST_CASE("contacts of blocks have the pore pressure of their place and time", "
   const auto blocks = [](const std::string& more) {
     return read_model_text(
         "<JANFEAInput version='3'><Header><Analysis>10</Analysis><ConsistentUnits length='m' mass='kg' time='s'/>"
-        "</Header><MPMHeader><MaxTime>0.02</MaxTime></MPMHeader><Blocks lawname='bond'>"
+        "</Header><MPMHeader><MaxTime>0.02</MaxTime><ArchiveTime>0.02</ArchiveTime></MPMHeader><Blocks lawname='bond'>"
         "<BoxBlock xmin='0' xmax='1' ymin='0' ymax='1' rho='1000'/><BoxBlock xmin='0' xmax='1' ymin='1' ymax='2' "
         "rho='1000'/></Blocks><Material Type='SpringNetwork' Name='bond'><kn>1e6</kn><ks>1e6</ks><sn_coh>1e9</sn_coh>"
         "<bond/>" +

@@ -5,7 +5,7 @@ import numpy as np
 
 import verify
 
-G, DIP, PHI, RHO, HEIGHT, RATE = 10.0, math.radians(20), math.radians(35), 2000.0, 1.0, 2e4
+G, DIP, PHI, RHO, HEIGHT, RATE = 10.0, math.radians(20), math.radians(35), 2000.0, 1.0, 1e4
 WEIGHT = RHO * HEIGHT * G  # per area of the joint
 # at the limit the shear stress is the effective normal stress times tan(phi)
 START = 1 + (WEIGHT * math.cos(DIP) - WEIGHT * math.sin(DIP) / math.tan(PHI)) / RATE

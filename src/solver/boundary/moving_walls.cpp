@@ -58,7 +58,7 @@ double MovingWalls<Dim>::place(const Line& line, double time) const {
 }
 
 // The velocity gradient at a wall. Where it mirrors, the line through the velocity of the wall that fits the velocities
-// of the last two nodes inside, `first` and the one before; 0 if one of them has no mass.
+// of the last two free nodes, those before `first`; 0 if one of them has no mass.
 template <int Dim>
 double MovingWalls<Dim>::gradient(const Line& line, const NodeLayer& nodes, int first, double at, double speed,
                                   double time) const {
@@ -71,7 +71,7 @@ double MovingWalls<Dim>::gradient(const Line& line, const NodeLayer& nodes, int 
     return wall.gradient_unit * wall.gradient(variables(wall, x, time));
   }
   double product = 0.0, square = 0.0;
-  for (int k = first - 1; k <= first; ++k) {
+  for (int k = first - 2; k < first; ++k) {
     Index<Dim> index = line.start;
     index[line.axis] += k * wall.side;
     const auto node = map_->node(index);
