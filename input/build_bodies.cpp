@@ -112,7 +112,7 @@ void Builder::bodies() {
     if (s.name == "PointList")
       for (const auto& mp : s.children) point(mp);
   }
-  must(!model_.pieces.empty() || !model_.points.empty(), points.origin,
+  must(!model_.pieces.empty() || !model_.points.empty() || has_source(), points.origin,
        "<MaterialPoints> holds no particle; give a <Body> with a shape");
 }
 

@@ -110,10 +110,8 @@ void Builder::mpm_header() {
   }
   if (const auto* l = h.child("LeaveLimit")) {
     const auto limit = static_cast<long>(text_number(*l, Dimension::none, 0));
-    must(limit >= 0, l->text_origin,
-         "Tribo never deletes particles; <LeaveLimit> must be 0 (up to one per cent of the particles are put back) or "
-         "more");
-    model_.leave_limit = limit == 0 ? 100000 : limit;
+    model_.leave_limit = limit == 0 ? 100000 : std::abs(limit);
+    model_.delete_leaving = limit < 0;
   }
   archive(h);
   history(h);

@@ -13,8 +13,9 @@
 namespace tribo {
 namespace {
 
-const std::vector<std::string> known_tasks{"PeriodicXPIC", "AdjustTimeStep", "VTKArchive",  "HistoryArchive",
-                                           "PropertyRamp", "ThermalRamp",    "ReverseLoad", "LoadControl"};
+const std::vector<std::string> known_tasks{"PeriodicXPIC",  "AdjustTimeStep", "VTKArchive",  "HistoryArchive",
+                                           "PropertyRamp",  "ThermalRamp",    "ReverseLoad", "LoadControl",
+                                           "DeleteDamaged", "FluidSource"};
 
 // The quantity of ReverseLoad may be part of the name of a parameter: 'global dispx'.
 constexpr std::string_view global = "global ";
@@ -78,6 +79,11 @@ std::vector<std::string> parameter_names(const std::string& task) {
   if (task == "LoadControl")
     return {"material", "mat", "direction", "velocity", "MaxVelocity", "Load_Function", "Kp", "Ki", "Kd", "smooth"};
   if (task == "ReverseLoad") return {"quantity", "material", "mat", "maxValue", "style"};
+  if (task == "DeleteDamaged")
+    return {"material", "matname", "minCOD", "direction", "deleteTime", "store_x", "store_y", "store_z"};
+  if (task == "FluidSource")
+    return {"material", "matname",  "FlowRate", "FlowFunction", "flow_x",      "flow_y",       "flow_z",
+            "source_x", "source_y", "source_z", "inlet_width",  "inlet_depth", "particle_size"};
   std::vector<std::string> names{"archiveTime", "firstArchiveTime"};
   if (task != "VTKArchive") return names;
   names.emplace_back("selectMaterial");
@@ -125,6 +131,8 @@ void Builder::task(const Statement& schedule) {
   if (name == "AdjustTimeStep") adjust_step(schedule);
   if (name == "ReverseLoad") reverse_load(schedule);
   if (name == "LoadControl") load_control(schedule);
+  if (name == "DeleteDamaged") deletion(schedule);
+  if (name == "FluidSource") source(schedule);
   if (name == "PropertyRamp" || name == "ThermalRamp") property_ramp(schedule);
   if (name == "VTKArchive" || name == "HistoryArchive") archive_task(schedule);
 }

@@ -57,6 +57,11 @@ class Builder {
   void adjust_step(const Statement& schedule);
   void property_ramp(const Statement& schedule);
   void reverse_load(const Statement& schedule);
+  int material_of_task(const Statement& schedule);
+  void deletion(const Statement& schedule);
+  bool has_source() const;
+  void source(const Statement& schedule);
+  void source_conditions(const SourceSpec& source, const Origin& origin);
   void load_control(const Statement& schedule);
   double factor_of_history(const HistoryQuantity& q, const Statement& value);
   void archive_task(const Statement& schedule);

@@ -38,11 +38,11 @@ const std::vector<RefusedName>& refused_names() {
       {"LoadBCs", "loads by particle number depend on the particle numbering of NairnMPM; use BCShape"},
       {"AreaOfInterest", tartan},
       {"Border", tartan},
-      {"Fill", "particle reservoirs are not implemented"},
+      {"Fill", "it fills a reservoir; FluidSource makes its particles itself, so leave it out"},
       {"Shell", "its definition is not documented; use a Cylinder with a Cylinder cut out"},
       {"Polyhedron", "use <STL>"},
       {"RestartScaling", "runs are resumed with 'tribo resume'"},
-      {"DeleteLimit", "particles are never deleted; use LeaveLimit"},
+      {"DeleteLimit", "a particle whose state is not a number stops the run and is not removed"},
       {"ExactTractions", "tractions act at the particles"},
       {"PatchGrid", "the grid is divided among threads automatically"},
       {"NodeList", unstructured},
@@ -142,8 +142,6 @@ const std::vector<RefusedType>& refused_types() {
 
 const std::vector<RefusedName>& refused_tasks() {
   static const std::vector<RefusedName> all{
-      {"DeleteDamaged", "particles are never deleted"},
-      {"FluidSource", "particle reservoirs are not implemented"},
       {"TrackError", "'tribo report' and energy.csv show the errors of a run"},
       {"CarnotCycle", "cycles of an ideal gas are not implemented; 'tribo drive' drives a law along any path"},
   };

@@ -44,7 +44,8 @@ void add_settings(Rows& add) {
        true});
   add({"LeaveLimit",
        "MPMHeader",
-       "number of particles that may leave the grid, and are put back, before the run stops",
+       "number of particles that may leave the grid, and are put back, before the run stops; negative: this many may "
+       "leave and are removed",
        T::integer,
        {},
        true});

@@ -312,6 +312,31 @@ struct SplittingSpec {
   bool merge = true;     ///< neighbours that are small again merge
 };
 
+/// Removal of particles of a material during a run.
+struct DeletionSpec {
+  int material = 0;
+  double opening = 0.0;  ///< of the crack in a failed particle, from which on it is removed       [length]
+  double time = -1.0;    ///< all particles of the material are removed at this time; negative: never
+};
+
+/// An inlet through which particles of a material enter the grid. Their velocity is prescribed on the nodes around it.
+struct SourceSpec {
+  int material = 0;
+  Vec3 centre = Vec3::Zero();
+  Vec3 direction = Vec3::UnitX();   ///< of the flow, a unit vector; in space along an axis
+  double width = 0.0, depth = 0.0;  ///< of the inlet, across the flow                            [length]
+  std::array<int, 2> count{1, 1};   ///< particles along width and depth
+  double size = 0.0;                ///< edge of the particles                                    [length]
+  Expression rate;                  ///< volume per time, as a function of t
+  double function_time = 1.0;       ///< consistent time of one unit of t in `rate`
+  /// Speed of the flow.
+  double speed(double time) const {
+    Variables at;
+    at.t = time / function_time;
+    return rate(at) / (width * depth);
+  }
+};
+
 /// Strength reduction method: search for the factor of safety by which all strengths are divided at failure.
 struct StrengthReduction {
   double low = 1.0, high = 2.0;  ///< initial bracket
@@ -483,6 +508,11 @@ struct Model {
   /// Number of particles that may be put back into the grid after leaving it before the run stops; unset: the first
   /// particle that leaves stops the run.
   std::optional<long> leave_limit;
+  bool delete_leaving = false;  ///< particles that leave are removed, up to this number
+  std::vector<DeletionSpec> deletions;
+  std::vector<SourceSpec> sources;
+  /// Whether particles may come or go during the run.
+  bool particles_change() const { return stage.count > 0 || delete_leaving || !deletions.empty() || !sources.empty(); }
   /// Whether the model consists of rigid blocks only, without grid and particles.
   bool only_blocks() const { return blocks && !blocks->in_grid; }
   std::vector<std::string> warnings;  ///< each `file:line:col: warning: ...`

@@ -17,10 +17,11 @@ GridRun<Dim>::GridRun(const Model& model)
     : model_(model),
       system_(build_system<Dim>(model, place_points(model))),
       stepper_(model, system_),
+      exchange_(model, system_),
       step_size_(model, system_),
       monitor_(model, system_, stepper_, step_size_) {
   if (model.load_control) system_.load_controller.velocity = model.load_control->start;
-  if (model.stage.count > 0) tracers_.emplace(model, system_);
+  if (model.particles_change()) tracers_.emplace(model, system_);
 }
 
 template <int Dim>
@@ -34,6 +35,7 @@ double GridRun<Dim>::advance() {
   const double step = step_size_.up_to_end(std::min(dt_, stepper_.joints().stable_step()));
   stepper_.damping().update(step, [&] { return measure(system_).kinetic; });
   stepper_.advance(step);
+  exchange_particles(step);
   if (model_.load_control) control_load(step);
   return step;
 }
@@ -70,17 +72,31 @@ template <int Dim>
 StageReport GridRun<Dim>::begin_stage(const Model& former, const std::vector<StageAction>& actions,
                                       const StageBalance& before) {
   StageReport report = tribo::begin_stage(model_, former, actions, system_, stepper_);
-  EnergyLedger& ledger = stepper_.ledger();
-  ledger.first_kinetic += measure(system_).kinetic - before.kinetic;
-  const StageBalance after = balance();
-  report.energy = after.content - before.content;
-  ledger.stages += report.energy, ledger.impulse += after.momentum - before.momentum;
-  restored_.initial_block_energy += after.of_blocks - before.of_blocks;
+  report.energy = book_exchange(before);
   const double first = step_size_.first().size;
   dt_ = model_.time.adaptive ? std::min(dt_, first) : first;
   monitor_.state.first_step = dt_;
   restored_.stage_step = system_.step, restored_.stage_time = system_.time;
   return report;
+}
+
+// Books the energy and the momentum that particles brought or took away. Returns the energy.
+template <int Dim>
+double GridRun<Dim>::book_exchange(const StageBalance& before) {
+  EnergyLedger& ledger = stepper_.ledger();
+  ledger.first_kinetic += measure(system_).kinetic - before.kinetic;  // first, as the content follows from it
+  const StageBalance after = balance();
+  ledger.stages += after.content - before.content, ledger.impulse += after.momentum - before.momentum;
+  restored_.initial_block_energy += after.of_blocks - before.of_blocks;
+  return after.content - before.content;
+}
+
+template <int Dim>
+void GridRun<Dim>::exchange_particles(double step) {
+  if (!model_.particles_change() || !exchange_.find(step)) return;
+  const StageBalance before = balance();
+  exchange_.apply();
+  book_exchange(before);
 }
 
 template <int Dim>

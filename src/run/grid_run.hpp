@@ -7,6 +7,7 @@
 #include "run/run_loop.hpp"
 #include "run/stage_balance.hpp"
 #include "run/step_size.hpp"
+#include "solver/particle_exchange.hpp"
 #include "solver/stage.hpp"
 
 namespace tribo {
@@ -60,19 +61,23 @@ class GridRun final : public SteppedModel {
   std::map<std::string, std::string> facts() const override;
   std::map<std::string, double> seconds_of(double steps) const override;
 
+  const System<Dim>& system() const { return system_; }
   /// Distance of the particle that moved farthest from its start [length].
   double largest_displacement();
 
  private:
   void control_load(double step);
+  void exchange_particles(double step);
+  double book_exchange(const StageBalance& before);
   StageBalance balance();
 
   const Model& model_;
   System<Dim> system_;
   Stepper<Dim> stepper_;
+  ParticleExchange<Dim> exchange_;
   StepSize<Dim> step_size_;
   Monitor<Dim> monitor_;
-  std::optional<Tracers<Dim>> tracers_;  // with stages: those of the start, since later particles may be missing
+  std::optional<Tracers<Dim>> tracers_;  // where particles come and go: those of the start
   std::optional<Results<Dim>> results_;
   RunState restored_;
   double dt_ = 0.0;

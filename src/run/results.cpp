@@ -22,7 +22,7 @@ std::vector<std::string> energy_columns(const Model& model) {
                                    "impulse_x", "impulse_y", "impulse_z"};
   if (heat.kept) columns.insert(columns.end(), {"heat", "heat_supplied", "contact_heat", "work_heat"});
   if (heat.expansion) columns.emplace_back("expansion");
-  if (model.stage.count > 0) columns.emplace_back("stages");
+  if (model.particles_change()) columns.emplace_back("stages");
   return columns;
 }
 
@@ -161,7 +161,7 @@ void Results<Dim>::write_history(double dt) {
   if (model_.heat.kept)
     energies.insert(energies.end(), {all.heat, stepper_.heat().supplied, stepper_.heat().from_contact, all.work_heat});
   if (model_.heat.expansion) energies.push_back(all.expansion);
-  if (model_.stage.count > 0) energies.push_back(l.stages);
+  if (model_.particles_change()) energies.push_back(l.stages);
   energy_->add(energies);
 }
 

@@ -171,11 +171,11 @@ class RunLoop {
 
   // The last state is always on disk, also if the end is no output time.
   void write_last_state() {
-    Schedule before = files_;
-    before.set_count(files_.count() - 1);
+    Schedule last = files_;
+    last.set_count(files_.count() - 1);
+    const auto is_due = [&](double time, double tolerance) { return Schedule(last).due(time, tolerance); };
     const double time = stepped_.time(), dt = stepped_.step_size();
-    const bool written =
-        files_.count() > 0 && before.due(time, 1e-6 * dt) && !Schedule(before).due(time - 0.5 * dt, 0.0);
+    const bool written = files_.count() > 0 && is_due(time, 1e-6 * dt) && !is_due(time - 0.5 * dt, 0.0);
     if (written) return;
     if (!stepped_.history_of_last_step()) stepped_.write_history();
     stepped_.write_files(files_.count());

@@ -24,6 +24,30 @@ double support_limit(const Model& model, Body<Dim>& body) {
   return model.time.courant * std::sqrt(body.law->density() * thickness / stiffness);
 }
 
+// A body whose first particles still have to come from a source is represented by the row that will enter.
+template <int Dim>
+class RowInstead {
+ public:
+  RowInstead(System<Dim>& system, std::size_t number) : body_(system.bodies[number]) {
+    if (body_.particles.size() > 0) return;
+    for (Inflow<Dim>& inflow : system.inflow)
+      if (!inflow.row.rigid && inflow.row.body == number) row_ = &inflow.row.particles;
+    exchange();
+  }
+  ~RowInstead() { exchange(); }
+  RowInstead(const RowInstead&) = delete;
+  RowInstead& operator=(const RowInstead&) = delete;
+
+ private:
+  void exchange() {
+    if (!row_) return;
+    std::swap(body_.particles, *row_);
+    body_.refresh();
+  }
+  Body<Dim>& body_;
+  Particles<Dim>* row_ = nullptr;
+};
+
 }  // namespace
 
 template <int Dim>
@@ -33,6 +57,7 @@ void StepSize<Dim>::each_limit(F&& f) {
   const double h = system_.lattice.smallest_spacing();
   for (std::size_t b = 0; b < system_.bodies.size(); ++b) {
     auto& body = system_.bodies[b];
+    const RowInstead<Dim> row(system_, b);
     const auto of = static_cast<std::int64_t>(b);
     const Measures m = measure(body);
     if (m.largest_wave_speed > 0) f(model_.time.courant * h / m.largest_wave_speed, StepLimit{Cause::waves, of}, m);

@@ -61,12 +61,6 @@ void change_joints(const Model& model, const Model& former, const std::vector<St
 }
 
 template <int Dim>
-void weigh(Body<Dim>& body) {
-  body.total_mass = 0.0;
-  for (std::size_t i = 0; i < body.particles.size(); ++i) body.total_mass += body.particles.mass()[i];
-}
-
-template <int Dim>
 void excavate(const StageAction& action, System<Dim>& system, StageReport& report) {
   std::int64_t removed = 0;
   for (auto* bodies : {&system.bodies, &system.rigids})
@@ -81,7 +75,7 @@ void excavate(const StageAction& action, System<Dim>& system, StageReport& repor
       if (stays.size() == body.particles.size()) continue;
       removed += static_cast<std::int64_t>(body.particles.size() - stays.size());
       body.particles.reorder(stays);
-      weigh(body);
+      body.weigh();
     }
   if (removed == 0) report.warnings.push_back(action.origin.text() + ": there is nothing to excavate in this shape");
   report.excavated += removed;
@@ -106,7 +100,7 @@ void place(const Model& model, System<Dim>& system, StageReport& report) {
     for (std::uint32_t i = 0; i < placed.particles.size(); ++i)
       if (body.field == Body<Dim>::no_field || !matter.contains(placed.particles.position(i))) fitting.push_back(i);
     body.particles.append(placed.particles, fitting);
-    weigh(body);
+    body.weigh();
     report.placed += static_cast<std::int64_t>(fitting.size());
     report.covered += static_cast<std::int64_t>(placed.particles.size() - fitting.size());
   }

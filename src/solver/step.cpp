@@ -42,7 +42,8 @@ void Stepper<Dim>::advance(double dt) {
     copy_images();
     if (filter_.active()) filter_.filter(0.0, false);
     strain(order == UpdateOrder::usf ? dt : 0.5 * dt, false);
-    joints_.update_laws(order == UpdateOrder::usf ? dt : 0.5 * dt, filter_.active());
+    const double part = order == UpdateOrder::usf ? dt : 0.5 * dt;
+    joints_.update_laws(part, system_.time + part, filter_.active());
     if (!contact_.keeps_start_impulses()) contact_.remove_start_impulses();
     scatter(Scatter::force);
     tractions_.apply();
@@ -79,7 +80,7 @@ void Stepper<Dim>::advance(double dt) {
   // 6. Update joints, cracks and particles from the nodes. The stress is updated here except in the "+" variants.
   copy_images();
   const double strain_dt = stress_last ? dt : order == UpdateOrder::usavg ? 0.5 * dt : 0.0;
-  if (!again) joints_.update_laws(strain_dt, false);
+  if (!again) joints_.update_laws(strain_dt, system_.time + dt, false);
   joints_.find_motion();
   if (again) keep_start_positions(system_);
   cracks_.move(dt);
@@ -317,7 +318,7 @@ void Stepper<Dim>::strain_again(double dt, double strain_dt) {
   nodal_work_.record_end(dt, filters_update(), filter_.active());
   tractions_.record_end(dt, filters_update(), filter_.active());
   strain(strain_dt, true);
-  joints_.update_laws(strain_dt, filter_.active());
+  joints_.update_laws(strain_dt, system_.time + dt, filter_.active());
 }
 
 // FLIP fraction in the update of the particle velocities.

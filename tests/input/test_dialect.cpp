@@ -445,7 +445,7 @@ TEST_CASE("the attribute depth makes a moving wall of a condition", "[dialect]")
   CHECK(!read(with("dir='1'")).node_conditions[0].wall);
   CHECK_THAT(problems_of(with("dir='12' depth='1'")), Contains("normal to an axis"));
   CHECK_THAT(problems_of(with("dir='1' gradfxn='t'")), Contains("'gradfxn' belongs to a moving wall"));
-  CHECK_THAT(problems_of(with("dir='1' depth='1' dispfxn='3*'")), Contains("dispfxn"));
+  CHECK_THAT(problems_of(with("dir='1' depth='1' dispfxn='3*'")), Contains("a value is expected"));
   const Model script = read(deck(half, on_nodes("Velocity x,\"gradient\",\"-0.1*t\",0,1,\"mirror\",\"-0.05*t^2\"")));
   REQUIRE(script.node_conditions.size() == 1);
   REQUIRE(script.node_conditions[0].wall);

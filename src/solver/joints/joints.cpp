@@ -248,7 +248,7 @@ void Joints<Dim>::find_motion() {
 }
 
 template <int Dim>
-void Joints<Dim>::update_laws(double dt, bool filtered) {
+void Joints<Dim>::update_laws(double dt, double time, bool filtered) {
   if (!(dt > 0)) return;
   for (std::size_t s = 0; s < system_.joints.size(); ++s) {
     JointSurface<Dim>& surface = system_.joints[s];
@@ -267,7 +267,7 @@ void Joints<Dim>::update_laws(double dt, bool filtered) {
       jump.template head<Dim>() = surface_nodes.motion[k][1].velocity - surface_nodes.motion[k][0].velocity;
       JointIncrement& d = increments_[k];
       d.normal = dt * jump.dot(surface.axes[k].n), d.shear = dt * surface.axes[k].tangent(jump);
-      d.gap = surface.joints[k].gap + d.normal, d.dt = dt, d.time = system_.time + dt;
+      d.gap = surface.joints[k].gap + d.normal, d.dt = dt, d.time = time;
       Vec3 at = Vec3::Zero();
       at.template head<Dim>() = surface.x[k];
       d.pressure = surface.law->pore_pressure(at, d.time);
@@ -278,7 +278,7 @@ void Joints<Dim>::update_laws(double dt, bool filtered) {
     // the law is evaluated for ranges of consecutive joints with both faces
     for (std::size_t first = 0, end = 0; first < count; first = end + 1) {
       for (end = first; end < count && is_supported(s, end);) ++end;
-      update(surface, s, first, std::min(end, std::max(first, surface.deforming)), dt);
+      update(surface, s, first, std::min(end, std::max(first, surface.deforming)), time);
       if (end < count) release(surface.joints[end]);
     }
     if (!before.empty()) record_rigid_work(s, before, dt);
@@ -286,7 +286,7 @@ void Joints<Dim>::update_laws(double dt, bool filtered) {
 }
 
 template <int Dim>
-void Joints<Dim>::update(JointSurface<Dim>& surface, std::size_t s, std::size_t first, std::size_t end, double dt) {
+void Joints<Dim>::update(JointSurface<Dim>& surface, std::size_t s, std::size_t first, std::size_t end, double time) {
   new_events_.clear();
   surface.law->update({surface.joints.data() + first, end - first}, {increments_.data() + first, end - first},
                       new_events_);
@@ -294,7 +294,7 @@ void Joints<Dim>::update(JointSurface<Dim>& surface, std::size_t s, std::size_t 
     event.contact += first;
     Vec3 x = Vec3::Zero();
     x.template head<Dim>() = surface.x[event.contact];
-    events_.push_back({system_.time + dt, s, x, event});
+    events_.push_back({time, s, x, event});
   }
 }
 

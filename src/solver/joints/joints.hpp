@@ -53,8 +53,9 @@ class Joints {
   /// Computes the displacement increments of the joints from the nodal velocities and evaluates the joint laws. To be
   /// called wherever the strain of the particles is updated, with the same velocities and the same share dt of the
   /// step: otherwise the jump of a joint and the strain next to it belong to different velocities, which adds energy.
-  /// `filtered`: these are the filtered velocities (Field::filter), not those of the nodes.
-  void update_laws(double dt, bool filtered);
+  /// `time`: at the end of this share. `filtered`: these are the filtered velocities (Field::filter), not those of the
+  /// nodes.
+  void update_laws(double dt, double time, bool filtered);
   /// Finds the velocities of the faces, with which joints and cracks move. To be called before move_points().
   void find_motion();
   /// Updates positions and axes of the joints. To be called after cracks have moved.
@@ -163,7 +164,7 @@ class Joints {
   void record_rigid_work(std::size_t surface, const std::vector<Vec3>& before, double dt);
   Motion motion(const std::vector<NodeWeight>& shares, bool filtered) const;
   void find_motion(std::size_t surface, bool filtered);
-  void update(JointSurface<Dim>& surface, std::size_t s, std::size_t first, std::size_t end, double dt);
+  void update(JointSurface<Dim>& surface, std::size_t s, std::size_t first, std::size_t end, double time);
   static void release(Joint& joint);
   void prescribe_face_velocities(std::size_t surface);
   void copy_to_crack(const JointSurface<Dim>& surface);

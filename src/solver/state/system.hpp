@@ -130,6 +130,11 @@ struct Body {
   /// Columns to prefetch; updated after every sort.
   std::vector<const double*> read_by_scatter, read_by_gather;
 
+  /// Sums the masses of the particles.
+  void weigh() {
+    total_mass = 0.0;
+    for (std::size_t i = 0; i < particles.size(); ++i) total_mass += particles.mass()[i];
+  }
   /// Updates the pointers to the particle columns, which move when particles are sorted.
   void refresh() {
     history_columns.clear();
@@ -158,6 +163,14 @@ struct PlacedParticles {
   Particles<Dim> particles;
 };
 
+/// The row of particles that enters at a source, and how far the last row has moved since then.
+template <int Dim>
+struct Inflow {
+  std::size_t source = 0;  ///< index into Model::sources
+  PlacedParticles<Dim> row;
+  double travel = 0.0;  ///< [length]
+};
+
 /// All state of a run on a grid.
 template <int Dim>
 struct System {
@@ -181,6 +194,10 @@ struct System {
   double drift = 0.0;  ///< largest distance any particle may have moved since the last sort [cells]
   bool sorted = false;
   std::vector<PlacedParticles<Dim>> placed;  ///< to be added when the stage of the model begins
+  std::vector<Inflow<Dim>> inflow;           ///< one for each source of the model
+  std::int64_t deleted_failed = 0;           ///< particles removed because they failed, or at a given time
+  std::int64_t deleted_outside = 0;          ///< particles removed because they left the grid
+  std::int64_t entered = 0;                  ///< particles that came from sources
 
   /// Whether the particles must be sorted into bins before the next step.
   bool sort_is_due() const { return !sorted || !(drift < 1.0 - 1e-6); }
@@ -237,10 +254,13 @@ void check(const System<Dim>& system) {
 template <int Dim>
 void archive(Archive& a, System<Dim>& system) {
   auto& [lattice, analysis, fields, bodies, cracks, joints, rigids, blocks, contact_at_faces, contact_reason, time,
-         step, load_clock, load_controller, drift, sorted, placed] = system;
-  a.version(4);
+         step, load_clock, load_controller, drift, sorted, placed, inflow, deleted_failed, deleted_outside, entered] =
+      system;
+  a.version(5);
   a("time", time), a("step", step), a("load_clock", load_clock), a("load_controller", load_controller);
   a("drift", drift), a("sorted", sorted);
+  for (std::size_t k = 0; k < inflow.size(); ++k) a("travel" + std::to_string(k), inflow[k].travel);
+  a("deleted_failed", deleted_failed), a("deleted_outside", deleted_outside), a("entered", entered);
   a.each("crack", cracks), a.each("joints", joints);
   for (auto* list : {&bodies, &rigids})
     for (std::size_t k = 0; k < list->size(); ++k) {
