@@ -11,8 +11,8 @@ void add_contact(Rows& add) {
        "each material has its own velocity field; materials interact by contact laws",
        T::none,
        {{"Normals", T::choice,
-         "method for contact normals (default margin): 0 larger gradient, 1 larger volume, 2 average gradient, 3 own "
-         "gradient, 4 specified, 5 linear regression, 6 logistic regression, 7 largest margin",
+         "method for contact normals (default margin): 0 larger gradient, 1 larger volume, 2 average gradient, 3 "
+         "gradient of the first body, 4 specified, 5 linear regression, 6 logistic regression, 7 largest margin",
          "0 1 2 3 4 5 6 7 maxgrad maxvol avggrad owngrad specify linreg logreg margin"},
         {"Separation", T::choice,
          "method for gaps (default: edges of the particle domains; with gradient normals: positions if ContactPosition "
@@ -25,7 +25,9 @@ void add_contact(Rows& add) {
          "body that touches another one at the start is at most three cells thick there or lies between rigid faces on "
          "opposite sides, else nodes",
          "nodes faces"},
-        number("RigidBias", "weight of the volume gradient of a rigid body (default 1)"),
+        number("RigidBias",
+               "weight of the volume gradient of a rigid body (default 1); acts only where no plane separates the body "
+               "from the other one"),
         number("Azimuth", "azimuth of a specified normal, from x [degrees]"),
         number("Polar", "polar angle of a specified normal, from z [degrees]"),
         text("Lumping", "obsolete, without effect: all pairs at a node are solved together"),

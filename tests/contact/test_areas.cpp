@@ -90,3 +90,23 @@ TEST_CASE("a plate thinner than the kernel's reach has the area of its partner's
   stepper.advance(1e-4);
   CHECK(stepper.contact().ledger().total().area == Approx(20).epsilon(0.02));
 }
+
+TEST_CASE("around an axis the area between two bodies grows with the radius", "[contact]") {
+  Model model = grid_model<2>(Kernel::quadratic_spline, Transfer::apic);
+  model.analysis = Analysis::axisymmetric;
+  model.materials.push_back(model.materials.front());
+  model.contact.active = true;
+  model.contact.default_law = make_law("63", {{"coeff", "0.3"}, {"Sa", "1"}});
+  const int across = GENERATE(0, 1);  // the face is normal to the radius, or to the axis
+  auto seeds = lattice_seeds<2>(model, 4, 12);
+  for (Seed& s : seeds) {
+    s.volume *= s.x[0], s.mass *= s.x[0];
+    s.material = s.x[across] < 8 ? 0 : 1;
+    s.v[across] = s.x[across] < 8 ? 1e-3 : -1e-3;
+  }
+  auto system = build_system<2>(model, seeds);
+  Stepper<2> stepper(model, system);
+  stepper.advance(1e-4);
+  // per radian
+  CHECK(stepper.contact().ledger().total().area == Approx(across == 1 ? (12 * 12 - 4 * 4) / 2 : 8 * 8).epsilon(0.01));
+}

@@ -214,3 +214,46 @@ TEST_CASE("the search knows the pairs that friction held in the last step", "[co
     }
   CHECK(stuck == std::vector<std::array<std::int64_t, 3>>{{9, 1, 2}});
 }
+
+TEST_CASE("two deformable bodies at a node form a pair also where a rigid body is at it", "[contact][search]") {
+  Fields fields(3);
+  const std::size_t rigid = GENERATE(0, 1, 2);
+  fields.system.fields[rigid].rigid_contact = true;
+  for (std::size_t f = 0; f < 3; ++f) fields.set_mass(f, 8, 8, 2.0 + static_cast<double>(f));
+  fields.make_exchanges();
+  const ContactLaws<2> laws(fields.model, fields.system);
+  ContactSearch<2> search(fields.system, laws);
+  search.locate();
+  search.find(fields.exchanges);
+  const auto& found = search.found();
+  REQUIRE(found.pairs.size() == 3);
+  for (const ContactPair& pair : found.pairs) {
+    const ContactMember &a = found.members[pair.a], &b = found.members[pair.b];
+    const double ma = a.mass, mb = b.mass;
+    const double reduced = a.field == rigid ? mb : b.field == rigid ? ma : ma * mb / (ma + mb);
+    CHECK(pair.state.mass == Approx(reduced));
+  }
+}
+
+TEST_CASE("a node holds the pairs of materials and those across a crack, each of which is one of its crack",
+          "[contact][search][cracks]") {
+  Fields fields(4);  // two materials, each on both sides of a crack
+  for (std::size_t f = 0; f < 4; ++f) {
+    fields.system.fields[f].side = static_cast<int>(f / 2), fields.system.fields[f].base_field = f % 2;
+    fields.set_mass(f, 8, 8, 1.0 + static_cast<double>(f));
+  }
+  fields.make_exchanges();
+  const ContactLaws<2> laws(fields.model, fields.system);
+  ContactSearch<2> search(fields.system, laws);
+  search.locate();
+  search.find(fields.exchanges);
+  const auto& found = search.found();
+  REQUIRE(found.nodes.size() == 1);
+  REQUIRE(found.pairs_of(found.nodes[0]).size() == 6);
+  for (const ContactPair& pair : found.pairs) {
+    const ContactMember &a = found.members[pair.a], &b = found.members[pair.b];
+    INFO("fields " << a.field << " and " << b.field);
+    CHECK((pair.crack == 0) == (a.field < 2 && b.field >= 2));  // whether or not the materials are the same
+    CHECK(pair.state.mass == Approx(a.mass * b.mass / (a.mass + b.mass)));
+  }
+}

@@ -211,6 +211,41 @@ TEST_CASE("Stribeck friction refuses a static coefficient below the dynamic one"
                       Contains("vs"));
 }
 
+TEST_CASE("faces stick where friction falls with speed faster than the inertia of a step allows", "[contact]") {
+  ContactState m;
+  m.mass = 2, m.dt = 1, m.area = 1;
+  const auto at = [&](const char* slope, double speed) {
+    m.velocity = Vec3(-1, 0, -speed);  // N = 2, so that 1 + k N/m = 1 + k
+    return make_law("63", {{"coeff", "0.3"}, {"kmu", slope}})->response(m);
+  };
+  // S = (0.3 - 0.5 v) N with v = 0.4 - S/m: S = 0.4, v = 0.2
+  const auto slides = at("-0.5", 0.4);
+  CHECK(slides.status == ContactStatus::slip);
+  CHECK(slides.impulse[2] == Approx(-0.4).epsilon(1e-13));
+  for (const char* slope : {"-1", "-3"})
+    for (const double speed : {0.4, 10.0}) {
+      const auto sticks = at(slope, speed);
+      CHECK(sticks.status == ContactStatus::stick);
+      CHECK(sticks.impulse[2] == Approx(-2 * speed).epsilon(1e-13));
+    }
+}
+
+TEST_CASE("a bond needs both a shear and a tensile strength", "[contact]") {
+  const LawProperties both{{"Sa", "2"}, {"Na", "1"}}, shear{{"Sa", "2"}}, tensile{{"Na", "1"}};
+  for (const auto& strengths : {both, shear, tensile}) {
+    const bool bonds = strengths.size() == 2;
+    const auto law = make_law("63", strengths);
+    ContactState m;
+    m.mass = 1, m.dt = 1, m.area = 1;
+    m.gap = 1e-6, m.velocity = Vec3(0.1, 0.1, 0), m.bond = Bond::whole;
+    CHECK(law->response(m).impulse.norm() == Approx(bonds ? m.velocity.norm() : 0.0));
+    CHECK((law->response(m).status == ContactStatus::open) == !bonds);
+    m.gap = 0, m.velocity = Vec3(-0.1, 0, 0), m.bond = Bond::none;
+    CHECK((law->response(m).bond == Bond::whole) == bonds);
+    CHECK(law->has_memory() == bonds);
+  }
+}
+
 TEST_CASE("bonds hold inside their envelope and break for good", "[contact]") {
   const auto law = make_law("63", {{"coeff", "0.3"}, {"Sa", "2"}, {"Na", "1"}});
   const auto forever = make_law("63", {{"coeff", "0.3"}, {"Sa", "2"}, {"Na", "1"}, {"rebond", "1"}});
@@ -261,6 +296,16 @@ TEST_CASE("slip of a liquid of any viscosity solves its equation; k = 0 is free,
   for (auto* law : {free.get(), sticky.get()}) law->set_viscosity([](double) { return 1.0; });
   check_impulse(free->response(m), -0.8448, -0.6336);
   check_impulse(sticky->response(m), -2.4, 1.44, 1e-10);
+}
+
+TEST_CASE("the slip length of a liquid is half a unit of length if it is not given", "[contact]") {
+  const ContactState m = plain_meeting();
+  const auto law = make_law("64", {{"LiquidPhase", "1"}});
+  law->set_viscosity([](double rate) { return 500 + 10 * rate; });
+  const Vec3 J = law->response(m).impulse, t(-0.6, 0.8, 0);
+  const double slip = (m.velocity - J / m.mass).dot(t);
+  CHECK(slip > 0);
+  CHECK(J.dot(t) == Approx(2 * slip * (500 + 10 * 2 * slip) * m.area * m.dt).epsilon(1e-11));
 }
 
 TEST_CASE("frictional laws dissipate, mirror, and are continuous in the velocity", "[contact]") {

@@ -63,6 +63,23 @@ TEST_CASE("TM2: a joint fails in tension, opens, and carries pressure by its ove
   CHECK_FALSE(j.joint.away);
 }
 
+TEST_CASE("a joint that fails in tension and shear in one step has failed in tension", "[mohr]") {
+  const Properties weak = base + Properties{{"tension", "1e6"}, {"cohesion", "1e5"}, {"cohesion-residual", "5e4"}};
+  for (const bool holds : {false, true}) {
+    auto j = joint(weak + Properties{{"tension-residual", holds ? "2e5" : "0"}});
+    j.move(1e-3, {1e-2, 0});  // trial 2e6 in tension, 1e7 in shear
+    CHECK(j.joint.Fn == near(5e5));
+    CHECK(j.joint.Fs.norm() == near(holds ? 5e4 : 0.0));
+    REQUIRE(j.count(JointEvent::Kind::bond_break) == 1);
+    for (const JointEvent& e : j.events)
+      if (e.kind == JointEvent::Kind::bond_break) {
+        CHECK(e.mode == 1);
+        CHECK(e.strength == near(1e6));
+      }
+    CHECK(j.state() == (holds ? "slip-n tension-n" : "tension-n"));
+  }
+}
+
 TEST_CASE("TM2b: a stressed joint that has slipped stays active until its force is gone", "[mohr]") {
   auto j = joint(base + Properties{{"friction", "30"}, {"friction-residual", "30"}, {"stress-normal", "-4e5"}});
   j.shear(1e-3).move(1e-4);

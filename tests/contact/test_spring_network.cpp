@@ -136,6 +136,29 @@ TEST_CASE("TS7: unloading is elastic, and reloading reaches the envelope where u
   CHECK(bent.joint.Mb.norm() == near(0.3526184897173476));
 }
 
+TEST_CASE("a bond fails in shear while it softens and while it is unloaded", "[spring_network]") {
+  const auto strength = [](double sigma) { return 10e6 - sigma * std::tan(std::numbers::pi / 6); };
+  auto c = bond(rock + Properties{{"sn_tendc", "4e-6"}});
+  c.move(3e-6, {1.7e-6, 0});
+  CHECK(c.joint.state == 4);
+  auto back = c;
+  c.move(1e-7, {1e-7, 0});  // softens to 2.375 MPa
+  CHECK(c.joint.state == 2);
+  CHECK(last_break(c).mode == 2);
+  CHECK(last_break(c).strength == near(strength(2.375e6)));
+  CHECK(last_break(c).force == near(kA * 1.8e-6));
+  CHECK(c.joint.Fn == 0);
+
+  back.move(-0.4e-6, {0.2e-6, 0});
+  CHECK(back.joint.state == 5);
+  CHECK(back.own("sn_shear") == near(strength(0.5e6)));
+  back.shear(0.05e-6);
+  CHECK(back.joint.state == 2);
+  CHECK(last_break(back).mode == 2);
+  CHECK(last_break(back).strength == near(strength(0.5e6)));
+  CHECK(last_break(back).force == near(kA * 1.95e-6));
+}
+
 TEST_CASE("TS8: cohesion that falls with slip, by length or table", "[spring_network]") {
   for (const bool table : {false, true}) {
     INFO((table ? "table" : "length"));
@@ -174,6 +197,23 @@ TEST_CASE("TS9: a broken bond heals when sliding ends under pressure", "[spring_
   CHECK(last_break(torn).energy == near(stored));  // a healed bond has no tensile strength: what it stored before
   CHECK(torn.joint.Fn == 0);
   CHECK(torn.joint.Fs.norm() == 0);
+}
+
+TEST_CASE("a healed bond has no fictitious force", "[spring_network]") {
+  auto c = bond(rock + Properties{{"sn_heal", "1"}});
+  c.poisson_normal = -20, c.poisson_shear = {5, 3};
+  c.move(-2e-6);
+  CHECK(c.joint.Fn == near(-1020));
+  slide_to_break(c);
+  c.shear(1e-7).shear(-1e-9);
+  REQUIRE(c.joint.state == 6);
+  const Joint before = c.joint;
+  c.move(0);
+  c.poisson_normal = -400, c.poisson_shear = {100, 0};
+  c.move(0);
+  CHECK(c.joint.Fn == before.Fn);
+  CHECK((c.joint.Fs - before.Fs).norm() == 0);
+  CHECK(c.joint.poisson_normal == 0);
 }
 
 TEST_CASE("TS10: the largest moments without a bond", "[spring_network]") {
@@ -230,6 +270,20 @@ TEST_CASE("TS13: pore pressure causes tensile failure and reduces the strength",
   auto pressed = bond(rock + Properties{{"sn_porp", "4e6"}});
   pressed.move(-2e-6);
   CHECK(pressed.own("sn_shear") == near(13464101.615137754));
+}
+
+TEST_CASE("pore pressure reduces the friction of an unbonded contact", "[spring_network]") {
+  const Properties springs{{"kn", "5e12"}, {"ks", "5e12"}, {"fric", "0.5"}};
+  for (const char* mode : {"0", "1"})
+    for (const auto& [pressure, friction] : {std::pair{"0", 500.0}, {"4e6", 300.0}, {"-4e6", 700.0}, {"1e7", 0.0}}) {
+      INFO("mode " << mode << ", pressure " << pressure);
+      Contact c("SpringNetwork", springs + Properties{{"sn_mode", mode}, {"sn_porp", pressure}}, face());
+      c.move(-2e-6);
+      CHECK(c.joint.Fn == near(-1000));
+      c.shear(1e-5);
+      CHECK(c.joint.Fs.s == near(-friction));
+      CHECK(c.joint.Fs.t == 0);
+    }
 }
 
 TEST_CASE("TS14: the energy balance of a contact that slides in shear, bending and twist closes", "[spring_network]") {

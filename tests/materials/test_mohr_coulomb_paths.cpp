@@ -140,6 +140,33 @@ TEST_CASE("the cut-off softens with its own strain", "[materials]") {
   }
 }
 
+TEST_CASE("softening of cohesion and friction lowers the apex, and with it the cut-off", "[materials]") {
+  struct Row {
+    Properties changes;
+    double before, after;
+  };
+  const auto cot = [](double phi) { return 1 / std::tan(phi * degree); };
+  const Properties cohesion{{"cohesion_residual", "0.5e6"}, {"softening_end", "0.01"}},
+      friction{{"friction", "20"}, {"friction_residual", "30"}, {"softening_end", "0.01"}};
+  const Row rows[] = {{cohesion, 1e6 * cot(30), 0.5e6 * cot(30)},
+                      {with(cohesion, {{"tension", "1.2e6"}}), 1.2e6, 0.5e6 * cot(30)},
+                      {with(cohesion, {{"tension", "0.6e6"}}), 0.6e6, 0.6e6},
+                      {friction, 1e6 * cot(20), 1e6 * cot(30)}};
+  for (const Row& row : rows) {
+    const auto law = published(row.changes);
+    const auto pulled = [&](MaterialPoint<3> point) {
+      march(point, symmetric(0.01, 0.01, 0.01), 0.1, 10);
+      REQUIRE((point.stress - point.stress.trace() / 3 * Mat3::Identity()).norm() < 1e-6 * point.stress.norm());
+      return point.stress.trace() / 3;
+    };
+    MaterialPoint<3> point(*law);
+    REQUIRE(pulled(point) == Approx(row.before).epsilon(1e-10));
+    march(point, pure_shear(0.05), 0.1, 10);  // beyond the end of softening
+    REQUIRE(point.history_value("plastic_shear") > 0.01);
+    REQUIRE(pulled(point) == Approx(row.after).epsilon(1e-10));
+  }
+}
+
 TEST_CASE("friction and dilation soften implicitly", "[materials]") {
   // constant pressure, psi = 0: R = c cos phi - p sin phi with phi(kappa) at the end of the step
   const auto law = published({{"friction_residual", "20"}, {"softening_start", "0.002"}, {"softening_end", "0.022"}});

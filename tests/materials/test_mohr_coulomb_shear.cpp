@@ -61,6 +61,21 @@ TEST_CASE("published stresses of viscoplastic shear are met at 3000 s", "[materi
   }
 }
 
+TEST_CASE("each step of viscoplastic shear relaxes with its own length", "[materials]") {
+  const double resistance = 866025.4037844386, eta = 500;
+  const auto law = published({{"relaxation_time", "500"}});
+  MaterialPoint<2> point(*law);
+  double shear = 0;
+  for (int n = 0; n < 400; ++n) {
+    const double dt = 1 + 7 * (n % 5) + (n % 3 == 0 ? 300 : 0), b = dt / eta;
+    point.step(pure_shear(rate), dt);
+    shear += shear_modulus * rate * dt;
+    if (shear > resistance) shear = (shear + b * resistance) / (1 + b);
+    REQUIRE(point.stress(0, 1) == Approx(shear).epsilon(1e-12));
+  }
+  REQUIRE(shear > 1.5 * resistance);
+}
+
 TEST_CASE("Perzyna flow on one plane equals Duvaut-Lions with eta_p = a eta", "[materials]") {
   const auto perzyna = published({{"viscosity", text(500 * shear_modulus)}}),
              relaxing = published({{"relaxation_time", "500"}});

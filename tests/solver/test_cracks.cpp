@@ -173,6 +173,20 @@ TEST_CASE("CR10: where two cracks cross, four fields touch their neighbours only
   }
 }
 
+TEST_CASE("a third crack has no effect at nodes with two others", "[cracks]") {
+  Model model = block<2>(Kernel::quadratic_spline, Transfer::apic);
+  const auto upright = line(Vec3(8.05, 2, 0), Vec3(8.05, 14, 0), 24, smooth()),
+             level = line(Vec3(2, 8.05, 0), Vec3(14, 8.05, 0), 24, smooth()),
+             third = line(Vec3(7.8, 7.9, 0), Vec3(8.3, 8.2, 0), 2, smooth());
+  const auto with = [&](std::vector<CrackSpec> cracks) {
+    model.cracks = std::move(cracks);
+    return outcome<2>(model, 12, 2);
+  };
+  CHECK(difference(with({upright, level, third}), with({upright, level})) < 1e-12);
+  CHECK(difference(with({third}), with({})) > 1e-4);
+  CHECK(difference(with({upright, third, level}), with({upright, level})) > 1e-4);  // the first two count
+}
+
 TEST_CASE("lines with common ends are one crack, whichever way they are drawn", "[cracks]") {
   const Kernel kernel = GENERATE(Kernel::gimp, Kernel::quadratic_spline);
   const Transfer transfer = GENERATE(Transfer::flip, Transfer::fmpm);

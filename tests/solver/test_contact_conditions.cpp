@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+/// Contact at nodes with prescribed velocities, and the means from which it takes gaps.
+#include "cloud.hpp"
+#include "input/read.hpp"
+
+using namespace tribo;
+using namespace tribo::test;
+
+namespace {
+
+// Two blocks that meet at x = 10.
+Model meeting_blocks(const std::string& header, const std::string& conditions, const std::string& mode = "") {
+  return read_model_text(R"(<JANFEAInput version='3'>
+ <Header><Analysis>10</Analysis><ConsistentUnits length='m' mass='kg' time='s'/></Header>
+ <MPMHeader><MaxTime>1</MaxTime><ArchiveTime>1</ArchiveTime><GIMP/>)" +
+                             header + "<MultiMaterialMode" + mode + R"('/></MPMHeader>
+ <Mesh><Grid xmin='0' xmax='20' ymin='0' ymax='10'><Horiz nx='20'/><Vert ny='10'/></Grid></Mesh>
+ <MaterialPoints><Body matname='a' vx='1'><Rect xmin='6' xmax='10' ymin='3' ymax='7'/></Body>
+  <Body matname='b' vx='-1'><Rect xmin='10' xmax='14' ymin='3' ymax='7'/></Body></MaterialPoints>
+ <Material Type='1' Name='a'><rho>1</rho><E>100</E><nu>0</nu></Material>
+ <Material Type='1' Name='b'><rho>3</rho><E>100</E><nu>0</nu></Material>)" +
+                             conditions + "</JANFEAInput>",
+                         "deck.xml");
+}
+
+}  // namespace
+
+TEST_CASE("prescribed velocities win over contact", "[contact][conditions]") {
+  const std::string update = GENERATE(as<std::string>{}, "USL", "USAVG"), transfer = GENERATE("FLIP", "APIC");
+  INFO(update << ", " << transfer);
+  const std::string held =
+      "<GridBCs><BCShape><Rect xmin='9.9' xmax='10.1' ymin='4.9' ymax='5.1'/><DisBC dir='1' style='1' vel='0.75'/>"
+      "</BCShape></GridBCs>";
+  const auto velocities = [&](const std::string& conditions) {
+    const Model model = meeting_blocks("<MPMMethod>" + update + "</MPMMethod><Transfer type='" + transfer + "'/>",
+                                       conditions, " Impulses='nodes");
+    auto system = build_system<2>(model, place_points(model));
+    Stepper<2> stepper(model, system);
+    stepper.advance(1e-3);
+    std::array<double, 2> v{};
+    for (std::size_t f = 0; f < 2; ++f) {
+      const auto& field = system.fields[f];
+      const auto node = field.map.node({Lattice<2>::padding + 10, Lattice<2>::padding + 5});
+      v[f] = field.nodes[static_cast<std::size_t>(node)].velocity[0];
+    }
+    return v;
+  };
+  const auto free = velocities(""), prescribed = velocities(held);
+  // by contact alone, masses of 1 and 3 that meet with 1 and -1
+  for (const double v : free) CHECK(v == Approx(-0.5).epsilon(0.01));
+  for (const double v : prescribed) CHECK(v == Approx(0.75).epsilon(1e-14));
+}
+
+TEST_CASE("gaps by displacements and by positions are found from their means by volume", "[contact][faces]") {
+  Model model = meeting_blocks("", "", " Normals='avggrad");
+  CHECK(model.contact.separation == Separation::displacements);
+  for (const auto separation : {Separation::displacements, Separation::positions}) {
+    model.contact.separation = separation;
+    auto system = build_system<2>(model, place_points(model));
+    auto& moved = system.bodies[1].particles;
+    for (std::size_t i = 0; i < moved.size(); ++i) {
+      moved.x()[0][i] -= 0.0625, moved.x()[1][i] += 0.125;
+      moved.volume()[i] *= 2;  // does not change the means
+    }
+    Stepper<2> stepper(model, system);
+    stepper.advance(1e-6);
+    const auto mean = [&](std::size_t f) {
+      const auto& field = system.fields[f];
+      const VolumeNode& v =
+          field.volumes[static_cast<std::size_t>(field.map.node({Lattice<2>::padding + 10, Lattice<2>::padding + 5}))];
+      REQUIRE(v.volume > 0);
+      return Vec<2>(v.moment[0] / v.volume, v.moment[1] / v.volume);
+    };
+    if (separation == Separation::displacements) {
+      CHECK(mean(0).norm() < 1e-15);
+      CHECK((mean(1) - Vec<2>(-0.0625, 0.125)).norm() < 1e-13);
+    } else {
+      // uGIMP weights of particles of half size 0.25 at 0.25 and 0.75, and at 0.1875, 0.6875 and 1.1875 cells
+      CHECK(mean(0)[0] == Approx(10 - (0.25 * 0.75 + 0.75 * 0.25)).epsilon(1e-13));
+      const double w[] = {0.8046875, 0.3125, 0.00390625};
+      CHECK(mean(1)[0] ==
+            Approx(10 + (0.1875 * w[0] + 0.6875 * w[1] + 1.1875 * w[2]) / (w[0] + w[1] + w[2])).epsilon(1e-13));
+    }
+  }
+}
