@@ -37,8 +37,8 @@ double adopt(const JointLaw& law, const JointLaw* former, std::span<Joint> joint
 }
 
 template <int Dim>
-void change_joints(const Model& model, const Model& former, const std::vector<StageAction>& actions,
-                   System<Dim>& system, Stepper<Dim>& stepper, StageReport& report) {
+void change_joints(const Model& former, const std::vector<StageAction>& actions, System<Dim>& system,
+                   Stepper<Dim>& stepper, StageReport& report) {
   double stiffer = 1.0;
   for (JointSurface<Dim>& surface : system.joints) {
     if (surface.interface) continue;
@@ -56,7 +56,6 @@ void change_joints(const Model& model, const Model& former, const std::vector<St
       bond_or_unbond(actions, x, *surface.law, surface.joints[k], report);
     }
   }
-  (void)model;
   stepper.joints().stiffened(stiffer);
 }
 
@@ -115,6 +114,16 @@ void place(const Model& model, System<Dim>& system, StageReport& report) {
 const JointLaw* former_law(const Model& model, const Model& former, const JointLaw* law) {
   for (std::size_t k = 0; k < std::min(model.materials.size(), former.materials.size()); ++k)
     if (model.materials[k].joint && model.materials[k].joint.get() == law) return former.materials[k].joint.get();
+  // laws that are derived from those of the input: of later contacts, and with inherited properties of surfaces
+  if (!model.blocks || !former.blocks) return nullptr;
+  for (std::size_t rule = 0; rule <= std::min(model.blocks->joints.size(), former.blocks->joints.size()); ++rule) {
+    const BlockLaws &now = model.blocks->laws_of(rule), &then = former.blocks->laws_of(rule);
+    if (law == now.initial.get()) return then.initial.get();
+    if (law == now.later.get()) return then.later.get();
+    for (const auto& [groups, laws] : now.by_groups)
+      for (std::size_t which = 0; which < 2; ++which)
+        if (law == laws[which].get()) return which == 0 ? then.initial_of(groups) : then.later_of(groups);
+  }
   return nullptr;
 }
 
@@ -122,7 +131,7 @@ template <int Dim>
 StageReport begin_stage(const Model& model, const Model& former, const std::vector<StageAction>& actions,
                         System<Dim>& system, Stepper<Dim>& stepper) {
   StageReport report;
-  change_joints(model, former, actions, system, stepper, report);
+  change_joints(former, actions, system, stepper, report);
   if (system.blocks) begin_stage(model, former, actions, *system.blocks, report);
   for (const StageAction& action : actions)
     if (action.kind == Kind::excavate) excavate(action, system, report);

@@ -445,6 +445,37 @@ TEST_CASE("blocks follow the gravity and the laws of stages, to the bit", "[stag
     CHECK(contents(scratch.path / "whole" / file) == contents(scratch.path / "parts" / file));
 }
 
+TEST_CASE("the former law of contacts of blocks is found for later contacts and inherited surfaces, too", "[stages]") {
+  const auto with = [](const std::string& stiffness) {
+    return read_model_text(
+        "<JANFEAInput version='3'><Header><Analysis>10</Analysis><ConsistentUnits length='m' mass='kg' time='s'/>"
+        "</Header><MPMHeader><MaxTime>1</MaxTime><ArchiveTime>1</ArchiveTime></MPMHeader>"
+        "<Blocks lawname='bond' inherit='yes'>"
+        "<BoxBlock xmin='0' xmax='1' ymin='0' ymax='1' rho='1000' name='floor' kn='1e8' ks='1e8' fric='0.4'/>"
+        "<BoxBlock xmin='0' xmax='1' ymin='1' ymax='2' rho='1000' name='block' kn='3e8' ks='1e8' fric='0.5'/>"
+        "<Joint lawname='rock' blocks='floor' with='any'/></Blocks>"
+        "<Material Type='SpringNetwork' Name='bond'><kn>" +
+            stiffness +
+            "</kn><ks>1e8</ks><fric>0.3</fric><sn_ten>1e9</sn_ten><sn_coh>1e9</sn_coh><bond/></Material>"
+            "<Material Type='Mohr' Name='rock'><stiffness-normal>" +
+            stiffness + "</stiffness-normal><stiffness-shear>1e8</stiffness-shear></Material></JANFEAInput>",
+        "blocks.xml");
+  };
+  const Model then = with("1e8"), now = with("2e8");
+  REQUIRE(now.blocks->joints.size() == 1);
+  std::size_t found = 0;
+  for (std::size_t rule = 0; rule < 2; ++rule) {
+    const BlockLaws &a = then.blocks->laws_of(rule), &b = now.blocks->laws_of(rule);
+    CHECK(former_law(now, then, b.initial.get()) == a.initial.get());
+    CHECK(former_law(now, then, b.later.get()) == a.later.get());
+    for (const auto& [groups, laws] : b.by_groups)
+      for (std::size_t which = 0; which < 2; ++which, ++found)
+        CHECK(former_law(now, then, laws[which].get()) == a.by_groups.at(groups)[which].get());
+  }
+  CHECK(found >= 2);
+  CHECK(former_law(now, then, nullptr) == nullptr);
+}
+
 TEST_CASE("scripts have stages, too", "[stages]") {
   const std::string text = R"(Title "Stages"
 Analysis "Plane Strain MPM"
