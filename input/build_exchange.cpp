@@ -73,14 +73,14 @@ void Builder::source(const Statement& schedule) {
   must(of.law && !of.law->rigid(), schedule.origin, "'" + of.name + "' is rigid; a source gives deformable particles");
   must(model_.analysis != Analysis::axisymmetric, schedule.origin, "FluidSource is not built for axisymmetric models");
   const Units& units = model_.units;
-  const double length = units.factor(Dimension::length);
+  const double length_unit = units.factor(Dimension::length);
   Vec3 flow = Vec3::Zero();
   double relative = 1.0;
   bool has_rate = false;
   constexpr const char *flows[] = {"flow_x", "flow_y", "flow_z"}, *centres[] = {"source_x", "source_y", "source_z"};
   for (Eigen::Index d = 0; d < model_.dimension(); ++d) {
     parameter(schedule, flows[d], [&](const Statement&, double v) { flow[d] = v; });
-    parameter(schedule, centres[d], [&](const Statement&, double v) { source.centre[d] = v * length; });
+    parameter(schedule, centres[d], [&](const Statement&, double v) { source.centre[d] = v * length_unit; });
   }
   const auto positive = [&](const char* name, double factor, double& to) {
     parameter(schedule, name, [&](const Statement& p, double v) {
@@ -88,7 +88,7 @@ void Builder::source(const Statement& schedule) {
       to = v * factor;
     });
   };
-  positive("inlet_width", length, source.width), positive("inlet_depth", length, source.depth);
+  positive("inlet_width", length_unit, source.width), positive("inlet_depth", length_unit, source.depth);
   positive("particle_size", 1.0, relative);
   parameter(schedule, "FlowRate", [&](const Statement& p, double v) {
     must(v >= 0, p.text_origin, "'FlowRate' must not be negative");

@@ -15,8 +15,7 @@ enum ExitCode { done = 0, usage_error = 2, input_error = 3, numerical_error = 4,
 struct Arguments {
   std::filesystem::path file, output, folder;
   int thread_count = threads();
-  bool quiet = false, overwrite = false, only_check = false, changed = false,
-       accept_edits = false;
+  bool quiet = false, overwrite = false, only_check = false, changed = false, accept_edits = false;
   double max_wall = 0.0;              ///< seconds
   std::vector<std::string> settings;  ///< name=value
   std::string keyword;
