@@ -28,6 +28,8 @@ bool any_memory(const ContactSpec& c) {
          std::any_of(c.pair_laws.begin(), c.pair_laws.end(), [](const auto& p) { return p.second->has_memory(); });
 }
 
+bool same_type(const JointLaw& a, const JointLaw& b) { return typeid(a) == typeid(b); }
+
 /// Compares the model of a stage with the one before. All models must keep the same quantities of particles and joints.
 class Comparison {
  public:
@@ -65,8 +67,7 @@ class Comparison {
     const ContactSpec &a = before_.contact, &b = now_.contact;
     for (const auto& [pair, joint] : b.joints) {
       const auto old = a.joints.find(pair);
-      must(old != a.joints.end() && old->second.materials == joint.materials &&
-               typeid(*old->second.law) == typeid(*joint.law),
+      must(old != a.joints.end() && old->second.materials == joint.materials && same_type(*old->second.law, *joint.law),
            "joints between '" + name(pair.first) + "' and '" + name(pair.second) +
                "' begin with the run; a stage can change the properties of their law, not its type");
     }

@@ -101,7 +101,10 @@ void Document::end_stage() {
                       "this cannot change in a stage; there can be Material, Region, Hole, Excavate, "
                       "Bond, Unbond, When, GridBC, ParticleBC, Gravity, ContactMM, Damping, PDamping, "
                       "FeedbackDamping, PFeedbackDamping, TimeStep and CFLFactor");
-      if (known) stage.children.push_back(law ? *law : std::move(child));
+      if (law)
+        stage.children.push_back(*law);
+      else if (known)
+        stage.children.push_back(std::move(child));
     }
   }
   stages_.push_back(std::move(stage));
