@@ -59,6 +59,7 @@ class Report {
     cracks();
     travel();
     steps();
+    exchange();
     stages();
     take(describe_effort(model_, system_, stepper_, step_.size));
     for (const auto& warning : model_.warnings) line(warning);
@@ -202,6 +203,20 @@ class Report {
   }
 
   // Bodies that share fully constrained nodes with others that slide by a law.
+  // Particles that come and go.
+  void exchange() {
+    for (const SourceSpec& source : model_.sources)
+      line(format("inlet of %s: %d particles of %.4g in a row, speed at the start %.4g", name(source.material).c_str(),
+                  source.count[0] * source.count[1], source.size, source.speed(0.0)));
+    if (model_.delete_leaving)
+      line(format("particles that leave the grid are removed, at most %ld", model_.leave_limit.value_or(0)));
+    for (const DeletionSpec& spec : model_.deletions)
+      line("particles of " + name(spec.material) + " are removed " +
+           (spec.time >= 0     ? format("at time %.6g", spec.time)
+            : spec.opening > 0 ? format("once they have failed and their crack has opened by %.4g", spec.opening)
+                               : std::string("once they have failed")));
+  }
+
   void pressures() {
     for (const std::string& torn :
          {torn_by_pressure(system_), system_.blocks ? torn_by_pressure(*system_.blocks) : std::string()})

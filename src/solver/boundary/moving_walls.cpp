@@ -58,75 +58,88 @@ double MovingWalls<Dim>::place(const Line& line, double time) const {
 }
 
 // The velocity gradient at a wall. Where it mirrors, the line through the velocity of the wall that fits the velocities
-// of the last two free nodes, those before `first`; 0 if one of them has no mass.
+// of the last two free nodes, those before the first governed one; 0 if one of them has no mass.
 template <int Dim>
-double MovingWalls<Dim>::gradient(const Line& line, const NodeLayer& nodes, int first, double at, double speed,
-                                  double time) const {
+double MovingWalls<Dim>::gradient(const Line& line, const NodeLayer& nodes, double speed, double time) const {
   const MovingWall& wall = *model_.node_conditions[line.condition].wall;
   const auto axis = static_cast<Eigen::Index>(line.axis);
   if (!wall.mirror) {
     Vec3 x = Vec3::Zero();
     x.head<Dim>() = lattice_.position(line.start);
-    x[axis] = at;
+    x[axis] = line.at;
     return wall.gradient_unit * wall.gradient(variables(wall, x, time));
   }
   double product = 0.0, square = 0.0;
-  for (int k = first - 2; k < first; ++k) {
+  for (int k = line.first - 2; k < line.first; ++k) {
     Index<Dim> index = line.start;
     index[line.axis] += k * wall.side;
     const auto node = map_->node(index);
     if (node < 0 || !(nodes[static_cast<std::size_t>(node)].mass > 0)) return 0.0;
-    const double distance = lattice_.position(index)[axis] - at;
+    const double distance = lattice_.position(index)[axis] - line.at;
     product += distance * (nodes[static_cast<std::size_t>(node)].velocity[line.axis] - speed);
     square += distance * distance;
   }
   return product / square;
 }
 
-// Finds the nodes that the walls govern at one time, and the velocities prescribed at another.
 template <int Dim>
-void MovingWalls<Dim>::find(const NodeLayer& nodes, double place_time, double dt, double velocity_time,
-                            bool keep_pending) {
-  before_.clear();
-  if (keep_pending) before_.swap(governed_);
+void MovingWalls<Dim>::find(const NodeLayer& nodes, double time) {
+  if (lines_.empty()) return;
+  for (const Governed& g : governed_) axes_[static_cast<std::size_t>(g.node)] = 0;
+  before_.swap(governed_);
   governed_.clear();
   for (std::size_t l = 0; l < lines_.size(); ++l) {
-    const Line& line = lines_[l];
-    const NodeCondition& condition = model_.node_conditions[line.condition];
-    const MovingWall& wall = *condition.wall;
+    Line& line = lines_[l];
+    const MovingWall& wall = *model_.node_conditions[line.condition].wall;
     const auto axis = static_cast<Eigen::Index>(line.axis);
-    Vec3 start = Vec3::Zero();
-    start.head<Dim>() = lattice_.position(line.start);
-    const double at = place(line, place_time);
+    line.at = place(line, time);
     // place of the node where the wall starts, in cells beyond the wall
-    const double origin = wall.side * (start[axis] - at) / lattice_.spacing[axis];
-    const int first = static_cast<int>(std::ceil(-wall.depth - origin - 1e-9));
-    const double speed = condition.velocity.at(velocity_time, start, dt);
-    const double g = gradient(line, nodes, first, at, speed, velocity_time);
+    const double origin = wall.side * (lattice_.position(line.start)[axis] - line.at) / lattice_.spacing[axis];
+    line.first = static_cast<int>(std::ceil(-wall.depth - origin - 1e-9));
     int past = 0;
-    for (int k = first; past < beyond; ++k) {
+    for (int k = line.first; past < beyond; ++k) {
       Index<Dim> index = line.start;
       index[line.axis] += k * wall.side;
       const bool outside = origin + k > 1e-9;
       const auto node = map_->node(index);
-      if (node >= 0 && nodes[static_cast<std::size_t>(node)].mass > 0)
-        governed_.push_back({node, l, speed + g * (lattice_.position(index)[axis] - at)});
-      else if (outside)
+      if (node >= 0 && nodes[static_cast<std::size_t>(node)].mass > 0) {
+        governed_.push_back({node, l, lattice_.position(index)[axis] - line.at});
+        axes_[static_cast<std::size_t>(node)] |= static_cast<std::uint8_t>(1U << line.axis);
+      } else if (outside) {
         break;
+      }
       past += outside;
     }
   }
+  auto old = before_.begin();  // both lists are in the order of the lines
   for (Governed& g : governed_) {
-    const auto same = [&](const Governed& old) { return old.node == g.node && old.line == g.line; };
-    if (const auto old = std::find_if(before_.begin(), before_.end(), same); old != before_.end())
-      g.pending = old->pending;
+    while (old != before_.end() && old->line < g.line) ++old;
+    for (auto same = old; same != before_.end() && same->line == g.line; ++same)
+      if (same->node == g.node) g.pending = same->pending;
+  }
+}
+
+// The velocities at a time on the nodes that were found.
+template <int Dim>
+void MovingWalls<Dim>::prescribe(const NodeLayer& nodes, double time, double dt) {
+  std::size_t known = lines_.size();
+  double speed = 0.0, slope = 0.0;
+  for (Governed& g : governed_) {
+    if (g.line != known) {  // the nodes of a line are consecutive
+      const Line& line = lines_[g.line];
+      Vec3 start = Vec3::Zero();
+      start.head<Dim>() = lattice_.position(line.start);
+      known = g.line;
+      speed = model_.node_conditions[line.condition].velocity.at(time, start, dt);
+      slope = gradient(line, nodes, speed, time);
+    }
+    g.wanted = speed + slope * g.distance;
   }
 }
 
 template <int Dim>
 void MovingWalls<Dim>::impose(NodeLayer& nodes, double time, double dt) {
-  if (lines_.empty()) return;
-  find(nodes, time, dt, time, false);
+  prescribe(nodes, time, dt);
   for (Governed& g : governed_) {
     double& v = nodes[static_cast<std::size_t>(g.node)].velocity[lines_[g.line].axis];
     g.pending = g.wanted - v;

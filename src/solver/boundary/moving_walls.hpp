@@ -4,6 +4,8 @@
 
 #include "solver/exchange/exchange.hpp"
 
+#include <cmath>
+#include <cstdint>
 #include <vector>
 
 namespace tribo {
@@ -26,18 +28,28 @@ class MovingWalls {
   MovingWalls(const Model& model, const Lattice<Dim>& lattice, Problems& problems);
 
   /// To be called after every change of the map.
-  void locate(const BlockMap<Dim>& map) { map_ = &map; }
-  /// Sets the velocities prescribed at `time` before a strain update. Throws SimulationError if a wall has left the
-  /// grid.
+  void locate(const BlockMap<Dim>& map) {
+    map_ = &map;
+    governed_.clear(), axes_.assign(lines_.empty() ? 0 : static_cast<std::size_t>(map.node_count()), 0);
+  }
+  /// Finds the nodes that the walls govern at `time`. Throws SimulationError if a wall has left the grid.
+  void find(const NodeLayer& nodes, double time);
+  /// Whether a wall governs the velocity of a node along a direction; no other condition then acts on it.
+  bool governs(std::int64_t node, const Vec<Dim>& direction) const {
+    if (lines_.empty() || axes_[static_cast<std::size_t>(node)] == 0) return false;
+    for (int d = 0; d < Dim; ++d)
+      if ((axes_[static_cast<std::size_t>(node)] >> d & 1) != 0 && std::abs(direction[d]) > 1 - 1e-12) return true;
+    return false;
+  }
+  /// Sets the velocities prescribed at `time` on these nodes, before a strain update.
   void impose(NodeLayer& nodes, double time, double dt);
-  /// Sets the velocities prescribed at time + dt on the nodes that the walls govern at `time`, after the momentum
-  /// update; the acceleration is the whole change of velocity in this step. `after_impose`: impose() was called before.
-  /// Calls book(const Force&) for each node.
+  /// Sets the velocities prescribed at `time` on these nodes, after the momentum update over dt; the acceleration is
+  /// the whole change of velocity in this step. `after_impose`: impose() was called before. Calls book(const Force&)
+  /// for each node.
   template <class Book>
   void impose_update(NodeLayer& nodes, const Exchange<Dim>& exchange, double time, double dt, bool after_impose,
                      Book&& book) {
-    if (lines_.empty()) return;
-    find(nodes, time, dt, time + dt, after_impose);
+    prescribe(nodes, time, dt);
     for (const Governed& g : governed_) {
       Node& node = nodes[static_cast<std::size_t>(g.node)];
       const auto axis = lines_[g.line].axis;
@@ -55,23 +67,27 @@ class MovingWalls {
   struct Line {
     Index<Dim> start;
     std::size_t condition, axis;
+    double at = 0.0;  // present place of the wall [length]
+    int first = 0;    // first governed node, counted from the start towards the far side
   };
   struct Governed {
     std::int64_t node;
     std::size_t line;
+    double distance;  // from the wall, along the axis [length]
     double wanted = 0.0;
     double pending = 0.0;  // change of the velocity component in impose()
   };
 
-  void find(const NodeLayer& nodes, double place_time, double dt, double velocity_time, bool keep_pending);
+  void prescribe(const NodeLayer& nodes, double time, double dt);
   double place(const Line& line, double time) const;
-  double gradient(const Line& line, const NodeLayer& nodes, int first, double at, double wall, double time) const;
+  double gradient(const Line& line, const NodeLayer& nodes, double speed, double time) const;
 
   const Model& model_;
   Lattice<Dim> lattice_;
   const BlockMap<Dim>* map_ = nullptr;
   std::vector<Line> lines_;
   std::vector<Governed> governed_, before_;
+  std::vector<std::uint8_t> axes_;  // per node: bit k is set if a wall governs its velocity along axis k
 };
 
 }  // namespace tribo

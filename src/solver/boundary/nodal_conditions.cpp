@@ -64,11 +64,12 @@ double NodalConditions<Dim>::prescribed(const Chosen& chosen, const Vec<Dim>& x,
 
 template <int Dim>
 void NodalConditions<Dim>::impose(NodeLayer& nodes, double time, double dt) {
+  walls_.find(nodes, time);
   for (Located& l : located_) {
     const Chosen& chosen = chosen_[l.chosen];
     Node& node = nodes[static_cast<std::size_t>(l.node)];
     l.pending = 0.0;
-    if (!(node.mass > 0)) continue;
+    if (!(node.mass > 0) || walls_.governs(l.node, chosen.direction)) continue;
     Eigen::Map<Vec<Dim>> v(node.velocity);
     const double change = prescribed(chosen, lattice_.position(chosen.node), time, dt) - v.dot(chosen.direction);
     v += change * chosen.direction;
@@ -81,10 +82,11 @@ template <int Dim>
 void NodalConditions<Dim>::impose_update(NodeLayer& nodes, const Exchange<Dim>& exchange, double time, double dt,
                                          bool after_impose, bool first) {
   for (auto& r : reactions_) r.setZero();
+  walls_.find(nodes, time);
   for (Located& l : located_) {
     const Chosen& chosen = chosen_[l.chosen];
     Node& node = nodes[static_cast<std::size_t>(l.node)];
-    if (!(node.mass > 0)) continue;
+    if (!(node.mass > 0) || walls_.governs(l.node, chosen.direction)) continue;
     Eigen::Map<Vec<Dim>> v(node.velocity), a(node.acceleration);
     const Vec<Dim> x = lattice_.position(chosen.node);
     const double wanted = prescribed(chosen, x, time + dt, dt), before = prescribed(chosen, x, time, dt);
@@ -102,7 +104,7 @@ void NodalConditions<Dim>::impose_update(NodeLayer& nodes, const Exchange<Dim>& 
     work_ += dt * mass * correction * (wanted - 0.5 * dt * a.dot(chosen.direction));
     impulse_ += dt * force;
   }
-  walls_.impose_update(nodes, exchange, time, dt, after_impose, [&](const auto& on_node) {
+  walls_.impose_update(nodes, exchange, time + dt, dt, after_impose, [&](const auto& on_node) {
     const Vec3 force = on_node.mass * on_node.acceleration * model_.node_conditions[on_node.condition].direction;
     reactions_[on_node.condition] += force;
     work_ += dt * on_node.mass * on_node.acceleration * on_node.speed;
