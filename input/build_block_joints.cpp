@@ -76,12 +76,16 @@ BlockLaws Builder::block_laws(const Statement& s, const BlocksSpec& spec) {
   return out;
 }
 
-BlockJoint Builder::block_joint(const Statement& s, const BlocksSpec& spec) {
+// Criteria that are not shapes. `spec`: null in a model without blocks.
+BlockJoint Builder::joint_criteria(const Statement& s, const BlocksSpec* spec) {
   BlockJoint out;
   out.origin = s.origin;
-  out.corners = word(s, "points") == "corners";
-  out.groups[0] = block_groups(s, "blocks", spec);
-  out.groups[1] = !has(s, "with") ? out.groups[0] : block_groups(s, "with", spec);
+  for (const char* of_blocks : {"blocks", "with", "kind"})
+    must(spec || !has(s, of_blocks), s.origin, std::string("'") + of_blocks + "' is a criterion for rigid blocks");
+  if (spec) {
+    out.groups[0] = block_groups(s, "blocks", *spec);
+    out.groups[1] = !has(s, "with") ? out.groups[0] : block_groups(s, "with", *spec);
+  }
   must(has(s, "blocks") || !has(s, "with"), s.origin, "'with' needs 'blocks'");
   out.dip = angle_range(s, "dip", 90), out.dip_direction = angle_range(s, "dipdirection", 360);
   must(!out.dip || (*out.dip)[0] <= (*out.dip)[1], s.origin, "the first angle of 'dip' must not exceed the second");
@@ -89,6 +93,12 @@ BlockJoint Builder::block_joint(const Statement& s, const BlocksSpec& spec) {
     out.kind = kind == "balls"   ? BlockPairing::Kind::balls
                : kind == "faces" ? BlockPairing::Kind::faces
                                  : BlockPairing::Kind::ball_on_face;
+  return out;
+}
+
+BlockJoint Builder::block_joint(const Statement& s, const BlocksSpec& spec) {
+  BlockJoint out = joint_criteria(s, &spec);
+  out.corners = word(s, "points") == "corners";
   const std::string when = word(s, "contacts");
   out.at_start = when != "later", out.later = when == "later" || when == "all";
   const bool chooses = has(s, "blocks") || has(s, "with") || out.dip || out.dip_direction || out.kind || out.later;

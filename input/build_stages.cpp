@@ -232,11 +232,30 @@ StageAction Builder::stage_action(const Statement& s) {
   if (has(s, "mat") || has(s, "matname")) action.material = material(s);
   std::vector<RegionPtr> shapes;
   for (const Statement& child : s.children) shapes.push_back(shape(child));
-  must(!shapes.empty(), s.origin, "<" + s.name + "> has no shape");
-  action.where = shapes.empty()       ? rectangle(0, 0, 0, 0)
-                 : shapes.size() == 1 ? shapes.front()
-                                      : unite(std::move(shapes));
+  const bool excavates = action.kind == StageAction::Kind::excavate;
+  if (!excavates) {
+    action.joints = joint_criteria(s, model_.blocks.get());
+    action.joints->later = true;
+    if (has(s, "lawname") || has(s, "law")) action.law = law_named(s);
+  }
+  const bool chooses = !excavates && !s.attributes.empty();
+  must(!shapes.empty() || chooses, s.origin,
+       "<" + s.name + "> has no shape" + (excavates ? "" : " and no other criterion"));
+  RegionPtr where;
+  if (!shapes.empty()) where = shapes.size() == 1 ? shapes.front() : unite(std::move(shapes));
+  if (excavates)
+    action.where = where ? where : rectangle(0, 0, 0, 0);
+  else
+    action.joints->where = where;
   return action;
+}
+
+// The joint law that 'lawname' or 'law' names; -1 after an error.
+int Builder::law_named(const Statement& s) {
+  const MaterialSpec* found = named_law(s);
+  if (!found) return -1;
+  must(found->joint != nullptr, s.origin, "'" + found->name + "' is no joint law");
+  return static_cast<int>(found - model_.materials.data());
 }
 
 Model build_with_stages(const Statement& root, const std::filesystem::path& folder) {

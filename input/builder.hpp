@@ -164,6 +164,7 @@ class Builder {
 
   // build_block_joints.cpp
   void block_joints(const Statement& s, BlocksSpec& spec);
+  BlockJoint joint_criteria(const Statement& s, const BlocksSpec* spec);
   BlockJoint block_joint(const Statement& s, const BlocksSpec& spec);
   BlockLaws block_laws(const Statement& s, const BlocksSpec& spec);
   std::shared_ptr<const JointLaw> named_later_law(const Statement& s);
@@ -185,6 +186,7 @@ class Builder {
   // build_stages.cpp
   void stages();
   StageSpec stage(const Statement& s, int number);
+  int law_named(const Statement& s);
   StageAction stage_action(const Statement& s);
   void reactions();
   void reaction(const Statement& s);

@@ -67,8 +67,19 @@ void add_stages(Rows& add) {
        T::none,
        {text("mat", "number of a material: only particles of this material"),
         text("matname", "name of the material, instead of mat")}});
-  add({"Bond", "Stage", "bonds the joints in its shapes whose faces touch"});
-  add({"Unbond", "Stage", "breaks the bonds of the joints in its shapes"});
+  const std::vector<AttributeSpec> of_joints{
+      text("lawname", "joints that follow this law"),
+      text("law", "number of the law, instead of lawname"),
+      text("blocks", "blocks: both of the contact are among these names"),
+      text("with", "blocks: one is among these, the other among 'blocks'; 'any': any block"),
+      text("dip", "two angles to the horizontal, between which the face is inclined [degrees, 0 to 90]"),
+      text("dipdirection",
+           "two angles, clockwise from y as seen from above, between which the face descends [degrees]"),
+      {"kind", T::choice, "blocks: contacts between faces, balls, or a ball and a face", "faces balls ball-face"}};
+  add({"Bond", "Stage", "bonds the joints that fulfil all criteria, its shapes and attributes, and whose faces touch",
+       T::none, of_joints});
+  add({"Unbond", "Stage", "breaks the bonds of the joints that fulfil all criteria, its shapes and attributes", T::none,
+       of_joints});
 }
 
 }  // namespace tribo::keywords

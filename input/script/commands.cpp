@@ -85,8 +85,11 @@ const std::vector<CommandInfo>& commands() {
        "applied "
        "forces is below it"},
       {"Excavate", 0, 1, "[material]; shapes up to EndExcavate", "in a stage: removes the particles in the shapes"},
-      {"Bond", 0, 0, "shapes up to EndBond", "in a stage: bonds the joints in the shapes whose faces touch"},
-      {"Unbond", 0, 0, "shapes up to EndUnbond", "in a stage: breaks the bonds of the joints in the shapes"},
+      {"Bond", 0, 12, "[criterion, value ...]; shapes up to EndBond",
+       "in a stage: bonds joints whose faces touch; criteria "
+       "are the shapes, lawname, dip, dipdirection"},
+      {"Unbond", 0, 12, "[criterion, value ...]; shapes up to EndUnbond",
+       "in a stage: breaks the bonds of joints, chosen as by Bond"},
       {"Region", 3, 40, "material, vx, vy[, thickness or vz[, attribute, value ...]]; shapes up to EndRegion", "body"},
       {"Hole", 0, 0, "shapes up to EndHole", "shapes without particles of the following bodies"},
       {"BMPRegion", 2, 4, "file, width[, height]; up to EndRegion", "bodies from a greyscale image"},

@@ -43,7 +43,18 @@ void Translator::action(const Command& c) {
   block_ = Statement{};
   block_.name = word == "excavate" ? "Excavate" : word == "bond" ? "Bond" : "Unbond";
   block_.origin = block_.text_origin = c.origin();
-  if (c.given(0)) Document::refer(block_, "mat", c.text(0), c.origin(0));
+  if (word == "excavate") {
+    if (c.given(0)) Document::refer(block_, "mat", c.text(0), c.origin(0));
+    return;
+  }
+  if (c.size() % 2 != 0) throw InputError(c.origin(), "'" + c.node.word + "' takes pairs of a criterion and its value");
+  for (std::size_t k = 0; k + 1 < c.size(); k += 2) {
+    const std::string criterion = lower(c.text(k));
+    if (criterion == "lawname")
+      Document::refer(block_, "law", c.text(k + 1), c.origin(k + 1));
+    else
+      attribute(block_, criterion.c_str(), c.text(k + 1), c.origin(k + 1));
+  }
 }
 
 // bond_break,effect; ratio,value,effect; above or below,history,value,effect

@@ -158,6 +158,8 @@ class Assembly {
   /// Computes the forces on all bodies anew, after a change of gravity, damping, pressures or joints. Contacts keep
   /// their forces, unless their bonds have changed.
   void renew_forces();
+  /// Blocks, kind, place and normal of a contact of a group of this kind, for the criteria of rules.
+  BlockPairing pairing_of(std::size_t contact, ContactKind kind) const;
   /// Events since the last call.
   std::vector<BlockEvent> take_events();
 

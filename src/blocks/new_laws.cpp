@@ -30,6 +30,10 @@ BlockPairing Assembly::pairing(std::uint32_t a, std::uint32_t b, ContactKind kin
   return out;
 }
 
+BlockPairing Assembly::pairing_of(std::size_t k, ContactKind kind) const {
+  return pairing(contacts[k].a, contacts[k].b, kind, contact_forces[k].at, contacts[k].axes.n, false);
+}
+
 // The place of a contact that has not formed yet is between the nearest points of the two blocks to their centres.
 std::optional<std::uint32_t> Assembly::later_law(std::uint32_t a, std::uint32_t b) const {
   std::size_t rule = spec_->joints.size();

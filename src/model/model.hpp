@@ -380,8 +380,11 @@ struct StageAction {
     bond,      ///< bonds joints that touch
     unbond     ///< breaks the bonds of joints
   } kind = Kind::excavate;
-  RegionPtr where;
+  RegionPtr where;    ///< excavate: the shape
   int material = -1;  ///< excavate: only particles of this material; -1: of all
+  /// bond, unbond: criteria of the joints: shape, groups of blocks, orientation and kind of contact.
+  std::optional<BlockJoint> joints;
+  int law = -1;  ///< bond, unbond: only joints that follow this material, or a law derived from it; -1: all
   Origin origin;
 };
 

@@ -42,6 +42,9 @@ class BlockRun final : public SteppedModel {
   StageBalance end_stage();
   StageReport begin_stage(const Model& former, const std::vector<StageAction>& actions, const StageBalance& before);
 
+  /// Number of contacts that are bonded.
+  std::size_t bonds() const { return blocks_.bonds(); }
+
   void choose_threads(int wanted) const override;
   void start() override {}
   double advance() override;

@@ -2,6 +2,7 @@
 #include "solver/stage.hpp"
 
 #include "blocks/assembly.hpp"
+#include "model/blocks.hpp"
 #include "solver/neighbours/body_occupancy.hpp"
 
 #include <algorithm>
@@ -13,11 +14,26 @@ namespace {
 
 using Kind = StageAction::Kind;
 
-// Bonds a joint or breaks its bond, as the actions at its place say.
-void bond_or_unbond(const std::vector<StageAction>& actions, const Vec3& x, const JointLaw& law, Joint& joint,
-                    StageReport& report) {
+// Whether a law is that of a material, or derived from it.
+bool stems_from(const Model& model, const JointLaw* law, int material) {
+  const JointLaw* named = model.materials[static_cast<std::size_t>(material)].joint.get();
+  if (law == named || !model.blocks) return law == named;
+  for (std::size_t rule = 0; rule <= model.blocks->joints.size(); ++rule) {
+    const BlockLaws& laws = model.blocks->laws_of(rule);
+    if (laws.initial.get() != named) continue;
+    if (law == laws.later.get()) return true;
+    for (const auto& [groups, both] : laws.by_groups)
+      if (law == both[0].get() || law == both[1].get()) return true;
+  }
+  return false;
+}
+
+// Bonds a joint or breaks its bond, as the actions that it fits say.
+void bond_or_unbond(const Model& model, const std::vector<StageAction>& actions, const BlockPairing& place,
+                    const JointLaw& law, Joint& joint, StageReport& report) {
   for (const StageAction& action : actions) {
-    if (action.kind == Kind::excavate || !action.where->contains(x)) continue;
+    if (action.kind == Kind::excavate || !action.joints->fits(place, model.dimension() == 2)) continue;
+    if (action.law >= 0 && !stems_from(model, &law, action.law)) continue;
     if (action.kind == Kind::bond && law.bond(joint)) ++report.bonded;
     if (action.kind == Kind::unbond && law.unbond(joint)) ++report.unbonded;
   }
@@ -37,8 +53,8 @@ double adopt(const JointLaw& law, const JointLaw* former, std::span<Joint> joint
 }
 
 template <int Dim>
-void change_joints(const Model& former, const std::vector<StageAction>& actions, System<Dim>& system,
-                   Stepper<Dim>& stepper, StageReport& report) {
+void change_joints(const Model& model, const Model& former, const std::vector<StageAction>& actions,
+                   System<Dim>& system, Stepper<Dim>& stepper, StageReport& report) {
   double stiffer = 1.0;
   for (JointSurface<Dim>& surface : system.joints) {
     if (surface.interface) continue;
@@ -51,9 +67,10 @@ void change_joints(const Model& former, const std::vector<StageAction>& actions,
     }
     stiffer = std::max(stiffer, adopt(*surface.law, before, surface.joints));
     for (std::size_t k = 0; k < surface.joints.size(); ++k) {
-      Vec3 x = Vec3::Zero();
-      x.template head<Dim>() = surface.x[k];
-      bond_or_unbond(actions, x, *surface.law, surface.joints[k], report);
+      BlockPairing at;
+      at.place.template head<Dim>() = surface.x[k];
+      at.normal = surface.axes[k].n;
+      bond_or_unbond(model, actions, at, *surface.law, surface.joints[k], report);
     }
   }
   stepper.joints().stiffened(stiffer);
@@ -131,7 +148,7 @@ template <int Dim>
 StageReport begin_stage(const Model& model, const Model& former, const std::vector<StageAction>& actions,
                         System<Dim>& system, Stepper<Dim>& stepper) {
   StageReport report;
-  change_joints(former, actions, system, stepper, report);
+  change_joints(model, former, actions, system, stepper, report);
   if (system.blocks) begin_stage(model, former, actions, *system.blocks, report);
   for (const StageAction& action : actions)
     if (action.kind == Kind::excavate) excavate(action, system, report);
@@ -151,7 +168,7 @@ void begin_stage(const Model& model, const Model& former, const std::vector<Stag
     const std::span<Joint> joints(blocks.joints.data() + group.begin, group.end - group.begin);
     adopt(*group.law, former_law(model, former, group.law), joints);
     for (std::size_t k = 0; k < joints.size(); ++k)
-      bond_or_unbond(actions, blocks.contact_forces[group.begin + k].at, *group.law, joints[k], report);
+      bond_or_unbond(model, actions, blocks.pairing_of(group.begin + k, group.kind), *group.law, joints[k], report);
   }
   blocks.renew_forces();
 }

@@ -476,6 +476,37 @@ TEST_CASE("the former law of contacts of blocks is found for later contacts and 
   CHECK(former_law(now, then, nullptr) == nullptr);
 }
 
+TEST_CASE("bonds are made and broken by names of blocks, orientation and law", "[stages]") {
+  const auto unbonded = [](const std::string& criteria) {
+    const Model model = read_model_text(
+        "<JANFEAInput version='3'><Header><Analysis>10</Analysis><ConsistentUnits length='m' mass='kg' time='s'/>"
+        "</Header><MPMHeader><MaxTime>0.02</MaxTime><ArchiveTime>1</ArchiveTime></MPMHeader><Blocks lawname='bond'>"
+        "<BoxBlock xmin='0' xmax='1' ymin='0' ymax='1' rho='1000' name='a'/>"
+        "<BoxBlock xmin='0' xmax='1' ymin='1' ymax='2' rho='1000' name='b'/>"
+        "<BoxBlock xmin='1' xmax='2' ymin='0' ymax='1' rho='1000' name='c'/>"
+        "<Joint lawname='other' blocks='c' with='any'/></Blocks>"
+        "<Material Type='SpringNetwork' Name='bond'><kn>1e8</kn><ks>1e8</ks><sn_ten>1e9</sn_ten><sn_coh>1e9</sn_coh>"
+        "<bond/></Material><Material Type='SpringNetwork' Name='other'><kn>1e8</kn><ks>1e8</ks><sn_ten>1e9</sn_ten>"
+        "<sn_coh>1e9</sn_coh><bond/></Material><Stage at='0.01'><Unbond " +
+            criteria + "</Stage></JANFEAInput>",
+        "blocks.xml");
+    StagedRun<BlockRun> run(model);
+    run.start();
+    while (run.stage() == 0) run.advance();
+    return 2 - run.present().bonds();
+  };
+  CHECK(unbonded("><Rect xmin='0' xmax='2' ymin='0' ymax='2'/></Unbond>") == 2);
+  CHECK(unbonded("><Rect xmin='0' xmax='0.9' ymin='0.5' ymax='1.5'/></Unbond>") == 1);
+  CHECK(unbonded("blocks='a' with='b'/>") == 1);
+  CHECK(unbonded("blocks='b' with='c'/>") == 0);
+  CHECK(unbonded("blocks='a' with='any'/>") == 2);
+  CHECK(unbonded("dip='0 30'/>") == 1);
+  CHECK(unbonded("dip='80 90'/>") == 1);
+  CHECK(unbonded("lawname='other'/>") == 1);
+  CHECK(unbonded("lawname='other' dip='0 30'/>") == 0);
+  CHECK(unbonded("kind='balls'/>") == 0);
+}
+
 TEST_CASE("scripts have stages, too", "[stages]") {
   const std::string text = R"(Title "Stages"
 Analysis "Plane Strain MPM"
