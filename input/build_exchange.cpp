@@ -82,14 +82,14 @@ void Builder::source(const Statement& schedule) {
     parameter(schedule, flows[d], [&](const Statement&, double v) { flow[d] = v; });
     parameter(schedule, centres[d], [&](const Statement&, double v) { source.centre[d] = v * length_unit; });
   }
-  const auto positive = [&](const char* name, double factor, double& to) {
+  const auto read_positive = [&](const char* name, double factor, double& to) {
     parameter(schedule, name, [&](const Statement& p, double v) {
       must(v > 0, p.text_origin, "'" + std::string(name) + "' must be positive");
       to = v * factor;
     });
   };
-  positive("inlet_width", length_unit, source.width), positive("inlet_depth", length_unit, source.depth);
-  positive("particle_size", 1.0, relative);
+  read_positive("inlet_width", length_unit, source.width), read_positive("inlet_depth", length_unit, source.depth);
+  read_positive("particle_size", 1.0, relative);
   parameter(schedule, "FlowRate", [&](const Statement& p, double v) {
     must(v >= 0, p.text_origin, "'FlowRate' must not be negative");
     source.rate = Expression(v), has_rate = true;

@@ -53,7 +53,7 @@ void Translator::action(const Command& c) {
     if (criterion == "lawname")
       Document::refer(block_, "law", c.text(k + 1), c.origin(k + 1));
     else
-      attribute(block_, criterion.c_str(), c.text(k + 1), c.origin(k + 1));
+      attribute(block_, criterion, c.text(k + 1), c.origin(k + 1));
   }
 }
 
