@@ -108,6 +108,17 @@ void Builder::source(const Statement& schedule) {
        "FluidSource needs the direction of the flow, flow_x, flow_y" +
            std::string(plane ? "" : ", flow_z; in space it is along an axis"));
   if (!(flow.norm() > 0) || !(source.width > 0)) return;
+  double extent = 0.0;
+  for (std::size_t d = 0; d < static_cast<std::size_t>(model_.dimension()); ++d) {
+    const double at = source.centre[static_cast<Eigen::Index>(d)];
+    extent = std::max(extent, model_.grid.high[d] - model_.grid.low[d]);
+    must(at >= model_.grid.low[d] && at <= model_.grid.high[d], schedule.origin,
+         "the inlet of FluidSource, source_x, source_y" + std::string(plane ? "" : ", source_z") +
+             ", lies outside of the grid");
+    if (at < model_.grid.low[d] || at > model_.grid.high[d]) return;
+  }
+  must(std::max(source.width, source.depth) <= extent, schedule.origin, "the inlet is larger than the grid");
+  if (std::max(source.width, source.depth) > extent) return;
   source.direction = flow.normalized();
   double cell = (model_.grid.high[0] - model_.grid.low[0]) / model_.grid.cells[0];
   for (std::size_t d = 1; d < static_cast<std::size_t>(model_.dimension()); ++d)

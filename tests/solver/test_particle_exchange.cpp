@@ -165,6 +165,11 @@ TEST_CASE("tasks that remove or add particles say what they need", "[exchange]")
              Contains("needs the direction of the flow"));
   CHECK_THAT(problem(flow("", task("FluidSource", "matname water FlowRate 1 flow_x 1"), still)),
              Contains("needs 'inlet_width'"));
+  CHECK_THAT(problem(flow("", task("FluidSource", "matname water FlowRate 1 flow_x 1 inlet_width 1e9"), still)),
+             Contains("the inlet is larger than the grid"));
+  CHECK_THAT(
+      problem(flow("", task("FluidSource", "matname water FlowRate 1 flow_x 1 inlet_width 1 source_y 7"), still)),
+      Contains("lies outside of the grid"));
   CHECK_THAT(problem(flow("<LeaveLimit>-3</LeaveLimit>",
                           task("FluidSource", "matname water FlowRate 8 flow_x 1 source_x 7 source_y 3 inlet_width 2"),
                           still)),
