@@ -145,8 +145,10 @@ class JointLaw {
   /// Whether the faces are bonded.
   virtual bool is_bonded(const Joint&) const { return false; }
   /// Takes over a contact that obeyed `former`, a law of the same type with other properties: its stiffnesses become
-  /// those of this law while its forces stay as they are. The change of the stored energy is not counted as released.
-  virtual void adopt(Joint&, const JointLaw& former) const { (void)former; }
+  /// those of this law, and its area the one that this law may give, while its forces stay as they are. The change of
+  /// the stored energy is not counted as released. Of `site` only the number, the distance (0: not known), the kind of
+  /// model and `part_of_face` are used.
+  virtual void adopt(Joint&, const JointLaw& former, const JointSite& site) const { (void)former, (void)site; }
   /// Bonds a contact whose faces touch, or breaks its bond, without a change of its compressive force. False if the
   /// contact does not change: it is open or bonded already, or the law has no bonds.
   virtual bool bond(Joint&) const { return false; }

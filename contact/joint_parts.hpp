@@ -85,14 +85,15 @@ std::array<double, 4> stiffness_moments(const Joint& joint, const JointSite& sit
 inline double spring_energy(double force, double elastic, double stiffness) {
   return stiffness > 0 ? 0.5 * force * elastic / stiffness : 0.0;
 }
-/// Changes the stiffnesses per area of a contact whose forces stay as they are: the gap at zero force follows, and the
-/// change of the stored energy, which `energy(joint)` computes, is not counted as released. `overlap_gap`: the gap less
-/// that at which faces count as closed [length].
+/// Gives a contact whose forces stay as they are the area and the stiffnesses of `like`: the gap at zero force follows,
+/// and the change of the stored energy, which `energy(joint)` computes, is not counted as released. `overlap_gap`: the
+/// gap less that at which faces count as closed [length].
 template <class Energy>
-void restiffen(Joint& j, double kn, double ks, double overlap_gap, Energy&& energy) {
-  const double before = j.strain;
-  if (kn > 0 && j.kn > 0 && kn != j.kn) j.rest_gap = overlap_gap - (overlap_gap - j.rest_gap) * (j.kn / kn);
-  j.kn = kn, j.ks = ks;
+void restiffen(Joint& j, const Joint& like, double overlap_gap, Energy&& energy) {
+  const double before = j.strain, then = j.kn * j.area, now = like.kn * like.area;
+  if (then > 0 && now > 0 && then != now) j.rest_gap = overlap_gap - (overlap_gap - j.rest_gap) * (then / now);
+  j.area = like.area, j.radius = like.radius, j.inertia = like.inertia, j.polar = like.polar;
+  j.kn = like.kn, j.ks = like.ks, j.twist_stiffness = like.twist_stiffness, j.bend_stiffness = like.bend_stiffness;
   if (j.away) return;
   j.strain = energy(j);
   j.start += j.strain - before;

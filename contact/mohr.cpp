@@ -280,8 +280,11 @@ struct Mohr final : JointLaw {
     for (std::size_t k = 0; k < joints.size(); ++k) step(joints[k], increments[k], k, events);
   }
 
-  void adopt(Joint& j, const JointLaw&) const override {
-    if (j.kn != kn || j.ks != ks) restiffen(j, kn, ks, j.gap - gap_shift, strain_energy);
+  void adopt(Joint& j, const JointLaw&, const JointSite& site) const override {
+    Joint like = j;
+    like.kn = kn, like.ks = ks;
+    if (const double area = own_areas.of(site.number); area > 0 && area != j.area) set_area(like, site, area);
+    if (j.kn != kn || j.ks != ks || j.area != like.area) restiffen(j, like, j.gap - gap_shift, strain_energy);
   }
   /// Its strengths are those of the peak again.
   bool bond(Joint& j) const override {

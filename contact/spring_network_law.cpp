@@ -86,21 +86,39 @@ Joint SpringNetwork::start(const JointSite& site) const {
   return j;
 }
 
-void SpringNetwork::adopt(Joint& j, const JointLaw& former) const {
+// The factors by which a change of the law or of the area changes stiffnesses are the same for all contacts, so that
+// those with an area or a shape of their own keep it.
+void SpringNetwork::adopt(Joint& j, const JointLaw& former, const JointSite& site) const {
   const auto* before = dynamic_cast<const SpringNetwork*>(&former);
   if (!before) return;
+  Joint like = j;
+  if (const double area = own_areas.of(site.number); area > 0 && area != j.area) set_area(like, site, area);
   const auto ratio = [](double now, double then) { return then > 0 ? now / then : 1.0; };
-  double normal = ratio(kn, before->kn), shear = ratio(ks, before->ks);
-  double twist = turns_with_area ? shear : ratio(krot_n, before->krot_n);
-  std::array<double, 2> bending{ratio(krot_s, before->krot_s), ratio(krot_t, before->krot_t)};
-  if (turns_with_area) bending.fill(normal);
-  if (methods.modulus && before->methods.modulus)
-    normal = shear = twist = bending[0] = bending[1] = *methods.modulus / *before->methods.modulus;
-  if (normal == 1 && shear == 1 && twist == 1 && bending[0] == 1 && bending[1] == 1) return;
-  j.twist_stiffness *= twist;
-  j.bend_stiffness = {j.bend_stiffness[0] * bending[0], j.bend_stiffness[1] * bending[1],
-                      j.bend_stiffness[2] * bending[0]};
-  restiffen(j, j.kn * normal, j.ks * shear, j.gap - gap_shift, strain_energy);
+  if (methods.modulus && before->methods.modulus) {
+    const double stiffer = *methods.modulus / *before->methods.modulus;
+    like.kn *= stiffer, like.ks *= stiffer;
+  } else if (methods.modulus) {
+    like.kn = like.ks = *methods.modulus / site.distance;
+  } else if (before->methods.modulus) {
+    like.kn = kn, like.ks = ks;
+  } else {
+    like.kn *= ratio(kn, before->kn), like.ks *= ratio(ks, before->ks);
+  }
+  if (!turns_with_area) {
+    like.twist_stiffness = krot_n, like.bend_stiffness = {krot_s, krot_t, 0.0};
+  } else if (before->turns_with_area) {
+    like.twist_stiffness *= ratio(like.ks, j.ks) * ratio(like.polar, j.polar);
+    for (double& k : like.bend_stiffness) k *= ratio(like.kn, j.kn) * ratio(like.inertia, j.inertia);
+  } else {
+    const bool alone = !site.part_of_face;
+    like.twist_stiffness = alone ? like.ks * like.polar : 0.0;
+    like.bend_stiffness = {alone ? like.kn * like.inertia : 0.0, alone ? like.kn * like.inertia : 0.0, 0.0};
+  }
+  const auto same = [&](double Joint::*of) { return like.*of == j.*of; };
+  if (same(&Joint::kn) && same(&Joint::ks) && same(&Joint::area) && same(&Joint::twist_stiffness) &&
+      like.bend_stiffness == j.bend_stiffness)
+    return;
+  restiffen(j, like, j.gap - gap_shift, strain_energy);
 }
 
 // The fictitious stress that a new bond would start with is not known.

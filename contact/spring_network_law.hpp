@@ -59,7 +59,7 @@ struct SpringNetwork final : JointLaw {
   void update(std::span<Joint> joints, std::span<const JointIncrement> increments,
               std::vector<JointEvent>& events) const override;
   bool is_bonded(const Joint& j) const override { return j.state >= bonded; }
-  void adopt(Joint& joint, const JointLaw& former) const override;
+  void adopt(Joint& joint, const JointLaw& former, const JointSite& site) const override;
   bool bond(Joint& joint) const override;
   bool unbond(Joint& joint) const override;
   std::string state_text(const Joint& j) const override;

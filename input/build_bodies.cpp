@@ -182,10 +182,7 @@ void Builder::modify(const Statement& s, Piece& piece) {
     piece.deformation = d;
   }
   if (s.name == "InitialStress") {
-    constexpr std::array names{"xx", "yy", "zz", "xy", "yz", "xz"};
-    for (std::size_t k = 0; k < 6; ++k) piece.stress[k] = function(s, names[k]);
-    piece.stress_factor = model_.units.factor(Dimension::stress);
-    if (has(s, "file")) piece.stress_points = stress_points(s);
+    piece.stress = stress_field(s);
     if (has(s, "K0")) {
       piece.K0 = number(s, "K0", Dimension::none);
       must(*piece.K0 >= 0, s.attribute("K0")->origin, "K0, horizontal over vertical stress, must not be negative");

@@ -8,6 +8,7 @@
 #include "materials/material.hpp"
 
 #include <algorithm>
+#include <map>
 #include <memory>
 #include <typeinfo>
 
@@ -208,10 +209,11 @@ StageSpec Builder::stage(const Statement& s, int number) {
   std::vector<Piece> present = std::exchange(model_.pieces, {});
   for (const Statement& child : s.children) {
     const bool places = child.name == "Body" || child.name == "Hole" || child.name == "BMP";
-    const bool acts = child.name == "Excavate" || child.name == "Bond" || child.name == "Unbond";
-    must(!(places || child.name == "Excavate") || !of_blocks(), child.origin,
+    const bool of_particles = child.name == "Excavate" || child.name == "Stress";
+    const bool acts = of_particles || child.name == "Bond" || child.name == "Unbond";
+    must(!(places || of_particles) || !of_blocks(), child.origin,
          "<" + child.name + "> needs a grid and particles; rigid blocks are neither placed nor removed by a stage");
-    if (of_blocks() && (places || child.name == "Excavate")) continue;
+    if (of_blocks() && (places || of_particles)) continue;
     if (child.name == "BMP")
       picture(child);
     else if (places)
@@ -225,29 +227,42 @@ StageSpec Builder::stage(const Statement& s, int number) {
 
 StageAction Builder::stage_action(const Statement& s) {
   StageAction action;
-  action.kind = s.name == "Excavate" ? StageAction::Kind::excavate
-                : s.name == "Bond"   ? StageAction::Kind::bond
-                                     : StageAction::Kind::unbond;
+  using Kind = StageAction::Kind;
+  static const std::map<std::string, Kind> kinds{
+      {"Excavate", Kind::excavate}, {"Stress", Kind::stress}, {"Bond", Kind::bond}, {"Unbond", Kind::unbond}};
+  action.kind = kinds.at(s.name);
   action.origin = s.origin;
   if (has(s, "mat") || has(s, "matname")) action.material = material(s);
   std::vector<RegionPtr> shapes;
   for (const Statement& child : s.children) shapes.push_back(shape(child));
-  const bool excavates = action.kind == StageAction::Kind::excavate;
-  if (!excavates) {
+  const bool of_joints = action.kind == Kind::bond || action.kind == Kind::unbond;
+  if (action.kind == Kind::stress) stress_action(s, action);
+  if (of_joints) {
     action.joints = joint_criteria(s, model_.blocks.get());
     action.joints->later = true;
     if (has(s, "lawname") || has(s, "law")) action.law = law_named(s);
   }
-  const bool chooses = !excavates && !s.attributes.empty();
+  const bool chooses = of_joints && !s.attributes.empty();
   must(!shapes.empty() || chooses, s.origin,
-       "<" + s.name + "> has no shape" + (excavates ? "" : " and no other criterion"));
+       "<" + s.name + "> has no shape" + (of_joints ? " and no other criterion" : ""));
   RegionPtr where;
   if (!shapes.empty()) where = shapes.size() == 1 ? shapes.front() : unite(std::move(shapes));
-  if (excavates)
-    action.where = where ? where : rectangle(0, 0, 0, 0);
-  else
+  if (of_joints)
     action.joints->where = where;
+  else
+    action.where = where ? where : rectangle(0, 0, 0, 0);
   return action;
+}
+
+void Builder::stress_action(const Statement& s, StageAction& action) {
+  action.stress = stress_field(s);
+  action.adds = yes(word(s, "add"));
+  must(action.stress.given(), s.origin, "<Stress> needs a component, such as yy, or a 'file'");
+  const std::size_t material = static_cast<std::size_t>(std::max(action.material, 0));
+  if (action.material < 0 || material >= model_.materials.size()) return;
+  const MaterialSpec& spec = model_.materials[material];
+  must(spec.law && keeps_stress(*spec.law), s.origin,
+       "'" + spec.name + "' keeps no given stress: its stress is a function of the deformation");
 }
 
 // The joint law that 'lawname' or 'law' names; -1 after an error.

@@ -41,6 +41,15 @@ std::vector<std::size_t> read_head(const CsvRow& head, int dimension, Problems& 
 
 }  // namespace
 
+// The attributes xx to xz and `file`.
+StressField Builder::stress_field(const Statement& s) {
+  StressField out;
+  for (std::size_t k = 0; k < 6; ++k) out.functions[k] = function(s, names[k + 3]);
+  out.factor = model_.units.factor(Dimension::stress);
+  if (has(s, "file")) out.points = stress_points(s);
+  return out;
+}
+
 std::shared_ptr<const ScatteredField> Builder::stress_points(const Statement& s) {
   const auto place = data_file(s.attribute("file")->text);
   const auto text = content_of(place, s.attribute("file")->origin);

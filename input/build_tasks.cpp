@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <map>
 
 namespace tribo {
 namespace {
@@ -38,10 +40,6 @@ const std::vector<RefusedName>& refused_parameters() {
       {"periodicStepsDiffusion", diffusion},
       {"periodicTimeDiffusion", diffusion},
       {"periodicCFLDiffusion", diffusion},
-      {"minValue", "it is not implemented"},
-      {"hold", "it is not implemented; style 1 holds the loads to the end of the run"},
-      {"maxLength", "a reversal by the length of a crack is not implemented; give a quantity and maxValue"},
-      {"crackNumber", "a reversal by the length of a crack is not implemented; give a quantity and maxValue"},
       {"file", image},
       {"xorigin", image},
       {"yorigin", image},
@@ -78,7 +76,8 @@ std::vector<std::string> parameter_names(const std::string& task) {
     return {"property", "time", "start", "Delta", "DeltaT", "sigmoidal", "exponential", "stretch", "scale"};
   if (task == "LoadControl")
     return {"material", "mat", "direction", "velocity", "MaxVelocity", "Load_Function", "Kp", "Ki", "Kd", "smooth"};
-  if (task == "ReverseLoad") return {"quantity", "material", "mat", "maxValue", "style"};
+  if (task == "ReverseLoad")
+    return {"quantity", "material", "mat", "maxValue", "minValue", "maxLength", "crackNumber", "hold", "style"};
   if (task == "DeleteDamaged")
     return {"material", "matname", "minCOD", "direction", "deleteTime", "store_x", "store_y", "store_z"};
   if (task == "FluidSource")
@@ -195,13 +194,65 @@ void Builder::adjust_step(const Statement& schedule) {
   });
 }
 
-// The quantity is a column of the histories, which is added if it is missing.
 void Builder::reverse_load(const Statement& schedule) {
   must(!model_.reversal, schedule.origin, "a model has one ReverseLoad");
+  LoadReversal reversal;
+  const bool length = std::any_of(schedule.children.begin(), schedule.children.end(), [&](const Statement& p) {
+    return word(p, "name") == "maxLength" || word(p, "name") == "crackNumber";
+  });
+  parameter(schedule, "style", [&](const Statement& p, double v) {
+    using Style = LoadReversal::Style;
+    const std::map<double, Style> styles{{0, Style::reverse}, {1, Style::hold}, {2, Style::none}, {3, Style::stop}};
+    const auto found = styles.find(v);
+    must(found != styles.end() && (length || v != 2), p.text_origin,
+         length ? "'style' must be 0 (the loads go back), 1 (they are held), 2 (they go on, and only the growth of "
+                  "cracks ends) or 3 (the run ends)"
+                : "'style' must be 0 (the loads go back), 1 (they are held) or 3 (the run ends)");
+    if (found != styles.end()) reversal.style = found->second;
+  });
+  parameter(schedule, "hold", [&](const Statement& p, double v) {
+    must(v >= 0, p.text_origin, "'hold' is the time for which the loads are held before they go back");
+    must(reversal.style == LoadReversal::Style::reverse, p.text_origin,
+         "'hold' belongs to style 0, in which the loads go back");
+    reversal.hold = v * model_.units.alternative_time();
+  });
+  if (length ? reversal_by_length(schedule, reversal) : reversal_by_history(schedule, reversal))
+    model_.reversal = reversal;
+}
+
+// A crack reaches a length.
+bool Builder::reversal_by_length(const Statement& schedule, LoadReversal& reversal) {
+  double crack = 0, most = 0;
+  for (const auto& p : schedule.children) {
+    const std::string name = word(p, "name");
+    must(name == "maxLength" || name == "crackNumber" || name == "style" || name == "hold", p.origin,
+         "'" + name + "' belongs to a reversal by a quantity; this one is by the length of a crack");
+  }
+  parameter(schedule, "crackNumber", [&](const Statement& p, double v) {
+    must(v >= 0 && v == std::floor(v), p.text_origin, "'crackNumber' is the number of a crack, or 0 for any");
+    crack = v;
+  });
+  parameter(schedule, "maxLength", [&](const Statement& p, double v) {
+    must(v > 0, p.text_origin, "'maxLength' must be positive");
+    most = v * model_.units.factor(Dimension::length);
+  });
+  must(most > 0, schedule.origin, "ReverseLoad by the length of a crack needs 'maxLength'");
+  must(crack <= static_cast<double>(model_.cracks.size()), schedule.origin,
+       "there is no crack number " + std::to_string(static_cast<long>(crack)) + "; the model has " +
+           std::to_string(model_.cracks.size()));
+  must(std::any_of(model_.materials.begin(), model_.materials.end(),
+                   [](const MaterialSpec& m) { return m.growth.when != Growth::When::never; }),
+       schedule.origin, "no crack of this model grows: its materials have no criterion for it (<Propagate>)");
+  reversal.value = most;
+  reversal.crack = crack > 0 ? static_cast<std::size_t>(crack) - 1 : std::numeric_limits<std::size_t>::max();
+  return most > 0;
+}
+
+// The quantity is a column of the histories, which is added if it is missing.
+bool Builder::reversal_by_history(const Statement& schedule, LoadReversal& reversal) {
   Statement column;
   column.name = "GlobalArchive", column.origin = schedule.origin;
   const Statement* value = nullptr;
-  LoadReversal reversal;
   for (const auto& p : schedule.children) {
     const std::string name = word(p, "name");
     if (name == "quantity") column.attributes.push_back({"type", p.text, p.text_origin});
@@ -212,29 +263,28 @@ void Builder::reverse_load(const Statement& schedule) {
   }
   if (!column.attribute("type") || !value) {
     problems_.add(schedule.origin,
-                  "ReverseLoad needs a quantity, such as <Parameter name='global dispx'/>, and maxValue");
-    return;
+                  "ReverseLoad needs a quantity, such as <Parameter name='global dispx'/>, and maxValue; or maxLength, "
+                  "the length of a crack");
+    return false;
   }
-  parameter(schedule, "style", [&](const Statement& p, double v) {
-    must(v == 0 || v == 1 || v == 3, p.text_origin,
-         "'style' must be 0 (the loads go back), 1 (they are held) or 3 (the run ends)");
-    reversal.style = v == 1   ? LoadReversal::Style::hold
-                     : v == 3 ? LoadReversal::Style::stop
-                              : LoadReversal::Style::reverse;
-  });
   Statement all;
   all.children.push_back(column);
   auto& columns = model_.output.history;
   const std::size_t before = columns.size();
   history(all);
-  if (columns.size() == before) return;
+  if (columns.size() == before) return false;
   reversal.history = static_cast<std::size_t>(
       std::find_if(columns.begin(), columns.end(), [&](const auto& q) { return q.column == columns.back().column; }) -
       columns.begin());
   if (reversal.history < before) columns.pop_back();
-  parameter(schedule, "maxValue", [&](const Statement&, double v) { reversal.value = v; });
-  reversal.value *= factor_of_history(columns[reversal.history], *value);
-  model_.reversal = reversal;
+  const double unit = factor_of_history(columns[reversal.history], *value);
+  parameter(schedule, "maxValue", [&](const Statement&, double v) { reversal.value = v * unit; });
+  parameter(schedule, "minValue", [&](const Statement& p, double v) {
+    must(reversal.style == LoadReversal::Style::reverse, p.text_origin,
+         "'minValue' belongs to style 0, in which the loads go back");
+    reversal.least = v * unit;
+  });
+  return true;
 }
 
 // The gains are those of Tribo's controller; NairnMPM has its own.

@@ -57,6 +57,8 @@ class Builder {
   void adjust_step(const Statement& schedule);
   void property_ramp(const Statement& schedule);
   void reverse_load(const Statement& schedule);
+  bool reversal_by_length(const Statement& schedule, LoadReversal& reversal);
+  bool reversal_by_history(const Statement& schedule, LoadReversal& reversal);
   int material_of_task(const Statement& schedule);
   void deletion(const Statement& schedule);
   bool has_source() const;
@@ -112,6 +114,7 @@ class Builder {
   /// Place of an element of the root, or of the root if there is none.
   Origin place_of(std::string_view element) const;
   std::optional<std::string> content_of(const std::filesystem::path& file, const Origin& origin);
+  StressField stress_field(const Statement& s);
   std::shared_ptr<const ScatteredField> stress_points(const Statement& s);
   double taylor_quinney(const Statement& s);
   bool work_heating() const;
@@ -188,6 +191,7 @@ class Builder {
   StageSpec stage(const Statement& s, int number);
   int law_named(const Statement& s);
   StageAction stage_action(const Statement& s);
+  void stress_action(const Statement& s, StageAction& action);
   void reactions();
   void reaction(const Statement& s);
 

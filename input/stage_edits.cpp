@@ -61,8 +61,7 @@ std::string_view refusal_of(const std::string& property) {
       {"rho", "the particles keep their mass; take <Excavate> and a <Body> of another material"},
       {"shareMatField", "velocity fields are chosen at the start"},
       {"bond unbond", "these methods act once at the start; in a stage write <Bond> or <Unbond> with a shape"},
-      {"stress-normal force-normal stress-shear force-shear disp-normal disp-shear state force moment "
-       "compute-stiffness user_area",
+      {"stress-normal force-normal stress-shear force-shear disp-normal disp-shear state force moment",
        "it describes joints at the start"},
       {"alpha", "thermal expansion is chosen at the start"},
       {"LiquidPhase", "it is chosen at the start"}};
@@ -236,9 +235,11 @@ std::vector<std::string> phrases_of(const Statement& stage, const Statement& roo
     } else if (s.name == "Friction") {
       out.emplace_back("another default law of contact");
     } else if (s.name == "Platen") {
-      out.push_back("other velocity of platen '" + text_of(s, "name") + "'");
+      out.push_back("other velocity or stiffness of platen '" + text_of(s, "name") + "'");
     } else if (s.name == "Blocks") {
       out.emplace_back("other settings of blocks");
+    } else if (s.name == "Stress") {
+      out.emplace_back(add ? "further stress of particles" : "another stress of particles");
     } else if (s.name == "Excavate") {
       out.emplace_back("excavation");
     } else if (s.name == "Body" || s.name == "BMP") {

@@ -39,14 +39,12 @@ void add_bodies(Rows& add) {
         function("F12", ""), function("F13", ""), function("F21", ""), function("F22", ""), function("F23", ""),
         function("F31", ""), function("F32", ""), function("F33", "")}});
   add({"Undeform", "Body", "no initial deformation of the following shapes"});
-  add({"InitialStress",
-       "Body",
+  add({"InitialStress", "Body",
        "initial Cauchy stress of the following shapes: the sum of functions of position, of values at points, and with "
        "K0 of the geostatic stress",
        T::none,
-       {text("file", "table with columns x, y, z of points and xx, yy, zz, xy, yz, xz of the stress there"),
-        number("K0", "adds the geostatic stress with this ratio of horizontal to vertical stress"), function("xx", ""),
-        function("yy", ""), function("zz", ""), function("xy", ""), function("yz", ""), function("xz", "")}});
+       stress_components() +
+           std::vector{number("K0", "adds the geostatic stress with this ratio of horizontal to vertical stress")}});
   add({"PointList", "MaterialPoints", "single particles"});
   add({"mp",
        "PointList",
@@ -75,7 +73,7 @@ void add_bodies(Rows& add) {
 
 void add_shapes(Rows& add) {
   constexpr std::string_view shapes_in =
-      "Body Hole BCShape LdShape Joint Platen Pressure Hold Load Excavate Bond Unbond @shape";
+      "Body Hole BCShape LdShape Joint Platen Pressure Hold Load Excavate Stress Bond Unbond @shape";
   const auto shape = [&](std::string_view name, std::string_view meaning, std::vector<AttributeSpec> attributes) {
     add({name, shapes_in, meaning, T::none, std::move(attributes), false, false, true});
   };

@@ -144,7 +144,7 @@ const std::vector<DialectNames>& nairnmpm_names() {
       {K::parameter, "PropertyRamp",
        "property time start Delta DeltaT sigmoidal exponential stretch scale file xorigin yorigin zlevel width height "
        "DeltaMin DeltaMax flipped"},
-      {K::parameter, "ReverseLoad", "quantity material mat maxValue minValue maxLength style hold"},
+      {K::parameter, "ReverseLoad", "quantity material mat maxValue minValue maxLength crackNumber style hold"},
       {K::parameter, "HistoryArchive", "archiveTime firstArchiveTime 1"},
 
       {K::quantity, "",

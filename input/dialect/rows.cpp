@@ -34,6 +34,16 @@ std::vector<AttributeSpec> ends() {
   return out;
 }
 
+std::vector<AttributeSpec> stress_components() {
+  return {text("file", "table with columns x, y, z of points and xx, yy, zz, xy, yz, xz of the stress there"),
+          function("xx", ""),
+          function("yy", ""),
+          function("zz", ""),
+          function("xy", ""),
+          function("yz", ""),
+          function("xz", "")};
+}
+
 std::vector<AttributeSpec> contact_law() {
   return {text("law", "number of the contact law"),
           text("lawname", "name of the contact law, instead of law"),

@@ -36,6 +36,8 @@ AttributeSpec units(std::string_view known);
 std::vector<AttributeSpec> box(bool three);
 /// The ends of a line and the distance from it.
 std::vector<AttributeSpec> ends();
+/// Cauchy stress as functions of position and from a table.
+std::vector<AttributeSpec> stress_components();
 /// The law between two faces, in the new and in the old form.
 std::vector<AttributeSpec> contact_law();
 

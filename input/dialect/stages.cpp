@@ -57,16 +57,24 @@ void add_stages(Rows& add) {
        true});
   add({"Platen",
        "Stage",
-       "other velocities of a platen; components that are not given stay as they are",
+       "other velocities or stiffness of a platen; what is not given stays as it is",
        T::none,
        {text("name", "of the platen", true), function("vx", "velocity, may be a function of t"), function("vy", ""),
-        function("vz", "")}});
+        function("vz", ""), number("E", "modulus of its springs of stiffness E A/d")}});
   add({"Excavate",
        "Stage",
        "removes the particles whose centres lie in its shapes",
        T::none,
        {text("mat", "number of a material: only particles of this material"),
         text("matname", "name of the material, instead of mat")}});
+  add({"Stress", "Stage",
+       "sets the Cauchy stress of the particles whose centres lie in its shapes, which must keep an initial stress; "
+       "components that are not given stay as they are",
+       T::none,
+       stress_components() +
+           std::vector{text("mat", "number of a material: only particles of this material"),
+                       text("matname", "name of the material, instead of mat"),
+                       AttributeSpec{"add", T::flag, "yes: the values are added to the present stress"}}});
   const std::vector<AttributeSpec> of_joints{
       text("lawname", "joints that follow this law"),
       text("law", "number of the law, instead of lawname"),

@@ -81,10 +81,13 @@ const std::vector<CommandInfo>& commands() {
       {"Stage", 1, 3, "time[, name[, ratio]]; commands up to EndStage",
        "from this time on the run continues with what the commands change: Material, ContactMM, Gravity, GridBC, "
        "ParticleBC, Damping, PDamping, FeedbackDamping, PFeedbackDamping, TimeStep, CFLFactor; Region and Hole place "
-       "bodies, Excavate, Bond and Unbond act once. With a ratio the stage ends once the ratio of unbalanced to "
+       "bodies, Excavate, Stress, Bond and Unbond act once. With a ratio the stage ends once the ratio of unbalanced "
+       "to "
        "applied "
        "forces is below it"},
       {"Excavate", 0, 1, "[material]; shapes up to EndExcavate", "in a stage: removes the particles in the shapes"},
+      {"Stress", 2, 20, "component, function, ...[, material, id][, file, name][, add, yes]; shapes up to EndStress",
+       "in a stage: sets the stress of the particles in the shapes"},
       {"Bond", 0, 12, "[criterion, value ...]; shapes up to EndBond",
        "in a stage: bonds joints whose faces touch; criteria "
        "are the shapes, lawname, dip, dipdirection"},
@@ -172,6 +175,7 @@ const std::vector<CommandInfo>& commands() {
       {"EndHole", 0, 0, "", "ends Hole"},
       {"EndStage", 0, 0, "", "ends Stage"},
       {"EndExcavate", 0, 0, "", "ends Excavate"},
+      {"EndStress", 0, 0, "", "ends Stress"},
       {"EndBond", 0, 0, "", "ends Bond"},
       {"EndUnbond", 0, 0, "", "ends Unbond"},
       {"EndGridBC", 0, 0, "", "ends GridBC"},

@@ -41,17 +41,18 @@ void Translator::action(const Command& c) {
   open(Open::action, c);
   const std::string word = lower(c.node.word);
   block_ = Statement{};
-  block_.name = word == "excavate" ? "Excavate" : word == "bond" ? "Bond" : "Unbond";
+  block_.name = word == "excavate" ? "Excavate" : word == "stress" ? "Stress" : word == "bond" ? "Bond" : "Unbond";
   block_.origin = block_.text_origin = c.origin();
   if (word == "excavate") {
     if (c.given(0)) Document::refer(block_, "mat", c.text(0), c.origin(0));
     return;
   }
-  if (c.size() % 2 != 0) throw InputError(c.origin(), "'" + c.node.word + "' takes pairs of a criterion and its value");
+  if (c.size() % 2 != 0) throw InputError(c.origin(), "'" + c.node.word + "' takes pairs of a word and its value");
   for (std::size_t k = 0; k + 1 < c.size(); k += 2) {
     const std::string criterion = lower(c.text(k));
-    if (criterion == "lawname")
-      Document::refer(block_, "law", c.text(k + 1), c.origin(k + 1));
+    const bool law = criterion == "lawname", material = word == "stress" && criterion == "material";
+    if (law || material)
+      Document::refer(block_, law ? "law" : "mat", c.text(k + 1), c.origin(k + 1));
     else
       attribute(block_, criterion, c.text(k + 1), c.origin(k + 1));
   }

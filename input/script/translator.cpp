@@ -115,9 +115,11 @@ auto Translator::actions() -> const std::map<std::string, Action>& {
                                                  {"endstage", &A::end_stage},
                                                  {"when", &A::when},
                                                  {"excavate", &A::action},
+                                                 {"stress", &A::action},
                                                  {"bond", &A::action},
                                                  {"unbond", &A::action},
                                                  {"endexcavate", &A::end_block},
+                                                 {"endstress", &A::end_block},
                                                  {"endbond", &A::end_block},
                                                  {"endunbond", &A::end_block},
                                                  {"done", &A::end_block},
@@ -154,14 +156,15 @@ namespace {
 bool opens_block(const std::string& word) {
   static const std::set<std::string> all{"material", "region",   "hole",    "bmpregion", "gridbc",  "particlebc",
                                          "moveline", "movearc",  "movebox", "loadline",  "loadarc", "loadrect",
-                                         "loadbox",  "excavate", "bond",    "unbond"};
+                                         "loadbox",  "excavate", "stress",  "bond",      "unbond"};
   return all.count(word) > 0;
 }
 
 bool closes_block(const std::string& word) {
-  static const std::set<std::string> all{"done",        "endregion",  "endhole",     "endgridbc",   "endparticlebc",
-                                         "endmoveline", "endmovearc", "endmovebox",  "endloadline", "endloadarc",
-                                         "endloadrect", "endloadbox", "endexcavate", "endbond",     "endunbond"};
+  static const std::set<std::string> all{"done",          "endregion",   "endhole",     "endgridbc",
+                                         "endparticlebc", "endmoveline", "endmovearc",  "endmovebox",
+                                         "endloadline",   "endloadarc",  "endloadrect", "endloadbox",
+                                         "endexcavate",   "endstress",   "endbond",     "endunbond"};
   return all.count(word) > 0;
 }
 
@@ -246,15 +249,22 @@ void Translator::open(Open block, const Command& c) {
 
 void Translator::end_block(const Command& c) {
   const std::string word = lower(c.node.word);
-  static const std::map<std::string, std::vector<Open>> closes{
-      {"done", {Open::material}},        {"endregion", {Open::region, Open::picture}},
-      {"endhole", {Open::hole}},         {"endexcavate", {Open::action}},
-      {"endbond", {Open::action}},       {"endunbond", {Open::action}},
-      {"endgridbc", {Open::grid}},       {"endparticlebc", {Open::particles}},
-      {"endmoveline", {Open::grid}},     {"endmovearc", {Open::grid}},
-      {"endmovebox", {Open::grid}},      {"endloadline", {Open::particles}},
-      {"endloadarc", {Open::particles}}, {"endloadrect", {Open::particles}},
-      {"endloadbox", {Open::particles}}};
+  static const std::map<std::string, std::vector<Open>> closes{{"done", {Open::material}},
+                                                               {"endregion", {Open::region, Open::picture}},
+                                                               {"endhole", {Open::hole}},
+                                                               {"endexcavate", {Open::action}},
+                                                               {"endstress", {Open::action}},
+                                                               {"endbond", {Open::action}},
+                                                               {"endunbond", {Open::action}},
+                                                               {"endgridbc", {Open::grid}},
+                                                               {"endparticlebc", {Open::particles}},
+                                                               {"endmoveline", {Open::grid}},
+                                                               {"endmovearc", {Open::grid}},
+                                                               {"endmovebox", {Open::grid}},
+                                                               {"endloadline", {Open::particles}},
+                                                               {"endloadarc", {Open::particles}},
+                                                               {"endloadrect", {Open::particles}},
+                                                               {"endloadbox", {Open::particles}}};
   const auto& fitting = closes.at(word);
   if (std::find(fitting.begin(), fitting.end(), open_) == fitting.end())
     throw InputError(c.origin(), "'" + c.node.word + "' closes nothing" +

@@ -160,6 +160,15 @@ class Assembly {
   void renew_forces();
   /// Blocks, kind, place and normal of a contact of a group of this kind, for the criteria of rules.
   BlockPairing pairing_of(std::size_t contact, ContactKind kind) const;
+  /// A contact at its present place, for JointLaw::adopt.
+  JointSite site_of(std::size_t contact) const;
+  /// The law of the contacts of a platen of this description; each assembly makes it anew.
+  static std::shared_ptr<const JointLaw> law_of_platen(const BlocksSpec& spec, std::size_t platen);
+  /// Index of the platen whose contacts follow a law; that of no platen: the number of platens.
+  std::size_t platen_with(const JointLaw* law) const {
+    const auto is = [law](const auto& own) { return own.get() == law; };
+    return static_cast<std::size_t>(std::find_if(own_laws_.begin(), own_laws_.end(), is) - own_laws_.begin());
+  }
   /// Events since the last call.
   std::vector<BlockEvent> take_events();
 

@@ -296,12 +296,35 @@ std::vector<const BlockFacet*> selected(const std::vector<BlockFacet>& free, con
 
 }  // namespace
 
+std::shared_ptr<const JointLaw> Assembly::law_of_platen(const BlocksSpec& spec, std::size_t platen) {
+  return std::make_shared<PlatenLaw>(spec.laws.initial, spec.platens[platen].modulus, spec.platens[platen].rough);
+}
+
+JointSite Assembly::site_of(std::size_t contact) const {
+  const BlockContact& c = contacts[contact];
+  const Joint& j = joints[contact];
+  JointSite site;
+  site.area = j.area, site.gap = j.gap, site.plane = plane_, site.thickness = thickness_;
+  if (c.b >= blocks_) {
+    site.distance = c.na.dot(c.pa - bodies[c.a].reference);
+  } else {
+    const auto reference = [&](std::uint32_t k) { return Vec3(motion[k].x + motion[k].R * bodies[k].reference); };
+    const Vec3 by = shift.empty() ? Vec3(Vec3::Zero()) : shift[contact];
+    site.distance = (reference(c.b) + by - reference(c.a)).norm();
+  }
+  const auto joins_the_same = [&](std::size_t other) {
+    return other < contacts.size() && contacts[other].a == c.a && contacts[other].b == c.b;
+  };
+  site.part_of_face = joins_the_same(contact - 1) || joins_the_same(contact + 1);
+  return site;
+}
+
 void Assembly::add_platens(const std::vector<BlockFacet>& free) {
   for (const BlockPlaten& platen : spec_->platens) {
     const auto faces = selected(free, *platen.where, platen.origin);
     if (!(platen.modulus > 0) && !spec_->laws.initial)
       fail(platen.origin, "a platen needs 'E', or a 'law' of <Blocks> to be as stiff as");
-    own_laws_.push_back(std::make_shared<PlatenLaw>(spec_->laws.initial, platen.modulus, platen.rough));
+    own_laws_.push_back(law_of_platen(*spec_, own_laws_.size()));
     BlockBody body;
     body.held = 63, body.hold = static_cast<std::int32_t>(prescribed_motions_.size());
     ScatterTerms prescribed;

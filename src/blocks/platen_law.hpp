@@ -25,6 +25,24 @@ class PlatenLaw final : public JointLaw {
     return j;
   }
 
+  void adopt(Joint& j, const JointLaw& former, const JointSite& site) const override {
+    const auto* before = dynamic_cast<const PlatenLaw*>(&former);
+    if (!before) return;
+    Joint like = j;
+    if (modulus_ > 0 && before->modulus_ > 0)
+      like.kn *= modulus_ / before->modulus_;
+    else if (modulus_ > 0)
+      like.kn = modulus_ / site.distance;
+    else if (before->modulus_ > 0)
+      like.kn = like_->start(site).kn;
+    else
+      like_->adopt(like, *before->like_, site);
+    if (like.kn == j.kn) return;
+    const double kn = like.kn;
+    like = j, like.kn = kn, like.ks = rough_ ? kn : 0.0;
+    restiffen(j, like, j.gap, [this](const Joint& now) { return energy_of(now); });
+  }
+
   void update(std::span<Joint> joints, std::span<const JointIncrement> increments,
               std::vector<JointEvent>&) const override {
     for (std::size_t k = 0; k < joints.size(); ++k) {
@@ -39,8 +57,7 @@ class PlatenLaw final : public JointLaw {
         j.poisson_shear = d.poisson_shear;
       }
       j.opening += d.normal, j.shear += d.shear, j.gap = d.gap;
-      j.strain = spring_energy(j.Fn, j.Fn - j.poisson_normal, j.kn * j.area) +
-                 (rough_ ? 0.5 * j.Fs.dot(j.Fs - j.poisson_shear) / (j.ks * j.area) : 0.0);
+      j.strain = energy_of(j);
       j.work += 0.5 * ((fn + j.Fn) * d.normal - (fs + j.Fs).dot(d.shear));
     }
   }
@@ -55,6 +72,11 @@ class PlatenLaw final : public JointLaw {
   double off_diagonal() const override { return like_ ? like_->off_diagonal() : 0.0; }
 
  private:
+  double energy_of(const Joint& j) const {
+    return spring_energy(j.Fn, j.Fn - j.poisson_normal, j.kn * j.area) +
+           (rough_ ? 0.5 * j.Fs.dot(j.Fs - j.poisson_shear) / (j.ks * j.area) : 0.0);
+  }
+
   std::shared_ptr<const JointLaw> like_;
   double modulus_;
   bool rough_;

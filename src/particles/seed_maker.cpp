@@ -18,15 +18,7 @@ bool given(const Functions& functions) {
     if (f) return true;
   return false;
 }
-bool varies(const Piece& piece) {
-  return piece.deformation || piece.stress_points || given(piece.velocity_function) || given(piece.stress);
-}
-
-void add(const ScatteredField::Values& v, Mat3& stress) {
-  Mat3 more;
-  more << v[0], v[3], v[5], v[3], v[1], v[4], v[5], v[4], v[2];
-  stress += more;
-}
+bool varies(const Piece& piece) { return piece.deformation || given(piece.velocity_function) || piece.stress.given(); }
 
 void check_finite(const Seed& seed, const Origin& origin) {
   if (!seed.x.allFinite() || !seed.v.allFinite() || !seed.stress.allFinite() || !seed.F.allFinite())
@@ -44,7 +36,7 @@ const Material& SeedMaker::law(int material, const Origin& origin) const {
 }
 
 void SeedMaker::check_stress(const Piece& piece) const {
-  if ((piece.K0 || piece.stress_points || given(piece.stress)) && !keeps_stress(law(piece.material, piece.origin)))
+  if ((piece.K0 || piece.stress.given()) && !keeps_stress(law(piece.material, piece.origin)))
     throw InputError(piece.origin, "'" + model_.materials[static_cast<std::size_t>(piece.material)].name +
                                        "' keeps no initial stress: its stress is a function of the deformation. Use "
                                        "<Deform> instead");
@@ -92,14 +84,7 @@ Seed SeedMaker::at(const Piece& piece, const Seed& pattern, const Vec3& x) const
   if (varies(piece)) {
     const auto here = Variables::at(x);
     for (std::size_t k = 0; k < 3; ++k) set(seed.v[static_cast<Eigen::Index>(k)], piece.velocity_function[k], here);
-    static constexpr std::array<std::array<int, 2>, 6> place{{{0, 0}, {1, 1}, {2, 2}, {0, 1}, {1, 2}, {0, 2}}};
-    for (std::size_t k = 0; k < 6; ++k) {
-      double& entry = seed.stress(place[k][0], place[k][1]);
-      set(entry, piece.stress[k], here);
-      if (piece.stress[k]) entry *= piece.stress_factor;
-      seed.stress(place[k][1], place[k][0]) = entry;
-    }
-    if (piece.stress_points) add(piece.stress_points->at(x), seed.stress);
+    piece.stress.set(x, seed.stress);
     if (piece.deformation) deform(piece, here, seed);
   }
   weigh(seed, x[0], piece.origin);

@@ -133,7 +133,7 @@ void GridRun<Dim>::open_results(const std::filesystem::path& folder, std::option
 template <int Dim>
 void GridRun<Dim>::write_history() {
   results_->write_history(dt_);
-  if (model_.reversal)
+  if (model_.reversal && !model_.reversal->crack)
     system_.load_clock.look(results_->last_row().at(1 + model_.reversal->history), system_.time, *model_.reversal);
 }
 
@@ -141,12 +141,14 @@ template <int Dim>
 std::vector<std::string> GridRun<Dim>::figures() const {
   auto out = monitor_.state.energy_figures();
   if (!model_.reversal) return out;
-  const std::string column = "'" + model_.output.history[model_.reversal->history].column + "'";
+  const bool length = model_.reversal->crack.has_value();
+  const std::string what =
+      length ? "a crack's length" : "'" + model_.output.history[model_.reversal->history].column + "'";
   const LoadClock& clock = system_.load_clock;
-  const char* done[] = {"the loads went back", "the loads were held", "the run stopped"};
-  out.push_back(clock.is_turned() ? column + " passed its value at time " + format("%.6g", clock.turned) + ": " +
+  const char* done[] = {"the loads went back", "the loads were held", "the run stopped", "cracks grew no further"};
+  out.push_back(clock.is_turned() ? what + " passed its value at time " + format("%.6g", clock.turned) + ": " +
                                         done[static_cast<std::size_t>(model_.reversal->style)]
-                                  : column + " has not passed the value of ReverseLoad");
+                                  : what + " has not passed the value of ReverseLoad");
   return out;
 }
 

@@ -17,7 +17,7 @@
 namespace tribo {
 namespace {
 
-constexpr const char* columns_of_stages = "time,stage,name,excavated,placed,bonded,unbonded,energy\n";
+constexpr const char* columns_of_stages = "time,stage,name,excavated,placed,stressed,bonded,unbonded,energy\n";
 
 // A text as a field of a table.
 std::string quoted(std::string text) {
@@ -92,6 +92,7 @@ void StagedRun<Stepped>::record(const StageSpec& stage, const StageReport& repor
     if (count > 0) did += ", " + std::to_string(count) + " " + what;
   };
   tell(report.excavated, "particles excavated"), tell(report.placed, "particles placed");
+  tell(report.stressed, "particles with another stress");
   tell(report.bonded, "contacts bonded"), tell(report.unbonded, "bonds broken");
   news_.push_back(title_of(stage, stage_) + " begins at time " + format("%.6g", now_->time()) + ": " +
                   join(stage.changes) + did);
@@ -101,8 +102,9 @@ void StagedRun<Stepped>::record(const StageSpec& stage, const StageReport& repor
   keep_stages(file, stage_ - 1);
   write_atomically(file, read_file(file) + number_text(now_->time()) + "," + std::to_string(stage_) + "," +
                              quoted(stage.name) + "," + std::to_string(report.excavated) + "," +
-                             std::to_string(report.placed) + "," + std::to_string(report.bonded) + "," +
-                             std::to_string(report.unbonded) + "," + number_text(report.energy) + "\n");
+                             std::to_string(report.placed) + "," + std::to_string(report.stressed) + "," +
+                             std::to_string(report.bonded) + "," + std::to_string(report.unbonded) + "," +
+                             number_text(report.energy) + "\n");
 }
 
 template <class Stepped>

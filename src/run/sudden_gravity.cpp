@@ -22,10 +22,7 @@ bool holds_more_at_rest(const ContactLaw& law) {
   return sliding > 0 && std::max(friction(law, far, 0.0), friction(law, 1.02 * sliding, 0.0)) > 1.01 * sliding;
 }
 
-bool has_initial_stress(const Piece& piece) {
-  return piece.K0 || piece.stress_points ||
-         std::any_of(piece.stress.begin(), piece.stress.end(), [](const auto& s) { return s.has_value(); });
-}
+bool has_initial_stress(const Piece& piece) { return piece.K0 || piece.stress.given(); }
 
 }  // namespace
 

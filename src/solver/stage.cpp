@@ -32,24 +32,19 @@ bool stems_from(const Model& model, const JointLaw* law, int material) {
 void bond_or_unbond(const Model& model, const std::vector<StageAction>& actions, const BlockPairing& place,
                     const JointLaw& law, Joint& joint, StageReport& report) {
   for (const StageAction& action : actions) {
-    if (action.kind == Kind::excavate || !action.joints->fits(place, model.dimension() == 2)) continue;
+    if (!action.joints || !action.joints->fits(place, model.dimension() == 2)) continue;
     if (action.law >= 0 && !stems_from(model, &law, action.law)) continue;
     if (action.kind == Kind::bond && law.bond(joint)) ++report.bonded;
     if (action.kind == Kind::unbond && law.unbond(joint)) ++report.unbonded;
   }
 }
 
-// The largest factor by which a joint becomes stiffer.
-double adopt(const JointLaw& law, const JointLaw* former, std::span<Joint> joints) {
-  double most = 1.0;
-  if (!former) return most;
-  for (Joint& joint : joints) {
-    const double kn = joint.kn, ks = joint.ks;
-    law.adopt(joint, *former);
-    if (kn > 0) most = std::max(most, joint.kn / kn);
-    if (ks > 0) most = std::max(most, joint.ks / ks);
-  }
-  return most;
+// The factor by which a joint of a grid becomes stiffer.
+double adopt(const JointLaw& law, const JointLaw& former, Joint& joint, const JointSite& site) {
+  const double normal = joint.kn * joint.area, shear = joint.ks * joint.area;
+  law.adopt(joint, former, site);
+  const auto factor = [&](double now, double before) { return before > 0 ? now * joint.area / before : 1.0; };
+  return std::max({1.0, factor(joint.kn, normal), factor(joint.ks, shear)});
 }
 
 template <int Dim>
@@ -65,8 +60,11 @@ void change_joints(const Model& model, const Model& former, const std::vector<St
       const auto [a, b] = surface.material;
       before = former.contact.joints.at({std::min(a, b), std::max(a, b)}).law.get();
     }
-    stiffer = std::max(stiffer, adopt(*surface.law, before, surface.joints));
+    JointSite site;
+    site.plane = Dim == 2, site.thickness = model.grid.thickness;
     for (std::size_t k = 0; k < surface.joints.size(); ++k) {
+      site.number = k;
+      if (before) stiffer = std::max(stiffer, adopt(*surface.law, *before, surface.joints[k], site));
       BlockPairing at;
       at.place.template head<Dim>() = surface.x[k];
       at.normal = surface.axes[k].n;
@@ -95,6 +93,42 @@ void excavate(const StageAction& action, System<Dim>& system, StageReport& repor
     }
   if (removed == 0) report.warnings.push_back(action.origin.text() + ": there is nothing to excavate in this shape");
   report.excavated += removed;
+}
+
+template <int Dim>
+void set_stress(const Model& model, const StageAction& action, System<Dim>& system, StageReport& report) {
+  std::int64_t count = 0;
+  for (Body<Dim>& body : system.bodies) {
+    if (body.law->rigid() || (action.material >= 0 && action.material != body.material)) continue;
+    std::vector<std::uint32_t> inside;
+    for (std::uint32_t i = 0; i < body.particles.size(); ++i) {
+      Vec3 x = Vec3::Zero();
+      x.template head<Dim>() = body.particles.position(i);
+      if (action.where->contains(x)) inside.push_back(i);
+    }
+    if (inside.empty()) continue;
+    if (!keeps_stress(*body.law)) {
+      report.warnings.push_back(action.origin.text() + ": '" + body.name +
+                                "' keeps no given stress; its particles are left as they are");
+      continue;
+    }
+    count += static_cast<std::int64_t>(inside.size());
+    const auto columns = body.particles.stress();
+    for (const std::uint32_t i : inside) {
+      Vec3 x = Vec3::Zero();
+      x.template head<Dim>() = body.particles.position(i);
+      const Mat3 before = load_symmetric<Dim>(columns, static_cast<int>(i));
+      Mat3 now = action.adds ? Mat3(Mat3::Zero()) : before;
+      action.stress.set(x, now);
+      if (action.adds) now += before;
+      if (!now.allFinite())
+        throw InputError(action.origin, "a function of this stress has no finite value at a particle of '" +
+                                            model.materials[static_cast<std::size_t>(body.material)].name + "'");
+      store_symmetric<Dim>(now, columns, static_cast<int>(i));
+    }
+  }
+  if (count == 0) report.warnings.push_back(action.origin.text() + ": there is no particle in this shape");
+  report.stressed += count;
 }
 
 // Adds the particles of the stage whose centres do not lie in other particles.
@@ -152,13 +186,15 @@ StageReport begin_stage(const Model& model, const Model& former, const std::vect
   if (system.blocks) begin_stage(model, former, actions, *system.blocks, report);
   for (const StageAction& action : actions)
     if (action.kind == Kind::excavate) excavate(action, system, report);
+  for (const StageAction& action : actions)
+    if (action.kind == Kind::stress) set_stress(model, action, system, report);
   place(model, system, report);
   system.sorted = false;
   for (auto* bodies : {&system.bodies, &system.rigids})
     for (Body<Dim>& body : *bodies) body.refresh();
   for (const Origin& origin : stepper.loads().choose())
     report.warnings.push_back(origin.text() + ": this load selects no particle");
-  if (model.stage.conditions || report.placed > 0) stepper.expect_jump();
+  if (model.stage.conditions || report.placed > 0 || report.stressed > 0) stepper.expect_jump();
   return report;
 }
 
@@ -166,9 +202,14 @@ void begin_stage(const Model& model, const Model& former, const std::vector<Stag
                  StageReport& report) {
   for (const ContactGroup& group : blocks.groups) {
     const std::span<Joint> joints(blocks.joints.data() + group.begin, group.end - group.begin);
-    adopt(*group.law, former_law(model, former, group.law), joints);
-    for (std::size_t k = 0; k < joints.size(); ++k)
+    const std::size_t platen = blocks.platen_with(group.law);
+    std::shared_ptr<const JointLaw> of_platen;
+    if (platen < former.blocks->platens.size()) of_platen = Assembly::law_of_platen(*former.blocks, platen);
+    const JointLaw* before = of_platen ? of_platen.get() : former_law(model, former, group.law);
+    for (std::size_t k = 0; k < joints.size(); ++k) {
+      if (before) group.law->adopt(joints[k], *before, blocks.site_of(group.begin + k));
       bond_or_unbond(model, actions, blocks.pairing_of(group.begin + k, group.kind), *group.law, joints[k], report);
+    }
   }
   blocks.renew_forces();
 }

@@ -396,7 +396,11 @@ void Stepper<Dim>::measure_crack_tips(double dt) {
 template <int Dim>
 void Stepper<Dim>::grow_cracks() {
   if constexpr (Dim == 2) {
-    if (crack_tips_.active() && crack_tips_.grow()) system_.sorted = false;
+    if (!crack_tips_.active() || system_.load_clock.is_arrested(model_.reversal) || !crack_tips_.grow()) return;
+    system_.sorted = false;
+    if (model_.reversal && model_.reversal->crack &&
+        crack_tips_.longest(*model_.reversal->crack) > model_.reversal->value)
+      system_.load_clock.turned = system_.time;
   }
 }
 

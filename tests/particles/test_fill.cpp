@@ -205,7 +205,7 @@ TEST_CASE("velocity and stress functions are evaluated where the point is", "[fi
   auto& piece = model.pieces.back();
   piece.velocity = Vec3(1, 2, 0);
   piece.velocity_function[0] = function("-3*y");
-  piece.stress = {function("x"), function("2*y"), function("3"), function("x*y"), {}, {}};
+  piece.stress.functions = {function("x"), function("2*y"), function("3"), function("x*y"), {}, {}};
   piece.temperature = 293;
   piece.angle = 0.5;
   for (const auto& seed : place_points(model)) {
@@ -218,8 +218,8 @@ TEST_CASE("velocity and stress functions are evaluated where the point is", "[fi
   }
   auto space = solid(2, 2);
   space.pieces.push_back(body(box(Vec3(0, 0, 0), Vec3(1, 1, 1))));
-  space.pieces.back().stress[4] = function("y+2*z");
-  space.pieces.back().stress[5] = function("5*x");
+  space.pieces.back().stress.functions[4] = function("y+2*z");
+  space.pieces.back().stress.functions[5] = function("5*x");
   for (const auto& seed : place_points(space)) {
     CHECK(seed.stress(1, 2) == Approx(seed.x[1] + 2 * seed.x[2]));
     CHECK(seed.stress(2, 1) == seed.stress(1, 2));

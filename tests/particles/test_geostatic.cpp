@@ -106,7 +106,7 @@ TEST_CASE("stress from a table of points adds to the weight of the ground", "[ge
           {1, 0, 0, 7, 0, 0}, {5, 0, 0, 7, 0, 0}, {1, 0, 0, 15, 0, 0}, {5, 0, 0, 15, 0, 0}},
       2);
   const double before = stress_at(place_points(model), 1.75, 1.75)(1, 1);
-  model.pieces[0].stress_points = table;
+  model.pieces[0].stress.points = table;
   const Mat3 s = stress_at(place_points(model), 1.75, 1.75);
   CHECK(s(1, 1) == Approx(before));
   CHECK(s(0, 0) == Approx(0.5 * before + 1 + 1.75));

@@ -2,114 +2,15 @@
 /// Stages within a run: what they change, and that a run through them continues to the bit.
 
 #include "base/parallel.hpp"
-#include "input/read.hpp"
-#include "run/block_run.hpp"
-#include "run/grid_run.hpp"
 #include "run/preflight.hpp"
 #include "run/simulation.hpp"
-#include "run/staged_run.hpp"
 #include "scratch.hpp"
+#include "staged_models.hpp"
 
 #include <catch2/catch.hpp>
 
-#include <fstream>
-#include <sstream>
-
 using namespace tribo;
-
-namespace {
-
-// A block of 4 x 4 on a floor, with a second material for later bodies.
-std::string block_with(const std::string& stages, const std::string& header = "", const std::string& more = "") {
-  return R"(<?xml version='1.0'?>
-<JANFEAInput version='3'>
-  <Header><Analysis>10</Analysis><ConsistentUnits length='m' mass='kg' time='s'/></Header>
-  <MPMHeader>
-    <MPMMethod>3</MPMMethod><GIMP/><Transfer type='APIC'/>
-    <TimeStep>1</TimeStep><MaxTime>0.12</MaxTime><TimeFactor>0.4</TimeFactor><ArchiveTime>0.03</ArchiveTime>
-    <GlobalArchiveTime>0.004</GlobalArchiveTime>
-    <GlobalArchive type='syy' mat='1'/>)" +
-         header + R"(
-  </MPMHeader>
-  <Mesh><Grid xmin='0' xmax='8' ymin='0' ymax='8'><Horiz nx='16'/><Vert ny='16' symmin='0'/></Grid></Mesh>
-  <MaterialPoints><Body mat='1'><Rect xmin='2' xmax='6' ymin='0' ymax='4'/></Body></MaterialPoints>
-  <Material Type='LinearElastic' Name='soil'><rho>1000</rho><E>1e6</E><nu>0.2</nu></Material>
-  <Material Type='LinearElastic' Name='fill'><rho>500</rho><E>2e6</E><nu>0.2</nu></Material>
-  <Gravity><BodyYForce>-10</BodyYForce></Gravity>)" +
-         more + stages + "\n</JANFEAInput>";
-}
-
-Model staged_model(const std::string& stages, const std::string& header = "", const std::string& more = "") {
-  return read_model_text(block_with(stages, header, more), "stages.xml");
-}
-
-// The message of the reader about stages.
-std::string message_of(const std::string& stages, const std::string& header = "", const std::string& more = "") {
-  try {
-    (void)staged_model(stages, header, more);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return {};
-}
-
-// A run that has begun.
-template <class Stepped>
-std::unique_ptr<StagedRun<Stepped>> begun(const Model& model) {
-  auto run = std::make_unique<StagedRun<Stepped>>(model);
-  run->start();
-  return run;
-}
-
-template <class Stepped>
-void run_until(StagedRun<Stepped>& run, double time) {
-  while (run.time() < time * (1 - 1e-12)) run.advance();
-}
-
-std::vector<std::string> differing(const Checkpoint& a, const Checkpoint& b) {
-  std::vector<std::string> out;
-  if (a.names() != b.names()) out.emplace_back("names of the entries");
-  for (const auto& name : a.names())
-    if (!b.has(name) || !a.same(b, name)) out.push_back(name);
-  return out;
-}
-
-std::vector<double> column_of(const Checkpoint& state, const std::string& name) {
-  return state.doubles("stepper.system.body0.particles." + name);
-}
-
-std::string contents(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream buffer;
-  buffer << in.rdbuf();
-  return buffer.str();
-}
-
-std::vector<std::vector<double>> rows_of(const std::filesystem::path& file) {
-  std::vector<std::vector<double>> out;
-  std::ifstream in(file);
-  std::string line;
-  std::getline(in, line);
-  while (std::getline(in, line)) {
-    out.emplace_back();
-    std::istringstream fields(line);
-    for (std::string field; std::getline(fields, field, ',');) out.back().push_back(std::stod(field));
-  }
-  return out;
-}
-
-const std::string excavation =
-    "<Stage at='0.03' name='dig'><Excavate><Rect xmin='2' xmax='6' ymin='2' ymax='4'/>"
-    "</Excavate></Stage>";
-const std::string refill =
-    "<Stage at='0.06'><Body matname='fill'><Rect xmin='2' xmax='4' ymin='2.2' ymax='3.2'/></Body>"
-    "<Material Name='soil'><E>5e5</E></Material></Stage>";
-const std::string third =
-    "<Stage at='0.09'><Gravity><BodyYForce>-5</BodyYForce></Gravity><Damping>10</Damping>"
-    "<ParticleBCs><BCShape><Rect xmin='2' xmax='6' ymin='1' ymax='2'/><net/><LoadBC dir='1' load='100'/></BCShape>"
-    "</ParticleBCs></Stage>";
-
-}  // namespace
+using namespace tribo::test;
 
 TEST_CASE("what cannot change in a stage is refused at its place", "[stages]") {
   const auto says = [](const std::string& text, const std::string& stages) {
@@ -350,163 +251,6 @@ TEST_CASE("a check tells of the stages and builds their models", "[stages]") {
                     Catch::Contains("selects no node"));
 }
 
-TEST_CASE("joints take over another stiffness at the same forces", "[stages]") {
-  const auto law = [](const std::string& type, const std::string& properties) {
-    Statement s;
-    std::istringstream words(properties);
-    for (std::string name, value; words >> name >> value;) {
-      Statement child;
-      child.name = name, child.text = value;
-      s.children.push_back(child);
-    }
-    Problems problems;
-    auto made = joint_laws().find(type)->make(s, {}, Units{}, problems);
-    problems.raise();
-    return made;
-  };
-  JointSite site;
-  site.area = 2.0, site.distance = 1.0;
-  const auto soft = law("Mohr", "stiffness-normal 10 stiffness-shear 5 friction 30 friction-residual 30 cohesion 9"),
-             stiff = law("Mohr", "stiffness-normal 40 stiffness-shear 5 friction 30 friction-residual 30 cohesion 9");
-  Joint joint = soft->start(site);
-  std::vector<JointEvent> events;
-  JointIncrement d;
-  d.normal = -0.1, d.shear.t = 0.2, d.gap = -0.1;
-  soft->update({&joint, 1}, {&d, 1}, events);
-  CHECK(joint.Fn == Approx(-2.0));
-  const Joint before = joint;
-  stiff->adopt(joint, *soft);
-  CHECK(joint.Fn == before.Fn);
-  CHECK(joint.Fs.t == before.Fs.t);
-  CHECK(joint.kn == 40);
-  CHECK(joint.strain - before.strain == Approx(0.5 * 4.0 / 80 - 0.5 * 4.0 / 20));
-  CHECK(joint.released() == Approx(before.released()).margin(1e-12));
-  // A bond that is broken and bonded again
-  CHECK_FALSE(soft->bond(joint));
-  CHECK(stiff->unbond(joint));
-  CHECK(joint.shear_weak);
-  CHECK(joint.Fn == before.Fn);
-  CHECK_FALSE(stiff->unbond(joint));
-  CHECK(stiff->bond(joint));
-  CHECK_FALSE(joint.shear_weak);
-  const auto network = law("SpringNetwork", "kn 10 ks 5"), twice = law("SpringNetwork", "kn 20 ks 10");
-  Joint loose = network->start(site);
-  CHECK_FALSE(network->is_bonded(loose));
-  CHECK(network->bond(loose));
-  CHECK(network->is_bonded(loose));
-  twice->adopt(loose, *network);
-  CHECK(loose.kn == 20);
-  CHECK(twice->unbond(loose));
-  CHECK_FALSE(twice->is_bonded(loose));
-}
-
-TEST_CASE("blocks follow the gravity and the laws of stages, to the bit", "[stages]") {
-  const std::string text = R"(<?xml version='1.0'?>
-<JANFEAInput version='3'>
-  <Header><Analysis>10</Analysis><ConsistentUnits length='m' mass='kg' time='s'/></Header>
-  <MPMHeader><TimeStep>0.001</TimeStep><MaxTime>0.4</MaxTime><ArchiveTime>0.1</ArchiveTime>
-    <GlobalArchiveTime>0.002</GlobalArchiveTime><GlobalArchive type='velx' block='box'/></MPMHeader>
-  <Material Type='Mohr' Name='joint'><stiffness-normal>1e7</stiffness-normal><stiffness-shear>1e7</stiffness-shear>
-    <friction>40</friction><friction-residual>40</friction-residual></Material>
-  <Blocks lawname='joint' points='corners' damping='0.7'>
-    <BoxBlock name='floor' xmin='-3' xmax='6' ymin='-1' ymax='0' rho='2000'/>
-    <BoxBlock name='box' xmin='-0.5' xmax='0.5' ymin='0' ymax='0.25' rho='2000'/>
-    <Hold vx='0' vy='0' spinz='0'><Rect xmin='-3' xmax='6' ymin='-1' ymax='-0.1'/></Hold>
-  </Blocks>
-  <Gravity><BodyXForce>4</BodyXForce><BodyYForce>-10</BodyYForce></Gravity>
-  <Stage at='0.2'><Material Name='joint'><friction>10</friction><friction-residual>10</friction-residual></Material>
-    <Blocks damping='0'/></Stage>
-  <Stage at='0.3'><Gravity><BodyYForce>-10</BodyYForce></Gravity></Stage>
-</JANFEAInput>)";
-  const ScratchFolder scratch;
-  const Model model = read_model_text(text, "blocks.xml");
-  RunOptions options;
-  options.quiet = true, options.folder = scratch.path / "whole";
-  REQUIRE(run(model, options) == Outcome::finished);
-  const auto rows = rows_of(scratch.path / "whole" / "history.csv");
-  const auto speed = [&](double time) {
-    for (const auto& row : rows)
-      if (std::abs(row[0] - time) < 0.00105) return row[1];
-    return -1.0;
-  };
-  const double tan10 = std::tan(10 * M_PI / 180);
-  CHECK(std::abs(speed(0.19)) < 0.05);  // it holds
-  // It slides with the acceleration g_x - mu g_y, then is braked by mu g.
-  CHECK(speed(0.3) - speed(0.22) == Approx(0.08 * (4 - 10 * tan10)).epsilon(0.02));
-  CHECK(speed(0.4) - speed(0.32) == Approx(-0.08 * 10 * tan10).epsilon(0.02));
-  const auto energy = rows_of(scratch.path / "whole" / "energy.csv");
-  for (const auto& row : energy) CHECK(std::abs(row[10]) < 1e-6 * 1e4);
-  options.folder = scratch.path / "parts", options.max_wall = 1e-4;
-  for (int k = 0; run(model, options) == Outcome::stopped && k < 5000; ++k) {
-    options.resume = true;
-    options.max_wall = k % 2 ? 1e-4 : 0.02;
-  }
-  for (const char* file : {"history.csv", "energy.csv", "stages.csv", "events.csv", "checkpoint.bin"})
-    CHECK(contents(scratch.path / "whole" / file) == contents(scratch.path / "parts" / file));
-}
-
-TEST_CASE("the former law of contacts of blocks is found for later contacts and inherited surfaces, too", "[stages]") {
-  const auto with = [](const std::string& stiffness) {
-    return read_model_text(
-        "<JANFEAInput version='3'><Header><Analysis>10</Analysis><ConsistentUnits length='m' mass='kg' time='s'/>"
-        "</Header><MPMHeader><MaxTime>1</MaxTime><ArchiveTime>1</ArchiveTime></MPMHeader>"
-        "<Blocks lawname='bond' inherit='yes'>"
-        "<BoxBlock xmin='0' xmax='1' ymin='0' ymax='1' rho='1000' name='floor' kn='1e8' ks='1e8' fric='0.4'/>"
-        "<BoxBlock xmin='0' xmax='1' ymin='1' ymax='2' rho='1000' name='block' kn='3e8' ks='1e8' fric='0.5'/>"
-        "<Joint lawname='rock' blocks='floor' with='any'/></Blocks>"
-        "<Material Type='SpringNetwork' Name='bond'><kn>" +
-            stiffness +
-            "</kn><ks>1e8</ks><fric>0.3</fric><sn_ten>1e9</sn_ten><sn_coh>1e9</sn_coh><bond/></Material>"
-            "<Material Type='Mohr' Name='rock'><stiffness-normal>" +
-            stiffness + "</stiffness-normal><stiffness-shear>1e8</stiffness-shear></Material></JANFEAInput>",
-        "blocks.xml");
-  };
-  const Model then = with("1e8"), now = with("2e8");
-  REQUIRE(now.blocks->joints.size() == 1);
-  std::size_t found = 0;
-  for (std::size_t rule = 0; rule < 2; ++rule) {
-    const BlockLaws &a = then.blocks->laws_of(rule), &b = now.blocks->laws_of(rule);
-    CHECK(former_law(now, then, b.initial.get()) == a.initial.get());
-    CHECK(former_law(now, then, b.later.get()) == a.later.get());
-    for (const auto& [groups, laws] : b.by_groups)
-      for (std::size_t which = 0; which < 2; ++which, ++found)
-        CHECK(former_law(now, then, laws[which].get()) == a.by_groups.at(groups)[which].get());
-  }
-  CHECK(found >= 2);
-  CHECK(former_law(now, then, nullptr) == nullptr);
-}
-
-TEST_CASE("bonds are made and broken by names of blocks, orientation and law", "[stages]") {
-  const auto unbonded = [](const std::string& criteria) {
-    const Model model = read_model_text(
-        "<JANFEAInput version='3'><Header><Analysis>10</Analysis><ConsistentUnits length='m' mass='kg' time='s'/>"
-        "</Header><MPMHeader><MaxTime>0.02</MaxTime><ArchiveTime>1</ArchiveTime></MPMHeader><Blocks lawname='bond'>"
-        "<BoxBlock xmin='0' xmax='1' ymin='0' ymax='1' rho='1000' name='a'/>"
-        "<BoxBlock xmin='0' xmax='1' ymin='1' ymax='2' rho='1000' name='b'/>"
-        "<BoxBlock xmin='1' xmax='2' ymin='0' ymax='1' rho='1000' name='c'/>"
-        "<Joint lawname='other' blocks='c' with='any'/></Blocks>"
-        "<Material Type='SpringNetwork' Name='bond'><kn>1e8</kn><ks>1e8</ks><sn_ten>1e9</sn_ten><sn_coh>1e9</sn_coh>"
-        "<bond/></Material><Material Type='SpringNetwork' Name='other'><kn>1e8</kn><ks>1e8</ks><sn_ten>1e9</sn_ten>"
-        "<sn_coh>1e9</sn_coh><bond/></Material><Stage at='0.01'><Unbond " +
-            criteria + "</Stage></JANFEAInput>",
-        "blocks.xml");
-    StagedRun<BlockRun> run(model);
-    run.start();
-    while (run.stage() == 0) run.advance();
-    return 2 - run.present().bonds();
-  };
-  CHECK(unbonded("><Rect xmin='0' xmax='2' ymin='0' ymax='2'/></Unbond>") == 2);
-  CHECK(unbonded("><Rect xmin='0' xmax='0.9' ymin='0.5' ymax='1.5'/></Unbond>") == 1);
-  CHECK(unbonded("blocks='a' with='b'/>") == 1);
-  CHECK(unbonded("blocks='b' with='c'/>") == 0);
-  CHECK(unbonded("blocks='a' with='any'/>") == 2);
-  CHECK(unbonded("dip='0 30'/>") == 1);
-  CHECK(unbonded("dip='80 90'/>") == 1);
-  CHECK(unbonded("lawname='other'/>") == 1);
-  CHECK(unbonded("lawname='other' dip='0 30'/>") == 0);
-  CHECK(unbonded("kind='balls'/>") == 0);
-}
-
 TEST_CASE("scripts have stages, too", "[stages]") {
   const std::string text = R"(Title "Stages"
 Analysis "Plane Strain MPM"
@@ -540,6 +284,9 @@ Stage 5,"dig"
     E 2
   Done
   Damping 0.5
+  Stress yy,"-y",material,"soil",add,yes
+    Rect 2,6,2,3
+  EndStress
   GridBC add
     Line 2,6,2,2
     Velocity y,constant,0
@@ -557,8 +304,13 @@ EndStage
   CHECK(model.reactions.size() == 1);
   CHECK(model.stages[0].at == Approx(0.005));  // from milliseconds
   CHECK(model.stages[0].name == "dig");
-  REQUIRE(model.stages[0].actions.size() == 1);
+  REQUIRE(model.stages[0].actions.size() == 2);
   CHECK(model.stages[0].actions[0].material == 0);
+  const StageAction& stress = model.stages[0].actions[1];
+  CHECK(stress.kind == StageAction::Kind::stress);
+  CHECK(stress.material == 0);
+  CHECK(stress.adds);
+  CHECK(stress.stress.functions[1].has_value());
   CHECK(model.stages[0].model->node_conditions.size() == 1);
   CHECK(model.stages[0].model->reactions.empty());
   CHECK(model.stages[0].model->materials[0].law->wave_modulus() == Approx(2 * model.materials[0].law->wave_modulus()));
@@ -580,51 +332,47 @@ EndStage
   fails("Excavate \"soil\"", "Excavate \"soul\"", "no material 'soul'");
 }
 
-TEST_CASE("reactions write files, begin the next stage and stop the run", "[stages]") {
+TEST_CASE("a stage sets the stress of particles in a shape, or adds to it", "[stages]") {
   const ScratchFolder scratch;
-  RunOptions options;
-  options.quiet = true, options.folder = scratch.path / "run";
-  const std::string history = "<GlobalArchive type='Kinetic Energy'/>",
-                    when = "<When history='Kinetic Energy' above='200'><Frame/><Checkpoint/><NextStage/></When>";
-  const Model model = staged_model(when +
-                                       "<Stage at='0.1'><Damping>300</Damping><When history='Kinetic Energy' "
-                                       "below='100'><Stop/></When></Stage>",
-                                   history);
-  REQUIRE(run(model, options) == Outcome::finished);
-  const auto stages = contents(options.folder / "stages.csv");
-  INFO(stages);
-  CHECK(std::filesystem::exists(options.folder / "particles" / numbered(900000, ".vtp")));
-  const auto rows = rows_of(options.folder / "history.csv");
-  double begin = -1;
-  for (const auto& row : rows)
-    if (row[2] > 200 && begin < 0) begin = row[0];
-  CHECK(begin > 0);
-  CHECK(stages.find("\n" + std::to_string(begin).substr(0, 4)) != std::string::npos);
-  CHECK(rows.back()[0] < 0.119);
-  CHECK(rows.back()[2] < 100);
-  CHECK(contents(options.folder / "provenance.json").find("was below 100") != std::string::npos);
-  CHECK(message_of("<When history='speed' above='1'><Stop/></When>").find("has no column 'speed'") !=
-        std::string::npos);
-  CHECK(message_of("<When ratio='1'/>").find("does nothing") != std::string::npos);
-  CHECK(message_of("<When event='bond_break'><Stop/></When>").find("no bond can break") != std::string::npos);
-  CHECK(message_of("<Stage at='0.1' until='1e-4'><Damping>1</Damping></Stage>").find("'until' is") !=
-        std::string::npos);
-}
-
-TEST_CASE("a stage ends once its forces are balanced", "[stages]") {
-  // At rest from the start: the ratio is small at once, and the stage begins long before its time.
-  const std::string still = "<Stage at='0.1'><Damping>1</Damping></Stage><When ratio='1e-2'><NextStage/></When>";
-  std::string text = block_with(still);
-  const std::string body = "<Body mat='1'>";
-  text.replace(text.find(body), body.size(), "<Body mat='1'><InitialStress K0='0.25'/>");
-  text.replace(text.find("<Horiz nx='16'/>"), 16, "<Horiz nx='16' symmin='2' symmax='6'/>");
-  text.replace(text.find("<TimeFactor>0.4"), 15, "<TimeFactor>0.05");
-  const ScratchFolder scratch;
-  RunOptions options;
-  options.quiet = true, options.folder = scratch.path / "run";
-  REQUIRE(run(read_model_text(text, "stages.xml"), options) == Outcome::finished);
-  std::ifstream file(options.folder / "stages.csv");
-  std::string head, begin;
-  REQUIRE((std::getline(file, head) && std::getline(file, begin, ',')));
-  CHECK(std::stod(begin) < 0.05);
+  // The state before and after the stage alone, without a step
+  const auto changed = [&](const std::string& stress) {
+    const Model model = staged_model("<Stage at='0.03'>" + stress + "</Stage>");
+    auto run = begun<GridRun<2>>(model);
+    run_until(*run, 0.03);
+    run->save({}).save(scratch.path / "before.bin");
+    GridRun<2> first(model), next(*model.stages[0].model);
+    first.restore(Checkpoint(scratch.path / "before.bin"));
+    const StageBalance balance = first.end_stage();
+    first.save({}).save(scratch.path / "end.bin");
+    next.restore(Checkpoint(scratch.path / "end.bin"));
+    const StageReport report = next.begin_stage(model, model.stages[0].actions, balance);
+    next.save({}).save(scratch.path / "after.bin");
+    return report;
+  };
+  const std::string shape = "<Rect xmin='2' xmax='6' ymin='2' ymax='4'/></Stress>";
+  for (const bool adds : {false, true}) {
+    const StageReport report =
+        changed("<Stress matname='soil' xx='-100*x' xy='7' " + std::string(adds ? "add='yes'>" : ">") + shape);
+    CHECK(report.stressed == 128);
+    CHECK(report.warnings.empty());
+    CHECK(report.energy != 0.0);
+    const Checkpoint before(scratch.path / "before.bin"), after(scratch.path / "after.bin");
+    const auto x = column_of(before, "position_x"), y = column_of(before, "position_y");
+    for (const char* name : {"stress_xx", "stress_yy", "stress_zz", "stress_xy"}) {
+      const auto old = column_of(before, name), now = column_of(after, name);
+      const std::string which(name);
+      for (std::size_t i = 0; i < old.size(); ++i) {
+        const bool given = y[i] > 2 && (which == "stress_xx" || which == "stress_xy");
+        const double value = which == "stress_xx" ? -100 * x[i] : 7.0;
+        CHECK(now[i] == (!given ? old[i] : adds ? value + old[i] : value));
+      }
+    }
+  }
+  CHECK(changed("<Stress yy='1'><Rect xmin='7' xmax='8' ymin='2' ymax='4'/></Stress>").warnings.size() == 1);
+  CHECK_THROWS_WITH(changed("<Stress yy='1/(x-x)'>" + shape), Catch::Contains("no finite value"));
+  CHECK(message_of("<Stage at='0.1'><Stress>" + shape + "</Stage>").find("needs a component") != std::string::npos);
+  CHECK(message_of("<Stage at='0.1'><Stress yy='1'/></Stage>").find("has no shape") != std::string::npos);
+  const std::string rubber = "<Material Type='NeoHookean' Name='rubber'><rho>1</rho><K>1</K><G1>1</G1></Material>";
+  CHECK(message_of("<Stage at='0.1'><Stress matname='rubber' yy='1'>" + shape + "</Stage>", "", rubber)
+            .find("keeps no given stress") != std::string::npos);
 }

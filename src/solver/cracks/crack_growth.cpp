@@ -108,6 +108,19 @@ bool CrackTips<2>::grow() {
   return grew;
 }
 
+double CrackTips<2>::longest(std::size_t number) const {
+  double most = 0.0;
+  for (std::size_t c = 0; c < system_.cracks.size(); ++c) {
+    if (number < system_.cracks.size() && c != number) continue;
+    const Crack<2>& crack = system_.cracks[c];
+    double length = 0.0;
+    for (std::size_t p = 0; p < crack.main_pieces; ++p)
+      length += (crack.x[crack.pieces[p][1]] - crack.x[crack.pieces[p][0]]).norm();
+    most = std::max(most, length);
+  }
+  return most;
+}
+
 // Extends the tip by one increment. The speed of growth is limited by the speed of surface waves.
 void CrackTips<2>::extend(std::size_t c, CrackTip& tip, double angle) {
   Crack<2>& crack = system_.cracks[c];

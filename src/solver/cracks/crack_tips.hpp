@@ -36,6 +36,8 @@ class CrackTips<2> {
   void measure(const Force& force);
   /// Extends the tips for which the last measure() satisfies the growth criterion. Returns true if any tip has grown.
   bool grow();
+  /// Length of a crack; if there is none of this number, of the longest one [length].
+  double longest(std::size_t crack) const;
 
  private:
   struct TipDomain;
