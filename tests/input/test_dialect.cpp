@@ -401,10 +401,22 @@ TEST_CASE("a reversal of the loads", "[dialect]") {
   const Model added = read(xml(task + "<Parameter name='maxValue'>-3</Parameter></Schedule></CustomTasks>"));
   CHECK(added.output.history.at(added.reversal->history).name == "sxx");
   CHECK_THAT(problems_of(xml(task + "</Schedule></CustomTasks>")), Contains("needs a quantity"));
-  CHECK_THAT(
-      problems_of(xml(task + "<Parameter name='maxValue'>1</Parameter><Parameter name='hold'>1</Parameter></Schedule>"
-                             "</CustomTasks>")),
-      Contains("style 1 holds the loads"));
+  const auto with = [](const std::string& name, const std::string& value) {
+    return "<Parameter name='" + name + "'>" + value + "</Parameter>";
+  };
+  const std::string end = "</Schedule></CustomTasks>", most = with("maxValue", "1");
+  const Model held = read(xml(task + most + with("hold", "2") + with("minValue", "-0.5") + end));
+  CHECK(held.reversal->hold == 2);
+  CHECK(held.reversal->least == -0.5);
+  CHECK_THAT(problems_of(xml(task + most + with("hold", "1") + with("style", "3") + end)),
+             Contains("belongs to style 0"));
+  CHECK_THAT(problems_of(xml(task + most + with("style", "2") + end)), Contains("'style' must be 0"));
+  CHECK_THAT(problems_of(xml(task + with("maxLength", "1") + end)), Contains("belongs to a reversal by a quantity"));
+  const std::string by_length = "<CustomTasks><Schedule name='ReverseLoad'>" + with("style", "2");
+  CHECK_THAT(problems_of(xml(by_length + with("crackNumber", "1") + end)), Contains("needs 'maxLength'"));
+  CHECK_THAT(problems_of(xml(by_length + with("maxLength", "3") + with("crackNumber", "1") + end)),
+             Contains("no crack number 1"));
+  CHECK_THAT(problems_of(xml(by_length + with("maxLength", "3") + end)), Contains("no crack of this model grows"));
 }
 
 TEST_CASE("quantities of histories", "[dialect]") {

@@ -103,6 +103,7 @@ inline const std::string refill =
     "<Material Name='soil'><E>5e5</E></Material></Stage>";
 inline const std::string third =
     "<Stage at='0.09'><Gravity><BodyYForce>-5</BodyYForce></Gravity><Damping>10</Damping>"
+    "<Stress xx='-50*x' add='yes'><Rect xmin='2' xmax='6' ymin='0' ymax='1'/></Stress>"
     "<ParticleBCs><BCShape><Rect xmin='2' xmax='6' ymin='1' ymax='2'/><net/><LoadBC dir='1' load='100'/></BCShape>"
     "</ParticleBCs></Stage>";
 

@@ -122,6 +122,11 @@ def growth(case):
     grows = got["length"] > 31
     case.check("running crack: largest J / JIc", got["J"][grows].max() / 0.02, 1, 5e-2)
     case.check("running crack: leaves its plane by [mm]", abs(got["y"]).max(), 0, 1e-6, "at most")
+    stop = "<CustomTasks><Schedule name='ReverseLoad'><Parameter name='maxLength'>33</Parameter><Parameter name='style'>2</Parameter></Schedule></CustomTasks>"
+    got = tips(case.run("arrested", "growth.xml", dict(end="6"), replace={"</JANFEAInput>": stop + "</JANFEAInput>"}))
+    case.check("crack that stops beyond 33 mm: length at first [mm]", got["length"][got["length"] > 33][0], 33.25, 0.3, "absolute")
+    case.check("crack that stops beyond 33 mm: length in the end [mm]", got["length"][-1], got["length"][got["length"] > 33][0], 0.05, "absolute")
+    case.check("crack that stops beyond 33 mm: JIc / largest J", 0.02 / got["J"].max(), 0, 0.9, "at most")
 
 
 def penny(case):

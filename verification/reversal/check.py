@@ -14,6 +14,13 @@ def run(case):
     case.check("stress at the end over the largest", abs(rows["sxx"][-1]) / most, 0, 0.02, "at most")
     case.check("strain that remains", rows["exx"][-1], plastic, 0.02)
     case.check("plastic strain at the end", rows["exxp"][-1], plastic, 0.02)
+    ways = {"</Schedule>": "<Parameter name='hold'>20</Parameter><Parameter name='minValue'>0.5</Parameter></Schedule>"}
+    rows = verify.history(case.run("held", replace=ways))
+    first = rows["time"][(rows["sxx"] >= most).argmax()]
+    held = (rows["time"] > first) & (rows["time"] < first + 20)
+    case.check("held before it goes back: stress", rows["sxx"][held].mean(), most, 0.01)
+    case.check("held before it goes back: stress at the end of the run", rows["sxx"][-1], 0.5, 0.02)
+    case.check("held before it goes back: time to the end / time to the peak", (rows["time"][-1] - first - 20) / first, 1 - 0.5 / most, 0.02)
     if case.quick:
         return
     rows = verify.history(case.run("hold", entities=dict(style=1)))
