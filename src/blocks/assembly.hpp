@@ -9,6 +9,7 @@
 #include "base/archive.hpp"
 #include "blocks/overlap.hpp"
 #include "blocks/shape.hpp"
+#include "blocks/shared_region.hpp"
 #include "contact/joint_geometry.hpp"
 #include "contact/joint_law.hpp"
 #include "model/blocks.hpp"
@@ -92,6 +93,10 @@ struct BlockContact {
   std::uint32_t part = 0;  ///< of an overlap: index of the part
   /// Of an overlap that replaces faces, until it is first computed: the normal force that they carried, <= 0.
   std::optional<double> replaced = std::nullopt;
+  double couple = 0.0;  ///< of an overlap: moment about the normal over the normal force [length]
+  /// Of an overlap that replaced faces: a face, of those of a and then b, that counts as moved inwards by `set_back`.
+  std::uint32_t face = 0;
+  double set_back = 0.0;
 };
 void archive(Archive& a, BlockContact& contact);
 
@@ -143,6 +148,8 @@ struct BlockLedger {
   double content() const { return kinetic + strain + potential + slip + dashpot + damping + released - stepping; }
 };
 void archive(Archive& a, BlockLedger& ledger);
+
+struct ContactFrame;
 
 class Assembly {
  public:
@@ -290,10 +297,23 @@ class Assembly {
   // moving_contacts.cpp
   void place(std::size_t body, PlacedBlock& to) const;
   template <bool Plane>
-  void move_contact(std::size_t contact, const Vec3& n, const Vec3& at, double dt, JointIncrement& d);
+  void move_contact(std::size_t contact, const ContactFrame& to, double dt, JointIncrement& d);
   void resize(Joint& joint, double area, const JointIncrement& d) const;
-  /// `gap`: of a part of an overlap, `mean_gap` and `area`: of all its parts; gaps are those that count for the law.
-  static void begin_without_jump(BlockContact& contact, Joint& joint, double gap, double mean_gap, double area);
+  /// The overlap of two blocks as their contacts see it, in working memory.
+  struct OverlapNow {
+    PlacedBlock a, b;
+    BlockGap apart;
+    SharedRegion region;
+    bool found = false;
+    std::uint32_t face = 0;
+    double set_back = 0.0;
+    std::array<SharedPart, 4> parts;
+  };
+  void find_overlap(OverlapNow& now) const;
+  void set_back(OverlapNow& now, std::size_t face, double by) const;
+  void follow_set_back(OverlapNow& now) const;
+  void begin_with_force(OverlapNow& now, const JointAxes& axes, double force, double stiffness, double closed) const;
+  void place_overlap(std::size_t contact, double closed, double dt, OverlapNow& now) const;
   void overlap_increments(const Batch& batch, double dt, JointIncrement* to);
   void ball_on_face_increments(const Batch& batch, double dt, JointIncrement* to);
 
