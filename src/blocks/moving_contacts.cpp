@@ -78,32 +78,35 @@ void Assembly::follow_set_back(OverlapNow& now) const {
 }
 
 // Faces that were in contact at their middle only may overlap elsewhere when an overlap replaces them. If its springs
-// were to press more than the faces did, one of its faces is set back as far as needed to begin with their force.
-void Assembly::begin_with_force(OverlapNow& now, const JointAxes& axes, double force, double stiffness,
-                                double closed) const {
+// were to press more or to store more than those of the faces did, one of its faces is set back as far as needed.
+void Assembly::begin_as_faces(OverlapNow& now, const JointAxes& axes, const FormerFaces& faces, double stiffness,
+                              double closed) const {
   const std::span<SharedPart> parts(now.parts.data(), shared_parts(plane_));
-  const auto pressing = [&] {
-    if (!now.found) return 0.0;
+  const auto too_much = [&] {
+    if (!now.found) return false;
     now.region.share(axes, parts);
-    double out = 0;
-    for (const SharedPart& p : parts) out += stiffness * p.area * (p.depth + closed);
-    return out;
+    FormerFaces sum;
+    for (const SharedPart& p : parts) {
+      const double force = stiffness * p.area * (p.depth + closed);
+      sum.force += force, sum.energy += 0.5 * force * (p.depth + closed);
+    }
+    return sum.force > faces.force || sum.energy > faces.energy;
   };
-  if (!now.found || pressing() <= force) return;
+  if (!now.found || !too_much()) return;
   const std::size_t face = now.region.face(), of_a = now.a.normals.size();
   double low = 0.0, high = face < of_a ? now.region.deepest(now.a, face) : now.region.deepest(now.b, face - of_a);
   const PlacedBlock a = now.a, b = now.b;
   const auto try_out = [&](double by) {
     now.a = a, now.b = b;
     set_back(now, face, by), find_overlap(now);
-    return pressing();
+    return too_much();
   };
   for (int pass = 0; pass < 60 && high - low > 1e-12 * high; ++pass) {
     const double middle = 0.5 * (low + high);
-    (try_out(middle) > force ? low : high) = middle;
+    (try_out(middle) ? low : high) = middle;
   }
-  try_out(low);
-  now.face = static_cast<std::uint32_t>(face), now.set_back = low;
+  try_out(high);
+  now.face = static_cast<std::uint32_t>(face), now.set_back = high;
 }
 
 void Assembly::place_overlap(std::size_t k, double closed, double dt, OverlapNow& now) const {
@@ -117,7 +120,7 @@ void Assembly::place_overlap(std::size_t k, double closed, double dt, OverlapNow
     return (plane_ ? carried<true> : carried<false>)(c.axes, now.region.normal(), motion[c.a], motion[c.b], dt);
   };
   if (c.replaced && now.set_back == 0)
-    begin_with_force(now, axes(), -*c.replaced, joints[k].kn * (plane_ ? thickness_ : 1.0), closed);
+    begin_as_faces(now, axes(), *c.replaced, joints[k].kn * (plane_ ? thickness_ : 1.0), closed);
   now.region.share(axes(), {now.parts.data(), shared_parts(plane_)});
 }
 
