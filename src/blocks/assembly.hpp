@@ -311,6 +311,7 @@ class Assembly {
     BlockGap apart;
     SharedRegion region;
     bool found = false;
+    double closed = 0.0;  ///< gap from which on they press
     std::uint32_t face = 0;
     double set_back = 0.0;
     std::array<SharedPart, 4> parts;
@@ -318,9 +319,8 @@ class Assembly {
   void find_overlap(OverlapNow& now) const;
   void set_back(OverlapNow& now, std::size_t face, double by) const;
   void follow_set_back(OverlapNow& now) const;
-  void begin_as_faces(OverlapNow& now, const JointAxes& axes, const FormerFaces& faces, double stiffness,
-                      double closed) const;
-  void place_overlap(std::size_t contact, double closed, double dt, OverlapNow& now) const;
+  void begin_as_faces(OverlapNow& now, const JointAxes& axes, const FormerFaces& faces, double stiffness) const;
+  void place_overlap(std::size_t contact, double dt, OverlapNow& now) const;
   void overlap_increments(const Batch& batch, double dt, JointIncrement* to);
   void ball_on_face_increments(const Batch& batch, double dt, JointIncrement* to);
 

@@ -51,9 +51,12 @@ void Assembly::resize(Joint& j, double area, const JointIncrement& d) const {
   j.area = area, j.radius = plane_ ? 0.5 * area / thickness_ : std::sqrt(area / std::numbers::pi);
 }
 
+// Blocks that press from a gap on overlap as if the first one were larger by that; at its corners by somewhat more.
 void Assembly::find_overlap(OverlapNow& now) const {
-  now.apart = separation(now.a, now.b, plane_, plane_ ? 1e300 : 0.0);
-  now.found = now.apart.gap < 0 && now.region.find(now.a, now.b, now.apart.n, plane_);
+  const double reach = 3 * now.closed;
+  now.apart = separation(now.a, now.b, plane_, plane_ ? 1e300 : reach);
+  now.a.grown = now.closed;
+  now.found = now.apart.gap < reach && now.region.find(now.a, now.b, now.apart.n, plane_);
 }
 
 void Assembly::set_back(OverlapNow& now, std::size_t face, double by) const {
@@ -79,16 +82,16 @@ void Assembly::follow_set_back(OverlapNow& now) const {
 
 // Faces that were in contact at their middle only may overlap elsewhere when an overlap replaces them. If its springs
 // were to press more or to store more than those of the faces did, one of its faces is set back as far as needed.
-void Assembly::begin_as_faces(OverlapNow& now, const JointAxes& axes, const FormerFaces& faces, double stiffness,
-                              double closed) const {
+void Assembly::begin_as_faces(OverlapNow& now, const JointAxes& axes, const FormerFaces& faces,
+                              double stiffness) const {
   const std::span<SharedPart> parts(now.parts.data(), shared_parts(plane_));
   const auto too_much = [&] {
     if (!now.found) return false;
     now.region.share(axes, parts);
     FormerFaces sum;
     for (const SharedPart& p : parts) {
-      const double force = stiffness * p.area * (p.depth + closed);
-      sum.force += force, sum.energy += 0.5 * force * (p.depth + closed);
+      const double force = stiffness * p.area * p.depth;
+      sum.force += force, sum.energy += 0.5 * force * p.depth;
     }
     return sum.force > faces.force || sum.energy > faces.energy;
   };
@@ -109,7 +112,7 @@ void Assembly::begin_as_faces(OverlapNow& now, const JointAxes& axes, const Form
   now.face = static_cast<std::uint32_t>(face), now.set_back = high;
 }
 
-void Assembly::place_overlap(std::size_t k, double closed, double dt, OverlapNow& now) const {
+void Assembly::place_overlap(std::size_t k, double dt, OverlapNow& now) const {
   const BlockContact& c = contacts[k];
   place(c.a, now.a), place(c.b, now.b);
   now.face = c.face, now.set_back = c.set_back;
@@ -120,33 +123,33 @@ void Assembly::place_overlap(std::size_t k, double closed, double dt, OverlapNow
     return (plane_ ? carried<true> : carried<false>)(c.axes, now.region.normal(), motion[c.a], motion[c.b], dt);
   };
   if (c.replaced && now.set_back == 0)
-    begin_as_faces(now, axes(), *c.replaced, joints[k].kn * (plane_ ? thickness_ : 1.0), closed);
+    begin_as_faces(now, axes(), *c.replaced, joints[k].kn * (plane_ ? thickness_ : 1.0));
   now.region.share(axes(), {now.parts.data(), shared_parts(plane_)});
 }
 
 void Assembly::overlap_increments(const Batch& batch, double dt, JointIncrement* d) {
   thread_local OverlapNow now;
-  const double closed = groups[batch.group].law->proximity();
+  now.closed = groups[batch.group].law->proximity();
   const auto move = [&](std::size_t k, const Vec3& n, const Vec3& at, double couple) {
     const ContactFrame to{{n, Vec3::Zero(), Vec3::Zero()}, at, couple};
     plane_ ? move_contact<true>(k, to, dt, *d) : move_contact<false>(k, to, dt, *d);
   };
   for (std::size_t k = batch.begin; k < batch.end; ++k, ++d) {
     BlockContact& c = contacts[k];
-    if (k == batch.begin || c.part == 0) place_overlap(k, closed, dt, now);
+    if (k == batch.begin || c.part == 0) place_overlap(k, dt, now);
     c.face = now.face, c.set_back = now.set_back, c.replaced.reset();
     Joint& j = joints[k];
     if (now.found) {
       const SharedPart& part = now.parts[c.part];
       move(k, part.n, part.at, part.couple);
-      d->gap = -part.depth;
+      d->gap = now.closed - part.depth;
       if (part.area > 0) resize(j, plane_ ? part.area * thickness_ : part.area, *d);
     } else {
       move(k, now.apart.n, 0.5 * (now.a.centre + now.b.centre), 0.0);
-      d->gap = std::max(0.0, now.apart.gap);
+      d->gap = std::max(now.closed, now.apart.gap);
     }
     // a gap without force follows blocks that part until they no longer overlap
-    if (j.away && j.rest_gap < 0) j.rest_gap = std::min(0.0, std::max(j.rest_gap, d->gap - closed));
+    if (j.away && j.rest_gap < 0) j.rest_gap = std::min(0.0, std::max(j.rest_gap, d->gap - now.closed));
   }
 }
 

@@ -28,7 +28,7 @@ std::vector<BlockEdge> edges_of(const BlockShape& shape) {
 
 void PlacedBlock::place(const BlockShape& what, std::span<const BlockEdge> its_edges, const Vec3& x, const Mat3& R,
                         bool plane) {
-  shape = &what, edges = its_edges, centre = x, back = no_face;
+  shape = &what, edges = its_edges, centre = x, back = no_face, grown = 0.0;
   corners.clear(), normals.clear(), heights.clear();
   for (const Vec3& c : what.corners) corners.push_back(x + R * c);
   for (const auto& face : what.faces) {

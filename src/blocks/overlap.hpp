@@ -25,7 +25,9 @@ struct PlacedBlock {
   std::vector<Vec3> corners, normals;  ///< outward normals of the faces
   std::vector<double> heights;         ///< of the faces: normal . x
   std::size_t back = no_face;          ///< a face that was moved inwards; `corners` are those without that
+  double grown = 0.0;                  ///< all faces count as moved outwards by this for what the blocks share
   static constexpr std::size_t no_face = static_cast<std::size_t>(-1);
+  double height(std::size_t face) const { return heights[face] + grown; }
 
   /// Allocates nothing if it held a block of this size before.
   void place(const BlockShape& what, std::span<const BlockEdge> edges, const Vec3& x, const Mat3& R, bool plane);

@@ -60,10 +60,15 @@ SharedRegion::Side& SharedRegion::add_side() {
 void SharedRegion::find_edges(const PlacedBlock& a, const PlacedBlock& b) {
   thread_local std::vector<Corner> common, spare;
   common.clear();
-  for (std::size_t f = 0; f < a.normals.size(); ++f) common.push_back({a.corners[a.shape->faces[f][0]], f});
-  if (a.back < a.normals.size()) cut(common, a.normals[a.back], a.heights[a.back], a.back, spare);
+  for (std::size_t f = 0; f < a.normals.size(); ++f) {
+    common.push_back({a.corners[a.shape->faces[f][0]], f});
+    if (!(a.grown > 0)) continue;
+    const Vec3 both = a.normals[f > 0 ? f - 1 : a.normals.size() - 1] + a.normals[f];
+    common.back().x += 2 * a.grown / both.squaredNorm() * both;
+  }
+  if (a.back < a.normals.size()) cut(common, a.normals[a.back], a.height(a.back), a.back, spare);
   for (std::size_t f = 0; f < b.normals.size() && common.size() > 2; ++f)
-    cut(common, b.normals[f], b.heights[f], faces_of_a_ + f, spare);
+    cut(common, b.normals[f], b.height(f), faces_of_a_ + f, spare);
   if (common.size() < 3) return;
   for (std::size_t k = 0; k < common.size(); ++k) {
     Side& side = add_side();
@@ -74,29 +79,35 @@ void SharedRegion::find_edges(const PlacedBlock& a, const PlacedBlock& b) {
   }
 }
 
-// The faces of one block inside the other. A face that was set back is the section of the block there.
+namespace {
+
+// The section of a block where one of its faces was moved to; `polygon` is this face where it was.
+void section(const PlacedBlock& block, std::size_t face, Polygon& polygon, Polygon& spare) {
+  const Vec3& n = block.normals[face];
+  const Vec3 middle = polygon[0] - (n.dot(polygon[0]) - block.height(face)) * n;
+  double wide = 0.0;
+  for (const Vec3& x : block.corners) wide = std::max(wide, 4 * ((x - middle).norm() + block.grown));
+  const Vec3 s = wide * (polygon[1] - polygon[0]).normalized(), t = n.cross(s);
+  polygon.assign({middle - s - t, middle + s - t, middle + s + t, middle - s + t});
+  for (std::size_t g = 0; g < block.normals.size() && polygon.size() > 2; ++g)
+    if (g != face) cut(polygon, block.normals[g], block.height(g), spare);
+}
+
+}  // namespace
+
+// The faces of one block inside the other.
 void SharedRegion::find_faces(const PlacedBlock& own, const PlacedBlock& other, bool strictly, std::size_t first_face) {
   thread_local Polygon spare;
   for (std::size_t f = 0; f < own.normals.size(); ++f) {
     Side& side = add_side();
     Polygon& polygon = side.corners;
-    const auto& of_face = own.shape->faces[f];
-    for (const auto k : of_face) polygon.push_back(own.corners[k]);
-    if (f == own.back) {
-      const double back = own.normals[f].dot(polygon[0]) - own.heights[f];
-      for (Vec3& x : polygon) x -= back * own.normals[f];
-      const Vec3 u = polygon[1] - polygon[0], v = own.normals[f].cross(u), middle = polygon[0];
-      double wide = 0.0;
-      for (const Vec3& x : own.corners) wide = std::max(wide, 2 * (x - middle).norm());
-      const Vec3 s = wide / u.norm() * u, t = wide / v.norm() * v;
-      polygon.assign({middle - s - t, middle + s - t, middle + s + t, middle - s + t});
-      for (std::size_t g = 0; g < own.normals.size(); ++g)
-        if (g != f) cut(polygon, own.normals[g], own.heights[g], spare);
-    } else if (own.back < own.normals.size()) {
-      cut(polygon, own.normals[own.back], own.heights[own.back], spare);
-    }
+    for (const auto k : own.shape->faces[f]) polygon.push_back(own.corners[k]);
+    if (f == own.back || own.grown > 0)
+      section(own, f, polygon, spare);
+    else if (own.back < own.normals.size())
+      cut(polygon, own.normals[own.back], own.height(own.back), spare);
     for (std::size_t g = 0; g < other.normals.size() && polygon.size() > 2; ++g)
-      cut(polygon, other.normals[g], other.heights[g], spare, strictly);
+      cut(polygon, other.normals[g], other.height(g), spare, strictly);
     if (polygon.size() < 3) continue;
     side.out = own.normals[f], side.face = first_face + f;
     ++count_;
@@ -136,9 +147,9 @@ void SharedRegion::choose_face(const PlacedBlock& a, const PlacedBlock& b) {
   double least = std::numeric_limits<double>::infinity();
   const auto take = [&](const PlacedBlock& of, std::size_t first_face) {
     for (std::size_t f = 0; f < of.normals.size(); ++f) {
-      const double depth = of.heights[f] - of.normals[f].dot(centre_);
+      const double depth = of.height(f) - of.normals[f].dot(centre_);
       if (!(depth < (1 - 1e-9) * least)) continue;  // equal ones: always the first
-      least = depth, face_ = first_face + f, height_ = of.heights[f], out_ = of.normals[f];
+      least = depth, face_ = first_face + f, height_ = of.height(f), out_ = of.normals[f];
     }
   };
   take(a, 0), take(b, faces_of_a_);
@@ -165,7 +176,7 @@ bool SharedRegion::find(const PlacedBlock& a, const PlacedBlock& b, const Vec3& 
 double SharedRegion::deepest(const PlacedBlock& block, std::size_t face) const {
   double out = 0.0;
   for (std::size_t k = 0; k < count_; ++k)
-    for (const Vec3& x : sides_[k].corners) out = std::max(out, block.heights[face] - block.normals[face].dot(x));
+    for (const Vec3& x : sides_[k].corners) out = std::max(out, block.height(face) - block.normals[face].dot(x));
   return out;
 }
 

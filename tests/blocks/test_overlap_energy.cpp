@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// Blocks that tip, rock and collide with their corners keep their energy.
 
+#include "archived.hpp"
 #include "blocks/assembly.hpp"
 #include "input/read.hpp"
 #include "run/block_run.hpp"
@@ -98,8 +99,9 @@ TEST_CASE("bricks that collide with their corners keep energy and momentum", "[b
         "0");
     const Energies coarse = follow(model, 0.2, 0.5), fine = follow(model, 0.2, 0.05);
     CHECK(coarse.bounces > 0);
-    CHECK(std::abs(coarse.at_end) < 2e-3);
-    CHECK(std::abs(fine.at_end) < 1e-4);
+    // of first order in the step, as the force jumps where the face changes
+    CHECK(std::abs(coarse.at_end) < 1e-2);
+    CHECK(std::abs(fine.at_end) < 1e-3);
     Assembly blocks = assemble(model);
     const Vec3 before = blocks.motion[0].v + blocks.motion[1].v;
     while (blocks.time < 0.2) blocks.advance(blocks.critical_step());
@@ -118,22 +120,24 @@ TEST_CASE("a brick that lands on the edge of another one keeps its energy", "[bl
   CHECK(std::abs(follow(model, 0.5, 0.05).at_end) < 1e-4);
 }
 
-TEST_CASE("boxes that collide and spin in space keep energy and momentum", "[blocks][energy]") {
-  for (const double beside : {0.2, 0.55, 0.8}) {
+TEST_CASE("cubes that collide and spin in space keep energy and momentum", "[blocks][energy]") {
+  for (const auto& [beside, pressing_gap] :
+       {std::pair(0.2, 0.0), std::pair(0.55, 0.0), std::pair(0.8, 0.0), std::pair(0.55, 0.01)}) {
     const Model model = read_model_text(
         R"(<JANFEAInput version='3'>
   <Header><Analysis>12</Analysis><ConsistentUnits length='m' mass='kg' time='s'/></Header>
   <MPMHeader><MaxTime>1</MaxTime><ArchiveTime>1</ArchiveTime></MPMHeader>
   <Blocks lawname='rub' touchname='rub'>
     <BoxBlock xmin='0' xmax='1' ymin='0' ymax='1' zmin='0' zmax='1' rho='2000' vx='3' spinx='3' spiny='-2' angle='10'/>
-    <BoxBlock xmin='1.8' xmax='2.6' ymin=')" +
+    <BoxBlock xmin='1.8' xmax='2.7' ymin=')" +
             std::to_string(beside) + "' ymax='" + std::to_string(beside + 0.9) +
-            R"(' zmin='0.3' zmax='1.4' rho='2000' vx='-2' spinx='-1' spinz='4'/>
+            R"(' zmin='0.3' zmax='1.2' rho='2000' vx='-2' spinx='-1' spinz='4'/>
   </Blocks>
-  <Material Type='SpringNetwork' Name='rub'><kn>1e8</kn><ks>1e8</ks><fric>0</fric></Material>
+  <Material Type='SpringNetwork' Name='rub'><kn>1e8</kn><ks>1e8</ks><fric>0</fric><rgap>)" +
+            std::to_string(pressing_gap) + R"(</rgap></Material>
 </JANFEAInput>)",
         "boxes.xml");
-    INFO("beside " << beside);
+    INFO("beside " << beside << ", pressing from a gap of " << pressing_gap);
     const Energies coarse = follow(model, 0.4, 0.5), fine = follow(model, 0.4, 0.05);
     CHECK(coarse.bounces > 0);
     CHECK(std::abs(coarse.at_end) < 2e-3);
@@ -154,19 +158,27 @@ TEST_CASE("boxes that collide and spin in space keep energy and momentum", "[blo
     const Vec3 v = blocks.motion[0].v;
     while (blocks.time < 0.4) blocks.advance(0.1 * blocks.critical_step());
     CHECK((momentum().first - before.first).norm() < 1e-9);
-    CHECK((momentum().second - before.second).norm() < 1e-2);
+    CHECK((momentum().second - before.second).norm() < 1e-8);
     CHECK((blocks.motion[0].v - v).norm() > 0.1);
   }
 }
 
+namespace {
+
 // Faces that turn are replaced by overlaps here, blocks slide along edges, and corners come into contact with corners.
+Model pile() {
+  return bricks(std::string(held_floor) +
+                    "<BoxBlock xmin='0' xmax='1' ymin='0' ymax='1' rho='2000'/>"
+                    "<BoxBlock xmin='0' xmax='1' ymin='1' ymax='2' rho='2000'/>"
+                    "<BoxBlock xmin='0.3' xmax='1.6' ymin='2' ymax='3' rho='2000'/>"
+                    "<BoxBlock xmin='0.9' xmax='1.9' ymin='3' ymax='4' rho='2000'/>",
+                "-10", "0.3");
+}
+
+}  // namespace
+
 TEST_CASE("a pile of bricks that topples gains nothing", "[blocks][energy]") {
-  const Model model = bricks(std::string(held_floor) +
-                                 "<BoxBlock xmin='0' xmax='1' ymin='0' ymax='1' rho='2000'/>"
-                                 "<BoxBlock xmin='0' xmax='1' ymin='1' ymax='2' rho='2000'/>"
-                                 "<BoxBlock xmin='0.3' xmax='1.6' ymin='2' ymax='3' rho='2000'/>"
-                                 "<BoxBlock xmin='0.9' xmax='1.9' ymin='3' ymax='4' rho='2000'/>",
-                             "-10", "0.3");
+  const Model model = pile();
   for (const double step : {1.0, 0.2}) {
     Assembly blocks = assemble(model);
     double worst = 0.0, residual = 0.0, supplied = 0.0;
@@ -181,4 +193,23 @@ TEST_CASE("a pile of bricks that topples gains nothing", "[blocks][energy]") {
     CHECK(worst < 1e-3 * supplied);
     CHECK(residual < 1e-3 * supplied);
   }
+}
+
+TEST_CASE("faces that are set back are kept over a restart", "[blocks][energy]") {
+  const Model model = pile();
+  Assembly blocks = assemble(model);
+  const double dt = blocks.critical_step();
+  const auto set_back = [&] {
+    for (const BlockContact& c : blocks.contacts)
+      if (c.set_back > 0) return true;
+    return false;
+  };
+  while (blocks.time < 1 && !set_back()) blocks.advance(dt);
+  REQUIRE(set_back());
+  const ArchivedState saved = archived(blocks);
+  for (int k = 0; k < 200; ++k) blocks.advance(dt);
+  Assembly again = assemble(model);
+  restore(saved, again);
+  for (int k = 0; k < 200; ++k) again.advance(dt);
+  CHECK(differences(archived(blocks), archived(again)).empty());
 }

@@ -163,3 +163,17 @@ TEST_CASE("a face that is set back shares less", "[blocks]") {
       CHECK_FALSE(Found(a.block, b.block, plane).found);
     }
 }
+
+TEST_CASE("a block that counts as larger shares more", "[blocks]") {
+  for (const bool plane : {true, false})
+    for (const double x : {0.4, 0.52}) {
+      Placed a(brick_block({-2, -2, -2}, {0, 2, 2}, plane), Vec3::Zero(), Mat3::Identity(), plane),
+          b(cube(0.5, plane), Vec3(x, 0.2, 0), Mat3::Identity(), plane);
+      a.block.grown = 0.05;
+      SharedRegion region;
+      REQUIRE(region.find(a.block, b.block, Vec3::UnitX(), plane));
+      const double depth = 0.5 - x + 0.05;
+      CHECK(region.energy() == Approx(depth * depth / 2));
+      CHECK((action_of(region, plane).force - Vec3(depth, 0, 0)).norm() < 1e-14);
+    }
+}
