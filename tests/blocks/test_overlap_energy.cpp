@@ -11,6 +11,7 @@
 #include <cmath>
 
 using namespace tribo;
+using namespace tribo::test;
 
 namespace {
 
