@@ -9,6 +9,7 @@
 #include "base/archive.hpp"
 #include "blocks/overlap.hpp"
 #include "blocks/shape.hpp"
+#include "blocks/shared_region.hpp"
 #include "contact/joint_geometry.hpp"
 #include "contact/joint_law.hpp"
 #include "model/blocks.hpp"
@@ -82,6 +83,12 @@ enum class ContactKind : std::uint8_t {
   overlap        ///< a part of the intersection of two polygons or polyhedra, computed in every step
 };
 
+/// Normal springs of faces that an overlap replaces.
+struct FormerFaces {
+  double force = 0.0;   ///< in compression, >= 0
+  double energy = 0.0;  ///< stored in these springs
+};
+
 struct BlockContact {
   std::uint32_t a = 0, b = 0;                   ///< ends 1 and 2
   Vec3 pa = Vec3::Zero(), pb = Vec3::Zero();    ///< the point on each face, from the centre, in body axes
@@ -90,8 +97,12 @@ struct BlockContact {
   double mass = 0.0;       ///< m_a m_b/(m_a + m_b)
   double on_a = 0.5;       ///< position between pa (1) and pb (0); the normal is weighted the other way round
   std::uint32_t part = 0;  ///< of an overlap: index of the part
-  /// Of an overlap that replaces faces, until it is first computed: the normal force that they carried, <= 0.
-  std::optional<double> replaced = std::nullopt;
+  /// Of an overlap that replaces faces, until it is first computed.
+  std::optional<FormerFaces> replaced = std::nullopt;
+  double couple = 0.0;  ///< of an overlap: moment about the normal over the normal force [length]
+  /// Of an overlap that replaced faces: a face, of those of a and then b, that counts as moved inwards by `set_back`.
+  std::uint32_t face = 0;
+  double set_back = 0.0;
 };
 void archive(Archive& a, BlockContact& contact);
 
@@ -143,6 +154,8 @@ struct BlockLedger {
   double content() const { return kinetic + strain + potential + slip + dashpot + damping + released - stepping; }
 };
 void archive(Archive& a, BlockLedger& ledger);
+
+struct ContactFrame;
 
 class Assembly {
  public:
@@ -282,12 +295,12 @@ class Assembly {
   // detect.cpp
   void join_balls(std::vector<bool>& used);
   void find_pairs(double dt);
-  /// Normal force of all faces of each pair of blocks that lose their permanent contacts.
-  std::map<std::pair<std::uint32_t, std::uint32_t>, double> release_moved_faces(double dt);
+  /// Springs of all faces of each pair of blocks that lose their permanent contacts.
+  std::map<std::pair<std::uint32_t, std::uint32_t>, FormerFaces> release_moved_faces(double dt);
   void set_found_pairs(std::span<const std::int64_t> pairs);
   double later_reach() const;
   void set_pairs(const std::vector<FoundPair>& pairs,
-                 const std::map<std::pair<std::uint32_t, std::uint32_t>, double>& replaced = {});
+                 const std::map<std::pair<std::uint32_t, std::uint32_t>, FormerFaces>& replaced = {});
   std::pair<BlockContact, JointSite> ball_contact(std::uint32_t a, std::uint32_t b) const;
   bool moved(std::span<const Vec3> since, double distance) const;
   std::array<Vec3, 3> marks(std::size_t body) const;
@@ -299,10 +312,24 @@ class Assembly {
   // moving_contacts.cpp
   void place(std::size_t body, PlacedBlock& to) const;
   template <bool Plane>
-  void move_contact(std::size_t contact, const Vec3& n, const Vec3& at, double dt, JointIncrement& d);
+  void move_contact(std::size_t contact, const ContactFrame& to, double dt, JointIncrement& d);
   void resize(Joint& joint, double area, const JointIncrement& d) const;
-  /// `gap`: of a part of an overlap, `mean_gap` and `area`: of all its parts; gaps are those that count for the law.
-  static void begin_without_jump(BlockContact& contact, Joint& joint, double gap, double mean_gap, double area);
+  /// The overlap of two blocks as their contacts see it, in working memory.
+  struct OverlapNow {
+    PlacedBlock a, b;
+    BlockGap apart;
+    SharedRegion region;
+    bool found = false;
+    double closed = 0.0;  ///< gap from which on they press
+    std::uint32_t face = 0;
+    double set_back = 0.0;
+    std::array<SharedPart, 4> parts;
+  };
+  void find_overlap(OverlapNow& now) const;
+  void set_back(OverlapNow& now, std::size_t face, double by) const;
+  void follow_set_back(OverlapNow& now) const;
+  void begin_as_faces(OverlapNow& now, const JointAxes& axes, const FormerFaces& faces, double stiffness) const;
+  void place_overlap(std::size_t contact, double dt, OverlapNow& now) const;
   void overlap_increments(const Batch& batch, double dt, JointIncrement* to);
   void ball_on_face_increments(const Batch& batch, double dt, JointIncrement* to);
 

@@ -4,6 +4,7 @@
 #include "base/error.hpp"
 #include "blocks/kinematics.hpp"
 #include "blocks/near_pairs.hpp"
+#include "contact/joint_parts.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -140,8 +141,8 @@ void Assembly::join_balls(std::vector<bool>& used) {
 
 // Pairs of blocks whose faces, all without bond, slid or separated lose their permanent contacts if they have a law for
 // new ones, which are then detected. The forces at the start of the present step still act.
-std::map<Pair, double> Assembly::release_moved_faces(double dt) {
-  std::map<Pair, double> forces_before;
+std::map<Pair, FormerFaces> Assembly::release_moved_faces(double dt) {
+  std::map<Pair, FormerFaces> before;
   std::set<Pair> leave, stay;
   const auto each_face = [&](auto&& f) {
     for (std::size_t i = 0; i < groups.size(); ++i)
@@ -160,23 +161,24 @@ std::map<Pair, double> Assembly::release_moved_faces(double dt) {
   });
   for (auto pair = leave.begin(); pair != leave.end();)
     pair = later_law(pair->first, pair->second) ? std::next(pair) : leave.erase(pair);
-  if (leave.empty()) return forces_before;
+  if (leave.empty()) return before;
   each_face([&](std::size_t g, std::size_t k, Joint& j, const BlockContact&, const Pair& pair) {
     if (leave.count(pair) == 0 || stay.count(pair) > 0) return;
     JointIncrement d;
     increments({g, k, k + 1}, dt, &d);
-    forces_before[{std::min(pair.first, pair.second), std::max(pair.first, pair.second)}] += std::min(j.Fn, 0.0);
+    FormerFaces& faces = before[{std::min(pair.first, pair.second), std::max(pair.first, pair.second)}];
+    if (j.Fn < 0) faces.force -= j.Fn, faces.energy += spring_energy(j.Fn, j.Fn, j.kn * j.area);
     j.work += half_work(j, d);
     dashpot_work[k] += 0.5 * (j.dashpot_normal * d.normal - j.dashpot_shear.dot(d.shear));
     j.area = j.Fn = j.Mt = j.strain = j.dashpot_normal = j.poisson_normal = 0;
     j.Fs = j.Mb = j.dashpot_shear = j.poisson_shear = {};
     j.away = true;
   });
-  return forces_before;
+  return before;
 }
 
 void Assembly::find_pairs(double dt) {
-  const auto replaced = dt > 0 ? release_moved_faces(dt) : std::map<Pair, double>{};
+  const auto replaced = dt > 0 ? release_moved_faces(dt) : std::map<Pair, FormerFaces>{};
   std::set<Pair> lasting;
   for (std::size_t k = 0; k < permanent_; ++k)
     if (joints[k].area > 0)
@@ -209,7 +211,7 @@ double Assembly::later_reach() const {
 }
 
 // Replaces the contacts after the permanent ones by those of the pairs; contacts that existed keep their state.
-void Assembly::set_pairs(const std::vector<FoundPair>& pairs, const std::map<Pair, double>& replaced) {
+void Assembly::set_pairs(const std::vector<FoundPair>& pairs, const std::map<Pair, FormerFaces>& replaced) {
   struct Old {
     FoundPair pair;
     BlockContact contact;

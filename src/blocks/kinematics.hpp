@@ -6,10 +6,11 @@
 
 namespace tribo {
 
-/// Position and axes of a contact.
+/// Position and axes of a contact; `couple` is BlockContact::couple.
 struct ContactFrame {
   JointAxes axes;
   Vec3 at = Vec3::Zero();
+  double couple = 0.0;
 };
 
 /// Axes in the plane of a normal there.
@@ -49,7 +50,8 @@ void count_increment(const BlockMotion& a, const BlockMotion& b, const Vec3& shi
   } else {
     const Vec3 s = 0.5 * (before.axes.s + after.axes.s), t = 0.5 * (before.axes.t + after.axes.t);
     const Vec3 apart = dt * (vb + b.w.cross(arm_b) - a.v - a.w.cross(arm_a)), turned = dt * (b.w - a.w);
-    d.normal = n.dot(apart), d.shear = {s.dot(apart), t.dot(apart)};
+    d.normal = n.dot(apart) + 0.5 * (before.couple + after.couple) * n.dot(turned);
+    d.shear = {s.dot(apart), t.dot(apart)};
     d.twist = n.dot(turned), d.bend = {s.dot(turned), t.dot(turned)};
   }
 }

@@ -21,15 +21,17 @@ Vec3 Assembly::nearest_on(std::size_t k, const Vec3& x) const {
 // Moves a contact to a position and normal, and computes the increments of its bodies there. An overlap may jump to
 // another face: then the old forces act in the first half of the step at the old position, the new ones in the second.
 template <bool Plane>
-void Assembly::move_contact(std::size_t k, const Vec3& n, const Vec3& at, double dt, JointIncrement& d) {
+void Assembly::move_contact(std::size_t k, const ContactFrame& to, double dt, JointIncrement& d) {
   BlockContact& c = contacts[k];
   const BlockMotion &a = motion[c.a], &b = motion[c.b];
-  const ContactFrame before{c.axes, contact_forces[k].at};
-  c.axes = carried<Plane>(c.axes, n, a, b, dt);
-  const ContactFrame now{c.axes, at};
+  const ContactFrame before{c.axes, contact_forces[k].at, c.couple};
+  const Vec3& n = to.axes.n;
+  c.axes = carried<Plane>(c.axes, n, a, b, dt), c.couple = to.couple;
+  const ContactFrame now{c.axes, to.at, c.couple};
   Joint& j = joints[k];
   const double reach = plane_ ? j.area / thickness_ : std::sqrt(j.area);
-  const bool jumps = before.axes.n.dot(n) < 1 - 1e-5 || (at - before.at).norm() > 0.02 * reach;
+  const bool jumps = before.axes.n.dot(n) < 1 - 1e-5 || (to.at - before.at).norm() > 0.02 * reach ||
+                     std::abs(now.couple - before.couple) > 0.02 * reach;
   count_increment<Plane>(a, b, Vec3::Zero(), Vec3::Zero(), jumps ? now : before, now, dt, d);
   if (jumps && !contact_forces[k].all.isZero(0.0)) {
     JointIncrement old;
@@ -37,7 +39,7 @@ void Assembly::move_contact(std::size_t k, const Vec3& n, const Vec3& at, double
     j.work += half_work(j, old) - half_work(j, d);
     dashpot_work[k] += 0.5 * (j.dashpot_normal * (old.normal - d.normal) - j.dashpot_shear.dot(old.shear - d.shear));
   }
-  contact_forces[k].at = at, d.mass = c.mass;
+  contact_forces[k].at = to.at, d.mass = c.mass;
 }
 
 // Area that leaves a contact takes its fraction of the shear force along. In this step the whole force still acts.
@@ -49,53 +51,105 @@ void Assembly::resize(Joint& j, double area, const JointIncrement& d) const {
   j.area = area, j.radius = plane_ ? 0.5 * area / thickness_ : std::sqrt(area / std::numbers::pi);
 }
 
+// Blocks that press from a gap on overlap as if the first one were larger by that; at its corners by somewhat more.
+void Assembly::find_overlap(OverlapNow& now) const {
+  const double reach = 3 * now.closed;
+  now.apart = separation(now.a, now.b, plane_, plane_ ? 1e300 : reach);
+  now.a.grown = now.closed;
+  now.found = now.apart.gap < reach && now.region.find(now.a, now.b, now.apart.n, plane_);
+}
+
+void Assembly::set_back(OverlapNow& now, std::size_t face, double by) const {
+  const std::size_t of_a = now.a.normals.size();
+  face < of_a ? now.a.set_back(face, by) : now.b.set_back(face - of_a, by);
+}
+
+// Where the blocks part, a face that was set back follows the other block until it is where it should be.
+void Assembly::follow_set_back(OverlapNow& now) const {
+  set_back(now, now.face, now.set_back);
+  find_overlap(now);
+  if (now.found) return;
+  const BlockGap apart = now.apart;
+  set_back(now, now.face, -now.set_back);
+  find_overlap(now);
+  const std::size_t of_a = now.a.normals.size();
+  const double deepest = !now.found        ? 0.0
+                         : now.face < of_a ? now.region.deepest(now.a, now.face)
+                                           : now.region.deepest(now.b, now.face - of_a);
+  now.set_back = std::min(now.set_back, deepest);
+  if (now.found) now.apart = apart, now.found = false;
+}
+
 // Faces that were in contact at their middle only may overlap elsewhere when an overlap replaces them. If its springs
-// were to press more than the faces did, they begin with the force of the faces, distributed as the overlap is. Where
-// the blocks part, the gap without force follows them until they no longer overlap.
-void Assembly::begin_without_jump(BlockContact& c, Joint& j, double gap, double mean_gap, double area) {
-  if (c.replaced) {
-    const double whole = j.kn * area * mean_gap;
-    if (whole < *c.replaced) j.rest_gap = (gap < 0 ? gap : mean_gap) * (1 - *c.replaced / whole);
-    c.replaced.reset();
-  } else if (j.away && j.rest_gap < 0) {
-    j.rest_gap = std::min(0.0, std::max(j.rest_gap, gap));
+// were to press more or to store more than those of the faces did, one of its faces is set back as far as needed.
+void Assembly::begin_as_faces(OverlapNow& now, const JointAxes& axes, const FormerFaces& faces,
+                              double stiffness) const {
+  const std::span<SharedPart> parts(now.parts.data(), shared_parts(plane_));
+  const auto too_much = [&] {
+    if (!now.found) return false;
+    now.region.share(axes, parts);
+    FormerFaces sum;
+    for (const SharedPart& p : parts) {
+      const double force = stiffness * p.area * p.depth;
+      sum.force += force, sum.energy += 0.5 * force * p.depth;
+    }
+    return sum.force > faces.force || sum.energy > faces.energy;
+  };
+  if (!now.found || !too_much()) return;
+  const std::size_t face = now.region.face(), of_a = now.a.normals.size();
+  double low = 0.0, high = face < of_a ? now.region.deepest(now.a, face) : now.region.deepest(now.b, face - of_a);
+  const PlacedBlock a = now.a, b = now.b;
+  const auto try_out = [&](double by) {
+    now.a = a, now.b = b;
+    set_back(now, face, by), find_overlap(now);
+    return too_much();
+  };
+  for (int pass = 0; pass < 60 && high - low > 1e-12 * high; ++pass) {
+    const double middle = 0.5 * (low + high);
+    (try_out(middle) ? low : high) = middle;
   }
+  try_out(high);
+  now.face = static_cast<std::uint32_t>(face), now.set_back = high;
+}
+
+void Assembly::place_overlap(std::size_t k, double dt, OverlapNow& now) const {
+  const BlockContact& c = contacts[k];
+  place(c.a, now.a), place(c.b, now.b);
+  now.face = c.face, now.set_back = c.set_back;
+  now.set_back > 0 ? follow_set_back(now) : find_overlap(now);
+  if (!now.found) return;
+  // cut along the axes of this step, which all parts of a pair use
+  const auto axes = [&] {
+    return (plane_ ? carried<true> : carried<false>)(c.axes, now.region.normal(), motion[c.a], motion[c.b], dt);
+  };
+  if (c.replaced && now.set_back == 0)
+    begin_as_faces(now, axes(), *c.replaced, joints[k].kn * (plane_ ? thickness_ : 1.0));
+  now.region.share(axes(), {now.parts.data(), shared_parts(plane_)});
 }
 
 void Assembly::overlap_increments(const Batch& batch, double dt, JointIncrement* d) {
-  thread_local PlacedBlock a, b;
-  std::array<SharedPart, 4> of_pair;
-  const std::span<SharedPart> parts(of_pair.data(), shared_parts(plane_));
-  BlockGap apart;
-  bool shared = false;
-  const double closed = groups[batch.group].law->proximity();
+  thread_local OverlapNow now;
+  now.closed = groups[batch.group].law->proximity();
+  const auto move = [&](std::size_t k, const Vec3& n, const Vec3& at, double couple) {
+    const ContactFrame to{{n, Vec3::Zero(), Vec3::Zero()}, at, couple};
+    plane_ ? move_contact<true>(k, to, dt, *d) : move_contact<false>(k, to, dt, *d);
+  };
   for (std::size_t k = batch.begin; k < batch.end; ++k, ++d) {
     BlockContact& c = contacts[k];
-    if (k == batch.begin || c.part == 0) {
-      place(c.a, a), place(c.b, b);
-      apart = separation(a, b, plane_, plane_ ? 1e300 : 0.0);
-      shared = false;
+    if (k == batch.begin || c.part == 0) place_overlap(k, dt, now);
+    c.face = now.face, c.set_back = now.set_back, c.replaced.reset();
+    Joint& j = joints[k];
+    if (now.found) {
+      const SharedPart& part = now.parts[c.part];
+      move(k, part.n, part.at, part.couple);
+      d->gap = now.closed - part.depth;
+      if (part.area > 0) resize(j, plane_ ? part.area * thickness_ : part.area, *d);
+    } else {
+      move(k, now.apart.n, 0.5 * (now.a.centre + now.b.centre), 0.0);
+      d->gap = std::max(now.closed, now.apart.gap);
     }
-    const Vec3 middle = 0.5 * (a.centre + b.centre);
-    if (apart.gap >= 0) {
-      plane_ ? move_contact<true>(k, apart.n, middle, dt, *d) : move_contact<false>(k, apart.n, middle, dt, *d);
-      d->gap = apart.gap;
-      begin_without_jump(c, joints[k], d->gap - closed, 0.0, 0.0);
-      continue;
-    }
-    if (!shared) {  // cut along the axes of this step, which all parts of a pair use
-      const auto& carry = plane_ ? carried<true> : carried<false>;
-      share(a, b, carry(c.axes, apart.n, motion[c.a], motion[c.b], dt), plane_, parts);
-      shared = true;
-    }
-    const SharedPart& part = parts[c.part];
-    plane_ ? move_contact<true>(k, apart.n, part.at, dt, *d) : move_contact<false>(k, apart.n, part.at, dt, *d);
-    d->gap = part.area > 0 ? -part.volume / part.area : 0.0;
-    double area = 0, volume = 0;
-    for (const SharedPart& p : parts) area += p.area, volume += p.volume;
-    begin_without_jump(c, joints[k], d->gap - closed, (area > 0 ? -volume / area : 0.0) - closed,
-                       plane_ ? area * thickness_ : area);
-    if (part.area > 0) resize(joints[k], plane_ ? part.area * thickness_ : part.area, *d);
+    // a gap without force follows blocks that part until they no longer overlap
+    if (j.away && j.rest_gap < 0) j.rest_gap = std::min(0.0, std::max(j.rest_gap, d->gap - now.closed));
   }
 }
 
@@ -109,7 +163,8 @@ void Assembly::ball_on_face_increments(const Batch& batch, double dt, JointIncre
     const Vec3 out = m.R * near.out, n = first ? Vec3(-out) : out;
     const double gap = near.distance - shapes[ball].radius;
     const Vec3 at = m.x + m.R * near.at + 0.5 * gap * out;
-    plane_ ? move_contact<true>(k, n, at, dt, *d) : move_contact<false>(k, n, at, dt, *d);
+    const ContactFrame to{{n, Vec3::Zero(), Vec3::Zero()}, at, 0.0};
+    plane_ ? move_contact<true>(k, to, dt, *d) : move_contact<false>(k, to, dt, *d);
     d->gap = gap;
   }
 }

@@ -11,34 +11,7 @@ namespace tribo {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-using Polygon = std::vector<Vec3>;
-
-// The part of a polygon with n . x <= limit, or < limit if `strictly`; `spare` is scratch memory.
-void cut(Polygon& polygon, const Vec3& n, double limit, Polygon& spare, bool strictly = false) {
-  spare.clear();
-  for (std::size_t k = 0; k < polygon.size(); ++k) {
-    const Vec3 &p = polygon[k], &q = polygon[(k + 1) % polygon.size()];
-    const double u = n.dot(p) - limit, v = n.dot(q) - limit;
-    const bool p_in = strictly ? u < 0 : u <= 0, q_in = strictly ? v < 0 : v <= 0;
-    if (p_in) spare.push_back(p);
-    if (p_in != q_in) spare.push_back(p + u / (u - v) * (q - p));
-  }
-  polygon.swap(spare);
 }
-
-void cut(Polygon& polygon, const PlacedBlock& by, Polygon& spare, bool strictly = false) {
-  for (std::size_t f = 0; f < by.normals.size() && polygon.size() > 2; ++f)
-    cut(polygon, by.normals[f], by.heights[f], spare, strictly);
-}
-
-struct Extent {
-  double low = infinity, high = -infinity;
-  void take(double x) { low = std::min(low, x), high = std::max(high, x); }
-  double middle() const { return 0.5 * (low + high); }
-};
-
-}  // namespace
 
 std::vector<BlockEdge> edges_of(const BlockShape& shape) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> left;  // of directed edges
@@ -55,7 +28,7 @@ std::vector<BlockEdge> edges_of(const BlockShape& shape) {
 
 void PlacedBlock::place(const BlockShape& what, std::span<const BlockEdge> its_edges, const Vec3& x, const Mat3& R,
                         bool plane) {
-  shape = &what, edges = its_edges, centre = x;
+  shape = &what, edges = its_edges, centre = x, back = no_face, grown = 0.0;
   corners.clear(), normals.clear(), heights.clear();
   for (const Vec3& c : what.corners) corners.push_back(x + R * c);
   for (const auto& face : what.faces) {
@@ -113,83 +86,6 @@ BlockGap separation(const PlacedBlock& a, const PlacedBlock& b, bool plane, doub
   separate_by_faces(b, a, -1.0, enough, best);
   if (!plane && !(best.gap > enough)) separate_by_edges(a, b, enough, best);
   return best;
-}
-
-namespace {
-
-void share_in_plane(const PlacedBlock& a, const PlacedBlock& b, const JointAxes& axes, std::span<SharedPart> parts) {
-  thread_local Polygon common, half, spare;  // scratch memory, kept from step to step
-  common = a.corners;
-  cut(common, b, spare);
-  if (common.size() < 3) return;
-  Extent width;
-  for (const Vec3& x : common) width.take(axes.t.dot(x));
-  for (std::size_t side = 0; side < 2; ++side) {
-    const double sign = side == 0 ? 1.0 : -1.0;
-    half = common;
-    cut(half, sign * axes.t, sign * width.middle(), spare);
-    if (half.size() < 3) continue;
-    SharedPart& part = parts[side];
-    Vec3 first = Vec3::Zero();
-    for (std::size_t k = 1; k + 1 < half.size(); ++k) {
-      const Vec3 u = half[k] - half[0], v = half[k + 1] - half[0];
-      const double area = 0.5 * std::abs(u[0] * v[1] - u[1] * v[0]);
-      part.volume += area, first += area / 3 * (u + v);
-    }
-    part.area = 0.5 * (width.high - width.low);
-    part.at = part.volume > 0 ? Vec3(half[0] + first / part.volume) : half[0];
-  }
-}
-
-// The surface of the intersection: the faces of each block inside the other. Faces of cuts through the apex of the
-// cones have neither volume nor projected area and are not needed.
-void share_in_space(const PlacedBlock& a, const PlacedBlock& b, const JointAxes& axes, std::span<SharedPart> parts) {
-  struct Face {
-    Polygon corners;
-    double facing;  // its normal along n
-  };
-  thread_local std::vector<Face> faces;
-  thread_local Polygon piece, spare;
-  std::size_t count = 0;
-  Extent s, t;
-  for (const auto& [own, other, strictly] : {std::tuple{&a, &b, false}, std::tuple{&b, &a, true}})
-    for (std::size_t f = 0; f < own->normals.size(); ++f) {
-      if (count == faces.size()) faces.emplace_back();
-      Face& face = faces[count];
-      face.corners.clear();
-      for (const auto k : own->shape->faces[f]) face.corners.push_back(own->corners[k]);
-      face.facing = own->normals[f].dot(axes.n);
-      cut(face.corners, *other, spare, strictly);
-      if (face.corners.size() < 3) continue;
-      for (const Vec3& x : face.corners) s.take(axes.s.dot(x)), t.take(axes.t.dot(x));
-      ++count;
-    }
-  if (count == 0) return;
-  const Vec3 o = s.middle() * axes.s + t.middle() * axes.t + axes.n.dot(faces[0].corners[0]) * axes.n;
-  for (std::size_t quarter = 0; quarter < 4; ++quarter) {
-    SharedPart& part = parts[quarter];
-    const double us = quarter & 1 ? -1.0 : 1.0, ut = quarter & 2 ? -1.0 : 1.0;
-    Vec3 first = Vec3::Zero();
-    for (std::size_t f = 0; f < count; ++f) {
-      piece = faces[f].corners;
-      cut(piece, us * axes.s, us * s.middle(), spare);
-      if (piece.size() > 2) cut(piece, ut * axes.t, ut * t.middle(), spare);
-      for (std::size_t k = 1; k + 1 < piece.size(); ++k) {
-        const Vec3 p = piece[0] - o, q = piece[k] - o, r = piece[k + 1] - o;
-        const double cone = p.dot(q.cross(r)) / 6;
-        part.volume += cone, first += 0.25 * cone * (p + q + r);
-        if (faces[f].facing > 0) part.area += 0.5 * (q - p).cross(r - p).dot(axes.n);
-      }
-    }
-    part.at = part.volume > 0 ? Vec3(o + first / part.volume) : o;
-  }
-}
-
-}  // namespace
-
-void share(const PlacedBlock& a, const PlacedBlock& b, const JointAxes& axes, bool plane, std::span<SharedPart> parts) {
-  std::fill(parts.begin(), parts.end(), SharedPart{0.5 * (a.centre + b.centre), 0.0, 0.0});
-  plane ? share_in_plane(a, b, axes, parts) : share_in_space(a, b, axes, parts);
 }
 
 }  // namespace tribo

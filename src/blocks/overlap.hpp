@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-/// Two convex blocks that overlap: distance, direction and intersection.
+/// Two convex blocks that overlap: distance and direction.
 #pragma once
 
 #include "blocks/shape.hpp"
-#include "contact/joint_geometry.hpp"
 
 #include <span>
 #include <vector>
@@ -25,9 +24,15 @@ struct PlacedBlock {
   Vec3 centre = Vec3::Zero();
   std::vector<Vec3> corners, normals;  ///< outward normals of the faces
   std::vector<double> heights;         ///< of the faces: normal . x
+  std::size_t back = no_face;          ///< a face that was moved inwards; `corners` are those without that
+  double grown = 0.0;                  ///< all faces count as moved outwards by this for what the blocks share
+  static constexpr std::size_t no_face = static_cast<std::size_t>(-1);
+  double height(std::size_t face) const { return heights[face] + grown; }
 
   /// Allocates nothing if it held a block of this size before.
   void place(const BlockShape& what, std::span<const BlockEdge> edges, const Vec3& x, const Mat3& R, bool plane);
+  /// Moves a face inwards, one at most; a negative distance moves it back again.
+  void set_back(std::size_t face, double by) { back = face, heights[face] -= by; }
 };
 
 /// Largest distance of two blocks along any direction, negative: least overlap along any direction; n points from a to
@@ -40,18 +45,5 @@ struct BlockGap {
 /// and of pairs of edges whose arcs on the sphere of normals cross (Gregorius, Game Developers Conference 2013).
 /// Between overlapping blocks a pair of edges must be better by a twentieth, so that face contacts persist.
 BlockGap separation(const PlacedBlock& a, const PlacedBlock& b, bool plane, double enough);
-
-/// A part of the intersection of two blocks. Its mean depth volume/area is the overlap of springs k A there: parts add
-/// up to k times the common volume, and its moment.
-struct SharedPart {
-  Vec3 at = Vec3::Zero();  ///< its centre
-  double area = 0.0;       ///< projected along n; two dimensions: length
-  double volume = 0.0;     ///< two dimensions: area
-};
-/// Number of parts of a pair: enough to resist all relative motions of two bodies.
-constexpr std::size_t shared_parts(bool plane) { return plane ? 2 : 4; }
-/// The intersection of two blocks, cut in the middle along the axes t, and in space also s.
-/// `parts` has the length shared_parts(plane).
-void share(const PlacedBlock& a, const PlacedBlock& b, const JointAxes& axes, bool plane, std::span<SharedPart> parts);
 
 }  // namespace tribo

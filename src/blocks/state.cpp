@@ -30,12 +30,13 @@ void archive(Archive& a, BlockWork& work) {
   a("outer", outer), a("boundary", boundary), a("damped", damped), a("stepping", stepping);
 }
 
-// Only the axes carry something over from the last step. Points, normals and masses of faces are constant, those of
-// other contacts are computed from the positions of the blocks. What a contact replaces matters within a step only.
+// The axes, and what belongs to an overlap, carry something over from the last step. Points, normals and masses of
+// faces are constant, those of other contacts are computed from the positions of the blocks. What a contact replaces
+// matters within a step only.
 void archive(Archive& a, BlockContact& contact) {
-  auto& [body_a, body_b, pa, pb, na, nb, axes, mass, on_a, part, replaced] = contact;
-  a.version(1);
-  a("axes", axes);
+  auto& [body_a, body_b, pa, pb, na, nb, axes, mass, on_a, part, replaced, couple, face, set_back] = contact;
+  a.version(2);
+  a("axes", axes), a("couple", couple), a("face", face), a("set_back", set_back);
 }
 
 void archive(Archive& a, ContactForce& force) {
@@ -59,6 +60,12 @@ static void check(const Assembly& blocks) {
     if (!(m.x.norm() < farthest) || !((m.R.transpose() * m.R - Mat<3>::Identity()).cwiseAbs().maxCoeff() < tolerance))
       refuse_checkpoint("the place of a block");
   if (!blocks.is_finite()) refuse_checkpoint("the velocity of a block");
+  for (const BlockContact& c : blocks.contacts) {
+    if (c.set_back > 0 && c.face >= blocks.shapes[c.a].faces.size() + blocks.shapes[c.b].faces.size())
+      refuse_checkpoint("a face of a block");
+    if (!(c.set_back >= 0 && c.set_back < farthest && std::abs(c.couple) < farthest))
+      refuse_checkpoint("the overlap of two blocks");
+  }
   if (blocks.step < 0 || blocks.time < 0) refuse_checkpoint("its time or its number of steps is negative");
 }
 

@@ -197,7 +197,7 @@ void Assembly::set_force(std::size_t k) {
   ContactForce& f = contact_forces[k];
   f.elastic = axes.vector(j.Fs) - j.Fn * axes.n;
   f.all = f.elastic + axes.vector(j.dashpot_shear) - j.dashpot_normal * axes.n;
-  f.moment = axes.vector(j.Mb) + j.Mt * axes.n;
+  f.moment = axes.vector(j.Mb) + (j.Mt - (j.Fn + j.dashpot_normal) * contacts[k].couple) * axes.n;
 }
 
 // Uniform pressures act at the centroids of faces.

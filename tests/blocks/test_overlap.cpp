@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-/// BlockGap and common parts of convex blocks.
+/// Distance and direction of convex blocks.
 
-#include "blocks/block_cases.hpp"
-#include "blocks/overlap.hpp"
+#include "blocks/placed_cases.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -12,20 +11,6 @@ using namespace tribo;
 using namespace tribo::test;
 
 namespace {
-
-/// A shape with its edges where it is.
-struct Placed {
-  BlockShape shape;
-  std::vector<BlockEdge> edges;
-  PlacedBlock block;
-  Placed(BlockShape what, const Vec3& x, const Mat3& R, bool plane) : shape(std::move(what)), edges(edges_of(shape)) {
-    block.place(shape, edges, x, R, plane);
-  }
-};
-
-BlockShape cube(double half, bool plane) { return brick_block(Vec3::Constant(-half), Vec3::Constant(half), plane); }
-
-Mat3 turned(double angle, const Vec3& axis) { return Eigen::AngleAxisd(angle, axis.normalized()).toRotationMatrix(); }
 
 /// By all faces and all pairs of edges.
 double largest_gap(const Placed& a, const Placed& b, bool edges) {
@@ -45,19 +30,6 @@ double largest_gap(const Placed& a, const Placed& b, bool edges) {
       for (const BlockEdge& f : b.edges)
         along((a.block.corners[e.to] - a.block.corners[e.from]).cross(b.block.corners[f.to] - b.block.corners[f.from]));
   return best;
-}
-
-struct Sum {
-  double volume = 0, area = 0;
-  Vec3 first = Vec3::Zero();
-};
-Sum all_shared(const Placed& a, const Placed& b, const Vec3& n, bool plane) {
-  std::array<SharedPart, 4> parts;
-  share(a.block, b.block, JointAxes::of_normal(n), plane, {parts.data(), shared_parts(plane)});
-  Sum out;
-  for (std::size_t k = 0; k < shared_parts(plane); ++k)
-    out.volume += parts[k].volume, out.area += parts[k].area, out.first += parts[k].volume * parts[k].at;
-  return out;
 }
 
 }  // namespace
@@ -109,28 +81,4 @@ TEST_CASE("the largest separation is found among all faces and edges", "[blocks]
     CHECK((separation(a.block, b.block, false, 0.1).gap > 0.1) == (found > 0.1));
   }
   CHECK(by_edges > 20);
-}
-
-TEST_CASE("what two blocks share adds up to its volume and moment", "[blocks]") {
-  for (const bool plane : {true, false}) {
-    const Placed a(cube(0.5, plane), Vec3::Zero(), Mat3::Identity(), plane),
-        b(cube(0.5, plane), Vec3(0.9, 0.2, plane ? 0 : -0.3), Mat3::Identity(), plane);
-    const Sum sum = all_shared(a, b, Vec3::UnitX(), plane);
-    CHECK(sum.volume == Approx(0.1 * 0.8 * (plane ? 1 : 0.7)));
-    CHECK(sum.area == Approx(0.8 * (plane ? 1 : 0.7)));
-    CHECK((sum.first / sum.volume - Vec3(0.45, 0.1, plane ? 0 : -0.15)).norm() < 1e-12);
-  }
-  // a corner of a cube under a face
-  const Vec3 diagonal = Vec3::Ones().normalized();
-  const double h = 0.1;
-  const Mat3 R = Eigen::Quaterniond::FromTwoVectors(diagonal, -Vec3::UnitZ()).toRotationMatrix();
-  const Placed floor(brick_block({-2, -2, -1}, {2, 2, 0}, false), Vec3::Zero(), Mat3::Identity(), false),
-      corner(cube(0.5, false), Vec3(0.1, 0.2, std::sqrt(0.75) - h), R, false);
-  const BlockGap s = separation(floor.block, corner.block, false, 1e300);
-  CHECK(s.gap == Approx(-h));
-  CHECK((s.n - Vec3::UnitZ()).norm() < 1e-12);
-  const Sum sum = all_shared(floor, corner, s.n, false);
-  CHECK(sum.volume == Approx(std::sqrt(3) / 2 * h * h * h));
-  CHECK(sum.area == Approx(1.5 * std::sqrt(3) * h * h));
-  CHECK((sum.first / sum.volume - Vec3(0.1, 0.2, -0.25 * h)).norm() < 1e-12);
 }
