@@ -45,6 +45,8 @@ class Case {
     model.analysis = Analysis::plane_strain;
     model.scheme.order = UpdateOrder::usl;
     model.scheme.extrapolate_again = false;
+    model.scheme.kernel = Kernel::quadratic_spline;
+    model.scheme.transfer = Transfer::flip;
     for (std::size_t d = 0; d < 2; ++d) {
       model.grid.low[d] = -6, model.grid.high[d] = cells_ + 6;
       model.grid.cells[d] = cells_ + 12;

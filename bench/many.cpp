@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// What many bodies cost: whole steps of bodies in a square or cubic array that touch all their neighbours and are
-/// pressed together, against one body of the same particles.
+/// What many bodies cost: whole steps of bodies in a square or cubic array that touch all their neighbours, are
+/// pressed together and slide, against one body of the same particles.
 ///
 ///   bench_many <cubes|spheres|discs> <number> [threads [cells]]
 ///
@@ -66,6 +66,8 @@ class Case {
     model.analysis = Dim == 2 ? Analysis::plane_strain : Analysis::solid;
     model.scheme.order = UpdateOrder::usl;
     model.scheme.extrapolate_again = false;
+    model.scheme.kernel = Kernel::quadratic_spline;
+    model.scheme.transfer = Transfer::flip;
     for (std::size_t d = 0; d < Dim; ++d) {
       model.grid.low[d] = -6, model.grid.high[d] = cells_ * per_axis_ + 6;
       model.grid.cells[d] = cells_ * per_axis_ + 12;
@@ -86,7 +88,8 @@ class Case {
   std::vector<Seed> make_seeds(bool contact) const {
     std::vector<Seed> seeds;
     const int points = 2 * cells_ * per_axis_;
-    const double middle = 0.5 * cells_ * per_axis_, speed = 0.01;
+    const double speed = 0.001;  // of the bodies against each other
+    const double strain = 0.002;  // by which they are compressed
     for (int k = 0; k < (Dim == 3 ? points : 1); ++k)
       for (int j = 0; j < points; ++j)
         for (int i = 0; i < points; ++i) {
@@ -104,7 +107,10 @@ class Case {
           s.half_size.template head<Dim>().setConstant(0.25);
           s.volume = std::pow(0.5, Dim), s.mass = s.volume;
           s.material = contact ? body : 0;
-          for (int d = 0; d < Dim; ++d) s.v[d] = speed * (1.0 - s.x[d] / middle);
+          for (int d = 0; d < Dim; ++d) {
+            s.F(d, d) = 1.0 - strain;
+            s.v[d] = (index[d] / (2 * cells_) + index[(d + 1) % Dim] / (2 * cells_)) % 2 == 0 ? speed : -speed;
+          }
           seeds.push_back(s);
         }
     return seeds;
