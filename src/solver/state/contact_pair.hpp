@@ -17,6 +17,7 @@ struct ContactMember {
   double inverse_mass = 0.0;           ///< its inverse; 0 if the velocity is prescribed       [1/mass]
   Vec3 trial_velocity = Vec3::Zero();  ///< velocity at the end of the step without contact             [velocity]
   Vec3 start_velocity = Vec3::Zero();  ///< velocity at the start of the step                           [velocity]
+  Vec3 velocity = Vec3::Zero();  ///< after the impulses, in solve_node(), against one of the members    [velocity]
 };
 
 /// A contact pair: two velocity fields at a contact node, the input of their contact law, and the impulse between
