@@ -88,7 +88,7 @@ class Case {
   std::vector<Seed> make_seeds(bool contact) const {
     std::vector<Seed> seeds;
     const int points = 2 * cells_ * per_axis_;
-    const double speed = 0.001;  // of the bodies against each other
+    const double speed = 0.001;   // of the bodies against each other
     const double strain = 0.002;  // by which they are compressed
     for (int k = 0; k < (Dim == 3 ? points : 1); ++k)
       for (int j = 0; j < points; ++j)

@@ -5,6 +5,8 @@
 #include "base/parallel.hpp"
 #include "base/types.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <vector>
 

@@ -3,7 +3,6 @@
 
 #include "base/parallel.hpp"
 #include "geometry/crossing.hpp"
-#include "grid/loops.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -90,19 +89,24 @@ void Cracks<Dim>::register_pieces() {
   std::size_t count = 0;
   for (const auto& crack : system_.cracks) count += crack.pieces.size();
   pieces_.resize(count);
+  constexpr std::ptrdiff_t worth_threads = 1000;  // pieces
   std::size_t first = 0;
   for (std::uint32_t c = 0; c < system_.cracks.size(); ++c) {
     const Crack<Dim>& crack = system_.cracks[c];
-    each_index(crack.pieces.size(), [&](std::size_t p) {
-      const auto corners = crack.corners(p);
-      pieces_[first + p] = {c,
-                            static_cast<std::uint32_t>(p),
-                            crack.surface,
-                            crack.pieces[p],
-                            corners,
-                            Vec<Dim>::Ones(),
-                            box_of<Dim>(corners)};
-    });
+    parallel_for(
+        static_cast<std::ptrdiff_t>(crack.pieces.size()),
+        [&](std::ptrdiff_t k) {
+          const auto p = static_cast<std::size_t>(k);
+          const auto corners = crack.corners(p);
+          pieces_[first + p] = {c,
+                                static_cast<std::uint32_t>(p),
+                                crack.surface,
+                                crack.pieces[p],
+                                corners,
+                                Vec<Dim>::Ones(),
+                                box_of<Dim>(corners)};
+        },
+        worth_threads);
     first += crack.pieces.size();
   }
   for (std::size_t p = 0; p < count; ++p)
