@@ -7,6 +7,7 @@
 
 #include "base/parallel.hpp"
 #include "cpu_time.hpp"
+#include "make_law.hpp"
 #include "solver/build.hpp"
 #include "solver/step.hpp"
 
@@ -19,21 +20,6 @@
 using namespace tribo;
 
 namespace {
-
-template <class Law>
-std::shared_ptr<Law> make(const Catalogue<Law>& all, std::string_view name,
-                          const std::vector<std::pair<std::string, std::string>>& parameters) {
-  Statement statement;
-  for (const auto& [key, value] : parameters) {
-    Statement child;
-    child.name = key, child.text = value;
-    statement.children.push_back(child);
-  }
-  Problems problems;
-  auto law = all.find(name)->make(statement, {}, Units{}, problems);
-  problems.raise();
-  return std::shared_ptr<Law>(std::move(law));
-}
 
 // One body, or two in contact: to be run in turns, as machines are faster at some times than at others.
 template <int Dim>

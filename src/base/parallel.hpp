@@ -17,6 +17,8 @@ namespace tribo {
 inline void set_threads(int count) { omp_set_num_threads(count > 0 ? count : 1); }
 inline int threads() { return omp_get_max_threads(); }
 inline int thread_index() { return omp_get_thread_num(); }
+/// Whether the caller runs in an iteration of a loop on several threads. Loops in it run on its thread.
+inline bool inside_parallel_loop() { return omp_in_parallel() != 0; }
 
 /// Calls f(i) for i in [0, n). Iterations must not access each other's data, so the result does not depend on the
 /// number of threads. Every thread gets one range of consecutive indices, so that the same part of the domain stays in
@@ -24,7 +26,7 @@ inline int thread_index() { return omp_get_thread_num(); }
 /// Loops with fewer than `serial` iterations run on one thread.
 template <class F>
 void parallel_for(std::ptrdiff_t n, F&& f, std::ptrdiff_t serial = 2) {
-  if (n < serial || threads() == 1) {
+  if (n < serial || threads() == 1 || inside_parallel_loop()) {
     for (std::ptrdiff_t i = 0; i < n; ++i) f(i);
     return;
   }
@@ -50,7 +52,7 @@ template <class Before, class F>
 void parallel_for_weighted(std::ptrdiff_t n, Before&& before, F&& f) {
   static constexpr std::ptrdiff_t most_parts = 256;
   const std::ptrdiff_t parts = std::min<std::ptrdiff_t>(threads(), most_parts);
-  if (parts < 2) return parallel_for(n, f);
+  if (parts < 2 || inside_parallel_loop()) return parallel_for(n, f);
   const auto from = [&](std::ptrdiff_t part) {
     const double weight = static_cast<double>(before(n)) * static_cast<double>(part) / static_cast<double>(parts);
     std::ptrdiff_t low = 0, high = n;  // bisection for the first item whose midpoint lies at or beyond that weight

@@ -93,6 +93,17 @@ void Voxels<Dim>::sort() {
 }
 
 template <int Dim>
+typename Voxels<Dim>::Box Voxels<Dim>::box() const {
+  Box box{voxel_of(keys_.front()), voxel_of(keys_.front())};
+  for (const Key key : keys_) {
+    const Index<Dim> voxel = voxel_of(key);
+    for (std::size_t d = 0; d < Dim; ++d)
+      box.low[d] = std::min(box.low[d], voxel[d]), box.high[d] = std::max(box.high[d], voxel[d]);
+  }
+  return box;
+}
+
+template <int Dim>
 bool Voxels<Dim>::contains(Index<Dim> voxel) const {
   for (std::size_t d = 0; d < Dim; ++d) {
     const auto& [low, high] = mirror_[d];

@@ -27,6 +27,14 @@ class Voxels {
   void sort();
 
   bool empty() const { return keys_.empty(); }
+  /// Numbers of the lowest and highest cubes along the axes.
+  struct Box {
+    Index<Dim> low, high;
+  };
+  /// Of all cubes; there must be some.
+  Box box() const;
+  /// Cubes that are farther apart along an axis do not touch, even by way of a mirror image.
+  static constexpr int margin = 2 * per_cell + 1;
   bool contains(Index<Dim> voxel) const;
 
   /// The thickness of the connected body that is thinnest behind the faces where it touches `other` [cells]: the median

@@ -235,10 +235,10 @@ System<Dim> build_system(const Model& model, const std::vector<Seed>& seeds) {
   const auto transfers = make_transfers<Dim>(model.scheme);
   std::int64_t next_id = 0;
   const std::vector<LaterSeed> later = later_seeds(model);
+  std::vector<std::vector<const Seed*>> of_material(model.materials.size());
+  for (const Seed& seed : seeds) of_material[static_cast<std::size_t>(seed.material)].push_back(&seed);
   for (int m = 0; m < static_cast<int>(model.materials.size()); ++m) {
-    std::vector<const Seed*> mine;
-    for (const Seed& seed : seeds)
-      if (seed.material == m) mine.push_back(&seed);
+    std::vector<const Seed*>& mine = of_material[static_cast<std::size_t>(m)];
     const std::size_t present = mine.size();
     std::vector<int> stages;  // of the particles that are not present yet
     for (const LaterSeed& l : later)

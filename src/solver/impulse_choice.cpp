@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <vector>
 
 namespace tribo {
 namespace {
@@ -51,14 +52,40 @@ template <int Dim>
 std::map<int, Voxels<Dim>> bodies_in_contact(const Model& model, const std::vector<Seed>& seeds,
                                              const Lattice<Dim>& lattice, const std::set<int>& materials) {
   std::map<int, Voxels<Dim>> bodies;
-  for (const int k : materials)
-    each_law(model, materials, k, [&](const ContactLaw& law) {
-      if (law.uses_face()) bodies.try_emplace(owner(model, k), model, lattice);
-    });
+  for (const int k : materials) {
+    bool faces = false;
+    each_law(model, materials, k, [&](const ContactLaw& law) { faces = faces || law.uses_face(); });
+    if (faces) bodies.try_emplace(owner(model, k), model, lattice);
+  }
   for (const Seed& seed : seeds)
     if (const auto found = bodies.find(owner(model, seed.material)); found != bodies.end()) found->second.add(seed);
   for (auto& entry : bodies) entry.second.sort();
   return bodies;
+}
+
+// For each body the others that may touch it: those whose bounding boxes overlap its own, with a margin. They are found
+// by a sweep along the first axis.
+template <int Dim>
+std::map<int, std::set<int>> near_bodies(const std::map<int, Voxels<Dim>>& bodies) {
+  using Box = typename Voxels<Dim>::Box;
+  std::vector<std::pair<Box, int>> boxes;
+  std::map<int, std::set<int>> near;
+  for (const auto& [material, cubes] : bodies) {
+    near[material];
+    if (!cubes.empty()) boxes.emplace_back(cubes.box(), material);
+  }
+  std::sort(boxes.begin(), boxes.end(), [](const auto& a, const auto& b) {
+    return std::pair(a.first.low[0], a.second) < std::pair(b.first.low[0], b.second);
+  });
+  for (auto a = boxes.begin(); a != boxes.end(); ++a)
+    for (auto b = a + 1; b != boxes.end() && b->first.low[0] <= a->first.high[0] + Voxels<Dim>::margin; ++b) {
+      bool touch = true;
+      for (std::size_t d = 0; d < Dim; ++d)
+        touch = touch && b->first.low[d] <= a->first.high[d] + Voxels<Dim>::margin &&
+                a->first.low[d] <= b->first.high[d] + Voxels<Dim>::margin;
+      if (touch) near[a->second].insert(b->second), near[b->second].insert(a->second);
+    }
+  return near;
 }
 
 // What speaks for faces; empty: nothing.
@@ -67,12 +94,13 @@ std::string need(const Model& model, const std::vector<Seed>& seeds, const Latti
                  const std::set<int>& materials) {
   const auto bodies = bodies_in_contact(model, seeds, lattice, materials);
   const auto is_rigid = [&](int k) { return spec(model, k).law->rigid(); };
+  const auto near = near_bodies(bodies);
   for (const auto& [material, body] : bodies) {
     if (is_rigid(material)) continue;
     Voxels<Dim> others(model, lattice);
-    for (const auto& [other, cubes] : bodies) {
-      const ContactLaw* law = other == material ? nullptr : model.contact.law(material, other);
-      if (law && law->uses_face()) others.add(cubes);
+    for (const int other : near.at(material)) {
+      const ContactLaw* law = model.contact.law(material, other);
+      if (law && law->uses_face()) others.add(bodies.at(other));
     }
     others.sort();
     const auto cells = body.thickness_behind(others);

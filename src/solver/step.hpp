@@ -79,7 +79,7 @@ class Stepper {
   friend void archive(Archive& a, Stepper& stepper) {
     auto& [model, system, ledger, watches, transfers, sort, splitting, exchanges, conditions, cracks, crack_tips,
            interface_faces, joints, contact, loads, tractions, body_forces, nodal_work, damping, rigid_bodies,
-           rigid_blocks, heat, ramps, b_bar, filter, jump, measures, ratio] = stepper;
+           rigid_blocks, heat, ramps, b_bar, filter, jump, measures, ratio, pieces, before, side_by_side] = stepper;
     a.version(5);
     a("system", system);
     a("ledger", ledger), a("sort", sort), a("splitting", splitting), a.each("conditions", conditions),
@@ -95,6 +95,12 @@ class Stepper {
 
   void begin_step();
   void sort();
+  void find_pieces();
+  void zero_nodes();
+  template <class F>
+  void each_body(F&& f);
+  template <class F>
+  void each_piece_of_fields(F&& f);
   void scatter(Scatter what, bool from_start = false);
   void sum_images(ImageValues values);
   void copy_images();
@@ -143,6 +149,12 @@ class Stepper {
   VelocityFilter<Dim> filter_;
   bool jump_ = false, measures_balance_ = false;
   double unbalanced_ratio_ = 0.0;
+  struct Piece {
+    std::size_t field, first, last;  // nodes
+  };
+  std::vector<Piece> pieces_;          // of the nodes of all fields
+  std::vector<std::uint32_t> before_;  // number of particles of the bodies before the k-th
+  bool side_by_side_ = false;          // the bodies are many and none of them is large
 };
 
 }  // namespace tribo

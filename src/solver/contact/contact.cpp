@@ -116,6 +116,7 @@ void Contact<Dim>::find_faces(const Exchanges<Dim>& exchanges, bool all) {
     NearParticles<Dim>& near = near_[static_cast<std::size_t>(thread_index())];
     for (std::size_t p = node.first_pair; p < node.end_pair; ++p) {
       ContactPair& pair = contacts.pairs[p];
+      if (!pair.needs_face) continue;
       ContactFace& face = cache_.new_face(p);
       if (!finder_.find(node, contacts.members, pair, face, near)) continue;
       if (cache_.enabled()) cache_.store(face, near);

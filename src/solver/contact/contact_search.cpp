@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "solver/contact/contact_search.hpp"
 
+#include "base/parallel.hpp"
+
 #include <algorithm>
 #include <map>
 
@@ -26,25 +28,58 @@ void ContactSearch<Dim>::locate() {
   found_.clear();
 }
 
+// In parallel by chunks of shared blocks: first the nodes and their members, then, with the place of the pairs of each
+// chunk among all pairs, the pairs. The lists do not depend on the number of threads.
 template <int Dim>
 void ContactSearch<Dim>::find(const Exchanges<Dim>& exchanges) {
   std::fill(node_of_.begin(), node_of_.end(), -1);
   found_.clear();
-  next_kept_ = 0;
-  for (std::size_t s = 0; s < shared_.size(); ++s) {
+  chunks_.resize((shared_.size() + chunk_blocks - 1) / chunk_blocks);
+  const auto count = static_cast<std::ptrdiff_t>(chunks_.size());
+  parallel_for(count, [&](std::ptrdiff_t k) { list_nodes(exchanges, static_cast<std::size_t>(k)); });
+  std::size_t nodes = 0, members = 0, pairs = 0;
+  for (Chunk& chunk : chunks_) {
+    chunk.first_node = nodes, chunk.first_member = members, chunk.first_pair = pairs;
+    nodes += chunk.nodes.size(), members += chunk.members.size(), pairs += chunk.pair_count;
+  }
+  found_.nodes.resize(nodes), found_.members.resize(members), found_.pairs.resize(pairs);
+  parallel_for(count, [&](std::ptrdiff_t k) {
+    const Chunk& chunk = chunks_[static_cast<std::size_t>(k)];
+    std::copy(chunk.members.begin(), chunk.members.end(),
+              found_.members.begin() + static_cast<std::ptrdiff_t>(chunk.first_member));
+    std::size_t pair = chunk.first_pair;
+    for (std::size_t n = 0; n < chunk.nodes.size(); ++n) {
+      ContactNode<Dim>& node = found_.nodes[chunk.first_node + n] = chunk.nodes[n];
+      node.first_member += chunk.first_member, node.end_member += chunk.first_member;
+      node.first_pair = pair;
+      list_pairs(node, place_of(node.number));
+      pair = node.end_pair;
+      node_of_[static_cast<std::size_t>(node.number)] = static_cast<int>(chunk.first_node + n);
+    }
+  });
+}
+
+// Lists the contact nodes of the blocks of a chunk, with their members, and counts their pairs.
+template <int Dim>
+void ContactSearch<Dim>::list_nodes(const Exchanges<Dim>& exchanges, std::size_t number) {
+  Chunk& chunk = chunks_[number];
+  chunk.nodes.clear(), chunk.members.clear(), chunk.pair_count = 0;
+  const std::size_t first = number * chunk_blocks;
+  for (std::size_t s = first; s < std::min(first + chunk_blocks, shared_.size()); ++s) {
     const SharedBlock& shared = shared_[s];
     for (int local = 0; local < block_nodes<Dim>; ++local) {
       ContactNode<Dim> node{};
-      if (!list_members(shared, local, node)) continue;
+      if (!list_members(shared, local, node, chunk.members)) continue;
       const auto& [field, slot] = shared.slots[0];
       node.index = system_.fields[field].map.node_at(static_cast<std::int64_t>(slot) * block_nodes<Dim> + local);
       node.number = static_cast<std::int64_t>(s) * block_nodes<Dim> + local;
-      const ContactMember& first = found_.members[node.first_member];
-      node.mirrored_axes = exchanges[first.field]->mirrored_axes(node.index);
-      node.ownership = exchanges[first.field]->ownership(first.node);
-      list_pairs(node, place_of(node.number));
-      node_of_[s * block_nodes<Dim> + static_cast<std::size_t>(local)] = static_cast<int>(found_.nodes.size());
-      found_.nodes.push_back(node);
+      const ContactMember& of_first = chunk.members[node.first_member];
+      node.mirrored_axes = exchanges[of_first.field]->mirrored_axes(node.index);
+      node.ownership = exchanges[of_first.field]->ownership(of_first.node);
+      for (std::size_t a = node.first_member; a < node.end_member; ++a)
+        for (std::size_t b = a + 1; b < node.end_member; ++b)
+          chunk.pair_count += can_touch(chunk.members[a], chunk.members[b]) ? 1 : 0;
+      chunk.nodes.push_back(node);
     }
   }
 }
@@ -52,8 +87,8 @@ void ContactSearch<Dim>::find(const Exchanges<Dim>& exchanges) {
 // Lists the fields with mass at a node of a shared block. False, and nothing is listed, if there are fewer than two or
 // if all of them are rigid.
 template <int Dim>
-bool ContactSearch<Dim>::list_members(const SharedBlock& shared, int local, ContactNode<Dim>& node) {
-  auto& members = found_.members;
+bool ContactSearch<Dim>::list_members(const SharedBlock& shared, int local, ContactNode<Dim>& node,
+                                      std::vector<ContactMember>& members) const {
   node.first_member = members.size();
   bool deformable = false;
   for (const auto& [f, slot] : shared.slots) {
@@ -72,19 +107,29 @@ bool ContactSearch<Dim>::list_members(const SharedBlock& shared, int local, Cont
   return false;
 }
 
+// Two fields that differ by the sides of two cracks do not touch, nor do two rigid ones.
+template <int Dim>
+bool ContactSearch<Dim>::can_touch(const ContactMember& a, const ContactMember& b) const {
+  constexpr int two_cracks = 3;  // both bits of Field::side differ
+  return a.inverse_mass + b.inverse_mass != 0.0 &&
+         (system_.fields[a.field].side ^ system_.fields[b.field].side) != two_cracks;
+}
+
 // Two fields on the same side of all cracks follow the law of their materials. The law of two fields on the two sides
 // of one crack is that of the crack.
 template <int Dim>
 void ContactSearch<Dim>::list_pairs(ContactNode<Dim>& node, std::int64_t place) {
-  constexpr int two_cracks = 3;  // both bits of Field::side differ
-  node.first_pair = found_.pairs.size();
+  std::size_t next = node.first_pair;
+  auto kept = std::lower_bound(kept_.begin(), kept_.end(), place,
+                               [](const KeptPair& pair, std::int64_t at) { return pair.place < at; });
   for (std::size_t a = node.first_member; a < node.end_member; ++a)
     for (std::size_t b = a + 1; b < node.end_member; ++b) {
       const ContactMember &of_a = found_.members[a], &of_b = found_.members[b];
       const Field<Dim>&field_a = system_.fields[of_a.field], &field_b = system_.fields[of_b.field];
       const int between = field_a.side ^ field_b.side;
-      if (of_a.inverse_mass + of_b.inverse_mass == 0.0 || between == two_cracks) continue;
-      ContactPair pair;
+      if (!can_touch(of_a, of_b)) continue;
+      ContactPair& pair = found_.pairs[next++];
+      pair = {};
       pair.a = a, pair.b = b;
       pair.state.mass = 1.0 / (of_a.inverse_mass + of_b.inverse_mass);
       if (between == 0)
@@ -93,12 +138,10 @@ void ContactSearch<Dim>::list_pairs(ContactNode<Dim>& node, std::int64_t place) 
         pair.crack = 0;
       const KeptPair self{place, static_cast<std::int64_t>(of_a.field), static_cast<std::int64_t>(of_b.field), false,
                           Vec3::Zero()};
-      while (next_kept_ < kept_.size() && kept_[next_kept_].precedes(self)) ++next_kept_;
-      if (next_kept_ < kept_.size() && !self.precedes(kept_[next_kept_]))
-        pair.stuck = kept_[next_kept_].stuck, pair.update_impulse = kept_[next_kept_].impulse;
-      found_.pairs.push_back(pair);
+      while (kept != kept_.end() && kept->precedes(self)) ++kept;
+      if (kept != kept_.end() && !self.precedes(*kept)) pair.stuck = kept->stuck, pair.update_impulse = kept->impulse;
     }
-  node.end_pair = found_.pairs.size();
+  node.end_pair = next;
 }
 
 template <int Dim>

@@ -73,7 +73,19 @@ class ContactSearch {
     std::vector<std::pair<std::size_t, int>> slots;  // field, and slot of the block in its map
   };
 
-  bool list_members(const SharedBlock& shared, int local, ContactNode<Dim>& node);
+  // What is found at some shared blocks; the ranges of nodes refer to these members.
+  struct Chunk {
+    std::vector<ContactNode<Dim>> nodes;
+    std::vector<ContactMember> members;
+    std::size_t pair_count = 0;
+    std::size_t first_node = 0, first_member = 0, first_pair = 0;  // in the lists of all
+  };
+  static constexpr std::size_t chunk_blocks = 16;
+
+  void list_nodes(const Exchanges<Dim>& exchanges, std::size_t number);
+  bool list_members(const SharedBlock& shared, int local, ContactNode<Dim>& node,
+                    std::vector<ContactMember>& members) const;
+  bool can_touch(const ContactMember& a, const ContactMember& b) const;
   void list_pairs(ContactNode<Dim>& node, std::int64_t place);
   std::int64_t place_of(std::int64_t number) const;
 
@@ -83,7 +95,7 @@ class ContactSearch {
   std::vector<SharedBlock> shared_;
   std::vector<int> shared_at_;  // per block of the lattice: its position in shared_, or -1
   std::vector<KeptPair> kept_;  // in ascending order
-  std::size_t next_kept_ = 0;   // the first that find() has not passed
+  std::vector<Chunk> chunks_;   // scratch of find()
   std::vector<int> node_of_;    // per shared block and node: its position in found_.nodes, or -1
 };
 

@@ -44,6 +44,7 @@ void FaceCache<Dim>::begin_search(ContactNodes<Dim>& contacts, bool all) {
   if (!all) return;
   travel_ = 0.0, steps_ = 0;
   for (auto& node : contacts.nodes) node.needs_faces = node.between_bodies;
+  for (auto& pair : contacts.pairs) pair.needs_face = true;
   faces_.resize(contacts.pairs.size());
   face_of_.resize(contacts.pairs.size());
   std::iota(face_of_.begin(), face_of_.end(), std::size_t{0});
@@ -87,8 +88,11 @@ bool FaceCache<Dim>::reuse(ContactNodes<Dim>& contacts, const std::vector<Body<D
   parallel_for(static_cast<std::ptrdiff_t>(contacts.nodes.size()), [&](std::ptrdiff_t k) {
     ContactNode<Dim>& node = contacts.nodes[static_cast<std::size_t>(k)];
     node.needs_faces = false;
-    for (std::size_t p = node.first_pair; p < node.end_pair; ++p)
-      node.needs_faces = !update_pair(node, contacts, contacts.pairs[p], faces_[face_of_[p]]) || node.needs_faces;
+    for (std::size_t p = node.first_pair; p < node.end_pair; ++p) {
+      ContactPair& pair = contacts.pairs[p];
+      pair.needs_face = !update_pair(node, contacts, pair, faces_[face_of_[p]]);
+      node.needs_faces = node.needs_faces || pair.needs_face;
+    }
   });
   return true;
 }

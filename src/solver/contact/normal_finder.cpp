@@ -96,13 +96,14 @@ void NormalFinder<Dim>::add_band_particles(const Vec<Dim>& centre, NearParticles
     ParticleSet<Dim>& of = near.sides[side];
     const double limit = of.band_limit(n, (band + max_valid_travel) * h_);
     near.numbers = of.numbers;
-    const auto end = static_cast<std::ptrdiff_t>(near.numbers.size());
+    thread_local std::vector<std::uint32_t> known;  // in order
+    known.assign(of.numbers.begin(), of.numbers.end());
+    std::sort(known.begin(), known.end());
     for (const auto* group : near.groups[side])
       cloud_.each_point(*group, centre, [&](std::uint32_t k) {
         const Vec<Dim> x = cloud_.centre(k) - centre;
         if (x.squaredNorm() - x.dot(n) * x.dot(n) > limit) return;
-        if (std::find(near.numbers.begin(), near.numbers.begin() + end, k) == near.numbers.begin() + end)
-          near.numbers.push_back(k);
+        if (!std::binary_search(known.begin(), known.end(), k)) near.numbers.push_back(k);
       });
     of.assign(near.numbers, cloud_.columns(), centre);
   }

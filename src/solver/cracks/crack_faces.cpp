@@ -50,34 +50,48 @@ constexpr const auto& gauss() {
 
 }  // namespace
 
+// Several pieces may have the closest point in common: the normal is the mean of theirs, whichever way the lines run.
 template <int Dim>
 auto Cracks<Dim>::nearest(std::uint32_t surface, const Vec<Dim>& x) const -> Nearest {
+  const double h = system_.lattice.spacing.maxCoeff(), same = 1e-9 * h;  // tolerance for a common corner
+  double bound = (width_ + 1.0 + block_edge<Dim>)*h;  // pieces farther away are not near the block of x
+  const auto point_of = [&](const PlacedPiece& p, auto& share) {
+    share = nearest_share(p.corners, x);
+    Vec<Dim> at = Vec<Dim>::Zero();
+    for (std::size_t k = 0; k < share.size(); ++k) at += share[k] * p.corners[k];
+    return at;
+  };
+  const auto each_within_bound = [&](auto&& f) {
+    const auto each_of = [&](std::size_t first, std::size_t end) {
+      for (std::size_t k = first; k < std::min(end, pieces_.size()); ++k)
+        if (pieces_[k].surface == surface && pieces_[k].box.distance_squared(x) <= bound * bound) f(pieces_[k]);
+    };
+    tree_.each([&](const Box<Dim>& box) { return box.distance_squared(x) <= bound * bound; }, each_of);
+  };
   Nearest out;
   double least = std::numeric_limits<double>::infinity();
-  for (const PlacedPiece& p : near(x).pieces) {
-    if (p.surface != surface) continue;
-    const auto& corners = p.corners;
-    const auto share = nearest_share(corners, x);
-    Vec<Dim> at = Vec<Dim>::Zero();
-    for (std::size_t k = 0; k < share.size(); ++k) at += share[k] * corners[k];
-    const double distance = (x - at).norm();
-    constexpr double same = 1e-9;  // [cells]: tolerance for a corner that two pieces have in common
-    if (distance > least + same * system_.lattice.spacing.maxCoeff()) continue;
+  const auto measure = [&](const PlacedPiece& p) {
+    least = std::min(least, (x - point_of(p, out.share)).norm());
+    bound = std::min(bound, least + 2 * same);
+  };
+  const std::size_t guess = tree_.near(x);
+  for (std::size_t k = guess; k < std::min(guess + BoxTree<Dim>::children, pieces_.size()); ++k)
+    if (pieces_[k].surface == surface) measure(pieces_[k]);
+  each_within_bound(measure);
+  each_within_bound([&](const PlacedPiece& p) {
+    std::array<double, Dim> share;
+    const Vec<Dim> at = point_of(p, share);
+    if ((x - at).norm() > least + same) return;
     const Vec<Dim> area = p.area();
-    if (distance < least - same * system_.lattice.spacing.maxCoeff()) {
+    if (!out.piece)
       out = {&p, at, area.normalized(), share, 1};
-      least = distance;
-    } else {
-      // several pieces have this closest point in common: mean of their normals, whichever way the lines run
-      const double along = area.dot(out.piece->area()) < 0 ? -1.0 : 1.0;
-      out.normal += along * area.normalized();
-    }
-  }
+    else
+      out.normal += (area.dot(out.piece->area()) < 0 ? -1.0 : 1.0) * area.normalized();
+  });
   if (!out.piece) return out;
   out.normal.normalize();
   const double ahead = out.normal.dot(x - out.at);
-  out.side = std::abs(ahead) > 1e-9 * system_.lattice.spacing.maxCoeff() ? (ahead > 0 ? 1 : -1)
-                                                                         : side_of(out.piece->corners, x);
+  out.side = std::abs(ahead) > same ? (ahead > 0 ? 1 : -1) : side_of(out.piece->corners, x);
   return out;
 }
 
@@ -94,10 +108,8 @@ auto Cracks<Dim>::average_faces(std::uint32_t surface, const Vec<Dim>& node, con
     }
   };
   const Vec<Dim> reach = 2 * system_.lattice.spacing;
-  for (const PlacedPiece& p : near(node).pieces) {
-    if (p.surface != surface || ((p.low - reach).array() > node.array()).any() ||
-        ((p.high + reach).array() < node.array()).any())
-      continue;
+  each_piece({node - reach, node + reach}, [&](const PlacedPiece& p) {
+    if (p.surface != surface) return;
     const auto& corners = p.corners;
     const Crack<Dim>& crack = system_.cracks[p.crack];
     const double whole = crack.inside[p.piece] * p.area().norm() / static_cast<double>(gauss<Dim>().size());
@@ -116,7 +128,7 @@ auto Cracks<Dim>::average_faces(std::uint32_t surface, const Vec<Dim>& node, con
       out.area += w;
       add(p, share, w);
     }
-  }
+  });
   const double least = 1e-9 * std::pow(system_.lattice.spacing.maxCoeff(), Dim - 1);
   if (out.area > least) {
     out.opening /= out.area, out.gap /= out.area, out.slip /= out.area, out.bond /= out.area;
@@ -231,35 +243,42 @@ bool Cracks<Dim>::face_velocities(const Crack<Dim>& crack, std::size_t k, const 
   const std::array<Vec<Dim>, 2> side_points{crack.x[k] - offset, crack.x[k] + offset};
   thread_local NearbyPieces nearby;
   find_nearby(crack.x[k], nearby);
+  struct OfNode {
+    double weight;
+    std::array<double, 2> mass;
+    std::array<Vec<Dim>, 2> velocity;
+  };
+  thread_local std::vector<OfNode> nodes;
+  nodes.clear();
   double heaviest = 0.0;
-  Vec<Dim> here;
-  nodes_around_.each(crack.x[k], [&](double, const Index<Dim>& n) {
-    for (const Vec<Dim>& at : side_points)
-      heaviest = std::max(heaviest, velocity_on_side(n, side_of_node(nearby, at, n), here));
+  nodes_around_.each(crack.x[k], [&](double w, const Index<Dim>& n) {
+    OfNode& of = nodes.emplace_back();
+    of.weight = w;
+    for (std::size_t f = 0; f < 2; ++f) {
+      of.velocity[f].setZero();
+      of.mass[f] = velocity_on_side(n, side_of_node(nearby, side_points[f], n), of.velocity[f]);
+      heaviest = std::max(heaviest, of.mass[f]);
+    }
   });
   // the velocities of nodes with very little mass are inaccurate, so their weights are reduced
   constexpr double light = 1e-3;
   const auto share = [&](double mass) { return mass > 0 ? std::min(1.0, mass / (light * heaviest)) : 0.0; };
   double all = 0.0, both = 0.0;
   Vec<Dim> mean = Vec<Dim>::Zero(), jump = mean;
-  nodes_around_.each(crack.x[k], [&](double w, const Index<Dim>& n) {
-    std::array<Vec<Dim>, 2> of;
-    std::array<double, 2> part;
-    for (std::size_t f = 0; f < 2; ++f) {
-      of[f].setZero();
-      part[f] = share(velocity_on_side(n, side_of_node(nearby, side_points[f], n), of[f]));
-    }
+  for (const auto& [w, mass, of] : nodes) {
+    const std::array<double, 2> part{share(mass[0]), share(mass[1])};
     const auto [less, more] = std::minmax(part[0], part[1]);
-    if (!(more > 0)) return;
+    if (!(more > 0)) continue;
     all += w * more, mean += w * more * (part[0] * of[0] + part[1] * of[1]) / (part[0] + part[1]);
     both += w * less, jump += w * less * (of[1] - of[0]);
-  });
+  }
   constexpr double enough = 0.25;
   if (both > enough * all) {
     v = {mean / all - 0.5 * jump / both, mean / all + 0.5 * jump / both};
     return true;
   }
   std::array<bool, 2> found{};
+  Vec<Dim> here;
   for (std::size_t f = 0; f < 2; ++f) {
     double sum = 0.0;
     v[f].setZero();
@@ -310,11 +329,12 @@ void Cracks<Dim>::move(double dt) {
       else
         carried[k] = face_velocities(crack, k, normals[k], v[k]);
     });
+    const bool any = std::find(carried.begin(), carried.end(), char{1}) != carried.end();
     for (std::size_t k = 0; k < count; ++k) {
       if (carried[k]) continue;
       double least = std::numeric_limits<double>::infinity();
       v[k].fill(Vec<Dim>::Zero());
-      for (std::size_t other = 0; other < count; ++other)
+      for (std::size_t other = 0; any && other < count; ++other)
         if (const double d = (crack.x[other] - crack.x[k]).squaredNorm(); carried[other] && d < least)
           least = d, v[k].fill(0.5 * (v[other][0] + v[other][1]));
     }
@@ -338,8 +358,9 @@ void Cracks<Dim>::record(const ContactPair& pair, const Index<Dim>& node) {
   const Vec<Dim> x = system_.lattice.position(node);
   const Vec3 v = pair.state.velocity - pair.impulse / pair.state.mass;
   const Vec3 along = v - v.dot(pair.state.normal) * pair.state.normal;
-  for (const PlacedPiece& p : near(x).pieces) {
-    if (static_cast<int>(p.crack) != pair.crack) continue;
+  const Vec<Dim> reach = reach_of(model_.scheme.kernel) * system_.lattice.spacing;
+  each_piece({x - reach, x + reach}, [&](const PlacedPiece& p) {
+    if (static_cast<int>(p.crack) != pair.crack) return;
     const double face_sign = pair.state.normal.template head<Dim>().dot(p.area()) > 0 ? 1.0 : -1.0;
     for (std::size_t k = 0; k < p.points.size(); ++k) {
       const double w = nodes_around_.weight(p.corners[k] - x);
@@ -354,7 +375,7 @@ void Cracks<Dim>::record(const ContactPair& pair, const Index<Dim>& node) {
       if (pair.response.bond == Bond::whole) m.bonded += w;
       if (pair.response.bond == Bond::broken) m.broken += w;
     }
-  }
+  });
 }
 
 template <int Dim>

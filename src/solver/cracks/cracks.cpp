@@ -20,6 +20,13 @@ Cracks<Dim>::Cracks(const Model& model, System<Dim>& system, const Transfers<Dim
 
 namespace {
 
+template <int Dim>
+Box<Dim> box_of(const std::array<Vec<Dim>, static_cast<std::size_t>(Dim)>& corners) {
+  Box<Dim> box{corners[0], corners[0]};
+  for (const auto& corner : corners) box.low = box.low.cwiseMin(corner), box.high = box.high.cwiseMax(corner);
+  return box;
+}
+
 // Calls f(block) for all blocks of a lattice that intersect a box.
 template <int Dim, class F>
 void each_block(const Lattice<Dim>& lattice, const Vec<Dim>& low, const Vec<Dim>& high, F&& f) {
@@ -29,11 +36,12 @@ void each_block(const Lattice<Dim>& lattice, const Vec<Dim>& low, const Vec<Dim>
 
 }  // namespace
 
-// Calls f for a piece and, near symmetry planes, for its images and their images, so that a crack that ends on a plane
+// Calls f for the images of a piece near symmetry planes and their images, so that a crack that ends on a plane
 // continues beyond it.
 template <int Dim>
 template <class F>
 void Cracks<Dim>::each_image(const PlacedPiece& piece, F&& f) const {
+  if (nodes_around_.planes().empty()) return;
   std::vector<PlacedPiece> images{piece};
   for (std::size_t k = 0; k < images.size(); ++k)
     for (const SymmetryPlane& plane : nodes_around_.planes()) {
@@ -41,24 +49,24 @@ void Cracks<Dim>::each_image(const PlacedPiece& piece, F&& f) const {
       for (auto& corner : image.corners) corner[plane.axis] = 2 * plane.at - corner[plane.axis];
       image.mirror[plane.axis] *= -1;
       std::swap(image.corners[0], image.corners[1]), std::swap(image.points[0], image.points[1]);
-      image.low = image.high = image.corners[0];
-      for (const auto& corner : image.corners)
-        image.low = image.low.cwiseMin(corner), image.high = image.high.cwiseMax(corner);
+      image.box = box_of<Dim>(image.corners);
       const double h = system_.lattice.spacing[plane.axis];
-      const double beyond = plane.inward > 0 ? plane.at - image.high[plane.axis] : image.low[plane.axis] - plane.at;
+      const double beyond =
+          plane.inward > 0 ? plane.at - image.box.high[plane.axis] : image.box.low[plane.axis] - plane.at;
       const bool known = std::any_of(images.begin(), images.end(), [&](const PlacedPiece& other) {
-        return (other.low - image.low).norm() + (other.high - image.high).norm() < 1e-9 * h;
+        return (other.box.low - image.box.low).norm() + (other.box.high - image.box.high).norm() < 1e-9 * h;
       });
       if (beyond >= -1e-9 * h && beyond <= (width_ + 1.0) * h && !known) images.push_back(image);
     }
-  for (const PlacedPiece& image : images) f(image);
+  for (std::size_t k = 1; k < images.size(); ++k) f(images[k]);
 }
 
-// A piece is listed at every block that may contain an end of a segment that crosses it.
+// The surfaces of some pieces with a common box are listed at every block that may contain an end of a segment that
+// crosses them.
 template <int Dim>
-void Cracks<Dim>::register_piece(const PlacedPiece& piece) {
+void Cracks<Dim>::list_surfaces(const Box<Dim>& box, std::size_t first, std::size_t end) {
   const Vec<Dim> reach = (width_ + 1.0) * system_.lattice.spacing;
-  each_block<Dim>(system_.lattice, piece.low - reach, piece.high + reach, [&](std::int64_t block) {
+  each_block<Dim>(system_.lattice, box.low - reach, box.high + reach, [&](std::int64_t block) {
     int& list = list_of_[static_cast<std::size_t>(block)];
     if (list < 0) {
       list = static_cast<int>(listed_.size());
@@ -66,13 +74,10 @@ void Cracks<Dim>::register_piece(const PlacedPiece& piece) {
       if (lists_.size() < listed_.size()) lists_.emplace_back();
     }
     List& here = lists_[static_cast<std::size_t>(list)];
-    const auto found = std::find(here.surfaces.begin(), here.surfaces.end(), piece.surface);
-    const auto bit = static_cast<std::uint32_t>(found - here.surfaces.begin());
-    if (found == here.surfaces.end()) here.surfaces.push_back(piece.surface);
-    if (here.surfaces.size() > 64)
+    for (std::size_t p = first; p < end; ++p)
+      if (std::find(here.begin(), here.end(), pieces_[p].surface) == here.end()) here.push_back(pieces_[p].surface);
+    if (here.size() > 64)
       throw SimulationError("more than 64 cracks come near one block of cells; use a finer grid or fewer cracks");
-    here.pieces.push_back(piece);
-    here.pieces.back().bit = bit;
   });
 }
 
@@ -80,19 +85,39 @@ template <int Dim>
 void Cracks<Dim>::register_pieces() {
   for (const auto block : listed_) list_of_[static_cast<std::size_t>(block)] = -1;
   listed_.clear();
-  for (auto& list : lists_) list.pieces.clear(), list.surfaces.clear();
+  for (auto& list : lists_) list.clear();
+  std::size_t count = 0;
+  for (const auto& crack : system_.cracks) count += crack.pieces.size();
+  pieces_.resize(count);
+  constexpr std::ptrdiff_t worth_threads = 1000;  // pieces
+  std::size_t first = 0;
   for (std::uint32_t c = 0; c < system_.cracks.size(); ++c) {
     const Crack<Dim>& crack = system_.cracks[c];
-    for (std::size_t p = 0; p < crack.pieces.size(); ++p) {
-      PlacedPiece piece{
-          c, static_cast<std::uint32_t>(p), crack.surface, 0, crack.pieces[p], crack.corners(p), Vec<Dim>::Ones(), {},
-          {}};
-      piece.low = piece.high = piece.corners[0];
-      for (const auto& corner : piece.corners)
-        piece.low = piece.low.cwiseMin(corner), piece.high = piece.high.cwiseMax(corner);
-      each_image(piece, [&](const PlacedPiece& image) { register_piece(image); });
-    }
+    parallel_for(
+        static_cast<std::ptrdiff_t>(crack.pieces.size()),
+        [&](std::ptrdiff_t k) {
+          const auto p = static_cast<std::size_t>(k);
+          const auto corners = crack.corners(p);
+          pieces_[first + p] = {c,
+                                static_cast<std::uint32_t>(p),
+                                crack.surface,
+                                crack.pieces[p],
+                                corners,
+                                Vec<Dim>::Ones(),
+                                box_of<Dim>(corners)};
+        },
+        worth_threads);
+    first += crack.pieces.size();
   }
+  for (std::size_t p = 0; p < count; ++p)
+    each_image(pieces_[p], [&](const PlacedPiece& image) { pieces_.push_back(image); });
+  tree_.build(pieces_.size(), [&](std::size_t p) { return pieces_[p].box; });
+  // Pieces of one crack that lie closely together are listed together.
+  const double small = system_.lattice.spacing.minCoeff();
+  tree_.each_lowest(pieces_.size(), [&](const Box<Dim>& box, std::size_t from, std::size_t end) {
+    if ((box.high - box.low).maxCoeff() < small) return list_surfaces(box, from, end);
+    for (; from < end; ++from) list_surfaces(pieces_[from].box, from, from + 1);
+  });
 }
 
 template <int Dim>
@@ -151,16 +176,39 @@ void Cracks<Dim>::find() {
   if (system_.cracks.size() > 1) number_node_surfaces();
 }
 
+// Finds the pieces that segments within a box may cross, for nearby.list. Few are listed, many are not.
+template <int Dim>
+void Cracks<Dim>::find_close(const Box<Dim>& box, NearbyPieces& nearby) const {
+  constexpr std::size_t few = 12;
+  nearby.close.clear();
+  nearby.many = false;
+  tree_.each([&](const Box<Dim>& other) { return !nearby.many && other.overlaps(box); },
+             [&](std::size_t first, std::size_t end) {
+               for (std::size_t p = first; p < std::min(end, pieces_.size()); ++p)
+                 if (pieces_[p].box.overlaps(box)) nearby.close.push_back(&pieces_[p]);
+               nearby.many = nearby.close.size() > few;
+             });
+}
+
 // Bits of the surfaces that the segment crosses an odd number of times.
 template <int Dim>
-std::uint64_t Cracks<Dim>::crossed(const std::vector<const PlacedPiece*>& pieces, const Vec<Dim>& from,
-                                   const Vec<Dim>& to) const {
+std::uint64_t Cracks<Dim>::crossed(const NearbyPieces& nearby, const Vec<Dim>& from, const Vec<Dim>& to) const {
   std::uint64_t out = 0;
-  const Vec<Dim> low = from.cwiseMin(to), high = from.cwiseMax(to);
-  for (const PlacedPiece* p : pieces)
-    if ((p->low.array() <= high.array()).all() && (low.array() <= p->high.array()).all() &&
-        crossing(p->corners, from, to) != 0)
-      out ^= std::uint64_t{1} << p->bit;
+  const auto test = [&](const PlacedPiece& p) {
+    if (crossing(p.corners, from, to) == 0) return;
+    const auto found = std::find(nearby.list->begin(), nearby.list->end(), p.surface);
+    if (found != nearby.list->end()) out ^= std::uint64_t{1} << (found - nearby.list->begin());
+  };
+  const SegmentTest<Dim> may_cross(from, to, 1e-9 * system_.lattice.spacing.minCoeff());
+  if (!nearby.many) {
+    for (const PlacedPiece* p : nearby.close)
+      if (may_cross(p->box)) test(*p);
+    return out;
+  }
+  tree_.each(may_cross, [&](std::size_t first, std::size_t end) {
+    for (std::size_t p = first; p < std::min(end, pieces_.size()); ++p)
+      if (may_cross(pieces_[p].box)) test(pieces_[p]);
+  });
   return out;
 }
 
@@ -175,24 +223,22 @@ void Cracks<Dim>::find_bin(Body<Dim>& body, const Bin& bin, CutBin& cut) {
   const int list = list_of_[static_cast<std::size_t>(bin.block)];
   if (list < 0) return;
   thread_local std::vector<Index<Dim>> lowest;
-  thread_local std::vector<const PlacedPiece*> close;
+  thread_local NearbyPieces nearby;
+  nearby.list = &lists_[static_cast<std::size_t>(list)];
   transfers_.lowest_nodes(body, system_.lattice, bin, lowest);
   const int nodes = Dim == 2 ? width_ * width_ : width_ * width_ * width_;
   const Vec<Dim> span = (width_ - 1.0) * system_.lattice.spacing;
   for (std::uint32_t i = 0; i < count; ++i) {
     const Vec<Dim> x = body.particles.position(bin.begin + i), base = system_.lattice.position(lowest[i]);
-    const Vec<Dim> low = base.cwiseMin(x), high = (base + span).cwiseMax(x);
-    close.clear();
-    for (const PlacedPiece& p : lists_[static_cast<std::size_t>(list)].pieces)
-      if ((p.low.array() <= high.array()).all() && (low.array() <= p.high.array()).all()) close.push_back(&p);
-    if (close.empty()) continue;
+    find_close({base.cwiseMin(x), (base + span).cwiseMax(x)}, nearby);
+    if (nearby.empty()) continue;
     const std::size_t first = cut.sides.size();
     bool any = false;
     for (int n = 0; n < nodes; ++n) {
       Index<Dim> node = lowest[i];
       node[0] += n % width_, node[1] += n / width_ % width_;
       if constexpr (Dim == 3) node[2] += n / (width_ * width_);
-      const std::uint64_t bits = crossed(close, x, system_.lattice.position(node));
+      const std::uint64_t bits = crossed(nearby, x, system_.lattice.position(node));
       any = any || bits != 0;
       cut.sides.push_back(bits != 0);
       if (several) cut.crossed.push_back(bits);
@@ -241,8 +287,8 @@ void Cracks<Dim>::number_node_surfaces() {
   };
   each([&](const Index<Dim>& node, std::uint64_t bits, const List& list, std::uint8_t&) {
     auto& [first, second] = node_surfaces_.try_emplace(flat(node), std::array{none, none}).first->second;
-    for (std::size_t k = 0; k < list.surfaces.size(); ++k) {
-      const int c = static_cast<int>(list.surfaces[k]);
+    for (std::size_t k = 0; k < list.size(); ++k) {
+      const int c = static_cast<int>(list[k]);
       if (!(bits >> k & 1) || c == first || c == second) continue;
       if (first == none || c < first)
         second = first, first = c;
@@ -264,9 +310,9 @@ int Cracks<Dim>::side_from_crossings(const Index<Dim>& node, std::uint64_t cross
   if (found == node_surfaces_.end()) return no_particles;
   const auto [first, second] = found->second;
   int out = 0;
-  for (std::size_t k = 0; k < list.surfaces.size(); ++k) {
+  for (std::size_t k = 0; k < list.size(); ++k) {
     if (!(crossed >> k & 1)) continue;
-    const int number = static_cast<int>(list.surfaces[k]);
+    const int number = static_cast<int>(list[k]);
     out |= number == first ? 1 : number == second ? 2 : second < 0 ? no_particles_beyond_first : 0;
   }
   return out;
@@ -275,18 +321,14 @@ int Cracks<Dim>::side_from_crossings(const Index<Dim>& node, std::uint64_t cross
 template <int Dim>
 void Cracks<Dim>::find_nearby(const Vec<Dim>& x, NearbyPieces& nearby) const {
   nearby.list = &near(x);
-  nearby.close.clear();
   const Vec<Dim> reach = 2.01 * system_.lattice.spacing;
-  const Vec<Dim> low = x - reach, high = x + reach;
-  for (const PlacedPiece& p : nearby.list->pieces)
-    if ((p.low.array() <= high.array()).all() && (low.array() <= p.high.array()).all()) nearby.close.push_back(&p);
+  find_close({x - reach, x + reach}, nearby);
 }
 
 template <int Dim>
 int Cracks<Dim>::side_of_node(const NearbyPieces& nearby, const Vec<Dim>& x, const Index<Dim>& node) const {
-  return nearby.close.empty()
-             ? 0
-             : side_from_crossings(node, crossed(nearby.close, x, system_.lattice.position(node)), *nearby.list);
+  return nearby.empty() ? 0
+                        : side_from_crossings(node, crossed(nearby, x, system_.lattice.position(node)), *nearby.list);
 }
 
 template class Cracks<2>;

@@ -7,6 +7,7 @@
 /// 649-663.
 #pragma once
 
+#include "solver/cracks/box_tree.hpp"
 #include "solver/exchange/exchange.hpp"
 #include "solver/neighbours/nodes_around.hpp"
 #include "solver/state/contact_pair.hpp"
@@ -24,21 +25,18 @@ class Cracks {
   struct PlacedPiece {
     std::uint32_t crack, piece;
     std::uint32_t surface;  // of which the crack is a part (Crack::surface)
-    std::uint32_t bit;      // position of the surface in List::surfaces
     Points points;
     Corners corners;
     Vec<Dim> mirror;  // factors of vector components: -1 along the normals of the symmetry planes of an image
-    Vec<Dim> low, high;
+    Box<Dim> box;
 
     /// Area times the unit normal to the upper side.
     Vec<Dim> area() const { return Crack<Dim>::area(corners); }
     Vec<Dim> opening(const Crack<Dim>& of, std::size_t point) const { return mirror.cwiseProduct(of.opening(point)); }
   };
-  /// Pieces that segments between particles and nodes near one block may cross, and the numbers of their surfaces.
-  struct List {
-    std::vector<PlacedPiece> pieces;
-    std::vector<std::uint32_t> surfaces;
-  };
+  /// Numbers of the surfaces that segments between particles and nodes near one block may cross. The bits of crossings
+  /// are positions in it.
+  using List = std::vector<std::uint32_t>;
 
  public:
   Cracks(const Model& model, System<Dim>& system, const Transfers<Dim>& transfers);
@@ -60,8 +58,11 @@ class Cracks {
   void move(double dt);
   /// The pieces that segments from a point to the nodes around it may cross.
   struct NearbyPieces {
-    std::vector<const PlacedPiece*> close;
+    std::vector<const PlacedPiece*> close;  ///< these pieces if they are few
+    bool many = false;                      ///< then they are searched for each segment
     const List* list = nullptr;
+
+    bool empty() const { return !many && close.empty(); }
   };
   /// Finds these pieces for the point x [length].
   void find_nearby(const Vec<Dim>& x, NearbyPieces& nearby) const;
@@ -88,7 +89,17 @@ class Cracks {
   };
 
   void register_pieces();
-  void register_piece(const PlacedPiece& piece);
+  void list_surfaces(const Box<Dim>& box, std::size_t first, std::size_t end);
+  void find_close(const Box<Dim>& box, NearbyPieces& nearby) const;
+  /// Calls f(piece), in ascending order, for the pieces whose boxes overlap a box.
+  template <class F>
+  void each_piece(const Box<Dim>& box, F&& f) const {
+    tree_.each([&](const Box<Dim>& other) { return other.overlaps(box); },
+               [&](std::size_t first, std::size_t end) {
+                 for (std::size_t p = first; p < std::min(end, pieces_.size()); ++p)
+                   if (pieces_[p].box.overlaps(box)) f(pieces_[p]);
+               });
+  }
   template <class F>
   void each_image(const PlacedPiece& piece, F&& f) const;
   const List& near(const Vec<Dim>& x) const;
@@ -96,7 +107,7 @@ class Cracks {
   void number_node_surfaces();
   std::int64_t flat(const Index<Dim>& node) const;
   int side_from_crossings(const Index<Dim>& node, std::uint64_t crossed, const List& list) const;
-  std::uint64_t crossed(const std::vector<const PlacedPiece*>& pieces, const Vec<Dim>& from, const Vec<Dim>& to) const;
+  std::uint64_t crossed(const NearbyPieces& nearby, const Vec<Dim>& from, const Vec<Dim>& to) const;
   Nearest nearest(std::uint32_t surface, const Vec<Dim>& x) const;
   FaceAverages average_faces(std::uint32_t surface, const Vec<Dim>& node, const Nearest& nearest) const;
   double velocity_on_side(Index<Dim> n, int side, Vec<Dim>& v) const;
@@ -112,6 +123,8 @@ class Cracks {
   /// Per crack and integration point of its pieces: the sum of all shape functions divided by their sum over the nodes
   /// with mass on both sides; 0 if the latter is too small.
   std::vector<std::vector<double>> weight_factor_;
+  std::vector<PlacedPiece> pieces_;  ///< of all cracks, then their images
+  BoxTree<Dim> tree_;                ///< of their boxes
   std::vector<List> lists_;
   std::vector<int> list_of_;          ///< per lattice block: its index in lists_, or -1
   std::vector<std::int64_t> listed_;  ///< blocks with a list

@@ -12,22 +12,20 @@ namespace tribo {
 template <int Dim>
 template <class F>
 void NodalWork<Dim>::add(double dt, F&& power) {
+  blocks_.clear();
+  for (std::size_t f = 0; f < system_.fields.size(); ++f)
+    for (std::size_t b = 0; b < system_.fields[f].map.active().size() && !system_.fields[f].rigid_contact; ++b)
+      blocks_.push_back({f, b * block_nodes<Dim>, 0.0});
+  parallel_for(static_cast<std::ptrdiff_t>(blocks_.size()), [&](std::ptrdiff_t k) {
+    Block& block = blocks_[static_cast<std::size_t>(k)];
+    const auto& nodes = system_.fields[block.field].nodes;
+    for (std::size_t n = block.first; n < block.first + block_nodes<Dim>; ++n)
+      if (nodes[n].mass > 0)
+        block.work +=
+            exchanges_[block.field]->ownership(static_cast<std::int64_t>(n)) * power(block.field, n, nodes[n]);
+  });
   double sum = 0.0;
-  for (std::size_t f = 0; f < system_.fields.size(); ++f) {
-    const auto& field = system_.fields[f];
-    if (field.rigid_contact) continue;
-    by_block_.assign(field.map.active().size(), 0.0);
-    parallel_for(static_cast<std::ptrdiff_t>(by_block_.size()), [&](std::ptrdiff_t block) {
-      double work = 0.0;
-      for (std::int64_t n = block * block_nodes<Dim>; n < (block + 1) * block_nodes<Dim>; ++n) {
-        const Node& node = field.nodes[static_cast<std::size_t>(n)];
-        if (!(node.mass > 0)) continue;
-        work += exchanges_[f]->ownership(n) * power(f, static_cast<std::size_t>(n), node);
-      }
-      by_block_[static_cast<std::size_t>(block)] = work;
-    });
-    for (const double work : by_block_) sum += work;
-  }
+  for (const Block& block : blocks_) sum += block.work;
   ledger_.nodal_work += dt * sum;
 }
 
@@ -71,17 +69,17 @@ void NodalWork<Dim>::record_change_of_velocities(double dt) {
   for (auto& body : system_.bodies) {
     const auto n = static_cast<std::ptrdiff_t>(body.particles.size());
     const double* mass = body.particles.mass();
-    by_block_.assign(static_cast<std::size_t>((n + piece - 1) / piece), 0.0);
-    parallel_for(static_cast<std::ptrdiff_t>(by_block_.size()), [&](std::ptrdiff_t k) {
+    by_piece_.assign(static_cast<std::size_t>((n + piece - 1) / piece), 0.0);
+    parallel_for(static_cast<std::ptrdiff_t>(by_piece_.size()), [&](std::ptrdiff_t k) {
       double sum = 0.0;
       for (std::size_t d = 0; d < Dim; ++d) {
         const double* change = body.particles[body.filtered][d];
 #pragma omp simd reduction(+ : sum)
         for (std::ptrdiff_t i = k * piece; i < std::min(n, (k + 1) * piece); ++i) sum += mass[i] * change[i];
       }
-      by_block_[static_cast<std::size_t>(k)] = sum;
+      by_piece_[static_cast<std::size_t>(k)] = sum;
     });
-    for (const double sum : by_block_) ledger_.nodal_work -= 0.5 * dt * sum;
+    for (const double sum : by_piece_) ledger_.nodal_work -= 0.5 * dt * sum;
   }
 }
 

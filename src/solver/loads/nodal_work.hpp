@@ -43,7 +43,12 @@ class NodalWork {
   System<Dim>& system_;
   const Exchanges<Dim>& exchanges_;
   EnergyLedger& ledger_;
-  std::vector<double> by_block_;
+  struct Block {
+    std::size_t field, first;  // first node
+    double work;
+  };
+  std::vector<Block> blocks_;  // of all fields
+  std::vector<double> by_piece_;
   std::vector<std::vector<Vec3>> forces_;  // per field and node, m a
 };
 

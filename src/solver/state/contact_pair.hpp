@@ -17,6 +17,7 @@ struct ContactMember {
   double inverse_mass = 0.0;           ///< its inverse; 0 if the velocity is prescribed       [1/mass]
   Vec3 trial_velocity = Vec3::Zero();  ///< velocity at the end of the step without contact             [velocity]
   Vec3 start_velocity = Vec3::Zero();  ///< velocity at the start of the step                           [velocity]
+  Vec3 velocity = Vec3::Zero();  ///< after the impulses, in solve_node(), against one of the members    [velocity]
 };
 
 /// A contact pair: two velocity fields at a contact node, the input of their contact law, and the impulse between
@@ -33,6 +34,7 @@ struct ContactPair {
   ContactStatus update_status = ContactStatus::open;  ///< contact status in the last momentum update
   bool stuck = false;                                 ///< friction held the faces in the last momentum update
   double friction_work = 0.0;      ///< energy dissipated by sliding in the last momentum update       [energy]
+  bool needs_face = true;          ///< its face must be found from the particles in this step
   bool has_no_face = false;        ///< no common face was found at this node, so no impulse acts
   bool replaced_by_joint = false;  ///< a joint acts here in place of the contact law
   double face_position = 0.0;      ///< signed distance of the common face from the node along the normal      [length]

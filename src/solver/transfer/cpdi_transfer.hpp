@@ -57,13 +57,15 @@ class CpdiTransfers final : public Transfers<Dim> {
   }
 
   GatherResult gather(Body<Dim>& body, const Target<Dim>& target, const Gather& what) const override {
-    collector_.start();
+    thread_local GatherCollector of_thread;
+    GatherCollector& collector = of_thread;  // of this one, in the loop below
+    collector.start();
     const auto& bins = body.bins.list();
     parallel_for(static_cast<std::ptrdiff_t>(bins.size()), [&](std::ptrdiff_t k) {
       const auto bin = static_cast<std::size_t>(k);
-      gather_bin(body, target, bins[bin], body.cut_bin(bin), what, collector_.mine());
+      gather_bin(body, target, bins[bin], body.cut_bin(bin), what, collector.mine());
     });
-    return collector_.total();
+    return collector.total();
   }
 
  private:
@@ -247,7 +249,6 @@ class CpdiTransfers final : public Transfers<Dim> {
   }
 
   double limit_;
-  mutable GatherCollector collector_;  ///< used by gather() only, which modifies the particles: one call at a time
 };
 
 }  // namespace tribo

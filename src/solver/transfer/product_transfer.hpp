@@ -71,11 +71,13 @@ class ProductTransfers final : public Transfers<Dim> {
   }
 
   GatherResult gather(Body<Dim>& body, const Target<Dim>& target, const Gather& what) const override {
-    collector_.start();
+    thread_local GatherCollector of_thread;
+    GatherCollector& collector = of_thread;  // of this one, in the loop below
+    collector.start();
     const auto& bins = body.bins.list();
     const auto before = [&](std::ptrdiff_t k) { return body.bins.before(static_cast<std::size_t>(k)); };
     parallel_for_weighted(static_cast<std::ptrdiff_t>(bins.size()), before, [&](std::ptrdiff_t k) {
-      auto& result = collector_.mine();
+      auto& result = collector.mine();
       const Bin& bin = bins[static_cast<std::size_t>(k)];
       const CutBin* cut = body.cut_bin(static_cast<std::size_t>(k));
       if (what.task == GatherTask::filtered_velocity || what.task == GatherTask::temperature_residual ||
@@ -86,7 +88,7 @@ class ProductTransfers final : public Transfers<Dim> {
       else
         gather_bin<true, false>(body, target, bin, cut, what, result);
     });
-    return collector_.total();
+    return collector.total();
   }
 
  private:
@@ -359,8 +361,6 @@ class ProductTransfers final : public Transfers<Dim> {
       if constexpr (Affine) store4(sums.moment[d][i % 4], moment[d]);
     }
   }
-
-  mutable GatherCollector collector_;  ///< used by gather() only, which modifies the particles: one call at a time
 };
 
 }  // namespace tribo
