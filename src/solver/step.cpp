@@ -9,8 +9,6 @@
 #include "solver/measures.hpp"
 #include "solver/step_start.hpp"
 
-#include <cstring>
-
 namespace tribo {
 
 // Notation: w_Ip is the shape function of node I at particle p; S interpolates from nodes to particles; S+ scatters to
@@ -106,6 +104,7 @@ template <int Dim>
 Stepper<Dim>::Stepper(const Model& model, System<Dim>& system)
     : model_(model),
       system_(system),
+      loops_(system),
       transfers_(make_transfers<Dim>(model.scheme)),
       sort_(model, system),
       splitting_(model, system, ledger_),
@@ -140,11 +139,14 @@ void Stepper<Dim>::begin_step() {
   filter_.begin_step();
   keep_start_domains(system_);
   cracks_.find();
-  {
-    const auto lap = watches_.grid.lap();
-    zero_nodes();
-  }
+  zero_nodes();
   for (auto& exchange : exchanges_) exchange->begin_step();
+}
+
+template <int Dim>
+void Stepper<Dim>::zero_nodes() {
+  const auto lap = watches_.grid.lap();
+  loops_.zero_nodes();
 }
 
 template <int Dim>
@@ -181,66 +183,14 @@ void Stepper<Dim>::locate_nodes() {
   heat_.locate();
   b_bar_.locate();
   for (auto& body : system_.bodies) body.refresh();
-  find_pieces();
-}
-
-// Divides the nodes of all fields into pieces for loops over them, and finds whether there are so many bodies that
-// threads treat different bodies, not parts of one. Bodies must then have fields of their own. Neither changes a bit of
-// the results.
-template <int Dim>
-void Stepper<Dim>::find_pieces() {
-  constexpr std::size_t length = 1024, per_thread = 4;
-  pieces_.clear();
-  for (std::size_t f = 0; f < system_.fields.size(); ++f)
-    for (std::size_t first = 0; first < system_.fields[f].nodes.size(); first += length)
-      pieces_.push_back({f, first, std::min(first + length, system_.fields[f].nodes.size())});
-  before_.assign(1, 0);
-  std::vector<char> used(system_.fields.size(), 0);
-  bool distinct = true;
-  std::size_t largest = 0;
-  for (const auto& body : system_.bodies) {
-    before_.push_back(before_.back() + static_cast<std::uint32_t>(body.particles.size()));
-    largest = std::max(largest, body.particles.size());
-    distinct = distinct && !used[body.field];
-    used[body.field] = 1;
-  }
-  side_by_side_ = distinct && largest * per_thread * static_cast<std::size_t>(threads()) <= before_.back();
-}
-
-// Calls f(number of the body) for all bodies.
-template <int Dim>
-template <class F>
-void Stepper<Dim>::each_body(F&& f) {
-  const std::size_t count = system_.bodies.size();
-  if (side_by_side_)
-    return parallel_for_weighted(
-        static_cast<std::ptrdiff_t>(count), [&](std::ptrdiff_t k) { return before_[static_cast<std::size_t>(k)]; },
-        [&](std::ptrdiff_t k) { f(static_cast<std::size_t>(k)); });
-  for (std::size_t k = 0; k < count; ++k) f(k);
-}
-
-// Calls f(number of the field, first node, last node + 1) for pieces of all fields.
-template <int Dim>
-template <class F>
-void Stepper<Dim>::each_piece_of_fields(F&& f) {
-  parallel_for(static_cast<std::ptrdiff_t>(pieces_.size()), [&](std::ptrdiff_t k) {
-    const Piece& piece = pieces_[static_cast<std::size_t>(k)];
-    f(piece.field, piece.first, piece.last);
-  });
-}
-
-template <int Dim>
-void Stepper<Dim>::zero_nodes() {
-  each_piece_of_fields([&](std::size_t f, std::size_t first, std::size_t last) {
-    std::memset(static_cast<void*>(system_.fields[f].nodes.data() + first), 0, sizeof(Node) * (last - first));
-  });
+  loops_.divide();
 }
 
 template <int Dim>
 void Stepper<Dim>::scatter(Scatter what, bool from_start) {
   const auto lap = watches_.scatter.lap();
   if (what != Scatter::momentum) b_bar_.average_stress();
-  each_body([&](std::size_t k) {
+  loops_.each_body([&](std::size_t k) {
     auto& body = system_.bodies[k];
     transfers_->scatter(body, Target<Dim>(body, system_.fields, &Field<Dim>::nodes), what, from_start,
                         system_.analysis == Analysis::axisymmetric);
@@ -271,7 +221,7 @@ void Stepper<Dim>::copy_images() {
 template <int Dim>
 void Stepper<Dim>::divide_by_mass() {
   const auto lap = watches_.grid.lap();
-  each_piece_of_fields([&](std::size_t f, std::size_t first, std::size_t last) {
+  loops_.each_range([&](std::size_t f, std::size_t first, std::size_t last) {
     for (std::size_t n = first; n < last; ++n) {
       Node& node = system_.fields[f].nodes[n];
       if (!(node.mass > 0)) continue;
@@ -291,7 +241,7 @@ void Stepper<Dim>::update_momentum(double dt, Known known) {
   const auto lap = watches_.grid.lap();
   const bool from_momentum = known == Known::momentum;
   const auto is_free = [&](std::size_t f) { return !system_.fields[f].rigid_contact; };
-  each_piece_of_fields([&](std::size_t f, std::size_t first, std::size_t last) {
+  loops_.each_range([&](std::size_t f, std::size_t first, std::size_t last) {
     const Vec3 gravity = is_free(f) ? model_.body_force.gravity : Vec3(Vec3::Zero());
     const double damping = is_free(f) ? damping_.grid : 0.0;
     for (std::size_t n = first; n < last; ++n) {
@@ -357,19 +307,20 @@ void Stepper<Dim>::strain(double dt, bool from_start) {
   what.from_start = from_start;
   const auto strain_from = [&](auto layer) {
     b_bar_.average_rates(what, layer);
-    std::vector<char> valid(system_.bodies.size());
-    each_body([&](std::size_t k) {
+    gathered_.resize(system_.bodies.size());
+    loops_.each_body([&](std::size_t k) {
       auto& body = system_.bodies[k];
-      valid[k] = transfers_->gather(body, Target<Dim>(body, system_.fields, layer), what).valid;
+      gathered_[k] = transfers_->gather(body, Target<Dim>(body, system_.fields, layer), what);
     });
-    if (std::find(valid.begin(), valid.end(), char{0}) != valid.end()) stop_at_bad_particle(system_);
+    for (const GatherResult& result : gathered_)
+      if (!result.valid) stop_at_bad_particle(system_);
   };
   filter_.active() ? strain_from(&Field<Dim>::filter) : strain_from(&Field<Dim>::nodes);
 }
 
 template <int Dim>
 void Stepper<Dim>::strain_again(double dt, double strain_dt) {
-  zero_nodes();
+  loops_.zero_nodes();
   scatter(Scatter::momentum, true);
   sum_images(ImageValues::vectors);
   divide_by_mass();
@@ -480,14 +431,14 @@ void Stepper<Dim>::move_particles(double dt, double strain_dt) {
   const auto damping_of = [&](const Body<Dim>& body) { return body.particle_damping + damping_.particle; };
   for (auto& body : system_.bodies)
     if (const double damping = damping_of(body); damping != 0.0) damping_.record_particles(body, damping, dt);
-  std::vector<GatherResult> results(system_.bodies.size());
-  each_body([&](std::size_t k) {
+  gathered_.resize(system_.bodies.size());
+  loops_.each_body([&](std::size_t k) {
     auto& body = system_.bodies[k];
     Gather of_body = what;
     of_body.damping = damping_of(body);
-    results[k] = transfers_->gather(body, Target<Dim>(body, system_.fields, &Field<Dim>::nodes), of_body);
+    gathered_[k] = transfers_->gather(body, Target<Dim>(body, system_.fields, &Field<Dim>::nodes), of_body);
   });
-  for (const GatherResult& result : results) {
+  for (const GatherResult& result : gathered_) {
     travel = std::max(travel, result.travel);
     if (!result.valid) stop_at_bad_particle(system_);
   }

@@ -19,6 +19,7 @@
 #include "solver/particle_splitting.hpp"
 #include "solver/rigid/rigid_blocks.hpp"
 #include "solver/rigid/rigid_bodies.hpp"
+#include "solver/system_loops.hpp"
 #include "solver/transfer/b_bar.hpp"
 #include "solver/velocity_filter.hpp"
 
@@ -77,9 +78,9 @@ class Stepper {
   /// Saves and restores all data that change from step to step, including the system. To restore, the stepper must
   /// have been constructed from the same model.
   friend void archive(Archive& a, Stepper& stepper) {
-    auto& [model, system, ledger, watches, transfers, sort, splitting, exchanges, conditions, cracks, crack_tips,
+    auto& [model, system, loops, ledger, watches, transfers, sort, splitting, exchanges, conditions, cracks, crack_tips,
            interface_faces, joints, contact, loads, tractions, body_forces, nodal_work, damping, rigid_bodies,
-           rigid_blocks, heat, ramps, b_bar, filter, jump, measures, ratio, pieces, before, side_by_side] = stepper;
+           rigid_blocks, heat, ramps, b_bar, filter, jump, measures, ratio, gathered] = stepper;
     a.version(5);
     a("system", system);
     a("ledger", ledger), a("sort", sort), a("splitting", splitting), a.each("conditions", conditions),
@@ -95,12 +96,7 @@ class Stepper {
 
   void begin_step();
   void sort();
-  void find_pieces();
   void zero_nodes();
-  template <class F>
-  void each_body(F&& f);
-  template <class F>
-  void each_piece_of_fields(F&& f);
   void scatter(Scatter what, bool from_start = false);
   void sum_images(ImageValues values);
   void copy_images();
@@ -124,6 +120,7 @@ class Stepper {
 
   const Model& model_;
   System<Dim>& system_;
+  SystemLoops<Dim> loops_;
   EnergyLedger ledger_;
   StepWatches watches_;
   std::unique_ptr<Transfers<Dim>> transfers_;
@@ -149,12 +146,7 @@ class Stepper {
   VelocityFilter<Dim> filter_;
   bool jump_ = false, measures_balance_ = false;
   double unbalanced_ratio_ = 0.0;
-  struct Piece {
-    std::size_t field, first, last;  // nodes
-  };
-  std::vector<Piece> pieces_;          // of the nodes of all fields
-  std::vector<std::uint32_t> before_;  // number of particles of the bodies before the k-th
-  bool side_by_side_ = false;          // the bodies are many and none of them is large
+  std::vector<GatherResult> gathered_;  // per body, of the last gathering
 };
 
 }  // namespace tribo
