@@ -124,7 +124,7 @@ void Builder::blocks() {
     } else if (part.name == "Platen") {
       BlockPlaten p{word(part, "name"), shapes_of(part), {}, yes(word(part, "rough")), 0.0, part.origin};
       p.modulus = number(part, "E", Dimension::stress);
-      must(!has(part, "E") || p.modulus > 0, part.origin, "'E' must be positive");
+      if (const Attribute* given = part.attribute("E")) must(p.modulus > 0, given->origin, "'E' must be positive");
       all(velocities, Dimension::velocity, p.velocity);
       spec->platens.push_back(std::move(p));
     } else if (part.name == "Pressure") {

@@ -257,7 +257,7 @@ StageAction Builder::stage_action(const Statement& s) {
 void Builder::stress_action(const Statement& s, StageAction& action) {
   action.stress = stress_field(s);
   action.adds = yes(word(s, "add"));
-  must(action.stress.given(), s.origin, "<Stress> needs a component, such as yy, or a 'file'");
+  must(action.stress.given() || has(s, "file"), s.origin, "<Stress> needs a component, such as yy, or a 'file'");
   const std::size_t material = static_cast<std::size_t>(std::max(action.material, 0));
   if (action.material < 0 || material >= model_.materials.size()) return;
   const MaterialSpec& spec = model_.materials[material];

@@ -236,7 +236,9 @@ bool Builder::reversal_by_length(const Statement& schedule, LoadReversal& revers
     must(v > 0, p.text_origin, "'maxLength' must be positive");
     most = v * model_.units.factor(Dimension::length);
   });
-  must(most > 0, schedule.origin, "ReverseLoad by the length of a crack needs 'maxLength'");
+  must(std::any_of(schedule.children.begin(), schedule.children.end(),
+                   [&](const Statement& p) { return word(p, "name") == "maxLength"; }),
+       schedule.origin, "ReverseLoad by the length of a crack needs 'maxLength'");
   must(crack <= static_cast<double>(model_.cracks.size()), schedule.origin,
        "there is no crack number " + std::to_string(static_cast<long>(crack)) + "; the model has " +
            std::to_string(model_.cracks.size()));

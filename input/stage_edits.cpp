@@ -71,6 +71,12 @@ std::string_view refusal_of(const std::string& property) {
   return {};
 }
 
+// Whether a property gives all stiffnesses of a joint, and another one some of them in another way.
+bool takes_the_place(const std::string& property, const std::string& of) {
+  static const std::set<std::string> all{"compute-stiffness", "assign-stiffness"}, some{"kn", "ks", "krot"};
+  return all.count(property) != 0 && property != of && (all.count(of) != 0 || some.count(of) != 0);
+}
+
 // The properties of `by` replace those of the same name; a law with another material replaces that with this material.
 void change_material(Statement& material, const Statement& by, Problems& problems) {
   const Attribute* type = by.attribute("Type");
@@ -82,7 +88,8 @@ void change_material(Statement& material, const Statement& by, Problems& problem
     if (const auto why = refusal_of(property.name); !why.empty())
       problems.add(property.origin, "<" + property.name + "> cannot change in a stage: " + std::string(why));
     std::erase_if(material.children, [&](const Statement& old) {
-      return old.name == property.name && (old.name != "Friction" || other(old) == other(property));
+      return takes_the_place(property.name, old.name) ||
+             (old.name == property.name && (old.name != "Friction" || other(old) == other(property)));
     });
   }
   material.children.insert(material.children.end(), by.children.begin(), by.children.end());

@@ -236,6 +236,31 @@ TEST_CASE("joints take over another area, and stiffnesses from a modulus", "[sta
   CHECK(joint.Fn == force);
 }
 
+TEST_CASE("a way to give the stiffness of joints takes the place of another in a stage", "[stages]") {
+  const auto stiffness = [](const std::string& before, const std::string& now) {
+    const Model model = read_model_text(
+        "<JANFEAInput version='3'><Header><Analysis>10</Analysis><ConsistentUnits length='m' mass='kg' time='s'/>"
+        "</Header><MPMHeader><MaxTime>2</MaxTime><ArchiveTime>1</ArchiveTime></MPMHeader><Blocks lawname='bond'>"
+        "<BoxBlock xmin='0' xmax='1' ymin='0' ymax='1' rho='1' name='a'/>"
+        "<BoxBlock xmin='0' xmax='1' ymin='1' ymax='2' rho='1' name='b'/></Blocks>"
+        "<Material Type='SpringNetwork' Name='bond'>" +
+            before + "<fric>0.5</fric></Material><Stage at='1'><Material Name='bond'>" + now +
+            "</Material></Stage></JANFEAInput>",
+        "ways.xml");
+    JointSite site;
+    site.area = 1, site.distance = 1;
+    return model.stages.at(0).model->materials.at(0).joint->start(site).kn;
+  };
+  const std::string plain = "<kn>3</kn><ks>2</ks>",
+                    computed = "<compute-stiffness>emod 5 poisson 0</compute-stiffness>",
+                    assigned = "<assign-stiffness>kn 7 kratio 2</assign-stiffness>";
+  CHECK(stiffness(plain, computed) == 5);
+  CHECK(stiffness(plain, assigned) == 7);
+  CHECK(stiffness(computed, assigned) == 7);
+  CHECK(stiffness(assigned, computed) == 5);
+  CHECK_THROWS_WITH(stiffness(computed, "<kn>3</kn>"), Catch::Contains("leave one of them out"));
+}
+
 TEST_CASE("platens take over another modulus, or that of their joints", "[stages]") {
   // A column of two blocks under a load of 1000 at its top is compressed by F/k per contact; k of the platen changes.
   const auto strain = [](const std::string& platen, const std::string& stage) {
