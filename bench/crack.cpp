@@ -33,11 +33,7 @@ class Case {
         stepper_(model_, system_) {}
 
   /// CPU time of a particle's step [ns].
-  double cost(int steps) {
-    const double start = cpu_seconds();
-    for (int k = 0; k < steps; ++k) stepper_.advance(0.25);
-    return 1e9 * (cpu_seconds() - start) / (static_cast<double>(seeds_.size()) * steps);
-  }
+  double cost(int steps) { return cost_of_steps(stepper_, seeds_.size(), steps); }
 
  private:
   Model make_model(int segments) const {
