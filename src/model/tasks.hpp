@@ -57,7 +57,7 @@ struct LoadReversal {
     none      ///< they go on; only the growth of cracks ends
   } style = Style::reverse;
   double hold = 0.0;                   ///< reverse: they stay as they are for this time first [time]
-  std::optional<double> least;       ///< reverse: the run ends when the history passes this value on the way back
+  std::optional<double> least;         ///< reverse: the run ends when the history passes this value on the way back
   std::optional<std::size_t> crack{};  ///< of the crack that reaches the length; beyond the last: any of them
 };
 
