@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-/// Files for ParaView. VTK is used in vtk.cpp only. All numbers must be finite: otherwise the functions that write
-/// throw SimulationError with the name of the field, and leave the file as it is.
+/// Files for ParaView, in VTK's XML formats. All numbers must be finite: otherwise the functions that write throw
+/// SimulationError with the name of the field, and leave the file as it is. What they write depends on their arguments
+/// only, and they may be called by several threads at a time.
 #pragma once
 
 #include <array>
@@ -22,6 +23,11 @@ struct OutputField {
   bool single = false;                     ///< numbers of four bytes each, for fields that only pictures need
   const std::string* texts = nullptr;      ///< instead of components; the functions that read skip such fields
 };
+
+bool all_finite(std::span<const double> values);
+/// Throws SimulationError if a number is not finite, as the functions that write do.
+void check_numbers(std::size_t count, const std::array<const double*, 3>& position,
+                   std::span<const OutputField> fields);
 
 /// Writes points as a .vtp with one vertex each, appended and compressed, with the field data TimeValue. Throws
 /// FileError.
