@@ -2,13 +2,11 @@
 #include "output/checkpoint.hpp"
 
 #include "base/error.hpp"
+#include "base/finite.hpp"
 #include "base/read_file.hpp"
 #include "output/atomic_file.hpp"
+#include "output/packing.hpp"
 
-#include <zlib.h>
-
-#include <algorithm>
-#include <cmath>
 #include <cstring>
 
 namespace tribo {
@@ -18,15 +16,7 @@ namespace {
 // 0.
 constexpr std::string_view magic = "Tribo checkpoint 2\n";
 
-std::uint32_t checksum(const std::string& name, const char* data, std::size_t size) {
-  auto crc = ::crc32(0, reinterpret_cast<const Bytef*>(name.data()), static_cast<uInt>(name.size()));
-  while (size > 0) {  // zlib counts in 32 bits
-    const auto piece = static_cast<uInt>(std::min<std::size_t>(size, 1U << 30));
-    crc = ::crc32(crc, reinterpret_cast<const Bytef*>(data), piece);
-    data += piece, size -= piece;
-  }
-  return static_cast<std::uint32_t>(crc);
-}
+std::uint32_t checksum(std::string_view name, std::string_view bytes) { return crc32(crc32(0, name), bytes); }
 
 template <class T>
 void append(std::string& to, T value) {
@@ -36,16 +26,11 @@ void append(std::string& to, T value) {
 }  // namespace
 
 void CheckpointWriter::entry(const std::string& name, char kind, const void* data, std::size_t bytes) {
-  append(bytes_, kind);
-  append(bytes_, static_cast<std::uint64_t>(name.size()));
-  append(bytes_, static_cast<std::uint64_t>(bytes));
-  bytes_ += name;
-  bytes_.append(static_cast<const char*>(data), bytes);
-  append(bytes_, checksum(name, static_cast<const char*>(data), bytes));
+  entries_.push_back({name, kind, std::string(static_cast<const char*>(data), bytes)});
 }
 
 void CheckpointWriter::put(const std::string& name, std::span<const double> values) {
-  if (!std::all_of(values.begin(), values.end(), [](double x) { return std::isfinite(x); }))
+  if (!all_finite(values))
     throw SimulationError("'" + name + "' of the state is not a number; no checkpoint is written");
   entry(name, 'd', values.data(), values.size_bytes());
 }
@@ -56,9 +41,24 @@ void CheckpointWriter::put(const std::string& name, const std::string& text) {
   entry(name, 't', text.data(), text.size());
 }
 
+std::size_t CheckpointWriter::size() const {
+  std::size_t sum = magic.size() + 1;
+  for (const Entry& e : entries_)
+    sum += 1 + 2 * sizeof(std::uint64_t) + e.name.size() + e.bytes.size() + sizeof(std::uint32_t);
+  return sum;
+}
+
 void CheckpointWriter::save(const std::filesystem::path& path) const {
   std::string all(magic);
-  all += bytes_;
+  all.reserve(size());
+  for (const Entry& e : entries_) {
+    append(all, e.kind);
+    append(all, static_cast<std::uint64_t>(e.name.size()));
+    append(all, static_cast<std::uint64_t>(e.bytes.size()));
+    all += e.name;
+    all += e.bytes;
+    append(all, checksum(e.name, e.bytes));
+  }
   all += '\0';
   write_atomically(path, all);
 }
@@ -70,9 +70,11 @@ Checkpoint::Checkpoint(const std::filesystem::path& path) : path_(path.string())
   read(all, magic.size());
 }
 
-Checkpoint::Checkpoint(const CheckpointWriter& writer) : path_("in memory") { read(writer.bytes_ + '\0', 0); }
+Checkpoint::Checkpoint(const CheckpointWriter& writer) : path_("in memory") {
+  for (const auto& e : writer.entries_) entries_[e.name] = {e.kind, e.bytes};
+}
 
-void Checkpoint::read(const std::string& all, std::size_t at) {
+void Checkpoint::read(std::string_view all, std::size_t at) {
   const auto take = [&](void* to, std::size_t n) {
     if (all.size() - at < n) throw FileError("checkpoint '" + path_ + "' is cut off");
     std::memcpy(to, all.data() + at, n);
@@ -92,7 +94,7 @@ void Checkpoint::read(const std::string& all, std::size_t at) {
     take(entry.bytes.data(), size);
     std::uint32_t crc = 0;
     take(&crc, sizeof crc);
-    if (crc != checksum(name, entry.bytes.data(), size))
+    if (crc != checksum(name, entry.bytes))
       throw FileError("checkpoint '" + path_ + "': entry '" + name + "' is damaged");
     entries_[name] = std::move(entry);
   }

@@ -21,11 +21,18 @@ class CheckpointWriter {
   void put(const std::string& name, std::int64_t value) { put(name, std::span<const std::int64_t>(&value, 1)); }
   /// Throws FileError.
   void save(const std::filesystem::path& path) const;
+  /// Bytes of the file.
+  std::size_t size() const;
 
  private:
   friend class Checkpoint;
+  struct Entry {
+    std::string name;
+    char kind;
+    std::string bytes;
+  };
   void entry(const std::string& name, char kind, const void* data, std::size_t bytes);
-  std::string bytes_;
+  std::vector<Entry> entries_;
 };
 
 class Checkpoint {
@@ -53,7 +60,7 @@ class Checkpoint {
     char kind;
     std::string bytes;
   };
-  void read(const std::string& all, std::size_t at);
+  void read(std::string_view all, std::size_t at);
   const Entry& entry(const std::string& name, char kind) const;
   template <class T>
   std::vector<T> numbers(const std::string& name, char kind) const;

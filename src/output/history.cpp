@@ -32,17 +32,19 @@ std::string header(const std::vector<std::string>& columns) {
 }  // namespace
 
 void History::open(const char* mode) {
-  file_.reset(std::fopen(path_.c_str(), mode));
-  if (!file_) throw FileError("cannot write '" + path_.string() + "': " + std::strerror(errno));
+  std::FILE* const file = std::fopen(path_.c_str(), mode);
+  if (!file) throw FileError("cannot write '" + path_.string() + "': " + std::strerror(errno));
+  file_.reset(file, std::fclose);
 }
 
-History::History(std::filesystem::path path, const std::vector<std::string>& columns)
-    : path_(std::move(path)), columns_(columns) {
+History::History(std::filesystem::path path, const std::vector<std::string>& columns, OutputQueue* queue)
+    : path_(std::move(path)), columns_(columns), queue_(queue) {
   write_atomically(path_, header(columns));
   open("ab");
 }
 
-History History::resume(std::filesystem::path path, const std::vector<std::string>& columns, double time) {
+History History::resume(std::filesystem::path path, const std::vector<std::string>& columns, double time,
+                        OutputQueue* queue) {
   std::istringstream file(read_file(path, std::uintmax_t{1} << 40));
   std::string kept, line;
   std::getline(file, line);
@@ -54,7 +56,7 @@ History History::resume(std::filesystem::path path, const std::vector<std::strin
   write_atomically(path, kept);
   History history;
   history.path_ = std::move(path);
-  history.columns_ = columns;
+  history.columns_ = columns, history.queue_ = queue;
   history.open("ab");
   return history;
 }
@@ -87,9 +89,14 @@ void History::refuse(std::size_t column, double time) const {
                         "'; usually the step is too large: try a smaller <TimeFactor>");
 }
 
-void History::write(const std::string& line) {
-  if (std::fwrite(line.data(), 1, line.size(), file_.get()) != line.size() || std::fflush(file_.get()) != 0)
-    throw FileError("cannot write '" + path_.string() + "': " + std::strerror(errno));
+void History::write(std::string line) {
+  const std::size_t bytes = line.size();
+  const auto job = [file = file_, path = path_, line = std::move(line)] {
+    if (std::fwrite(line.data(), 1, line.size(), file.get()) != line.size() || std::fflush(file.get()) != 0)
+      throw FileError("cannot write '" + path.string() + "': " + std::strerror(errno));
+  };
+  if (!queue_) return job();
+  queue_->add(bytes, job);
 }
 
 }  // namespace tribo

@@ -81,6 +81,7 @@ void Provenance::write(const std::string& status, const std::string& reason, dou
   record["seconds"] = progress_.seconds;
   if (status == "running") record["seconds_left"] = progress_.seconds_left, record["process"] = ::getpid();
   for (const auto& [part, seconds] : progress_.seconds_of) record["seconds_of"][part] = seconds;
+  if (!progress_.seconds_of.empty()) record["seconds_writing"] = progress_.seconds_writing;
   if (!remarks_.empty()) record["to_look_at"] = remarks_;
   for (const auto& [name, value] : facts_) record["model"][name] = value;
   for (const auto& [name, unit] : units_) record["unit_of"][name] = unit;

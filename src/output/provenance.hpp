@@ -35,6 +35,7 @@ class Provenance {
     double end_time = 0.0, step = 0.0;              ///< simulated
     double seconds = 0.0, seconds_left = 0.0;       ///< of wall time, since the start or resumption
     std::map<std::string, double> seconds_of = {};  ///< by part of the program
+    double seconds_writing = 0.0;                   ///< of the thread that writes files, beside the others
   };
   void set_progress(Progress progress) { progress_ = std::move(progress); }
 

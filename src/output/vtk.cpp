@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "output/vtk.hpp"
 
+#include "base/finite.hpp"
 #include "base/memory.hpp"
 #include "base/read_file.hpp"
 #include "output/atomic_file.hpp"
 #include "output/number.hpp"
 #include "output/vtk_xml.hpp"
 
-#include <bit>
 #include <cmath>
 #include <cstring>
 #include <functional>
-#include <sstream>
 
 namespace tribo {
 namespace {
@@ -162,16 +161,6 @@ void write(const std::filesystem::path& path, Content&& content) {
 
 }  // namespace
 
-bool all_finite(std::span<const double> values) {
-  constexpr std::uint64_t exponent = 0x7ff0000000000000U;
-  std::uint64_t wrong = 0;
-  for (const double& x : values) {
-    const auto bits = std::bit_cast<std::uint64_t>(x);
-    wrong |= static_cast<std::uint64_t>((bits & exponent) == exponent);
-  }
-  return wrong == 0;
-}
-
 void check_numbers(std::size_t count, const std::array<const double*, 3>& position,
                    std::span<const OutputField> fields) {
   for (const double* x : position) check_component("position", x, count);
@@ -229,20 +218,23 @@ void write_grid(const std::filesystem::path& path, const std::array<double, 3>& 
 }
 
 void Collection::resume(double time) {
-  entries_.clear();
+  lines_.clear(), count_ = 0;
   for (const auto& e : read_collection(path_))
-    if (e.time <= time) entries_.push_back({e.time, std::filesystem::relative(e.file, path_.parent_path()).string()});
+    if (e.time <= time) append(e.time, std::filesystem::relative(e.file, path_.parent_path()).string());
 }
 
-void Collection::add(double time, const std::string& file) {
-  entries_.push_back({time, file});
-  std::ostringstream out;
-  out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" "
-         "byte_order=\"LittleEndian\">\n<Collection>\n";
-  for (const auto& e : entries_)
-    out << "<DataSet timestep=\"" << number_text(e.time) << "\" part=\"0\" file=\"" << e.file << "\"/>\n";
-  out << "</Collection>\n</VTKFile>\n";
-  write_atomically(path_, out.str());
+void Collection::append(double time, const std::string& file) {
+  lines_ += "<DataSet timestep=\"" + number_text(time) + "\" part=\"0\" file=\"" + file + "\"/>\n", ++count_;
+}
+
+void Collection::add(double time, const std::string& file, OutputQueue* queue) {
+  append(time, file);
+  const std::string text =
+      "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" "
+      "byte_order=\"LittleEndian\">\n<Collection>\n" +
+      lines_ + "</Collection>\n</VTKFile>\n";
+  if (!queue) return write_atomically(path_, text);
+  queue->add(text.size(), [path = path_, text] { write_atomically(path, text); });
 }
 
 }  // namespace tribo

@@ -4,6 +4,8 @@
 /// only, and they may be called by several threads at a time.
 #pragma once
 
+#include "output/output_queue.hpp"
+
 #include <array>
 #include <cstdint>
 #include <filesystem>
@@ -24,7 +26,6 @@ struct OutputField {
   const std::string* texts = nullptr;      ///< instead of components; the functions that read skip such fields
 };
 
-bool all_finite(std::span<const double> values);
 /// Throws SimulationError if a number is not finite, as the functions that write do.
 void check_numbers(std::size_t count, const std::array<const double*, 3>& position,
                    std::span<const OutputField> fields);
@@ -102,17 +103,15 @@ class Collection {
   explicit Collection(std::filesystem::path path) : path_(std::move(path)) {}
   /// Takes over the entries of an existing file up to a time. Throws FileError if the file is damaged.
   void resume(double time);
-  /// Adds a file, relative to the collection, and rewrites the collection.
-  void add(double time, const std::string& file);
-  std::size_t size() const { return entries_.size(); }
+  /// Adds a file, relative to the collection, and rewrites the collection, by a job of the queue if there is one.
+  void add(double time, const std::string& file, OutputQueue* queue = nullptr);
+  std::size_t size() const { return count_; }
 
  private:
-  struct Entry {
-    double time;
-    std::string file;
-  };
+  void append(double time, const std::string& file);
   std::filesystem::path path_;
-  std::vector<Entry> entries_;
+  std::string lines_;
+  std::size_t count_ = 0;
 };
 
 }  // namespace tribo

@@ -1,66 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "output/vtk_xml.hpp"
 
-#include <libdeflate.h>
+#include "output/packing.hpp"
 
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
-#include <memory>
-#include <new>
-#include <stdexcept>
 #include <vector>
 
 namespace tribo {
 namespace {
-
-struct Free {
-  void operator()(libdeflate_compressor* c) const { libdeflate_free_compressor(c); }
-};
-using Compressor = std::unique_ptr<libdeflate_compressor, Free>;
-
-Compressor compressor(int level) {
-  Compressor out(libdeflate_alloc_compressor(level));
-  if (!out) throw std::bad_alloc();
-  return out;
-}
-
-// Compresses blocks if it pays. The mantissas of computed numbers are as good as random: packing them takes most of the
-// time and saves nothing.
-class Packer {
- public:
-  /// Appends the packed block to `to`; returns its packed size.
-  std::size_t append(std::string& to, std::string_view block) {
-    auto* const level = pays(block) ? packing_.get() : storing_.get();
-    const std::size_t before = to.size(), most = libdeflate_zlib_compress_bound(level, block.size());
-    to.resize(before + most);
-    const std::size_t size = pack(level, block, to.data() + before, most);
-    to.resize(before + size);
-    return size;
-  }
-
- private:
-  static constexpr std::size_t sample_size = 8192;
-  static constexpr double worthwhile = 0.85;  // of the size
-
-  static std::size_t pack(libdeflate_compressor* level, std::string_view block, char* to, std::size_t most) {
-    const std::size_t size = libdeflate_zlib_compress(level, block.data(), block.size(), to, most);
-    if (size == 0) throw std::logic_error("a block of data did not fit into its bound");
-    return size;
-  }
-
-  // By the size of a part in the middle.
-  bool pays(std::string_view block) {
-    if (block.size() < 2 * sample_size) return true;
-    const auto part = block.substr((block.size() - sample_size) / 2 / sizeof(double) * sizeof(double), sample_size);
-    sample_.resize(libdeflate_zlib_compress_bound(packing_.get(), part.size()));
-    const std::size_t size = pack(packing_.get(), part, sample_.data(), sample_.size());
-    return static_cast<double>(size) < worthwhile * static_cast<double>(part.size());
-  }
-
-  Compressor packing_ = compressor(1), storing_ = compressor(0);
-  std::string sample_;
-};
 
 constexpr std::size_t block_size = std::size_t{256} << 10;
 

@@ -52,9 +52,11 @@ std::string words_of_law(const Model& model, const ContactGroup& group) {
 double output_seconds(const Model& model, Assembly& blocks, double dt) {
   try {
     const TrialFolder scratch;
-    BlockResults results(model, blocks, scratch.path, std::nullopt);
+    OutputQueue queue;
+    BlockResults results(model, blocks, scratch.path, std::nullopt, queue);
     return seconds_of_output(
-        model.output, model.time.end, [&] { results.write_files(0); }, [&] { results.write_history(dt); });
+        model.output, model.time.end, [&] { results.write_files(0), queue.drain(); },
+        [&] { results.write_history(dt), queue.drain(); });
   } catch (const FileError&) {
     return 0.0;
   }

@@ -68,7 +68,14 @@ struct Cells {
     }
     ends.push_back(corners.size());
   }
-  void write(const std::filesystem::path& path, double time) {
+  std::size_t bytes() const {
+    return points.bytes() + fields.bytes() + corners.size() * sizeof(corners[0]) + ends.size() * sizeof(ends[0]);
+  }
+  void check() const {
+    check_numbers(points.size(), points.positions(), {});
+    check_numbers(ends.size(), {}, fields.fields());
+  }
+  void write(const std::filesystem::path& path, double time) const {
     write_cells(path, points.size(), points.positions(), corners, ends, fields.fields(), time);
   }
 };
@@ -76,18 +83,19 @@ struct Cells {
 }  // namespace
 
 BlockResults::BlockResults(const Model& model, Assembly& blocks, std::filesystem::path folder,
-                           std::optional<double> resume_time)
+                           std::optional<double> resume_time, OutputQueue& queue)
     : model_(model),
       blocks_(blocks),
       folder_(std::move(folder)),
+      queue_(queue),
       cells_(folder_ / "blocks.pvd"),
       contacts_(folder_ / "contacts.pvd") {
   const bool alone = !model.blocks->in_grid;
   const auto open = [&](std::optional<History>& file, const std::string& name, const std::vector<std::string>& names) {
     if (resume_time)
-      file.emplace(History::resume(folder_ / name, names, *resume_time));
+      file.emplace(History::resume(folder_ / name, names, *resume_time, &queue));
     else
-      file.emplace(folder_ / name, names);
+      file.emplace(folder_ / name, names, &queue);
   };
   std::vector<std::string> columns_of_history{"time"};
   for (const auto& name : columns(model)) columns_of_history.push_back(name);
@@ -127,12 +135,14 @@ std::vector<double> BlockResults::values(double dt) const {
 }
 
 void BlockResults::write_files(std::int64_t number) {
+  if (!model_.blocks->in_grid) queue_.begin(blocks_.step);
   write_blocks(number);
   write_contacts(number);
 }
 
 void BlockResults::write_blocks(std::int64_t number) {
-  Cells out;
+  const auto all = std::make_shared<Cells>();
+  Cells& out = *all;
   std::vector<double> strain(blocks_.bodies.size(), 0.0);
   for (std::size_t c = 0; c < blocks_.contacts.size(); ++c)
     for (const auto body : {blocks_.contacts[c].a, blocks_.contacts[c].b})
@@ -159,13 +169,15 @@ void BlockResults::write_blocks(std::int64_t number) {
     }
   }
   const std::string file = "blocks/" + numbered(number, ".vtp");
-  out.write(folder_ / file, blocks_.time);
-  cells_.add(blocks_.time, file);
+  all->check();
+  queue_.add(all->bytes(), [all, path = folder_ / file, time = blocks_.time] { all->write(path, time); });
+  cells_.add(blocks_.time, file, &queue_);
 }
 
 // Facets move with body 1. Tractions act on body 2.
 void BlockResults::write_contacts(std::int64_t number) {
-  Cells out;
+  const auto all = std::make_shared<Cells>();
+  Cells& out = *all;
   std::vector<const JointLaw*> laws;
   for (const ContactGroup& group : blocks_.groups) laws.push_back(group.law);
   const JointColumns columns(laws);
@@ -202,8 +214,9 @@ void BlockResults::write_contacts(std::int64_t number) {
       columns.add(out.fields, *group.law, j, contact.axes, blocks_.dashpot_work[c]);
     }
   const std::string file = "contacts/" + numbered(number, ".vtp");
-  out.write(folder_ / file, blocks_.time);
-  contacts_.add(blocks_.time, file);
+  all->check();
+  queue_.add(all->bytes(), [all, path = folder_ / file, time = blocks_.time] { all->write(path, time); });
+  contacts_.add(blocks_.time, file, &queue_);
 }
 
 void BlockResults::write_events() {

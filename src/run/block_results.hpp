@@ -17,7 +17,9 @@ class BlockResults {
  public:
   /// Starts the files, or continues them after `resume_time`. In a model with a grid the energies and events of blocks
   /// have files of their own, block_energy.csv and block_events.csv, and their histories are columns of history.csv.
-  BlockResults(const Model& model, Assembly& blocks, std::filesystem::path folder, std::optional<double> resume_time);
+  /// Files are written by jobs of the queue, from copies of the state.
+  BlockResults(const Model& model, Assembly& blocks, std::filesystem::path folder, std::optional<double> resume_time,
+               OutputQueue& queue);
 
   /// What it writes.
   static ResultNames names(const Model& model);
@@ -45,6 +47,7 @@ class BlockResults {
   const Model& model_;
   Assembly& blocks_;
   std::filesystem::path folder_;
+  OutputQueue& queue_;
   Collection cells_, contacts_;
   std::optional<History> history_, energy_, events_;
   std::vector<double> row_;

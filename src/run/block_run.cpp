@@ -121,8 +121,9 @@ RunState BlockRun::restore(const Checkpoint& checkpoint) {
   return restored_;
 }
 
-void BlockRun::open_results(const std::filesystem::path& folder, std::optional<double> resume_time) {
-  results_.emplace(model_, blocks_, folder, resume_time);
+void BlockRun::open_results(const std::filesystem::path& folder, std::optional<double> resume_time,
+                            OutputQueue& queue) {
+  results_.emplace(model_, blocks_, folder, resume_time, queue);
   if (resume_time) results_->initial_energy = restored_.initial_block_energy;
   results_->stages = restored_.block_stages;
 }

@@ -57,7 +57,8 @@ class BlockRun final : public SteppedModel {
   RunState restore(const Checkpoint& checkpoint) override;
 
   ResultNames result_names() const override { return BlockResults::names(model_); }
-  void open_results(const std::filesystem::path& folder, std::optional<double> resume_time) override;
+  void open_results(const std::filesystem::path& folder, std::optional<double> resume_time,
+                    OutputQueue& queue) override;
   void write_history() override { results_->write_history(steps_.size); }
   void write_files(std::int64_t number) override { results_->write_files(number); }
   void write_events() override { results_->write_events(); }

@@ -29,11 +29,24 @@ class Columns {
   }
   void integer(const std::string& name, std::int64_t k) { of(name, 0).integers.push_back(k); }
   void text(const std::string& name, std::string words) { of(name, 0).texts.push_back(std::move(words)); }
-  std::array<const double*, 3> positions() {
-    auto& x = of("position", 3).data;
-    return {x[0].data(), x[1].data(), x[2].data()};
+  std::array<const double*, 3> positions() const {
+    const Column* x = find("position");
+    if (!x) return {};
+    return {x->data[0].data(), x->data[1].data(), x->data[2].data()};
   }
-  std::size_t size() { return of("position", 3).data[0].size(); }
+  std::size_t size() const {
+    const Column* x = find("position");
+    return x ? x->data[0].size() : 0;
+  }
+  /// Memory that it holds, without the texts.
+  std::size_t bytes() const {
+    std::size_t sum = 0;
+    for (const Column& c : columns_) {
+      sum += c.integers.size() * sizeof(std::int64_t);
+      for (const auto& data : c.data) sum += data.size() * sizeof(double);
+    }
+    return sum;
+  }
   std::vector<OutputField> fields() const {
     std::vector<OutputField> out;
     for (const Column& c : columns_) {
@@ -53,6 +66,11 @@ class Columns {
     std::vector<std::int64_t> integers;
     std::vector<std::string> texts = {};
   };
+  const Column* find(const std::string& name) const {
+    for (const Column& c : columns_)
+      if (c.name == name) return &c;
+    return nullptr;
+  }
   Column& of(const std::string& name, std::size_t components) {
     for (Column& c : columns_)
       if (c.name == name) return c;

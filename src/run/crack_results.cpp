@@ -39,8 +39,12 @@ void Results<Dim>::write_cracks(std::int64_t number) {
     }
   }
   const std::string file = "cracks/" + numbered(number, ".vtp");
-  tribo::write_surface(folder_ / file, out.size(), out.positions(), cells, Dim, out.fields(), system_.time);
-  cracks_.add(system_.time, file);
+  check_numbers(out.size(), out.positions(), out.fields());
+  const auto all = std::make_shared<const Columns>(std::move(out));
+  queue_.add(all->bytes(), [all, cells, path = folder_ / file, time = system_.time] {
+    tribo::write_surface(path, all->size(), all->positions(), cells, Dim, all->fields(), time);
+  });
+  cracks_.add(system_.time, file, &queue_);
 }
 
 // All joints in one file. Tractions act on body 1, the lower face of a crack.
@@ -73,8 +77,12 @@ void Results<Dim>::write_joints(std::int64_t number) {
     }
   }
   const std::string file = "joints/" + numbered(number, ".vtp");
-  tribo::write_particles(folder_ / file, out.size(), out.positions(), out.fields(), system_.time);
-  joints_.add(system_.time, file);
+  check_numbers(out.size(), out.positions(), out.fields());
+  const auto all = std::make_shared<const Columns>(std::move(out));
+  queue_.add(all->bytes(), [all, path = folder_ / file, time = system_.time] {
+    tribo::write_particles(path, all->size(), all->positions(), all->fields(), time);
+  });
+  joints_.add(system_.time, file, &queue_);
 }
 
 // Lengths are those of the drawn pieces.

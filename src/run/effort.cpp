@@ -46,11 +46,17 @@ class Effort {
   }
 
  private:
+  // With the copies of a set of files and a checkpoint that wait to be written, and of former ones.
   double bytes() const {
-    double sum = 0;
-    for (const auto& body : system_.bodies)
-      sum +=
-          static_cast<double>(body.particles.size()) * 8.0 * static_cast<double>(body.particles.columns().size() + 3);
+    double sum = 0, saved = 0;
+    for (const auto& body : system_.bodies) {
+      const auto column = static_cast<double>(body.particles.size() * sizeof(double));
+      const auto columns = static_cast<double>(body.particles.columns().size());
+      sum += column * (columns + 3), saved += column * columns;
+    }
+    const double waiting = bytes_of_files_ + saved,
+                 sets = output_times(Schedule(model_.output.archive), model_.time.end);
+    sum += waiting + std::min(static_cast<double>(OutputQueue::usual_limit), std::max(0.0, sets - 1) * waiting);
     for (const auto& field : system_.fields) sum += static_cast<double>(field.nodes.size() * sizeof(Node));
     return sum;
   }
@@ -83,9 +89,13 @@ class Effort {
   double output_seconds() {
     try {
       const TrialFolder scratch;
-      Results<Dim> results(model_, system_, stepper_, scratch.path, std::nullopt, Tracers<Dim>(model_, system_));
-      return seconds_of_output(
-          model_.output, model_.time.end, [&] { results.write_files(0); }, [&] { results.write_history(dt_); });
+      OutputQueue queue;
+      Results<Dim> results(model_, system_, stepper_, scratch.path, std::nullopt, Tracers<Dim>(model_, system_), queue);
+      const double seconds = seconds_of_output(
+          model_.output, model_.time.end, [&] { results.write_files(0), queue.drain(); },
+          [&] { results.write_history(dt_), queue.drain(); });
+      bytes_of_files_ = static_cast<double>(queue.most_bytes_of_step());
+      return seconds;
     } catch (const FileError&) {
       return 0.0;
     }
@@ -94,7 +104,7 @@ class Effort {
   const Model& model_;
   System<Dim>& system_;
   Stepper<Dim>& stepper_;
-  double dt_;
+  double dt_, bytes_of_files_ = 0;
   Remarks out_;
 };
 

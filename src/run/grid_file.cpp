@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "run/grid_file.hpp"
 
-#include "output/vtk.hpp"
-
-#include <array>
-#include <vector>
-
 namespace tribo {
 // The velocity of a single field is taken as it is: its product with the mass, divided by the mass, would round.
 template <int Dim>
@@ -28,51 +23,56 @@ GridNodeState grid_node_state(const System<Dim>& system, const Index<Dim>& node)
 }
 
 template <int Dim>
-void write_grid_file(const std::filesystem::path& path, const Model& model, const System<Dim>& system) {
-  const auto& lattice = system.lattice;
-  std::array<double, 3> origin{}, spacing{1, 1, 1};
-  std::array<int, 3> nodes{1, 1, 1};
-  std::size_t count = 1;
+GridFile::GridFile(const Model& model, const System<Dim>& system) : time_(system.time) {
   for (std::size_t d = 0; d < Dim; ++d) {
-    origin[d] = model.grid.low[d];
-    spacing[d] = lattice.spacing[static_cast<Eigen::Index>(d)];
-    nodes[d] = model.grid.cells[d] + 1;
-    count *= static_cast<std::size_t>(nodes[d]);
+    origin_[d] = model.grid.low[d];
+    spacing_[d] = system.lattice.spacing[static_cast<Eigen::Index>(d)];
+    nodes_[d] = model.grid.cells[d] + 1;
+    count_ *= static_cast<std::size_t>(nodes_[d]);
   }
-  struct Column {
-    const GridField* field;
-    std::vector<std::vector<double>> components;
-  };
-  std::vector<Column> columns;
   for (const auto& name : model.output.grid_fields) {
     const GridField* field = find_grid_field(name);
-    columns.push_back({field, {field->components, std::vector<double>(count, 0.0)}});
+    columns_.push_back({field, {field->components, std::vector<double>(count_, 0.0)}});
   }
   std::size_t at = 0;
-  for (int k = 0; k < nodes[2]; ++k)
-    for (int j = 0; j < nodes[1]; ++j)
-      for (int i = 0; i < nodes[0]; ++i, ++at) {
+  for (int k = 0; k < nodes_[2]; ++k)
+    for (int j = 0; j < nodes_[1]; ++j)
+      for (int i = 0; i < nodes_[0]; ++i, ++at) {
         Index<Dim> n{};
         n[0] = i + Lattice<Dim>::padding, n[1] = j + Lattice<Dim>::padding;
         if constexpr (Dim == 3) n[2] = k + Lattice<Dim>::padding;
         const GridNodeState state = grid_node_state(system, n);
-        for (Column& column : columns) {
+        for (Column& column : columns_) {
           std::array<double, 3> values{};
           column.field->value(state, values.data());
           for (std::size_t c = 0; c < column.components.size(); ++c) column.components[c][at] = values[c];
         }
       }
-  std::vector<OutputField> fields;
-  for (const Column& column : columns) {
-    fields.push_back({std::string(column.field->name), {}, nullptr});
-    for (const auto& component : column.components) fields.back().components.push_back(component.data());
+  check_numbers(count_, {}, fields());
+}
+
+std::vector<OutputField> GridFile::fields() const {
+  std::vector<OutputField> out;
+  for (const Column& column : columns_) {
+    out.push_back({std::string(column.field->name), {}, nullptr});
+    for (const auto& component : column.components) out.back().components.push_back(component.data());
   }
-  tribo::write_grid(path, origin, spacing, nodes, fields, system.time);
+  return out;
+}
+
+void GridFile::write(const std::filesystem::path& path) const {
+  write_grid(path, origin_, spacing_, nodes_, fields(), time_);
+}
+
+std::size_t GridFile::bytes() const {
+  std::size_t sum = 0;
+  for (const Column& column : columns_) sum += column.components.size() * count_ * sizeof(double);
+  return sum;
 }
 
 template GridNodeState grid_node_state<2>(const System<2>&, const Index<2>&);
 template GridNodeState grid_node_state<3>(const System<3>&, const Index<3>&);
-template void write_grid_file<2>(const std::filesystem::path&, const Model&, const System<2>&);
-template void write_grid_file<3>(const std::filesystem::path&, const Model&, const System<3>&);
+template GridFile::GridFile(const Model&, const System<2>&);
+template GridFile::GridFile(const Model&, const System<3>&);
 
 }  // namespace tribo

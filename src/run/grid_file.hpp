@@ -2,10 +2,14 @@
 /// The grid files; model/output_fields.cpp lists their fields.
 #pragma once
 
+#include "model/model.hpp"
 #include "model/output_fields.hpp"
+#include "output/vtk.hpp"
 #include "solver/state/system.hpp"
 
+#include <array>
 #include <filesystem>
+#include <vector>
 
 namespace tribo {
 
@@ -14,8 +18,29 @@ namespace tribo {
 template <int Dim>
 GridNodeState grid_node_state(const System<Dim>& system, const Index<Dim>& node);
 
-/// Writes the fields that the model asks for at all nodes of the grid as .vti. Throws FileError.
-template <int Dim>
-void write_grid_file(const std::filesystem::path& path, const Model& model, const System<Dim>& system);
+/// The fields that the model asks for at all nodes of the grid at present.
+class GridFile {
+ public:
+  /// Throws SimulationError if a number is not finite.
+  template <int Dim>
+  GridFile(const Model& model, const System<Dim>& system);
+  /// Writes them as .vti. Throws FileError.
+  void write(const std::filesystem::path& path) const;
+  /// Memory that it holds.
+  std::size_t bytes() const;
+
+ private:
+  struct Column {
+    const GridField* field;
+    std::vector<std::vector<double>> components;
+  };
+  std::vector<OutputField> fields() const;
+
+  double time_;
+  std::array<double, 3> origin_{}, spacing_{1, 1, 1};
+  std::array<int, 3> nodes_{1, 1, 1};
+  std::size_t count_ = 1;
+  std::vector<Column> columns_;
+};
 
 }  // namespace tribo

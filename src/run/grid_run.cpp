@@ -122,9 +122,10 @@ RunState GridRun<Dim>::restore(const Checkpoint& checkpoint) {
 }
 
 template <int Dim>
-void GridRun<Dim>::open_results(const std::filesystem::path& folder, std::optional<double> resume_time) {
-  results_.emplace(model_, system_, stepper_, folder, resume_time,
-                   tracers_ ? *tracers_ : Tracers<Dim>(model_, system_));
+void GridRun<Dim>::open_results(const std::filesystem::path& folder, std::optional<double> resume_time,
+                                OutputQueue& queue) {
+  results_.emplace(model_, system_, stepper_, folder, resume_time, tracers_ ? *tracers_ : Tracers<Dim>(model_, system_),
+                   queue);
   if (!resume_time) return;
   results_->initial_energy = restored_.initial_energy;
   if (results_->blocks) results_->blocks->initial_energy = restored_.initial_block_energy;

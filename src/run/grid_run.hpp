@@ -50,7 +50,8 @@ class GridRun final : public SteppedModel {
   RunState restore(const Checkpoint& checkpoint) override;
 
   ResultNames result_names() const override { return Results<Dim>::names(model_, system_); }
-  void open_results(const std::filesystem::path& folder, std::optional<double> resume_time) override;
+  void open_results(const std::filesystem::path& folder, std::optional<double> resume_time,
+                    OutputQueue& queue) override;
   void write_history() override;
   void write_files(std::int64_t number) override { results_->write_files(number); }
   void write_events() override { results_->write_events(); }

@@ -26,6 +26,8 @@ class ParticleFields {
   ParticleFields(const Model& model, std::vector<Body<Dim>*> bodies, const std::vector<std::string>& names);
 
   std::size_t count() const { return count_; }
+  /// Memory that it holds.
+  std::size_t bytes() const { return (arrays_.size() + integers_.size()) * count_ * sizeof(double); }
   const std::array<const double*, 3>& positions() const { return positions_; }
   const std::vector<OutputField>& fields() const { return fields_; }
 

@@ -44,12 +44,13 @@ const std::vector<std::string> tip_columns{"time", "crack", "end", "x", "y", "le
 
 template <int Dim>
 Results<Dim>::Results(const Model& model, System<Dim>& system, Stepper<Dim>& stepper, std::filesystem::path folder,
-                      std::optional<double> resume_time, Tracers<Dim> tracers)
+                      std::optional<double> resume_time, Tracers<Dim> tracers, OutputQueue& queue)
     : model_(model),
       system_(system),
       stepper_(stepper),
       tracers_(std::move(tracers)),
       folder_(std::move(folder)),
+      queue_(queue),
       particles_(folder_ / "run.pvd"),
       grid_(folder_ / "grid.pvd"),
       cracks_(folder_ / "cracks.pvd"),
@@ -60,28 +61,29 @@ Results<Dim>::Results(const Model& model, System<Dim>& system, Stepper<Dim>& ste
   for (const auto& q : model.output.history) columns.push_back(q.column);
   if (system.blocks) {
     // Blocks count their time themselves, which may differ in the last digit.
-    blocks.emplace(model, *system.blocks, folder_, resume_time ? std::optional(system.blocks->time) : std::nullopt);
+    blocks.emplace(model, *system.blocks, folder_, resume_time ? std::optional(system.blocks->time) : std::nullopt,
+                   queue);
     for (const auto& column : BlockResults::columns(model)) columns.push_back(column);
   }
   if (!resume_time) {
     // Here and not with the first row of the histories, which may begin later
     const Measures all = measure(system);
     initial_energy = energy_content(all, run_energies(model, system, stepper, all));
-    history_.emplace(folder_ / "history.csv", columns);
-    energy_.emplace(folder_ / "energy.csv", energy_columns(model));
-    if (!system.joints.empty()) events_.emplace(folder_ / "events.csv", event_columns());
-    if (model.fracture) tips_.emplace(folder_ / "tips.csv", tip_columns);
+    history_.emplace(folder_ / "history.csv", columns, &queue);
+    energy_.emplace(folder_ / "energy.csv", energy_columns(model), &queue);
+    if (!system.joints.empty()) events_.emplace(folder_ / "events.csv", event_columns(), &queue);
+    if (model.fracture) tips_.emplace(folder_ / "tips.csv", tip_columns, &queue);
     return;
   }
-  history_.emplace(History::resume(folder_ / "history.csv", columns, *resume_time));
-  energy_.emplace(History::resume(folder_ / "energy.csv", energy_columns(model), *resume_time));
+  history_.emplace(History::resume(folder_ / "history.csv", columns, *resume_time, &queue));
+  energy_.emplace(History::resume(folder_ / "energy.csv", energy_columns(model), *resume_time, &queue));
   particles_.resume(*resume_time);
   if (!model.output.grid_fields.empty()) grid_.resume(*resume_time);
   if (!system.cracks.empty()) cracks_.resume(*resume_time);
-  if (model.fracture) tips_.emplace(History::resume(folder_ / "tips.csv", tip_columns, *resume_time));
+  if (model.fracture) tips_.emplace(History::resume(folder_ / "tips.csv", tip_columns, *resume_time, &queue));
   if (system.joints.empty()) return;
   joints_.resume(*resume_time);
-  events_.emplace(History::resume(folder_ / "events.csv", event_columns(), *resume_time));
+  events_.emplace(History::resume(folder_ / "events.csv", event_columns(), *resume_time, &queue));
 }
 
 template <int Dim>
@@ -103,14 +105,19 @@ void Results<Dim>::write_particles(std::int64_t number) {
     for (auto& body : *list)
       if (body.block < 0) bodies.push_back(&body);
   const auto& wanted = model_.output.particle_fields;
-  const ParticleFields<Dim> all(model_, bodies, wanted.empty() ? standard_particle_fields() : wanted);
+  auto all =
+      std::make_shared<const ParticleFields<Dim>>(model_, bodies, wanted.empty() ? standard_particle_fields() : wanted);
+  check_numbers(all->count(), all->positions(), all->fields());
   const std::string file = "particles/" + numbered(number, ".vtp");
-  tribo::write_particles(folder_ / file, all.count(), all.positions(), all.fields(), system_.time);
-  particles_.add(system_.time, file);
+  queue_.add(all->bytes(), [all, path = folder_ / file, time = system_.time] {
+    tribo::write_particles(path, all->count(), all->positions(), all->fields(), time);
+  });
+  particles_.add(system_.time, file, &queue_);
 }
 
 template <int Dim>
 void Results<Dim>::write_files(std::int64_t number) {
+  queue_.begin(system_.step);
   write_particles(number);
   if (!model_.output.grid_fields.empty()) write_grid(number);
   if (!system_.cracks.empty()) write_cracks(number);
@@ -121,8 +128,9 @@ void Results<Dim>::write_files(std::int64_t number) {
 template <int Dim>
 void Results<Dim>::write_grid(std::int64_t number) {
   const std::string file = "grid/" + numbered(number, ".vti");
-  write_grid_file(folder_ / file, model_, system_);
-  grid_.add(system_.time, file);
+  auto all = std::make_shared<const GridFile>(model_, system_);
+  queue_.add(all->bytes(), [all, path = folder_ / file] { all->write(path); });
+  grid_.add(system_.time, file, &queue_);
 }
 
 template <int Dim>

@@ -17,9 +17,10 @@ namespace tribo {
 template <int Dim>
 class Results {
  public:
-  /// Starts the files, or continues them after `resume_time`. `tracers`: the particles of histories of points.
+  /// Starts the files, or continues them after `resume_time`. `tracers`: the particles of histories of points. Files
+  /// are written by jobs of the queue, from copies of the state.
   Results(const Model& model, System<Dim>& system, Stepper<Dim>& stepper, std::filesystem::path folder,
-          std::optional<double> resume_time, Tracers<Dim> tracers);
+          std::optional<double> resume_time, Tracers<Dim> tracers, OutputQueue& queue);
 
   /// What it writes.
   static ResultNames names(const Model& model, const System<Dim>& system);
@@ -54,6 +55,7 @@ class Results {
   Tracers<Dim> tracers_;
   std::vector<std::optional<ElasticModuli>> moduli_;  ///< per body, if a history asks for elastic strains
   std::filesystem::path folder_;
+  OutputQueue& queue_;
   Collection particles_, grid_, cracks_, joints_;
   std::optional<History> history_, energy_, events_, tips_;
   std::vector<double> row_;

@@ -13,6 +13,7 @@
 #include "run/signals.hpp"
 
 #include <chrono>
+#include <memory>
 
 namespace tribo {
 namespace {
@@ -41,7 +42,6 @@ class RunLoop {
         stepped_(stepped),
         options_(options),
         checkpoint_(options.folder / "checkpoint.bin"),
-        names_(names_of_every_run()),
         resume_time_(prepare()),
         begin_time_(stepped.time()),
         provenance_(options.folder / "provenance.json", options.command_line, model.file, threads(),
@@ -49,7 +49,14 @@ class RunLoop {
         progress_(options.quiet, stepped.time(), model.time.end, stepped.moving().first, stepped.moving().second) {
     std::vector<std::string> materials;
     for (const auto& m : model.materials) materials.push_back(m.name);
-    names_.add(stepped.result_names());
+    ResultNames names = names_of_every_run();
+    names.add(stepped.result_names());
+    std::vector<std::filesystem::path> flushed;
+    for (const std::string& name : names.files)
+      if (name.ends_with(".csv")) flushed.push_back(options.folder / name);
+    for (const std::string& name : names.frames) flushed.push_back(options.folder / name);
+    flushed.push_back(options.folder);
+    flushed_ = std::make_shared<const std::vector<std::filesystem::path>>(std::move(flushed));
     provenance_.set_legend(units_of_results(model), materials);
   }
 
@@ -57,17 +64,21 @@ class RunLoop {
     try {
       return run_or_throw();
     } catch (const SimulationError& error) {
+      finish_output();
       report_failure(error.what());
       const bool usable = std::filesystem::exists(checkpoint_);
       throw SimulationError(std::string(error.what()) +
                             (usable ? "\nThe last checkpoint is in '" + checkpoint_.string() + "'." : std::string()));
     } catch (const std::bad_alloc&) {
+      finish_output();
       report_failure("not enough memory");
       throw FileError("not enough memory for step " + std::to_string(stepped_.step()) + " of this run" + remains());
     } catch (const FileError& error) {
+      finish_output();
       report_failure(error.what());
       throw FileError(error.what() + remains());
     } catch (const std::exception& error) {
+      finish_output();
       report_failure(error.what());
       throw;
     }
@@ -84,7 +95,7 @@ class RunLoop {
     const std::int64_t first_step = stepped_.step();
     while (!stepped_.at_end()) {
       if (wants_stop()) {
-        save();
+        save(Until::on_disk);
         report("stopped", signals_.stop() ? "signal" : "wall time");
         return Outcome::stopped;
       }
@@ -92,7 +103,7 @@ class RunLoop {
       step();
     }
     if (stepped_.step() > first_step) write_last_state();
-    save();
+    save(Until::on_disk);
     report("finished", stepped_.end_reason());
     progress_.finish(stepped_.time(), stepped_.step());
     summary();
@@ -104,6 +115,15 @@ class RunLoop {
     return std::filesystem::exists(checkpoint_)
                ? "\nThe last checkpoint remains; to continue from it: tribo resume " + options_.folder.string()
                : "\nThere is no checkpoint yet; to start again: tribo run --overwrite";
+  }
+
+  // What was to be written before a failure is written as far as it can be.
+  void finish_output() {
+    try {
+      queue_.drain();
+    } catch (const std::exception&) {
+      return;
+    }
   }
 
   // The failure itself is told in any case.
@@ -124,7 +144,7 @@ class RunLoop {
       files_.set_count(state.archive), histories_.set_count(state.history), checkpoints_.set_count(state.checkpoint);
     }
     if (!options_.resume || options_.changed) write_model_record(options_.folder, model_);
-    stepped_.open_results(options_.folder, resume_time);
+    stepped_.open_results(options_.folder, resume_time, queue_);
     return resume_time;
   }
 
@@ -135,7 +155,10 @@ class RunLoop {
   void step() {
     const double size = stepped_.advance();
     for (const std::string& warning : stepped_.look()) progress_.warn(warning);
-    stepped_.write_events();
+    {
+      const auto lap = output_.lap();
+      stepped_.write_events();
+    }
     write_due();
     stepped_.check();  // before the checkpoint, which then holds a state that was found sound, and what the check noted
     save_due();
@@ -177,26 +200,28 @@ class RunLoop {
     const double time = stepped_.time(), dt = stepped_.step_size();
     const bool written = files_.count() > 0 && is_due(time, 1e-6 * dt) && !is_due(time - 0.5 * dt, 0.0);
     if (written) return;
+    const auto lap = output_.lap();
     if (!stepped_.history_of_last_step()) stepped_.write_history();
     stepped_.write_files(files_.count());
   }
 
-  void save() {
-    RunState state;
-    state.archive = files_.count(), state.history = histories_.count(), state.checkpoint = checkpoints_.count();
-    const CheckpointWriter all = stepped_.save(state);
-    flush_results();
-    all.save(checkpoint_);
-    flush_to_disk(options_.folder);
-  }
+  enum class Until { given, on_disk };
 
   // Everything that is older than a checkpoint reaches the disk before it, so that a run continues after a power cut.
-  // The files themselves are flushed when they are written, but not the rows of tables and the names of files.
-  void flush_results() const {
-    for (const std::string& name : names_.files)
-      if (name.ends_with(".csv")) flush_to_disk(options_.folder / name);
-    for (const std::string& name : names_.frames) flush_to_disk(options_.folder / name);
-    flush_to_disk(options_.folder);
+  // The files themselves are flushed when they are written, but not the rows of tables and the names of files. The name
+  // of the checkpoint is flushed with those of later files, or at the end: until then the former one may return.
+  void save(Until until = Until::given) {
+    const auto lap = output_.lap();
+    queue_.begin(stepped_.step());
+    RunState state;
+    state.archive = files_.count(), state.history = histories_.count(), state.checkpoint = checkpoints_.count();
+    const auto all = std::make_shared<const CheckpointWriter>(stepped_.save(state));
+    queue_.add(all->size(), [all, until, folder = options_.folder, file = checkpoint_, flushed = flushed_] {
+      for (const std::filesystem::path& path : *flushed) flush_to_disk(path);
+      all->save(file);
+      if (until == Until::on_disk) flush_to_disk(folder);
+    });
+    if (until == Until::on_disk) queue_.drain();
   }
 
   void report(const std::string& status, const std::string& reason) {
@@ -206,6 +231,7 @@ class RunLoop {
     p.seconds_left = done > 0 ? p.seconds * (model_.time.end - stepped_.time()) / done : 0.0;
     p.seconds_of = stepped_.seconds_of(p.seconds - output_.seconds());
     p.seconds_of["output"] = output_.seconds();
+    p.seconds_writing = queue_.seconds();
     provenance_.set_progress(p);
     provenance_.set_remarks(stepped_.remarks());
     provenance_.write(status, reason, stepped_.time(), static_cast<long>(stepped_.step()));
@@ -216,12 +242,13 @@ class RunLoop {
   const RunOptions& options_;
   SignalGuard signals_;
   Clock::time_point begin_ = Clock::now(), reported_ = begin_;
-  Stopwatch output_;
+  Stopwatch output_;  // what the run waits for
+  OutputQueue queue_;
   Schedule files_{model_.output.archive};
   Schedule histories_ = every(model_.output.history_interval, model_.output);
   Schedule checkpoints_ = every(model_.output.checkpoint_interval, model_.output);
   std::filesystem::path checkpoint_;
-  ResultNames names_;
+  std::shared_ptr<const std::vector<std::filesystem::path>> flushed_;  // before a checkpoint
   std::optional<double> resume_time_;
   double begin_time_;
   Provenance provenance_;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "output/checkpoint.hpp"
+#include "output/output_queue.hpp"
 #include "run/restart.hpp"
 #include "run/result_folder.hpp"
 #include "run/simulation.hpp"
@@ -61,8 +62,10 @@ class SteppedModel {
 
   /// What the model writes of its own: without checkpoint and record.
   virtual ResultNames result_names() const = 0;
-  /// Starts the files of results, or continues them after `resume_time`. Throws FileError.
-  virtual void open_results(const std::filesystem::path& folder, std::optional<double> resume_time) = 0;
+  /// Starts the files of results, or continues them after `resume_time`. Afterwards they are written by jobs of the
+  /// queue, which must outlive their last output. Throws FileError.
+  virtual void open_results(const std::filesystem::path& folder, std::optional<double> resume_time,
+                            OutputQueue& queue) = 0;
   /// One row of the histories and of the energies.
   virtual void write_history() = 0;
   /// Files of the state under a number.

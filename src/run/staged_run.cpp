@@ -81,7 +81,10 @@ void StagedRun<Stepped>::begin_next() {
   ends_ = false, reacted_ = calm_ = 0;
   const StageReport report = now_->begin_stage(former, stage.actions, before);
   if (threads_ > 0) now_->choose_threads(threads_);
-  if (!folder_.empty()) now_->open_results(folder_, now_->time());
+  if (queue_) {
+    queue_->drain();  // the files are read and continued
+    now_->open_results(folder_, now_->time(), *queue_);
+  }
   record(stage, report);
 }
 
@@ -187,10 +190,11 @@ ResultNames StagedRun<Stepped>::result_names() const {
 }
 
 template <class Stepped>
-void StagedRun<Stepped>::open_results(const std::filesystem::path& folder, std::optional<double> resume_time) {
-  folder_ = folder;
+void StagedRun<Stepped>::open_results(const std::filesystem::path& folder, std::optional<double> resume_time,
+                                      OutputQueue& queue) {
+  folder_ = folder, queue_ = &queue;
   keep_stages(folder / "stages.csv", stage_);
-  now_->open_results(folder, resume_time);
+  now_->open_results(folder, resume_time, queue);
 }
 
 template <class Stepped>

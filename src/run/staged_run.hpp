@@ -42,7 +42,8 @@ class StagedRun final : public SteppedModel {
   RunState restore(const Checkpoint& checkpoint) override;
 
   ResultNames result_names() const override;
-  void open_results(const std::filesystem::path& folder, std::optional<double> resume_time) override;
+  void open_results(const std::filesystem::path& folder, std::optional<double> resume_time,
+                    OutputQueue& queue) override;
   void write_history() override;
   void write_files(std::int64_t number) override { now_->write_files(number); }
   void write_events() override;
@@ -77,6 +78,7 @@ class StagedRun final : public SteppedModel {
   std::unique_ptr<Stepped> now_;
   mutable int threads_ = 0;  // wanted; 0: not said yet
   std::filesystem::path folder_;
+  OutputQueue* queue_ = nullptr;
   std::vector<std::string> news_, warnings_;
   bool ends_ = false;         // the stage ends before its time
   std::int64_t reacted_ = 0;  // bit k: reaction k of the stage has happened

@@ -254,10 +254,12 @@ TEST_CASE("the residual counts from the start, also if the histories begin later
   Model model = block();
   model.output.archive = {{0.3, 0.1, 0}};
   GridRun<2> run(model);
-  run.open_results(scratch.path, std::nullopt);
+  OutputQueue queue;
+  run.open_results(scratch.path, std::nullopt, queue);
   run.start();
   for (int k = 0; k < 5; ++k) run.advance();
   run.write_history();
+  queue.drain();
   std::ifstream file(scratch.path / "energy.csv");
   std::string head, row;
   std::getline(file, head), std::getline(file, row);

@@ -102,7 +102,8 @@ TEST_CASE("a jet keeps its spacing, its mass and its balance of energy, and leav
   CHECK(model.delete_leaving);
   GridRun<2> run(model);
   const ScratchFolder folder;
-  run.open_results(folder.path, std::nullopt);
+  OutputQueue queue;
+  run.open_results(folder.path, std::nullopt, queue);
   run.start();
   while (run.time() < 8) run.advance();
   // a length of 5 between inlet and edge, two rows of four per unit of length
