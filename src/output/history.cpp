@@ -5,6 +5,7 @@
 #include "base/read_file.hpp"
 #include "output/atomic_file.hpp"
 #include "output/number.hpp"
+#include "output/output_queue.hpp"
 
 #include <cerrno>
 #include <cmath>

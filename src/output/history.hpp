@@ -2,8 +2,6 @@
 /// Time histories as CSV.
 #pragma once
 
-#include "output/output_queue.hpp"
-
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -12,6 +10,8 @@
 #include <vector>
 
 namespace tribo {
+
+class OutputQueue;
 
 /// A table that grows by rows; the first column is `time`. Every row is flushed as a whole, by a job of the queue if
 /// there is one.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <iterator>
 #include <system_error>
 #include <utility>
 
@@ -31,25 +32,46 @@ void OutputQueue::begin(std::int64_t step) {
   wait_until_at_most(limit_);
 }
 
-void OutputQueue::add(std::size_t bytes, Job job) {
-  of_step_ += bytes, most_ = std::max(most_, of_step_);
+void OutputQueue::take(Waiting waiting) {
+  of_step_ += waiting.bytes, most_ = std::max(most_, of_step_);
   if (!thread_.joinable() && !no_thread_) start();
-  std::unique_lock lock(mutex_);
-  if (error_) std::rethrow_exception(error_);
-  if (no_thread_) {
-    const auto begin = Clock::now();
-    try {
-      job();
-      seconds_ += seconds_since(begin);
-    } catch (...) {
-      error_ = std::current_exception();
-      throw;
-    }
-    return;
+  {
+    const std::lock_guard lock(mutex_);
+    if (error_) std::rethrow_exception(error_);
+    if (no_thread_) return do_at_once(waiting.job);
+    if (waiting.kind == Kind::checkpoint) leave_out_checkpoint();
+    pending_ += waiting.bytes;
+    jobs_.push_back(std::move(waiting));
   }
-  jobs_.push_back({bytes, std::move(job)}), pending_ += bytes;
-  lock.unlock();
   given_.notify_one();
+}
+
+void OutputQueue::do_at_once(const Job& job) {
+  const auto begin = Clock::now();
+  try {
+    job();
+    seconds_ += seconds_since(begin);
+  } catch (...) {
+    error_ = std::current_exception();
+    throw;
+  }
+}
+
+// The last one that is waiting, if it is not the only one.
+void OutputQueue::leave_out_checkpoint() {
+  const auto is_checkpoint = [](const Waiting& w) { return w.kind == Kind::checkpoint; };
+  const auto last = std::find_if(jobs_.rbegin(), jobs_.rend(), is_checkpoint);
+  if (last == jobs_.rend() || std::none_of(std::next(last), jobs_.rend(), is_checkpoint)) return;
+  pending_ -= last->bytes;
+  jobs_.erase(std::next(last).base());
+}
+
+bool OutputQueue::is_replaced(const Waiting& version) const {
+  for (const Waiting& later : jobs_) {
+    if (later.kind == Kind::checkpoint) return false;
+    if (later.kind == Kind::version && later.file == version.file) return true;
+  }
+  return false;
 }
 
 void OutputQueue::drain() {
@@ -85,6 +107,7 @@ void OutputQueue::work() {
     Waiting next = std::move(jobs_.front());
     jobs_.pop_front();
     working_ = true;
+    if (next.kind == Kind::version && is_replaced(next)) next.job = [] {};
     lock.unlock();
     std::exception_ptr error;
     const auto begin = Clock::now();

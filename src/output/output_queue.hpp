@@ -10,7 +10,9 @@
 #include <functional>
 #include <mutex>
 #include <optional>
+#include <string>
 #include <thread>
+#include <utility>
 
 namespace tribo {
 
@@ -33,7 +35,14 @@ class OutputQueue {
   /// Begins the output of a step, if it has not begun yet: waits until former jobs hold no more than the limit.
   void begin(std::int64_t step);
   /// Takes a job that holds `bytes` of memory.
-  void add(std::size_t bytes, Job job);
+  void add(std::size_t bytes, Job job) { take({Kind::plain, {}, bytes, std::move(job)}); }
+  /// A job that writes a file anew. It is left out if another one for the same file follows before a checkpoint.
+  void add_version(std::string file, std::size_t bytes, Job job) {
+    take({Kind::version, std::move(file), bytes, std::move(job)});
+  }
+  /// A job that writes a checkpoint. It is left out if another one is waiting before it and one after it: where files
+  /// are slower than the run, not all checkpoints are written, but one of them always is the next.
+  void add_checkpoint(std::size_t bytes, Job job) { take({Kind::checkpoint, {}, bytes, std::move(job)}); }
   /// Waits until all jobs are done.
   void drain();
 
@@ -43,10 +52,17 @@ class OutputQueue {
   std::size_t most_bytes_of_step() const { return most_; }
 
  private:
+  enum class Kind { plain, version, checkpoint };
   struct Waiting {
-    std::size_t bytes;
+    Kind kind = Kind::plain;
+    std::string file;
+    std::size_t bytes = 0;
     Job job;
   };
+  void take(Waiting waiting);
+  void do_at_once(const Job& job);
+  void leave_out_checkpoint();
+  bool is_replaced(const Waiting& version) const;
   void start();
   void work();
   void wait_until_at_most(std::size_t bytes);

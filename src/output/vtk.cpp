@@ -6,6 +6,7 @@
 #include "base/read_file.hpp"
 #include "output/atomic_file.hpp"
 #include "output/number.hpp"
+#include "output/output_queue.hpp"
 #include "output/vtk_xml.hpp"
 
 #include <cmath>
@@ -234,7 +235,7 @@ void Collection::add(double time, const std::string& file, OutputQueue* queue) {
       "byte_order=\"LittleEndian\">\n<Collection>\n" +
       lines_ + "</Collection>\n</VTKFile>\n";
   if (!queue) return write_atomically(path_, text);
-  queue->add(text.size(), [path = path_, text] { write_atomically(path, text); });
+  queue->add_version(path_.string(), text.size(), [path = path_, text] { write_atomically(path, text); });
 }
 
 }  // namespace tribo

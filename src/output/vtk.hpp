@@ -4,8 +4,6 @@
 /// only, and they may be called by several threads at a time.
 #pragma once
 
-#include "output/output_queue.hpp"
-
 #include <array>
 #include <cstdint>
 #include <filesystem>
@@ -15,6 +13,8 @@
 #include <vector>
 
 namespace tribo {
+
+class OutputQueue;
 
 /// A field of particles or nodes: components as separate arrays. Vectors have 3 components (a null pointer stands for
 /// zeros), symmetric tensors 6 in VTK's order XX YY ZZ XY YZ XZ.

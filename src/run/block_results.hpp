@@ -5,6 +5,7 @@
 #include "blocks/assembly.hpp"
 #include "model/model.hpp"
 #include "output/history.hpp"
+#include "output/output_queue.hpp"
 #include "output/vtk.hpp"
 #include "run/result_folder.hpp"
 

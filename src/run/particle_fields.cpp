@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "run/particle_fields.hpp"
 
+#include "base/parallel.hpp"
 #include "solver/particle_splitting.hpp"
 #include "solver/state/particle_domain.hpp"
 #include "solver/transfer/material_points.hpp"
@@ -62,16 +63,6 @@ class BodyParticle final : public ParticleState {
   std::size_t i_ = 0;
 };
 
-// Calls f(particle, index among all).
-template <int Dim, class F>
-void each_particle(const std::vector<Body<Dim>*>& bodies, F&& f) {
-  std::size_t at = 0;
-  for (auto* body : bodies) {
-    BodyParticle<Dim> particle(*body);
-    for (std::size_t i = 0; i < body->particles.size(); ++i) particle.select(i), f(particle, at++);
-  }
-}
-
 bool has_what_it_needs(const Model& model, const ParticleField& field) {
   switch (field.needs) {
     case ParticleField::Needs::heat:
@@ -106,16 +97,28 @@ Mat<Dim> limited(Mat<Dim> axes, const Vec<Dim>& cell) {
   return axes;
 }
 
+// Whether reduced() and limited() would leave the axes as they are, as for most particles.
+template <int Dim>
+bool is_compact(const Mat<Dim>& axes, const Vec<Dim>& cell, bool limits) {
+  constexpr double most = 0.56;  // a little less than the square of half the longest edge
+  const Mat<Dim> scaled = cell.cwiseInverse().asDiagonal() * axes;
+  const Mat<Dim> products = scaled.transpose() * scaled;
+  for (int i = 0; i < Dim; ++i) {
+    if (limits && !(products(i, i) < most)) return false;
+    for (int j = 0; j < Dim; ++j)
+      if (i != j && !(std::abs(products(i, j)) < 0.499 * products(j, j))) return false;
+  }
+  return true;
+}
+
 template <int Dim>
 ParticleFields<Dim>::ParticleFields(const Model& model, std::vector<Body<Dim>*> bodies,
                                     const std::vector<std::string>& names)
     : bodies_(std::move(bodies)), limits_(model.scheme.kernel != Kernel::cpdi) {
   for (const auto* body : bodies_) count_ += body->particles.size();
-  for (std::size_t d = 0; d < 3; ++d) {
-    auto& a = array();
-    positions_[d] = a.data();
-    if (d >= Dim) continue;
-    auto to = a.begin();
+  for (std::size_t d = 0; d < Dim; ++d) {
+    double* to = array();
+    positions_[d] = to;
     for (auto* body : bodies_) to = std::copy_n(body->particles.x()[d], body->particles.size(), to);
   }
   for (const auto& name : names) {
@@ -124,6 +127,33 @@ ParticleFields<Dim>::ParticleFields(const Model& model, std::vector<Body<Dim>*> 
     add(model, *field);
   }
   add_domains();
+}
+
+template <int Dim>
+double* ParticleFields<Dim>::array() {
+  return numbers_.emplace_back(std::make_unique_for_overwrite<double[]>(count_)).get();  // NOLINT(*-avoid-c-arrays)
+}
+
+// Calls f(body, begin, end, index of the first among all) for parts of the bodies, on all threads.
+template <int Dim>
+template <class F>
+void ParticleFields<Dim>::each_part(F&& f) const {
+  static constexpr std::size_t size = 2048;
+  struct Part {
+    Body<Dim>* body;
+    std::size_t begin, end, at;
+  };
+  std::vector<Part> parts;
+  std::size_t at = 0;
+  for (auto* body : bodies_) {
+    const std::size_t n = body->particles.size();
+    for (std::size_t i = 0; i < n; i += size) parts.push_back({body, i, std::min(n, i + size), at + i});
+    at += n;
+  }
+  parallel_for(static_cast<std::ptrdiff_t>(parts.size()), [&](std::ptrdiff_t k) {
+    const Part& part = parts[static_cast<std::size_t>(k)];
+    f(*part.body, part.begin, part.end, part.at);
+  });
 }
 
 template <int Dim>
@@ -139,35 +169,49 @@ void ParticleFields<Dim>::add(const Model& model, const ParticleField& field) {
 
 template <int Dim>
 void ParticleFields<Dim>::add_integer(const ParticleField& field) {
-  auto& a = integers_.emplace_back(count_, 0);
-  each_particle(bodies_, [&](const ParticleState& p, std::size_t at) { a[at] = field.value.integer(p); });
-  fields_.push_back({std::string(field.name), {}, a.data()});
+  std::int64_t* const a =
+      integers_.emplace_back(std::make_unique_for_overwrite<std::int64_t[]>(count_)).get();  // NOLINT(*-avoid-c-arrays)
+  each_part([&](Body<Dim>& body, std::size_t begin, std::size_t end, std::size_t at) {
+    BodyParticle<Dim> particle(body);
+    for (std::size_t i = begin; i < end; ++i) particle.select(i), a[at++] = field.value.integer(particle);
+  });
+  fields_.push_back({std::string(field.name), {}, a});
 }
 
 template <int Dim>
 void ParticleFields<Dim>::add_numbers(const ParticleField& field) {
+  static constexpr std::size_t most = 9;
   OutputField added{std::string(field.name), {}, nullptr};
-  std::vector<std::vector<double>*> a(field.value.components);
-  for (auto& c : a) c = &array(), added.components.push_back(c->data());
-  std::vector<double> values(a.size());
-  each_particle(bodies_, [&](const ParticleState& p, std::size_t at) {
-    field.value.numbers(p, values.data());
-    for (std::size_t k = 0; k < a.size(); ++k) (*a[k])[at] = values[k];
+  std::array<double*, most> a{};
+  const std::size_t n = field.value.components;
+  if (n > most) throw std::logic_error("a field has too many components");
+  for (std::size_t k = 0; k < n; ++k) a[k] = array(), added.components.push_back(a[k]);
+  each_part([&](Body<Dim>& body, std::size_t begin, std::size_t end, std::size_t at) {
+    BodyParticle<Dim> particle(body);
+    std::array<double, most> values{};
+    for (std::size_t i = begin; i < end; ++i, ++at) {
+      particle.select(i);
+      field.value.numbers(particle, values.data());
+      for (std::size_t k = 0; k < n; ++k) a[k][at] = values[k];
+    }
   });
   fields_.push_back(added);
 }
 
-// Variables of the same name in several materials share a field.
+// Variables of the same name in several materials share a field, which is zero for all others.
 template <int Dim>
 void ParticleFields<Dim>::add_history() {
-  std::map<std::string, std::vector<double>*> known;
+  std::map<std::string, double*> known;
   std::size_t offset = 0;
   for (auto* body : bodies_) {
     const auto& variables = body->law->history();
     for (std::size_t k = 0; k < variables.size(); ++k) {
-      auto& a = known[variables[k].name];
-      if (!a) a = &array(), fields_.push_back({variables[k].name, {a->data()}, nullptr});
-      std::copy_n(body->history_columns[k], body->particles.size(), a->begin() + static_cast<std::ptrdiff_t>(offset));
+      double*& a = known[variables[k].name];
+      if (!a) {
+        a = array(), fields_.push_back({variables[k].name, {a}, nullptr});
+        std::fill_n(a, count_, 0.0);
+      }
+      std::copy_n(body->history_columns[k], body->particles.size(), a + offset);
     }
     offset += body->particles.size();
   }
@@ -176,19 +220,21 @@ void ParticleFields<Dim>::add_history() {
 template <int Dim>
 void ParticleFields<Dim>::add_domains() {
   OutputField field{"domain", {}, nullptr, true};
-  std::vector<std::vector<double>*> components(Dim * Dim);
-  for (auto& c : components) c = &array(), field.components.push_back(c->data());
-  std::size_t at = 0;
-  for (auto* body : bodies_) {
-    const DomainReader<Dim> domain(*body);
-    const Vec<Dim> cell = body->cell.template head<Dim>();
-    for (std::uint32_t i = 0; i < body->particles.size(); ++i, ++at) {
-      Mat<Dim> axes = reduced<Dim>({domain(i).axes, Mat<Dim>::Identity()}, cell).current;
-      if (limits_) axes = limited<Dim>(axes, cell);
+  std::array<double*, Dim * Dim> components{};
+  for (auto& c : components) c = array(), field.components.push_back(c);
+  each_part([&](Body<Dim>& body, std::size_t begin, std::size_t end, std::size_t at) {
+    const DomainReader<Dim> domain(body);
+    const Vec<Dim> cell = body.cell.template head<Dim>();
+    for (std::size_t i = begin; i < end; ++i, ++at) {
+      Mat<Dim> axes = domain(static_cast<std::uint32_t>(i)).axes;
+      if (!is_compact<Dim>(axes, cell, limits_)) {
+        axes = reduced<Dim>({axes, Mat<Dim>::Identity()}, cell).current;
+        if (limits_) axes = limited<Dim>(axes, cell);
+      }
       for (std::size_t k = 0; k < Dim * Dim; ++k)
-        (*components[k])[at] = axes(static_cast<Eigen::Index>(k % Dim), static_cast<Eigen::Index>(k / Dim));
+        components[k][at] = axes(static_cast<Eigen::Index>(k % Dim), static_cast<Eigen::Index>(k / Dim));
     }
-  }
+  });
   fields_.push_back(field);
 }
 

@@ -6,7 +6,7 @@
 #include "output/vtk.hpp"
 #include "solver/state/system.hpp"
 
-#include <deque>
+#include <memory>
 
 namespace tribo {
 
@@ -27,7 +27,7 @@ class ParticleFields {
 
   std::size_t count() const { return count_; }
   /// Memory that it holds.
-  std::size_t bytes() const { return (arrays_.size() + integers_.size()) * count_ * sizeof(double); }
+  std::size_t bytes() const { return (numbers_.size() + integers_.size()) * count_ * sizeof(double); }
   const std::array<const double*, 3>& positions() const { return positions_; }
   const std::vector<OutputField>& fields() const { return fields_; }
 
@@ -37,15 +37,17 @@ class ParticleFields {
   void add_numbers(const ParticleField& field);
   void add_history();
   void add_domains();
-  std::vector<double>& array() { return arrays_.emplace_back(count_, 0.0); }
+  double* array();
+  template <class F>
+  void each_part(F&& f) const;
 
   std::vector<Body<Dim>*> bodies_;
   std::size_t count_ = 0;
   bool limits_;  ///< CPDI: particles interact as far as their domains reach
   std::array<const double*, 3> positions_{};
   std::vector<OutputField> fields_;
-  std::deque<std::vector<double>> arrays_;
-  std::deque<std::vector<std::int64_t>> integers_;
+  std::vector<std::unique_ptr<double[]>> numbers_;         // NOLINT(*-avoid-c-arrays)
+  std::vector<std::unique_ptr<std::int64_t[]>> integers_;  // NOLINT(*-avoid-c-arrays)
 };
 
 }  // namespace tribo

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "output/history.hpp"
+#include "output/output_queue.hpp"
 #include "output/vtk.hpp"
 #include "run/block_results.hpp"
 #include "run/tracers.hpp"

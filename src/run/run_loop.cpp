@@ -216,7 +216,7 @@ class RunLoop {
     RunState state;
     state.archive = files_.count(), state.history = histories_.count(), state.checkpoint = checkpoints_.count();
     const auto all = std::make_shared<const CheckpointWriter>(stepped_.save(state));
-    queue_.add(all->size(), [all, until, folder = options_.folder, file = checkpoint_, flushed = flushed_] {
+    queue_.add_checkpoint(all->size(), [all, until, folder = options_.folder, file = checkpoint_, flushed = flushed_] {
       for (const std::filesystem::path& path : *flushed) flush_to_disk(path);
       all->save(file);
       if (until == Until::on_disk) flush_to_disk(folder);

@@ -28,7 +28,7 @@ struct Gate {
   }
 };
 
-void pause() { std::this_thread::sleep_for(std::chrono::milliseconds(20)); }
+void wait_a_little() { std::this_thread::sleep_for(std::chrono::milliseconds(20)); }
 
 }  // namespace
 
@@ -60,7 +60,7 @@ TEST_CASE("a run waits only where the output of another step begins and too much
   CHECK(queue.most_bytes_of_step() == 3001);
   std::atomic<bool> began{false};
   std::thread run([&] { queue.begin(2), began = true; });
-  pause();
+  wait_a_little();
   CHECK_FALSE(began);
   gate.open.set_value();
   run.join();
@@ -101,6 +101,31 @@ TEST_CASE("what was given is written at the end, also if nothing waits for it", 
     for (int k = 0; k < 50; ++k) queue.add(1, [&] { ++done; });
   }
   CHECK(done == 50);
+}
+
+TEST_CASE("checkpoints and versions of a file are left out while newer ones wait", "[output]") {
+  std::string done;
+  Gate gate;
+  OutputQueue queue;
+  queue.add(1, gate.job());
+  wait_a_little();  // the queue is at work
+  const auto write = [&](char what) { return [&done, what] { done += what; }; };
+  for (const char k : {'1', '2', '3', '4'}) {
+    queue.add(1, write('f'));
+    queue.add_version("run.pvd", 1, write('p'));
+    queue.add_version("grid.pvd", 1, write('g'));
+    queue.add_checkpoint(1, write(k));
+  }
+  gate.open.set_value();
+  queue.drain();
+  // the first and the last checkpoint, and before each of them all that is older
+  CHECK(done == "fpg1fffpg4");
+  done.clear();
+  for (const char k : {'5', '6'}) {  // with time, all of them
+    queue.add_version("run.pvd", 1, write('p')), queue.drain();
+    queue.add_checkpoint(1, write(k)), queue.drain();
+  }
+  CHECK(done == "p5p6");
 }
 
 TEST_CASE("rows of tables and entries of collections keep their order among other jobs", "[output]") {
