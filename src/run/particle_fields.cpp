@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "run/particle_fields.hpp"
 
+#include "base/finite.hpp"
 #include "base/parallel.hpp"
 #include "solver/particle_splitting.hpp"
 #include "solver/state/particle_domain.hpp"
@@ -117,9 +118,12 @@ ParticleFields<Dim>::ParticleFields(const Model& model, std::vector<Body<Dim>*> 
     : bodies_(std::move(bodies)), limits_(model.scheme.kernel != Kernel::cpdi) {
   for (const auto* body : bodies_) count_ += body->particles.size();
   for (std::size_t d = 0; d < Dim; ++d) {
-    double* to = array();
+    double* const to = array();
     positions_[d] = to;
-    for (auto* body : bodies_) to = std::copy_n(body->particles.x()[d], body->particles.size(), to);
+    fills_.push_back([d, to](const Part& part) {
+      const double* from = part.body->particles.x()[d];
+      std::copy(from + part.begin, from + part.end, to + part.at);
+    });
   }
   for (const auto& name : names) {
     const ParticleField* field = find_particle_field(name);
@@ -127,22 +131,13 @@ ParticleFields<Dim>::ParticleFields(const Model& model, std::vector<Body<Dim>*> 
     add(model, *field);
   }
   add_domains();
+  fill();
 }
 
+// All fields of some particles, then of the next ones, as long as they are in the cache.
 template <int Dim>
-double* ParticleFields<Dim>::array() {
-  return numbers_.emplace_back(std::make_unique_for_overwrite<double[]>(count_)).get();  // NOLINT(*-avoid-c-arrays)
-}
-
-// Calls f(body, begin, end, index of the first among all) for parts of the bodies, on all threads.
-template <int Dim>
-template <class F>
-void ParticleFields<Dim>::each_part(F&& f) const {
-  static constexpr std::size_t size = 2048;
-  struct Part {
-    Body<Dim>* body;
-    std::size_t begin, end, at;
-  };
+void ParticleFields<Dim>::fill() {
+  static constexpr std::size_t size = 1024;
   std::vector<Part> parts;
   std::size_t at = 0;
   for (auto* body : bodies_) {
@@ -150,10 +145,21 @@ void ParticleFields<Dim>::each_part(F&& f) const {
     for (std::size_t i = 0; i < n; i += size) parts.push_back({body, i, std::min(n, i + size), at + i});
     at += n;
   }
+  std::vector<char> finite(parts.size());
   parallel_for(static_cast<std::ptrdiff_t>(parts.size()), [&](std::ptrdiff_t k) {
     const Part& part = parts[static_cast<std::size_t>(k)];
-    f(*part.body, part.begin, part.end, part.at);
+    for (const auto& fill : fills_) fill(part);
+    finite[static_cast<std::size_t>(k)] = std::all_of(numbers_.begin(), numbers_.end(), [&](const auto& a) {
+      return all_finite({a.get() + part.at, part.end - part.begin});
+    });
   });
+  fills_.clear();
+  if (std::count(finite.begin(), finite.end(), 0) > 0) check_numbers(count_, positions_, fields_);
+}
+
+template <int Dim>
+double* ParticleFields<Dim>::array() {
+  return numbers_.emplace_back(std::make_unique_for_overwrite<double[]>(count_)).get();  // NOLINT(*-avoid-c-arrays)
 }
 
 template <int Dim>
@@ -171,11 +177,12 @@ template <int Dim>
 void ParticleFields<Dim>::add_integer(const ParticleField& field) {
   std::int64_t* const a =
       integers_.emplace_back(std::make_unique_for_overwrite<std::int64_t[]>(count_)).get();  // NOLINT(*-avoid-c-arrays)
-  each_part([&](Body<Dim>& body, std::size_t begin, std::size_t end, std::size_t at) {
-    BodyParticle<Dim> particle(body);
-    for (std::size_t i = begin; i < end; ++i) particle.select(i), a[at++] = field.value.integer(particle);
-  });
   fields_.push_back({std::string(field.name), {}, a});
+  fills_.push_back([a, value = field.value.integer](const Part& part) {
+    BodyParticle<Dim> particle(*part.body);
+    std::size_t at = part.at;
+    for (std::size_t i = part.begin; i < part.end; ++i) particle.select(i), a[at++] = value(particle);
+  });
 }
 
 template <int Dim>
@@ -186,35 +193,43 @@ void ParticleFields<Dim>::add_numbers(const ParticleField& field) {
   const std::size_t n = field.value.components;
   if (n > most) throw std::logic_error("a field has too many components");
   for (std::size_t k = 0; k < n; ++k) a[k] = array(), added.components.push_back(a[k]);
-  each_part([&](Body<Dim>& body, std::size_t begin, std::size_t end, std::size_t at) {
-    BodyParticle<Dim> particle(body);
+  fields_.push_back(added);
+  fills_.push_back([a, n, numbers = field.value.numbers](const Part& part) {
+    BodyParticle<Dim> particle(*part.body);
     std::array<double, most> values{};
-    for (std::size_t i = begin; i < end; ++i, ++at) {
+    std::size_t at = part.at;
+    for (std::size_t i = part.begin; i < part.end; ++i, ++at) {
       particle.select(i);
-      field.value.numbers(particle, values.data());
+      numbers(particle, values.data());
       for (std::size_t k = 0; k < n; ++k) a[k][at] = values[k];
     }
   });
-  fields_.push_back(added);
 }
 
 // Variables of the same name in several materials share a field, which is zero for all others.
 template <int Dim>
 void ParticleFields<Dim>::add_history() {
   std::map<std::string, double*> known;
-  std::size_t offset = 0;
-  for (auto* body : bodies_) {
-    const auto& variables = body->law->history();
-    for (std::size_t k = 0; k < variables.size(); ++k) {
-      double*& a = known[variables[k].name];
-      if (!a) {
-        a = array(), fields_.push_back({variables[k].name, {a}, nullptr});
-        std::fill_n(a, count_, 0.0);
-      }
-      std::copy_n(body->history_columns[k], body->particles.size(), a + offset);
+  for (const auto* body : bodies_)
+    for (const auto& variable : body->law->history()) {
+      double*& a = known[variable.name];
+      if (a) continue;
+      a = array();
+      fields_.push_back({variable.name, {a}, nullptr});
     }
-    offset += body->particles.size();
-  }
+  fills_.push_back([known](const Part& part) {
+    const auto& variables = part.body->law->history();
+    const std::size_t count = part.end - part.begin;
+    for (const auto& [name, a] : known) {
+      const auto found =
+          std::find_if(variables.begin(), variables.end(), [&](const auto& v) { return v.name == name; });
+      if (found == variables.end())
+        std::fill_n(a + part.at, count, 0.0);
+      else
+        std::copy_n(part.body->history_columns[static_cast<std::size_t>(found - variables.begin())] + part.begin, count,
+                    a + part.at);
+    }
+  });
 }
 
 template <int Dim>
@@ -222,20 +237,21 @@ void ParticleFields<Dim>::add_domains() {
   OutputField field{"domain", {}, nullptr, true};
   std::array<double*, Dim * Dim> components{};
   for (auto& c : components) c = array(), field.components.push_back(c);
-  each_part([&](Body<Dim>& body, std::size_t begin, std::size_t end, std::size_t at) {
-    const DomainReader<Dim> domain(body);
-    const Vec<Dim> cell = body.cell.template head<Dim>();
-    for (std::size_t i = begin; i < end; ++i, ++at) {
+  fields_.push_back(field);
+  fills_.push_back([components, limits = limits_](const Part& part) {
+    const DomainReader<Dim> domain(*part.body);
+    const Vec<Dim> cell = part.body->cell.template head<Dim>();
+    std::size_t at = part.at;
+    for (std::size_t i = part.begin; i < part.end; ++i, ++at) {
       Mat<Dim> axes = domain(static_cast<std::uint32_t>(i)).axes;
-      if (!is_compact<Dim>(axes, cell, limits_)) {
+      if (!is_compact<Dim>(axes, cell, limits)) {
         axes = reduced<Dim>({axes, Mat<Dim>::Identity()}, cell).current;
-        if (limits_) axes = limited<Dim>(axes, cell);
+        if (limits) axes = limited<Dim>(axes, cell);
       }
       for (std::size_t k = 0; k < Dim * Dim; ++k)
         components[k][at] = axes(static_cast<Eigen::Index>(k % Dim), static_cast<Eigen::Index>(k / Dim));
     }
   });
-  fields_.push_back(field);
 }
 
 template Mat<2> limited(Mat<2>, const Vec<2>&);

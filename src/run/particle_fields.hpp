@@ -6,6 +6,7 @@
 #include "output/vtk.hpp"
 #include "solver/state/system.hpp"
 
+#include <functional>
 #include <memory>
 
 namespace tribo {
@@ -23,6 +24,7 @@ template <int Dim>
 class ParticleFields {
  public:
   /// Fields that need what the model does not have (temperature without heat, contact without contact) are left out.
+  /// Throws SimulationError if a number is not finite.
   ParticleFields(const Model& model, std::vector<Body<Dim>*> bodies, const std::vector<std::string>& names);
 
   std::size_t count() const { return count_; }
@@ -32,20 +34,25 @@ class ParticleFields {
   const std::vector<OutputField>& fields() const { return fields_; }
 
  private:
+  // Particles of a body, and the index of the first among all.
+  struct Part {
+    Body<Dim>* body;
+    std::size_t begin, end, at;
+  };
+  void fill();
   void add(const Model& model, const ParticleField& field);
   void add_integer(const ParticleField& field);
   void add_numbers(const ParticleField& field);
   void add_history();
   void add_domains();
   double* array();
-  template <class F>
-  void each_part(F&& f) const;
 
   std::vector<Body<Dim>*> bodies_;
   std::size_t count_ = 0;
   bool limits_;  ///< CPDI: particles interact as far as their domains reach
   std::array<const double*, 3> positions_{};
   std::vector<OutputField> fields_;
+  std::vector<std::function<void(const Part&)>> fills_;    // until the fields are filled
   std::vector<std::unique_ptr<double[]>> numbers_;         // NOLINT(*-avoid-c-arrays)
   std::vector<std::unique_ptr<std::int64_t[]>> integers_;  // NOLINT(*-avoid-c-arrays)
 };

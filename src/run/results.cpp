@@ -107,7 +107,6 @@ void Results<Dim>::write_particles(std::int64_t number) {
   const auto& wanted = model_.output.particle_fields;
   auto all =
       std::make_shared<const ParticleFields<Dim>>(model_, bodies, wanted.empty() ? standard_particle_fields() : wanted);
-  check_numbers(all->count(), all->positions(), all->fields());
   const std::string file = "particles/" + numbered(number, ".vtp");
   queue_.add(all->bytes(), [all, path = folder_ / file, time = system_.time] {
     tribo::write_particles(path, all->count(), all->positions(), all->fields(), time);

@@ -12,6 +12,8 @@
 #include "run/schedule.hpp"
 #include "run/signals.hpp"
 
+#include <malloc.h>
+
 #include <chrono>
 #include <memory>
 
@@ -33,6 +35,16 @@ std::map<std::string, std::string> facts_of(const Model& model, const SteppedMod
   if (!changed.empty()) out["changed on resumption"] = changed;
   out.merge(stepped.facts());
   return out;
+}
+
+// Copies of the state for output come and go; the pages of their memory are kept for the next ones, as it takes as long
+// to get them from the system as to fill them. Arrays above `large` are given back.
+void keep_pages_of_copies() {
+#ifdef __GLIBC__
+  static constexpr int large = 32 << 20, kept = 256 << 20;
+  ::mallopt(M_MMAP_THRESHOLD, large);
+  ::mallopt(M_TRIM_THRESHOLD, kept);
+#endif
 }
 
 class RunLoop {
@@ -263,6 +275,7 @@ ResultNames names_of_every_run() {
 }
 
 Outcome run_to_end(const Model& model, SteppedModel& stepped, const RunOptions& options) {
+  keep_pages_of_copies();
   return RunLoop(model, stepped, options).run();
 }
 
