@@ -96,7 +96,7 @@ void Results<Dim>::write_tips() {
     for (const CrackTip& tip : crack.tips) {
       const auto& x = crack.x[tip.point];
       std::vector<std::string> row;
-      for (const double value : {c + 1.0, tip.end + 1.0, x[0], x[1], length, tip.J, tip.K[0], tip.K[1]})
+      for (const double value : {c + 1.0, tip.end + 1.0, x[0], x[1], length, tip.J, tip.K[0], tip.K[1], tip.released})
         row.push_back(number_text(value));
       if (!tip.has_K) row[6].clear(), row[7].clear();
       tips_->add(system_.time, row);

@@ -140,7 +140,7 @@ void GridRun<Dim>::write_history() {
 
 template <int Dim>
 std::vector<std::string> GridRun<Dim>::figures() const {
-  auto out = monitor_.state.energy_figures();
+  auto out = monitor_.energy_figures();
   if (!model_.reversal) return out;
   const bool length = model_.reversal->crack.has_value();
   const std::string what =

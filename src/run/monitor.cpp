@@ -93,6 +93,23 @@ std::vector<std::string> Monitor<Dim>::summary() const {
 }
 
 template <int Dim>
+std::vector<std::string> Monitor<Dim>::energy_figures() const {
+  std::vector<std::string> out = state.energy_figures();
+  const bool once = !model_.scheme.extrapolate_again && model_.scheme.order != UpdateOrder::usf;
+  if (once && -state.residual > MonitorState::noticed * state.supplied)
+    out.back() += "; the update without <SkipPostExtrapolation/> (USL+, USAVG+) usually avoids most of this loss";
+  double released = 0.0;
+  for (const auto& crack : system_.cracks)
+    for (const CrackTip& tip : crack.tips) released += tip.released;
+  if (released > MonitorState::noticed * state.supplied)
+    out.push_back(
+        format("energy: the growth of cracks released %.3g %% of what was supplied; it becomes motion at the "
+               "new faces, which transfer and damping dissipate",
+               100 * released / state.supplied));
+  return out;
+}
+
+template <int Dim>
 std::string Monitor<Dim>::text(Sign sign) const {
   const Finding& f = state.of(sign);
   if (sign == Sign::energy) return energy_text(f);

@@ -29,6 +29,9 @@ class Monitor {
   /// To be called after each step. `dt`: size of the steps [time]; `initial_energy`: content of energy at the start;
   /// `last`: the run ends here. Returns a warning for each sign that is seen for the first time.
   std::vector<std::string> look(double dt, double initial_energy, bool last);
+  /// Lines on the energy that the transfers dissipated, that is missing, and that the growth of cracks released, where
+  /// they are more than a trifle.
+  std::vector<std::string> energy_figures() const;
   /// One line for each sign that was seen, with the worst it came to, and further remarks on the whole run.
   std::vector<std::string> summary() const;
   MonitorState state;

@@ -14,7 +14,6 @@ namespace {
 constexpr double looks_per_run = 50;
 constexpr std::int64_t least_stride = 20;
 /// Share of the supplied energy; gains above it are warned of, other figures are told.
-constexpr double noticed = 0.02;
 /// A gain must last for so many looks.
 constexpr std::int64_t lasting = 5;
 

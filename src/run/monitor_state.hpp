@@ -36,6 +36,8 @@ inline void archive(Archive& a, Finding& finding) {
 }
 
 struct MonitorState {
+  static constexpr double noticed = 0.02;  ///< share of the energy supplied that is worth a line
+
   std::int64_t stride = 0;  ///< steps between two looks; 0: not yet known
   double first_step = 0.0;  ///< size of the first step                        [time]
   double supplied = 0.0;    ///< energy that was supplied so far               [energy]

@@ -38,7 +38,7 @@ std::vector<std::string> event_columns() {
   return columns;
 }
 
-const std::vector<std::string> tip_columns{"time", "crack", "end", "x", "y", "length", "J", "K1", "K2"};
+const std::vector<std::string> tip_columns{"time", "crack", "end", "x", "y", "length", "J", "K1", "K2", "released"};
 
 }  // namespace
 

@@ -53,7 +53,7 @@ struct Watched {
   }
   std::string look_at_state() { return look(measure(system).kinetic); }
   std::string summary() const { return joined(monitor.summary()); }
-  std::string figures() const { return joined(monitor.state.energy_figures()); }
+  std::string figures() const { return joined(monitor.energy_figures()); }
   static std::string joined(const std::vector<std::string>& lines) {
     std::string all;
     for (const auto& text : lines) all += text + "\n";
@@ -111,6 +111,20 @@ TEST_CASE("a gain of energy that lasts is warned of, a loss is a figure", "[moni
   CHECK(losing.look(kinetic / 0.8, 20).empty());
   CHECK(losing.summary().empty());
   CHECK(losing.figures() == "energy: the balance lacks 20 % of what was supplied\n");
+  losing.model.scheme.extrapolate_again = false;
+  CHECK_THAT(losing.figures(), Contains("lacks 20 %") && Contains("without <SkipPostExtrapolation/>"));
+}
+
+TEST_CASE("the energy that the growth of cracks releases is a figure", "[monitor]") {
+  const double kinetic = 8;
+  Watched growing(block());
+  growing.system.cracks.resize(1);
+  growing.system.cracks[0].tips.resize(2);
+  growing.system.cracks[0].tips[0].released = 0.5, growing.system.cracks[0].tips[1].released = 1.5;
+  growing.look(kinetic, 20);
+  CHECK_THAT(growing.figures(), Contains("the growth of cracks released 25 % of what was supplied"));
+  growing.system.cracks[0].tips.clear();
+  CHECK(growing.figures().empty());
 }
 
 TEST_CASE("what the transfers dissipate is told as such, what they create is warned of", "[monitor]") {

@@ -140,6 +140,7 @@ void CrackTips<2>::extend(std::size_t c, CrackTip& tip, double angle) {
       tip.active = false;
     }
   grow_to(crack, tip, from + length * ahead);
+  tip.released += tip.J * length * model_.grid.thickness;
   const auto& law = *system_.bodies[tip.body].law;
   const double shear_speed =
       std::sqrt((moduli_[tip.body] ? moduli_[tip.body]->G : law.wave_modulus() / 3) / law.density());

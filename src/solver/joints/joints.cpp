@@ -59,7 +59,14 @@ double Joints<Dim>::find_face_nodes(const JointSurface<Dim>& surface, const Vec<
   });
   if (!(mass > 0)) return 0.0;
   for (FitNode<Dim>& node : nodes) node.mass *= shapes / mass;
-  fit_face_velocity(nodes, surface.interface ? 0.01 : 0.1);
+  constexpr double aligned = 1 - 1e-5;  // 0.26 degrees
+  Eigen::Index axis = 0;
+  if (surface.interface)
+    fit_face_velocity(nodes, light_at_interfaces);
+  else if (n.cwiseAbs().maxCoeff(&axis) > aligned)
+    fit_aligned_face_velocity(nodes, static_cast<int>(axis));
+  else
+    fit_face_velocity(nodes, light_at_joints);
   for (std::size_t i = 0; i < out.size(); ++i) out[i].weight = nodes[i].weight, out[i].slope = nodes[i].slope / h;
   return mass;
 }

@@ -42,25 +42,58 @@ void fit_velocity(std::vector<FitNode<Dim>>& nodes, F&& importance, double regul
   }
 }
 
+/// Nodes with less than this fraction of the mean mass count less in the fit of a face, as the root of their mass; no
+/// node is then accelerated by more than 1/light times the mean.
+inline constexpr double light_at_joints = 0.1, light_at_interfaces = 0.01;
+
+/// Whether any node has more than this square of a weight over the mass, the mean mass being one. It would be
+/// accelerated by a joint force so much more than others that it limits the time step.
+template <int Dim>
+bool exceeds(const std::vector<FitNode<Dim>>& nodes, double largest) {
+  return std::any_of(nodes.begin(), nodes.end(),
+                     [&](const FitNode<Dim>& node) { return node.weight * node.weight > largest * node.mass; });
+}
+
 /// The fit of a face of a joint. The weights are the shape functions wherever these reproduce linear velocities, except
-/// for nodes with less than a fraction `light` of the mean mass, which count as the root of their mass. A joint force
-/// then accelerates no node by more than 1/light times the mean, which limits the time step; the stress next to the
-/// face is the more uniform the smaller the fraction. Where nodes with next to no mass still would determine the
-/// gradient, it tends to zero.
+/// for light nodes, see light_at_joints. Where nodes with next to no mass still would determine the gradient, it tends
+/// to zero.
 template <int Dim>
 void fit_face_velocity(std::vector<FitNode<Dim>>& nodes, double light) {
-  const double largest = 20.0 / light;  // square of a weight over the mass; light nodes of smooth faces have 9/light
   fit_velocity(
       nodes, [&](const FitNode<Dim>& node) { return node.shape * std::min(1.0, std::sqrt(node.mass / light)); }, 1e-5);
-  if (std::any_of(nodes.begin(), nodes.end(),
-                  [&](const FitNode<Dim>& node) { return node.weight * node.weight > largest * node.mass; }))
-    fit_velocity(
-        nodes,
-        [](const FitNode<Dim>& node) {
-          const double share = std::min(1.0, node.mass / 0.1);
-          return node.shape * share * share;
-        },
-        0.01);
+  if (!exceeds(nodes, 20.0 / light))  // light nodes of smooth faces come to 9/light
+    return;
+  fit_velocity(
+      nodes,
+      [](const FitNode<Dim>& node) {
+        const double share = std::min(1.0, node.mass / 0.1);
+        return node.shape * share * share;
+      },
+      0.01);
+}
+
+/// The fit of a face that lies in a grid plane normal to `axis`. The particles next to it are whole, so that the masses
+/// of the nodes agree with their shape functions at the face: planes of nodes count in full however light they are,
+/// and the stress next to the face is exact. Nodes beyond the ends of the face are light within their plane, and
+/// count less. Where that would limit the time step, the fit is the one of any face.
+template <int Dim>
+void fit_aligned_face_velocity(std::vector<FitNode<Dim>>& nodes, int axis) {
+  constexpr double next_to_nothing = 1e-5, largest = 20.0;
+  const auto mean_of_plane = [&](const FitNode<Dim>& of) {
+    double shapes = 0.0, mass = 0.0;
+    for (const FitNode<Dim>& node : nodes)
+      if (std::abs(node.offset[axis] - of.offset[axis]) < 0.5) shapes += node.shape, mass += node.shape * node.mass;
+    return mass / shapes;
+  };
+  fit_velocity(
+      nodes,
+      [&](const FitNode<Dim>& node) {
+        const double plane = mean_of_plane(node);
+        return node.shape * std::min(1.0, std::sqrt(plane / next_to_nothing)) *
+               std::min(1.0, std::sqrt(node.mass / (light_at_joints * plane)));
+      },
+      1e-5);
+  if (exceeds(nodes, largest)) fit_face_velocity(nodes, light_at_joints);
 }
 
 }  // namespace tribo

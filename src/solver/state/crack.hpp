@@ -26,14 +26,16 @@ struct CrackTip {
   bool has_K = false;
   double earliest_growth = 0.0;               ///< the tip does not grow before this time               [time]
   Vec<2> initial_direction = Vec<2>::Zero();  ///< unit vector along the crack at the start of the run
+  double released = 0.0;  ///< energy that its growth released: J times the new area, summed         [energy]
 };
 
 /// Saves and restores what changes in a run; `end` and `initial_direction` follow from the model.
 inline void archive(Archive& a, CrackTip& tip) {
-  auto& [point, previous, end, active, body, J, K, has_K, earliest_growth, initial_direction] = tip;
-  a.version(2);
+  auto& [point, previous, end, active, body, J, K, has_K, earliest_growth, initial_direction, released] = tip;
+  a.version(3);
   a("point", point), a("behind", previous), a("lives", active), a("body", body);
   a("J", J), a("K", K), a("has_K", has_K), a("rest", earliest_growth);
+  a("released", released);
 }
 
 /// A crack made of straight segments in two dimensions and of triangles in three, called pieces. The normal of a
