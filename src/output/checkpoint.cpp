@@ -5,8 +5,10 @@
 #include "base/finite.hpp"
 #include "base/read_file.hpp"
 #include "output/atomic_file.hpp"
-#include "output/packing.hpp"
 
+#include <zlib.h>
+
+#include <algorithm>
 #include <cstring>
 
 namespace tribo {
@@ -16,7 +18,15 @@ namespace {
 // 0.
 constexpr std::string_view magic = "Tribo checkpoint 2\n";
 
-std::uint32_t checksum(std::string_view name, std::string_view bytes) { return crc32(crc32(0, name), bytes); }
+std::uint32_t checksum(std::string_view name, std::string_view bytes) {
+  auto crc = ::crc32(0, reinterpret_cast<const Bytef*>(name.data()), static_cast<uInt>(name.size()));
+  while (!bytes.empty()) {  // zlib counts in 32 bits
+    const auto piece = std::min<std::size_t>(bytes.size(), 1U << 30);
+    crc = ::crc32(crc, reinterpret_cast<const Bytef*>(bytes.data()), static_cast<uInt>(piece));
+    bytes.remove_prefix(piece);
+  }
+  return static_cast<std::uint32_t>(crc);
+}
 
 template <class T>
 void append(std::string& to, T value) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// Files for ParaView, in VTK's XML formats. All numbers must be finite: otherwise the functions that write throw
-/// SimulationError with the name of the field, and leave the file as it is. What they write depends on their arguments
-/// only, and they may be called by several threads at a time.
+/// Files for ParaView. VTK is used in vtk.cpp only. All numbers must be finite: otherwise the functions that write
+/// throw SimulationError with the name of the field, and leave the file as it is.
 #pragma once
 
 #include <array>
