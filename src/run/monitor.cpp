@@ -95,6 +95,7 @@ std::vector<std::string> Monitor<Dim>::summary() const {
 template <int Dim>
 std::vector<std::string> Monitor<Dim>::energy_figures() const {
   std::vector<std::string> out = state.energy_figures();
+  if (!(state.supplied > 0)) return out;
   const bool once = !model_.scheme.extrapolate_again && model_.scheme.order != UpdateOrder::usf;
   if (once && -state.residual > MonitorState::noticed * state.supplied)
     out.back() += "; the update without <SkipPostExtrapolation/> (USL+, USAVG+) usually avoids most of this loss";

@@ -113,6 +113,10 @@ TEST_CASE("a gain of energy that lasts is warned of, a loss is a figure", "[moni
   CHECK(losing.figures() == "energy: the balance lacks 20 % of what was supplied\n");
   losing.model.scheme.extrapolate_again = false;
   CHECK_THAT(losing.figures(), Contains("lacks 20 %") && Contains("without <SkipPostExtrapolation/>"));
+  Watched of_nothing(block());  // no energy was supplied: a figure would be a division by zero
+  of_nothing.model.scheme.extrapolate_again = false;
+  of_nothing.monitor.state.residual = -1;
+  CHECK(of_nothing.figures().empty());
 }
 
 TEST_CASE("the energy that the growth of cracks releases is a figure", "[monitor]") {
