@@ -217,8 +217,10 @@ TEST_CASE("other criteria of growth have their own thresholds and angles", "[fra
 
   Growing energy({Growth::When::release_rate});
   CHECK_FALSE(energy.grow(9, 9, 1.999));
+  CHECK(energy.tip().released == 0);
   CHECK(energy.grow(0, 1, 2.001));
   CHECK(std::abs(energy.kink()) < 1e-9);
+  CHECK(energy.tip().released == Approx(2.001 * 0.5 * energy.system.lattice.spacing[0] * energy.model.grid.thickness));
 }
 
 TEST_CASE("the direction of growth may be chosen", "[fracture]") {
