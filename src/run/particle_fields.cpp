@@ -220,9 +220,10 @@ void ParticleFields<Dim>::add_history() {
   fills_.push_back([known](const Part& part) {
     const auto& variables = part.body->law->history();
     const std::size_t count = part.end - part.begin;
-    for (const auto& [name, a] : known) {
+    for (const auto& field : known) {
+      double* const a = field.second;
       const auto found =
-          std::find_if(variables.begin(), variables.end(), [&](const auto& v) { return v.name == name; });
+          std::find_if(variables.begin(), variables.end(), [&](const auto& v) { return v.name == field.first; });
       if (found == variables.end())
         std::fill_n(a + part.at, count, 0.0);
       else
