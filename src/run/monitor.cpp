@@ -51,7 +51,7 @@ void Monitor<Dim>::balance(double initial_energy, Warnings& warnings) {
   const RunEnergies run = run_energies(model_, system_, stepper_, all);
   const auto gained = [](double x) { return std::max(0.0, x); };
   const double supplied = initial_energy + gained(run.external_work) + gained(run.boundary_work) + gained(run.stages) +
-                          gained(-run.potential);
+                          gained(-run.potential) + gained(-all.expansion);
   const double residual = energy_residual(all, run, initial_energy);
   if (state.record_balance(supplied, residual, run.transfer, system_.time)) warnings.push_back(text(Sign::energy));
 }

@@ -38,7 +38,7 @@ bool MonitorState::record(Sign sign, const Finding& now, bool worse, double at) 
 bool MonitorState::record_balance(double supplied_now, double residual_now, double transfer_now, double at) {
   supplied = std::max(supplied, supplied_now);
   residual = residual_now, transfer = transfer_now, gain = residual - transfer;
-  gains = gain > noticed * supplied ? gains + 1 : 0;
+  gains = supplied > 0 && gain > noticed * supplied ? gains + 1 : 0;
   if (gains < lasting) return false;
   Finding now;
   now.worst = gain / supplied;
