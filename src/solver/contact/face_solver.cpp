@@ -28,6 +28,13 @@ Eigen::Map<const Vec3> velocity_of(const System<Dim>& system, std::size_t field,
   return Eigen::Map<const Vec3>(system.fields[field].nodes[static_cast<std::size_t>(node)].velocity);
 }
 
+// Weight of the velocity at the image of a node in the face so that the weighted mean position lies on the face: then
+// the velocity at the face is exact where it is linear. `face`, `image`: distances from the node along the normal.
+double image_share(double face, double image) {
+  const bool between = image != 0.0 && face / image > 0.0 && face / image < 1.0;  // the face is between node and image
+  return between ? face / image : 0.5;
+}
+
 }  // namespace
 
 template <int Dim>
@@ -84,8 +91,9 @@ void FaceSolver<Dim>::find_terms(Constraint& c, std::span<const ContactMember> m
   }
 }
 
-// Moves half of the weight of the last term to the mirror image of its node in the face. The velocity at the image is
-// interpolated linearly between the nodes of the cell that contains it. Returns the mean mass of the nodes.
+// Moves a part of the weight of the last term to the mirror image of its node in the face: half, unless the body does
+// not reach all nodes of the cell that contains the image. The velocity at the image is interpolated linearly between
+// these nodes. Returns the mean mass of the nodes.
 template <int Dim>
 double FaceSolver<Dim>::add_face_terms(Constraint& c, const ContactMember& member, double sign) const {
   const auto& field = system_.fields[member.field];
@@ -100,23 +108,27 @@ double FaceSolver<Dim>::add_face_terms(Constraint& c, const ContactMember& membe
     fraction[d] = offset - std::floor(offset);
   }
   const std::size_t first = c.term_count - 1;
-  double total = 0.0;
+  double total = 0.0,
+         centroid = 0.0;  // of the nodes around the image: weight, and distance from the node along the normal
   for (int corner = 0; corner < 1 << Dim; ++corner) {
     Index<Dim> n = low;
-    double w = 1.0;
+    double w = 1.0, along = 0.0;
     for (int d = 0; d < Dim; ++d) {
+      const auto k = static_cast<std::size_t>(d);
       const int up = corner >> d & 1;
-      n[static_cast<std::size_t>(d)] += up;
+      n[k] += up;
       w *= up != 0 ? fraction[d] : 1.0 - fraction[d];
+      along += (n[k] - c.node->index[k]) * field.map.lattice().spacing[d] * c.pair->state.normal[d];
     }
     const std::int64_t at = w > 0 ? field.map.node(n) : -1;
     if (at < 0 || !(field.nodes[static_cast<std::size_t>(at)].mass > 0)) continue;
     c.terms[c.term_count++] = {static_cast<std::uint32_t>(member.field), 0, at, w};
-    total += w;
+    total += w, centroid += w * along;
   }
   if (total == 0.0) return member.mass;
-  c.terms[first].weight = 0.5 * sign;
-  for (std::size_t t = first + 1; t < c.term_count; ++t) c.terms[t].weight *= 0.5 * sign / total;
+  const double share = image_share(c.pair->face_position, centroid / total);
+  c.terms[first].weight = (1 - share) * sign;
+  for (std::size_t t = first + 1; t < c.term_count; ++t) c.terms[t].weight *= share * sign / total;
   return reduce_light_nodes(std::span(c.terms).subspan(first, c.term_count - first), sign);
 }
 
