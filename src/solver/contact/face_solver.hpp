@@ -5,9 +5,11 @@
 /// move as one. Then no strain can differ between these layers, and none can exist next to a rigid body, so that the
 /// stress in the cells at the face is wrong (20 per cent RMS for a block between platens). Here the contact law acts on
 /// the velocity of each body at the face: the mean of the velocity of the node and of that at its mirror image in the
-/// face. The impulse acts on the node and on the nodes around the image with the same weights, so that it never adds
-/// energy, wherever the face lies between the nodes. In return, all nodes must be solved together, and the numerical
-/// damping of nodes that move as one is lost.
+/// face. Where a body reaches only some of the nodes around the image, the weights are such that their mean position is
+/// on the face all the same, or else the stress next to the face would be wrong by up to its own size. The impulse acts
+/// on the node and on the nodes around the image with the same weights, so that it never adds energy, wherever the face
+/// lies between the nodes. In return, all nodes must be solved together, and the numerical damping of nodes that move
+/// as one is lost.
 #pragma once
 
 #include "grid/nodes.hpp"
@@ -86,7 +88,7 @@ class FaceSolver {
   void list_constraints(ContactNodes<Dim>& contacts);
   void find_terms(Constraint& c, std::span<const ContactMember> members) const;
   double add_face_terms(Constraint& c, const ContactMember& member, double sign) const;
-  double reduce_light_nodes(std::span<Term> terms, double sign) const;
+  bool add_image_terms(Constraint& c, const Term& of, std::span<double> distances) const;
   void number_velocities();
   void find_masses(Constraint& c) const;
   template <class Value>
