@@ -204,3 +204,26 @@ TEST_CASE("a rigid body does the work of the impulses on faces at its velocity t
   CHECK(std::abs(impulse[0]) > 0.1);
   CHECK(ledger.rigid_work == Approx(impulse.dot(Vec3(0.5, 0.3, 0))));
 }
+
+TEST_CASE("impulses on faces make the velocity of a body at the face right where it does not reach all nodes",
+          "[contact]") {
+  const auto smooth = make_law("61", {});
+  // The face is at 8.3, and the upper body reaches nodes from 8 on: the image of the node at 9 lies at 7.6, between the
+  // node at 8 and one without mass. Its velocity decreases linearly from the face on.
+  SharedNodes shared(*smooth, 8.3, true, 1);
+  auto& upper = shared.system.fields[1];
+  for (std::int64_t n = 0; n < upper.map.node_count(); ++n) {
+    Node& node = upper.nodes[static_cast<std::size_t>(n)];
+    const double height = upper.map.node_at(n)[1] - Lattice<2>::padding;
+    node.mass = height < 7.5 ? 0.0 : height < 13.5 ? 1.0 : 0.0;
+    node.velocity[0] = 0.0, node.velocity[1] = 0.3 - 0.1 * (height - 8.3);  // 0.3: of the rigid body
+  }
+  shared.faces.set_up(shared.contacts);
+  shared.faces.apply(1e-3, ContactPass::corrector);
+  for (const auto& pair : shared.pairs) {
+    const auto& node = shared.contacts.nodes[static_cast<std::size_t>(&pair - shared.pairs.data())];
+    if (node.index[1] == Lattice<2>::padding + 7) continue;  // the upper body does not reach it
+    CHECK(pair.final_velocity.norm() < 1e-12);
+    CHECK(pair.impulse.norm() < 1e-12);
+  }
+}

@@ -111,7 +111,7 @@ double FaceSolver<Dim>::add_face_terms(Constraint& c, const ContactMember& membe
 
   double mean_mass = 0.0, total = 0.0, distance = 0.0;
   for (const Term& t : image) mean_mass += t.weight * mass(t), total += t.weight;
-  mean_mass = 0.5 * (member.mass + mean_mass / total);
+  mean_mass = 0.5 * (mass(first) + mean_mass / total);
   total = 0.0;
   for (std::size_t k = 0; k < image.size(); ++k) {
     image[k].weight *= reduction(mass(image[k]) / (light_node * mean_mass));
@@ -119,7 +119,7 @@ double FaceSolver<Dim>::add_face_terms(Constraint& c, const ContactMember& membe
   }
   const double share = image_share(c.pair->face_position, distance / total);
   c.terms[own].weight = (1 - share) * sign;
-  mean_mass = (1 - share) * member.mass;
+  mean_mass = (1 - share) * mass(first);
   for (Term& t : image) {
     t.weight *= share / total;
     mean_mass += t.weight * mass(t);
