@@ -90,7 +90,7 @@ def hold_and_slide(case):
         for name in ("FLIP", "APIC", "FMPM"):
             for way in (0.01 * h, 0.0):
                 text = "<coeff>0.3</coeff><coeffStatic>0.5</coeffStatic>" + ("" if way > 0 else "<weakening>0</weakening>")
-                scheme = default | dict(transfer=f"<Transfer type='{name}'/>")
+                scheme = default | dict(transfer=f"<Transfer type='{name}'/>", E="4e7")  # so stiff that it moves as a rigid block
                 t, v, x, _, _ = slide(case, f"static_{name}_{h}_{way > 0}", grid=grid, damping="20", **scheme, **friction(text))
                 label = f"default scheme, {name}, cells of {h} m, static 0.5, dynamic 0.3" + ("" if way > 0 else ", sudden drop")
                 if way > 0:  # a sudden drop begins at the corners, before a rigid block would slide

@@ -5,9 +5,9 @@ import verify
 
 
 def alone(points, cell):
-    """Particles without another one within a cell: they lie on the slope, pressed by nothing but their own weight."""
+    """Particles without another one within one and a half times their size, three quarters of a cell: they lie on the slope, pressed by nothing but their own weight."""
     distance = np.hypot(*(points[:, None] - points[None]).transpose(2, 0, 1))
-    return np.count_nonzero(distance < cell, axis=1) == 1
+    return np.count_nonzero(distance < 0.75 * cell, axis=1) == 1
 
 
 def slide(case, label, cell=0.2, **entities):

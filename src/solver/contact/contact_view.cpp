@@ -118,7 +118,8 @@ void fill_contact_view(const System<Dim>& system, const ContactSearch<Dim>& sear
     auto& body = *bodies[label.body];
     if (!body.contact_state) return;
     FaceTest<Dim> is_at_face(row, k);
-    double slip = 0.0, stick = 0.0, total = 0.0;
+    double slip = 0.0, stick = 0.0;  // weights of the pairs in either state, by their force
+    double touching = 0.0, total = 0.0;
     Vec<Dim> traction = Vec<Dim>::Zero(), normal = Vec<Dim>::Zero();
     each_pair_near(search, system.lattice, cloud.domain(k), label.field,
                    [&](const ContactPair& pair, double w, double side) {
@@ -129,11 +130,13 @@ void fill_contact_view(const System<Dim>& system, const ContactSearch<Dim>& sear
                      // area of nodes without an impulse counts in the mean traction.
                      total += w * pair.state.area;
                      if (pair.update_status == ContactStatus::open) return;
-                     (pair.update_status == ContactStatus::slip ? slip : stick) += w;
+                     touching += w;
+                     // Nodes that carry next to no force may slide beside those that hold
+                     (pair.update_status == ContactStatus::slip ? slip : stick) += w * pair.update_impulse.norm();
                      normal += w * out;
                      traction += side * w / pair.state.dt * pair.update_impulse.template head<Dim>();
                    });
-    if (slip + stick == 0.0) return;
+    if (touching == 0.0) return;
     body.particles[body.contact_state][label.particle] = slip > stick ? 2.0 : 1.0;
     if (total > 0) traction /= total;
     if (normal.norm() > 0) normal.normalize();
