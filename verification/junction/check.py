@@ -45,3 +45,4 @@ def star(case, impulses, turned):
     where = f"{impulses}, Y turned by {turned} degrees"
     case.check(f"{where}: drift of a block over the cell", drift / cell, 0, 1e-3, "at most")
     case.check(f"{where}: mean pressure", -stress[inside, :2].mean(), pressure, 0.02)
+    case.check(f"{where}: error of the normal stresses (RMS) over the pressure", np.sqrt(((stress[inside, :2] / pressure + 1) ** 2).mean()), 0, 0.06, "at most")
