@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// The particle columns that show contact.
 
+#include "contact/contact_cases.hpp"
 #include "input/read.hpp"
 #include "solver/build.hpp"
 #include "solver/step.hpp"
@@ -94,4 +95,21 @@ TEST_CASE("contact shows on the row of particles that touches, whose tractions s
     for (std::size_t i = 0; i < floor.particles.size(); ++i)
       if ((floor.particles.position(i) - Vec<2>(20, 20)).dot(up) < -particle_size)
         CHECK(floor.particles[floor.contact_state][i] == 0);
+}
+
+TEST_CASE("particles of a face show whether it slides", "[contact][view]") {
+  const char* impulses = GENERATE("nodes", "faces");
+  const bool slides = GENERATE(true, false);
+  INFO(impulses);
+  Model model = falling_block(impulses, 0.0);
+  model.contact.default_law = make_law("CoulombFriction", {{"coeff", slides ? "0.1" : "100"}});
+  auto system = build_system<2>(model, place_points(model));
+  Body<2>& block = system.bodies[0];
+  for (std::size_t i = 0; i < block.particles.size(); ++i) block.particles.v()[0][i] = 0.5 * fall_velocity;
+  Stepper<2> stepper(model, system);
+  for (int k = 0; k < 3; ++k) stepper.advance(fall_step);
+  stepper.contact().fill_view();
+  for (std::size_t i = 0; i < block.particles.size(); ++i)
+    if (block.particles.position(i)[1] - 20 < particle_size)
+      CHECK(block.particles[block.contact_state][i] == (slides ? 2.0 : 1.0));
 }

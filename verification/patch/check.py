@@ -20,7 +20,7 @@ def press(case, label, turned=0.0, **entities):
 
 
 def run(case):
-    for turned in (0, 17, 45) if not case.quick else (0,):
+    for turned in (0, 17, 45) if not case.quick else (0, 17):
         for E in (1, 10) if not case.quick else (1,):
             stress = press(case, f"E{E}_{turned}", turned, E=str(E))
             case.check(f"E 1 : {E}, turned by {turned} degrees: mean stress", stress.mean(), 1, 2e-3)
