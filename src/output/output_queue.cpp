@@ -117,10 +117,9 @@ void OutputQueue::work() {
       error = std::current_exception();
     }
     next.job = {};  // its memory, before others may use as much
-    std::deque<Waiting> dropped;
     lock.lock();
     working_ = false, pending_ -= next.bytes, seconds_ += seconds_since(begin);
-    if (error) error_ = error, pending_ = 0, dropped.swap(jobs_);
+    if (error) error_ = error, pending_ = 0, jobs_.clear();  // which, unlike an empty deque, takes no memory
     done_.notify_all();
   }
 }

@@ -103,13 +103,25 @@ void add_time(vtkDataObject* object, double time) {
 // Higher levels take several times as long, and the mantissas of computed numbers are as good as random to all.
 constexpr int compression_level = 1;
 
-template <class Writer, class Data>
-void write(const std::filesystem::path& path, Data* data) {
-  // VTK ends the program if its memory is too small or it can start no thread.
+// Throws a FileError if there is not as much memory for a file as this, and some for VTK itself, which ends the program
+// if its memory is too small or it can start no thread.
+void probe_memory(const std::filesystem::path& path, std::size_t bytes) {
   static constexpr std::size_t working = std::size_t{8} << 20;
-  void* volatile probe = std::malloc(2048 * data->GetActualMemorySize() + working);  // NOLINT(*-no-malloc)
+  void* volatile probe = std::malloc(bytes + working);  // NOLINT(*-no-malloc)
   if (!probe) refuse_memory("the file '" + printable(path.string()) + "'");
   std::free(probe);  // NOLINT(*-no-malloc)
+}
+
+// The same for points with these fields, before VTK has them.
+void probe_memory(const std::filesystem::path& path, std::size_t count, std::span<const OutputField> fields) {
+  std::size_t numbers = 6;  // position and cell
+  for (const OutputField& field : fields) numbers += std::max<std::size_t>(1, field.components.size());
+  probe_memory(path, count * numbers * sizeof(double));
+}
+
+template <class Writer, class Data>
+void write(const std::filesystem::path& path, Data* data) {
+  probe_memory(path, 2048 * data->GetActualMemorySize());
   write_atomically(path, [&](const std::string& temporary) {
     vtkNew<Writer> writer;
     writer->SetFileName(temporary.c_str());
@@ -150,6 +162,7 @@ void check_numbers(std::size_t count, const std::array<const double*, 3>& positi
 void write_surface(const std::filesystem::path& path, std::size_t count, const std::array<const double*, 3>& position,
                    std::span<const std::uint32_t> cells, std::size_t corners, std::span<const OutputField> fields,
                    double time) {
+  probe_memory(path, count, fields);
   vtkNew<vtkPolyData> data;
   set_points(data, count, position);
   vtkNew<vtkCellArray> list;
@@ -169,6 +182,7 @@ void write_surface(const std::filesystem::path& path, std::size_t count, const s
 void write_cells(const std::filesystem::path& path, std::size_t count, const std::array<const double*, 3>& position,
                  std::span<const std::uint32_t> cells, std::span<const std::size_t> ends,
                  std::span<const OutputField> fields, double time) {
+  probe_memory(path, count, fields);
   vtkNew<vtkPolyData> data;
   set_points(data, count, position);
   vtkNew<vtkCellArray> list;
@@ -190,6 +204,7 @@ void write_cells(const std::filesystem::path& path, std::size_t count, const std
 
 void write_particles(const std::filesystem::path& path, std::size_t count, const std::array<const double*, 3>& position,
                      std::span<const OutputField> fields, double time) {
+  probe_memory(path, count, fields);
   const auto n = static_cast<vtkIdType>(count);
   vtkNew<vtkPolyData> data;
   set_points(data, count, position);
@@ -205,6 +220,9 @@ void write_particles(const std::filesystem::path& path, std::size_t count, const
 void write_grid(const std::filesystem::path& path, const std::array<double, 3>& origin,
                 const std::array<double, 3>& spacing, const std::array<int, 3>& nodes,
                 std::span<const OutputField> fields, double time) {
+  std::size_t count = 1;
+  for (const int n : nodes) count *= static_cast<std::size_t>(n);
+  probe_memory(path, count, fields);
   vtkNew<vtkImageData> data;
   data->SetOrigin(origin[0], origin[1], origin[2]);
   data->SetSpacing(spacing[0], spacing[1], spacing[2]);

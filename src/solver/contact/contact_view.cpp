@@ -16,6 +16,7 @@ namespace {
 constexpr double closed = 0.1;        // a larger gap counts as open [cells]
 constexpr double depth = 0.5;         // of the face of a particle behind the face of its body [particles]
 constexpr double in_front = 0.9;      // a particle this much smaller than its domain covers those behind it
+constexpr double carrying = 0.1;      // a node with less force than this has no state [mean force of the nodes around]
 constexpr double same_normal = 0.99;  // cosine
 constexpr double near = 1.25;         // centres of the particles that may cover one [cells]
 
@@ -118,25 +119,32 @@ void fill_contact_view(const System<Dim>& system, const ContactSearch<Dim>& sear
     auto& body = *bodies[label.body];
     if (!body.contact_state) return;
     FaceTest<Dim> is_at_face(row, k);
-    double slip = 0.0, stick = 0.0;  // weights of the pairs in either state, by their force
-    double touching = 0.0, total = 0.0;
+    const auto each_touching_pair = [&](auto&& f) {
+      each_pair_near(search, system.lattice, cloud.domain(k), label.field,
+                     [&](const ContactPair& pair, double w, double side) {
+                       if (pair.state.gap > closed * h) return;
+                       if (is_at_face(side * pair.state.normal.template head<Dim>())) f(pair, w, side);
+                     });
+    };
+    double weight = 0.0, force = 0.0, total = 0.0;
     Vec<Dim> traction = Vec<Dim>::Zero(), normal = Vec<Dim>::Zero();
-    each_pair_near(search, system.lattice, cloud.domain(k), label.field,
-                   [&](const ContactPair& pair, double w, double side) {
-                     if (pair.state.gap > closed * h) return;
-                     const Vec<Dim> out = side * pair.state.normal.template head<Dim>();
-                     if (!is_at_face(out)) return;
-                     // The nodes on one side of a face may carry the pressure of those on the other side, too. So the
-                     // area of nodes without an impulse counts in the mean traction.
-                     total += w * pair.state.area;
-                     if (pair.update_status == ContactStatus::open) return;
-                     touching += w;
-                     // Nodes that carry next to no force may slide beside those that hold
-                     (pair.update_status == ContactStatus::slip ? slip : stick) += w * pair.update_impulse.norm();
-                     normal += w * out;
-                     traction += side * w / pair.state.dt * pair.update_impulse.template head<Dim>();
-                   });
-    if (touching == 0.0) return;
+    each_touching_pair([&](const ContactPair& pair, double w, double side) {
+      // The nodes on one side of a face may carry the pressure of those on the other side, too. So the area of nodes
+      // without an impulse counts in the mean traction.
+      total += w * pair.state.area;
+      if (pair.update_status == ContactStatus::open) return;
+      weight += w, force += w * pair.update_impulse.norm();
+      normal += side * w * pair.state.normal.template head<Dim>();
+      traction += side * w / pair.state.dt * pair.update_impulse.template head<Dim>();
+    });
+    if (weight == 0.0) return;
+    double slip = 0.0, stick = 0.0;  // weights of the pairs in either state
+    each_touching_pair([&](const ContactPair& pair, double w, double) {
+      // Nodes that carry next to no force may slide beside those that hold
+      const bool carries = pair.update_impulse.norm() * weight >= carrying * force;
+      if (pair.update_status != ContactStatus::open && carries)
+        (pair.update_status == ContactStatus::slip ? slip : stick) += w;
+    });
     body.particles[body.contact_state][label.particle] = slip > stick ? 2.0 : 1.0;
     if (total > 0) traction /= total;
     if (normal.norm() > 0) normal.normalize();
