@@ -382,4 +382,7 @@ class Assembly {
   double last_step_ = 0.0, time_error_ = 0.0;  // rounding error of `time`, for the compensated sum
 };
 
+/// A point as messages show it: (x, y), or (x, y, z) where z is not zero, with four significant digits.
+std::string place_text(const Vec3& x);
+
 }  // namespace tribo

@@ -50,13 +50,14 @@ std::string short_number(double x) {
   std::snprintf(text, sizeof text, "%.4g", x);
   return text;
 }
-std::string place_text(const Vec3& x) {
-  return "(" + short_number(x[0]) + ", " + short_number(x[1]) + (x[2] == 0 ? "" : ", " + short_number(x[2])) + ")";
-}
 
 [[noreturn]] void fail(const Origin& origin, const std::string& message) { throw InputError(origin, message); }
 
 }  // namespace
+
+std::string place_text(const Vec3& x) {
+  return "(" + short_number(x[0]) + ", " + short_number(x[1]) + (x[2] == 0 ? "" : ", " + short_number(x[2])) + ")";
+}
 
 std::size_t Assembly::add_body(const BlockShape& shape, const Vec3& reference, double density) {
   const MassProperties m = mass_properties(shape, plane_, thickness_);

@@ -20,10 +20,6 @@ namespace {
 
 using Pair = std::pair<std::uint32_t, std::uint32_t>;
 
-std::string place_text(const Vec3& x) {
-  return "(" + std::to_string(x[0]) + ", " + std::to_string(x[1]) + ", " + std::to_string(x[2]) + ")";
-}
-
 }  // namespace
 
 // Distance of two blocks, negative: overlap; any value above `enough` if the distance is larger than that.
