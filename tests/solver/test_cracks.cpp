@@ -3,11 +3,14 @@
 #include "cloud.hpp"
 #include "contact/contact_cases.hpp"
 #include "crack_cases.hpp"
+#include "geometry/crossing.hpp"
+#include "solver/cracks/cracks.hpp"
 
 #include <catch2/catch.hpp>
 
 #include <map>
 #include <numbers>
+#include <random>
 
 using namespace tribo;
 using namespace tribo::test;
@@ -44,6 +47,40 @@ double difference(const std::vector<double>& a, const std::vector<double>& b) {
   double most = 0;
   for (std::size_t k = 0; k < a.size(); ++k) most = std::max(most, std::abs(a[k] - b[k]));
   return most;
+}
+
+/// Compares the sides of points near a crack at the nodes around them with tests of the segments between them.
+/// Returns the number of segments that cross a crack. Points are on a raster, so that many lie on grid lines and
+/// cracks.
+template <int Dim>
+int compare_sides(const CrackSpec& spec) {
+  Model model = block<Dim>(Kernel::quadratic_spline, Transfer::apic);
+  model.cracks = {spec};
+  auto system = build_system<Dim>(model, lattice_seeds<Dim>(model, 4, Dim == 2 ? 12 : 8));
+  const auto transfers = make_transfers<Dim>(model.scheme);
+  Cracks<Dim> finder(model, system, *transfers);
+  finder.locate();
+  finder.find();
+  std::mt19937 random(5);
+  std::uniform_int_distribution<int> place(4 * 8, (Dim == 2 ? 12 : 8) * 8);
+  typename Cracks<Dim>::NodeBox nodes;
+  int crossed = 0, wrong = 0;
+  for (int k = 0; k < (Dim == 2 ? 20000 : 4000); ++k) {
+    Vec<Dim> x;
+    for (int d = 0; d < Dim; ++d) x[d] = 0.125 * place(random);
+    finder.find_nodes(x, nodes);
+    const auto sides = finder.sides_of(nodes, x);
+    each_in_box<Dim>(nodes.low, nodes.high, [&](const Index<Dim>& node) {
+      int crossings = 0;
+      for (const auto& crack : system.cracks)
+        for (std::size_t p = 0; p < crack.pieces.size(); ++p)
+          crossings += crossing(crack.corners(p), x, system.lattice.position(node)) != 0;
+      wrong += finder.side_of_node(sides, node) != crossings % 2;
+      crossed += crossings % 2;
+    });
+  }
+  CHECK(wrong == 0);
+  return crossed;
 }
 
 std::shared_ptr<const ContactLaw> stuck() { return make_law("IgnoreContact", {}); }
@@ -257,6 +294,20 @@ TEST_CASE("a crack is the middle of its faces, also where it extends beyond its 
   REQUIRE(crack.pieces.size() > crack.main_pieces);
   for (std::size_t k = 0; k < crack.x.size(); ++k)
     CHECK((0.5 * (crack.face[0][k] + crack.face[1][k]) - crack.x[k]).norm() < 1e-12);
+}
+
+TEST_CASE("a point is on the side of a crack that the segment to a node tells", "[cracks]") {
+  std::vector<Vec3> points;  // a line that bends, ends within the body and has many short pieces
+  for (int k = 0; k <= 400; ++k) {
+    const double s = k / 400.0;
+    points.emplace_back(5.2 + 5.3 * s, 8.1 + 2.4 * std::sin(7 * s), 0.0);
+  }
+  CHECK(compare_sides<2>(line(points, smooth())) > 1000);
+  CHECK(compare_sides<2>(line(Vec3(5, 8, 0), Vec3(11, 8, 0), 600, smooth())) > 1000);  // in a grid line
+  CHECK(compare_sides<2>(line(Vec3(5, 5, 0), Vec3(11, 11, 0), 1, smooth())) > 1000);   // through nodes
+  CHECK(compare_sides<2>(line({Vec3(6, 6, 0), Vec3(10, 6.5, 0), Vec3(6.2, 7, 0), Vec3(10, 10, 0)}, smooth())) > 1000);
+  CHECK(compare_sides<3>(sheet(Vec3(4.7, 4.9, 6.2), Vec3(2.6, 0.3, 0.4), Vec3(0.2, 2.4, -0.3), 12, smooth())) > 1000);
+  CHECK(compare_sides<3>(sheet(Vec3(3, 3, 6), Vec3(6, 0, 0), Vec3(0, 6, 0), 3, smooth())) > 1000);
 }
 
 TEST_CASE("cracks: any number of threads gives the same bits", "[cracks][threads]") {

@@ -102,13 +102,6 @@ class BoxTree {
     }
     return children * best;
   }
-  /// Calls f(box, first item, end) for all boxes of the lowest level.
-  template <class F>
-  void each_lowest(std::size_t count, F&& f) const {
-    if (levels_.empty()) return;
-    for (std::size_t i = 0; i < levels_[0].size(); ++i)
-      f(levels_[0][i], children * i, std::min(count, children * (i + 1)));
-  }
   static constexpr std::size_t children = 4;
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// The two faces of cracks: contact at nodes, history variables and motion.
+/// The two faces of cracks: contact at nodes and history variables.
 
 #include "base/parallel.hpp"
 #include "geometry/crossing.hpp"
@@ -96,47 +96,75 @@ auto Cracks<Dim>::nearest(std::uint32_t surface, const Vec<Dim>& x) const -> Nea
 }
 
 template <int Dim>
-auto Cracks<Dim>::average_faces(std::uint32_t surface, const Vec<Dim>& node, const Nearest& nearest) const
+auto Cracks<Dim>::average_faces(std::uint32_t surface, const Index<Dim>& node, const Nearest& nearest) const
     -> FaceAverages {
   FaceAverages out;
-  const auto add = [&](const PlacedPiece& piece, const auto& share, double w) {
-    const Crack<Dim>& crack = system_.cracks[piece.crack];
-    for (std::size_t k = 0; k < share.size(); ++k) {
-      const auto point = piece.points[k];
-      out.opening += w * share[k] * piece.opening(crack, point), out.gap += w * share[k] * crack.gap[point];
-      out.slip += w * share[k] * crack.slip[point], out.bond += w * share[k] * crack.bond[point];
-    }
-  };
-  const Vec<Dim> reach = 2 * system_.lattice.spacing;
-  each_piece({node - reach, node + reach}, [&](const PlacedPiece& p) {
-    if (p.surface != surface) return;
-    const auto& corners = p.corners;
-    const Crack<Dim>& crack = system_.cracks[p.crack];
-    const double whole = crack.inside[p.piece] * p.area().norm() / static_cast<double>(gauss<Dim>().size());
-    for (std::size_t g = 0; g < gauss<Dim>().size(); ++g) {
-      // the corners of images are in a different order
-      auto share = gauss<Dim>()[g];
-      if (p.points != crack.pieces[p.piece]) std::swap(share[0], share[1]);
-      Vec<Dim> x = Vec<Dim>::Zero();
-      for (std::size_t k = 0; k < share.size(); ++k) x += share[k] * corners[k];
-      double w = nodes_around_.weight(x - node) * whole * weight_factor_[p.crack][p.piece * gauss<Dim>().size() + g];
-      if (!(w > 0)) continue;
-      if (system_.analysis == Analysis::axisymmetric)
-        w *= x[0];
-      else if constexpr (Dim == 2)
-        w *= model_.grid.thickness;
-      out.area += w;
-      add(p, share, w);
-    }
-  });
+  if (const auto [list, local] = place_of(node); list >= 0) {
+    const auto at = static_cast<std::size_t>(list);
+    const auto found = std::find(lists_[at].begin(), lists_[at].end(), surface) - lists_[at].begin();
+    if (static_cast<std::size_t>(found) < lists_[at].size())
+      out = block_faces_[at].integrals[static_cast<std::size_t>(found) * block_nodes<Dim> + local];
+  }
   const double least = 1e-9 * std::pow(system_.lattice.spacing.maxCoeff(), Dim - 1);
   if (out.area > least) {
     out.opening /= out.area, out.gap /= out.area, out.slip /= out.area, out.bond /= out.area;
-  } else {
-    out = FaceAverages{};
-    add(*nearest.piece, nearest.share, 1.0);
+    return out;
+  }
+  out = FaceAverages{};
+  const Crack<Dim>& crack = system_.cracks[nearest.piece->crack];
+  for (std::size_t k = 0; k < nearest.share.size(); ++k) {
+    const auto point = nearest.piece->points[k];
+    const double share = nearest.share[k];
+    out.opening += share * nearest.piece->opening(crack, point), out.gap += share * crack.gap[point];
+    out.slip += share * crack.slip[point], out.bond += share * crack.bond[point];
   }
   return out;
+}
+
+// The integrals of the faces at the nodes around the integration points of all pieces.
+template <int Dim>
+void Cracks<Dim>::integrate_faces() {
+  for (std::size_t list = 0; list < listed_.size(); ++list)
+    block_faces_[list].integrals.assign(lists_[list].size() * block_nodes<Dim>, FaceAverages{});
+  constexpr std::size_t points = gauss<Dim>().size();
+  for (std::uint32_t c = 0; c < system_.cracks.size(); ++c) {
+    const Crack<Dim>& crack = system_.cracks[c];
+    for (std::size_t p = 0; p < crack.pieces.size(); ++p) {
+      const auto corners = crack.corners(p);
+      const double part = crack.inside[p] * Crack<Dim>::area(corners).norm() / static_cast<double>(points);
+      for (std::size_t g = 0; g < points; ++g) {
+        double whole = part * weight_factor_[c][p * points + g];
+        if (!(whole > 0)) continue;
+        FaceAverages here;
+        Vec<Dim> x = Vec<Dim>::Zero();
+        for (std::size_t k = 0; k < corners.size(); ++k) {
+          const double share = gauss<Dim>()[g][k];
+          const auto point = crack.pieces[p][k];
+          x += share * corners[k], here.opening += share * crack.opening(point);
+          here.gap += share * crack.gap[point], here.slip += share * crack.slip[point];
+          here.bond += share * crack.bond[point];
+        }
+        if (system_.analysis == Analysis::axisymmetric)
+          whole *= x[0];
+        else if constexpr (Dim == 2)
+          whole *= model_.grid.thickness;
+        nodes_around_.each(x, [&](double w, Index<Dim> n) {
+          const Vec<Dim> mirror = nodes_around_.fold(n);
+          const auto [list, local] = place_of(n);
+          if (list < 0) return;
+          const List& surfaces = lists_[static_cast<std::size_t>(list)];
+          const auto found = std::find(surfaces.begin(), surfaces.end(), crack.surface);
+          if (found == surfaces.end()) return;
+          FaceAverages& sum =
+              block_faces_[static_cast<std::size_t>(list)]
+                  .integrals[static_cast<std::size_t>(found - surfaces.begin()) * block_nodes<Dim> + local];
+          w *= whole;
+          sum.area += w, sum.gap += w * here.gap, sum.slip += w * here.slip, sum.bond += w * here.bond;
+          sum.opening += w * mirror.cwiseProduct(here.opening);
+        });
+      }
+    }
+  }
 }
 
 // Whether a node has mass in the fields on both sides of a surface.
@@ -151,14 +179,35 @@ bool Cracks<Dim>::both_sides(std::uint32_t surface, const Index<Dim>& n) const {
     bit = first == static_cast<int>(surface) ? 1 : 2;
   }
   Vec<Dim> v;
-  const auto is = [&](int side) { return velocity_on_side(n, side, v) > 0; };
+  const auto is = [&](int side) { return sum_side(n, side, v) > 0; };
   return (is(0) && is(bit)) || (is(3 - bit) && is(3));
+}
+
+// both_sides() for the nodes of all listed blocks is known once find_face_weights() has begun.
+template <int Dim>
+bool Cracks<Dim>::has_both_sides(std::uint32_t surface, const Index<Dim>& n) const {
+  const auto [list, local] = place_of(n);
+  if (list < 0) return both_sides(surface, n);
+  const List& surfaces = lists_[static_cast<std::size_t>(list)];
+  const auto found = std::find(surfaces.begin(), surfaces.end(), surface) - surfaces.begin();
+  return static_cast<std::size_t>(found) < surfaces.size() &&
+         (block_faces_[static_cast<std::size_t>(list)].both[local] >> found & 1) != 0;
 }
 
 // The fraction of the tractions at nodes with mass on one side only is transferred to the other nodes, so that the
 // resultant of the tractions is exact.
 template <int Dim>
 void Cracks<Dim>::find_face_weights() {
+  if (block_faces_.size() < listed_.size()) block_faces_.resize(listed_.size());
+  parallel_for(static_cast<std::ptrdiff_t>(listed_.size()), [&](std::ptrdiff_t k) {
+    const auto list = static_cast<std::size_t>(k);
+    each_node(list, [&](std::size_t local, const Index<Dim>& n) {
+      std::uint64_t& both = block_faces_[list].both[local];
+      both = 0;
+      for (std::size_t s = 0; s < lists_[list].size(); ++s)
+        both |= static_cast<std::uint64_t>(both_sides(lists_[list][s], n)) << s;
+    });
+  });
   weight_factor_.resize(system_.cracks.size());
   constexpr std::size_t points = gauss<Dim>().size();
   for (std::uint32_t c = 0; c < system_.cracks.size(); ++c) {
@@ -173,7 +222,7 @@ void Cracks<Dim>::find_face_weights() {
         double all = 0.0, both = 0.0;
         nodes_around_.each(x, [&](double w, const Index<Dim>& n) {
           all += w;
-          if (both_sides(crack.surface, n)) both += w;
+          if (has_both_sides(crack.surface, n)) both += w;
         });
         // otherwise the point lies at an end or outside of the bodies, or the crack is wide open
         constexpr double enough = 0.25;
@@ -181,6 +230,7 @@ void Cracks<Dim>::find_face_weights() {
       }
     });
   }
+  integrate_faces();
 }
 
 template <int Dim>
@@ -201,7 +251,7 @@ bool Cracks<Dim>::find_faces(ContactPair& pair, const Index<Dim>& node, int side
   if (!pair.law) return false;
   // field a is on the side of the node unless it is the additional field of this crack
   const int side_of_a = side_a & between ? -here.side : here.side;
-  const FaceAverages faces = average_faces(surface, x, here);
+  const FaceAverages faces = average_faces(surface, node, here);
   ContactState& m = pair.state;
   m.normal.setZero();
   m.normal.template head<Dim>() = -side_of_a * here.normal;
@@ -215,8 +265,10 @@ bool Cracks<Dim>::find_faces(ContactPair& pair, const Index<Dim>& node, int side
 
 // Total mass at a node of the fields on one side, and their mean velocity v.
 template <int Dim>
-double Cracks<Dim>::velocity_on_side(Index<Dim> n, int side, Vec<Dim>& v) const {
+double Cracks<Dim>::sum_side(Index<Dim> n, int side, Vec<Dim>& v) const {
   const Vec<Dim> mirror = nodes_around_.fold(n);
+  for (std::size_t d = 0; d < Dim; ++d)
+    if (n[d] < 0 || n[d] >= system_.lattice.blocks[d] * block_edge<Dim>) return 0.0;
   double mass = 0.0;
   Vec<Dim> momentum = Vec<Dim>::Zero();
   for (const auto& field : system_.fields) {
@@ -232,165 +284,58 @@ double Cracks<Dim>::velocity_on_side(Index<Dim> n, int side, Vec<Dim>& v) const 
   return mass;
 }
 
-// Velocities of the two faces at a point. While the faces are close, their velocity jump is interpolated from the
-// nodes with mass on both sides, where contact acts as well. Their mean velocity is interpolated from all nodes, which
-// is exact for linear velocities. Once the faces are farther apart, the velocity of each face is interpolated from the
-// nodes around it.
-template <int Dim>
-bool Cracks<Dim>::face_velocities(const Crack<Dim>& crack, std::size_t k, const Vec<Dim>& normal,
-                                  std::array<Vec<Dim>, 2>& v) const {
-  const Vec<Dim> offset = 1e-6 * system_.lattice.spacing.minCoeff() * normal;
-  const std::array<Vec<Dim>, 2> side_points{crack.x[k] - offset, crack.x[k] + offset};
-  thread_local NearbyPieces nearby;
-  find_nearby(crack.x[k], nearby);
-  struct OfNode {
-    double weight;
-    std::array<double, 2> mass;
-    std::array<Vec<Dim>, 2> velocity;
-  };
-  thread_local std::vector<OfNode> nodes;
-  nodes.clear();
-  double heaviest = 0.0;
-  nodes_around_.each(crack.x[k], [&](double w, const Index<Dim>& n) {
-    OfNode& of = nodes.emplace_back();
-    of.weight = w;
-    for (std::size_t f = 0; f < 2; ++f) {
-      of.velocity[f].setZero();
-      of.mass[f] = velocity_on_side(n, side_of_node(nearby, side_points[f], n), of.velocity[f]);
-      heaviest = std::max(heaviest, of.mass[f]);
-    }
-  });
-  // the velocities of nodes with very little mass are inaccurate, so their weights are reduced
-  constexpr double light = 1e-3;
-  const auto share = [&](double mass) { return mass > 0 ? std::min(1.0, mass / (light * heaviest)) : 0.0; };
-  double all = 0.0, both = 0.0;
-  Vec<Dim> mean = Vec<Dim>::Zero(), jump = mean;
-  for (const auto& [w, mass, of] : nodes) {
-    const std::array<double, 2> part{share(mass[0]), share(mass[1])};
-    const auto [less, more] = std::minmax(part[0], part[1]);
-    if (!(more > 0)) continue;
-    all += w * more, mean += w * more * (part[0] * of[0] + part[1] * of[1]) / (part[0] + part[1]);
-    both += w * less, jump += w * less * (of[1] - of[0]);
-  }
-  constexpr double enough = 0.25;
-  if (both > enough * all) {
-    v = {mean / all - 0.5 * jump / both, mean / all + 0.5 * jump / both};
-    return true;
-  }
-  std::array<bool, 2> found{};
-  Vec<Dim> here;
-  for (std::size_t f = 0; f < 2; ++f) {
-    double sum = 0.0;
-    v[f].setZero();
-    find_nearby(crack.face[f][k], nearby);
-    nodes_around_.each(crack.face[f][k], [&](double w, const Index<Dim>& n) {
-      if (const double part = share(velocity_on_side(n, side_of_node(nearby, side_points[f], n), here)); part > 0)
-        sum += w * part, v[f] += w * part * here;
-    });
-    found[f] = sum > 0;
-    if (found[f]) v[f] /= sum;
-  }
-  if (found[0] != found[1]) v[found[0] ? 1 : 0] = v[found[0] ? 0 : 1];
-  return found[0] || found[1];
-}
-
-namespace {
-
-// The extension of a line beyond the surface of a body continues its last piece. It reaches only nodes with little
-// mass, whose velocities would turn it, and with it the normal at the end of the line.
-void straighten_extensions(Crack<2>& crack, double cell) {
-  for (std::size_t p = crack.main_pieces; p < crack.pieces.size(); ++p) {
-    const auto from = std::min(crack.pieces[p][0], crack.pieces[p][1]);
-    const auto next = std::max(crack.pieces[p][0], crack.pieces[p][1]);
-    const bool first = next == crack.pieces[p][0];  // beyond the first point of the line
-    const auto& end = crack.pieces[first ? 0 : crack.main_pieces - 1];
-    const Vec<2> ahead = (first ? 1.0 : -1.0) * (crack.x[end[0]] - crack.x[end[1]]).normalized();
-    const Vec<2> motion = crack.x[from] + cell * ahead - crack.x[next];
-    crack.x[next] += motion;
-    for (auto& face : crack.face) face[next] += motion;
-  }
-}
-void straighten_extensions(Crack<3>&, double) {}
-
-}  // namespace
-
-// Points outside of all bodies move with the nearest point within a body.
-template <int Dim>
-void Cracks<Dim>::move(double dt) {
-  for (auto& crack : system_.cracks) {
-    const auto normals = crack.normals();
-    const std::size_t count = crack.x.size();
-    std::vector<std::array<Vec<Dim>, 2>> v(count);
-    std::vector<char> carried(count, 0);
-    parallel_for(static_cast<std::ptrdiff_t>(count), [&](std::ptrdiff_t point) {
-      const auto k = static_cast<std::size_t>(point);
-      if (!crack.is_prescribed.empty() && crack.is_prescribed[k])
-        carried[k] = 1, v[k] = crack.prescribed_velocity[k];
-      else
-        carried[k] = face_velocities(crack, k, normals[k], v[k]);
-    });
-    const bool any = std::find(carried.begin(), carried.end(), char{1}) != carried.end();
-    for (std::size_t k = 0; k < count; ++k) {
-      if (carried[k]) continue;
-      double least = std::numeric_limits<double>::infinity();
-      v[k].fill(Vec<Dim>::Zero());
-      for (std::size_t other = 0; any && other < count; ++other)
-        if (const double d = (crack.x[other] - crack.x[k]).squaredNorm(); carried[other] && d < least)
-          least = d, v[k].fill(0.5 * (v[other][0] + v[other][1]));
-    }
-    for (std::size_t k = 0; k < count; ++k) {
-      for (std::size_t f = 0; f < 2; ++f) crack.face[f][k] += dt * v[k][f];
-      crack.gap[k] += dt * (v[k][1] - v[k][0]).dot(normals[k]);
-      if (!crack.fixed) crack.x[k] = 0.5 * (crack.face[0][k] + crack.face[1][k]);
-    }
-    if (!crack.fixed) straighten_extensions(crack, system_.lattice.spacing.maxCoeff());
-  }
-}
-
 template <int Dim>
 void Cracks<Dim>::begin_record() {
-  records_.resize(system_.cracks.size());
-  for (std::size_t c = 0; c < records_.size(); ++c) records_[c].assign(system_.cracks[c].x.size(), {});
+  records_.clear();
+  for (std::size_t list = 0; list < listed_.size(); ++list) block_faces_[list].record.fill(-1);
 }
 
 template <int Dim>
 void Cracks<Dim>::record(const ContactPair& pair, const Index<Dim>& node) {
-  const Vec<Dim> x = system_.lattice.position(node);
+  const auto [list, local] = place_of(node);
+  if (list < 0) return;
   const Vec3 v = pair.state.velocity - pair.impulse / pair.state.mass;
   const Vec3 along = v - v.dot(pair.state.normal) * pair.state.normal;
-  const Vec<Dim> reach = reach_of(model_.scheme.kernel) * system_.lattice.spacing;
-  each_piece({x - reach, x + reach}, [&](const PlacedPiece& p) {
-    if (static_cast<int>(p.crack) != pair.crack) return;
-    const double face_sign = pair.state.normal.template head<Dim>().dot(p.area()) > 0 ? 1.0 : -1.0;
-    for (std::size_t k = 0; k < p.points.size(); ++k) {
-      const double w = nodes_around_.weight(p.corners[k] - x);
-      if (!(w > 0)) continue;
-      PointRecord& m = records_[p.crack][p.points[k]];
-      m.area += w * pair.state.area;
-      m.force += w * face_sign / pair.state.dt * p.mirror.cwiseProduct(pair.impulse.template head<Dim>());
-      (pair.response.status == ContactStatus::open   ? m.open_weight
-       : pair.response.status == ContactStatus::slip ? m.slip_weight
-                                                     : m.stick_weight) += w;
-      if (pair.response.status == ContactStatus::slip) m.slip_length += w * pair.state.dt * along.norm();
-      if (pair.response.bond == Bond::whole) m.bonded += w;
-      if (pair.response.bond == Bond::broken) m.broken += w;
-    }
-  });
+  int& last = block_faces_[static_cast<std::size_t>(list)].record[local];
+  records_.push_back({pair.crack, last, pair.state.area, pair.state.dt * along.norm(), pair.response.status,
+                      pair.response.bond, pair.state.normal.template head<Dim>(),
+                      pair.impulse.template head<Dim>() / pair.state.dt});
+  last = static_cast<int>(records_.size()) - 1;
 }
 
+// The state of a point follows from the records of the nodes around it, weighted by their shape functions.
 template <int Dim>
 void Cracks<Dim>::end_record() {
-  for (std::size_t c = 0; c < records_.size(); ++c) {
+  for (std::size_t c = 0; c < system_.cracks.size(); ++c) {
     Crack<Dim>& crack = system_.cracks[c];
-    for (std::size_t k = 0; k < crack.x.size(); ++k) {
-      const PointRecord& m = records_[c][k];
-      const bool touches = m.slip_weight + m.stick_weight > m.open_weight,
-                 slides = touches && m.slip_weight > m.stick_weight;
+    const auto normals = crack.normals();
+    parallel_for(static_cast<std::ptrdiff_t>(crack.x.size()), [&](std::ptrdiff_t point) {
+      const auto k = static_cast<std::size_t>(point);
+      double area = 0.0, open = 0.0, slip = 0.0, stick = 0.0, length = 0.0, bonded = 0.0, broken = 0.0;
+      Vec<Dim> force = Vec<Dim>::Zero();
+      nodes_around_.each(crack.x[k], [&](double w, Index<Dim> n) {
+        const Vec<Dim> mirror = nodes_around_.fold(n);
+        const auto [list, local] = place_of(n);
+        if (list < 0) return;
+        for (int r = block_faces_[static_cast<std::size_t>(list)].record[local]; r >= 0;) {
+          const NodeRecord& record = records_[static_cast<std::size_t>(r)];
+          r = record.next;
+          if (record.crack != static_cast<int>(c)) continue;
+          const double face_sign = mirror.cwiseProduct(record.normal).dot(normals[k]) > 0 ? 1.0 : -1.0;
+          area += w * record.area, force += w * face_sign * mirror.cwiseProduct(record.force);
+          const bool slides = record.status == ContactStatus::slip;
+          (record.status == ContactStatus::open ? open : slides ? slip : stick) += w;
+          if (slides) length += w * record.slip;
+          if (record.bond == Bond::whole) bonded += w;
+          if (record.bond == Bond::broken) broken += w;
+        }
+      });
+      const bool touches = slip + stick > open, slides = touches && slip > stick;
       crack.status[k] = slides ? 2.0 : touches ? 1.0 : 0.0;
-      crack.slip[k] = slides ? crack.slip[k] + m.slip_length / m.slip_weight : 0.0;
-      if (m.bonded + m.broken > 0) crack.bond[k] = m.broken > m.bonded ? -1.0 : 1.0;
-      crack.traction[k] = m.area > 0 ? Vec<Dim>(m.force / m.area) : Vec<Dim>(Vec<Dim>::Zero());
-    }
+      crack.slip[k] = slides ? crack.slip[k] + length / slip : 0.0;
+      if (bonded + broken > 0) crack.bond[k] = broken > bonded ? -1.0 : 1.0;
+      crack.traction[k] = area > 0 ? Vec<Dim>(force / area) : Vec<Dim>(Vec<Dim>::Zero());
+    });
   }
 }
 

@@ -100,12 +100,13 @@ CrackTips<2>::TipDomain CrackTips<2>::tip_domain(const Crack<2>& crack, const Cr
 
 // Acceleration at x, interpolated from the nodal fields on the same side of all cracks as x.
 Vec<2> CrackTips<2>::acceleration(const Body<2>& body, const Vec<2>& x) const {
-  thread_local Cracks<2>::NearbyPieces nearby;
-  cracks_.find_nearby(x, nearby);
+  thread_local Cracks<2>::NodeBox nodes;
+  cracks_.find_nodes(x, nodes);
+  const Cracks<2>::PointSides sides = cracks_.sides_of(nodes, x);
   double all = 0.0;
   Vec<2> sum = Vec<2>::Zero();
   nodes_around_.each(x, [&](double w, Index<2> n) {
-    const int side = cracks_.side_of_node(nearby, x, n);
+    const int side = cracks_.side_of_node(sides, n);
     const Vec<2> mirror = nodes_around_.fold(n);
     const auto& field = system_.fields[side == 0 ? body.field : body.across_fields[static_cast<std::size_t>(side) - 1]];
     const auto at = field.map.node(n);

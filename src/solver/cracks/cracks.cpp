@@ -2,9 +2,9 @@
 #include "solver/cracks/cracks.hpp"
 
 #include "base/parallel.hpp"
-#include "geometry/crossing.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 namespace tribo {
@@ -25,6 +25,23 @@ Box<Dim> box_of(const std::array<Vec<Dim>, static_cast<std::size_t>(Dim)>& corne
   Box<Dim> box{corners[0], corners[0]};
   for (const auto& corner : corners) box.low = box.low.cwiseMin(corner), box.high = box.high.cwiseMax(corner);
   return box;
+}
+
+// Calls f(box, first, end) for ranges of items that follow each other in a box smaller than `size` [length], so that
+// the many short pieces of a fine crack are treated together. A larger item is alone.
+template <class BoxOf, class F>
+void each_group(std::size_t count, double size, BoxOf&& box_of_item, F&& f) {
+  for (std::size_t first = 0, end = 0; first < count; first = end) {
+    auto box = box_of_item(first);
+    for (end = first + 1; end < count; ++end) {
+      const auto next = box_of_item(end);
+      auto both = box;
+      both.low = box.low.cwiseMin(next.low), both.high = box.high.cwiseMax(next.high);
+      if ((both.high - both.low).maxCoeff() > size) break;
+      box = both;
+    }
+    f(box, first, end);
+  }
 }
 
 // Calls f(block) for all blocks of a lattice that intersect a box.
@@ -112,12 +129,9 @@ void Cracks<Dim>::register_pieces() {
   for (std::size_t p = 0; p < count; ++p)
     each_image(pieces_[p], [&](const PlacedPiece& image) { pieces_.push_back(image); });
   tree_.build(pieces_.size(), [&](std::size_t p) { return pieces_[p].box; });
-  // Pieces of one crack that lie closely together are listed together.
-  const double small = system_.lattice.spacing.minCoeff();
-  tree_.each_lowest(pieces_.size(), [&](const Box<Dim>& box, std::size_t from, std::size_t end) {
-    if ((box.high - box.low).maxCoeff() < small) return list_surfaces(box, from, end);
-    for (; from < end; ++from) list_surfaces(pieces_[from].box, from, from + 1);
-  });
+  each_group(
+      pieces_.size(), system_.lattice.spacing.minCoeff(), [&](std::size_t p) { return pieces_[p].box; },
+      [&](const Box<Dim>& box, std::size_t from, std::size_t end) { list_surfaces(box, from, end); });
 }
 
 template <int Dim>
@@ -137,13 +151,13 @@ void Cracks<Dim>::locate() {
   std::vector<char> cut(list_of_.size(), 0);
   const Vec<Dim> reach = (width_ + 4.0) * system_.lattice.spacing;
   for (const auto& crack : system_.cracks)
-    for (std::size_t p = 0; p < crack.pieces.size(); ++p) {
-      const auto corners = crack.corners(p);
-      Vec<Dim> low = corners[0], high = low;
-      for (const auto& corner : corners) low = low.cwiseMin(corner), high = high.cwiseMax(corner);
-      each_block<Dim>(system_.lattice, low - reach, high + reach,
-                      [&](std::int64_t block) { cut[static_cast<std::size_t>(block)] = 1; });
-    }
+    each_group(
+        crack.pieces.size(), system_.lattice.spacing.minCoeff(),
+        [&](std::size_t p) { return box_of<Dim>(crack.corners(p)); },
+        [&](const Box<Dim>& box, std::size_t, std::size_t) {
+          each_block<Dim>(system_.lattice, box.low - reach, box.high + reach,
+                          [&](std::int64_t block) { cut[static_cast<std::size_t>(block)] = 1; });
+        });
   cut_.clear();
   for (auto& body : system_.bodies) {
     const auto& bins = body.bins.list();
@@ -167,89 +181,17 @@ void Cracks<Dim>::add_blocks(const Field<Dim>& field, std::vector<std::int64_t>&
 template <int Dim>
 void Cracks<Dim>::find() {
   if (!active()) return;
+  static std::atomic<std::uint64_t> steps{0};  // of all models of the process
+  step_ = ++steps;
   register_pieces();
+  find_ends();
+  find_edge_crossings();
   parallel_for(static_cast<std::ptrdiff_t>(cut_.size()), [&](std::ptrdiff_t k) {
     const CutBinPlace& at = cut_[static_cast<std::size_t>(k)];
     auto& cut = at.body->cut_bins[static_cast<std::size_t>(at.body->cut[at.bin])];
     find_bin(*at.body, at.body->bins.list()[at.bin], cut);
   });
   if (system_.cracks.size() > 1) number_node_surfaces();
-}
-
-// Finds the pieces that segments within a box may cross, for nearby.list. Few are listed, many are not.
-template <int Dim>
-void Cracks<Dim>::find_close(const Box<Dim>& box, NearbyPieces& nearby) const {
-  constexpr std::size_t few = 12;
-  nearby.close.clear();
-  nearby.many = false;
-  tree_.each([&](const Box<Dim>& other) { return !nearby.many && other.overlaps(box); },
-             [&](std::size_t first, std::size_t end) {
-               for (std::size_t p = first; p < std::min(end, pieces_.size()); ++p)
-                 if (pieces_[p].box.overlaps(box)) nearby.close.push_back(&pieces_[p]);
-               nearby.many = nearby.close.size() > few;
-             });
-}
-
-// Bits of the surfaces that the segment crosses an odd number of times.
-template <int Dim>
-std::uint64_t Cracks<Dim>::crossed(const NearbyPieces& nearby, const Vec<Dim>& from, const Vec<Dim>& to) const {
-  std::uint64_t out = 0;
-  const auto test = [&](const PlacedPiece& p) {
-    if (crossing(p.corners, from, to) == 0) return;
-    const auto found = std::find(nearby.list->begin(), nearby.list->end(), p.surface);
-    if (found != nearby.list->end()) out ^= std::uint64_t{1} << (found - nearby.list->begin());
-  };
-  const SegmentTest<Dim> may_cross(from, to, 1e-9 * system_.lattice.spacing.minCoeff());
-  if (!nearby.many) {
-    for (const PlacedPiece* p : nearby.close)
-      if (may_cross(p->box)) test(*p);
-    return out;
-  }
-  tree_.each(may_cross, [&](std::size_t first, std::size_t end) {
-    for (std::size_t p = first; p < std::min(end, pieces_.size()); ++p)
-      if (may_cross(pieces_[p].box)) test(pieces_[p]);
-  });
-  return out;
-}
-
-// With one crack, a crossing gives the side directly. With several, number_node_surfaces() converts the crossings into
-// sides.
-template <int Dim>
-void Cracks<Dim>::find_bin(Body<Dim>& body, const Bin& bin, CutBin& cut) {
-  const std::uint32_t count = bin.end - bin.begin;
-  cut.first.assign(count, -1);
-  cut.sides.clear(), cut.crossed.clear();
-  const bool several = system_.cracks.size() > 1;
-  const int list = list_of_[static_cast<std::size_t>(bin.block)];
-  if (list < 0) return;
-  thread_local std::vector<Index<Dim>> lowest;
-  thread_local NearbyPieces nearby;
-  nearby.list = &lists_[static_cast<std::size_t>(list)];
-  transfers_.lowest_nodes(body, system_.lattice, bin, lowest);
-  const int nodes = Dim == 2 ? width_ * width_ : width_ * width_ * width_;
-  const Vec<Dim> span = (width_ - 1.0) * system_.lattice.spacing;
-  for (std::uint32_t i = 0; i < count; ++i) {
-    const Vec<Dim> x = body.particles.position(bin.begin + i), base = system_.lattice.position(lowest[i]);
-    find_close({base.cwiseMin(x), (base + span).cwiseMax(x)}, nearby);
-    if (nearby.empty()) continue;
-    const std::size_t first = cut.sides.size();
-    bool any = false;
-    for (int n = 0; n < nodes; ++n) {
-      Index<Dim> node = lowest[i];
-      node[0] += n % width_, node[1] += n / width_ % width_;
-      if constexpr (Dim == 3) node[2] += n / (width_ * width_);
-      const std::uint64_t bits = crossed(nearby, x, system_.lattice.position(node));
-      any = any || bits != 0;
-      cut.sides.push_back(bits != 0);
-      if (several) cut.crossed.push_back(bits);
-    }
-    if (any) {
-      cut.first[i] = static_cast<std::int32_t>(first);
-    } else {
-      cut.sides.resize(first);
-      if (several) cut.crossed.resize(first);
-    }
-  }
 }
 
 template <int Dim>
@@ -316,19 +258,6 @@ int Cracks<Dim>::side_from_crossings(const Index<Dim>& node, std::uint64_t cross
     out |= number == first ? 1 : number == second ? 2 : second < 0 ? no_particles_beyond_first : 0;
   }
   return out;
-}
-
-template <int Dim>
-void Cracks<Dim>::find_nearby(const Vec<Dim>& x, NearbyPieces& nearby) const {
-  nearby.list = &near(x);
-  const Vec<Dim> reach = 2.01 * system_.lattice.spacing;
-  find_close({x - reach, x + reach}, nearby);
-}
-
-template <int Dim>
-int Cracks<Dim>::side_of_node(const NearbyPieces& nearby, const Vec<Dim>& x, const Index<Dim>& node) const {
-  return nearby.empty() ? 0
-                        : side_from_crossings(node, crossed(nearby, x, system_.lattice.position(node)), *nearby.list);
 }
 
 template class Cracks<2>;

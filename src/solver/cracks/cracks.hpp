@@ -14,6 +14,7 @@
 #include "solver/transfer/transfer.hpp"
 
 #include <unordered_map>
+#include <utility>
 
 namespace tribo {
 
@@ -56,18 +57,37 @@ class Cracks {
   bool find_faces(ContactPair& pair, const Index<Dim>& node, int side_a, int side_b) const;
   /// Moves the crack faces with the nodal velocities over a time dt.
   void move(double dt);
-  /// The pieces that segments from a point to the nodes around it may cross.
-  struct NearbyPieces {
-    std::vector<const PlacedPiece*> close;  ///< these pieces if they are few
-    bool many = false;                      ///< then they are searched for each segment
-    const List* list = nullptr;
+  /// Nodes of a box of the grid with the surfaces that separate them from each other.
+  struct NodeBox {
+    Index<Dim> low{}, high{};
+    const List* list = nullptr;  ///< of the surfaces of the bits
+    bool has_end = false;        ///< an edge of a surface lies in the box: the bits of the nodes have no meaning
+    bool is_cut = false;         ///< a surface passes through the box
+    /// Per node, x fastest: the surfaces that separate it from the lowest one.
+    std::vector<std::uint64_t> crossed;
+    std::vector<char> is_near;  ///< a surface comes closer to the node than half a cell along each axis
+    std::uint64_t step = 0;     ///< in which this was found
 
-    bool empty() const { return !many && close.empty(); }
+    std::size_t at(const Index<Dim>& node) const {
+      std::size_t n = 0;
+      for (std::size_t d = Dim; d-- > 0;)
+        n = n * static_cast<std::size_t>(high[d] - low[d] + 1) + static_cast<std::size_t>(node[d] - low[d]);
+      return n;
+    }
   };
-  /// Finds these pieces for the point x [length].
-  void find_nearby(const Vec<Dim>& x, NearbyPieces& nearby) const;
-  /// Side, as in CutBin, of the point x [length] at a node. `nearby`: result of find_nearby() for a point near x.
-  int side_of_node(const NearbyPieces& nearby, const Vec<Dim>& x, const Index<Dim>& node) const;
+  /// The surfaces between a point and the nodes of a box.
+  struct PointSides {
+    const NodeBox* nodes = nullptr;
+    Vec<Dim> x;
+    bool by_segment = false;    ///< every segment to a node is tested for itself
+    std::uint64_t crossed = 0;  ///< else: between the point and the lowest node of the box
+  };
+  /// Finds the nodes around the point x [length]. Returns true if `nodes` holds them already.
+  bool find_nodes(const Vec<Dim>& x, NodeBox& nodes) const;
+  /// The surfaces between the point x [length] and `nodes`, which must exist as long as the result.
+  PointSides sides_of(const NodeBox& nodes, const Vec<Dim>& x) const;
+  /// Side, as in CutBin, of a point at one of the nodes around it.
+  int side_of_node(const PointSides& point, const Index<Dim>& node) const;
   /// Stores the contact status, slip, bond and traction of a pair at a node for the points of the crack.
   /// begin_record() is called before the first pair of a step and end_record() after the last.
   void begin_record();
@@ -82,7 +102,7 @@ class Cracks {
     std::array<double, Dim> share;  // barycentric coordinates of `at`
     int side = 1;                   // side of the point from which the search started: 1 upper, -1 lower
   };
-  /// Averages over the crack points near a node, weighted by the shape function of the node.
+  /// Integrals over a surface near a node, weighted by the shape function of the node, or, divided by the area, means.
   struct FaceAverages {
     double area = 0.0, gap = 0.0, slip = 0.0, bond = 0.0;
     Vec<Dim> opening = Vec<Dim>::Zero();
@@ -90,16 +110,9 @@ class Cracks {
 
   void register_pieces();
   void list_surfaces(const Box<Dim>& box, std::size_t first, std::size_t end);
-  void find_close(const Box<Dim>& box, NearbyPieces& nearby) const;
-  /// Calls f(piece), in ascending order, for the pieces whose boxes overlap a box.
-  template <class F>
-  void each_piece(const Box<Dim>& box, F&& f) const {
-    tree_.each([&](const Box<Dim>& other) { return other.overlaps(box); },
-               [&](std::size_t first, std::size_t end) {
-                 for (std::size_t p = first; p < std::min(end, pieces_.size()); ++p)
-                   if (pieces_[p].box.overlaps(box)) f(pieces_[p]);
-               });
-  }
+  void find_ends();
+  void find_edge_crossings();
+  void find_box(const Index<Dim>& low, const Index<Dim>& high, const List& list, NodeBox& nodes) const;
   template <class F>
   void each_image(const PlacedPiece& piece, F&& f) const;
   const List& near(const Vec<Dim>& x) const;
@@ -107,13 +120,36 @@ class Cracks {
   void number_node_surfaces();
   std::int64_t flat(const Index<Dim>& node) const;
   int side_from_crossings(const Index<Dim>& node, std::uint64_t crossed, const List& list) const;
-  std::uint64_t crossed(const NearbyPieces& nearby, const Vec<Dim>& from, const Vec<Dim>& to) const;
+  std::uint64_t crossed(const List& list, const Vec<Dim>& from, const Vec<Dim>& to) const;
+  std::uint64_t crossed(const PointSides& point, const Index<Dim>& node) const;
+  /// What the surfaces of a block's list do in the block. Bits are positions in that list.
+  struct BlockCrossings {
+    /// Per node and axis: the surfaces that cross the edge to the next node an odd number of times.
+    std::array<std::array<std::uint64_t, static_cast<std::size_t>(Dim)>, block_nodes<Dim>> edges{};
+    std::array<char, block_nodes<Dim>> is_near{};  // as in NodeBox
+  };
+  /// Index of the crossings of a node's block in crossings_ and of the node in them; -1: no surface is near.
+  std::pair<int, std::size_t> place_of(const Index<Dim>& node) const;
   Nearest nearest(std::uint32_t surface, const Vec<Dim>& x) const;
-  FaceAverages average_faces(std::uint32_t surface, const Vec<Dim>& node, const Nearest& nearest) const;
-  double velocity_on_side(Index<Dim> n, int side, Vec<Dim>& v) const;
+  FaceAverages average_faces(std::uint32_t surface, const Index<Dim>& node, const Nearest& nearest) const;
+  void integrate_faces();
+  double sum_side(Index<Dim> n, int side, Vec<Dim>& v) const;
+  double velocity_on_side(const Index<Dim>& n, int side, Vec<Dim>& v) const;
+  void find_side_velocities();
   bool both_sides(std::uint32_t surface, const Index<Dim>& n) const;
-  bool face_velocities(const Crack<Dim>& crack, std::size_t point, const Vec<Dim>& normal,
+  bool has_both_sides(std::uint32_t surface, const Index<Dim>& n) const;
+  std::array<PointSides, 2> sides_of_faces(const Crack<Dim>& crack, std::size_t point, const Vec<Dim>& normal,
+                                           const NodeBox& around, const PointSides* before) const;
+  bool face_velocities(const Crack<Dim>& crack, std::size_t point, const std::array<PointSides, 2>& sides,
                        std::array<Vec<Dim>, 2>& v) const;
+  /// Calls f(local, node) for the nodes of a listed block.
+  template <class F>
+  void each_node(std::size_t list, F&& f) const {
+    Index<Dim> low = system_.lattice.block_at(listed_[list]), high;
+    for (std::size_t d = 0; d < Dim; ++d) low[d] *= block_edge<Dim>, high[d] = low[d] + block_edge<Dim> - 1;
+    std::size_t local = 0;
+    each_in_box<Dim>(low, high, [&](const Index<Dim>& n) { f(local++, n); });
+  }
 
   const Model& model_;
   System<Dim>& system_;
@@ -123,11 +159,28 @@ class Cracks {
   /// Per crack and integration point of its pieces: the sum of all shape functions divided by their sum over the nodes
   /// with mass on both sides; 0 if the latter is too small.
   std::vector<std::vector<double>> weight_factor_;
-  std::vector<PlacedPiece> pieces_;  ///< of all cracks, then their images
-  BoxTree<Dim> tree_;                ///< of their boxes
+  /// What the nodes of a listed block know of the surfaces in its list. Bits and offsets are positions in that list.
+  struct BlockFaces {
+    std::array<std::uint64_t, block_nodes<Dim>> both{};  ///< the surfaces with mass on both sides at each node
+    std::vector<FaceAverages> integrals;                 ///< per surface and node
+    /// Per node and side: the mass of its fields and their mean velocity.
+    std::array<std::array<double, 4>, block_nodes<Dim>> mass;
+    std::array<std::array<Vec<Dim>, 4>, block_nodes<Dim>> velocity;
+    std::array<int, block_nodes<Dim>> record;  ///< per node: the number of its last record, or -1
+  };
+  std::vector<BlockFaces> block_faces_;  ///< per list
+  std::vector<PlacedPiece> pieces_;      ///< of all cracks, then their images
+  BoxTree<Dim> tree_;                    ///< of their boxes
+  /// Per crack: the edges of its surface, which belong to one piece only (points in two dimensions).
+  std::vector<std::vector<std::array<std::uint32_t, static_cast<std::size_t>(Dim - 1)>>> ends_;
+  std::vector<std::size_t> pieces_of_ends_;  ///< per crack: the number of pieces for which these were found
+  std::vector<Box<Dim>> end_boxes_;          ///< of the edges of all surfaces
+  BoxTree<Dim> end_tree_;
   std::vector<List> lists_;
-  std::vector<int> list_of_;          ///< per lattice block: its index in lists_, or -1
-  std::vector<std::int64_t> listed_;  ///< blocks with a list
+  std::vector<BlockCrossings> crossings_;  ///< per list
+  std::uint64_t step_ = 0;                 ///< number of the last call of find(), of any model
+  std::vector<int> list_of_;               ///< per lattice block: its index in lists_, or -1
+  std::vector<std::int64_t> listed_;       ///< blocks with a list
   const List none_;
   /// With several cracks: numbers of the first two surfaces at each node that cracks separate from particles.
   std::unordered_map<std::int64_t, std::array<int, 2>> node_surfaces_;
@@ -136,12 +189,15 @@ class Cracks {
     std::size_t bin;
   };
   std::vector<CutBinPlace> cut_;  ///< all bins near cracks
-  struct PointRecord {
-    double area = 0.0, open_weight = 0.0, slip_weight = 0.0, stick_weight = 0.0, slip_length = 0.0, bonded = 0.0,
-           broken = 0.0;
-    Vec<Dim> force = Vec<Dim>::Zero();
+  /// What contact did at a node to the faces of a crack.
+  struct NodeRecord {
+    int crack, next;  ///< number of the next record of the same node, or -1
+    double area, slip;
+    ContactStatus status;
+    Bond bond;
+    Vec<Dim> normal, force;
   };
-  std::vector<std::vector<PointRecord>> records_;  ///< scratch: per crack and point
+  std::vector<NodeRecord> records_;
 };
 
 }  // namespace tribo

@@ -28,15 +28,19 @@ double Joints<Dim>::find_face_nodes(const JointSurface<Dim>& surface, const Vec<
   const bool of_crack = surface.crack != JointSurface<Dim>::none;
   const Vec<Dim> side_point = of_crack ? Vec<Dim>(x + (side == 0 ? -1e-6 : 1e-6) * h * n) : x;
   out.clear();
-  thread_local typename Cracks<Dim>::NearbyPieces nearby;
-  if (cracks_.active()) cracks_.find_nearby(x, nearby);
+  thread_local typename Cracks<Dim>::NodeBox around;
+  typename Cracks<Dim>::PointSides sides;
+  if (cracks_.active()) {
+    cracks_.find_nodes(x, around);
+    sides = cracks_.sides_of(around, side_point);
+  }
   double shapes = 0.0, mass = 0.0;
   thread_local std::vector<FitNode<Dim>> nodes;
   nodes.clear();
   nodes_around_.each(x, [&](double weight, const Index<Dim>& node) {
     Index<Dim> inside = node;
     const Vec<Dim> mirror = nodes_around_.fold(inside);
-    const int across = cracks_.active() ? cracks_.side_of_node(nearby, side_point, node) : 0;
+    const int across = cracks_.active() ? cracks_.side_of_node(sides, node) : 0;
     const Vec<Dim> offset = (system_.lattice.position(node) - x) / h;
     // the nodal mass includes the mass of the images
     const double images = std::exp2(nodes_around_.planes_through(inside));

@@ -38,12 +38,16 @@ void Tractions<Dim>::apply(const ParticleCondition& condition, Body<Dim>& body, 
   const double traction = condition.value.at(point);
   const Vec3 force = face.area * traction / static_cast<double>(face.points.size()) * direction;
   particles_.push_back({&body, i, face.area * traction * direction.head<Dim>(), v.head<Dim>()});
-  thread_local typename Cracks<Dim>::NearbyPieces nearby;
+  thread_local typename Cracks<Dim>::NodeBox nodes;
   for (const auto& at : face.points) {
-    if (cracks_.active()) cracks_.find_nearby(at, nearby);
+    typename Cracks<Dim>::PointSides sides;
+    if (cracks_.active()) {
+      cracks_.find_nodes(at, nodes);
+      sides = cracks_.sides_of(nodes, at);
+    }
     // the side of the crack on which the face lies may differ from that of the particle centre
     const auto field_at = [&](const Index<Dim>& node) {
-      const int side = cracks_.active() ? cracks_.side_of_node(nearby, at, node) : 0;
+      const int side = cracks_.active() ? cracks_.side_of_node(sides, node) : 0;
       return side == 0 ? body.field : body.across_fields[static_cast<std::size_t>(side) - 1];
     };
     const PointShares<Dim> to(model_.scheme.kernel, system_.fields, exchanges_, at, field_at);

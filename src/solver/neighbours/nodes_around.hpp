@@ -53,8 +53,19 @@ class NodesAround {
       low[d] = static_cast<int>(std::ceil(s - reach_)), high[d] = static_cast<int>(std::floor(s + reach_));
       if (low[d] < 0 || high[d] >= lattice_.blocks[d] * block_edge<Dim>) return false;
     }
+    constexpr std::size_t most = 6;  // nodes along an axis
+    std::array<std::array<double, most>, static_cast<std::size_t>(Dim)> along;
+    for (std::size_t d = 0; d < Dim; ++d) {
+      const auto axis = static_cast<Eigen::Index>(d);
+      for (int n = low[d]; n <= high[d]; ++n) {
+        const double distance = x[axis] - (lattice_.origin[axis] + lattice_.spacing[axis] * n);
+        along[d][static_cast<std::size_t>(n - low[d])] = value_(std::abs(distance) / lattice_.spacing[axis]);
+      }
+    }
     each_in_box<Dim>(low, high, [&](const Index<Dim>& n) {
-      if (const double w = weight(x - lattice_.position(n)); w > 0) f(w, n);
+      double w = 1.0;
+      for (std::size_t d = 0; d < Dim; ++d) w *= along[d][static_cast<std::size_t>(n[d] - low[d])];
+      if (w > 0) f(w, n);
     });
     return true;
   }

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: MIT
+/// The motion of the two faces of cracks with the velocities of the nodes around them.
+
+#include "base/parallel.hpp"
+#include "solver/cracks/cracks.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace tribo {
+
+// Total mass at a node of the fields on one side, and their mean velocity v, both of find_side_velocities().
+template <int Dim>
+double Cracks<Dim>::velocity_on_side(const Index<Dim>& n, int side, Vec<Dim>& v) const {
+  const auto [list, local] = place_of(n);
+  if (list < 0) return sum_side(n, side, v);
+  const BlockFaces& faces = block_faces_[static_cast<std::size_t>(list)];
+  const double mass = faces.mass[local][static_cast<std::size_t>(side)];
+  if (mass > 0) v = faces.velocity[local][static_cast<std::size_t>(side)];
+  return mass;
+}
+
+template <int Dim>
+void Cracks<Dim>::find_side_velocities() {
+  const int sides = system_.cracks.size() > 1 ? 4 : 2;
+  if (block_faces_.size() < listed_.size()) block_faces_.resize(listed_.size());
+  parallel_for(static_cast<std::ptrdiff_t>(listed_.size()), [&](std::ptrdiff_t k) {
+    const auto list = static_cast<std::size_t>(k);
+    each_node(list, [&](std::size_t local, const Index<Dim>& n) {
+      for (int side = 0; side < sides; ++side) {
+        const auto of = static_cast<std::size_t>(side);
+        block_faces_[list].mass[local][of] = sum_side(n, side, block_faces_[list].velocity[local][of]);
+      }
+    });
+  });
+}
+
+// The nodes that lie on the same side of a crack as a point of its lower face and of its upper face. `before`: the
+// result for the upper face of the point before in the same box of nodes; null: none. Between the two, the upper face
+// crosses nothing.
+template <int Dim>
+auto Cracks<Dim>::sides_of_faces(const Crack<Dim>& crack, std::size_t k, const Vec<Dim>& normal, const NodeBox& around,
+                                 const PointSides* before) const -> std::array<PointSides, 2> {
+  const Vec<Dim> offset = 1e-6 * system_.lattice.spacing.minCoeff() * normal;
+  PointSides lower, upper;
+  if (before && !before->by_segment && around.list->size() == 1) {
+    upper = *before;
+    upper.x = crack.x[k] + offset;
+  } else {
+    upper = sides_of(around, crack.x[k] + offset);
+  }
+  const List& list = *around.list;
+  const auto found = std::find(list.begin(), list.end(), crack.surface);
+  if (upper.by_segment || !around.is_cut || found == list.end()) {
+    lower = sides_of(around, crack.x[k] - offset);
+  } else {
+    lower = upper;
+    lower.x = crack.x[k] - offset;
+    lower.crossed ^= std::uint64_t{1} << (found - list.begin());
+  }
+  return {lower, upper};
+}
+
+// Velocities of the two faces at a point. While the faces are close, their velocity jump is interpolated from the
+// nodes with mass on both sides, where contact acts as well. Their mean velocity is interpolated from all nodes, which
+// is exact for linear velocities. Once the faces are farther apart, the velocity of each face is interpolated from the
+// nodes around it.
+template <int Dim>
+bool Cracks<Dim>::face_velocities(const Crack<Dim>& crack, std::size_t k, const std::array<PointSides, 2>& sides,
+                                  std::array<Vec<Dim>, 2>& v) const {
+  struct OfNode {
+    double weight;
+    std::array<double, 2> mass;
+    std::array<Vec<Dim>, 2> velocity;
+  };
+  thread_local std::vector<OfNode> nodes;
+  nodes.clear();
+  double heaviest = 0.0;
+  nodes_around_.each(crack.x[k], [&](double w, const Index<Dim>& n) {
+    OfNode& of = nodes.emplace_back();
+    of.weight = w;
+    for (std::size_t f = 0; f < 2; ++f) {
+      of.velocity[f].setZero();
+      of.mass[f] = velocity_on_side(n, side_of_node(sides[f], n), of.velocity[f]);
+      heaviest = std::max(heaviest, of.mass[f]);
+    }
+  });
+  // the velocities of nodes with very little mass are inaccurate, so their weights are reduced
+  constexpr double light = 1e-3;
+  const auto share = [&](double mass) { return mass > 0 ? std::min(1.0, mass / (light * heaviest)) : 0.0; };
+  double all = 0.0, both = 0.0;
+  Vec<Dim> mean = Vec<Dim>::Zero(), jump = mean;
+  for (const auto& [w, mass, of] : nodes) {
+    const std::array<double, 2> part{share(mass[0]), share(mass[1])};
+    const auto [less, more] = std::minmax(part[0], part[1]);
+    if (!(more > 0)) continue;
+    all += w * more, mean += w * more * (part[0] * of[0] + part[1] * of[1]) / (part[0] + part[1]);
+    both += w * less, jump += w * less * (of[1] - of[0]);
+  }
+  constexpr double enough = 0.25;
+  if (both > enough * all) {
+    v = {mean / all - 0.5 * jump / both, mean / all + 0.5 * jump / both};
+    return true;
+  }
+  std::array<bool, 2> found{};
+  Vec<Dim> here;
+  for (std::size_t f = 0; f < 2; ++f) {
+    double sum = 0.0;
+    v[f].setZero();
+    thread_local NodeBox around_face;
+    find_nodes(crack.face[f][k], around_face);
+    const PointSides of_face = sides_of(around_face, sides[f].x);
+    nodes_around_.each(crack.face[f][k], [&](double w, const Index<Dim>& n) {
+      if (const double part = share(velocity_on_side(n, side_of_node(of_face, n), here)); part > 0)
+        sum += w * part, v[f] += w * part * here;
+    });
+    found[f] = sum > 0;
+    if (found[f]) v[f] /= sum;
+  }
+  if (found[0] != found[1]) v[found[0] ? 1 : 0] = v[found[0] ? 0 : 1];
+  return found[0] || found[1];
+}
+
+namespace {
+
+// The extension of a line beyond the surface of a body continues its last piece. It reaches only nodes with little
+// mass, whose velocities would turn it, and with it the normal at the end of the line.
+void straighten_extensions(Crack<2>& crack, double cell) {
+  for (std::size_t p = crack.main_pieces; p < crack.pieces.size(); ++p) {
+    const auto from = std::min(crack.pieces[p][0], crack.pieces[p][1]);
+    const auto next = std::max(crack.pieces[p][0], crack.pieces[p][1]);
+    const bool first = next == crack.pieces[p][0];  // beyond the first point of the line
+    const auto& end = crack.pieces[first ? 0 : crack.main_pieces - 1];
+    const Vec<2> ahead = (first ? 1.0 : -1.0) * (crack.x[end[0]] - crack.x[end[1]]).normalized();
+    const Vec<2> motion = crack.x[from] + cell * ahead - crack.x[next];
+    crack.x[next] += motion;
+    for (auto& face : crack.face) face[next] += motion;
+  }
+}
+void straighten_extensions(Crack<3>&, double) {}
+
+}  // namespace
+
+// Points outside of all bodies move with the nearest point within a body.
+template <int Dim>
+void Cracks<Dim>::move(double dt) {
+  if (active()) find_side_velocities();
+  for (auto& crack : system_.cracks) {
+    const auto normals = crack.normals();
+    const std::size_t count = crack.x.size();
+    std::vector<std::array<Vec<Dim>, 2>> v(count);
+    std::vector<char> carried(count, 0);
+    constexpr std::size_t part = 256;  // points that a thread visits in turn
+    parallel_for(static_cast<std::ptrdiff_t>((count + part - 1) / part), [&](std::ptrdiff_t of_part) {
+      const std::size_t first = part * static_cast<std::size_t>(of_part), end = std::min(count, first + part);
+      thread_local NodeBox around;
+      PointSides before;
+      bool follows = false;
+      for (std::size_t k = first; k < end; ++k) {
+        if (!crack.is_prescribed.empty() && crack.is_prescribed[k]) {
+          carried[k] = 1, v[k] = crack.prescribed_velocity[k], follows = false;
+          continue;
+        }
+        const bool same = find_nodes(crack.x[k], around);
+        const bool connected = Dim == 2 && k > 0 && k < crack.main_points;
+        const auto sides =
+            sides_of_faces(crack, k, normals[k], around, same && follows && connected ? &before : nullptr);
+        carried[k] = face_velocities(crack, k, sides, v[k]);
+        before = sides[1], follows = true;
+      }
+    });
+    const bool any = std::find(carried.begin(), carried.end(), char{1}) != carried.end();
+    for (std::size_t k = 0; k < count; ++k) {
+      if (carried[k]) continue;
+      double least = std::numeric_limits<double>::infinity();
+      v[k].fill(Vec<Dim>::Zero());
+      for (std::size_t other = 0; any && other < count; ++other)
+        if (const double d = (crack.x[other] - crack.x[k]).squaredNorm(); carried[other] && d < least)
+          least = d, v[k].fill(0.5 * (v[other][0] + v[other][1]));
+    }
+    for (std::size_t k = 0; k < count; ++k) {
+      for (std::size_t f = 0; f < 2; ++f) crack.face[f][k] += dt * v[k][f];
+      crack.gap[k] += dt * (v[k][1] - v[k][0]).dot(normals[k]);
+      if (!crack.fixed) crack.x[k] = 0.5 * (crack.face[0][k] + crack.face[1][k]);
+    }
+    if (!crack.fixed) straighten_extensions(crack, system_.lattice.spacing.maxCoeff());
+  }
+}
+
+template class Cracks<2>;
+template class Cracks<3>;
+
+}  // namespace tribo
