@@ -140,9 +140,32 @@ void straighten_extensions(Crack<2>& crack, double cell) {
 }
 void straighten_extensions(Crack<3>&, double) {}
 
+// Points outside of all bodies move with the nearest point within a body.
+template <int Dim>
+void follow_nearest(const Crack<Dim>& crack, const std::vector<char>& carried,
+                    std::vector<std::array<Vec<Dim>, 2>>& v) {
+  std::vector<std::size_t> inside;
+  for (std::size_t k = 0; k < carried.size(); ++k)
+    if (carried[k]) inside.push_back(k);
+  if (inside.size() == carried.size()) return;
+  BoxTree<Dim> tree;
+  tree.build(inside.size(), [&](std::size_t i) { return Box<Dim>{crack.x[inside[i]], crack.x[inside[i]]}; });
+  for (std::size_t k = 0; k < carried.size(); ++k) {
+    if (carried[k]) continue;
+    v[k].fill(Vec<Dim>::Zero());
+    double least = std::numeric_limits<double>::infinity();
+    tree.each([&](const Box<Dim>& box) { return box.distance_squared(crack.x[k]) < least; },
+              [&](std::size_t first, std::size_t end) {
+                for (std::size_t i = first; i < std::min(end, inside.size()); ++i) {
+                  const double d = (crack.x[inside[i]] - crack.x[k]).squaredNorm();
+                  if (d < least) least = d, v[k].fill(0.5 * (v[inside[i]][0] + v[inside[i]][1]));
+                }
+              });
+  }
+}
+
 }  // namespace
 
-// Points outside of all bodies move with the nearest point within a body.
 template <int Dim>
 void Cracks<Dim>::move(double dt) {
   if (active()) find_side_velocities();
@@ -170,15 +193,7 @@ void Cracks<Dim>::move(double dt) {
         before = sides[1], follows = true;
       }
     });
-    const bool any = std::find(carried.begin(), carried.end(), char{1}) != carried.end();
-    for (std::size_t k = 0; k < count; ++k) {
-      if (carried[k]) continue;
-      double least = std::numeric_limits<double>::infinity();
-      v[k].fill(Vec<Dim>::Zero());
-      for (std::size_t other = 0; any && other < count; ++other)
-        if (const double d = (crack.x[other] - crack.x[k]).squaredNorm(); carried[other] && d < least)
-          least = d, v[k].fill(0.5 * (v[other][0] + v[other][1]));
-    }
+    follow_nearest(crack, carried, v);
     for (std::size_t k = 0; k < count; ++k) {
       for (std::size_t f = 0; f < 2; ++f) crack.face[f][k] += dt * v[k][f];
       crack.gap[k] += dt * (v[k][1] - v[k][0]).dot(normals[k]);
