@@ -107,7 +107,7 @@ auto Cracks<Dim>::average_faces(std::uint32_t surface, const Index<Dim>& node, c
   }
   const double least = 1e-9 * std::pow(system_.lattice.spacing.maxCoeff(), Dim - 1);
   if (out.area > least) {
-    out.opening /= out.area, out.gap /= out.area, out.slip /= out.area, out.bond /= out.area;
+    out.gap /= out.area, out.slip /= out.area, out.bond /= out.area;
     return out;
   }
   out = FaceAverages{};
@@ -115,7 +115,7 @@ auto Cracks<Dim>::average_faces(std::uint32_t surface, const Index<Dim>& node, c
   for (std::size_t k = 0; k < nearest.share.size(); ++k) {
     const auto point = nearest.piece->points[k];
     const double share = nearest.share[k];
-    out.opening += share * nearest.piece->opening(crack, point), out.gap += share * crack.gap[point];
+    out.gap += share * crack.gap[point];
     out.slip += share * crack.slip[point], out.bond += share * crack.bond[point];
   }
   return out;
@@ -140,7 +140,7 @@ void Cracks<Dim>::integrate_faces() {
         for (std::size_t k = 0; k < corners.size(); ++k) {
           const double share = gauss<Dim>()[g][k];
           const auto point = crack.pieces[p][k];
-          x += share * corners[k], here.opening += share * crack.opening(point);
+          x += share * corners[k];
           here.gap += share * crack.gap[point], here.slip += share * crack.slip[point];
           here.bond += share * crack.bond[point];
         }
@@ -149,7 +149,7 @@ void Cracks<Dim>::integrate_faces() {
         else if constexpr (Dim == 2)
           whole *= model_.grid.thickness;
         nodes_around_.each(x, [&](double w, Index<Dim> n) {
-          const Vec<Dim> mirror = nodes_around_.fold(n);
+          nodes_around_.fold(n);
           const auto [list, local] = place_of(n);
           if (list < 0) return;
           const List& surfaces = lists_[static_cast<std::size_t>(list)];
@@ -160,7 +160,6 @@ void Cracks<Dim>::integrate_faces() {
                   .integrals[static_cast<std::size_t>(found - surfaces.begin()) * block_nodes<Dim> + local];
           w *= whole;
           sum.area += w, sum.gap += w * here.gap, sum.slip += w * here.slip, sum.bond += w * here.bond;
-          sum.opening += w * mirror.cwiseProduct(here.opening);
         });
       }
     }

@@ -64,7 +64,6 @@ void Cracks<Dim>::each_image(const PlacedPiece& piece, F&& f) const {
     for (const SymmetryPlane& plane : nodes_around_.planes()) {
       PlacedPiece image = images[k];
       for (auto& corner : image.corners) corner[plane.axis] = 2 * plane.at - corner[plane.axis];
-      image.mirror[plane.axis] *= -1;
       std::swap(image.corners[0], image.corners[1]), std::swap(image.points[0], image.points[1]);
       image.box = box_of<Dim>(image.corners);
       const double h = system_.lattice.spacing[plane.axis];
@@ -115,13 +114,8 @@ void Cracks<Dim>::register_pieces() {
         [&](std::ptrdiff_t k) {
           const auto p = static_cast<std::size_t>(k);
           const auto corners = crack.corners(p);
-          pieces_[first + p] = {c,
-                                static_cast<std::uint32_t>(p),
-                                crack.surface,
-                                crack.pieces[p],
-                                corners,
-                                Vec<Dim>::Ones(),
-                                box_of<Dim>(corners)};
+          pieces_[first + p] = {c,       static_cast<std::uint32_t>(p), crack.surface, crack.pieces[p],
+                                corners, box_of<Dim>(corners)};
         },
         worth_threads);
     first += crack.pieces.size();

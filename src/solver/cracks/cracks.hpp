@@ -28,12 +28,10 @@ class Cracks {
     std::uint32_t surface;  // of which the crack is a part (Crack::surface)
     Points points;
     Corners corners;
-    Vec<Dim> mirror;  // factors of vector components: -1 along the normals of the symmetry planes of an image
     Box<Dim> box;
 
     /// Area times the unit normal to the upper side.
     Vec<Dim> area() const { return Crack<Dim>::area(corners); }
-    Vec<Dim> opening(const Crack<Dim>& of, std::size_t point) const { return mirror.cwiseProduct(of.opening(point)); }
   };
   /// Numbers of the surfaces that segments between particles and nodes near one block may cross. The bits of crossings
   /// are positions in it.
@@ -52,7 +50,7 @@ class Cracks {
   /// Finds which nodes have mass on both sides of a crack and thus carry its tractions. To be called once the nodal
   /// masses of a step are known and before find_faces().
   void find_face_weights();
-  /// Sets the contact law, normal, gap, area, opening, slip and bond of a pair of fields with the given sides at a
+  /// Sets the contact law, normal, gap, area, slip and bond of a pair of fields with the given sides at a
   /// node. Returns false if no crack with a contact law separates these fields at the node.
   bool find_faces(ContactPair& pair, const Index<Dim>& node, int side_a, int side_b) const;
   /// Moves the crack faces with the nodal velocities over a time dt.
@@ -105,7 +103,6 @@ class Cracks {
   /// Integrals over a surface near a node, weighted by the shape function of the node, or, divided by the area, means.
   struct FaceAverages {
     double area = 0.0, gap = 0.0, slip = 0.0, bond = 0.0;
-    Vec<Dim> opening = Vec<Dim>::Zero();
   };
 
   void register_pieces();
