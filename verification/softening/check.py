@@ -51,5 +51,4 @@ def run(case):
                 what = f"bar at {angle} degrees, {kernel}, {round(1 / h)} cells"
                 pull = (out["reactionx:-1"] * c + out["reactiony:-1"] * s) / (2 * W)
                 case.check(f"{what}: strength", pull.max(), 1, 0.05)
-                # At an angle the band of cracked cells has steps; the pattern of one run may have one cell too many.
-                case.check(f"{what}: dissipated over fracture energy", out["Plastic Energy"][-1] / (2e-5 * 2 * W), 1, max(0.1, h / (2 * W)))
+                case.check(f"{what}: dissipated over fracture energy", out["Plastic Energy"][-1] / (2e-5 * 2 * W), 1, 0.1)
