@@ -187,10 +187,8 @@ template <int Dim>
 bool Cracks<Dim>::has_both_sides(std::uint32_t surface, const Index<Dim>& n) const {
   const auto [list, local] = place_of(n);
   if (list < 0) return both_sides(surface, n);
-  const List& surfaces = lists_[static_cast<std::size_t>(list)];
-  const auto found = std::find(surfaces.begin(), surfaces.end(), surface) - surfaces.begin();
-  return static_cast<std::size_t>(found) < surfaces.size() &&
-         (block_faces_[static_cast<std::size_t>(list)].both[local] >> found & 1) != 0;
+  const auto at = static_cast<std::size_t>(list);
+  return (block_faces_[at].both[local] & bit_of(surface, lists_[at])) != 0;
 }
 
 // The fraction of the tractions at nodes with mass on one side only is transferred to the other nodes, so that the

@@ -50,14 +50,13 @@ auto Cracks<Dim>::sides_of_faces(const Crack<Dim>& crack, std::size_t k, const V
   } else {
     upper = sides_of(around, crack.x[k] + offset);
   }
-  const List& list = *around.list;
-  const auto found = std::find(list.begin(), list.end(), crack.surface);
-  if (upper.by_segment || !around.is_cut || found == list.end()) {
+  const std::uint64_t own = bit_of(crack.surface, *around.list);
+  if (upper.by_segment || !around.is_cut || own == 0) {
     lower = sides_of(around, crack.x[k] - offset);
   } else {
     lower = upper;
     lower.x = crack.x[k] - offset;
-    lower.crossed ^= std::uint64_t{1} << (found - list.begin());
+    lower.crossed ^= own;
   }
   return {lower, upper};
 }

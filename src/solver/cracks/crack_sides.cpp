@@ -125,10 +125,8 @@ void Cracks<Dim>::find_edge_crossings() {
     Index<Dim> next = node;
     ++next[axis];
     if (crossing(piece.corners, lattice.position(node), lattice.position(next)) == 0) return;
-    const List& surfaces = lists_[static_cast<std::size_t>(list)];
-    const auto found = std::find(surfaces.begin(), surfaces.end(), piece.surface);
-    if (found == surfaces.end()) return;
-    crossings_[static_cast<std::size_t>(list)].edges[local][axis] ^= std::uint64_t{1} << (found - surfaces.begin());
+    const auto at = static_cast<std::size_t>(list);
+    crossings_[at].edges[local][axis] ^= bit_of(piece.surface, lists_[at]);
   };
   const auto is_large = [&](const Box<Dim>& box) {
     const CellRange range = range_of(box);
@@ -158,9 +156,7 @@ std::uint64_t Cracks<Dim>::crossed(const List& list, const Vec<Dim>& from, const
   tree_.each(may_cross, [&](std::size_t first, std::size_t end) {
     for (std::size_t p = first; p < std::min(end, pieces_.size()); ++p) {
       const PlacedPiece& piece = pieces_[p];
-      if (!may_cross(piece.box) || crossing(piece.corners, from, to) == 0) continue;
-      const auto found = std::find(list.begin(), list.end(), piece.surface);
-      if (found != list.end()) out ^= std::uint64_t{1} << (found - list.begin());
+      if (may_cross(piece.box) && crossing(piece.corners, from, to) != 0) out ^= bit_of(piece.surface, list);
     }
   });
   return out;

@@ -13,6 +13,7 @@
 #include "solver/state/contact_pair.hpp"
 #include "solver/transfer/transfer.hpp"
 
+#include <algorithm>
 #include <unordered_map>
 #include <utility>
 
@@ -36,6 +37,11 @@ class Cracks {
   /// Numbers of the surfaces that segments between particles and nodes near one block may cross. The bits of crossings
   /// are positions in it.
   using List = std::vector<std::uint32_t>;
+  /// The bit of a surface in a list; 0 if it is not in the list.
+  static std::uint64_t bit_of(std::uint32_t surface, const List& list) {
+    const auto found = std::find(list.begin(), list.end(), surface);
+    return found != list.end() ? std::uint64_t{1} << (found - list.begin()) : 0;
+  }
 
  public:
   Cracks(const Model& model, System<Dim>& system, const Transfers<Dim>& transfers);
@@ -50,8 +56,8 @@ class Cracks {
   /// Finds which nodes have mass on both sides of a crack and thus carry its tractions. To be called once the nodal
   /// masses of a step are known and before find_faces().
   void find_face_weights();
-  /// Sets the contact law, normal, gap, area, slip and bond of a pair of fields with the given sides at a
-  /// node. Returns false if no crack with a contact law separates these fields at the node.
+  /// Sets the contact law, normal, gap, area, slip and bond of a pair of fields with the given sides at a node.
+  /// Returns false if no crack with a contact law separates these fields at the node.
   bool find_faces(ContactPair& pair, const Index<Dim>& node, int side_a, int side_b) const;
   /// Moves the crack faces with the nodal velocities over a time dt.
   void move(double dt);
