@@ -16,5 +16,12 @@ inline bool all_finite(std::span<const double> values) {
     wrong |= static_cast<std::uint64_t>((std::bit_cast<std::uint64_t>(x) & exponent) == exponent);
   return wrong == 0;
 }
+inline bool all_finite(std::span<const float> values) {
+  constexpr std::uint32_t exponent = 0x7f800000U;
+  std::uint32_t wrong = 0;
+  for (const float& x : values)
+    wrong |= static_cast<std::uint32_t>((std::bit_cast<std::uint32_t>(x) & exponent) == exponent);
+  return wrong == 0;
+}
 
 }  // namespace tribo

@@ -86,6 +86,12 @@ struct Lattice {
           static_cast<std::int64_t>(std::floor((x[d] - origin[d]) / spacing[d]));
     return n;
   }
+  /// Difference of the numbers of neighbouring cells along an axis.
+  std::int64_t cell_stride(int axis) const {
+    std::int64_t n = 1;
+    for (std::size_t d = 0; d < static_cast<std::size_t>(axis); ++d) n *= blocks[d] * block_edge<Dim>;
+    return n;
+  }
   Vec<Dim> position(const Index<Dim>& node) const {
     Vec<Dim> x;
     for (int d = 0; d < Dim; ++d) x[d] = origin[d] + spacing[d] * node[static_cast<std::size_t>(d)];

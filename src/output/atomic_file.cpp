@@ -8,6 +8,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <cstring>
 
@@ -39,22 +40,35 @@ bool is_special(const std::filesystem::path& path) {
   return ::stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
 }
 
-bool write_to(const std::string& path, std::string_view content) {
+bool append_to(int file, std::string_view content) {
+  while (!content.empty()) {
+    const auto n = ::write(file, content.data(), content.size());
+    if (n < 0 && errno == EINTR) continue;
+    if (n <= 0) return false;
+    content.remove_prefix(static_cast<std::size_t>(n));
+  }
+  return true;
+}
+
+// Small parts are joined, so that the system is not called for each.
+bool write_to(const std::string& path, std::span<const std::string_view> parts) {
+  static constexpr std::size_t small = std::size_t{1} << 16;
   const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);  // NOLINT
   if (file < 0) return false;
-  std::size_t done = 0;
-  while (done < content.size()) {
-    const auto n = ::write(file, content.data() + done, content.size() - done);
-    if (n < 0 && errno == EINTR) continue;
-    if (n <= 0) {
-      const int reason = errno;
-      ::close(file);
-      errno = reason;
-      return false;
-    }
-    done += static_cast<std::size_t>(n);
+  std::string joined;
+  bool good = true;
+  for (const std::string_view part : parts) {
+    if (joined.size() + part.size() > small) good = good && append_to(file, joined), joined.clear();
+    if (part.size() > small)
+      good = good && append_to(file, part);
+    else
+      joined += part;
   }
-  return ::close(file) == 0;
+  good = good && append_to(file, joined);
+  const int reason = errno;
+  const bool closed = ::close(file) == 0;
+  if (!good) errno = reason;
+  return good && closed;
 }
 
 }  // namespace
@@ -100,10 +114,14 @@ bool write_over(const std::filesystem::path& path, std::string_view content) {
 }
 
 void write_atomically(const std::filesystem::path& path, std::string_view content) {
+  write_atomically(path, std::array{content});
+}
+
+void write_atomically(const std::filesystem::path& path, std::span<const std::string_view> parts) {
   if (!is_special(path))
-    return write_atomically(path, [&](const std::string& temporary) { return write_to(temporary, content); });
+    return write_atomically(path, [&](const std::string& temporary) { return write_to(temporary, parts); });
   errno = 0;
-  if (!write_to(path.string(), content))
+  if (!write_to(path.string(), parts))
     throw FileError("cannot write '" + printable(path.string()) + "': " + std::strerror(errno));
 }
 

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -12,6 +13,8 @@ namespace tribo {
 /// Replaces `path` by `content`: written to a temporary file in the same folder, flushed to disk, then renamed. On
 /// failure the old file is untouched and FileError names the path and the reason. A device or a pipe is written to.
 void write_atomically(const std::filesystem::path& path, std::string_view content);
+/// The same for content in several parts.
+void write_atomically(const std::filesystem::path& path, std::span<const std::string_view> parts);
 
 /// The same for content that a library writes to a file itself: `write(temporary)` returns false on failure.
 void write_atomically(const std::filesystem::path& path, const std::function<bool(const std::string&)>& write);

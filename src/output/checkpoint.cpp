@@ -10,6 +10,9 @@
 
 #include <algorithm>
 #include <cstring>
+#include <deque>
+#include <string_view>
+#include <vector>
 
 namespace tribo {
 namespace {
@@ -59,18 +62,22 @@ std::size_t CheckpointWriter::size() const {
 }
 
 void CheckpointWriter::save(const std::filesystem::path& path) const {
-  std::string all(magic);
-  all.reserve(size());
+  std::string head(magic);
+  std::deque<std::string> heads;  // what comes before the bytes of an entry, with the check sum of the former one
+  std::vector<std::string_view> parts;
   for (const Entry& e : entries_) {
-    append(all, e.kind);
-    append(all, static_cast<std::uint64_t>(e.name.size()));
-    append(all, static_cast<std::uint64_t>(e.bytes.size()));
-    all += e.name;
-    all += e.bytes;
-    append(all, checksum(e.name, e.bytes));
+    append(head, e.kind);
+    append(head, static_cast<std::uint64_t>(e.name.size()));
+    append(head, static_cast<std::uint64_t>(e.bytes.size()));
+    head += e.name;
+    parts.emplace_back(heads.emplace_back(std::move(head)));
+    parts.emplace_back(e.bytes);
+    head.clear();
+    append(head, checksum(e.name, e.bytes));
   }
-  all += '\0';
-  write_atomically(path, all);
+  head += '\0';
+  parts.emplace_back(head);
+  write_atomically(path, parts);
 }
 
 Checkpoint::Checkpoint(const std::filesystem::path& path) : path_(path.string()) {

@@ -18,6 +18,7 @@
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
 #include <vtkStringArray.h>
 #include <vtkTypeInt64Array.h>
 #include <vtkXMLImageDataWriter.h>
@@ -43,22 +44,48 @@ void check_component(const std::string& name, const double* values, std::size_t 
     if (!std::isfinite(values[i])) refuse(name, i);
 }
 
-template <class Array, class Number>
-void add_numbers(vtkDataSetAttributes* data, vtkIdType n, const OutputField& field) {
-  vtkNew<Array> array;
-  const auto components = static_cast<int>(field.components.size());
-  array->SetName(field.name.c_str());
+void check_numbers_of(const std::string& name, const OutputRows& rows, std::size_t count) {
+  const std::size_t width = static_cast<std::size_t>(rows.width), size = count * width;
+  if (rows.doubles && all_finite({rows.doubles, size})) return;
+  for (std::size_t i = 0; i < size; ++i)
+    if (!std::isfinite(rows.doubles ? rows.doubles[i] : rows.floats[i])) refuse(name, i / width);
+}
+
+void name_components(vtkDataArray* array, const std::string& name, int components) {
+  array->SetName(name.c_str());
   array->SetNumberOfComponents(components);
+  if (components != 6) return;
+  int c = 0;
+  for (const char* label : {"XX", "YY", "ZZ", "XY", "YZ", "XZ"}) array->SetComponentName(c++, label);
+}
+
+// VTK only reads the numbers, and does not free them.
+template <class Array, class Number>
+vtkSmartPointer<vtkDataArray> array_of(const Number* numbers, vtkIdType size) {
+  static constexpr int keep = 1;
+  const auto array = vtkSmartPointer<Array>::New();
+  array->SetArray(const_cast<Number*>(numbers), size, keep);  // NOLINT(*-const-cast)
+  return array;
+}
+
+vtkSmartPointer<vtkDataArray> array_of(const std::string& name, const OutputRows& rows, vtkIdType n) {
+  check_numbers_of(name, rows, static_cast<std::size_t>(n));
+  const vtkIdType size = n * rows.width;
+  auto array = rows.doubles ? array_of<vtkDoubleArray>(rows.doubles, size) : array_of<vtkFloatArray>(rows.floats, size);
+  name_components(array, name, rows.width);
+  return array;
+}
+
+void add_numbers(vtkDataSetAttributes* data, vtkIdType n, const OutputField& field) {
+  vtkNew<vtkDoubleArray> array;
+  const auto components = static_cast<int>(field.components.size());
+  name_components(array, field.name, components);
   array->SetNumberOfTuples(n);
-  if (components == 6) {
-    int c = 0;
-    for (const char* label : {"XX", "YY", "ZZ", "XY", "YZ", "XZ"}) array->SetComponentName(c++, label);
-  }
-  Number* to = array->GetPointer(0);
+  double* to = array->GetPointer(0);
   for (int c = 0; c < components; ++c) {
     const double* from = field.components[static_cast<std::size_t>(c)];
     check_component(field.name, from, static_cast<std::size_t>(n));
-    for (vtkIdType i = 0; i < n; ++i) to[i * components + c] = static_cast<Number>(from ? from[i] : 0.0);
+    for (vtkIdType i = 0; i < n; ++i) to[i * components + c] = from ? from[i] : 0.0;
   }
   data->AddArray(array);
 }
@@ -82,10 +109,10 @@ void add_fields(vtkDataSetAttributes* data, std::size_t count, std::span<const O
       data->AddArray(array);
       continue;
     }
-    if (field.single)
-      add_numbers<vtkFloatArray, float>(data, n, field);
+    if (field.rows.doubles || field.rows.floats)
+      data->AddArray(array_of(field.name, field.rows, n));
     else
-      add_numbers<vtkDoubleArray, double>(data, n, field);
+      add_numbers(data, n, field);
   }
 }
 
@@ -115,7 +142,8 @@ void probe_memory(const std::filesystem::path& path, std::size_t bytes) {
 // The same for points with these fields, before VTK has them.
 void probe_memory(const std::filesystem::path& path, std::size_t count, std::span<const OutputField> fields) {
   std::size_t numbers = 6;  // position and cell
-  for (const OutputField& field : fields) numbers += std::max<std::size_t>(1, field.components.size());
+  for (const OutputField& field : fields)
+    if (!field.rows.doubles && !field.rows.floats) numbers += std::max<std::size_t>(1, field.components.size());
   probe_memory(path, count * numbers * sizeof(double));
 }
 
@@ -150,6 +178,26 @@ void set_points(vtkPolyData* data, std::size_t count, const std::array<const dou
   data->SetPoints(points);
 }
 
+void set_points(vtkPolyData* data, std::size_t count, const OutputRows& position) {
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetData(array_of("position", position, static_cast<vtkIdType>(count)));
+  points->GetData()->SetName("Points");
+  data->SetPoints(points);
+}
+
+void write_points(const std::filesystem::path& path, std::size_t count, vtkPolyData* data,
+                  std::span<const OutputField> fields, double time) {
+  const auto n = static_cast<vtkIdType>(count);
+  vtkNew<vtkCellArray> vertices;
+  vertices->AllocateExact(n, n);
+  for (vtkIdType i = 0; i < n; ++i) vertices->InsertNextCell(1, &i);
+  data->SetVerts(vertices);
+  add_fields(data->GetPointData(), count, fields);
+  add_time(data, time);
+  write<vtkXMLPolyDataWriter>(path, data);
+}
+
 }  // namespace
 
 void check_numbers(std::size_t count, const std::array<const double*, 3>& position,
@@ -157,6 +205,12 @@ void check_numbers(std::size_t count, const std::array<const double*, 3>& positi
   for (const double* x : position) check_component("position", x, count);
   for (const OutputField& field : fields)
     for (const double* values : field.components) check_component(field.name, values, count);
+}
+
+void check_rows(std::size_t count, const OutputRows& position, std::span<const OutputField> fields) {
+  check_numbers_of("position", position, count);
+  for (const OutputField& field : fields)
+    if (field.rows.doubles || field.rows.floats) check_numbers_of(field.name, field.rows, count);
 }
 
 void write_surface(const std::filesystem::path& path, std::size_t count, const std::array<const double*, 3>& position,
@@ -205,16 +259,17 @@ void write_cells(const std::filesystem::path& path, std::size_t count, const std
 void write_particles(const std::filesystem::path& path, std::size_t count, const std::array<const double*, 3>& position,
                      std::span<const OutputField> fields, double time) {
   probe_memory(path, count, fields);
-  const auto n = static_cast<vtkIdType>(count);
   vtkNew<vtkPolyData> data;
   set_points(data, count, position);
-  vtkNew<vtkCellArray> vertices;
-  vertices->AllocateExact(n, n);
-  for (vtkIdType i = 0; i < n; ++i) vertices->InsertNextCell(1, &i);
-  data->SetVerts(vertices);
-  add_fields(data->GetPointData(), count, fields);
-  add_time(data, time);
-  write<vtkXMLPolyDataWriter>(path, data.Get());
+  write_points(path, count, data, fields, time);
+}
+
+void write_particles(const std::filesystem::path& path, std::size_t count, const OutputRows& position,
+                     std::span<const OutputField> fields, double time) {
+  probe_memory(path, count, fields);
+  vtkNew<vtkPolyData> data;
+  set_points(data, count, position);
+  write_points(path, count, data, fields, time);
 }
 
 void write_grid(const std::filesystem::path& path, const std::array<double, 3>& origin,

@@ -15,23 +15,35 @@ namespace tribo {
 
 class OutputQueue;
 
+/// Numbers as a file has them, `width` successive ones for each point. VTK reads them in place.
+struct OutputRows {
+  const double* doubles = nullptr;
+  const float* floats = nullptr;  ///< instead of doubles
+  int width = 1;
+};
+
 /// A field of particles or nodes: components as separate arrays. Vectors have 3 components (a null pointer stands for
 /// zeros), symmetric tensors 6 in VTK's order XX YY ZZ XY YZ XZ.
 struct OutputField {
   std::string name;
   std::vector<const double*> components;
   const std::int64_t* integers = nullptr;  ///< instead of components
-  bool single = false;                     ///< numbers of four bytes each, for fields that only pictures need
   const std::string* texts = nullptr;      ///< instead of components; the functions that read skip such fields
+  OutputRows rows = {};                    ///< instead of components
 };
 
 /// Throws SimulationError if a number is not finite, as the functions that write do.
 void check_numbers(std::size_t count, const std::array<const double*, 3>& position,
                    std::span<const OutputField> fields);
+/// The same for fields in rows.
+void check_rows(std::size_t count, const OutputRows& position, std::span<const OutputField> fields);
 
 /// Writes points as a .vtp with one vertex each, appended and compressed, with the field data TimeValue. Throws
 /// FileError.
 void write_particles(const std::filesystem::path& path, std::size_t count, const std::array<const double*, 3>& position,
+                     std::span<const OutputField> fields, double time);
+/// The same with the positions in rows of three doubles.
+void write_particles(const std::filesystem::path& path, std::size_t count, const OutputRows& position,
                      std::span<const OutputField> fields, double time);
 
 /// Writes points joined by cells of `corners` points each, lines (2) or triangles (3), as a .vtp. Throws FileError.

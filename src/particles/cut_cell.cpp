@@ -49,7 +49,37 @@ class SurfaceSampler {
     return out;
   }
 
+  // The surface, if it is a plane normal to an axis: all lines along this axis leave or enter the shape at the same
+  // place. Most cut cells of boxes are of this kind, and few points show it.
+  std::optional<Plane> plane_across_axis() const {
+    for (int axis = 0; axis < axes_; ++axis)
+      if (auto plane = plane_across(axis)) return plane;
+    return std::nullopt;
+  }
+
  private:
+  std::optional<Plane> plane_across(int axis) const {
+    static constexpr int lines = 3;
+    static constexpr double same = 1e-11;  // of the edge of the cell
+    const int u = (axis + 1) % axes_, v = axes_ == 2 ? 2 : (axis + 2) % 3;
+    std::vector<Vec3> starts;
+    for (int i = 0; i < lines; ++i)
+      for (int j = 0; j < (axes_ == 2 ? 1 : lines); ++j) {
+        Vec3 start = low_;
+        start[u] += (i + 0.5) / lines * size_[u];
+        start[v] = axes_ == 2 ? 0.0 : start[v] + (j + 0.5) / lines * size_[v];
+        starts.push_back(start);
+      }
+    const bool begins_inside = at(starts[0], axis, 0.0);
+    for (const Vec3& start : starts)
+      if (at(start, axis, 0.0) != begins_inside || at(start, axis, 1.0) == begins_inside) return std::nullopt;
+    const double place = bisect(starts[0], axis, 0.0, 1.0);
+    for (const Vec3& start : starts)
+      if (std::abs(bisect(start, axis, 0.0, 1.0) - place) > same) return std::nullopt;
+    const double side = begins_inside ? 1.0 : -1.0;
+    return Plane{side * Vec3::Unit(axis), side * on_line(starts[0], axis, place)[axis]};
+  }
+
   Vec3 on_line(Vec3 start, int axis, double t) const {
     start[axis] = low_[axis] + t * size_[axis];
     return start;
@@ -237,7 +267,9 @@ std::optional<CutCell> cut_cell(const Inside& inside, const Vec3& low, const Vec
   if (in == 0) return std::nullopt;
   if (in == all) return whole_cell(low, high);
 
-  auto points = SurfaceSampler(inside, low, high, flat).points();
+  const SurfaceSampler surface(inside, low, high, flat);
+  if (const auto plane = surface.plane_across_axis()) return part_below({*plane}, low, high);
+  auto points = surface.points();
   if (points.empty()) return sampled(inside, low, high, flat);
   const auto planes = fit_planes(points, flat ? 2 : 3);
   if (!planes) return sampled(inside, low, high, flat);

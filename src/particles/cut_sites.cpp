@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "particles/cut_sites.hpp"
 
+#include "base/parallel.hpp"
+
 #include <queue>
 
 namespace tribo {
@@ -29,18 +31,22 @@ bool is_uniform(const Sites& lattice, const std::vector<bool>& flags, std::size_
 CutSites::CutSites(const Sites& lattice, const Bounds& reach, const std::vector<bool>& centres,
                    const std::function<bool(const Vec3&)>& inside, bool all)
     : lattice_(lattice), whole_(centres) {
+  std::vector<std::pair<std::size_t, Vec3>> examined;
   lattice.visit(reach, [&](const Vec3& x, std::size_t site) {
-    if (!all && is_uniform(lattice, centres, site)) return;
-    const CutCell whole = box(x);
-    auto part = cut_cell(inside, whole.low, whole.high, lattice.flat, all ? 9 : 3);
-    whole_[site] = part && part->volume >= (1 - 1e-9) * whole.volume;
-    if (!part || whole_[site]) {
-      centre_of_[site] = x;
-      return;
-    }
-    if (part->volume > 1e-9 * whole.volume) cut_[site] = std::move(*part);
-    centre_of_[site] = x;
+    if (all || !is_uniform(lattice, centres, site)) examined.emplace_back(site, x);
   });
+  std::vector<std::optional<CutCell>> parts(examined.size());
+  parallel_for(static_cast<std::ptrdiff_t>(parts.size()), [&](std::ptrdiff_t k) {
+    const CutCell whole = box(examined[static_cast<std::size_t>(k)].second);
+    parts[static_cast<std::size_t>(k)] = cut_cell(inside, whole.low, whole.high, lattice.flat, all ? 9 : 3);
+  });
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    const auto& [site, x] = examined[k];
+    const double whole = box(x).volume;
+    centre_of_[site] = x;
+    whole_[site] = parts[k] && parts[k]->volume >= (1 - 1e-9) * whole;
+    if (parts[k] && !whole_[site] && parts[k]->volume > 1e-9 * whole) cut_[site] = std::move(*parts[k]);
+  }
   join_small_parts();
 }
 

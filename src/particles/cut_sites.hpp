@@ -13,7 +13,8 @@ namespace tribo {
 class CutSites {
  public:
   /// `centres`: per site whether the shape contains it; sites whose neighbourhood is uniform are not examined further,
-  /// unless `all` is true. `inside`: whether a point lies in the shape; `reach`: bounding box of the shape.
+  /// unless `all` is true. `inside`: whether a point lies in the shape, called on several threads at a time; `reach`:
+  /// bounding box of the shape.
   ///
   /// Parts of less than 0.3 of a cell are joined with the neighbour at their largest side inside the shape, so that no
   /// particle has a tiny mass.

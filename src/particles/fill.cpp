@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "particles/fill.hpp"
 #include "base/memory.hpp"
 #include "base/read_file.hpp"
 #include "base/text.hpp"
@@ -6,7 +7,6 @@
 #include "particles/coverage.hpp"
 #include "particles/cut_sites.hpp"
 #include "particles/geostatic.hpp"
-#include "particles/seed.hpp"
 #include "particles/seed_maker.hpp"
 #include "particles/sites.hpp"
 
@@ -111,7 +111,7 @@ class Filler {
     const Eigen::Index dimension = lattice.flat ? 2 : 3;
     const Vec3 extent = (reach.high - reach.low).cwiseMax(0.0);
     const double sites = extent.cwiseQuotient(lattice.spacing).head(dimension).prod();
-    static constexpr double small = 1e6, bytes_per_particle = 2.0 * sizeof(Seed);
+    static constexpr double small = 1e6, bytes_per_particle = 400;  // with those of the run
     if (sites <= small) return;
     Bounds flat = reach;
     if (lattice.flat) flat.low[2] = flat.high[2] = 0.0;
@@ -252,14 +252,13 @@ void place_points(const Model& model, const std::function<void(const Seed&)>& re
   }
 }
 
-std::vector<Seed> place_points(const Model& model) {
-  std::vector<Seed> seeds;
+Seeds place_points(const Model& model) {
+  Seeds seeds;
   place_points(model, [&](const Seed& seed) { seeds.push_back(seed); });
-  add_geostatic_stress(model, seeds);
-  return seeds;
+  return with_geostatic_stress(model, std::move(seeds));
 }
 
-std::vector<PlacedVolume> volume_error(const Model& model, const std::vector<Seed>& seeds) {
+std::vector<PlacedVolume> volume_error(const Model& model, const Seeds& seeds) {
   const GridBox grid(model);
   std::vector<PlacedVolume> by_piece(model.pieces.size());
   for (const auto& seed : seeds) {

@@ -82,13 +82,13 @@ class Columns {
 
 }  // namespace
 
-void add_geostatic_stress(const Model& model, std::vector<Seed>& seeds) {
+Seeds with_geostatic_stress(const Model& model, Seeds seeds) {
   const auto piece_of = [&](const Seed& s) {
     return s.piece < 0 ? nullptr : &model.pieces[static_cast<std::size_t>(s.piece)];
   };
   const auto first =
       std::find_if(model.pieces.begin(), model.pieces.end(), [](const Piece& p) { return p.K0.has_value(); });
-  if (first == model.pieces.end()) return;
+  if (first == model.pieces.end()) return seeds;
   const Vec3& gravity = model.body_force.gravity;
   const int vertical = vertical_axis(gravity);
   if (vertical >= model.dimension())
@@ -102,12 +102,15 @@ void add_geostatic_stress(const Model& model, std::vector<Seed>& seeds) {
     columns.add({s.x, s.F.cwiseAbs() * s.half_size, s.mass / (s.volume * s.F.determinant()) * gravity.norm()});
   }
   const double up = gravity[vertical] < 0 ? 1.0 : -1.0;
-  for (Seed& s : seeds) {
-    const Piece* piece = piece_of(s);
-    if (!piece || !piece->K0) continue;
-    const double stress = -columns.weight_above(s.x, vertical, up);
-    for (int d = 0; d < 3; ++d) s.stress(d, d) += d == vertical ? stress : *piece->K0 * stress;
+  Seeds out;
+  for (Seed s : seeds) {
+    if (const Piece* piece = piece_of(s); piece && piece->K0) {
+      const double stress = -columns.weight_above(s.x, vertical, up);
+      for (int d = 0; d < 3; ++d) s.stress(d, d) += d == vertical ? stress : *piece->K0 * stress;
+    }
+    out.push_back(s);
   }
+  return out;
 }
 
 }  // namespace tribo

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "materials/material.hpp"
+#include "model/model.hpp"
 #include "particles/cut_cell.hpp"
 #include "particles/seed.hpp"
 #include "particles/sites.hpp"

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "grid/lattice.hpp"
+#include "model/model.hpp"
 #include "particles/seed.hpp"
 
 #include <array>

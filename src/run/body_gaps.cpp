@@ -3,10 +3,10 @@
 
 #include <Eigen/LU>
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <limits>
-#include <set>
+#include <unordered_map>
 
 namespace tribo {
 namespace {
@@ -32,59 +32,76 @@ double separation(const Vec<Dim>& between, const Mat<Dim>& a, const Mat<Dim>& b)
   return most;
 }
 
+// The smallest and the largest number of the materials with particles in a cell or its neighbourhood.
+struct MaterialRange {
+  int low, high;
+  void include(const MaterialRange& other) { low = std::min(low, other.low), high = std::max(high, other.high); }
+};
+using CellMaterials = std::unordered_map<std::int64_t, MaterialRange>;
+
+constexpr int reach = 2;  // cells
+
+// For the cells near particles the range of the materials within `reach` cells, axis by axis.
+template <int Dim>
+CellMaterials materials_near(const Seeds& seeds, const Lattice<Dim>& lattice) {
+  CellMaterials cells;
+  const auto add = [](CellMaterials& to, std::int64_t cell, const MaterialRange& range) {
+    const auto [known, fresh] = to.try_emplace(cell, range);
+    if (!fresh) known->second.include(range);
+  };
+  for (const Seed& seed : seeds)
+    add(cells, lattice.cell_number(seed.x.template head<Dim>()), {seed.material, seed.material});
+  for (int axis = 0; axis < Dim; ++axis) {
+    CellMaterials wider;
+    for (const auto& [cell, range] : cells)
+      for (int k = -reach; k <= reach; ++k) add(wider, cell + k * lattice.cell_stride(axis), range);
+    cells = std::move(wider);
+  }
+  return cells;
+}
+
+bool one_material(const Seeds& seeds) {
+  const int first = seeds.empty() ? 0 : seeds.front().material;
+  return std::all_of(seeds.begin(), seeds.end(), [&](const Seed& seed) { return seed.material == first; });
+}
+
 }  // namespace
 
 template <int Dim>
-Gaps smallest_gaps(const std::vector<Seed>& seeds, const Lattice<Dim>& lattice) {
-  const double h = lattice.smallest_spacing();
-  using Cell = std::array<int, 3>;
-  const auto cell_of = [&](const Vec3& x) {
-    Cell c{};
-    for (std::size_t d = 0; d < Dim; ++d) {
-      const auto k = static_cast<Eigen::Index>(d);
-      c[d] = static_cast<int>(std::floor((x[k] - lattice.low[k]) / lattice.spacing[k]));
-    }
-    return c;
-  };
-  std::map<Cell, std::vector<std::size_t>> cells;
-  std::map<Cell, std::set<int>> here;
-  for (std::size_t i = 0; i < seeds.size(); ++i) {
-    const Cell c = cell_of(seeds[i].x);
-    cells[c].push_back(i);
-    here[c].insert(seeds[i].material);
-  }
+Gaps smallest_gaps(const Seeds& seeds, const Lattice<Dim>& lattice) {
   Gaps gaps;
-  const auto around = [](const Cell& c, auto&& f) {
-    const int deep = Dim == 3 ? 2 : 0;
-    for (int k = -deep; k <= deep; ++k)
-      for (int j = -2; j <= 2; ++j)
-        for (int i = -2; i <= 2; ++i) f(Cell{c[0] + i, c[1] + j, c[2] + k});
+  if (one_material(seeds)) return gaps;
+  const auto near = materials_near(seeds, lattice);
+  std::unordered_map<std::int64_t, std::vector<Seed>> cells;  // that another material is near, with their particles
+  for (const Seed& seed : seeds) {
+    const std::int64_t cell = lattice.cell_number(seed.x.template head<Dim>());
+    if (const MaterialRange& range = near.at(cell); range.low != range.high) cells[cell].push_back(seed);
+  }
+  const double h = lattice.smallest_spacing();
+  const auto compare = [&](const Seed& a, const Seed& b) {
+    if (a.material >= b.material) return;
+    const double gap = separation<Dim>((a.x - b.x).template head<Dim>(), axes_of<Dim>(a), axes_of<Dim>(b)) / h;
+    const auto [known, fresh] = gaps.try_emplace({a.material, b.material}, gap);
+    if (!fresh) known->second = std::min(known->second, gap);
   };
-  for (const auto& entry : cells) {
-    const Cell& c = entry.first;
-    const auto& list = entry.second;
-    bool alone = true;
-    around(c, [&](const Cell& n) {
-      if (const auto found = here.find(n); found != here.end() && found->second != here.at(c)) alone = false;
-    });
-    if (alone && here.at(c).size() == 1) continue;
-    around(c, [&](const Cell& n) {
-      const auto found = cells.find(n);
+  Index<Dim> low, high;
+  low.fill(-reach), high.fill(reach);
+  for (const auto& [cell, mine] : cells) {
+    const std::int64_t at = cell;
+    const std::vector<Seed>& here = mine;
+    each_in_box<Dim>(low, high, [&](const Index<Dim>& shift) {
+      std::int64_t other = at;
+      for (int axis = 0; axis < Dim; ++axis) other += shift[static_cast<std::size_t>(axis)] * lattice.cell_stride(axis);
+      const auto found = cells.find(other);
       if (found == cells.end()) return;
-      for (const std::size_t i : list)
-        for (const std::size_t j : found->second)
-          if (seeds[i].material < seeds[j].material) {
-            const Vec<Dim> between = (seeds[i].x - seeds[j].x).template head<Dim>();
-            const double gap = separation<Dim>(between, axes_of<Dim>(seeds[i]), axes_of<Dim>(seeds[j])) / h;
-            const auto [known, fresh] = gaps.try_emplace({seeds[i].material, seeds[j].material}, gap);
-            if (!fresh) known->second = std::min(known->second, gap);
-          }
+      for (const Seed& a : here)
+        for (const Seed& b : found->second) compare(a, b);
     });
   }
   return gaps;
 }
 
-template Gaps smallest_gaps<2>(const std::vector<Seed>&, const Lattice<2>&);
-template Gaps smallest_gaps<3>(const std::vector<Seed>&, const Lattice<3>&);
+template Gaps smallest_gaps<2>(const Seeds&, const Lattice<2>&);
+template Gaps smallest_gaps<3>(const Seeds&, const Lattice<3>&);
 
 }  // namespace tribo

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "grid/lattice.hpp"
-#include "particles/seed.hpp"
+#include "particles/seeds.hpp"
 
 #include <map>
 #include <utility>
@@ -16,6 +16,6 @@ using Gaps = std::map<std::pair<int, int>, double>;
 
 /// Of all pairs of materials that come within two cells of each other, by pair, smaller index first.
 template <int Dim>
-Gaps smallest_gaps(const std::vector<Seed>& seeds, const Lattice<Dim>& lattice);
+Gaps smallest_gaps(const Seeds& seeds, const Lattice<Dim>& lattice);
 
 }  // namespace tribo

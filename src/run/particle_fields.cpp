@@ -117,14 +117,7 @@ ParticleFields<Dim>::ParticleFields(const Model& model, std::vector<Body<Dim>*> 
                                     const std::vector<std::string>& names)
     : bodies_(std::move(bodies)), limits_(model.scheme.kernel != Kernel::cpdi) {
   for (const auto* body : bodies_) count_ += body->particles.size();
-  for (std::size_t d = 0; d < Dim; ++d) {
-    double* const to = array();
-    positions_[d] = to;
-    fills_.push_back([d, to](const Part& part) {
-      const double* from = part.body->particles.x()[d];
-      std::copy(from + part.begin, from + part.end, to + part.at);
-    });
-  }
+  add_positions();
   for (const auto& name : names) {
     const ParticleField* field = find_particle_field(name);
     if (!field) throw std::logic_error("no such field: " + name);
@@ -149,17 +142,35 @@ void ParticleFields<Dim>::fill() {
   parallel_for(static_cast<std::ptrdiff_t>(parts.size()), [&](std::ptrdiff_t k) {
     const Part& part = parts[static_cast<std::size_t>(k)];
     for (const auto& fill : fills_) fill(part);
-    finite[static_cast<std::size_t>(k)] = std::all_of(numbers_.begin(), numbers_.end(), [&](const auto& a) {
-      return all_finite({a.get() + part.at, part.end - part.begin});
-    });
+    const auto is_finite = [&](const auto& rows) {
+      return all_finite({rows.numbers.get() + part.at * rows.width, (part.end - part.begin) * rows.width});
+    };
+    finite[static_cast<std::size_t>(k)] = std::all_of(doubles_.begin(), doubles_.end(), is_finite) &&
+                                          std::all_of(floats_.begin(), floats_.end(), is_finite);
   });
   fills_.clear();
-  if (std::count(finite.begin(), finite.end(), 0) > 0) check_numbers(count_, positions_, fields_);
+  if (std::count(finite.begin(), finite.end(), 0) > 0) check_rows(count_, positions_, fields_);
 }
 
 template <int Dim>
-double* ParticleFields<Dim>::array() {
-  return numbers_.emplace_back(std::make_unique_for_overwrite<double[]>(count_)).get();  // NOLINT(*-avoid-c-arrays)
+double* ParticleFields<Dim>::rows(const std::string& name, std::size_t width) {
+  double* const numbers = doubles_.emplace_back(count_, width).numbers.get();
+  const OutputRows rows{numbers, nullptr, static_cast<int>(width)};
+  if (name.empty())
+    positions_ = rows;
+  else
+    fields_.push_back({name, {}, nullptr, nullptr, rows});
+  return numbers;
+}
+
+template <int Dim>
+void ParticleFields<Dim>::add_positions() {
+  fills_.push_back([to = rows({}, 3)](const Part& part) {
+    const auto x = part.body->particles.x();
+    double* at = to + 3 * part.at;
+    for (std::size_t i = part.begin; i < part.end; ++i)
+      for (std::size_t d = 0; d < 3; ++d) *at++ = d < Dim ? x[d < Dim ? d : 0][i] : 0.0;
+  });
 }
 
 template <int Dim>
@@ -188,20 +199,16 @@ void ParticleFields<Dim>::add_integer(const ParticleField& field) {
 template <int Dim>
 void ParticleFields<Dim>::add_numbers(const ParticleField& field) {
   static constexpr std::size_t most = 9;
-  OutputField added{std::string(field.name), {}, nullptr};
-  std::array<double*, most> a{};
   const std::size_t n = field.value.components;
   if (n > most) throw std::logic_error("a field has too many components");
-  for (std::size_t k = 0; k < n; ++k) a[k] = array(), added.components.push_back(a[k]);
-  fields_.push_back(added);
-  fills_.push_back([a, n, numbers = field.value.numbers](const Part& part) {
+  fills_.push_back([to = rows(std::string(field.name), n), n, numbers = field.value.numbers](const Part& part) {
     BodyParticle<Dim> particle(*part.body);
     std::array<double, most> values{};
-    std::size_t at = part.at;
-    for (std::size_t i = part.begin; i < part.end; ++i, ++at) {
+    double* at = to + n * part.at;
+    for (std::size_t i = part.begin; i < part.end; ++i) {
       particle.select(i);
       numbers(particle, values.data());
-      for (std::size_t k = 0; k < n; ++k) a[k][at] = values[k];
+      for (std::size_t k = 0; k < n; ++k) *at++ = values[k];
     }
   });
 }
@@ -213,9 +220,7 @@ void ParticleFields<Dim>::add_history() {
   for (const auto* body : bodies_)
     for (const auto& variable : body->law->history()) {
       double*& a = known[variable.name];
-      if (a) continue;
-      a = array();
-      fields_.push_back({variable.name, {a}, nullptr});
+      if (!a) a = rows(variable.name, 1);
     }
   fills_.push_back([known](const Part& part) {
     const auto& variables = part.body->law->history();
@@ -235,22 +240,21 @@ void ParticleFields<Dim>::add_history() {
 
 template <int Dim>
 void ParticleFields<Dim>::add_domains() {
-  OutputField field{"domain", {}, nullptr, true};
-  std::array<double*, Dim * Dim> components{};
-  for (auto& c : components) c = array(), field.components.push_back(c);
-  fields_.push_back(field);
-  fills_.push_back([components, limits = limits_](const Part& part) {
+  static constexpr std::size_t width = Dim * Dim;
+  float* const to = floats_.emplace_back(count_, width).numbers.get();
+  fields_.push_back({"domain", {}, nullptr, nullptr, {nullptr, to, width}});
+  fills_.push_back([to, limits = limits_](const Part& part) {
     const DomainReader<Dim> domain(*part.body);
     const Vec<Dim> cell = part.body->cell.template head<Dim>();
-    std::size_t at = part.at;
-    for (std::size_t i = part.begin; i < part.end; ++i, ++at) {
+    float* at = to + width * part.at;
+    for (std::size_t i = part.begin; i < part.end; ++i) {
       Mat<Dim> axes = domain(static_cast<std::uint32_t>(i)).axes;
       if (!is_compact<Dim>(axes, cell, limits)) {
         axes = reduced<Dim>({axes, Mat<Dim>::Identity()}, cell).current;
         if (limits) axes = limited<Dim>(axes, cell);
       }
-      for (std::size_t k = 0; k < Dim * Dim; ++k)
-        components[k][at] = axes(static_cast<Eigen::Index>(k % Dim), static_cast<Eigen::Index>(k / Dim));
+      for (std::size_t k = 0; k < width; ++k)
+        *at++ = static_cast<float>(axes(static_cast<Eigen::Index>(k % Dim), static_cast<Eigen::Index>(k / Dim)));
     }
   });
 }

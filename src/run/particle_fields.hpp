@@ -29,8 +29,13 @@ class ParticleFields {
 
   std::size_t count() const { return count_; }
   /// Memory that it holds.
-  std::size_t bytes() const { return (numbers_.size() + integers_.size()) * count_ * sizeof(double); }
-  const std::array<const double*, 3>& positions() const { return positions_; }
+  std::size_t bytes() const {
+    std::size_t sum = 0;
+    for (const auto& rows : doubles_) sum += rows.size() * sizeof(double);
+    for (const auto& rows : floats_) sum += rows.size() * sizeof(float);
+    return sum + integers_.size() * count_ * sizeof(std::int64_t);
+  }
+  const OutputRows& positions() const { return positions_; }
   const std::vector<OutputField>& fields() const { return fields_; }
 
  private:
@@ -39,21 +44,35 @@ class ParticleFields {
     Body<Dim>* body;
     std::size_t begin, end, at;
   };
+  // Rows of a field, not initialised.
+  template <class Number>
+  struct Rows {
+    std::unique_ptr<Number[]> numbers;  // NOLINT(*-avoid-c-arrays)
+    std::size_t width, count;
+    Rows(std::size_t row_count, std::size_t row_width)
+        : numbers(std::make_unique_for_overwrite<Number[]>(row_count * row_width)),  // NOLINT(*-avoid-c-arrays)
+          width(row_width),
+          count(row_count) {}
+    std::size_t size() const { return count * width; }
+  };
   void fill();
+  void add_positions();
   void add(const Model& model, const ParticleField& field);
   void add_integer(const ParticleField& field);
   void add_numbers(const ParticleField& field);
   void add_history();
   void add_domains();
-  double* array();
+  // Rows of `width` numbers for all particles, as a field with this name where there is one.
+  double* rows(const std::string& name, std::size_t width);
 
   std::vector<Body<Dim>*> bodies_;
   std::size_t count_ = 0;
   bool limits_;  ///< CPDI: particles interact as far as their domains reach
-  std::array<const double*, 3> positions_{};
+  OutputRows positions_;
   std::vector<OutputField> fields_;
-  std::vector<std::function<void(const Part&)>> fills_;    // until the fields are filled
-  std::vector<std::unique_ptr<double[]>> numbers_;         // NOLINT(*-avoid-c-arrays)
+  std::vector<std::function<void(const Part&)>> fills_;  // until the fields are filled
+  std::vector<Rows<double>> doubles_;
+  std::vector<Rows<float>> floats_;
   std::vector<std::unique_ptr<std::int64_t[]>> integers_;  // NOLINT(*-avoid-c-arrays)
 };
 

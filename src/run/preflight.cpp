@@ -292,7 +292,7 @@ class Report {
   }
 
   const Model& model_;
-  std::vector<Seed> seeds_;
+  Seeds seeds_;
   System<Dim> system_;
   Stepper<Dim> stepper_;
   double h_;

@@ -13,7 +13,7 @@ std::string title_of(const StageSpec& stage, int number) {
   return "stage " + std::to_string(number) + (stage.name.empty() ? "" : " '" + stage.name + "'");
 }
 
-std::vector<std::string> describe_stages(const Model& model, const std::vector<Seed>& seeds) {
+std::vector<std::string> describe_stages(const Model& model, const Seeds& seeds) {
   std::vector<std::string> out;
   std::vector<LaterSeed> later;
   if (!model.only_blocks()) later = later_seeds(model);

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "model/model.hpp"
-#include "particles/seed.hpp"
+#include "particles/seeds.hpp"
 
 #include <string>
 #include <vector>
@@ -14,6 +14,6 @@ namespace tribo {
 std::string title_of(const StageSpec& stage, int number);
 /// A line for each stage: its time, and what changes. `seeds`: the particles at the start, of which an excavation would
 /// remove so many if they had not moved.
-std::vector<std::string> describe_stages(const Model& model, const std::vector<Seed>& seeds);
+std::vector<std::string> describe_stages(const Model& model, const Seeds& seeds);
 
 }  // namespace tribo

@@ -17,7 +17,7 @@ struct Motion {
 };
 
 // Centre of mass and angular velocity of the particles of a material, from their angular momentum.
-Motion mean_motion(const std::vector<Seed>& seeds, int material, bool flat) {
+Motion mean_motion(const Seeds& seeds, int material, bool flat) {
   Motion out;
   Vec3 velocity = Vec3::Zero(), momentum = Vec3::Zero();
   Mat3 inertia = Mat3::Zero();
@@ -42,7 +42,7 @@ Motion mean_motion(const std::vector<Seed>& seeds, int material, bool flat) {
 }
 
 // When the first particle of a material leaves the grid; infinite if none does.
-double leaves(const Model& model, const std::vector<Seed>& seeds, int material) {
+double leaves(const Model& model, const Seeds& seeds, int material) {
   const Motion motion = mean_motion(seeds, material, model.dimension() == 2);
   double first = std::numeric_limits<double>::infinity();
   for (const Seed& s : seeds) {
@@ -61,7 +61,7 @@ double leaves(const Model& model, const std::vector<Seed>& seeds, int material) 
 
 }  // namespace
 
-Remarks describe_travel(const Model& model, const std::vector<Seed>& seeds) {
+Remarks describe_travel(const Model& model, const Seeds& seeds) {
   Remarks out;
   for (std::size_t m = 0; m < model.materials.size(); ++m) {
     const MaterialSpec& material = model.materials[m];

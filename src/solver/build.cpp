@@ -79,7 +79,7 @@ void add_optional_columns(Body<Dim>& body, const Model& model) {
 }
 
 template <int Dim>
-void fill(Body<Dim>& body, const std::vector<const Seed*>& seeds, std::int64_t first_id) {
+void fill(Body<Dim>& body, const Seeds& seeds, std::int64_t first_id) {
   auto& particles = body.particles;
   const auto x = particles.x(), v = particles.v(), origin = particles[body.origin];
   const auto F = particles.F();
@@ -87,8 +87,8 @@ void fill(Body<Dim>& body, const std::vector<const Seed*>& seeds, std::int64_t f
   std::optional<std::size_t> angle;
   for (std::size_t k = 0; k < body.law->history().size(); ++k)
     if (body.law->history()[k].name == material_angle) angle = body.history + k;
-  for (std::size_t i = 0; i < seeds.size(); ++i) {
-    const Seed& seed = *seeds[i];
+  std::size_t i = 0;
+  for (const Seed& seed : seeds) {
     const auto at = static_cast<int>(i);
     for (std::size_t d = 0; d < Dim; ++d) {
       const auto axis = static_cast<Eigen::Index>(d);
@@ -108,12 +108,12 @@ void fill(Body<Dim>& body, const std::vector<const Seed*>& seeds, std::int64_t f
     if (angle) particles.column(*angle)[i] = seed.angle;
     if (F[0]) store_full<Dim>(seed.F, F, at);
     store_symmetric<Dim>(seed.stress, stress, at);
-    particles.id[i] = first_id + at;
+    particles.id[i++] = first_id + at;
   }
 }
 
 template <int Dim>
-Body<Dim> make_body(const Model& model, int material, const std::vector<const Seed*>& seeds, std::int64_t first_id,
+Body<Dim> make_body(const Model& model, int material, const Seeds& seeds, std::int64_t first_id,
                     const Transfers<Dim>& transfers) {
   const MaterialSpec& spec = model.materials[static_cast<std::size_t>(material)];
   const bool keep_deformation = spec.law->needs_deformation() || model.scheme.kernel == Kernel::cpdi ||
@@ -125,16 +125,17 @@ Body<Dim> make_body(const Model& model, int material, const std::vector<const Se
   body.material = material;
   body.particle_damping = spec.particle_damping.value_or(0.0);
 
-  body.thickness = 2 * seeds.front()->half_size[2];
-  body.uniform_half_size = seeds.front()->half_size.template head<Dim>();
-  const bool mixed = std::any_of(seeds.begin(), seeds.end(), [&](const Seed* s) {
-    return (s->half_size.template head<Dim>() - body.uniform_half_size).norm() > 1e-12 * body.uniform_half_size.norm();
+  const Seed first = seeds.front();
+  body.thickness = 2 * first.half_size[2];
+  body.uniform_half_size = first.half_size.template head<Dim>();
+  const bool mixed = std::any_of(seeds.begin(), seeds.end(), [&](const Seed& s) {
+    return (s.half_size.template head<Dim>() - body.uniform_half_size).norm() > 1e-12 * body.uniform_half_size.norm();
   });
   const bool splits = model.splitting && !spec.law->rigid();
   if (mixed || (splits && model.scheme.kernel == Kernel::gimp))
     body.half_size = body.particles.add_vector("half_size", Dimension::length);
   if (splits) body.generation = body.particles.add("generation", Dimension::none);
-  if (splits || std::any_of(seeds.begin(), seeds.end(), [](const Seed* s) { return s->half_axes.has_value(); }))
+  if (splits || std::any_of(seeds.begin(), seeds.end(), [](const Seed& s) { return s.half_axes.has_value(); }))
     body.half_axes = body.particles.add_matrix("half_axes", Dimension::length);
   if (spec.law->history().size() > most_history_variables)
     throw std::logic_error("the law of '" + spec.name + "' has more than " + std::to_string(most_history_variables) +
@@ -157,12 +158,10 @@ void add_blocks(const Model& model, System<Dim>& system, const Transfers<Dim>& t
   system.blocks->grid_forces.resize(system.blocks->bodies.size());
   for (std::size_t k = 0; k < system.blocks->block_count(); ++k) {
     const auto& group = spec.groups[static_cast<std::size_t>(system.blocks->bodies[k].group)];
-    const auto seeds = block_points(system.blocks->shapes[k], system.blocks->motion[k].x, group.material, group.density,
-                                    Dim == 2, spec.thickness, system.lattice.spacing.minCoeff());
-    std::vector<const Seed*> all;
-    for (const Seed& seed : seeds) all.push_back(&seed);
-    auto body = make_body<Dim>(model, group.material, all, next_id, transfers);
-    next_id += static_cast<std::int64_t>(all.size());
+    const Seeds seeds = block_points(system.blocks->shapes[k], system.blocks->motion[k].x, group.material,
+                                     group.density, Dim == 2, spec.thickness, system.lattice.spacing.minCoeff());
+    auto body = make_body<Dim>(model, group.material, seeds, next_id, transfers);
+    next_id += static_cast<std::int64_t>(seeds.size());
     body.block = static_cast<std::int64_t>(k);
     body.name = group.name.empty() ? "block " + std::to_string(k + 1) : group.name;
     system.rigids.push_back(std::move(body));
@@ -220,7 +219,7 @@ void assign_fields(const Model& model, System<Dim>& system) {
 }  // namespace
 
 template <int Dim>
-System<Dim> build_system(const Model& model, const std::vector<Seed>& seeds) {
+System<Dim> build_system(const Model& model, const Seeds& seeds) {
   Vec<Dim> low, high;
   Index<Dim> cells;
   for (std::size_t d = 0; d < Dim; ++d) {
@@ -235,17 +234,17 @@ System<Dim> build_system(const Model& model, const std::vector<Seed>& seeds) {
   const auto transfers = make_transfers<Dim>(model.scheme);
   std::int64_t next_id = 0;
   const std::vector<LaterSeed> later = later_seeds(model);
-  std::vector<std::vector<const Seed*>> of_material(model.materials.size());
-  for (const Seed& seed : seeds) of_material[static_cast<std::size_t>(seed.material)].push_back(&seed);
+  std::vector<Seeds> of_material(model.materials.size());
+  for (const Seed& seed : seeds) of_material[static_cast<std::size_t>(seed.material)].push_back(seed);
   for (int m = 0; m < static_cast<int>(model.materials.size()); ++m) {
-    std::vector<const Seed*>& mine = of_material[static_cast<std::size_t>(m)];
+    Seeds mine = std::move(of_material[static_cast<std::size_t>(m)]);
     const std::size_t present = mine.size();
     std::vector<int> stages;  // of the particles that are not present yet
     for (const LaterSeed& l : later)
-      if (l.seed.material == m) mine.push_back(&l.seed), stages.push_back(l.stage);
+      if (l.seed.material == m) mine.push_back(l.seed), stages.push_back(l.stage);
     if (mine.empty()) continue;
     const MaterialSpec& of = model.materials[static_cast<std::size_t>(m)];
-    const int piece = mine.front()->piece;
+    const int piece = mine.front().piece;
     auto body = with_memory_for("the particles of '" + of.name + "'",
                                 present == 0 ? of.origin
                                 : piece < 0  ? model.grid.origin
@@ -280,7 +279,7 @@ System<Dim> build_system(const Model& model, const std::vector<Seed>& seeds) {
   return system;
 }
 
-template System<2> build_system<2>(const Model&, const std::vector<Seed>&);
-template System<3> build_system<3>(const Model&, const std::vector<Seed>&);
+template System<2> build_system<2>(const Model&, const Seeds&);
+template System<3> build_system<3>(const Model&, const Seeds&);
 
 }  // namespace tribo

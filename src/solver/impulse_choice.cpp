@@ -49,8 +49,8 @@ std::string objection(const Model& model, const std::set<int>& materials) {
 
 // The cubes of each velocity field whose laws act at faces, by the owner of the field.
 template <int Dim>
-std::map<int, Voxels<Dim>> bodies_in_contact(const Model& model, const std::vector<Seed>& seeds,
-                                             const Lattice<Dim>& lattice, const std::set<int>& materials) {
+std::map<int, Voxels<Dim>> bodies_in_contact(const Model& model, const Seeds& seeds, const Lattice<Dim>& lattice,
+                                             const std::set<int>& materials) {
   std::map<int, Voxels<Dim>> bodies;
   for (const int k : materials) {
     bool faces = false;
@@ -90,8 +90,7 @@ std::map<int, std::set<int>> near_bodies(const std::map<int, Voxels<Dim>>& bodie
 
 // What speaks for faces; empty: nothing.
 template <int Dim>
-std::string need(const Model& model, const std::vector<Seed>& seeds, const Lattice<Dim>& lattice,
-                 const std::set<int>& materials) {
+std::string need(const Model& model, const Seeds& seeds, const Lattice<Dim>& lattice, const std::set<int>& materials) {
   const auto bodies = bodies_in_contact(model, seeds, lattice, materials);
   const auto is_rigid = [&](int k) { return spec(model, k).law->rigid(); };
   const auto near = near_bodies(bodies);
@@ -121,7 +120,7 @@ std::string need(const Model& model, const std::vector<Seed>& seeds, const Latti
 }  // namespace
 
 template <int Dim>
-ImpulseChoice choose_impulses(const Model& model, const std::vector<Seed>& seeds, const Lattice<Dim>& lattice) {
+ImpulseChoice choose_impulses(const Model& model, const Seeds& seeds, const Lattice<Dim>& lattice) {
   if (!model.contact.active) return {};
   if (const auto given = model.contact.at_faces)
     return {*given, *given ? "on faces, as the command file says" : "on nodes, as the command file says"};
@@ -142,7 +141,7 @@ ImpulseChoice choose_impulses(const Model& model, const std::vector<Seed>& seeds
                      ", so that its contact is too stiff; Impulses='faces' may be better"};
 }
 
-template ImpulseChoice choose_impulses<2>(const Model&, const std::vector<Seed>&, const Lattice<2>&);
-template ImpulseChoice choose_impulses<3>(const Model&, const std::vector<Seed>&, const Lattice<3>&);
+template ImpulseChoice choose_impulses<2>(const Model&, const Seeds&, const Lattice<2>&);
+template ImpulseChoice choose_impulses<3>(const Model&, const Seeds&, const Lattice<3>&);
 
 }  // namespace tribo

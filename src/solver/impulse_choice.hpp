@@ -3,7 +3,8 @@
 #pragma once
 
 #include "grid/lattice.hpp"
-#include "particles/seed.hpp"
+#include "model/model.hpp"
+#include "particles/seeds.hpp"
 
 #include <vector>
 
@@ -23,6 +24,6 @@ struct ImpulseChoice {
 /// otherwise. Models with cracks, joints, rigid blocks,
 /// interface laws, or normals and gaps that are not found from the particle domains keep nodes.
 template <int Dim>
-ImpulseChoice choose_impulses(const Model& model, const std::vector<Seed>& seeds, const Lattice<Dim>& lattice);
+ImpulseChoice choose_impulses(const Model& model, const Seeds& seeds, const Lattice<Dim>& lattice);
 
 }  // namespace tribo

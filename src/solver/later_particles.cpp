@@ -46,7 +46,7 @@ std::vector<LaterSeed> later_seeds(const Model& model) {
   for (const Placement& placement : model.placements) {
     Model alone = model;
     alone.pieces = placement.pieces, alone.points.clear();
-    for (Seed& seed : place_points(alone)) out.push_back({std::move(seed), placement.stage});
+    for (const Seed& seed : place_points(alone)) out.push_back({seed, placement.stage});
   }
   for (std::size_t k = 0; k < model.sources.size(); ++k)
     for (Seed& seed : row_of(model, model.sources[k])) out.push_back({std::move(seed), -1 - static_cast<int>(k)});

@@ -2,7 +2,7 @@
 /// Particles that come later: those that stages of a run place, and the rows that enter at sources.
 #pragma once
 
-#include "particles/seed.hpp"
+#include "particles/fill.hpp"
 #include "solver/state/system.hpp"
 
 #include <vector>

@@ -7,7 +7,7 @@
 #include "base/read_file.hpp"
 #include "input/read.hpp"
 #include "output/checkpoint.hpp"
-#include "particles/seed.hpp"
+#include "particles/fill.hpp"
 #include "run/model_record.hpp"
 #include "run/result_folder.hpp"
 #include "view/run_folder.hpp"

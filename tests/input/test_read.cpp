@@ -2,7 +2,7 @@
 #include "input/dialect.hpp"
 #include "input/read.hpp"
 #include "materials/material.hpp"
-#include "particles/seed.hpp"
+#include "particles/fill.hpp"
 #include "run/preflight.hpp"
 #include "run/simulation.hpp"
 #include "tests/root.hpp"

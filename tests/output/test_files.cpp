@@ -122,23 +122,26 @@ TEST_CASE("a collection lists its files with exact times and continues without d
 TEST_CASE("domains of particles are written in single precision and read back as half axes", "[output]") {
   const ScratchFolder scratch;
   const auto file = scratch.path / "p.vtp";
-  const std::vector<double> x{0, 1};
-  std::vector<std::vector<double>> n;
-  for (int k = 1; k <= 9; ++k) n.push_back({0.5 * k, 0.1 * k});
-  OutputField plane{"domain", {}, nullptr, true}, space = plane;
-  for (std::size_t k = 0; k < 9; ++k) {
-    space.components.push_back(n[k].data());
-    if (k < 4) plane.components.push_back(n[k].data());
-  }
-  write_particles(file, 2, {x.data(), x.data(), nullptr}, std::vector{plane}, 0.0);
+  const std::vector<double> x{0, 0, 0, 1, 2, 3};  // positions of two particles
+  const OutputRows positions{x.data(), nullptr, 3};
+  std::vector<float> four, nine;
+  for (const float size : {0.5F, 0.1F})
+    for (int k = 1; k <= 9; ++k) {
+      nine.push_back(size * static_cast<float>(k));
+      if (k <= 4) four.push_back(nine.back());
+    }
+  const OutputField plane{"domain", {}, nullptr, nullptr, {nullptr, four.data(), 4}};
+  const OutputField space{"domain", {}, nullptr, nullptr, {nullptr, nine.data(), 9}};
+  write_particles(file, 2, positions, std::vector{plane}, 0.0);
   CHECK(content(file).find("type=\"Float32\" Name=\"domain\" NumberOfComponents=\"4\"") != std::string::npos);
   ParticleFrame frame = read_particles(file);
   CHECK(frame.fields.empty());
   REQUIRE(frame.domains.size() == 2);
   CHECK(frame.domains[0] == HalfAxes{{{0.5, 1, 0}, {1.5, 2, 0}, {0, 0, 0}}});
   CHECK(frame.domains[1][1][0] == Approx(0.3).epsilon(1e-7));
-  write_particles(file, 2, {x.data(), x.data(), x.data()}, std::vector{space}, 0.0);
+  write_particles(file, 2, positions, std::vector{space}, 0.0);
   frame = read_particles(file);
+  CHECK(frame.position[1] == std::array<double, 3>{1, 2, 3});
   CHECK(frame.domains[0] == HalfAxes{{{0.5, 1, 1.5}, {2, 2.5, 3}, {3.5, 4, 4.5}}});
 }
 
@@ -179,6 +182,12 @@ TEST_CASE("what is not a number reaches no file", "[output]") {
                       Catch::Contains("'stress'"));
     CHECK_THROWS_WITH(write_particles(frame, 2, {x.data(), values.data(), nullptr}, {}, 0.0),
                       Catch::Contains("'position'"));
+    const std::array<double, 6> rows{0, 0, 0, 1, bad, 0};
+    const std::array<float, 2> singles{0, static_cast<float>(bad)};
+    const std::vector<OutputField> single{{"domain", {}, nullptr, nullptr, {nullptr, singles.data(), 1}}};
+    CHECK_THROWS_WITH(write_particles(frame, 2, {rows.data(), nullptr, 3}, {}, 0.0),
+                      Catch::Contains("'position' of row 1 "));
+    CHECK_THROWS_WITH(check_rows(2, {x.data(), nullptr, 1}, single), Catch::Contains("'domain' of row 1 "));
     CHECK_FALSE(std::filesystem::exists(frame));
   }
   h.add(1.0, std::vector<std::string>{"2", ""});  // does not exist

@@ -6,7 +6,7 @@
 #include "materials/material.hpp"
 #include "particles/convex_cell.hpp"
 #include "particles/cut_cell.hpp"
-#include "particles/seed.hpp"
+#include "particles/fill.hpp"
 
 #include <numbers>
 #include <random>
@@ -42,14 +42,14 @@ Model model_of(int dimension, std::vector<RegionPtr> shapes, double size = 16, i
   return model;
 }
 
-double volume_of(const std::vector<Seed>& seeds) {
+double volume_of(const Seeds& seeds) {
   double sum = 0.0;
   for (const Seed& s : seeds) sum += s.volume;
   return sum;
 }
 
 /// Largest value of x . n over the domains of all particles.
-double reach(const std::vector<Seed>& seeds, const Vec3& n) {
+double reach(const Seeds& seeds, const Vec3& n) {
   double most = -1e300;
   for (const Seed& s : seeds) {
     const Mat3 axes = s.half_axes.value_or(Mat3(s.half_size.asDiagonal()));
@@ -60,7 +60,7 @@ double reach(const std::vector<Seed>& seeds, const Vec3& n) {
   return most;
 }
 
-double smallest_fraction(const std::vector<Seed>& seeds, double whole) {
+double smallest_fraction(const Seeds& seeds, double whole) {
   double least = 1e300;
   for (const Seed& s : seeds) least = std::min(least, s.volume / whole);
   return least;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "materials/material.hpp"
-#include "particles/seed.hpp"
+#include "particles/fill.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -55,13 +55,13 @@ Piece body(RegionPtr region, int material = 0) {
 
 Expression function(const std::string& text) { return Expression(text, {}); }
 
-double total(const std::vector<Seed>& seeds, double Seed::*member) {
+double total(const Seeds& seeds, double Seed::*member) {
   double sum = 0.0;
   for (const auto& seed : seeds) sum += seed.*member;
   return sum;
 }
 
-long count(const std::vector<Seed>& seeds, int piece) {
+long count(const Seeds& seeds, int piece) {
   return std::count_if(seeds.begin(), seeds.end(), [&](const Seed& s) { return s.piece == piece; });
 }
 

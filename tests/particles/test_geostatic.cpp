@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "material_point.hpp"
-#include "particles/seed.hpp"
+#include "particles/fill.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -31,7 +31,7 @@ Model ground() {
   return model;
 }
 
-Mat3 stress_at(const std::vector<Seed>& seeds, double x, double y) {
+Mat3 stress_at(const Seeds& seeds, double x, double y) {
   for (const auto& s : seeds)
     if ((s.x.head<2>() - Vec<2>(x, y)).norm() < 1e-9) return s.stress;
   throw std::runtime_error("no seed there");

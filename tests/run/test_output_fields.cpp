@@ -92,7 +92,9 @@ TEST_CASE("every field of the table can be written", "[output]") {
     INFO(field.name);
     const bool written = by_name.count(std::string(field.name)) == 1;
     CHECK(written == (field.needs != ParticleField::Needs::heat));  // the model has contact but no heat
-    if (written) CHECK(by_name[std::string(field.name)]->components.size() == field.value.components);
+    if (!written) continue;
+    const OutputField& found = *by_name[std::string(field.name)];
+    CHECK((found.integers ? 0U : static_cast<std::size_t>(found.rows.width)) == field.value.components);
   }
   CHECK(standard_particle_fields() == std::vector<std::string>{"id", "material", "velocity", "displacement", "stress",
                                                                "pressure", "von_mises", "volume_ratio", "contact_state",
@@ -114,13 +116,13 @@ TEST_CASE("particle files carry the half axes of the domains in the reduced basi
   const ParticleFields<2> fields(model, {&body}, {"velocity"});
   const OutputField& domain = fields.fields().back();
   CHECK(domain.name == "domain");
-  CHECK(domain.single);
-  REQUIRE(domain.components.size() == 4);
-  const auto component = [&](std::size_t k, std::size_t i) { return domain.components[k][i]; };
+  REQUIRE(domain.rows.floats);
+  REQUIRE(domain.rows.width == 4);
+  const auto component = [&](std::size_t k, std::size_t i) { return domain.rows.floats[4 * i + k]; };
   const std::array<double, 4> box{half[0], 0, 0, half[1]}, sheared{half[0], 0, 0.25 * half[0], half[1]};
   for (std::size_t k = 0; k < 4; ++k) {
     CHECK(component(k, 2) == Approx(box[k]));
-    CHECK(component(k, 3) == Approx(sheared[k]).margin(1e-12));
+    CHECK(component(k, 3) == Approx(sheared[k]).margin(1e-6));
   }
 }
 

@@ -5,7 +5,7 @@
 #include "solver/heat/temperature_ramps.hpp"
 
 #include "input/read.hpp"
-#include "particles/seed.hpp"
+#include "particles/fill.hpp"
 
 #include <cmath>
 

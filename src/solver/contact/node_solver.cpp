@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "solver/contact/node_solver.hpp"
 
+#include <limits>
 #include <vector>
 
 namespace tribo {
@@ -11,6 +12,9 @@ constexpr int max_sweeps = 200;
 // which is 0.5 to 0.9 at nodes of many bodies. It is far below that of the interpolation between particles and nodes,
 // and the tolerance far above round-off.
 constexpr double tolerance = 1e-13;
+// Where faces stick and slip in turn, the iteration does not converge: the changes no longer decrease. It ends when
+// this many sweeps have not made the smallest change half as large.
+constexpr int patience = 30;
 
 // Change of the impulses in a sweep, and what it is to be compared with.
 struct Change {
@@ -70,11 +74,17 @@ void solve_node(std::span<ContactMember> members, std::span<ContactPair> pairs, 
     solve_pair(members, *active[0], pass);
     return;
   }
+  double least = std::numeric_limits<double>::infinity();
+  int waited = 0;
   for (int sweep = 0; sweep < max_sweeps; ++sweep) {
     Change change;
     for (std::size_t k = 0; k < active.size(); ++k)
       change += solve_pair(members, *active[sweep % 2 == 0 ? k : active.size() - 1 - k], pass);
     if (change.is_small()) break;
+    if (change.change < 0.25 * least)
+      least = change.change, waited = 0;
+    else if (++waited == patience)
+      break;
   }
 }
 

@@ -118,8 +118,7 @@ struct Stencils {
         Kernel::at(local, half_cells, ww, gg);
         for (int n = 0; n < width; ++n) store_lanes(w[d][n] + i, ww[n]), store_lanes(g[d][n] + i, gg[n] * inverse);
         store_lanes(r[d] + i, local);
-        auto* at = reinterpret_cast<IntLanes*>(base + i);
-        *at = d == 0 ? b * stride[d] : *at + b * stride[d];
+        store_lanes(base + i, d == 0 ? b * stride[d] : load_lanes(base + i) + b * stride[d]);
       }
     }
   }
