@@ -72,6 +72,7 @@ void Builder::mpm_header() {
     scheme.exponential_deformation = terms == 2;
   }
   model_.whole_particles = h.child("WholeParticles") != nullptr;
+  model_.output.single_precision = h.child("SinglePrecision") != nullptr;
   if (const auto* split = h.child("SplitParticles")) {
     SplittingSpec& spec = model_.splitting.emplace();
     spec.longest = number(*split, "longest", Dimension::none, spec.longest);

@@ -70,6 +70,13 @@ void add_settings(Rows& add) {
        T::none,
        {},
        true});
+  add({"SinglePrecision",
+       "MPMHeader",
+       "writes the fields of particle files with the seven digits of single precision, positions excepted; the files "
+       "become half as large. The run itself, its checkpoints and tables keep double precision",
+       T::none,
+       {},
+       true});
   add({"SplitParticles",
        "MPMHeader",
        "particles that stretch beyond a length split in two, and small neighbours merge, so that flowing matter does "

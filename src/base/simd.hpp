@@ -10,11 +10,20 @@
 namespace tribo {
 
 using Vec4 = double __attribute__((vector_size(32)));
-/// A Vec4 in an array of doubles. Only for loads and stores: as a template argument it would lose its alignment.
-using StoredVec4 = double __attribute__((vector_size(32), aligned(8), may_alias));
 
-inline Vec4 load4(const double* p) { return *reinterpret_cast<const StoredVec4*>(p); }
-inline void store4(double* p, Vec4 v) { *reinterpret_cast<StoredVec4*>(p) = v; }
+/// A vector from an array, and into an array, of any alignment: a pointer to vectors would promise that of the vectors.
+template <class Vector, class Number>
+inline Vector load_vector(const Number* p) {
+  Vector v;
+  __builtin_memcpy(&v, p, sizeof v);
+  return v;
+}
+template <class Vector, class Number>
+inline void store_vector(Number* p, Vector v) {
+  __builtin_memcpy(p, &v, sizeof v);
+}
+inline Vec4 load4(const double* p) { return load_vector<Vec4>(p); }
+inline void store4(double* p, Vec4 v) { store_vector(p, v); }
 
 struct Wide {
   Vec4 l, h;
@@ -46,13 +55,11 @@ inline constexpr int lane_count = 4;
 #endif
 using Lanes = double __attribute__((vector_size(lane_count * 8)));
 using IntLanes = int __attribute__((vector_size(lane_count * 4)));
-using StoredLanes = double __attribute__((vector_size(lane_count * 8), aligned(8), may_alias));
-using StoredIntLanes = int __attribute__((vector_size(lane_count * 4), aligned(4), may_alias));
 
-inline Lanes load_lanes(const double* p) { return *reinterpret_cast<const StoredLanes*>(p); }
-inline void store_lanes(double* p, Lanes v) { *reinterpret_cast<StoredLanes*>(p) = v; }
-inline IntLanes load_lanes(const int* p) { return *reinterpret_cast<const StoredIntLanes*>(p); }
-inline void store_lanes(int* p, IntLanes v) { *reinterpret_cast<StoredIntLanes*>(p) = v; }
+inline Lanes load_lanes(const double* p) { return load_vector<Lanes>(p); }
+inline void store_lanes(double* p, Lanes v) { store_vector(p, v); }
+inline IntLanes load_lanes(const int* p) { return load_vector<IntLanes>(p); }
+inline void store_lanes(int* p, IntLanes v) { store_vector(p, v); }
 
 /// Transposes the 4 x 4 matrix with rows a, b, c, d: four components of four points <-> four points of four components.
 inline void transpose4(Vec4& a, Vec4& b, Vec4& c, Vec4& d) {

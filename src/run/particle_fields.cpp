@@ -115,7 +115,7 @@ bool is_compact(const Mat<Dim>& axes, const Vec<Dim>& cell, bool limits) {
 template <int Dim>
 ParticleFields<Dim>::ParticleFields(const Model& model, std::vector<Body<Dim>*> bodies,
                                     const std::vector<std::string>& names)
-    : bodies_(std::move(bodies)), limits_(model.scheme.kernel != Kernel::cpdi) {
+    : bodies_(std::move(bodies)), limits_(model.scheme.kernel != Kernel::cpdi), single_(model.output.single_precision) {
   for (const auto* body : bodies_) count_ += body->particles.size();
   add_positions();
   for (const auto& name : names) {
@@ -153,19 +153,22 @@ void ParticleFields<Dim>::fill() {
 }
 
 template <int Dim>
-double* ParticleFields<Dim>::rows(const std::string& name, std::size_t width) {
-  double* const numbers = doubles_.emplace_back(count_, width).numbers.get();
-  const OutputRows rows{numbers, nullptr, static_cast<int>(width)};
-  if (name.empty())
-    positions_ = rows;
+typename ParticleFields<Dim>::Target ParticleFields<Dim>::add_rows(const std::string& name, std::size_t width,
+                                                                   bool single) {
+  Target to{};
+  if (single)
+    to.floats = floats_.emplace_back(count_, width).numbers.get();
   else
-    fields_.push_back({name, {}, nullptr, nullptr, rows});
-  return numbers;
+    to.doubles = doubles_.emplace_back(count_, width).numbers.get();
+  fields_.push_back({name, {}, nullptr, nullptr, {to.doubles, to.floats, static_cast<int>(width)}});
+  return to;
 }
 
 template <int Dim>
 void ParticleFields<Dim>::add_positions() {
-  fills_.push_back([to = rows({}, 3)](const Part& part) {
+  double* const to = doubles_.emplace_back(count_, 3).numbers.get();
+  positions_ = {to, nullptr, 3};
+  fills_.push_back([to](const Part& part) {
     const auto x = part.body->particles.x();
     double* at = to + 3 * part.at;
     for (std::size_t i = part.begin; i < part.end; ++i)
@@ -201,14 +204,15 @@ void ParticleFields<Dim>::add_numbers(const ParticleField& field) {
   static constexpr std::size_t most = 9;
   const std::size_t n = field.value.components;
   if (n > most) throw std::logic_error("a field has too many components");
-  fills_.push_back([to = rows(std::string(field.name), n), n, numbers = field.value.numbers](const Part& part) {
+  const Target to = add_rows(std::string(field.name), n, single_);
+  fills_.push_back([to, n, numbers = field.value.numbers](const Part& part) {
     BodyParticle<Dim> particle(*part.body);
     std::array<double, most> values{};
-    double* at = to + n * part.at;
+    std::size_t at = n * part.at;
     for (std::size_t i = part.begin; i < part.end; ++i) {
       particle.select(i);
       numbers(particle, values.data());
-      for (std::size_t k = 0; k < n; ++k) *at++ = values[k];
+      for (std::size_t k = 0; k < n; ++k) to.set(at++, values[k]);
     }
   });
 }
@@ -216,24 +220,20 @@ void ParticleFields<Dim>::add_numbers(const ParticleField& field) {
 // Variables of the same name in several materials share a field, which is zero for all others.
 template <int Dim>
 void ParticleFields<Dim>::add_history() {
-  std::map<std::string, double*> known;
+  std::map<std::string, Target> known;
   for (const auto* body : bodies_)
-    for (const auto& variable : body->law->history()) {
-      double*& a = known[variable.name];
-      if (!a) a = rows(variable.name, 1);
-    }
+    for (const auto& variable : body->law->history())
+      if (known.count(variable.name) == 0) known[variable.name] = add_rows(variable.name, 1, single_);
   fills_.push_back([known](const Part& part) {
     const auto& variables = part.body->law->history();
-    const std::size_t count = part.end - part.begin;
-    for (const auto& field : known) {
-      double* const a = field.second;
+    for (const auto& [name, to] : known) {
+      const std::string& wanted = name;
       const auto found =
-          std::find_if(variables.begin(), variables.end(), [&](const auto& v) { return v.name == field.first; });
-      if (found == variables.end())
-        std::fill_n(a + part.at, count, 0.0);
-      else
-        std::copy_n(part.body->history_columns[static_cast<std::size_t>(found - variables.begin())] + part.begin, count,
-                    a + part.at);
+          std::find_if(variables.begin(), variables.end(), [&](const auto& v) { return v.name == wanted; });
+      const double* from = found == variables.end()
+                               ? nullptr
+                               : part.body->history_columns[static_cast<std::size_t>(found - variables.begin())];
+      for (std::size_t i = part.begin; i < part.end; ++i) to.set(part.at + i - part.begin, from ? from[i] : 0.0);
     }
   });
 }
@@ -241,12 +241,10 @@ void ParticleFields<Dim>::add_history() {
 template <int Dim>
 void ParticleFields<Dim>::add_domains() {
   static constexpr std::size_t width = Dim * Dim;
-  float* const to = floats_.emplace_back(count_, width).numbers.get();
-  fields_.push_back({"domain", {}, nullptr, nullptr, {nullptr, to, width}});
-  fills_.push_back([to, limits = limits_](const Part& part) {
+  fills_.push_back([to = add_rows("domain", width, true), limits = limits_](const Part& part) {
     const DomainReader<Dim> domain(*part.body);
     const Vec<Dim> cell = part.body->cell.template head<Dim>();
-    float* at = to + width * part.at;
+    std::size_t at = width * part.at;
     for (std::size_t i = part.begin; i < part.end; ++i) {
       Mat<Dim> axes = domain(static_cast<std::uint32_t>(i)).axes;
       if (!is_compact<Dim>(axes, cell, limits)) {
@@ -254,7 +252,7 @@ void ParticleFields<Dim>::add_domains() {
         if (limits) axes = limited<Dim>(axes, cell);
       }
       for (std::size_t k = 0; k < width; ++k)
-        *at++ = static_cast<float>(axes(static_cast<Eigen::Index>(k % Dim), static_cast<Eigen::Index>(k / Dim)));
+        to.set(at++, axes(static_cast<Eigen::Index>(k % Dim), static_cast<Eigen::Index>(k / Dim)));
     }
   });
 }

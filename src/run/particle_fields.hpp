@@ -62,12 +62,24 @@ class ParticleFields {
   void add_numbers(const ParticleField& field);
   void add_history();
   void add_domains();
-  // Rows of `width` numbers for all particles, as a field with this name where there is one.
-  double* rows(const std::string& name, std::size_t width);
+  // Where the numbers of a field go, in one of two precisions.
+  struct Target {
+    double* doubles;
+    float* floats;
+    void set(std::size_t at, double value) const {
+      if (doubles)
+        doubles[at] = value;
+      else
+        floats[at] = static_cast<float>(value);
+    }
+  };
+  // Adds a field with rows of `width` numbers.
+  Target add_rows(const std::string& name, std::size_t width, bool single);
 
   std::vector<Body<Dim>*> bodies_;
   std::size_t count_ = 0;
   bool limits_;  ///< CPDI: particles interact as far as their domains reach
+  bool single_;
   OutputRows positions_;
   std::vector<OutputField> fields_;
   std::vector<std::function<void(const Part&)>> fills_;  // until the fields are filled

@@ -186,6 +186,13 @@ TEST_CASE("materials are numbered by first reference if names are used", "[input
   CHECK(m.materials.at(1).name == "Right disk");
 }
 
+TEST_CASE("single precision of files is a choice", "[input]") {
+  std::string text = text_of(here / "legacy_disks.xml");
+  CHECK_FALSE(read_model_text(text, "deck.xml").output.single_precision);
+  text.insert(text.find("<MPMHeader>") + 11, "<SinglePrecision/>");
+  CHECK(read_model_text(text, "deck.xml").output.single_precision);
+}
+
 TEST_CASE("the cell size enlarges the upper edge to a whole cell", "[input]") {
   std::string text = text_of(here / "legacy_disks.xml");
   const auto at = text.find("ymax=\"&vmax;\"");

@@ -33,8 +33,10 @@ Model plane(int nx = 4, int ny = 4, double width = 4, double height = 4) {
   model.grid.low = {0, 0, 0};
   model.grid.high = {width, height, 0};
   model.grid.cells = {nx, ny, 1};
-  model.materials.push_back({"light", "", std::make_shared<Weight>(2.0), {}, {}, 0, {}, {}});
-  model.materials.push_back({"heavy", "", std::make_shared<Weight>(10.0), {}, {}, 0, {}, {}});
+  for (const auto& [name, density] : {std::pair{"light", 2.0}, std::pair{"heavy", 10.0}}) {
+    MaterialSpec& spec = model.materials.emplace_back();
+    spec.name = name, spec.law = std::make_shared<Weight>(density);
+  }
   return model;
 }
 

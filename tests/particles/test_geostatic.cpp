@@ -17,8 +17,10 @@ std::shared_ptr<const Material> soil(const char* density) {
 Model ground() {
   Model model;
   model.grid.low = {0, 0, 0}, model.grid.high = {4, 4, 0}, model.grid.cells = {4, 4, 1};
-  model.materials.push_back({"light", "", soil("2"), {}, {}, 0, {}, {}});
-  model.materials.push_back({"heavy", "", soil("10"), {}, {}, 0, {}, {}});
+  for (const auto& [name, density] : {std::pair{"light", "2"}, std::pair{"heavy", "10"}}) {
+    MaterialSpec& spec = model.materials.emplace_back();
+    spec.name = name, spec.law = soil(density);
+  }
   model.body_force.gravity = {0, -10, 0};
   const auto add = [&](RegionPtr region, int material) {
     Piece piece;

@@ -102,6 +102,22 @@ TEST_CASE("every field of the table can be written", "[output]") {
                                                                "history"});
 }
 
+TEST_CASE("fields in single precision are the rounded ones, positions are not rounded", "[output]") {
+  Model model = two_layers();
+  auto system = build_system<2>(model, layers_of(model));
+  auto& body = system.bodies[0];
+  body.particles.x()[0][1] = 1.0 / 3.0, body.particles.v()[1][1] = 1.0 / 3.0;
+  const ParticleFields<2> exact(model, {&body}, {"velocity", "material"});
+  model.output.single_precision = true;
+  const ParticleFields<2> rounded(model, {&body}, {"velocity", "material"});
+  REQUIRE(rounded.fields()[0].rows.floats);
+  CHECK(exact.fields()[0].rows.doubles[4] == 1.0 / 3.0);
+  CHECK(rounded.fields()[0].rows.floats[4] == static_cast<float>(1.0 / 3.0));
+  CHECK(rounded.positions().doubles[3] == 1.0 / 3.0);
+  CHECK(rounded.fields()[1].integers[1] == exact.fields()[1].integers[1]);
+  CHECK(rounded.bytes() < exact.bytes());
+}
+
 TEST_CASE("particle files carry the half axes of the domains in the reduced basis", "[output]") {
   const Model model = two_layers();
   auto system = build_system<2>(model, layers_of(model));
