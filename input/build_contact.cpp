@@ -53,14 +53,13 @@ const MaterialSpec* Builder::named_law(const Statement& s) {
   for (const auto& m : model_.materials)
     if (law(m)) names.push_back(m.name);
   const MaterialSpec* found = nullptr;
-  if (a->name == "lawname") {
+  const auto number = a->name == "law" ? to_number(a->text) : std::nullopt;
+  if (!number) {
     for (const auto& m : model_.materials)
       if (m.name == a->text && (!found || law(m))) found = &m;
-  } else {
-    const auto number = to_number(a->text);
-    if (number && *number >= 1 && *number <= static_cast<double>(model_.materials.size()) &&
-        *number == std::floor(*number))
-      found = &model_.materials[static_cast<std::size_t>(*number) - 1];
+  } else if (*number >= 1 && *number <= static_cast<double>(model_.materials.size()) &&
+             *number == std::floor(*number)) {
+    found = &model_.materials[static_cast<std::size_t>(*number) - 1];
   }
   const std::string valid = names.empty()
                                 ? "this file defines none: give a <Material> of type " + join(contact_law_names())

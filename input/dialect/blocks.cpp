@@ -36,7 +36,7 @@ void add_blocks(Rows& add) {
        "rigid blocks with joint laws at their contacts, alone or together with bodies in a grid", T::none,
        std::vector<AttributeSpec>{
            text("lawname", "name of the joint law of contacts outside every <Joint>, and of the stiffness of platens"),
-           text("law", "number of that joint law, instead of lawname"),
+           text("law", "number or name of that joint law, instead of lawname"),
            text("touchname",
                 "name of the joint law of contacts formed during the run outside every <Joint>; default: the law "
                 "'lawname' without its bonds; 'none': such a contact is an error"),
@@ -84,7 +84,7 @@ void add_blocks(Rows& add) {
        T::none,
        std::vector<AttributeSpec>{
            text("lawname", "name of the joint law"),
-           text("law", "number of the joint law, instead of lawname"),
+           text("law", "number or name of the joint law, instead of lawname"),
            text("blocks", "names of blocks, separated by blanks: both blocks of the contact are among them"),
            text("with", "one block is among these, the other among 'blocks'; 'any': any block"),
            text("dip",

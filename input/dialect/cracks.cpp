@@ -52,7 +52,7 @@ void add_cracks(Rows& add) {
       text("matname", "name of this law, instead of mat")};
   add({"CrackList", "JANFEAInput", "a crack: points and lines in this order, or surfaces in three dimensions", T::none,
        std::vector<AttributeSpec>{{"type", T::choice, "accepted", "fixed free"},
-                                  text("law", "number of the contact or joint law between its faces"),
+                                  text("law", "number or name of the contact or joint law between its faces"),
                                   text("lawname", "name of the law, instead of law"),
                                   text("Tprop", "number of the traction law of the parts without mat (0: none)"),
                                   text("Tpropname", "name of this traction law, instead of Tprop"),

@@ -45,7 +45,7 @@ std::vector<AttributeSpec> stress_components() {
 }
 
 std::vector<AttributeSpec> contact_law() {
-  return {text("law", "number of the contact law"),
+  return {text("law", "number or name of the contact law"),
           text("lawname", "name of the contact law, instead of law"),
           number("Dn", "old form: normal stiffness of an interface"),
           number("Dnt", "normal stiffness in tension"),

@@ -77,7 +77,7 @@ void add_stages(Rows& add) {
                        AttributeSpec{"add", T::flag, "yes: the values are added to the present stress"}}});
   const std::vector<AttributeSpec> of_joints{
       text("lawname", "joints that follow this law"),
-      text("law", "number of the law, instead of lawname"),
+      text("law", "number or name of the law, instead of lawname"),
       text("blocks", "blocks: both of the contact are among these names"),
       text("with", "blocks: one is among these, the other among 'blocks'; 'any': any block"),
       text("dip", "two angles to the horizontal, between which the face is inclined [degrees, 0 to 90]"),

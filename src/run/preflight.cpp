@@ -159,7 +159,7 @@ class Report {
       if (separate && gap > touching && gap < 1 && model_.contact.separation != Separation::edges)
         advice_.push_back(who +
                           format(" are %.3g cells apart: this way to find the gap may see contact before they touch; "
-                                 "normals LOGREG (the default) measures it",
+                                 "the default separation, of the edges of particles, measures it",
                                  gap));
     }
   }

@@ -186,6 +186,16 @@ TEST_CASE("materials are numbered by first reference if names are used", "[input
   CHECK(m.materials.at(1).name == "Right disk");
 }
 
+TEST_CASE("a contact law is found by its number or its name", "[input]") {
+  const std::string text = text_of(here / "malformed/contact_undefined_law.xml"), wrong = "lawname='rubb'";
+  for (const std::string right : {"lawname='rub'", "law='rub'", "law='3'"}) {
+    std::string edited = text;
+    edited.replace(text.find(wrong), wrong.size(), right);
+    INFO(right);
+    CHECK(read_model_text(edited, "deck.xml").contact.default_law != nullptr);
+  }
+}
+
 TEST_CASE("single precision of files is a choice", "[input]") {
   std::string text = text_of(here / "legacy_disks.xml");
   CHECK_FALSE(read_model_text(text, "deck.xml").output.single_precision);
