@@ -15,6 +15,11 @@ namespace tribo {
 /// A sequence of values in which successive equal values are stored once.
 template <class T>
 class Runs {
+  struct Run {
+    std::size_t begin;
+    T value;
+  };
+
  public:
   void push_back(const T& value) {
     if (runs_.empty() || !(runs_.back().value == value)) runs_.push_back({size_, value});
@@ -38,15 +43,11 @@ class Runs {
     }
 
    private:
-    const std::vector<typename Runs::Run>* runs_;
+    const std::vector<Run>* runs_;
     std::size_t run_;
   };
 
  private:
-  struct Run {
-    std::size_t begin;
-    T value;
-  };
   std::vector<Run> runs_;
   std::size_t size_ = 0;
 };
