@@ -82,6 +82,7 @@ def run(case):
     rings = [dict(h=0.2 / n) for n in (4, 8, 16)]
     breathing = errors(case, "ring", rings, ring, kernel="lCPDI", points=4)
     case.check("ring, CPDI, USL-: error with 16 cells across", breathing[-1], 0, 0.01, "at most")
+    case.check("ring, CPDI, USL-: 1 minus order between 8 and 16 cells", 1 - order(breathing), 0, 0, "at most")
     averaged = errors(case, "ring", rings + [dict(h=0.2 / 32)], ring, kernel="lCPDI", points=4, method="USAVG")
     case.check("ring, CPDI, USAVG-: error with 16 cells across", averaged[-2], 0, 5e-3, "at most")
     for cells, order_found in ((8, order(averaged[:2])), (16, order(averaged[:3])), (32, order(averaged))):
