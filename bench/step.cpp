@@ -2,7 +2,7 @@
 /// Whole-step speed of cases (a) and (b): a square of 160x160 cells with 4 points each and a cube of 32^3 cells with 8,
 /// linear elastic, moving and shearing. Reports CPU time per particle-step of one core, and memory per particle.
 ///
-///   bench_step <2|3> <kernel> <transfer> <threads> [cells] [steps]
+///   bench_step <2|3> <kernel> <transfer> <threads> [cells] [steps] [order: USL-, USL+, USAVG-, USAVG+, USF]
 
 #include "solver/step.hpp"
 #include "base/parallel.hpp"
@@ -20,12 +20,13 @@ using namespace tribo;
 namespace {
 
 template <int Dim>
-int run(Kernel kernel, Transfer transfer, UpdateOrder order, int cells, int steps) {
+int run(Kernel kernel, Transfer transfer, const std::string& order, int cells, int steps) {
   Model model;
   model.analysis = Dim == 2 ? Analysis::plane_strain : Analysis::solid;
   model.scheme = {};
-  model.scheme.order = order;
-  model.scheme.extrapolate_again = false;
+  const bool averaged = order.starts_with("USAVG");
+  model.scheme.order = order == "USF" ? UpdateOrder::usf : averaged ? UpdateOrder::usavg : UpdateOrder::usl;
+  model.scheme.extrapolate_again = order.back() == '+';
   model.scheme.kernel = kernel;
   model.scheme.transfer = transfer;
   model.scheme.flip_fraction = 0.99;
@@ -56,6 +57,8 @@ int run(Kernel kernel, Transfer transfer, UpdateOrder order, int cells, int step
   Body<Dim> body(n, law->needs_deformation(), transfers->shift(), transfers->colours_per_axis());
   body.name = "block", body.law = law;
   body.uniform_half_size.setConstant(h / 4);
+  body.origin = body.particles.add_vector("origin", Dimension::length);
+  if (model.scheme.extrapolate_again) body.start = body.particles.add_vector("start_position", Dimension::length);
   if (transfer == Transfer::apic) body.affine = body.particles.add_matrix("affine", Dimension::none);
   if (transfer == Transfer::fmpm || transfer == Transfer::xpic)
     body.filtered = body.particles.add_vector("filtered", Dimension::velocity);
@@ -114,5 +117,6 @@ int main(int argc, char** argv) {
                      : transfer == "fmpm" ? Transfer::fmpm
                      : transfer == "flip" ? Transfer::flip
                                           : Transfer::blend;
-  return dim == "2" ? run<2>(k, t, UpdateOrder::usl, cells, steps) : run<3>(k, t, UpdateOrder::usl, cells, steps);
+  const std::string order = argc > 7 ? argv[7] : "USL-";
+  return dim == "2" ? run<2>(k, t, order, cells, steps) : run<3>(k, t, order, cells, steps);
 }

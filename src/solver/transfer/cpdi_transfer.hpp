@@ -242,7 +242,7 @@ class CpdiTransfers final : public Transfers<Dim> {
         }
         value.store(sums.whole[i % 4]);
         for (int d = 0; d < Dim; ++d) store4(sums.slope[d][i % 4], slope[d]), store4(sums.moment[d][i % 4], moment[d]);
-        if (i % 4 == 3 || i == count - 1) sums.template transpose<true, true>(i / 4 * 4);
+        if (i % 4 == 3 || i == count - 1) sums.template transpose<true, true, true>(i / 4 * 4);
       }
       update_particles(body, lattice, first, count, what, sums, result);
     }

@@ -26,7 +26,7 @@ struct GatherSums {
   alignas(64) double affine[Dim * Dim][batch_lanes];     ///< sum w v (x_i - x)^T
 
   /// Transposes the sums of the particles i ... i + 3 into the arrays by component.
-  template <bool Gradient, bool Affine>
+  template <bool Second, bool Gradient, bool Affine>
   void transpose(int i) {
     const auto spread = [i](const double(*rows)[4], int stride, double* x, double* y, double* z) {
       const double* r = rows[0];
@@ -37,7 +37,8 @@ struct GatherSums {
     };
     const auto* parts = reinterpret_cast<const double(*)[4]>(whole);
     spread(parts, 8, velocity[0], velocity[1], Dim == 3 ? velocity[Dim - 1] : nullptr);
-    spread(parts + 1, 8, acceleration[0], acceleration[1], Dim == 3 ? acceleration[Dim - 1] : nullptr);
+    if constexpr (Second)
+      spread(parts + 1, 8, acceleration[0], acceleration[1], Dim == 3 ? acceleration[Dim - 1] : nullptr);
     for (int d = 0; d < Dim; ++d) {
       if constexpr (Gradient) {
         if constexpr (Dim == 2)

@@ -48,25 +48,36 @@ class ProductTransfers final : public Transfers<Dim> {
 
   void scatter(Body<Dim>& body, const Target<Dim>& target, Scatter what, bool from_start, bool axisymmetric,
                const std::vector<char>* only) const override {
-    const bool affine =
-        what == Scatter::heat || (body.affine && (what == Scatter::momentum || what == Scatter::momentum_and_force));
-    const bool force = uses_gradients(what);
-    for (std::size_t c = 0; c < body.bins.colours().size(); ++c) {
-      const auto& colour = body.bins.colours()[c];
-      const auto before = [&](std::ptrdiff_t k) { return body.bins.before(c, static_cast<std::size_t>(k)); };
-      parallel_for_weighted(static_cast<std::ptrdiff_t>(colour.size()), before, [&](std::ptrdiff_t k) {
-        const Bin& bin = body.bins.list()[colour[static_cast<std::size_t>(k)]];
-        if (only && !(*only)[static_cast<std::size_t>(bin.block)]) return;
-        const CutBin* cut = body.cut_bin(colour[static_cast<std::size_t>(k)]);
-        if (force && affine)
-          scatter_bin<true, true>(body, target, bin, cut, what, from_start, axisymmetric);
-        else if (force)
-          scatter_bin<true, false>(body, target, bin, cut, what, from_start, axisymmetric);
-        else if (affine)
-          scatter_bin<false, true>(body, target, bin, cut, what, from_start, axisymmetric);
-        else
-          scatter_bin<false, false>(body, target, bin, cut, what, from_start, axisymmetric);
-      });
+    const bool with_affine = body.affine && (what == Scatter::momentum || what == Scatter::momentum_and_force);
+    const auto add_bins = [&](auto sums) {
+      for (std::size_t c = 0; c < body.bins.colours().size(); ++c) {
+        const auto& colour = body.bins.colours()[c];
+        const auto before = [&](std::ptrdiff_t k) { return body.bins.before(c, static_cast<std::size_t>(k)); };
+        parallel_for_weighted(static_cast<std::ptrdiff_t>(colour.size()), before, [&](std::ptrdiff_t k) {
+          const Bin& bin = body.bins.list()[colour[static_cast<std::size_t>(k)]];
+          if (only && !(*only)[static_cast<std::size_t>(bin.block)]) return;
+          const CutBin* cut = body.cut_bin(colour[static_cast<std::size_t>(k)]);
+          scatter_bin<sums()>(body, target, bin, cut, what, from_start, axisymmetric);
+        });
+      }
+    };
+    switch (what) {
+      case Scatter::heat:
+        return add_bins(constant<AddedSums{.first = true, .second = true, .affine = true}>);
+      case Scatter::volume:
+        return add_bins(constant<AddedSums{.first = true, .second = true}>);
+      case Scatter::force:
+        return add_bins(constant<AddedSums{.second = true}>);
+      case Scatter::momentum_and_force:
+        if (with_affine) return add_bins(constant<AddedSums{.first = true, .second = true, .affine = true}>);
+        return add_bins(constant<AddedSums{.first = true, .second = true}>);
+      case Scatter::momentum:
+        if (with_affine) return add_bins(constant<AddedSums{.first = true, .affine = true}>);
+        return add_bins(constant<AddedSums{.first = true}>);
+      case Scatter::filtered:
+      case Scatter::heat_residual:
+      case Scatter::volumetric:
+        return add_bins(constant<AddedSums{.first = true}>);
     }
   }
 
@@ -76,30 +87,63 @@ class ProductTransfers final : public Transfers<Dim> {
     collector.start();
     const auto& bins = body.bins.list();
     const auto before = [&](std::ptrdiff_t k) { return body.bins.before(static_cast<std::size_t>(k)); };
-    parallel_for_weighted(static_cast<std::ptrdiff_t>(bins.size()), before, [&](std::ptrdiff_t k) {
-      auto& result = collector.mine();
-      const Bin& bin = bins[static_cast<std::size_t>(k)];
-      const CutBin* cut = body.cut_bin(static_cast<std::size_t>(k));
-      if (what.task == GatherTask::filtered_velocity || what.task == GatherTask::temperature_residual ||
-          what.task == GatherTask::cell_mean)
-        gather_bin<false, false>(body, target, bin, cut, what, result);
-      else if (body.affine && what.move)
-        gather_bin<true, true>(body, target, bin, cut, what, result);
-      else
-        gather_bin<true, false>(body, target, bin, cut, what, result);
-    });
+    const auto sum_bins = [&](auto sums) {
+      parallel_for_weighted(static_cast<std::ptrdiff_t>(bins.size()), before, [&](std::ptrdiff_t k) {
+        const CutBin* cut = body.cut_bin(static_cast<std::size_t>(k));
+        gather_bin<sums()>(body, target, bins[static_cast<std::size_t>(k)], cut, what, collector.mine());
+      });
+    };
+    switch (what.task) {
+      case GatherTask::filtered_velocity:
+      case GatherTask::temperature_residual:
+      case GatherTask::cell_mean:
+        sum_bins(constant<GatheredSums{}>);
+        break;
+      case GatherTask::volume_rate:
+        sum_bins(constant<GatheredSums{.gradient = true}>);
+        break;
+      case GatherTask::temperature:
+        sum_bins(constant<GatheredSums{.second = true, .gradient = true}>);
+        break;
+      case GatherTask::update:
+        if (!what.move)
+          sum_bins(constant<GatheredSums{.gradient = true}>);
+        else if (body.affine)  // APIC replaces the velocities of the particles and needs no accelerations
+          sum_bins(constant<GatheredSums{.gradient = true, .affine = true}>);
+        else if (what.strain_dt > 0)
+          sum_bins(constant<GatheredSums{.second = true, .gradient = true}>);
+        else
+          sum_bins(constant<GatheredSums{.second = true}>);
+    }
     return collector.total();
   }
 
  private:
   using Across = CutPatches<Dim, width>;
 
+  /// The sums that a scatter adds to the nodes; the others stay zero.
+  struct AddedSums {
+    bool first = false;   ///< the weight and the first vector of a node
+    bool second = false;  ///< the second vector, from the values of the particles and from their fluxes
+    bool affine = false;  ///< linear fields about the particles, to the first vector
+  };
+
+  /// The values that a gather interpolates; the first vector of a node always is one of them.
+  struct GatheredSums {
+    bool second = false;    ///< the second vector of a node
+    bool gradient = false;  ///< of the first vector
+    bool affine = false;    ///< moments of the first vector about the particle
+  };
+
+  template <auto value>
+  static constexpr std::integral_constant<decltype(value), value> constant{};
+
   static std::array<const double*, Dim> half_sizes(const Body<Dim>& body) {
     if (Kernel::sized && body.half_size) return body.particles[body.half_size];
     return {};
   }
 
-  template <bool Force, bool Affine>
+  template <AddedSums sums>
   void scatter_bin(Body<Dim>& body, const Target<Dim>& target, const Bin& bin, const CutBin* cut, Scatter what,
                    bool from_start, bool axisymmetric) const {
     const BlockMap<Dim>& map = *target.map[0];
@@ -114,15 +158,15 @@ class ProductTransfers final : public Transfers<Dim> {
     for (std::uint32_t first = bin.begin; first < bin.end; first += batch) {
       const int count = static_cast<int>(std::min<std::uint32_t>(batch, bin.end - first));
       stencils.compute(map.lattice(), block, x, first, count, half, body.uniform_half_size);
-      terms.template prepare<Force>(body, first, count, what, axisymmetric);
-      if (Affine && what != Scatter::heat) prepare_affine(body, map.lattice(), stencils, first, count, terms);
+      terms.template prepare<sums.second>(body, first, count, what, axisymmetric);
+      if (sums.affine && what != Scatter::heat) prepare_affine(body, map.lattice(), stencils, first, count, terms);
       for (int i = 0; i < count; ++i) {
         if (i % 8 == 0) fetch_ahead(body.read_by_scatter, first + static_cast<std::uint32_t>(batch + i));
         const std::uint8_t* sides = cut ? cut->of(first - bin.begin + static_cast<std::uint32_t>(i)) : nullptr;
         if (sides)
-          add_by_side<Force, Affine>(stencils, terms, map.lattice(), i, sides, across.data(patch));
+          add_by_side<sums>(stencils, terms, map.lattice(), i, sides, across.data(patch));
         else
-          add<Force, Affine>(stencils, terms, map.lattice(), i, patch.data);
+          add<sums>(stencils, terms, map.lattice(), i, patch.data);
       }
     }
     patch.add_to(map.neighbours(bin.block), target.nodes[0]);
@@ -137,78 +181,79 @@ class ProductTransfers final : public Transfers<Dim> {
                              std::uint32_t first, int count, ScatterTerms<Dim>& terms) {
     const double* m = body.particles.mass() + first;
     const auto affine = body.particles[body.affine];
-    for (int d = 0; d < Dim; ++d)
-      for (int i = 0; i < count; ++i) {
-        double moment = 0.0;
+    for (int d = 0; d < Dim; ++d) {
+      const double h = lattice.spacing[d];
+      for (int i = 0; i < count; i += 4) {
+        Vec4 moment{};
         for (int n = 0; n < width; ++n) {
-          const double distance = (n - stencils.r[d][i]) * lattice.spacing[d];
-          moment += stencils.w[d][n][i] * distance * distance;
+          const Vec4 distance = static_cast<double>(n) - load4(stencils.r[d] + i);
+          moment += load4(stencils.w[d][n] + i) * distance * distance;
         }
-        const double h = lattice.spacing[d];
-        const double scale = moment > 1e-2 * h * h ? m[i] / moment : 0.0;
-        double* to = terms.affine[d][i];
-        to[0] = 0.0, to[3] = 0.0;
-        for (int c = 0; c < Dim; ++c)
-          to[1 + c] = scale * affine[static_cast<std::size_t>(c * Dim + d)][first + static_cast<std::uint32_t>(i)];
+        const Vec4 scale = moment > 1e-2 ? load4(m + i) / (moment * (h * h)) : Vec4{};
+        const auto column = [&](int c) {
+          return scale * load4(affine[static_cast<std::size_t>(c * Dim + d)] + first + i);
+        };
+        ScatterTerms<Dim>::spread(terms.affine[d], i, column(0), column(1), Dim == 3 ? column(Dim - 1) : Vec4{});
       }
+    }
   }
 
-  template <bool Force, bool Affine>
+  // The products of one-dimensional functions are formed for the plane, then for the row, then for the node.
+  template <AddedSums sums>
   static void add(const Stencils<Dim, Kernel>& s, const ScatterTerms<Dim>& terms, const Lattice<Dim>& lattice, int i,
                   double* data) {
-    const Wide whole = Wide::load(terms.whole[i]);
-    [[maybe_unused]] Upper flux[3];
-    if constexpr (Force)
-      for (int d = 0; d < Dim; ++d) flux[d] = Upper::from(load4(terms.flux[d][i]));
+    const Vec4 first = load4(terms.whole[i]), second = load4(terms.whole[i] + 4);
+    [[maybe_unused]] Vec4 flux[3], affine[3];
+    for (int d = 0; d < Dim; ++d) {
+      if constexpr (sums.second) flux[d] = load4(terms.flux[d][i]);
+      if constexpr (sums.affine) affine[d] = lattice.spacing[d] * load4(terms.affine[d][i]);
+    }
     double wx[width];
     [[maybe_unused]] double gx[width], ax[width];
     for (int n = 0; n < width; ++n) {
       wx[n] = s.w[0][n][i];
-      if constexpr (Force) gx[n] = s.g[0][n][i];
-      if constexpr (Affine) ax[n] = wx[n] * (n - s.r[0][i]) * lattice.spacing[0];
+      if constexpr (sums.second) gx[n] = s.g[0][n][i];
+      if constexpr (sums.affine) ax[n] = wx[n] * (n - s.r[0][i]);
     }
     double* base = data + s.base[i];
 #pragma GCC unroll 4
     for (int c = 0; c < (Dim == 3 ? width : 1); ++c) {
-      // The products of one-dimensional functions are formed for the plane, then for the row, then for the node.
       const double wz = Dim == 3 ? s.w[Dim - 1][c][i] : 1.0;
-      Wide plane = Dim == 3 ? wz * whole : whole;
-      [[maybe_unused]] Upper plane_x = flux[0], plane_y = flux[1];
-      if constexpr (Force && Dim == 3) {
-        plane = plane + s.g[Dim - 1][c][i] * flux[2];
-        plane_x = wz * flux[0], plane_y = wz * flux[1];
+      [[maybe_unused]] Vec4 plane = first, plane_second = second;
+      [[maybe_unused]] Vec4 plane_x = flux[0], plane_y = flux[1], affine_x = affine[0], affine_y = affine[1];
+      if constexpr (Dim == 3) {
+        if constexpr (sums.affine) {
+          plane += (c - s.r[Dim - 1][i]) * affine[2];
+          affine_x = wz * affine[0], affine_y = wz * affine[1];
+        }
+        plane = wz * plane;
+        if constexpr (sums.second) {
+          plane_second = wz * second + s.g[Dim - 1][c][i] * flux[2];
+          plane_x = wz * flux[0], plane_y = wz * flux[1];
+        }
       }
 #pragma GCC unroll 4
       for (int b = 0; b < width; ++b) {
         const double wy = s.w[1][b][i];
-        [[maybe_unused]] const double wyz = wy * wz;
-        Wide row = wy * plane;
-        [[maybe_unused]] Upper slope;
-        if constexpr (Force) {
-          row = row + s.g[1][b][i] * plane_y;
-          slope = wy * plane_x;
-        }
-        [[maybe_unused]] Wide spin;
-        if constexpr (Affine) {
-          Vec4 low = (b - s.r[1][i]) * lattice.spacing[1] * load4(terms.affine[1][i]);
-          if constexpr (Dim == 3)
-            low += (c - s.r[Dim - 1][i]) * lattice.spacing[Dim - 1] * load4(terms.affine[Dim - 1][i]);
-          row = row + Wide::join(wyz * low, Vec4{});
-          spin = Wide::join(wyz * load4(terms.affine[0][i]), Vec4{});
-        }
+        [[maybe_unused]] Vec4 row, slope, row_second, spin;
+        if constexpr (sums.first && !sums.affine) row = wy * plane;
+        if constexpr (sums.affine) row = wy * (plane + (b - s.r[1][i]) * affine_y), spin = wy * affine_x;
+        if constexpr (sums.second) row_second = wy * plane_second + s.g[1][b][i] * plane_y, slope = wy * plane_x;
         double* node = base + 8 * (c * NodePatch::plane + b * NodePatch::row);
 #pragma GCC unroll 4
-        for (int a = 0; a < width; ++a) {
-          Wide sum = Wide::load(node + 8 * a) + wx[a] * row;
-          if constexpr (Force) sum = sum + gx[a] * slope;
-          if constexpr (Affine) sum = sum + ax[a] * spin;
-          sum.store(node + 8 * a);
+        for (int a = 0; a < width; ++a, node += 8) {
+          if constexpr (sums.first) {
+            Vec4 sum = load4(node) + wx[a] * row;
+            if constexpr (sums.affine) sum += ax[a] * spin;
+            store4(node, sum);
+          }
+          if constexpr (sums.second) store4(node + 4, load4(node + 4) + wx[a] * row_second + gx[a] * slope);
         }
       }
     }
   }
 
-  template <bool Gradient, bool Affine>
+  template <GatheredSums wanted>
   void gather_bin(Body<Dim>& body, const Target<Dim>& target, const Bin& bin, const CutBin* cut, const Gather& what,
                   GatherResult& result) const {
     const BlockMap<Dim>& map = *target.map[0];
@@ -223,6 +268,7 @@ class ProductTransfers final : public Transfers<Dim> {
     });
     Stencils<Dim, Kernel> stencils;
     GatherSums<Dim> sums;
+    if constexpr (!wanted.second) std::fill_n(sums.acceleration[0], Dim * batch_lanes, 0.0);
     for (std::uint32_t first = bin.begin; first < bin.end; first += batch) {
       const int count = static_cast<int>(std::min<std::uint32_t>(batch, bin.end - first));
       stencils.compute(map.lattice(), block, x, first, count, half, body.uniform_half_size);
@@ -231,72 +277,70 @@ class ProductTransfers final : public Transfers<Dim> {
         for (int k = 0; k < 4 && i + k < count; ++k) {
           const std::uint8_t* sides = cut ? cut->of(first - bin.begin + static_cast<std::uint32_t>(i + k)) : nullptr;
           if (sides)
-            sum_by_side<Gradient, Affine>(stencils, map.lattice(), i + k, sides, across.data(patch), sums);
+            sum_by_side<wanted>(stencils, map.lattice(), i + k, sides, across.data(patch), sums);
           else
-            sum<Gradient, Affine>(stencils, map.lattice(), i + k, patch.data, sums);
+            sum<wanted>(stencils, map.lattice(), i + k, patch.data, sums);
         }
-        sums.template transpose<Gradient, Affine>(i);
+        sums.template transpose<wanted.second, wanted.gradient, wanted.affine>(i);
       }
       update_particles(body, map.lattice(), first, count, what, sums, result);
     }
   }
 
-  template <bool Gradient, bool Affine>
+  template <GatheredSums wanted>
   static void sum(const Stencils<Dim, Kernel>& s, const Lattice<Dim>& lattice, int i, const double* data,
                   GatherSums<Dim>& sums) {
     double wx[width];
     [[maybe_unused]] double gx[width], ax[width];
     for (int n = 0; n < width; ++n) {
       wx[n] = s.w[0][n][i];
-      if constexpr (Gradient) gx[n] = s.g[0][n][i];
-      if constexpr (Affine) ax[n] = wx[n] * (n - s.r[0][i]) * lattice.spacing[0];
+      if constexpr (wanted.gradient) gx[n] = s.g[0][n][i];
+      if constexpr (wanted.affine) ax[n] = wx[n] * (n - s.r[0][i]);
     }
     const double* base = data + s.base[i];
-    Wide value = Wide::zero();
-    Vec4 lx{}, ly{};
-    [[maybe_unused]] Vec4 lz{}, bx{}, by{}, bz{};
+    Vec4 value{};
+    [[maybe_unused]] Vec4 second{}, lx{}, ly{}, lz{}, bx{}, by{}, bz{};
 #pragma GCC unroll 4
     for (int c = 0; c < (Dim == 3 ? width : 1); ++c) {
-      const double wz = Dim == 3 ? s.w[Dim - 1][c][i] : 1.0;
-      Wide plane = Wide::zero();
-      [[maybe_unused]] Vec4 plane_x{}, plane_y{};
+      Vec4 plane{};
+      [[maybe_unused]] Vec4 plane_second{}, plane_x{}, plane_y{}, moment_x{}, moment_y{};
 #pragma GCC unroll 4
       for (int b = 0; b < width; ++b) {
         const double* node = base + 8 * (c * NodePatch::plane + b * NodePatch::row);
         const double wy = s.w[1][b][i];
-        [[maybe_unused]] const double wyz = wy * wz;
-        Wide along = wx[0] * Wide::load(node);
-        for (int a = 1; a < width; ++a) along = along + wx[a] * Wide::load(node + 8 * a);
-        plane = plane + wy * along;
-        if constexpr (Gradient) {
-          Vec4 slope = gx[0] * load4(node);
-          for (int a = 1; a < width; ++a) slope += gx[a] * load4(node + 8 * a);
-          plane_x += wy * slope;
-          plane_y += s.g[1][b][i] * along.low();
-        }
-        if constexpr (Affine) {
-          Vec4 moment = ax[0] * load4(node);
-          for (int a = 1; a < width; ++a) moment += ax[a] * load4(node + 8 * a);
-          bx += wyz * moment;
-          by += wyz * (b - s.r[1][i]) * lattice.spacing[1] * along.low();
-          if constexpr (Dim == 3) bz += wyz * (c - s.r[2][i]) * lattice.spacing[2] * along.low();
-        }
+        // The sum of f(a) times a vector of the nodes of the row, which begins `at` numbers after that of the node.
+        const auto along = [&](const double* f, int at) {
+          Vec4 total = f[0] * load4(node + at);
+          for (int a = 1; a < width; ++a) total += f[a] * load4(node + 8 * a + at);
+          return total;
+        };
+        const Vec4 row = along(wx, 0);
+        plane += wy * row;
+        if constexpr (wanted.second) plane_second += wy * along(wx, 4);
+        if constexpr (wanted.gradient) plane_x += wy * along(gx, 0), plane_y += s.g[1][b][i] * row;
+        if constexpr (wanted.affine) moment_x += wy * along(ax, 0), moment_y += (wy * (b - s.r[1][i])) * row;
       }
       if constexpr (Dim == 2) {
-        value = plane, lx = plane_x, ly = plane_y;
+        value = plane, second = plane_second, lx = plane_x, ly = plane_y, bx = moment_x, by = moment_y;
       } else {
-        value = value + wz * plane;
-        if constexpr (Gradient) lx += wz * plane_x, ly += wz * plane_y, lz += s.g[Dim - 1][c][i] * plane.low();
+        const double wz = s.w[Dim - 1][c][i];
+        value += wz * plane;
+        if constexpr (wanted.second) second += wz * plane_second;
+        if constexpr (wanted.gradient) lx += wz * plane_x, ly += wz * plane_y, lz += s.g[Dim - 1][c][i] * plane;
+        if constexpr (wanted.affine)
+          bx += wz * moment_x, by += wz * moment_y, bz += (wz * (c - s.r[Dim - 1][i])) * plane;
       }
     }
-    value.store(sums.whole[i % 4]);
-    if constexpr (Gradient) {
+    store4(sums.whole[i % 4], value);
+    if constexpr (wanted.second) store4(sums.whole[i % 4] + 4, second);
+    if constexpr (wanted.gradient) {
       store4(sums.slope[0][i % 4], lx), store4(sums.slope[1][i % 4], ly);
       if constexpr (Dim == 3) store4(sums.slope[Dim - 1][i % 4], lz);
     }
-    if constexpr (Affine) {
-      store4(sums.moment[0][i % 4], bx), store4(sums.moment[1][i % 4], by);
-      if constexpr (Dim == 3) store4(sums.moment[Dim - 1][i % 4], bz);
+    if constexpr (wanted.affine) {
+      const auto& h = lattice.spacing;
+      store4(sums.moment[0][i % 4], h[0] * bx), store4(sums.moment[1][i % 4], h[1] * by);
+      if constexpr (Dim == 3) store4(sums.moment[Dim - 1][i % 4], h[Dim - 1] * bz);
     }
   }
 
@@ -321,7 +365,7 @@ class ProductTransfers final : public Transfers<Dim> {
         }
   }
 
-  template <bool Force, bool Affine>
+  template <AddedSums sums>
   static void add_by_side(const Stencils<Dim, Kernel>& s, const ScatterTerms<Dim>& terms, const Lattice<Dim>& lattice,
                           int i, const std::uint8_t* sides, const std::array<double*, 4>& data) {
     const Wide whole = Wide::load(terms.whole[i]);
@@ -330,8 +374,8 @@ class ProductTransfers final : public Transfers<Dim> {
           double* node = data[sides[n]] + at;
           Wide sum = Wide::load(node) + w * whole;
           for (std::size_t d = 0; d < Dim; ++d) {
-            if constexpr (Force) sum = sum + slope[d] * Upper::from(load4(terms.flux[d][i]));
-            if constexpr (Affine)
+            if constexpr (sums.second) sum = sum + slope[d] * Upper::from(load4(terms.flux[d][i]));
+            if constexpr (sums.affine)
               sum = sum + Wide::join(w * distance[d] * lattice.spacing[static_cast<Eigen::Index>(d)] *
                                          load4(terms.affine[d][i]),
                                      Vec4{});
@@ -340,7 +384,7 @@ class ProductTransfers final : public Transfers<Dim> {
         });
   }
 
-  template <bool Gradient, bool Affine>
+  template <GatheredSums wanted>
   static void sum_by_side(const Stencils<Dim, Kernel>& s, const Lattice<Dim>& lattice, int i, const std::uint8_t* sides,
                           const std::array<double*, 4>& data, GatherSums<Dim>& sums) {
     Wide value = Wide::zero();
@@ -350,15 +394,15 @@ class ProductTransfers final : public Transfers<Dim> {
           const Wide node = Wide::load(data[sides[n]] + at);
           value = value + w * node;
           for (std::size_t d = 0; d < Dim; ++d) {
-            if constexpr (Gradient) gradient[d] += slope[d] * node.low();
-            if constexpr (Affine)
+            if constexpr (wanted.gradient) gradient[d] += slope[d] * node.low();
+            if constexpr (wanted.affine)
               moment[d] += w * distance[d] * lattice.spacing[static_cast<Eigen::Index>(d)] * node.low();
           }
         });
     value.store(sums.whole[i % 4]);
     for (std::size_t d = 0; d < Dim; ++d) {
-      if constexpr (Gradient) store4(sums.slope[d][i % 4], gradient[d]);
-      if constexpr (Affine) store4(sums.moment[d][i % 4], moment[d]);
+      if constexpr (wanted.gradient) store4(sums.slope[d][i % 4], gradient[d]);
+      if constexpr (wanted.affine) store4(sums.moment[d][i % 4], moment[d]);
     }
   }
 };

@@ -55,6 +55,13 @@ struct ScatterTerms {
     if constexpr (Force) prepare_force(body, first, count, axisymmetric);
   }
 
+  /// Stores vectors with the components x, y and z of the particles i ... i + 3 after a zero.
+  static void spread(double (*to)[4], int i, Vec4 x, Vec4 y, Vec4 z) {
+    Vec4 none{};
+    transpose4(none, x, y, z);
+    store4(to[i], none), store4(to[i + 1], x), store4(to[i + 2], y), store4(to[i + 3], z);
+  }
+
  private:
   // A unit stress in place of the stress makes the nodal force the gradient of the nodal volume.
   void prepare_volume(Body<Dim>& body, std::uint32_t first, int count, bool axisymmetric) {
@@ -144,12 +151,6 @@ struct ScatterTerms {
       for (int i = 0; i < count; ++i)
         whole[i][5] -= volume[i] * (s[2][first + static_cast<std::uint32_t>(i)] + (mean ? mean[i] : 0.0)) / r[i];
     }
-  }
-
-  static void spread(double (*to)[4], int i, Vec4 x, Vec4 y, Vec4 z) {
-    Vec4 none{};
-    transpose4(none, x, y, z);
-    store4(to[i], none), store4(to[i + 1], x), store4(to[i + 2], y), store4(to[i + 3], z);
   }
 };
 
