@@ -54,16 +54,21 @@ int run(Kernel kernel, Transfer transfer, const std::string& order, int cells, i
   std::size_t n = 1;
   for (int d = 0; d < Dim; ++d) n *= static_cast<std::size_t>(m);
   auto transfers = make_transfers<Dim>(model.scheme);
-  Body<Dim> body(n, law->needs_deformation(), transfers->shift(), transfers->colours_per_axis());
+  Body<Dim> body(n, law->needs_deformation() || kernel == Kernel::cpdi, transfers->shift(),
+                 transfers->colours_per_axis());
   body.name = "block", body.law = law;
   body.uniform_half_size.setConstant(h / 4);
   body.origin = body.particles.add_vector("origin", Dimension::length);
   if (model.scheme.extrapolate_again) body.start = body.particles.add_vector("start_position", Dimension::length);
+  if (kernel == Kernel::cpdi) body.domain = body.particles.add_matrix("domain", Dimension::none);
   if (transfer == Transfer::apic) body.affine = body.particles.add_matrix("affine", Dimension::none);
   if (transfer == Transfer::fmpm || transfer == Transfer::xpic)
     body.filtered = body.particles.add_vector("filtered", Dimension::velocity);
   std::mt19937 random(1);
   std::uniform_real_distribution<double> jitter(-h / 4, h / 4);
+  if (body.particles.has_deformation())
+    for (const std::size_t diagonal : {std::size_t{0}, std::size_t{Dim + 1}, std::size_t{Layout<Dim>::full - 1}})
+      std::fill_n(body.particles.F()[diagonal], n, 1.0);
   auto x = body.particles.x();
   auto v = body.particles.v();
   const double c = std::sqrt(law->wave_modulus() / 1000);
@@ -112,6 +117,7 @@ int main(int argc, char** argv) {
   const Kernel k = kernel == "linear"  ? Kernel::linear
                    : kernel == "gimp"  ? Kernel::gimp
                    : kernel == "cubic" ? Kernel::cubic_spline
+                   : kernel == "cpdi"  ? Kernel::cpdi
                                        : Kernel::quadratic_spline;
   const Transfer t = transfer == "apic"   ? Transfer::apic
                      : transfer == "fmpm" ? Transfer::fmpm

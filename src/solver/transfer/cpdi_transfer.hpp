@@ -4,15 +4,19 @@
 ///
 ///   w_I = 2^-Dim sum_corners N_I(x_c),     grad w_I = R^-T 2^-Dim sum_corners s_c N_I(x_c)
 ///
+/// The sums go over the corners and the nodes around each of them, so that no function of a node is formed.
+///
 /// R = [r_1 .. r_Dim] are the half edges of the domain, s_c = (+-1, ..) the natural coordinates of corner c.
 /// Sadeghirad, Brannon & Burghardt, Int. J.
 /// Numer. Meth. Engng 86 (2011) 1435-1456. Domains that reach beyond the limit are scaled: Homel, Brannon & Guilkey,
 /// Int. J. Numer. Meth. Engng 107 (2016) 2, so that the stencil stays four nodes wide.
 #pragma once
 
+#include "solver/transfer/cpdi_domains.hpp"
 #include "solver/transfer/cut_patches.hpp"
 #include "solver/transfer/particle_update.hpp"
 #include "solver/transfer/scatter_terms.hpp"
+#include "solver/transfer/transfer_sums.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -22,8 +26,8 @@ namespace tribo {
 template <int Dim>
 class CpdiTransfers final : public Transfers<Dim> {
  public:
-  static constexpr int width = 4;
-  static constexpr int nodes_per_particle = Dim == 2 ? 16 : 64;
+  static constexpr int width = CpdiDomains<Dim>::width;
+  static constexpr int corners = CpdiDomains<Dim>::corners;
   using NodePatch = Patch<Dim, width>;
 
   /// `limit`: largest distance of a corner from the centre along an axis [cells]; values above 1 act as 1.
@@ -38,22 +42,27 @@ class CpdiTransfers final : public Transfers<Dim> {
                     std::vector<Index<Dim>>& lowest) const override {
     const auto block = lattice.block_at(bin.block);
     const auto x = body.particles.x();
-    lowest.clear();
-    for (std::size_t i = bin.begin; i < bin.end; ++i)
-      lowest.push_back(NodePatch::node(block, stencil(body, lattice, block, x, i).base));
+    Domains domains;
+    lowest.resize(bin.end - bin.begin);
+    for (std::uint32_t first = bin.begin; first < bin.end; first += batch) {
+      const int count = static_cast<int>(std::min<std::uint32_t>(batch, bin.end - first));
+      domains.compute(body, lattice, block, x, first, count, limit_);
+      for (int i = 0; i < count; ++i)
+        lowest[first - bin.begin + static_cast<std::uint32_t>(i)] = NodePatch::node(block, domains.base[i]);
+    }
   }
 
   void scatter(Body<Dim>& body, const Target<Dim>& target, Scatter what, bool from_start, bool axisymmetric,
                const std::vector<char>* only) const override {
-    const bool force = uses_gradients(what);
-    for (const auto& colour : body.bins.colours())
-      parallel_for(static_cast<std::ptrdiff_t>(colour.size()), [&](std::ptrdiff_t k) {
-        const Bin& bin = body.bins.list()[colour[static_cast<std::size_t>(k)]];
-        if (only && !(*only)[static_cast<std::size_t>(bin.block)]) return;
-        const CutBin* cut = body.cut_bin(colour[static_cast<std::size_t>(k)]);
-        force ? scatter_bin<true>(body, target, bin, cut, what, from_start, axisymmetric)
-              : scatter_bin<false>(body, target, bin, cut, what, from_start, axisymmetric);
-      });
+    with_added_sums(what, static_cast<bool>(body.affine), [&](auto sums) {
+      for (const auto& colour : body.bins.colours())
+        parallel_for(static_cast<std::ptrdiff_t>(colour.size()), [&](std::ptrdiff_t k) {
+          const Bin& bin = body.bins.list()[colour[static_cast<std::size_t>(k)]];
+          if (only && !(*only)[static_cast<std::size_t>(bin.block)]) return;
+          const CutBin* cut = body.cut_bin(colour[static_cast<std::size_t>(k)]);
+          scatter_bin<sums()>(body, target, bin, cut, what, from_start, axisymmetric);
+        });
+    });
   }
 
   GatherResult gather(Body<Dim>& body, const Target<Dim>& target, const Gather& what) const override {
@@ -61,9 +70,11 @@ class CpdiTransfers final : public Transfers<Dim> {
     GatherCollector& collector = of_thread;  // of this one, in the loop below
     collector.start();
     const auto& bins = body.bins.list();
-    parallel_for(static_cast<std::ptrdiff_t>(bins.size()), [&](std::ptrdiff_t k) {
-      const auto bin = static_cast<std::size_t>(k);
-      gather_bin(body, target, bins[bin], body.cut_bin(bin), what, collector.mine());
+    with_gathered_sums(what, static_cast<bool>(body.affine), [&](auto sums) {
+      parallel_for(static_cast<std::ptrdiff_t>(bins.size()), [&](std::ptrdiff_t k) {
+        const auto bin = static_cast<std::size_t>(k);
+        gather_bin<sums()>(body, target, bins[bin], body.cut_bin(bin), what, collector.mine());
+      });
     });
     return collector.total();
   }
@@ -71,137 +82,45 @@ class CpdiTransfers final : public Transfers<Dim> {
  private:
   using Across = CutPatches<Dim, width>;
 
-  struct Stencil {
-    int base;                           ///< offset of the lowest node in the patch, in doubles
-    double w[nodes_per_particle];       ///< shape functions of the nodes, x fastest
-    double g[Dim][nodes_per_particle];  ///< gradients of the shape functions [1/length]
-    Vec<Dim> to_base;                   ///< lowest node minus particle [length]
-  };
+  using Domains = CpdiDomains<Dim>;
 
-  static constexpr int offset(int n) { return 8 * (n % 4 + n / 4 % 4 * NodePatch::row + n / 16 * NodePatch::plane); }
-  static Vec<Dim> distance(const Stencil& s, const Lattice<Dim>& lattice, int n) {
-    Vec<Dim> d = s.to_base;
-    const int i = n % 4, j = n / 4 % 4, k = n / 16;
-    d[0] += i * lattice.spacing[0], d[1] += j * lattice.spacing[1];
-    if constexpr (Dim == 3) d[2] += k * lattice.spacing[2];
-    static_cast<void>(k);
-    return d;
-  }
-
-  Stencil stencil(Body<Dim>& body, const Lattice<Dim>& lattice, const Index<Dim>& block,
-                  const typename Particles<Dim>::Vector& x, std::size_t i) const {
-    // Half edges of the domain in cells
-    Mat<Dim> R;
-    if (body.half_axes) {
-      Mat<Dim> initial, F;
-      for (int c = 0; c < Dim * Dim; ++c) {
-        const auto k = static_cast<std::size_t>(c);
-        initial(c / Dim, c % Dim) = body.particles[body.half_axes][k][i];
-        F(c / Dim, c % Dim) = body.particles[body.domain][k][i];
-      }
-      R = lattice.spacing.cwiseInverse().asDiagonal() * (F * initial);
-    }
-    for (int c = 0; c < Dim && !body.half_axes; ++c) {
-      const auto k = static_cast<std::size_t>(c);
-      const double half = body.half_size ? body.particles[body.half_size][k][i] : body.uniform_half_size[c];
-      for (int r = 0; r < Dim; ++r)
-        R(r, c) = half * body.particles[body.domain][static_cast<std::size_t>(r * Dim + c)][i] / lattice.spacing[r];
-    }
-    const double reach = R.cwiseAbs().rowwise().sum().maxCoeff();
-    if (reach > limit_) R *= limit_ / reach;
-
-    Stencil s{};
-    Vec<Dim> at;
-    Index<Dim> base;
-    s.base = 0;
-    constexpr int stride[3] = {8, 8 * NodePatch::row, 8 * NodePatch::plane};
-    for (int d = 0; d < Dim; ++d) {
-      const auto k = static_cast<std::size_t>(d);
-      const double inverse = 1.0 / lattice.spacing[d];
-      const double cells = x[k][i] * inverse - (lattice.origin[d] * inverse + (block[k] * block_edge<Dim> - 1));
-      base[k] = static_cast<int>(cells - 1.0);
-      at[d] = cells - base[k];
-      s.base += base[k] * stride[d];
-      s.to_base[d] = -at[d] * lattice.spacing[d];
-    }
-    constexpr int corners = 1 << Dim;
-    double natural[Dim][nodes_per_particle] = {};
-    for (int c = 0; c < corners; ++c) {
-      Vec<Dim> sign;
-      for (int d = 0; d < Dim; ++d) sign[d] = c >> d & 1 ? 1.0 : -1.0;
-      const Vec<Dim> corner = at + R * sign;
-      int node[Dim];
-      double part[Dim];
-      for (int d = 0; d < Dim; ++d)
-        node[d] = std::clamp(static_cast<int>(corner[d]), 0, 2), part[d] = corner[d] - node[d];
-      for (int n = 0; n < corners; ++n) {
-        double N = 1.0 / corners;
-        int index = 0;
-        for (int d = 0; d < Dim; ++d) {
-          const int up = n >> d & 1;
-          N *= up ? part[d] : 1 - part[d];
-          index += (node[d] + up) << (2 * d);
-        }
-        s.w[index] += N;
-        for (int d = 0; d < Dim; ++d) natural[d][index] += sign[d] * N;
+  // m C with C = B D^-1.
+  static void prepare_affine(Body<Dim>& body, const Lattice<Dim>& lattice, const Domains& domains, std::uint32_t first,
+                             int count, ScatterTerms<Dim>& terms) {
+    const auto columns = body.particles[body.affine];
+    for (int i = 0; i < count; ++i) {
+      const std::size_t p = first + static_cast<std::size_t>(i);
+      Mat<Dim> B;
+      for (int k = 0; k < Dim * Dim; ++k) B(k / Dim, k % Dim) = columns[static_cast<std::size_t>(k)][p];
+      const Mat<Dim> C = body.particles.mass()[p] * B * domains.second_moments(lattice, i).inverse();
+      for (int d = 0; d < Dim; ++d) {
+        store4(terms.affine[d][i], Vec4{});
+        Eigen::Map<Vec<Dim>>(terms.affine[d][i] + 1) = C.col(d);
       }
     }
-    const Mat<Dim> T = R.inverse();
-    for (int d = 0; d < Dim; ++d)
-      for (int n = 0; n < nodes_per_particle; ++n) {
-        double sum = 0.0;
-        for (int k = 0; k < Dim; ++k) sum += T(k, d) * natural[k][n];
-        s.g[d][n] = sum / lattice.spacing[d];
-      }
-    return s;
   }
 
-  // m C with C = B D^-1, D = sum w (x_I - x)(x_I - x)^T.
-  static Mat<Dim> affine_momentum(Body<Dim>& body, const Stencil& s, const Lattice<Dim>& lattice, std::size_t i) {
-    Mat<Dim> B, D = Mat<Dim>::Zero();
-    for (std::size_t k = 0; k < Dim * Dim; ++k)
-      B(static_cast<int>(k) / Dim, static_cast<int>(k) % Dim) = body.particles[body.affine][k][i];
-    for (int n = 0; n < nodes_per_particle; ++n) {
-      const Vec<Dim> r = distance(s, lattice, n);
-      D += s.w[n] * r * r.transpose();
-    }
-    return body.particles.mass()[i] * B * D.inverse();
-  }
-
-  template <bool Force>
+  template <AddedSums sums>
   void scatter_bin(Body<Dim>& body, const Target<Dim>& target, const Bin& bin, const CutBin* cut, Scatter what,
                    bool from_start, bool axisymmetric) const {
     const BlockMap<Dim>& map = *target.map[0];
     const auto& lattice = map.lattice();
     const auto block = lattice.block_at(bin.block);
     const auto x = from_start ? body.particles[body.start] : body.particles.x();
-    const bool affine = body.affine && (what == Scatter::momentum || what == Scatter::momentum_and_force);
     NodePatch patch;
     patch.clear();
     Across across(cut != nullptr);
+    const auto data = across.data(patch);
+    Domains domains;
     ScatterTerms<Dim> terms;
     for (std::uint32_t first = bin.begin; first < bin.end; first += batch) {
       const int count = static_cast<int>(std::min<std::uint32_t>(batch, bin.end - first));
-      terms.template prepare<Force>(body, first, count, what, axisymmetric);
+      terms.template prepare<sums.second>(body, first, count, what, axisymmetric);
+      domains.compute(body, lattice, block, x, first, count, limit_);
+      if (sums.affine && what != Scatter::heat) prepare_affine(body, lattice, domains, first, count, terms);
       for (int i = 0; i < count; ++i) {
-        const Stencil s = stencil(body, lattice, block, x, first + static_cast<std::size_t>(i));
-        const Mat<Dim> C =
-            affine ? affine_momentum(body, s, lattice, first + static_cast<std::size_t>(i)) : Mat<Dim>::Zero();
-        const Wide whole = Wide::load(terms.whole[i]);
         const std::uint8_t* sides = cut ? cut->of(first - bin.begin + static_cast<std::uint32_t>(i)) : nullptr;
-        const auto data = across.data(patch);
-        for (int n = 0; n < nodes_per_particle; ++n) {
-          double* node = data[sides ? sides[n] : 0] + s.base + offset(n);
-          Wide sum = Wide::load(node) + s.w[n] * whole;
-          if constexpr (Force)
-            for (int d = 0; d < Dim; ++d) sum = sum + s.g[d][n] * Upper::from(load4(terms.flux[d][i]));
-          sum.store(node);
-          if (affine) Eigen::Map<Vec<Dim>>(node + 1) += s.w[n] * (C * distance(s, lattice, n));
-          if (what == Scatter::heat) {
-            const Vec<Dim> r = distance(s, lattice, n);
-            for (int d = 0; d < Dim; ++d) node[1] += s.w[n] * r[d] * terms.affine[d][i][1];
-          }
-        }
+        add<sums>(domains, terms, lattice, i, sides, data);
       }
     }
     patch.add_to(map.neighbours(bin.block), target.nodes[0]);
@@ -210,6 +129,37 @@ class CpdiTransfers final : public Transfers<Dim> {
     });
   }
 
+  // Each corner carries its share of the values of the particle, and the fluxes times the gradients of the natural
+  // coordinates with the signs of the corner.
+  template <AddedSums sums>
+  static void add(const Domains& domains, const ScatterTerms<Dim>& terms, const Lattice<Dim>& lattice, int i,
+                  const std::uint8_t* sides, const std::array<double*, 4>& data) {
+    constexpr double share = 1.0 / corners;
+    const Vec4 first = share * load4(terms.whole[i]), second = share * load4(terms.whole[i] + 4);
+    [[maybe_unused]] Vec4 flux[Dim] = {}, affine[Dim] = {};
+    for (int d = 0; d < Dim; ++d) {
+      if constexpr (sums.second)
+        for (int k = 0; k < Dim; ++k) flux[k] += domains.slope[k][d][i] * load4(terms.flux[d][i]);
+      if constexpr (sums.affine) affine[d] = share * load4(terms.affine[d][i]);
+    }
+    for (int c = 0; c < corners; ++c) {
+      [[maybe_unused]] Vec4 at_corner = second;
+      if constexpr (sums.second)
+        for (int k = 0; k < Dim; ++k) at_corner += Domains::sign(c, k) * flux[k];
+      domains.each_node(lattice, i, c, [&](int offset, int index, double hat, [[maybe_unused]] const auto& distance) {
+        double* node = data[sides ? sides[index] : 0] + offset;
+        if constexpr (sums.first) {
+          Vec4 value = first;
+          if constexpr (sums.affine)
+            for (std::size_t d = 0; d < Dim; ++d) value += distance[d] * affine[d];
+          store4(node, load4(node) + hat * value);
+        }
+        if constexpr (sums.second) store4(node + 4, load4(node + 4) + hat * at_corner);
+      });
+    }
+  }
+
+  template <GatheredSums wanted>
   void gather_bin(Body<Dim>& body, const Target<Dim>& target, const Bin& bin, const CutBin* cut, const Gather& what,
                   GatherResult& result) const {
     const BlockMap<Dim>& map = *target.map[0];
@@ -222,29 +172,52 @@ class CpdiTransfers final : public Transfers<Dim> {
     across.each(target, [&](std::size_t k, NodePatch& beyond) {
       beyond.load(target.map[k]->neighbours(bin.block), target.nodes[k]);
     });
+    const auto data = across.data(patch);
+    Domains domains;
     GatherSums<Dim> sums;
+    if constexpr (!wanted.second) std::fill_n(sums.acceleration[0], Dim * batch_lanes, 0.0);
     for (std::uint32_t first = bin.begin; first < bin.end; first += batch) {
       const int count = static_cast<int>(std::min<std::uint32_t>(batch, bin.end - first));
+      domains.compute(body, lattice, block, x, first, count, limit_);
       for (int i = 0; i < count; ++i) {
-        const Stencil s = stencil(body, lattice, block, x, first + static_cast<std::size_t>(i));
-        Wide value = Wide::zero();
-        Vec4 slope[Dim] = {}, moment[Dim] = {};
         const std::uint8_t* sides = cut ? cut->of(first - bin.begin + static_cast<std::uint32_t>(i)) : nullptr;
-        const auto data = across.data(patch);
-        for (int n = 0; n < nodes_per_particle; ++n) {
-          const Wide node = Wide::load(data[sides ? sides[n] : 0] + s.base + offset(n));
-          value = value + s.w[n] * node;
-          for (int d = 0; d < Dim; ++d) slope[d] += s.g[d][n] * node.low();
-          if (body.affine) {
-            const Vec<Dim> r = distance(s, lattice, n);
-            for (int d = 0; d < Dim; ++d) moment[d] += s.w[n] * r[d] * node.low();
-          }
-        }
-        value.store(sums.whole[i % 4]);
-        for (int d = 0; d < Dim; ++d) store4(sums.slope[d][i % 4], slope[d]), store4(sums.moment[d][i % 4], moment[d]);
-        if (i % 4 == 3 || i == count - 1) sums.template transpose<true, true, true>(i / 4 * 4);
+        sum<wanted>(domains, lattice, i, sides, data, sums);
+        if (i % 4 == 3 || i == count - 1)
+          sums.template transpose<wanted.second, wanted.gradient, wanted.affine>(i / 4 * 4);
       }
       update_particles(body, lattice, first, count, what, sums, result);
+    }
+  }
+
+  template <GatheredSums wanted>
+  static void sum(const Domains& domains, const Lattice<Dim>& lattice, int i, const std::uint8_t* sides,
+                  const std::array<double*, 4>& data, GatherSums<Dim>& sums) {
+    constexpr double share = 1.0 / corners;
+    Vec4 value{}, second{};
+    [[maybe_unused]] Vec4 natural[Dim] = {}, moment[Dim] = {};
+    for (int c = 0; c < corners; ++c) {
+      Vec4 at_corner{};
+      domains.each_node(lattice, i, c, [&](int offset, int index, double hat, [[maybe_unused]] const auto& distance) {
+        const double* node = data[sides ? sides[index] : 0] + offset;
+        const Vec4 part = hat * load4(node);
+        at_corner += part;
+        if constexpr (wanted.second) second += hat * load4(node + 4);
+        if constexpr (wanted.affine)
+          for (std::size_t d = 0; d < Dim; ++d) moment[d] += distance[d] * part;
+      });
+      value += at_corner;
+      if constexpr (wanted.gradient)
+        for (int k = 0; k < Dim; ++k) natural[k] += Domains::sign(c, k) * at_corner;
+    }
+    store4(sums.whole[i % 4], share * value);
+    if constexpr (wanted.second) store4(sums.whole[i % 4] + 4, share * second);
+    for (int d = 0; d < Dim; ++d) {
+      if constexpr (wanted.gradient) {
+        Vec4 slope{};
+        for (int k = 0; k < Dim; ++k) slope += domains.slope[k][d][i] * natural[k];
+        store4(sums.slope[d][i % 4], slope);
+      }
+      if constexpr (wanted.affine) store4(sums.moment[d][i % 4], share * moment[d]);
     }
   }
 

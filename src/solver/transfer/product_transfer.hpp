@@ -16,6 +16,7 @@
 #include "solver/transfer/scatter_terms.hpp"
 #include "solver/transfer/stencils.hpp"
 #include "solver/transfer/transfer.hpp"
+#include "solver/transfer/transfer_sums.hpp"
 
 #include <algorithm>
 
@@ -48,8 +49,7 @@ class ProductTransfers final : public Transfers<Dim> {
 
   void scatter(Body<Dim>& body, const Target<Dim>& target, Scatter what, bool from_start, bool axisymmetric,
                const std::vector<char>* only) const override {
-    const bool with_affine = body.affine && (what == Scatter::momentum || what == Scatter::momentum_and_force);
-    const auto add_bins = [&](auto sums) {
+    with_added_sums(what, static_cast<bool>(body.affine), [&](auto sums) {
       for (std::size_t c = 0; c < body.bins.colours().size(); ++c) {
         const auto& colour = body.bins.colours()[c];
         const auto before = [&](std::ptrdiff_t k) { return body.bins.before(c, static_cast<std::size_t>(k)); };
@@ -60,25 +60,7 @@ class ProductTransfers final : public Transfers<Dim> {
           scatter_bin<sums()>(body, target, bin, cut, what, from_start, axisymmetric);
         });
       }
-    };
-    switch (what) {
-      case Scatter::heat:
-        return add_bins(constant<AddedSums{.first = true, .second = true, .affine = true}>);
-      case Scatter::volume:
-        return add_bins(constant<AddedSums{.first = true, .second = true}>);
-      case Scatter::force:
-        return add_bins(constant<AddedSums{.second = true}>);
-      case Scatter::momentum_and_force:
-        if (with_affine) return add_bins(constant<AddedSums{.first = true, .second = true, .affine = true}>);
-        return add_bins(constant<AddedSums{.first = true, .second = true}>);
-      case Scatter::momentum:
-        if (with_affine) return add_bins(constant<AddedSums{.first = true, .affine = true}>);
-        return add_bins(constant<AddedSums{.first = true}>);
-      case Scatter::filtered:
-      case Scatter::heat_residual:
-      case Scatter::volumetric:
-        return add_bins(constant<AddedSums{.first = true}>);
-    }
+    });
   }
 
   GatherResult gather(Body<Dim>& body, const Target<Dim>& target, const Gather& what) const override {
@@ -87,56 +69,17 @@ class ProductTransfers final : public Transfers<Dim> {
     collector.start();
     const auto& bins = body.bins.list();
     const auto before = [&](std::ptrdiff_t k) { return body.bins.before(static_cast<std::size_t>(k)); };
-    const auto sum_bins = [&](auto sums) {
+    with_gathered_sums(what, static_cast<bool>(body.affine), [&](auto sums) {
       parallel_for_weighted(static_cast<std::ptrdiff_t>(bins.size()), before, [&](std::ptrdiff_t k) {
         const CutBin* cut = body.cut_bin(static_cast<std::size_t>(k));
         gather_bin<sums()>(body, target, bins[static_cast<std::size_t>(k)], cut, what, collector.mine());
       });
-    };
-    switch (what.task) {
-      case GatherTask::filtered_velocity:
-      case GatherTask::temperature_residual:
-      case GatherTask::cell_mean:
-        sum_bins(constant<GatheredSums{}>);
-        break;
-      case GatherTask::volume_rate:
-        sum_bins(constant<GatheredSums{.gradient = true}>);
-        break;
-      case GatherTask::temperature:
-        sum_bins(constant<GatheredSums{.second = true, .gradient = true}>);
-        break;
-      case GatherTask::update:
-        if (!what.move)
-          sum_bins(constant<GatheredSums{.gradient = true}>);
-        else if (body.affine)  // APIC replaces the velocities of the particles and needs no accelerations
-          sum_bins(constant<GatheredSums{.gradient = true, .affine = true}>);
-        else if (what.strain_dt > 0)
-          sum_bins(constant<GatheredSums{.second = true, .gradient = true}>);
-        else
-          sum_bins(constant<GatheredSums{.second = true}>);
-    }
+    });
     return collector.total();
   }
 
  private:
   using Across = CutPatches<Dim, width>;
-
-  /// The sums that a scatter adds to the nodes; the others stay zero.
-  struct AddedSums {
-    bool first = false;   ///< the weight and the first vector of a node
-    bool second = false;  ///< the second vector, from the values of the particles and from their fluxes
-    bool affine = false;  ///< linear fields about the particles, to the first vector
-  };
-
-  /// The values that a gather interpolates; the first vector of a node always is one of them.
-  struct GatheredSums {
-    bool second = false;    ///< the second vector of a node
-    bool gradient = false;  ///< of the first vector
-    bool affine = false;    ///< moments of the first vector about the particle
-  };
-
-  template <auto value>
-  static constexpr std::integral_constant<decltype(value), value> constant{};
 
   static std::array<const double*, Dim> half_sizes(const Body<Dim>& body) {
     if (Kernel::sized && body.half_size) return body.particles[body.half_size];
