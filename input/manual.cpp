@@ -88,12 +88,38 @@ void add_laws(std::vector<ManualEntry>& out, const char* kind, const Items& item
   }
 }
 
+std::string_view task_meaning(std::string_view task) {
+  if (task == "PeriodicXPIC") return "uses XPIC or FMPM only every few steps, FLIP in between";
+  if (task == "AdjustTimeStep") return "adapts the time step to the present stiffness and velocities";
+  if (task == "VTKArchive") return "files with nodal fields; the names of the parameters are fields";
+  if (task == "HistoryArchive")
+    return "histories of the laws in the particle files; the names of the parameters are numbers";
+  if (task == "PropertyRamp") return "multiplies a property of a material by a function of time";
+  if (task == "ThermalRamp") return "changes the temperature of the particles";
+  if (task == "ReverseLoad") return "reverses, holds or removes the loads when a quantity reaches a value";
+  if (task == "LoadControl") return "moves a rigid material so that its force follows a function of time";
+  if (task == "DeleteDamaged") return "deletes damaged particles";
+  return "adds particles of a material that enter the grid";
+}
+
+void add_tasks(std::vector<ManualEntry>& out) {
+  for (const auto& task : task_names()) {
+    ManualEntry entry{"custom task", task, "in <CustomTasks>: <Schedule name='" + task + "'>",
+                      std::string(task_meaning(task))};
+    for (const auto& name : parameter_names(task))
+      if (task != "VTKArchive" || !find_particle_field(name))
+        entry.rows.push_back({"<Parameter name='" + name + "'>", "", ""});
+    out.push_back(std::move(entry));
+  }
+}
+
 std::vector<ManualEntry> make() {
   std::vector<ManualEntry> out;
   add_elements(out);
   add_laws(out, "material", materials().items());
   add_laws(out, "contact law", contact_laws().items());
   add_laws(out, "joint law", joint_laws().items());
+  add_tasks(out);
   for (const auto* list : {&script::commands(), &script::language()})
     for (const auto& c : *list)
       out.push_back({"command", std::string(c.name), std::string(c.arguments), std::string(c.meaning)});
@@ -117,6 +143,7 @@ const char* title(const std::string& kind) {
   if (kind == "material") return "Materials";
   if (kind == "contact law") return "Contact laws";
   if (kind == "joint law") return "Joint laws";
+  if (kind == "custom task") return "Custom tasks";
   if (kind == "command") return "Scripted commands";
   if (kind == "history") return "Quantities of history.csv";
   if (kind == "history of blocks") return "Quantities of history.csv in models of blocks";
@@ -172,15 +199,17 @@ std::string manual_text(std::string_view name) {
     std::size_t width = 0;
     for (const auto& r : e.rows) width = std::max(width, r.name.size());
     for (const auto& r : e.rows) {
-      out += "      " + r.name + std::string(width - r.name.size() + 2, ' ') + r.kind;
+      out += "      " + r.name;
+      if (!r.kind.empty() || !r.meaning.empty()) out += std::string(width - r.name.size() + 2, ' ') + r.kind;
       if (!r.meaning.empty()) out += (r.kind.empty() ? "" : "; ") + r.meaning;
       out += "\n";
     }
   }
   if (out.empty() && !wanted.empty()) out = rows_named(wanted);
   if (out.empty())
-    throw UsageError("there is no element, attribute, material, law, property, command, quantity or field named '" +
-                     std::string(name) + "'" + did_you_mean(std::string(name), known) + "; 'tribo list' names all");
+    throw UsageError(
+        "there is no element, attribute, material, law, property, task, command, quantity or field named '" +
+        std::string(name) + "'" + did_you_mean(std::string(name), known) + "; 'tribo list' names all");
   return out;
 }
 

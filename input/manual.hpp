@@ -15,7 +15,7 @@ struct ManualRow {
 };
 
 struct ManualEntry {
-  std::string kind;   ///< "element", "material", "contact law", "command", "history", "field"
+  std::string kind;   ///< "element", "material", "contact law", "custom task", "command", "history", "field"
   std::string name;   ///< as written
   std::string usage;  ///< elements that may contain it, or arguments of a command
   std::string meaning;

@@ -46,7 +46,8 @@ std::string element_of(const std::string& command) {
 std::string count(const Command& c, std::size_t k) {
   const double n = c.number(k), nearest = std::round(n);
   if (!(std::abs(n - nearest) < 1e-6 * std::max(1.0, std::abs(n))) || !(std::abs(n) < 1e15))
-    throw InputError(c.origin(k), "a number of cells must be whole, not " + written(n) + "; int() makes it so");
+    throw InputError(c.origin(k), "a number of cells must be whole, not " + written(n) +
+                                      "; choose a cell size that divides the length, or round with int()");
   return written(nearest);
 }
 

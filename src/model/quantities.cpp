@@ -127,7 +127,9 @@ const std::vector<QuantityInfo>& global_quantities() {
       {"particles", "-", "number of particles", Scope::material,
        [](const S& s) { return static_cast<double>(s.measures().particles); }},
       {"reactionx", "force",
-       "force of a rigid material, or of conditions or a symmetry plane with an id, on the other materials, x",
+       "force of a material of type Rigid (of RigidContact: contactx), or of conditions or a symmetry plane with an "
+       "id, on "
+       "the other materials, x",
        Scope::material, [](const S& s) { return s.reaction()[0]; }},
       {"reactiony", "force", "the same, y", Scope::material, [](const S& s) { return s.reaction()[1]; }},
       {"reactionz", "force", "the same, z", Scope::material, [](const S& s) { return s.reaction()[2]; }},

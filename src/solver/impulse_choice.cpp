@@ -90,10 +90,9 @@ std::map<int, std::set<int>> near_bodies(const std::map<int, Voxels<Dim>>& bodie
 
 // What speaks for faces; empty: nothing.
 template <int Dim>
-std::string need(const Model& model, const Seeds& seeds, const Lattice<Dim>& lattice, const std::set<int>& materials) {
-  const auto bodies = bodies_in_contact(model, seeds, lattice, materials);
+std::string need(const Model& model, const Lattice<Dim>& lattice, const std::map<int, Voxels<Dim>>& bodies,
+                 const std::map<int, std::set<int>>& near) {
   const auto is_rigid = [&](int k) { return spec(model, k).law->rigid(); };
-  const auto near = near_bodies(bodies);
   for (const auto& [material, body] : bodies) {
     if (is_rigid(material)) continue;
     Voxels<Dim> others(model, lattice);
@@ -117,6 +116,14 @@ std::string need(const Model& model, const Seeds& seeds, const Lattice<Dim>& lat
   return "";
 }
 
+// Whether a deformable body touches a rigid one.
+bool touches_rigid_body(const Model& model, const std::map<int, std::set<int>>& near) {
+  const auto is_rigid = [&](int k) { return spec(model, k).law->rigid(); };
+  return std::any_of(near.begin(), near.end(), [&](const auto& body) {
+    return !is_rigid(body.first) && std::any_of(body.second.begin(), body.second.end(), is_rigid);
+  });
+}
+
 }  // namespace
 
 template <int Dim>
@@ -130,12 +137,18 @@ ImpulseChoice choose_impulses(const Model& model, const Seeds& seeds, const Latt
     const MaterialSpec& material = spec(model, seed.material);
     if (!material.law->rigid() || material.touches()) materials.insert(seed.material);
   }
-  const std::string against = objection(model, materials), wanted = need(model, seeds, lattice, materials);
-  if (wanted.empty())
-    return {
-        false,
-        format("on nodes, because no body that touches another one is as thin as %g cells or lies between rigid faces",
-               thin)};
+  const auto bodies = bodies_in_contact(model, seeds, lattice, materials);
+  const auto near = near_bodies(bodies);
+  const std::string against = objection(model, materials), wanted = need(model, lattice, bodies, near);
+  if (wanted.empty()) {
+    const std::string reason = format(
+        "on nodes, because no body that touches another one is as thin as %g cells or lies between rigid faces", thin);
+    const bool splines = model.scheme.kernel == Kernel::quadratic_spline || model.scheme.kernel == Kernel::cubic_spline;
+    if (!splines || !touches_rigid_body(model, near)) return {false, reason};
+    return {false, reason +
+                       ". With splines, stresses within two cells of a rigid face are then wrong by up to their own "
+                       "size: Impulses='faces' or <GIMP type='uGIMP'/> where they matter"};
+  }
   if (against.empty()) return {true, "on faces, because " + wanted};
   return {false, "on nodes, because " + against + ", although " + wanted +
                      ", so that its contact is too stiff; Impulses='faces' may be better"};

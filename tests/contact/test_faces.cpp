@@ -206,3 +206,30 @@ TEST_CASE("flat faces and stairs have no gap correction", "[contact]") {
        lid = box(Mat<3>::Identity(), {-2.9, -3, 0}, {3, 3, 3});
   CHECK(gap_correction<3>(floor, lid, Vec<3>::UnitZ(), 0.75, 0.06) == Approx(0).margin(1e-12));
 }
+
+TEST_CASE("next to a blunt edge the normal is that of the face at the node, not of the foremost face", "[contact]") {
+  constexpr double rise = 0.1;  // slope of the face for x < edge; it is level for x > edge, at y = 0
+  const auto wedge = [&](double edge) {
+    ParticleSet<2> side;
+    for (double x = -2.25; x < 2.5; x += 0.5)
+      for (double y = -0.25; y > -2; y -= 0.5) {
+        const double slope = x < edge ? rise : 0.0;
+        Mat<2> half = 0.25 * Mat<2>::Identity();
+        half(1, 0) = 0.25 * slope;
+        side.add(Vec<2>(x, y + slope * (x - edge)), half);
+      }
+    return side;
+  };
+  const Vec<2> level(0, 1), inclined = Vec<2>(-rise, 1).normalized();
+  const auto at_node = [&](double edge) {
+    auto side = wedge(edge);
+    return face_normal_at_node<2>(side, level, 0.75, 1.0, 0.2).value();
+  };
+  CHECK((at_node(1.5) - inclined).norm() < 1e-9);  // the level face begins 1.5 cells beside the node
+  CHECK((at_node(-1.5) - level).norm() < 1e-9);
+  const Vec<2> between = at_node(0.0);
+  CHECK(between[0] < -0.2 * rise);
+  CHECK(between[0] > -0.8 * rise);
+  auto side = wedge(1.5);
+  CHECK((plane_face_normal<2>(side, level, 1.0).value_or(level) - level).norm() < 1e-9);  // the foremost face
+}

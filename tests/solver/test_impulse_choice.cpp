@@ -17,6 +17,7 @@ struct ImpulseDeck {
   std::string bodies{};
   std::string materials{};
   std::string more{};  // after the materials
+  std::string shape = "<GIMP/>";
 };
 
 const std::string thin_plate = "<Body matname='plate'><Rect xmin='2' xmax='18' ymin='8' ymax='9'/></Body>";
@@ -29,8 +30,8 @@ const std::string one_platen = "<Body matname='platen'><Rect xmin='2' xmax='18' 
 Model deck_model(const ImpulseDeck& deck) {
   return read_model_text(R"(<JANFEAInput version='3'>
  <Header><Analysis>10</Analysis><ConsistentUnits length='mm' mass='g' time='ms'/></Header>
- <MPMHeader><MaxTime>1</MaxTime><ArchiveTime>1</ArchiveTime><GIMP/>)" +
-                             deck.mode + R"(</MPMHeader>
+ <MPMHeader><MaxTime>1</MaxTime><ArchiveTime>1</ArchiveTime>)" +
+                             deck.shape + deck.mode + R"(</MPMHeader>
  <Mesh><Grid xmin='0' xmax='20' ymin='0' ymax='20'><Horiz nx='20'/><Vert ny='20'/></Grid></Mesh>
  <MaterialPoints>)" + deck.bodies +
                              R"(</MaterialPoints>
@@ -63,6 +64,17 @@ const std::string but_thin =
 
 TEST_CASE("an ordinary block takes impulses on nodes", "[impulses]") {
   check_choice({.bodies = thick_block + one_platen}, false, why_nodes);
+}
+
+TEST_CASE("with splines on a rigid face the choice tells that stresses there are wrong", "[impulses]") {
+  const auto reason = [](const std::string& bodies, const std::string& shape) {
+    return deck_system({.bodies = bodies, .shape = shape}).contact_reason;
+  };
+  for (const char* spline : {"<GIMP type='quadratic'/>", "<GIMP type='B3SPLINE'/>"}) {
+    CHECK_THAT(reason(thick_block + one_platen, spline), Contains("stresses within two cells of a rigid face"));
+    CHECK(reason(thick_block, spline) == why_nodes);
+  }
+  CHECK(reason(thick_block + one_platen, "<GIMP type='lCPDI'/>") == why_nodes);
 }
 
 TEST_CASE("a thin body in contact takes impulses on faces", "[impulses]") {

@@ -161,10 +161,28 @@ std::optional<Vec<Dim>> plane_face_normal(ParticleSet<Dim>& side, const Vec<Dim>
 }
 
 template <int Dim>
-std::optional<Vec<Dim>> smooth_face_normal(ParticleSet<Dim>& side, const Vec<Dim>& out, double band, double length) {
-  constexpr double depth = 0.15;           // cells; the sagitta of the faces of a disc of five cells within two cells
-  constexpr double largest_error = 0.035;  // of slopes, two degrees
-  constexpr double cover = 0.3;  // cells; a side is inside the body if another one is this near and in front of it
+std::optional<Vec<Dim>> face_normal_at_node(ParticleSet<Dim>& side, const Vec<Dim>& out, double band, double length,
+                                            double largest_error) {
+  constexpr double same_plane = 0.02;  // cells
+  if (const auto n = plane_face_normal<Dim>(side, out, length)) {
+    // The plane is the face at the node if no domain near the line through the node ends before it.
+    double of_plane = -std::numeric_limits<double>::infinity(), at_node = of_plane;
+    for (const Facet<Dim>& facet : side.facets) {
+      const double height = facet.middle.dot(*n);
+      const Vec<Dim> offset = facet.middle - height * *n;
+      of_plane = std::max(of_plane, height);
+      if (offset.squaredNorm() <= band * band) at_node = std::max(at_node, height);
+    }
+    if (at_node > of_plane - same_plane * length) return n;
+  }
+  return smooth_face_normal<Dim>(side, out, band, length, largest_error);
+}
+
+template <int Dim>
+std::optional<Vec<Dim>> smooth_face_normal(ParticleSet<Dim>& side, const Vec<Dim>& out, double band, double length,
+                                           double largest_error) {
+  constexpr double depth = 0.15;  // cells; the sagitta of the faces of a disc of five cells within two cells
+  constexpr double cover = 0.3;   // cells; a side is inside the body if another one is this near and in front of it
   collect_sides<Dim>(side, out);
   std::vector<Facet<Dim>>& facets = side.facets;
   const auto is_near = [&](const Facet<Dim>& f) { return f.offset.squaredNorm() <= band * band; };
@@ -317,7 +335,8 @@ double face_position(ParticleSet<Dim>& side, const Vec<Dim>& n, double band) {
 
 template std::optional<Vec<2>> margin_normal<2>(ParticleSet<2>&, ParticleSet<2>&, const Vec<2>&, double);
 template std::optional<Vec<2>> plane_face_normal<2>(ParticleSet<2>&, const Vec<2>&, double);
-template std::optional<Vec<2>> smooth_face_normal<2>(ParticleSet<2>&, const Vec<2>&, double, double);
+template std::optional<Vec<2>> face_normal_at_node<2>(ParticleSet<2>&, const Vec<2>&, double, double, double);
+template std::optional<Vec<2>> smooth_face_normal<2>(ParticleSet<2>&, const Vec<2>&, double, double, double);
 template bool is_flat_face<2>(ParticleSet<2>&, const Vec<2>&, double);
 template bool surrounds_line<2>(ParticleSet<2>&, const Vec<2>&, double, double);
 template bool are_wide_faces<2>(ParticleSet<2>&, ParticleSet<2>&, const Vec<2>&, double);
@@ -326,7 +345,8 @@ template std::optional<Vec<2>> regression_normal<2>(const ParticleSet<2>&, const
 template double face_position<2>(ParticleSet<2>&, const Vec<2>&, double);
 template std::optional<Vec<3>> margin_normal<3>(ParticleSet<3>&, ParticleSet<3>&, const Vec<3>&, double);
 template std::optional<Vec<3>> plane_face_normal<3>(ParticleSet<3>&, const Vec<3>&, double);
-template std::optional<Vec<3>> smooth_face_normal<3>(ParticleSet<3>&, const Vec<3>&, double, double);
+template std::optional<Vec<3>> face_normal_at_node<3>(ParticleSet<3>&, const Vec<3>&, double, double, double);
+template std::optional<Vec<3>> smooth_face_normal<3>(ParticleSet<3>&, const Vec<3>&, double, double, double);
 template bool is_flat_face<3>(ParticleSet<3>&, const Vec<3>&, double);
 template bool surrounds_line<3>(ParticleSet<3>&, const Vec<3>&, double, double);
 template bool are_wide_faces<3>(ParticleSet<3>&, ParticleSet<3>&, const Vec<3>&, double);

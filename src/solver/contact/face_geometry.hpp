@@ -58,9 +58,16 @@ std::optional<Vec<Dim>> plane_face_normal(ParticleSet<Dim>& side, const Vec<Dim>
 
 /// Outward unit normal of a smooth face on the line through the node along `out`, by linear regression of the normals
 /// of the foremost domains within `band` of this line [length] on their offsets; std::nullopt if one of them deviates
-/// from the regression by more than two degrees, or if there are fewer than two. `length`: cell size.
+/// from the regression by more than `largest_error` [slope], or if there are fewer than two. `length`: cell size.
 template <int Dim>
-std::optional<Vec<Dim>> smooth_face_normal(ParticleSet<Dim>& side, const Vec<Dim>& out, double band, double length);
+std::optional<Vec<Dim>> smooth_face_normal(ParticleSet<Dim>& side, const Vec<Dim>& out, double band, double length,
+                                           double largest_error);
+
+/// Outward unit normal of the face on the line through the node along `out`: that of a plane face which the line meets,
+/// or else of a smooth one, see smooth_face_normal; std::nullopt if there is neither.
+template <int Dim>
+std::optional<Vec<Dim>> face_normal_at_node(ParticleSet<Dim>& side, const Vec<Dim>& out, double band, double length,
+                                            double largest_error);
 
 /// Whether the foremost particles along the unit vector `out` form a plane face normal to `out`, up to deviations of
 /// `flatness` [length]. The face may end within the set.

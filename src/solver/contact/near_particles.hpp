@@ -18,6 +18,7 @@ struct NearParticles {
   std::array<Groups, 2> groups;           ///< per side: all groups with particles within reach of the node
   std::array<ParticleSet<Dim>, 2> sides;  ///< per side: the particles that determine the face
   Vec<Dim> direction;                     ///< from the mean position of the first side to that of the second [length]
+  std::array<bool, 2> rigid;              ///< per side: the body is rigid
   bool wide;                              ///< the normal is that of wide faces, not of corners or edges
   std::array<double, 2> max_reach;        ///< per side: reach of the foremost particle                        [length]
 
