@@ -86,6 +86,7 @@ void Provenance::write(const std::string& status, const std::string& reason, dou
   for (const auto& [name, value] : facts_) record["model"][name] = value;
   for (const auto& [name, unit] : units_) record["unit_of"][name] = unit;
   if (!materials_.empty()) record["materials"] = materials_;
+  if (!rigid_materials_.empty()) record["rigid_materials"] = rigid_materials_;
   const std::string text = record.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
   try {
     write_atomically(path_, text);

@@ -24,9 +24,11 @@ class Provenance {
   /// over the old record. Throws FileError.
   void write(const std::string& status, const std::string& reason, double time, long step) const;
 
-  /// What pictures and reports write next to numbers: units of fields and columns, and the materials by their number.
-  void set_legend(std::map<std::string, std::string> units, std::vector<std::string> materials) {
-    units_ = std::move(units), materials_ = std::move(materials);
+  /// What pictures and reports write next to numbers: units of fields and columns, the materials by their number, and
+  /// those that are rigid.
+  void set_legend(std::map<std::string, std::string> units, std::vector<std::string> materials,
+                  std::vector<std::string> rigid_materials) {
+    units_ = std::move(units), materials_ = std::move(materials), rigid_materials_ = std::move(rigid_materials);
   }
   /// What the run has noticed about its own results, for the next write().
   void set_remarks(std::vector<std::string> remarks) { remarks_ = std::move(remarks); }
@@ -44,7 +46,7 @@ class Provenance {
   std::string command_line_, input_, input_checksum_, started_;
   int threads_;
   std::map<std::string, std::string> facts_, units_;
-  std::vector<std::string> materials_, remarks_;
+  std::vector<std::string> materials_, rigid_materials_, remarks_;
   Progress progress_;
 };
 

@@ -59,8 +59,11 @@ class RunLoop {
         provenance_(options.folder / "provenance.json", options.command_line, model.file, threads(),
                     facts_of(model, stepped, options.changes)),
         progress_(options.quiet, stepped.time(), model.time.end, stepped.moving().first, stepped.moving().second) {
-    std::vector<std::string> materials;
-    for (const auto& m : model.materials) materials.push_back(m.name);
+    std::vector<std::string> materials, rigid;
+    for (const auto& m : model.materials) {
+      materials.push_back(m.name);
+      if (m.law && m.law->rigid()) rigid.push_back(m.name);
+    }
     ResultNames names = names_of_every_run();
     names.add(stepped.result_names());
     std::vector<std::filesystem::path> flushed;
@@ -69,7 +72,7 @@ class RunLoop {
     for (const std::string& name : names.frames) flushed.push_back(options.folder / name);
     flushed.push_back(options.folder);
     flushed_ = std::make_shared<const std::vector<std::filesystem::path>>(std::move(flushed));
-    provenance_.set_legend(units_of_results(model), materials);
+    provenance_.set_legend(units_of_results(model), std::move(materials), std::move(rigid));
   }
 
   Outcome run() {

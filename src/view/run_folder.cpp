@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <nlohmann/json.hpp>
+#include <set>
 
 namespace tribo {
 namespace {
@@ -78,11 +80,40 @@ std::vector<CollectionEntry> RunFolder::frames() const {
   return read_collection(folder_ / (has_particles() ? "run.pvd" : "blocks.pvd"));
 }
 
+namespace {
+
+// Rigid bodies move and touch, but have no stress or strain.
+bool rigid_bodies_have(const std::string& field) {
+  static const std::set<std::string> all{"velocity", "displacement", "material", "id", "mass", "temperature"};
+  return all.contains(field) || field.starts_with("contact");
+}
+
+}  // namespace
+
+void remove_values_of_rigid_materials(ParticleFrame& frame, const Legend& legend) {
+  const auto* material = frame.field("material");
+  if (legend.rigid_materials.empty() || !material) return;
+  const std::vector<double> of_particle = material->values;
+  const auto is_rigid = [&](double number) {
+    const auto k = static_cast<std::size_t>(number) - 1;
+    return k < legend.materials.size() && std::find(legend.rigid_materials.begin(), legend.rigid_materials.end(),
+                                                    legend.materials[k]) != legend.rigid_materials.end();
+  };
+  for (auto& field : frame.fields) {
+    if (rigid_bodies_have(field.name)) continue;
+    const auto count = static_cast<std::size_t>(field.components);
+    for (std::size_t i = 0; i < of_particle.size(); ++i)
+      if (is_rigid(of_particle[i]))
+        std::fill_n(field.values.begin() + static_cast<std::ptrdiff_t>(i * count), count, std::nan(""));
+  }
+}
+
 // Files that belong together have the same name in their folders.
 Scene RunFolder::scene(const CollectionEntry& frame) const {
   Scene scene;
   scene.time = frame.time;
   if (has_particles()) scene.particles = read_particles(frame.file);
+  if (std::filesystem::exists(folder_ / "provenance.json")) remove_values_of_rigid_materials(scene.particles, legend());
   const auto cells = [&](const char* part) {
     const auto file = folder_ / part / frame.file.filename();
     return std::filesystem::exists(file) ? read_cells(file) : CellFrame{};
@@ -112,6 +143,7 @@ Legend RunFolder::legend() const {
     out.time = model.value("unit of time", ""), out.length = model.value("unit of length", "");
     out.units = record.value("unit_of", out.units);
     out.materials = record.value("materials", out.materials);
+    out.rigid_materials = record.value("rigid_materials", out.rigid_materials);
   } catch (const Json::exception& error) {
     throw damaged_record(folder_, error.what());
   }

@@ -37,9 +37,13 @@ struct Legend {
   std::string time, length;                  ///< units
   std::map<std::string, std::string> units;  ///< of fields, of columns of history.csv and of energy.csv
   std::vector<std::string> materials;        ///< names in the order of their numbers
+  std::vector<std::string> rigid_materials;  ///< names of those that are rigid
   /// Unit of a field, of a component of it or of a column; empty if it has none.
   std::string unit_of(const std::string& name) const;
 };
+
+/// Replaces the values that rigid particles do not have, such as stress, by NaN.
+void remove_values_of_rigid_materials(ParticleFrame& frame, const Legend& legend);
 
 class RunFolder {
  public:
@@ -50,7 +54,8 @@ class RunFolder {
   bool has_particles() const;
   /// Particle files that are there now; of a run of blocks alone, their files.
   std::vector<CollectionEntry> frames() const;
-  /// The state that was written together with a file of `frames`. Throws FileError.
+  /// The state that was written together with a file of `frames`. Of rigid materials, stress, strain and other values
+  /// that they do not have are not numbers. Throws FileError.
   Scene scene(const CollectionEntry& frame) const;
   ResultTable history() const { return read_table(folder_ / "history.csv"); }
   ResultTable energy() const { return read_table(folder_ / "energy.csv"); }

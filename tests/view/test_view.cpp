@@ -196,6 +196,22 @@ TEST_CASE("materials have their names beside the picture", "[view]") {
   for (int y = 36; y < p.height; ++y) CHECK(p.at(p.width - 2, y) == Colour{255, 255, 255});
 }
 
+TEST_CASE("rigid bodies have no stress in pictures", "[view]") {
+  ParticleFrame frame;
+  frame.position.resize(3);
+  frame.fields = {
+      {"stress", 2, false, {1, 2, 3, 4, 5, 6}}, {"velocity", 1, false, {7, 8, 9}}, {"material", 1, true, {1, 2, 3}}};
+  Legend legend;
+  legend.materials = {"sand", "floor", "water"}, legend.rigid_materials = {"floor"};
+  remove_values_of_rigid_materials(frame, legend);
+  const auto& stress = frame.fields[0].values;
+  CHECK(std::isnan(stress[2]));
+  CHECK(std::isnan(stress[3]));
+  CHECK((stress[0] == 1 && stress[1] == 2 && stress[4] == 5 && stress[5] == 6));
+  CHECK(frame.fields[1].values == std::vector<double>{7, 8, 9});
+  CHECK(frame.fields[2].values == std::vector<double>{1, 2, 3});
+}
+
 TEST_CASE("a picture shows particles where they are, in the colours of their values", "[view]") {
   const ParticleFrame frame = small_frame();
   PictureOptions options;
