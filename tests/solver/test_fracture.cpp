@@ -243,6 +243,16 @@ TEST_CASE("the direction of growth may be chosen", "[fracture]") {
   CHECK(start.kink() == Approx(0.2 * 180 / std::numbers::pi));
 }
 
+TEST_CASE("growth releases J times the new area, and nothing where J is negative", "[fracture]") {
+  for (const double J : {0.5, -0.5}) {
+    Growing crack({Growth::When::hoop_stress});
+    const double before = crack.tip().released;
+    REQUIRE(crack.grow(2, 0, J));
+    CHECK((crack.tip().released > before) == (J > 0));
+    CHECK(crack.tip().released >= before);
+  }
+}
+
 TEST_CASE("a crack stops in front of another one", "[fracture]") {
   // a wall of its way, 0.3 cells ahead of the tip at (20.1, 19.8)
   const double ahead = 0.3;
@@ -251,6 +261,8 @@ TEST_CASE("a crack stops in front of another one", "[fracture]") {
   REQUIRE(crack.grow(2, 0));
   CHECK_FALSE(crack.tip().active);
   CHECK(crack.end()[0] - before == Approx(0.99 * ahead).epsilon(0.01));
+  CHECK(crack.tip().J == 0.0);
+  CHECK_FALSE(crack.tip().has_K);
   crack.system.time = 1e9;
   CHECK_FALSE(crack.grow(2, 0));
 }

@@ -140,7 +140,8 @@ void CrackTips<2>::extend(std::size_t c, CrackTip& tip, double angle) {
       tip.active = false;
     }
   grow_to(crack, tip, from + length * ahead);
-  tip.released += tip.J * length * model_.grid.thickness;
+  // J may be negative only where the contour meets a loaded surface, where it is no energy release rate.
+  tip.released += std::max(tip.J, 0.0) * length * model_.grid.thickness;
   const auto& law = *system_.bodies[tip.body].law;
   const double shear_speed =
       std::sqrt((moduli_[tip.body] ? moduli_[tip.body]->G : law.wave_modulus() / 3) / law.density());
@@ -150,9 +151,11 @@ void CrackTips<2>::extend(std::size_t c, CrackTip& tip, double angle) {
   const Vec<2> reach = Vec<2>::Constant(8 * cell_);
   const BodyOccupancy<2> occupancy(model_, system_, from - reach, from + reach);
   // the tolerance spans gaps between stretched particles
-  if (occupancy.contains(crack.x[tip.point], 0.5)) return;
-  tip.active = false;
-  extend_straight(crack, tip, cell_, extension_cells_);
+  if (!occupancy.contains(crack.x[tip.point], 0.5)) {
+    tip.active = false;
+    extend_straight(crack, tip, cell_, extension_cells_);
+  }
+  if (!tip.active) tip.J = 0.0, tip.K = {}, tip.has_K = false;  // the crack ends at a surface and has no tip there
 }
 
 }  // namespace tribo
