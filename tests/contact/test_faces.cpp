@@ -209,7 +209,8 @@ TEST_CASE("flat faces and stairs have no gap correction", "[contact]") {
 
 TEST_CASE("next to a blunt edge the normal is that of the face at the node, not of the foremost face", "[contact]") {
   constexpr double rise = 0.1;  // slope of the face for x < edge; it is level for x > edge, at y = 0
-  const auto wedge = [&](double edge) {
+  const Vec<2> level(0, 1), inclined = Vec<2>(-rise, 1).normalized();
+  const auto at_node = [&](double edge) {
     ParticleSet<2> side;
     for (double x = -2.25; x < 2.5; x += 0.5)
       for (double y = -0.25; y > -2; y -= 0.5) {
@@ -218,18 +219,26 @@ TEST_CASE("next to a blunt edge the normal is that of the face at the node, not 
         half(1, 0) = 0.25 * slope;
         side.add(Vec<2>(x, y + slope * (x - edge)), half);
       }
-    return side;
-  };
-  const Vec<2> level(0, 1), inclined = Vec<2>(-rise, 1).normalized();
-  const auto at_node = [&](double edge) {
-    auto side = wedge(edge);
-    return face_normal_at_node<2>(side, level, 0.75, 1.0, 0.2).value();
+    if (const auto n = plane_normal_at_node<2>(side, level, 0.75, 1.0)) return *n;
+    CHECK(edge < 1.6);
+    return smooth_face_normal<2>(side, level, 0.75, 1.0, true).value();
   };
   CHECK((at_node(1.5) - inclined).norm() < 1e-9);  // the level face begins 1.5 cells beside the node
   CHECK((at_node(-1.5) - level).norm() < 1e-9);
   const Vec<2> between = at_node(0.0);
   CHECK(between[0] < -0.2 * rise);
   CHECK(between[0] > -0.8 * rise);
-  auto side = wedge(1.5);
-  CHECK((plane_face_normal<2>(side, level, 1.0).value_or(level) - level).norm() < 1e-9);  // the foremost face
+}
+
+TEST_CASE("a tilted domain at the end of a rigid face does not tilt the normal", "[contact]") {
+  ParticleSet<2> side;
+  for (double x = -0.25; x < 2.5; x += 0.5)
+    for (double y = -0.25; y > -2; y -= 0.5) {
+      Mat<2> half = 0.25 * Mat<2>::Identity();
+      if (x < 0) half(1, 0) = 0.25 * 0.05;
+      side.add(Vec<2>(x, y), half);
+    }
+  const Vec<2> up(0, 1);
+  CHECK_FALSE(smooth_face_normal<2>(side, up, 0.75, 1.0, true).value_or(up)[0] != 0.0);
+  CHECK(smooth_face_normal<2>(side, up, 0.75, 1.0, false).value()[0] < -0.01);
 }

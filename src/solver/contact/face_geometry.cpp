@@ -161,28 +161,46 @@ std::optional<Vec<Dim>> plane_face_normal(ParticleSet<Dim>& side, const Vec<Dim>
 }
 
 template <int Dim>
-std::optional<Vec<Dim>> face_normal_at_node(ParticleSet<Dim>& side, const Vec<Dim>& out, double band, double length,
-                                            double largest_error) {
+std::optional<Vec<Dim>> plane_normal_at_node(ParticleSet<Dim>& side, const Vec<Dim>& out, double band, double length) {
   constexpr double same_plane = 0.02;  // cells
-  if (const auto n = plane_face_normal<Dim>(side, out, length)) {
-    // The plane is the face at the node if no domain near the line through the node ends before it.
-    double of_plane = -std::numeric_limits<double>::infinity(), at_node = of_plane;
-    for (const Facet<Dim>& facet : side.facets) {
-      const double height = facet.middle.dot(*n);
-      const Vec<Dim> offset = facet.middle - height * *n;
-      of_plane = std::max(of_plane, height);
-      if (offset.squaredNorm() <= band * band) at_node = std::max(at_node, height);
-    }
-    if (at_node > of_plane - same_plane * length) return n;
+  const auto n = plane_face_normal<Dim>(side, out, length);
+  if (!n) return n;
+  double of_plane = -std::numeric_limits<double>::infinity(), at_node = of_plane;
+  for (const Facet<Dim>& facet : side.facets) {
+    const double height = facet.middle.dot(*n);
+    const Vec<Dim> offset = facet.middle - height * *n;
+    of_plane = std::max(of_plane, height);
+    if (offset.squaredNorm() <= band * band) at_node = std::max(at_node, height);
   }
-  return smooth_face_normal<Dim>(side, out, band, length, largest_error);
+  return at_node > of_plane - same_plane * length ? n : std::nullopt;
 }
+
+namespace {
+
+// Removes the facets at the ends of a face. The sides of cut cells at corners are tilted.
+template <int Dim>
+void remove_ends(std::vector<Facet<Dim>>& facets, const Vec<Dim>& n, double length) {
+  constexpr double width = 0.1;  // cells
+  for (const Vec<Dim>& t : directions_around<Dim>(n)) {
+    Extent e;
+    for (const Facet<Dim>& f : facets)
+      e.low = std::min(e.low, f.offset.dot(t)), e.high = std::max(e.high, f.offset.dot(t));
+    std::erase_if(facets, [&](const Facet<Dim>& f) {
+      const double at = f.offset.dot(t);
+      return at < e.low + width * length || at > e.high - width * length;
+    });
+  }
+}
+
+}  // namespace
 
 template <int Dim>
 std::optional<Vec<Dim>> smooth_face_normal(ParticleSet<Dim>& side, const Vec<Dim>& out, double band, double length,
-                                           double largest_error) {
+                                           bool rigid) {
   constexpr double depth = 0.15;  // cells; the sagitta of the faces of a disc of five cells within two cells
-  constexpr double cover = 0.3;   // cells; a side is inside the body if another one is this near and in front of it
+  // Slopes deviate from a line by less than two degrees at a smooth face. Rigid faces may have blunt edges.
+  const double largest_error = rigid ? 0.1 : 0.035;
+  constexpr double cover = 0.3;  // cells; a side is inside the body if another one is this near and in front of it
   collect_sides<Dim>(side, out);
   std::vector<Facet<Dim>>& facets = side.facets;
   const auto is_near = [&](const Facet<Dim>& f) { return f.offset.squaredNorm() <= band * band; };
@@ -197,7 +215,9 @@ std::optional<Vec<Dim>> smooth_face_normal(ParticleSet<Dim>& side, const Vec<Dim
              g.height(out, f.offset) > f.middle.dot(out) + 0.02 * length;
     });
   };
-  std::erase_if(facets, [&](const Facet<Dim>& f) { return !is_near(f) || is_covered(f); });
+  std::erase_if(facets, is_covered);
+  if (rigid) remove_ends<Dim>(facets, out, length);
+  std::erase_if(facets, [&](const Facet<Dim>& f) { return !is_near(f); });
   if (facets.size() < 2) return std::nullopt;
   Vec<Dim> place = Vec<Dim>::Zero(), slope = Vec<Dim>::Zero();
   const auto slope_of = [&](const Facet<Dim>& f) { return Vec<Dim>(f.normal / f.normal.dot(out) - out); };
@@ -335,8 +355,8 @@ double face_position(ParticleSet<Dim>& side, const Vec<Dim>& n, double band) {
 
 template std::optional<Vec<2>> margin_normal<2>(ParticleSet<2>&, ParticleSet<2>&, const Vec<2>&, double);
 template std::optional<Vec<2>> plane_face_normal<2>(ParticleSet<2>&, const Vec<2>&, double);
-template std::optional<Vec<2>> face_normal_at_node<2>(ParticleSet<2>&, const Vec<2>&, double, double, double);
-template std::optional<Vec<2>> smooth_face_normal<2>(ParticleSet<2>&, const Vec<2>&, double, double, double);
+template std::optional<Vec<2>> plane_normal_at_node<2>(ParticleSet<2>&, const Vec<2>&, double, double);
+template std::optional<Vec<2>> smooth_face_normal<2>(ParticleSet<2>&, const Vec<2>&, double, double, bool);
 template bool is_flat_face<2>(ParticleSet<2>&, const Vec<2>&, double);
 template bool surrounds_line<2>(ParticleSet<2>&, const Vec<2>&, double, double);
 template bool are_wide_faces<2>(ParticleSet<2>&, ParticleSet<2>&, const Vec<2>&, double);
@@ -345,8 +365,8 @@ template std::optional<Vec<2>> regression_normal<2>(const ParticleSet<2>&, const
 template double face_position<2>(ParticleSet<2>&, const Vec<2>&, double);
 template std::optional<Vec<3>> margin_normal<3>(ParticleSet<3>&, ParticleSet<3>&, const Vec<3>&, double);
 template std::optional<Vec<3>> plane_face_normal<3>(ParticleSet<3>&, const Vec<3>&, double);
-template std::optional<Vec<3>> face_normal_at_node<3>(ParticleSet<3>&, const Vec<3>&, double, double, double);
-template std::optional<Vec<3>> smooth_face_normal<3>(ParticleSet<3>&, const Vec<3>&, double, double, double);
+template std::optional<Vec<3>> plane_normal_at_node<3>(ParticleSet<3>&, const Vec<3>&, double, double);
+template std::optional<Vec<3>> smooth_face_normal<3>(ParticleSet<3>&, const Vec<3>&, double, double, bool);
 template bool is_flat_face<3>(ParticleSet<3>&, const Vec<3>&, double);
 template bool surrounds_line<3>(ParticleSet<3>&, const Vec<3>&, double, double);
 template bool are_wide_faces<3>(ParticleSet<3>&, ParticleSet<3>&, const Vec<3>&, double);

@@ -56,18 +56,18 @@ bool are_wide_faces(ParticleSet<Dim>& a, ParticleSet<Dim>& b, const Vec<Dim>& n,
 template <int Dim>
 std::optional<Vec<Dim>> plane_face_normal(ParticleSet<Dim>& side, const Vec<Dim>& out, double length);
 
+/// The same, if the line through the node along `out` meets the plane: the foremost domain within `band` of this line
+/// [length] has a side in it. Next to a blunt edge the foremost plane may lie beside the node.
+template <int Dim>
+std::optional<Vec<Dim>> plane_normal_at_node(ParticleSet<Dim>& side, const Vec<Dim>& out, double band, double length);
+
 /// Outward unit normal of a smooth face on the line through the node along `out`, by linear regression of the normals
 /// of the foremost domains within `band` of this line [length] on their offsets; std::nullopt if one of them deviates
-/// from the regression by more than `largest_error` [slope], or if there are fewer than two. `length`: cell size.
+/// from the regression by more than two degrees, or if there are fewer than two. `length`: cell size. A `rigid` face
+/// may have blunt edges, where the deviation is up to six degrees, and the domains at its ends do not count.
 template <int Dim>
 std::optional<Vec<Dim>> smooth_face_normal(ParticleSet<Dim>& side, const Vec<Dim>& out, double band, double length,
-                                           double largest_error);
-
-/// Outward unit normal of the face on the line through the node along `out`: that of a plane face which the line meets,
-/// or else of a smooth one, see smooth_face_normal; std::nullopt if there is neither.
-template <int Dim>
-std::optional<Vec<Dim>> face_normal_at_node(ParticleSet<Dim>& side, const Vec<Dim>& out, double band, double length,
-                                            double largest_error);
+                                           bool rigid = false);
 
 /// Whether the foremost particles along the unit vector `out` form a plane face normal to `out`, up to deviations of
 /// `flatness` [length]. The face may end within the set.

@@ -207,24 +207,27 @@ auto NormalFinder<Dim>::front_normal(const Vec<Dim>& centre, NearParticles<Dim>&
 
 // The normal of plane or smooth faces from the sides of the domains, near the normal `n` of largest margin; `n` where
 // the faces are irregular. The domains of cut cells have different depths, so that the plane of largest margin between
-// their shrunk domains tilts. The face of a rigid side alone determines the normal: the other one may be tilted by its
-// deformation, and what slides along a rigid face at a tilted normal sinks into it. Else a plane face determines it,
-// and two plane or two smooth faces together.
+// their shrunk domains tilts. A plane or smooth face of a rigid side alone determines
+// the normal: the other face may be tilted by
+// its deformation, and what slides along a rigid face at a tilted normal sinks into it. Else a plane face determines
+// it, and two plane or two smooth faces together.
 template <int Dim>
 Vec<Dim> NormalFinder<Dim>::normal_of_faces(NearParticles<Dim>& near, const Vec<Dim>& n) const {
   if (!has_cut_cells_) return n;
   auto& [side_a, side_b] = near.sides;
-  constexpr double slope_error = 0.035, rigid_slope_error = 0.2;  // rigid faces may have blunt edges
-  if (near.rigid[0])
-    if (const auto out = face_normal_at_node<Dim>(side_a, n, band * h_, h_, rigid_slope_error)) return *out;
-  if (near.rigid[1])
-    if (const auto out = face_normal_at_node<Dim>(side_b, -n, band * h_, h_, rigid_slope_error)) return -*out;
+  for (std::size_t side = 0; side < 2; ++side) {
+    if (!near.rigid[side]) continue;
+    const double sign = side == 0 ? 1.0 : -1.0;
+    auto out = plane_normal_at_node<Dim>(near.sides[side], sign * n, band * h_, h_);
+    if (!out) out = smooth_face_normal<Dim>(near.sides[side], sign * n, band * h_, h_, true);
+    if (out) return sign * *out;
+  }
   Vec<Dim> sum = Vec<Dim>::Zero();
   if (const auto out = plane_face_normal<Dim>(side_a, n, h_)) sum += *out;
   if (const auto out = plane_face_normal<Dim>(side_b, -n, h_)) sum -= *out;
   if (sum.isZero()) {
-    const auto of_a = smooth_face_normal<Dim>(side_a, n, band * h_, h_, slope_error);
-    const auto of_b = smooth_face_normal<Dim>(side_b, -n, band * h_, h_, slope_error);
+    const auto of_a = smooth_face_normal<Dim>(side_a, n, band * h_, h_);
+    const auto of_b = smooth_face_normal<Dim>(side_b, -n, band * h_, h_);
     if (of_a && of_b) sum = *of_a - *of_b;
   }
   return unit<Dim>(sum).value_or(n);
