@@ -207,10 +207,9 @@ auto NormalFinder<Dim>::front_normal(const Vec<Dim>& centre, NearParticles<Dim>&
 
 // The normal of plane or smooth faces from the sides of the domains, near the normal `n` of largest margin; `n` where
 // the faces are irregular. The domains of cut cells have different depths, so that the plane of largest margin between
-// their shrunk domains tilts. A plane or smooth face of a rigid side alone determines
-// the normal: the other face may be tilted by
-// its deformation, and what slides along a rigid face at a tilted normal sinks into it. Else a plane face determines
-// it, and two plane or two smooth faces together.
+// their shrunk domains tilts. A plane or smooth face of a rigid side alone determines the normal: the other face may be
+// tilted by its deformation, and what slides along a rigid face at a tilted normal sinks into it. Else a plane face
+// determines it, and two plane or two smooth faces together.
 template <int Dim>
 Vec<Dim> NormalFinder<Dim>::normal_of_faces(NearParticles<Dim>& near, const Vec<Dim>& n) const {
   if (!has_cut_cells_) return n;

@@ -81,7 +81,6 @@ class CpdiTransfers final : public Transfers<Dim> {
 
  private:
   using Across = CutPatches<Dim, width>;
-
   using Domains = CpdiDomains<Dim>;
 
   // m C with C = B D^-1.
