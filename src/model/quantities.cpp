@@ -131,8 +131,8 @@ const std::vector<QuantityInfo>& global_quantities() {
        "id, on "
        "the other materials, x",
        Scope::material, [](const S& s) { return s.reaction()[0]; }},
-      {"reactiony", "force", "the same, y", Scope::material, [](const S& s) { return s.reaction()[1]; }},
-      {"reactionz", "force", "the same, z", Scope::material, [](const S& s) { return s.reaction()[2]; }},
+      {"reactiony", "force", "the same as reactionx, y", Scope::material, [](const S& s) { return s.reaction()[1]; }},
+      {"reactionz", "force", "the same as reactionx, z", Scope::material, [](const S& s) { return s.reaction()[2]; }},
       {"contactx", "force", "contact force on a material, x; with='n': from that material only", Scope::material,
        [](const S& s) { return s.contact().force[0]; }},
       {"contacty", "force", "contact force on a material, y", Scope::material,
