@@ -16,18 +16,17 @@ enum class ContactPass {
   corrector   ///< after the momentum update; its impulse is the contact impulse of the step
 };
 
-/// The response of the law of a pair in its present state. In the predictor, faces that friction held in the last
-/// momentum update do not slide.
+/// The response of a law in a state. In the predictor, faces that friction held in the last momentum update (`stuck`)
+/// do not slide.
 ///
 /// The extrapolated velocities of two bodies that stick differ, since the particles keep motions that the nodes do not
 /// see. The impulse that removes this difference has nothing to do with the pressure between the bodies, so the
 /// frictional limit of the law does not apply to it. With the limit most nodes would slide in the predictor, with two
 /// consequences. The strains of USF, USAVG and the "+" variants would belong to faces that slide, the forces to faces
 /// that stick, which adds energy in every step. And FLIP would give the difference to the corrector as a shear impulse.
-inline ContactResponse response_of(const ContactPair& pair, ContactPass pass) {
-  const ContactState& m = pair.state;
-  ContactResponse out = pair.law->response(m);
-  if (pass == ContactPass::corrector || !pair.stuck) return out;
+inline ContactResponse response_of(const ContactLaw& law, const ContactState& m, bool stuck, ContactPass pass) {
+  ContactResponse out = law.response(m);
+  if (pass == ContactPass::corrector || !stuck) return out;
   const Vec3 slide = m.velocity - m.velocity.dot(m.normal) * m.normal;
   out.impulse = out.impulse.dot(m.normal) * m.normal + m.mass * slide;
   return out;

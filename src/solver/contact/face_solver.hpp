@@ -4,20 +4,15 @@
 /// If each node has one common velocity for the two fields in contact, the layers of nodes on both sides of the face
 /// move as one. Then no strain can differ between these layers, and none can exist next to a rigid body, so that the
 /// stress in the cells at the face is wrong (20 per cent RMS for a block between platens). Here the contact law acts on
-/// the velocity of each body at the face: the mean of the velocity of the node and of that at its mirror image in the
-/// face. Where a body reaches only some of the nodes around the image, the weights are such that their mean position is
-/// on the face all the same, or else the stress next to the face would be wrong by up to its own size. The impulse acts
-/// on the node and on the nodes around the image with the same weights, so that it never adds energy, wherever the face
-/// lies between the nodes. In return, all nodes must be solved together, and the numerical damping of nodes that move
-/// as one is lost.
+/// the velocity of each body at the face (FaceConstraints). The impulse acts on the nodes with the weights that their
+/// velocities have in that of the face, so that it never adds energy, wherever the face lies between the nodes. In
+/// return, all nodes must be solved together, and the numerical damping of nodes that move as one is lost.
 #pragma once
 
-#include "grid/nodes.hpp"
-#include "solver/contact/contact_nodes.hpp"
-#include "solver/state/system.hpp"
+#include "solver/contact/face_constraints.hpp"
 
-#include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace tribo {
@@ -31,7 +26,7 @@ namespace tribo {
 template <int Dim>
 class FaceSolver {
  public:
-  explicit FaceSolver(System<Dim>& system) : system_(system) {}
+  explicit FaceSolver(System<Dim>& system) : system_(system), constraints_(system) {}
 
   /// Takes over all pairs of the nodes at which some pair has a face, and sets ContactNode::solved_on_faces. The pairs
   /// must stay where they are in memory until the next set_up().
@@ -46,70 +41,55 @@ class FaceSolver {
   void constrain_increments(ContactPass pass);
 
  private:
-  // A nodal velocity with its weight in the relative velocity of a pair.
-  struct Term {
-    std::uint32_t field;
-    std::uint32_t dof;  // position in dofs_
-    std::int64_t node;
+  // What the sweeps read of a term: they pass over all of them many times, so it is small.
+  struct Weight {
     double weight;
+    double over_mass;  // weight times the inverse mass of the node
+    std::uint32_t velocity;
   };
-  // Of each side the velocity of the node, and those of the nodes of the cell that contains its image.
-  static constexpr std::size_t max_terms = 2 * (1 + (1 << Dim));
-  // A pair and its relative velocity at the face as a weighted sum of nodal velocities.
-  struct Constraint {
-    ContactPair* pair = nullptr;
-    const ContactNode<Dim>* node = nullptr;
-    bool has_face = false;  // else the law acts on the velocities of the node itself
-    std::size_t term_count = 0;
-    std::array<Term, max_terms> terms;
-    std::array<double, 2> mean_mass{};   // of the nodes of each body, weighted
-    Vec3 trial_velocity = Vec3::Zero();  // relative velocity without contact
-    double effective_mass = 0.0;         // impulse over change of relative velocity if no other pair acts
-    double lumped_mass = 0.0;            // smaller: also stable if all pairs that share nodes act at once
-    Vec3 impulse_change = Vec3::Zero();  // of this sweep
+  // What the sweeps read and write of a constraint, apart from its pair for the same reason.
+  struct Row {
+    ContactPair* pair;
+    const ContactLaw* law;
+    double size_before;        // squared impulse of the last step
+    bool stuck;                // see ContactPair
+    std::uint32_t first, end;  // in weights_
+    bool active;
+    double effective_mass, lumped_mass;
+    Vec3 trial_velocity;  // relative velocity without contact
+    Vec3 impulse;
+    Vec3 impulse_change;  // of this sweep
+    ContactState state;
+    ContactResponse response;
   };
-  // The velocity of one field at one node.
-  struct NodalVelocity {
-    std::uint32_t field;
-    std::int64_t node;
-    double inverse_mass;
-    double mean_mass = 0.0;      // the largest mean of the nodes of a constraint with this one
-    double start_share = 1.0;    // of the change that is made at the start of the step
-    Vec3 change = Vec3::Zero();  // by contact
-  };
-  // The constraints of the contact nodes of one block.
-  struct Group {
-    std::size_t first, end;           // in constraints_
-    int colour;                       // groups of the same colour share no nodes
-    double change = 0.0, size = 0.0;  // squared sums of the impulses in a sweep
+  // Squared sums of the impulses of a group in a sweep.
+  struct Change {
+    double change = 0.0, size = 0.0;
   };
 
-  static bool is_inactive(const Constraint& c);
-  void list_constraints(ContactNodes<Dim>& contacts);
-  void find_terms(Constraint& c, std::span<const ContactMember> members) const;
-  double add_face_terms(Constraint& c, const ContactMember& member, double sign) const;
-  bool add_image_terms(Constraint& c, const Term& of, std::span<double> distances) const;
-  void number_velocities();
-  void find_masses(Constraint& c) const;
   template <class Value>
-  Vec3 weighted_sum(const Constraint& c, Value&& value) const;
+  Vec3 weighted_sum(const Row& row, Value&& value) const;
   template <class F>
   void each_group(bool backward, F&& f);
   template <class F>
-  void each_constraint(F&& f);
+  void each_row(F&& f);
   template <class F>
   void each_velocity(F&& f);
-  void update_impulse(Constraint& c, double mass, ContactPass pass);
-  void distribute(const Constraint& c, const Vec3& impulse);
-  void distribute_at_start(const Constraint& c, const Vec3& impulse);
+  Vec3 velocity_at_face(const Row& row) const;
+  void update_impulse(Row& row, double mass, ContactPass pass);
+  void distribute(const Row& row, const Vec3& impulse);
+  void distribute_at_start(const Row& row, const Vec3& impulse);
+  void begin_row(Row& row, double dt, ContactPass pass);
+  void sweep_all_at_once(ContactPass pass);
+  bool sweep_one_by_one(bool backward, ContactPass pass);
   void solve(ContactPass pass);
 
   System<Dim>& system_;
-  std::vector<Constraint> constraints_;
-  std::vector<Group> groups_;             // sorted by colour
-  std::vector<std::size_t> colour_ends_;  // per colour that occurs: end of its groups
-  std::vector<NodalVelocity> dofs_;
-  std::vector<std::vector<std::int32_t>> dof_of_;  // per field and node: position in dofs_, or -1
+  FaceConstraints<Dim> constraints_;
+  std::vector<Row> rows_;  // of the constraints, in the same order
+  std::vector<Weight> weights_;
+  std::vector<Vec3> changes_;          // of the nodal velocities, by contact
+  std::vector<Change> group_changes_;  // per group
 };
 
 }  // namespace tribo
