@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// <MaterialPoints>: bodies, holes, images and single particles; also the shapes used by conditions.
 
+#include "base/text.hpp"
 #include "input/builder.hpp"
 #include "materials/material.hpp"
 
@@ -15,7 +16,8 @@ constexpr double degrees = std::numbers::pi / 180.0;
 constexpr std::size_t most_corners = 20'000;  // of a polygon: each is looked at for every particle
 
 bool is_shape(std::string_view name) {
-  for (const auto shape : {"Rect", "Oval", "Polygon", "Line", "Arc", "Box", "Sphere", "Cylinder", "Torus", "STL"})
+  for (const auto shape :
+       {"Rect", "Oval", "Polygon", "Line", "Arc", "Box", "Sphere", "Cylinder", "Torus", "STL", "Surface", "Terrain"})
     if (name == shape) return true;
   return false;
 }
@@ -26,8 +28,8 @@ int axis_of(const std::string& text) { return text == "1" || text == "x" ? 0 : t
 
 // A shape minus its nested shapes, which are cut out; shapes nested in a cut-out are added again.
 RegionPtr Builder::shape(const Statement& s) {
-  const bool three =
-      s.name == "Box" || s.name == "Sphere" || s.name == "Cylinder" || s.name == "Torus" || s.name == "STL";
+  const bool three = s.name == "Box" || s.name == "Sphere" || s.name == "Cylinder" || s.name == "Torus" ||
+                     s.name == "STL" || s.name == "Surface" || s.name == "Terrain";
   must(!three || model_.dimension() == 3, s.origin,
        "<" + s.name + "> is a three-dimensional shape, and the model is two-dimensional");
   const bool flat = s.name == "Rect" || s.name == "Oval" || s.name == "Polygon" || s.name == "Arc";
@@ -62,15 +64,8 @@ RegionPtr Builder::plain_shape(const Statement& s) {
   }
   if (s.name == "Line" || s.name == "BCLine") return line_shape(s);
   if (s.name == "Arc" || s.name == "BCArc") return arc_shape(s);
-  if (s.name == "STL") {
-    const Vec3 shift(number(s, "x", Dimension::length), number(s, "y", Dimension::length),
-                     number(s, "z", Dimension::length));
-    try {
-      return stl(data_file(word(s, "file")).string(), number(s, "scale", Dimension::none, 1.0), shift);
-    } catch (const FileError& error) {
-      throw std::runtime_error(error.what());
-    }
-  }
+  if (s.name == "STL" || s.name == "Surface") return surface_shape(s);
+  if (s.name == "Terrain") return terrain_shape(s);
   const Vec3 low(x("xmin"), y("ymin"), z("zmin")), high(x("xmax"), y("ymax"), z("zmax"));
   if (s.name == "Sphere") return ellipsoid(low, high);
   if (s.name == "Torus") return torus(low, high, axis_of(word(s, "axis")), number(s, "radius", Dimension::length));
@@ -80,6 +75,57 @@ RegionPtr Builder::plain_shape(const Statement& s) {
     return cylinder(low, high, axis_of(word(s, "axis")), taper);
   }
   return box(low, high);
+}
+
+namespace {
+
+// Calls f(), which reads a file; its errors become those of the statement.
+template <class F>
+auto from_file(F&& f) {
+  try {
+    return f();
+  } catch (const FileError& error) {
+    throw std::runtime_error(error.what());
+  }
+}
+
+}  // namespace
+
+Builder::Placement Builder::placement(const Statement& s) {
+  return {number(s, "scale", Dimension::none, 1.0),
+          {number(s, "x", Dimension::length), number(s, "y", Dimension::length), number(s, "z", Dimension::length)}};
+}
+
+RegionPtr Builder::surface_shape(const Statement& s) {
+  const Placement place = placement(s);
+  const std::string path = data_file(word(s, "file")).string();
+  return from_file([&] { return surface_body(path, place.scale, place.shift); });
+}
+
+RegionPtr Builder::terrain_shape(const Statement& s) {
+  must(has(s, "zmin") != has(s, "below"), s.origin,
+       "<Terrain> needs either 'zmin', the height of its bottom, or 'below', "
+       "the file of its lower surface");
+  const Placement place = placement(s);
+  const auto heights = [&](const char* attribute) {
+    const std::string path = data_file(word(s, attribute)).string();
+    HeightGrid grid = from_file([&] { return read_heights(s, path); });
+    grid.transform(place.scale, place.shift);
+    return grid;
+  };
+  HeightGrid upper = heights("file");
+  if (has(s, "below")) return terrain(std::move(upper), heights("below"));
+  return terrain(std::move(upper), coordinate(s, "zmin", 2));
+}
+
+// A picture has neither extent nor heights of its own.
+HeightGrid Builder::read_heights(const Statement& s, const std::string& path) {
+  const std::string ending = lower(std::filesystem::path(path).extension().string());
+  if (ending != ".png" && ending != ".bmp") return read_height_grid(path);
+  for (const char* needed : {"width", "depth", "high"})
+    must(has(s, needed), s.origin, std::string("a picture of heights needs the attribute '") + needed + "'");
+  return height_grid(Image(path), number(s, "width", Dimension::length), number(s, "depth", Dimension::length),
+                     number(s, "low", Dimension::length), number(s, "high", Dimension::length));
 }
 
 RegionPtr Builder::line_shape(const Statement& s) {

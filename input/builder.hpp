@@ -6,6 +6,7 @@
 #include "base/schema.hpp"
 #include "contact/joint_law.hpp"
 #include "geometry/point_sets.hpp"
+#include "geometry/terrain.hpp"
 #include "input/read.hpp"
 #include "model/blocks.hpp"
 #include "model/model.hpp"
@@ -134,6 +135,15 @@ class Builder {
   RegionPtr shape(const Statement& s);
   RegionPtr plain_shape(const Statement& s);
   RegionPtr line_shape(const Statement& s);
+  // How the coordinates of a file are transformed.
+  struct Placement {
+    double scale = 1.0;
+    Vec3 shift = Vec3::Zero();
+  };
+  Placement placement(const Statement& s);
+  RegionPtr surface_shape(const Statement& s);
+  RegionPtr terrain_shape(const Statement& s);
+  HeightGrid read_heights(const Statement& s, const std::string& path);
   RegionPtr arc_shape(const Statement& s);
 
   // build_conditions.cpp

@@ -6,6 +6,7 @@
 #include "commands.hpp"
 #include "completion.hpp"
 #include "input/dialect.hpp"
+#include "man_page.hpp"
 #include "output/provenance.hpp"
 #include "run/signals.hpp"
 
@@ -133,6 +134,8 @@ class CommandLine {
         ->add_option("SHELL", a.keyword, "bash or zsh")
         ->required()
         ->check(CLI::IsMember({"bash", "zsh"}));
+    add("man", "print the manual page, for 'man -l -'",
+        [this](const Arguments&) { return print(man_page(app, version_text())); });
   }
 
   CLI::App app{"Tribo: material point method with contact"};

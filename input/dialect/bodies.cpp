@@ -94,9 +94,17 @@ void add_shapes(Rows& add) {
         box(true) +
             std::vector{AttributeSpec{"axis", T::choice, "", "1 2 3 x y z", true},
                         number("radius", "half width of the cross-section of the ring; 0: circular cross-section")});
-  shape("STL", "closed surface from a file",
-        {text("file", "", true), number("scale", "factor (default 1)"), number("x", "shift"), number("y", "shift"),
-         number("z", "shift")});
+  const std::vector placement{number("scale", "factor (default 1)"), number("x", "shift"), number("y", "shift"),
+                              number("z", "shift")};
+  shape("STL", "older name of Surface", std::vector{text("file", "", true)} + placement);
+  shape("Surface", "body with a closed surface from a file, in space",
+        std::vector{text("file", "STL, OBJ or PLY, by its ending", true)} + placement);
+  shape("Terrain", "body below a surface of heights, in space",
+        std::vector{text("file", "ESRI ASCII grid, or a PNG or BMP picture", true),
+                    number("zmin", "height of its bottom"), text("below", "file of its lower surface, instead of zmin"),
+                    number("width", "of a picture, along x"), number("depth", "of a picture, along y"),
+                    number("low", "height of black (default 0)"), number("high", "height of white")} +
+            placement);
   add({"BMP",
        "MaterialPoints Stage",
        "greyscale image (PNG or BMP) that assigns materials in a rectangle",

@@ -117,6 +117,10 @@ const std::vector<CommandInfo>& commands() {
       {"Cylinder", 7, 8, "xmin, xmax, ymin, ymax, zmin, zmax, axis[, radius]",
        "cylinder, or cone with a radius from -1 to 1"},
       {"Torus", 7, 8, "xmin, xmax, ymin, ymax, zmin, zmax, axis[, radius]", "torus"},
+      {"Surface", 1, 5, "file[, scale, x, y, z]", "body with the closed surface of an STL, OBJ or PLY file"},
+      {"Terrain", 2, 10, "file, bottom[, scale, x, y, z][, width, depth, low, high]",
+       "body below the heights of an ESRI ASCII grid or of a picture; bottom: a height, or the file of the lower "
+       "surface"},
       {"PolyPt", 0, 2, "x, y", "corner of a polygon; without numbers the polygon ends"},
       {"NewCrack", 2, 5, "x, y[, end[, law[, traction law]]]",
        "starts a crack at a point; end: the material around a tip, exterior (extended through the surface), free (no "

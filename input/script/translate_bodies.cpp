@@ -300,6 +300,18 @@ void Translator::shape(const Command& c) {
   place(c, c.node.cuts).children.push_back(std::move(s));
 }
 
+void Translator::shape_of_file(const Command& c) {
+  const bool heights = lower(c.node.word) == "terrain";
+  Statement s = element(heights ? "Terrain" : "Surface", c.origin());
+  attribute(s, "file", c.text(0), c.origin(0));
+  if (heights) attribute(s, to_number(c.text(1)) ? "zmin" : "below", c.text(1), c.origin(1));
+  const std::size_t first = heights ? 2 : 1;
+  static const std::vector<std::string> more{"scale", "x", "y", "z", "width", "depth", "low", "high"};
+  for (std::size_t k = first; k < c.size(); ++k)
+    if (c.given(k)) attribute(s, more[k - first], c.text(k), c.origin(k));
+  place(c, c.node.cuts).children.push_back(std::move(s));
+}
+
 void Translator::polygon_point(const Command& c) {
   if (c.size() == 0) return close_polygon();
   if (c.size() != 2) throw InputError(c.origin(), "a point of a polygon is x, y");

@@ -81,6 +81,8 @@ auto Translator::actions() -> const std::map<std::string, Action>& {
                                                  {"sphere", &A::shape},
                                                  {"cylinder", &A::shape},
                                                  {"torus", &A::shape},
+                                                 {"surface", &A::shape_of_file},
+                                                 {"terrain", &A::shape_of_file},
                                                  {"polypt", &A::polygon_point},
                                                  {"gridbc", &A::conditions},
                                                  {"moveline", &A::old_selector},

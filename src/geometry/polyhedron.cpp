@@ -125,12 +125,12 @@ RegionPtr polyhedron(const std::vector<std::array<Vec3, 3>>& triangles) {
   return std::make_shared<Polyhedron>(Surface(triangles, 1e-9));
 }
 
-RegionPtr stl(const std::string& path, double scale, const Vec3& shift) {
-  auto triangles = read_stl(path);
+RegionPtr surface_body(const std::string& path, double scale, const Vec3& shift) {
+  auto triangles = read_surface(path);
   for (auto& t : triangles)
     for (auto& x : t) x = scale * x + shift;
   try {
-    // STL files have single precision: coordinates of the same corner may differ in their last bits.
+    // Such files have single precision: coordinates of the same corner may differ in their last bits.
     return std::make_shared<Polyhedron>(Surface(triangles, 1e-6));
   } catch (const std::runtime_error& error) {
     throw std::runtime_error(path + ": " + error.what());

@@ -64,10 +64,13 @@ RegionPtr shell(const Vec3& low, const Vec3& high, int axis, double radius, doub
 /// Body with a closed triangulated surface. Corners closer than 1e-9 of the extent are merged. The facets may have any
 /// order and orientation. Throws std::runtime_error with the coordinates of an edge that does not belong to two facets.
 RegionPtr polyhedron(const std::vector<std::array<Vec3, 3>>& triangles);
-/// Body with the closed surface of an STL file (ASCII or binary), transformed by x -> scale x + shift. Corners closer
-/// than 1e-6 of the extent are merged, since files are in single precision. Throws FileError if the file cannot be
-/// read, and std::runtime_error as `polyhedron`.
-RegionPtr stl(const std::string& path, double scale = 1.0, const Vec3& shift = Vec3::Zero());
+/// Body with the closed surface of a file, see read_surface(), transformed by x -> scale x + shift. Corners closer than
+/// 1e-6 of the extent are merged, since files are in single precision. Throws FileError if the file cannot be read, and
+/// std::runtime_error as `polyhedron`.
+RegionPtr surface_body(const std::string& path, double scale = 1.0, const Vec3& shift = Vec3::Zero());
+/// The facets of a file whose name ends with .stl (ASCII or binary), .obj or .ply; polygons as triangles. Throws
+/// FileError.
+std::vector<std::array<Vec3, 3>> read_surface(const std::string& path);
 /// The facets of an STL file as written. Throws FileError.
 std::vector<std::array<Vec3, 3>> read_stl(const std::string& path);
 

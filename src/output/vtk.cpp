@@ -14,6 +14,8 @@
 #include <vtkFieldData.h>
 #include <vtkFloatArray.h>
 #include <vtkImageData.h>
+#include <vtkInformation.h>
+#include <vtkInformationStringKey.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
@@ -76,8 +78,8 @@ vtkSmartPointer<vtkDataArray> array_of(const std::string& name, const OutputRows
   return array;
 }
 
-void add_numbers(vtkDataSetAttributes* data, vtkIdType n, const OutputField& field) {
-  vtkNew<vtkDoubleArray> array;
+vtkSmartPointer<vtkDataArray> array_of_components(const OutputField& field, vtkIdType n) {
+  const auto array = vtkSmartPointer<vtkDoubleArray>::New();
   const auto components = static_cast<int>(field.components.size());
   name_components(array, field.name, components);
   array->SetNumberOfTuples(n);
@@ -87,32 +89,42 @@ void add_numbers(vtkDataSetAttributes* data, vtkIdType n, const OutputField& fie
     check_component(field.name, from, static_cast<std::size_t>(n));
     for (vtkIdType i = 0; i < n; ++i) to[i * components + c] = from ? from[i] : 0.0;
   }
+  return array;
+}
+
+vtkSmartPointer<vtkDataArray> array_of_integers(const OutputField& field, vtkIdType n) {
+  const auto array = vtkSmartPointer<vtkTypeInt64Array>::New();
+  array->SetName(field.name.c_str());
+  array->SetNumberOfTuples(n);
+  for (vtkIdType i = 0; i < n; ++i) array->SetValue(i, field.integers[i]);
+  return array;
+}
+
+void add_texts(vtkDataSetAttributes* data, const OutputField& field, vtkIdType n) {
+  vtkNew<vtkStringArray> array;
+  array->SetName(field.name.c_str());
+  array->SetNumberOfTuples(n);
+  for (vtkIdType i = 0; i < n; ++i) array->SetValue(i, field.texts[i]);
   data->AddArray(array);
 }
 
+// The array `id` identifies points from file to file, which filters of ParaView for paths and selections use.
 void add_fields(vtkDataSetAttributes* data, std::size_t count, std::span<const OutputField> fields) {
   const auto n = static_cast<vtkIdType>(count);
   for (const auto& field : fields) {
-    if (field.integers) {
-      vtkNew<vtkTypeInt64Array> array;
-      array->SetName(field.name.c_str());
-      array->SetNumberOfTuples(n);
-      for (vtkIdType i = 0; i < n; ++i) array->SetValue(i, field.integers[i]);
-      data->AddArray(array);
-      continue;
-    }
     if (field.texts) {
-      vtkNew<vtkStringArray> array;
-      array->SetName(field.name.c_str());
-      array->SetNumberOfTuples(n);
-      for (vtkIdType i = 0; i < n; ++i) array->SetValue(i, field.texts[i]);
-      data->AddArray(array);
+      add_texts(data, field, n);
       continue;
     }
-    if (field.rows.doubles || field.rows.floats)
-      data->AddArray(array_of(field.name, field.rows, n));
+    const bool rows = field.rows.doubles || field.rows.floats;
+    const auto array = field.integers ? array_of_integers(field, n)
+                       : rows         ? array_of(field.name, field.rows, n)
+                                      : array_of_components(field, n);
+    if (!field.unit.empty()) array->GetInformation()->Set(vtkDataArray::UNITS_LABEL(), field.unit.c_str());
+    if (field.integers && field.name == "id")
+      data->SetGlobalIds(array);
     else
-      add_numbers(data, n, field);
+      data->AddArray(array);
   }
 }
 

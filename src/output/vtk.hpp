@@ -30,6 +30,7 @@ struct OutputField {
   const std::int64_t* integers = nullptr;  ///< instead of components
   const std::string* texts = nullptr;      ///< instead of components; the functions that read skip such fields
   OutputRows rows = {};                    ///< instead of components
+  std::string unit = {};                   ///< which ParaView shows beside the name; empty: none
 };
 
 /// Throws SimulationError if a number is not finite, as the functions that write do.

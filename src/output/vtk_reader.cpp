@@ -90,8 +90,8 @@ class VtkFile {
       } else if (name == "Piece") {
         if (!piece_.empty()) fail("it has several pieces");
         piece_ = words(tag);
-      } else if (name == "Array" || name == "/Array") {
-        // texts
+      } else if (name == "Array" || name == "InformationKey") {
+        // texts, and the unit of an array
       } else if (name == "DataArray") {
         arrays_.push_back({section, words(tag)});
       } else {

@@ -3,6 +3,7 @@
 
 #include "base/finite.hpp"
 #include "base/parallel.hpp"
+#include "run/result_units.hpp"
 #include "solver/particle_splitting.hpp"
 #include "solver/state/particle_domain.hpp"
 #include "solver/transfer/material_points.hpp"
@@ -124,6 +125,9 @@ ParticleFields<Dim>::ParticleFields(const Model& model, std::vector<Body<Dim>*> 
     add(model, *field);
   }
   add_domains();
+  const auto units = units_of_results(model);
+  for (OutputField& field : fields_)
+    if (const auto unit = units.find(field.name); unit != units.end()) field.unit = unit->second;
   fill();
 }
 

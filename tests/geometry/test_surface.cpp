@@ -168,7 +168,7 @@ TEST_CASE("an open surface is refused with the coordinates of the gap", "[geomet
 TEST_CASE("STL files are read in both forms", "[geometry][surface]") {
   for (const auto& content : {ascii(cube()), binary(cube())}) {
     const ScratchFile file("cube.stl", content);
-    const auto body = stl(file.path, 2.0, Vec3(10, 0, 0));
+    const auto body = surface_body(file.path, 2.0, Vec3(10, 0, 0));
     CHECK(*body->measure() == Approx(8).epsilon(1e-12));
     CHECK(within_surface(body, 11.9, 1.9, 1.9));
     CHECK_FALSE(within_surface(body, 9.9, 1, 1));
@@ -176,23 +176,47 @@ TEST_CASE("STL files are read in both forms", "[geometry][surface]") {
   }
 }
 
+TEST_CASE("OBJ and PLY files are read, with polygons", "[geometry][surface]") {
+  const std::string obj =
+      "# a cube of quadrilaterals\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
+      "f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 4 8 7 3\nf 1 5 8 4\nf 2 3 7 6\n";
+  const std::string ply =
+      "ply\nformat ascii 1.0\nelement vertex 8\nproperty float x\nproperty float y\nproperty float z\n"
+      "element face 6\nproperty list uchar int vertex_indices\nend_header\n"
+      "0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n"
+      "4 0 3 2 1\n4 4 5 6 7\n4 0 1 5 4\n4 3 7 6 2\n4 0 4 7 3\n4 1 2 6 5\n";
+  for (const auto& [name, content] : {std::pair{"cube.obj", obj}, {"CUBE.PLY", ply}}) {
+    const ScratchFile file(name, content);
+    CHECK(read_surface(file.path).size() == 12);
+    const auto body = surface_body(file.path, 2.0, Vec3(10, 0, 0));
+    CHECK(*body->measure() == Approx(8).epsilon(1e-6));
+    CHECK(within_surface(body, 11.9, 1.9, 1.9));
+  }
+  const ScratchFile open("open.obj", obj.substr(0, obj.rfind("f 2")));
+  CHECK_THROWS_WITH(surface_body(open.path), Catch::Contains("open.obj: the surface is not closed"));
+  const ScratchFile empty("empty.obj", "nothing here\n"), other("cube.step", obj);
+  CHECK_THROWS_WITH(read_surface(empty.path), Catch::Contains("no facets were found"));
+  CHECK_THROWS_WITH(read_surface(other.path), Catch::Contains(".stl, .obj or .ply, not with '.step'"));
+  CHECK_THROWS_AS(read_surface("/nowhere/at/all.ply"), FileError);
+}
+
 TEST_CASE("corners that differ in the last bits of single precision are one", "[geometry][surface]") {
   auto triangles = sphere(8);
   for (std::size_t k = 0; k < triangles.size(); ++k)
     for (auto& x : triangles[k]) x *= 1.0 + 1e-7 * static_cast<double>(k % 3);
   const ScratchFile file("noisy.stl", binary(triangles));
-  CHECK_NOTHROW(stl(file.path));
+  CHECK_NOTHROW(surface_body(file.path));
 }
 
 TEST_CASE("a broken STL file is a file error, never a crash", "[geometry][surface]") {
-  CHECK_THROWS_AS(stl("/nowhere/at/all.stl"), FileError);
-  CHECK_THROWS_AS(stl("/tmp"), FileError);
+  CHECK_THROWS_AS(surface_body("/nowhere/at/all.stl"), FileError);
+  CHECK_THROWS_AS(surface_body("/tmp"), FileError);
   auto open = cube();
   open.erase(open.begin());
   const ScratchFile gap("gap.stl", ascii(open));
-  CHECK_THROWS_WITH(stl(gap.path), Catch::Contains("gap.stl: the surface is not closed"));
+  CHECK_THROWS_WITH(surface_body(gap.path), Catch::Contains("gap.stl: the surface is not closed"));
   const ScratchFile wrong("wrong.stl", "solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 zero\n");
-  CHECK_THROWS_WITH(stl(wrong.path), Catch::Contains("wrong.stl: line 4: a number is expected, not 'zero'"));
+  CHECK_THROWS_WITH(surface_body(wrong.path), Catch::Contains("wrong.stl: line 4: a number is expected, not 'zero'"));
 
   for (const auto& content : {ascii(cube()), binary(cube())})
     for (std::size_t length = 0; length + 20 < content.size(); length += 7) {
@@ -205,7 +229,7 @@ TEST_CASE("a broken STL file is a file error, never a crash", "[geometry][surfac
     for (int k = 0; k < 3; ++k) content[random() % content.size()] = static_cast<char>(random());
     const ScratchFile file("flipped.stl", content);
     try {
-      (void)stl(file.path);
+      (void)surface_body(file.path);
     } catch (const std::runtime_error&) {
     }
   }

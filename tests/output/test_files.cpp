@@ -150,16 +150,20 @@ TEST_CASE("a particle file is written whole, compressed and with its time", "[ou
   const auto file = scratch.path / "p.vtp";
   const std::vector<double> x{0, 1, 2}, y{3, 4, 5}, s{7, 8, 9};
   const std::vector<std::int64_t> id{2, 0, 1};
-  const std::vector<OutputField> fields{
-      {"speed", {s.data()}, nullptr},
-      {"id", {}, id.data()},
-      {"stress", {s.data(), s.data(), s.data(), s.data(), nullptr, nullptr}, nullptr}};
+  std::vector<OutputField> fields{{"speed", {s.data()}, nullptr},
+                                  {"id", {}, id.data()},
+                                  {"stress", {s.data(), s.data(), s.data(), s.data(), nullptr, nullptr}, nullptr}};
+  fields[0].unit = "m/s";
   write_particles(file, 3, {x.data(), y.data(), nullptr}, fields, 0.25);
   const std::string text = content(file);
-  for (const auto word : {"vtkZLibDataCompressor", "NumberOfVerts=\"3\"", "Name=\"stress\"", "ComponentName3=\"XY\"",
-                          "TimeValue", "encoding=\"raw\""})
+  for (const auto word : {"vtkZLibDataCompressor", "UNITS_LABEL", "m/s", "GlobalIds=\"id\"", "NumberOfVerts=\"3\"",
+                          "Name=\"stress\"", "ComponentName3=\"XY\"", "TimeValue", "encoding=\"raw\""})
     CHECK(text.find(word) != std::string::npos);
-  CHECK(read_particles(file).domains.empty());
+  const ParticleFrame frame = read_particles(file);
+  CHECK(frame.domains.empty());
+  for (const char* name : {"speed", "id", "stress"}) REQUIRE(frame.field(name));
+  CHECK(frame.field("speed")->values == s);
+  CHECK(frame.field("stress")->components == 6);
   write_particles(scratch.path / "none.vtp", 0, {nullptr, nullptr, nullptr}, {}, 0.0);
   CHECK(files_in(scratch.path) == 2);
 }

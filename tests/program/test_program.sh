@@ -38,6 +38,10 @@ cmp out.txt "$source/docs/keywords.md" || fail "docs/keywords.md is old: tribo d
 "$tribo" doc --coverage | cmp - "$source/docs/coverage_dialect.md" || fail "docs/coverage_dialect.md is old: tribo doc --coverage > docs/coverage_dialect.md"
 "$tribo" schema | cmp - "$source/docs/editor/workspace/.vscode/tribo.xsd" || fail "docs/editor/workspace/.vscode/tribo.xsd is old"
 for shell in bash zsh; do expect 0 "$tribo" completion $shell; done
+"$tribo" man >tribo.1
+for text in '.TH TRIBO 1' '.SS \fBtribo run\fR \fIFILE\fR' '\-\-overwrite' '.SH EXIT STATUS'; do
+  grep -qF -- "$text" tribo.1 || fail "the manual page lacks $text"
+done
 "$tribo" completion bash >completion.bash
 bash -O extglob -c '
   source completion.bash
