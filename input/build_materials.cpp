@@ -255,12 +255,12 @@ double Builder::thermal_property(const Statement& s, Dimension dimension) {
 }
 
 // The prescribed motion of a rigid material. RigidContact (35), and Rigid (11) with <SetDirection>8, interact by
-// contact; their functions set the velocities x, y and z in this order. Otherwise function n belongs to the n-th
+// contact; their functions 1, 2 and 3 set the velocities along x, y and z. Otherwise function n belongs to the n-th
 // direction set.
 void Builder::rigid_functions(const Statement& s, MaterialSpec& spec, bool contact) {
   constexpr int by_contact = 8;  // value of <SetDirection>; other values are sums of 1 (x), 2 (y) and 4 (z)
   int directions = contact ? by_contact : 0;
-  std::vector<const Statement*> functions;
+  std::array<const Statement*, 3> functions{};  // of the first, second and third direction that is set
   for (const auto& child : s.children) {
     if (child.name == "SetDirection") {
       directions = static_cast<int>(to_number(child.text).value_or(-1));
@@ -269,31 +269,40 @@ void Builder::rigid_functions(const Statement& s, MaterialSpec& spec, bool conta
       must(directions >= 0 && directions <= by_contact, child.origin,
            "<SetDirection> is the sum of 1 (x), 2 (y) and 4 (z), or 8 for a body that interacts by contact");
     }
-    if (child.name.rfind("SettingFunction", 0) == 0) functions.push_back(&child);
+    if (child.name.rfind("SettingFunction", 0) == 0) {
+      const auto place = static_cast<std::size_t>(child.name.back() == '2' ? 1 : child.name.back() == '3' ? 2 : 0);
+      must(!functions[place], child.origin, "there is another <" + child.name + ">");
+      functions[place] = &child;
+    }
     if (child.name == "mirrored") spec.mirrored = static_cast<int>(to_number(child.text).value_or(2));
   }
   must(std::abs(spec.mirrored) <= 1, s.origin, "<mirrored> must be 1, -1, or 0 for not mirrored");
   must(spec.mirrored == 0 || directions == 1 || directions == 2 || directions == 4, s.origin,
        "<mirrored> needs one direction in <SetDirection>: 1, 2 or 4");
   spec.rigid_contact = directions == by_contact;
-  if (!spec.rigid_contact)
-    for (std::size_t d = 0; d < 3; ++d) spec.sets_velocity[d] = directions >> d & 1;
   if (spec.rigid_contact) {
     const Statement* solver = root_.child("MPMHeader");
     const bool active = solver && solver->child("MultiMaterialMode");
     must(active, s.origin, "a rigid body that interacts by contact needs <MultiMaterialMode> in <MPMHeader>");
-    must(functions.size() <= static_cast<std::size_t>(model_.dimension()), s.origin,
-         "there are more <SettingFunction>s than directions");
-    for (std::size_t d = 0; d < std::min<std::size_t>(functions.size(), 3); ++d)
-      spec.rigid_velocity[d] = function(functions[d]->text, functions[d]->text_origin, "<" + functions[d]->name + ">");
-    return;
+    return set_functions(spec, functions, {true, true, model_.dimension() == 3});
   }
+  for (std::size_t d = 0; d < 3; ++d) spec.sets_velocity[d] = directions >> d & 1;
+  set_functions(spec, functions, spec.sets_velocity);
+}
+
+// The functions belong to the directions that are set, one after the other.
+void Builder::set_functions(MaterialSpec& spec, const std::array<const Statement*, 3>& functions,
+                            const std::array<bool, 3>& directions) {
   std::size_t n = 0;
-  for (std::size_t d = 0; d < 3 && n < functions.size(); ++d)
-    if (spec.sets_velocity[d])
-      spec.rigid_velocity[d] = function(functions[n]->text, functions[n]->text_origin, "<" + functions[n]->name + ">"),
-      ++n;
-  must(n == functions.size(), s.origin, "more <SettingFunction>s than directions in <SetDirection>");
+  for (std::size_t d = 0; d < 3; ++d) {
+    if (!directions[d]) continue;
+    if (const Statement* s = functions[n++])
+      spec.rigid_velocity[d] = function(s->text, s->text_origin, "<" + s->name + ">");
+  }
+  for (; n < 3; ++n)
+    if (functions[n])
+      problems_.add(functions[n]->origin, "there are more <SettingFunction>s than directions" +
+                                              std::string(spec.rigid_contact ? "" : " in <SetDirection>"));
 }
 
 }  // namespace tribo

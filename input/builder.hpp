@@ -120,6 +120,8 @@ class Builder {
   double taylor_quinney(const Statement& s);
   bool work_heating() const;
   void rigid_functions(const Statement& statement, MaterialSpec& spec, bool contact);
+  void set_functions(MaterialSpec& spec, const std::array<const Statement*, 3>& functions,
+                     const std::array<bool, 3>& directions);
   /// Index of the material that an element names by mat or matname. If there is none, a problem is reported and 0
   /// returned.
   int material(const Statement& s, std::string_view by_number = "mat", std::string_view by_name = "matname");

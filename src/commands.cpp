@@ -75,6 +75,12 @@ void refuse_changes(const ModelToResume& found, const std::filesystem::path& fol
                   "anew");
 }
 
+// Devices and pipes are written to, not replaced.
+void keep_file(const std::filesystem::path& file, bool overwrite) {
+  if (!overwrite && (std::filesystem::is_regular_file(file) || std::filesystem::is_directory(file)))
+    throw FileError("'" + file.string() + "' already exists; --overwrite replaces it, --output names another file");
+}
+
 }  // namespace
 
 int print(const std::string& text) {
@@ -131,8 +137,7 @@ int check_command(const Arguments& a) {
 
 int drive_command(const Arguments& a) {
   const std::filesystem::path table = a.output.empty() ? a.file.stem().string() + ".csv" : a.output.string();
-  if (!a.overwrite && std::filesystem::exists(table))
-    throw FileError("'" + table.string() + "' already exists; --overwrite replaces it, --output names another file");
+  keep_file(table, a.overwrite);
   const auto out = std::visit([](const auto& what) { return tribo::drive(what); }, read_drive(a.file, settings_of(a)));
   write_atomically(table, out.text());
   if (!a.quiet) std::printf("%zu rows in %s\n", out.rows.size(), table.c_str());
@@ -185,8 +190,7 @@ int safety_command(const Arguments& a) {
 int convert_command(const Arguments& a) {
   const std::string text = xml_text(read_statements(a.file, settings_of(a), stderr));
   if (a.output.empty()) return print(text);
-  if (!a.overwrite && std::filesystem::exists(a.output))
-    throw FileError("'" + a.output.string() + "' already exists; --overwrite replaces it, --output names another file");
+  keep_file(a.output, a.overwrite);
   write_atomically(a.output, text);
   return done;
 }

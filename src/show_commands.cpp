@@ -32,9 +32,11 @@ std::vector<Frame> chosen(const std::vector<CollectionEntry>& all, const std::ve
   std::vector<Frame> out;
   for (const double wanted : times) {
     const double t = std::clamp(wanted, all.front().time, all.back().time);
-    out.push_back(*std::min_element(frames.begin(), frames.end(), [&](const auto& a, const auto& b) {
+    const Frame& nearest = *std::min_element(frames.begin(), frames.end(), [&](const auto& a, const auto& b) {
       return std::abs(a.entry.time - t) < std::abs(b.entry.time - t);
-    }));
+    });
+    const auto same = [&](const Frame& f) { return f.number == nearest.number; };
+    if (std::none_of(out.begin(), out.end(), same)) out.push_back(nearest);
   }
   return out;
 }
@@ -113,7 +115,7 @@ int render_command(const Arguments& a) {
   if (refused) throw FileError("cannot create '" + folder.string() + "': " + refused.message());
   // Pictures of different fields do not replace each other.
   for (const auto& frame : frames) write_atomically(place(frame), marked_as_rendered(drawn(run, frame.entry, options)));
-  std::printf("%zu pictures in %s\n", frames.size(), folder.c_str());
+  std::printf("%zu picture%s in %s\n", frames.size(), frames.size() == 1 ? "" : "s", folder.c_str());
   if (!a.times.empty()) return done;
   if (!film) return print("no film: ffmpeg is not installed\n");
   make_film(folder / (options.field + "_%05d.png"), frames.size(), a.rate, *film);

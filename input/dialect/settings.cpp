@@ -14,13 +14,15 @@ void add_settings(Rows& add) {
        true});
   add({"Damping",
        "MPMHeader Stage",
-       "grid damping [1/time]",
+       "grid damping [1/time]: a force on the nodes, minus this times their momentum",
        T::number,
        {function("function", "of time, instead of the number")},
        true});
   add({"PDamping",
        "MPMHeader Stage",
-       "particle damping [1/time]",
+       "particle damping [1/time]: particles lose this times the velocity of the grid; prescribed components of the "
+       "velocity "
+       "are not damped",
        T::number,
        {function("function", "of time, instead of the number")},
        true});

@@ -40,7 +40,8 @@ const std::vector<CommandInfo>& commands() {
       {"PFeedbackDamping", 1, 3, "gain[, kinetic energy[, largest rate]]",
        "particle damping, controlled in the same way"},
       {"LeaveLimit", 1, 1, "number",
-       "number of particles that may leave the grid, and are put back, before the run stops"},
+       "number of particles that may leave the grid, and are put back, before the run stops; negative: this many may "
+       "leave and are removed"},
       {"ExtrapolateRigid", 0, 1, "[yes or no]",
        "accepted without effect: rigid particles always act through extrapolated velocities"},
       {"CPDIrcrit", 1, 1, "cells", "largest distance of a CPDI corner from the particle"},

@@ -89,6 +89,14 @@ std::vector<std::string> Monitor<Dim>::summary() const {
   for (std::size_t k = 0; k < sign_count; ++k)
     if (state.findings[k].seen) out.push_back(text(static_cast<Sign>(k)));
   if (sudden_gravity(model_).static_slip) out.push_back(sudden_gravity_advice());
+  if (const auto removed = static_cast<long long>(system_.deleted_outside); removed > 0)
+    out.push_back(format("particles: %lld that left the grid %s removed, with their mass and energy (<LeaveLimit>)",
+                         removed, removed == 1 ? "was" : "were"));
+  if (const long returned = stepper_.particle_sort().returned; returned > 0)
+    out.push_back(
+        format("particles: %ld time%s one that left the grid was put back at its edge, without its velocity "
+               "across the edge (<LeaveLimit>)",
+               returned, returned == 1 ? "" : "s"));
   return out;
 }
 

@@ -11,6 +11,27 @@
 
 namespace tribo {
 
+namespace {
+
+// FLIP fraction in the update of the particle velocities.
+double flip_share(const Scheme& scheme, bool filtered) {
+  switch (scheme.transfer) {
+    case Transfer::flip:
+      return 1.0;
+    case Transfer::blend:
+      return scheme.flip_fraction;
+    case Transfer::pic:
+    case Transfer::apic:
+      return 0.0;
+    case Transfer::xpic:
+    case Transfer::fmpm:
+      return filtered ? 0.0 : 1.0;
+  }
+  return 1.0;
+}
+
+}  // namespace
+
 // Notation: w_Ip is the shape function of node I at particle p; S interpolates from nodes to particles; S+ scatters to
 // the nodes and divides by the nodal mass.
 template <int Dim>
@@ -285,7 +306,7 @@ void Stepper<Dim>::impose_update(double dt, bool after_impose) {
   const auto lap = watches_.grid.lap();
   for (std::size_t f = 0; f < conditions_.size(); ++f)
     conditions_[f].impose_update(system_.fields[f].nodes, *exchanges_[f], system_.time, dt, after_impose,
-                                 system_.step == 0 || jump_);
+                                 system_.step == 0 || jump_, 1.0 - flip_share(model_.scheme, filter_.active()));
   rigid_bodies_.impose_update(dt, after_impose);
 }
 
@@ -334,26 +355,8 @@ void Stepper<Dim>::strain_again(double dt, double strain_dt) {
   joints_.update_laws(strain_dt, system_.time + dt, filter_.active());
 }
 
-// FLIP fraction in the update of the particle velocities.
-double flip_share(const Scheme& scheme, bool filtered) {
-  switch (scheme.transfer) {
-    case Transfer::flip:
-      return 1.0;
-    case Transfer::blend:
-      return scheme.flip_fraction;
-    case Transfer::pic:
-    case Transfer::apic:
-      return 0.0;
-    case Transfer::xpic:
-    case Transfer::fmpm:
-      return filtered ? 0.0 : 1.0;
-  }
-  return 1.0;
-}
-
 template <int Dim>
 void Stepper<Dim>::record_works(double dt) {
-  const bool replaces = !contact_.keeps_start_impulses() && flip_share(model_.scheme, filter_.active()) == 0.0;
   body_forces_.record(dt);
   const bool again = model_.scheme.extrapolate_again && model_.scheme.order != UpdateOrder::usf;
   again ? tractions_.record_start(dt, filters_update()) : tractions_.record(dt, filters_update());
@@ -361,7 +364,7 @@ void Stepper<Dim>::record_works(double dt) {
     const auto lap = watches_.grid.lap();
     again ? nodal_work_.record_start(dt, filters_update()) : nodal_work_.record(dt, filters_update());
   }
-  contact_.record(dt, replaces, filters_update());
+  contact_.record(dt, flip_share(model_.scheme, filter_.active()), filters_update());
 }
 
 template <int Dim>
@@ -418,6 +421,37 @@ void Stepper<Dim>::grow_cracks() {
 }
 
 template <int Dim>
+double Stepper<Dim>::damping_of(const Body<Dim>& body) const {
+  return body.particle_damping + damping_.particle;
+}
+
+// Records particle damping, and finds the velocities that it acts on. Conditions prescribe velocities of nodes and
+// their rates, so that nothing would return to the particles what damping takes from a prescribed velocity.
+template <int Dim>
+void Stepper<Dim>::damp_particles(double dt) {
+  const auto is_damped = [&](const Body<Dim>& body) { return damping_of(body) != 0.0; };
+  if (std::none_of(system_.bodies.begin(), system_.bodies.end(), is_damped)) return;
+  const bool part = std::any_of(system_.bodies.begin(), system_.bodies.end(),
+                                [&](const Body<Dim>& body) { return is_damped(body) && body.damped; });
+  for (std::size_t f = 0; f < system_.fields.size() && part; ++f) {
+    Field<Dim>& field = system_.fields[f];
+    field.filter.resize(field.nodes.size());
+    each_index(field.nodes.size(), [&](std::size_t n) {
+      for (int d = 0; d < 3; ++d) field.filter[n].increment[d] = field.nodes[n].velocity[d];
+    });
+    conditions_[f].release(field.filter);
+    exchanges_[f]->copy_images(field.filter);
+  }
+  Gather damped;
+  damped.task = GatherTask::damped_velocity;
+  for (auto& body : system_.bodies) {
+    if (!is_damped(body)) continue;
+    damping_.record_particles(body, damping_of(body), dt, part);
+    if (part) transfers_->gather(body, Target<Dim>(body, system_.fields, &Field<Dim>::filter), damped);
+  }
+}
+
+template <int Dim>
 void Stepper<Dim>::move_particles(double dt, double strain_dt) {
   const auto lap = watches_.gather.lap();
   Gather what = gather_options();
@@ -428,14 +462,13 @@ void Stepper<Dim>::move_particles(double dt, double strain_dt) {
   what.record_change = filters_update();
   b_bar_.average_rates(what, &Field<Dim>::nodes);
   double travel = 0.0;
-  const auto damping_of = [&](const Body<Dim>& body) { return body.particle_damping + damping_.particle; };
-  for (auto& body : system_.bodies)
-    if (const double damping = damping_of(body); damping != 0.0) damping_.record_particles(body, damping, dt);
+  damp_particles(dt);
   gathered_.resize(system_.bodies.size());
   loops_.each_body([&](std::size_t k) {
     auto& body = system_.bodies[k];
     Gather of_body = what;
     of_body.damping = damping_of(body);
+    of_body.damps_part = of_body.damping != 0.0 && body.damped;
     gathered_[k] = transfers_->gather(body, Target<Dim>(body, system_.fields, &Field<Dim>::nodes), of_body);
   });
   for (const GatherResult& result : gathered_) {

@@ -115,6 +115,8 @@ class Stepper {
   void record_joints();
   void measure_crack_tips(double dt);
   void grow_cracks();
+  double damping_of(const Body<Dim>& body) const;
+  void damp_particles(double dt);
   void move_particles(double dt, double strain_dt);
   Gather gather_options() const;
 

@@ -74,7 +74,10 @@ void VelocityFilter<Dim>::filter(double dt, bool from_start) {
     });
     contact_.constrain_increments(dt > 0 ? ContactPass::corrector : ContactPass::predictor);
     each_field([&](std::size_t f, Field<Dim>& field) {
-      conditions_[f].release(field.filter);
+      if (dt > 0)
+        conditions_[f].release(field.filter, *exchanges_[f]);
+      else
+        conditions_[f].release(field.filter);
       each(field, [](const Node&, FilterNode& filter, const Node&) {
         for (int d = 0; d < 3; ++d) filter.sum[d] += filter.increment[d];
       });

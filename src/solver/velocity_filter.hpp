@@ -21,7 +21,7 @@ template <int Dim>
 class VelocityFilter {
  public:
   VelocityFilter(const Model& model, System<Dim>& system, const Transfers<Dim>& transfers,
-                 const Exchanges<Dim>& exchanges, const std::vector<NodalConditions<Dim>>& conditions,
+                 const Exchanges<Dim>& exchanges, std::vector<NodalConditions<Dim>>& conditions,
                  Contact<Dim>& contact)
       : scheme_(model.scheme),
         system_(system),
@@ -63,7 +63,7 @@ class VelocityFilter {
   System<Dim>& system_;
   const Transfers<Dim>& transfers_;
   const Exchanges<Dim>& exchanges_;
-  const std::vector<NodalConditions<Dim>>& conditions_;
+  std::vector<NodalConditions<Dim>>& conditions_;
   Contact<Dim>& contact_;
   bool active_ = false;
 };

@@ -139,7 +139,7 @@ TEST_CASE("impulses on faces push a rigid body at the face, not at the nodes", "
     SharedNodes shared(*rough, height, true, 3);
     shared.faces.apply(1e-3, ContactPass::corrector);
     ContactLedger<2> ledger(shared.system);
-    ledger.record(shared.contacts, 1e-3, false, false);
+    ledger.record(shared.contacts, 1e-3, false, false, 0.0);
     const RigidExchange& exchange = ledger.rigid_exchanges().at(0);
     REQUIRE(exchange.mass > 0);
     CHECK(exchange.first_moment[1] == Approx(height * exchange.mass));
@@ -199,7 +199,7 @@ TEST_CASE("a rigid body does the work of the impulses on faces at its velocity t
   shared.faces.apply(1e-3, ContactPass::corrector);
   const Vec3 impulse = shared.momentum() - before;
   ContactLedger<2> ledger(shared.system);
-  ledger.record(shared.contacts, 1e-3, false, false);
+  ledger.record(shared.contacts, 1e-3, false, false, 0.0);
   CHECK((ledger.rigid_impulse - impulse).norm() < 1e-12 * impulse.norm());
   CHECK(std::abs(impulse[0]) > 0.1);
   CHECK(ledger.rigid_work == Approx(impulse.dot(Vec3(0.5, 0.3, 0))));

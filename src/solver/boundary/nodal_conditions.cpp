@@ -80,7 +80,7 @@ void NodalConditions<Dim>::impose(NodeLayer& nodes, double time, double dt) {
 
 template <int Dim>
 void NodalConditions<Dim>::impose_update(NodeLayer& nodes, const Exchange<Dim>& exchange, double time, double dt,
-                                         bool after_impose, bool first) {
+                                         bool after_impose, bool first, double replaced) {
   for (auto& r : reactions_) r.setZero();
   walls_.find(nodes, time);
   for (Located& l : located_) {
@@ -91,7 +91,8 @@ void NodalConditions<Dim>::impose_update(NodeLayer& nodes, const Exchange<Dim>& 
     const Vec<Dim> x = lattice_.position(chosen.node);
     const double wanted = prescribed(chosen, x, time + dt, dt), before = prescribed(chosen, x, time, dt);
     const double now = v.dot(chosen.direction), free = a.dot(chosen.direction);
-    const double start = !first ? before : after_impose ? before - l.pending : now - dt * free;
+    const double transferred = after_impose ? before - l.pending : now - dt * free;  // velocity at the start
+    const double start = first ? transferred : before;
     const double correction = (wanted - start) / dt - free;
     v += (wanted - now) * chosen.direction;
     a += correction * chosen.direction;
@@ -103,6 +104,7 @@ void NodalConditions<Dim>::impose_update(NodeLayer& nodes, const Exchange<Dim>& 
     // force times mid-step velocity
     work_ += dt * mass * correction * (wanted - 0.5 * dt * a.dot(chosen.direction));
     impulse_ += dt * force;
+    impulse_.head<Dim>() += replaced * mass * (start - transferred) * chosen.direction;
   }
   walls_.impose_update(nodes, exchange, time + dt, dt, after_impose, [&](const auto& on_node) {
     const Vec3 force = on_node.mass * on_node.acceleration * model_.node_conditions[on_node.condition].direction;
@@ -120,6 +122,17 @@ void NodalConditions<Dim>::release(AlignedVector<FilterNode>& nodes) const {
     v -= v.dot(direction) * direction;
   }
   walls_.release(nodes);
+}
+
+template <int Dim>
+void NodalConditions<Dim>::release(AlignedVector<FilterNode>& nodes, const Exchange<Dim>& exchange) {
+  for (const Located& l : located_) {
+    const FilterNode& node = nodes[static_cast<std::size_t>(l.node)];
+    const auto& direction = chosen_[l.chosen].direction;
+    const double removed = Eigen::Map<const Vec<Dim>>(node.increment).dot(direction);
+    impulse_.head<Dim>() -= exchange.ownership(l.node) * node.mass * removed * direction;
+  }
+  release(nodes);
 }
 
 template class NodalConditions<2>;

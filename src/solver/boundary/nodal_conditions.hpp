@@ -24,11 +24,14 @@ class NodalConditions {
   /// prescribed velocity from `time` to time + dt; it does not include the difference between the prescribed velocity
   /// and the nodal velocity that the transfer from the particles gives. Only in the `first` step, that difference is
   /// part of the reaction, since a body may start with a velocity that differs from that of its supports.
-  /// `after_impose`: impose() was called earlier in the step.
+  /// `after_impose`: impose() was called earlier in the step. `replaced`: share of the nodal velocities that the
+  /// particles take over; with this share the difference is part of the impulse.
   void impose_update(NodeLayer& nodes, const Exchange<Dim>& exchange, double time, double dt, bool after_impose,
-                     bool first);
+                     bool first, double replaced);
   /// Removes the prescribed components from the increments of a velocity filter.
   void release(AlignedVector<FilterNode>& nodes) const;
+  /// The same for increments that the particles take over: what is removed is part of the impulse.
+  void release(AlignedVector<FilterNode>& nodes, const Exchange<Dim>& exchange);
 
   /// Reaction force of each condition on the material in the last step [force].
   const std::vector<Vec3>& reactions() const { return reactions_; }

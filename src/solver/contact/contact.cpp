@@ -183,7 +183,7 @@ void Contact<Dim>::constrain_increments(Pass pass) {
 }
 
 template <int Dim>
-void Contact<Dim>::record(double dt, bool replaces, bool filtered) {
+void Contact<Dim>::record(double dt, double flip, bool filtered) {
   if (!active_) return;
   const auto lap = watch.lap();
   auto& contacts = search_.found();
@@ -194,7 +194,8 @@ void Contact<Dim>::record(double dt, bool replaces, bool filtered) {
         if (pair.crack >= 0 && !pair.has_no_face) cracks_.record(pair, node.index);
     cracks_.end_record();
   }
-  ledger_.record(contacts, dt, replaces, filtered);
+  const bool keeps = keeps_start_impulses_;
+  ledger_.record(contacts, dt, !keeps && flip == 0.0, filtered, keeps ? 1.0 - flip : 0.0);
   search_.remember_pairs();
   if (laws_.any_has_memory()) memory_.update();
 }

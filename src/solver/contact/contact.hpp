@@ -55,8 +55,8 @@ class Contact {
   /// for the sum of all increments so far. Nairn, arXiv:2604.07307 (2026). `pass`: that of the apply() before.
   void constrain_increments(Pass pass);
   /// Records the impulses of the corrector in the ledger, and updates slip and bonds of particles and cracks. `dt`:
-  /// step; `replaces`, `filtered`: see ContactLedger::record().
-  void record(double dt, bool replaces, bool filtered);
+  /// step; `flip`: FLIP fraction of the update of the particles; `filtered`: see ContactLedger::record().
+  void record(double dt, double flip, bool filtered);
 
   ContactLedger<Dim>& ledger() { return ledger_; }
   const ContactLedger<Dim>& ledger() const { return ledger_; }

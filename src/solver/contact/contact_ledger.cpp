@@ -6,6 +6,16 @@
 #include <algorithm>
 
 namespace tribo {
+namespace {
+
+// An impulse, and the relative velocity at which it acts.
+struct Part {
+  Vec3 impulse, velocity;
+  double work() const { return impulse.dot(velocity); }
+  Part along(const Vec3& n) const { return {impulse.dot(n) * n, velocity}; }
+};
+
+}  // namespace
 
 template <int Dim>
 auto ContactLedger<Dim>::key(const ContactNodes<Dim>& contacts, const ContactPair& pair) const -> Key {
@@ -55,7 +65,7 @@ double ContactLedger<Dim>::extrapolated(const ContactNodes<Dim>& contacts, const
 }
 
 template <int Dim>
-void ContactLedger<Dim>::record(ContactNodes<Dim>& contacts, double dt, bool replaces, bool filtered) {
+void ContactLedger<Dim>::record(ContactNodes<Dim>& contacts, double dt, bool replaces, bool filtered, double kept) {
   for (auto& [fields, entry] : pairs) entry.force.setZero(), entry.stored = entry.area = 0.0;
   rigid_exchanges_.assign(system_.fields.size(), {});
   for (const auto& node : contacts.nodes) {
@@ -65,35 +75,43 @@ void ContactLedger<Dim>::record(ContactNodes<Dim>& contacts, double dt, bool rep
       pair.update_impulse = pair.impulse, pair.update_status = pair.response.status, pair.friction_work = 0.0;
       if (!pair.law) continue;  // a joint acts in its place
       const Relative v = relative(contacts, node, pair, dt);
-      const Vec3 mean = node.ownership * (replaces || filtered ? v.end : Vec3(0.5 * (v.start + v.end)));
-      nodal_work -= (pair.impulse - pair.applied).dot(mean);
-      if (pair.response.status == ContactStatus::open) continue;
+      const Vec3 mean = replaces || filtered ? v.end : Vec3(0.5 * (v.start + v.end));
+      // The impulse at the start acts before the velocities at the start, which contain its change.
+      const Part parts[] = {{pair.impulse, mean},
+                            {kept * pair.at_start, v.start + 0.5 / pair.state.mass * pair.at_start}};
+      const Vec3 impulse = parts[0].impulse + parts[1].impulse, beyond = impulse - pair.applied;
+      nodal_work += node.ownership * (pair.applied.dot(mean) - parts[0].work() - parts[1].work());
+      if (pair.response.status == ContactStatus::open && impulse.isZero(0)) continue;
       auto& entry = pairs[key(contacts, pair)];
-      entry.force += node.ownership / dt * pair.impulse;
+      entry.force += node.ownership / dt * impulse;
       entry.area += node.ownership * pair.state.area;
-      const double all = pair.impulse.dot(mean);
-      const double normal = pair.impulse.dot(pair.state.normal) * mean.dot(pair.state.normal);
-      if (pair.law->interface())
-        entry.interface += all;
-      else
-        entry.impact += normal, entry.friction += all - normal, pair.friction_work = (all - normal) / node.ownership;
-      record_rigid(contacts, node, pair);
+      for (const Part& part : parts) {
+        const double all = node.ownership * part.work();
+        const double normal = node.ownership * part.along(pair.state.normal).work();
+        if (pair.law->interface())
+          entry.interface += all;
+        else
+          entry.impact += normal, entry.friction += all - normal, pair.friction_work += (all - normal) / node.ownership;
+      }
+      record_rigid(contacts, node, pair, impulse, beyond);
     }
   }
 }
 
-// An impulse of a node acts at the node, one of a face at the face.
+// An impulse of a node acts at the node, one of a face at the face. `total`: impulse on the first member of the pair;
+// `beyond`: the part of it that is not in the accelerations of the nodes.
 template <int Dim>
 void ContactLedger<Dim>::record_rigid(const ContactNodes<Dim>& contacts, const ContactNode<Dim>& node,
-                                      const ContactPair& pair) {
+                                      const ContactPair& pair, const Vec3& total, const Vec3& beyond) {
   for (const auto& [side, other, sign] : {std::tuple{pair.a, pair.b, -1.0}, std::tuple{pair.b, pair.a, 1.0}}) {
     const ContactMember& rigid = contacts.members[side];
     if (rigid.inverse_mass > 0.0) continue;
     const Node& at = system_.fields[rigid.field].nodes[static_cast<std::size_t>(rigid.node)];
-    const Vec3 impulse = sign * node.ownership * pair.impulse;  // on the other field
+    const Vec3 impulse = sign * node.ownership * total;  // on the other field
     const Vec3 velocity =
         node.solved_on_faces ? Vec3(sign * pair.rigid_velocity) : Vec3(Eigen::Map<const Vec3>(at.velocity));
     rigid_work += impulse.dot(velocity);
+    nodal_work += sign * node.ownership * beyond.dot(velocity);
     rigid_impulse += impulse;
     Vec3 x = Vec3::Zero();
     x.head<Dim>() = system_.lattice.position(node.index);

@@ -51,14 +51,15 @@ class ContactLedger {
 
   /// Records the impulses of the corrector, and marks them in the pairs as those of the last update (update_impulse,
   /// update_status, friction_work). `dt`: step; `replaces`: the particles take over the nodal velocities in this step;
-  /// `filtered`: FMPM, whose work is that at the velocities at the end of the step (NodalWork).
+  /// `filtered`: FMPM, whose work is that at the velocities at the end of the step (NodalWork). `kept`: share of the
+  /// impulses at the start of the step (ContactPair::at_start) that the particles take over.
   ///
   /// The work of an impulse is its product with the mean of the relative velocities at the start and end of the step.
   /// Where particles take over the nodal velocities, the extrapolation gives the faces a relative velocity at the
   /// start of every step that the bodies do not have: half a cell times the strain rate. The impulse removes it before
   /// anything is strained, so its work is that at the velocity at the end; the difference is a loss of the transfer.
   /// The filter of FMPM takes most of that impulse back.
-  void record(ContactNodes<Dim>& contacts, double dt, bool replaces, bool filtered);
+  void record(ContactNodes<Dim>& contacts, double dt, bool replaces, bool filtered, double kept);
   /// Sums of works and areas over all pairs; the force is left at zero.
   PairLedger total() const;
   /// Per field: what it received in the last step if its velocity is prescribed. Empty before the first record.
@@ -86,7 +87,8 @@ class ContactLedger {
   double extrapolated(const ContactNodes<Dim>& contacts, const ContactNode<Dim>& node, double dt) const;
   Relative relative(const ContactNodes<Dim>& contacts, const ContactNode<Dim>& node, const ContactPair& pair,
                     double dt) const;
-  void record_rigid(const ContactNodes<Dim>& contacts, const ContactNode<Dim>& node, const ContactPair& pair);
+  void record_rigid(const ContactNodes<Dim>& contacts, const ContactNode<Dim>& node, const ContactPair& pair,
+                    const Vec3& total, const Vec3& beyond);
 
   const System<Dim>& system_;
   std::vector<RigidExchange> rigid_exchanges_;

@@ -37,7 +37,7 @@ void FaceSolver<Dim>::set_up(ContactNodes<Dim>& contacts) {
       weights_.push_back({t.weight, t.weight * velocities[t.velocity].inverse_mass, t.velocity});
     row.end = static_cast<std::uint32_t>(weights_.size());
   }
-  changes_.resize(velocities.size());
+  changes_.resize(velocities.size()), start_changes_.resize(velocities.size());
   group_changes_.resize(constraints_.groups().size());
 }
 
@@ -77,13 +77,13 @@ void FaceSolver<Dim>::each_row(F&& f) {
 // Calls f(node, change of its velocity) for all nodal velocities in parallel.
 template <int Dim>
 template <class F>
-void FaceSolver<Dim>::each_velocity(F&& f) {
+void FaceSolver<Dim>::each_velocity(const std::vector<Vec3>& changes, F&& f) {
   const auto& velocities = constraints_.velocities();
   parallel_for(
       static_cast<std::ptrdiff_t>(velocities.size()),
       [&](std::ptrdiff_t k) {
         const auto number = static_cast<std::size_t>(k);
-        f(velocities[number], changes_[number]);
+        f(velocities[number], changes[number]);
       },
       FaceConstraints<Dim>::serial_below);
 }
@@ -114,7 +114,7 @@ void FaceSolver<Dim>::distribute(const Row& row, const Vec3& impulse) {
 // Applies an impulse at the start of the step. Light nodes take a share of it, see FaceVelocity::start_share, and so do
 // the others of the side whose nodes are heavier, so that both sides receive equally much: momentum is conserved.
 template <int Dim>
-void FaceSolver<Dim>::distribute_at_start(const Row& row, const Vec3& impulse) {
+void FaceSolver<Dim>::distribute_at_start(const Row& row) {
   std::array<double, 2> taken{};  // by each side
   std::array<bool, 2> moves{};    // false: a rigid body
   const auto side_of = [](const Weight& t) -> std::size_t { return t.weight < 0 ? 0 : 1; };
@@ -126,8 +126,9 @@ void FaceSolver<Dim>::distribute_at_start(const Row& row, const Vec3& impulse) {
   const double both = moves[0] && moves[1] ? std::min(taken[0], taken[1]) : std::max(taken[0], taken[1]);
   for (std::uint32_t t = row.first; t < row.end; ++t) {
     const Weight& w = weights_[t];
-    changes_[w.velocity] -= w.over_mass * share_of(w) * (both / taken[side_of(w)]) * impulse;
+    start_changes_[w.velocity] -= w.over_mass * share_of(w) * (both / taken[side_of(w)]) * row.impulse;
   }
+  row.pair->at_start = both * row.impulse;
 }
 
 // All pairs read the same velocities.
@@ -213,21 +214,24 @@ void FaceSolver<Dim>::apply(double dt, ContactPass pass) {
   solve(pass);
   if (pass == ContactPass::corrector) each_row([](Row& row) { row.pair->applied = row.impulse; });
   if (pass == ContactPass::predictor) {
-    std::fill(changes_.begin(), changes_.end(), Vec3::Zero());
+    std::fill(start_changes_.begin(), start_changes_.end(), Vec3::Zero());
     each_group(false, [&](std::size_t g) {
-      for (std::size_t k = groups[g].first; k < groups[g].end; ++k) distribute_at_start(rows_[k], rows_[k].impulse);
+      for (std::size_t k = groups[g].first; k < groups[g].end; ++k) distribute_at_start(rows_[k]);
+    });
+    return each_velocity(start_changes_, [&](const FaceVelocity& of, const Vec3& change) {
+      Eigen::Map<Vec3>(system_.fields[of.field].nodes[static_cast<std::size_t>(of.node)].velocity) += change;
     });
   }
-  each_velocity([&](const FaceVelocity& of, const Vec3& change) {
+  each_velocity(changes_, [&](const FaceVelocity& of, const Vec3& change) {
     Node& node = system_.fields[of.field].nodes[static_cast<std::size_t>(of.node)];
     Eigen::Map<Vec3>(node.velocity) += change;
-    if (pass == ContactPass::corrector) Eigen::Map<Vec3>(node.acceleration) += change / dt;
+    Eigen::Map<Vec3>(node.acceleration) += change / dt;
   });
 }
 
 template <int Dim>
 void FaceSolver<Dim>::remove() {
-  each_velocity([&](const FaceVelocity& of, const Vec3& change) {
+  each_velocity(start_changes_, [&](const FaceVelocity& of, const Vec3& change) {
     Eigen::Map<Vec3>(system_.fields[of.field].nodes[static_cast<std::size_t>(of.node)].velocity) -= change;
   });
 }
@@ -241,9 +245,9 @@ void FaceSolver<Dim>::constrain_increments(ContactPass pass) {
     row.trial_velocity +=
         weighted_sum(row, [&](std::uint32_t v) { return Vec3(increment(constraints_.velocities()[v])); });
   });
-  each_velocity([&](const FaceVelocity& of, const Vec3& change) { increment(of) -= change; });
+  each_velocity(changes_, [&](const FaceVelocity& of, const Vec3& change) { increment(of) -= change; });
   solve(pass);
-  each_velocity([&](const FaceVelocity& of, const Vec3& change) { increment(of) += change; });
+  each_velocity(changes_, [&](const FaceVelocity& of, const Vec3& change) { increment(of) += change; });
 }
 
 template class FaceSolver<2>;

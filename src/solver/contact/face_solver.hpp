@@ -74,11 +74,11 @@ class FaceSolver {
   template <class F>
   void each_row(F&& f);
   template <class F>
-  void each_velocity(F&& f);
+  void each_velocity(const std::vector<Vec3>& changes, F&& f);
   Vec3 velocity_at_face(const Row& row) const;
   void update_impulse(Row& row, double mass, ContactPass pass);
   void distribute(const Row& row, const Vec3& impulse);
-  void distribute_at_start(const Row& row, const Vec3& impulse);
+  void distribute_at_start(const Row& row);
   void begin_row(Row& row, double dt, ContactPass pass);
   void sweep_all_at_once(ContactPass pass);
   bool sweep_one_by_one(bool backward, ContactPass pass);
@@ -88,6 +88,7 @@ class FaceSolver {
   FaceConstraints<Dim> constraints_;
   std::vector<Row> rows_;  // of the constraints, in the same order
   std::vector<Weight> weights_;
+  std::vector<Vec3> start_changes_;    // of the nodal velocities at the start of the step
   std::vector<Vec3> changes_;          // of the nodal velocities, by contact
   std::vector<Change> group_changes_;  // per group
 };

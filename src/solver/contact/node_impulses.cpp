@@ -27,7 +27,10 @@ void NodeImpulses<Dim>::apply(double dt, ContactPass pass) {
     solve_node(members, contacts_.pairs_of(node), pass, false);
     if (pass == ContactPass::corrector)
       for (ContactPair& pair : contacts_.pairs_of(node)) pair.applied = pair.impulse;
-    if (pass == ContactPass::predictor) return change_at_start(node, 1.0);
+    if (pass == ContactPass::predictor) {
+      find_start_impulses(node);
+      return change_at_start(node, 1.0);
+    }
     for (std::size_t p = node.first_pair; p < node.end_pair; ++p)
       for (const auto& [i, sign] : {std::pair{pairs[p].a, 1.0}, std::pair{pairs[p].b, -1.0}}) {
         Node& at = system_.fields[members[i].field].nodes[static_cast<std::size_t>(members[i].node)];
@@ -43,23 +46,29 @@ void NodeImpulses<Dim>::apply(double dt, ContactPass pass) {
 // momentum by the velocity without contact: with FLIP this adds energy in every step. The other body takes the same
 // share of the impulse. Fields that are bonded at the node share its velocity, however light they are.
 template <int Dim>
-void NodeImpulses<Dim>::change_at_start(const ContactNode<Dim>& node, double sign) {
+void NodeImpulses<Dim>::find_start_impulses(const ContactNode<Dim>& node) {
   constexpr double light = 0.03;  // of the mass of the heaviest deformable field at the node
   const auto& members = contacts_.members;
   double heaviest = 0.0;
   for (std::size_t i = node.first_member; i < node.end_member; ++i)
     if (members[i].inverse_mass > 0.0) heaviest = std::max(heaviest, members[i].mass);
-  for (const ContactPair& pair : contacts_.pairs_of(node)) {
+  for (ContactPair& pair : contacts_.pairs_of(node)) {
     const bool bonded = pair.crack >= 0 || !pair.law || !pair.law->uses_face() || pair.law->interface();
     double share = 1.0;  // the same for both, so that momentum is conserved
     for (const std::size_t i : {std::size_t{pair.a}, std::size_t{pair.b}})
       if (!bonded && members[i].inverse_mass > 0.0) share = std::min(share, members[i].mass / (light * heaviest));
-    for (const auto& [i, side] : {std::pair{pair.a, sign}, std::pair{pair.b, -sign}}) {
-      const ContactMember& m = members[i];
-      Node& at = system_.fields[m.field].nodes[static_cast<std::size_t>(m.node)];
-      Eigen::Map<Vec3>(at.velocity) += side * share * m.inverse_mass * pair.impulse;
-    }
+    pair.at_start = share * pair.impulse;
   }
+}
+
+template <int Dim>
+void NodeImpulses<Dim>::change_at_start(const ContactNode<Dim>& node, double sign) {
+  for (const ContactPair& pair : contacts_.pairs_of(node))
+    for (const auto& [i, side] : {std::pair{pair.a, sign}, std::pair{pair.b, -sign}}) {
+      const ContactMember& m = contacts_.members[i];
+      Node& at = system_.fields[m.field].nodes[static_cast<std::size_t>(m.node)];
+      Eigen::Map<Vec3>(at.velocity) += side * m.inverse_mass * pair.at_start;
+    }
 }
 
 template <int Dim>

@@ -19,16 +19,18 @@ void VelocityDamping<Dim>::record_grid(std::size_t f, double dt) {
 }
 
 template <int Dim>
-void VelocityDamping<Dim>::record_particles(const Body<Dim>& body, double rate, double dt) {
+void VelocityDamping<Dim>::record_particles(const Body<Dim>& body, double rate, double dt, bool part) {
   double field_mass = 0.0;
   for (const auto& other : system_.bodies)
     if (other.field == body.field) field_mass += other.total_mass;
   if (!(field_mass > 0)) return;  // all of it was excavated
-  const WorkAndImpulse sum = sum_(body.field, [&](std::int64_t, const Node& node) {
+  const auto& filter = system_.fields[body.field].filter;
+  const WorkAndImpulse sum = sum_(body.field, [&](std::int64_t n, const Node& node) {
     WorkAndImpulse momentum = WorkAndImpulse::Zero();
+    const double* v = part ? filter[static_cast<std::size_t>(n)].increment : node.velocity;
     for (int d = 0; d < Dim; ++d) {
-      momentum[0] += node.mass * node.velocity[d] * node.velocity[d];
-      momentum[1 + d] = node.mass * node.velocity[d];
+      momentum[0] += node.mass * v[d] * v[d];
+      momentum[1 + d] = node.mass * v[d];
     }
     return momentum;
   });

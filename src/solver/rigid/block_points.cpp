@@ -58,24 +58,33 @@ class SurfaceLayer {
     const Vec3 middle = face_geometry(x, false, 1.0).centre;
     for (std::size_t k = 0; k < x.size(); ++k) triangle(x[k], x[(k + 1) % x.size()], middle);
   }
-  // Circumscribed polygon with short edges; its distance from the disc is of second order in their length.
+  // Circumscribed polygon with short edges, symmetric to both axes; its distance from the disc is of second order in
+  // their length.
   void disc(const Vec3& centre, double radius) {
-    const int count = std::max(12, static_cast<int>(std::ceil(2 * pi * radius / (0.25 * cell_))));
+    const int count = std::max(12, 4 * static_cast<int>(std::ceil(0.5 * pi * radius / (0.25 * cell_))));
     const auto at = [&](double k) {
       return Vec3(centre +
                   radius / std::cos(pi / count) * Vec3(std::cos(2 * pi * k / count), std::sin(2 * pi * k / count), 0));
     };
     for (int k = 0; k < count; ++k) edge(at(k), at(k + 1), 1.0);
   }
-  // Points of a spiral, each with a square whose area is its fraction of the surface.
+  // The sides of a cube divided by equal angles and projected to the sphere, which is symmetric to all axes.
   void ball(const Vec3& centre, double radius) {
-    const int count = std::max(60, static_cast<int>(std::ceil(4 * pi * radius * radius / (0.1 * cell_ * cell_))));
-    const double half = 0.5 * radius * std::sqrt(4 * pi / count), golden = pi * (3 - std::sqrt(5.0));
-    for (int k = 0; k < count; ++k) {
-      const double z = 1 - (2 * k + 1.0) / count, r = std::sqrt(1 - z * z), angle = golden * k;
-      const Vec3 n(r * std::cos(angle), r * std::sin(angle), z);
-      const Vec3 u = n.unitOrthogonal();
-      patches.push_back({centre + radius * n, half * u, half * n.cross(u)});
+    const int count = std::max(4, static_cast<int>(std::ceil(std::sqrt(4 * pi / 0.6) * radius / cell_)));
+    const double half = 0.25 * pi / count;  // angle
+    for (int side = 0; side < 6; ++side) {
+      const int axis = side / 2;
+      const Vec3 out = (side % 2 == 0 ? 1.0 : -1.0) * Vec3::Unit(axis), e = Vec3::Unit((axis + 1) % 3),
+                 f = Vec3::Unit((axis + 2) % 3);
+      for (int i = 0; i < count; ++i)
+        for (int j = 0; j < count; ++j) {
+          const double a = std::tan((2 * i + 1 - count) * half), b = std::tan((2 * j + 1 - count) * half);
+          const Vec3 x = out + a * e + b * f, n = x.normalized();
+          const auto along = [&](double slope, const Vec3& t) {  // half axis on the tangent plane
+            return Vec3(radius * half * (1 + slope * slope) / x.norm() * (t - t.dot(n) * n));
+          };
+          patches.push_back({centre + radius * n, along(a, e), along(b, f)});
+        }
     }
   }
 

@@ -23,14 +23,15 @@ struct ContactMember {
 /// A contact pair: two velocity fields at a contact node, the input of their contact law, and the impulse between
 /// them.
 struct ContactPair {
-  std::size_t a = 0, b = 0;            ///< indices of the two members; the normal points from a to b
-  const ContactLaw* law = nullptr;     ///< contact law between them
-  int crack = -1;                      ///< number of the crack if the fields are its two sides; -1: two bodies
-  ContactState state;                  ///< input of the contact law
-  Vec3 impulse = Vec3::Zero();         ///< contact impulse on a; the opposite acts on b [mass velocity]
-  Vec3 applied = Vec3::Zero();         ///< the part of it in the nodal accelerations; a filter changes the rest
-  ContactResponse response;            ///< last contact response of the law
-  Vec3 update_impulse = Vec3::Zero();  ///< impulse on a of the last momentum update      [mass velocity]
+  std::size_t a = 0, b = 0;         ///< indices of the two members; the normal points from a to b
+  const ContactLaw* law = nullptr;  ///< contact law between them
+  int crack = -1;                   ///< number of the crack if the fields are its two sides; -1: two bodies
+  ContactState state;               ///< input of the contact law
+  Vec3 impulse = Vec3::Zero();      ///< contact impulse on a; the opposite acts on b [mass velocity]
+  Vec3 applied = Vec3::Zero();      ///< the part of it in the nodal accelerations; a filter changes the rest
+  Vec3 at_start = Vec3::Zero();     ///< contact impulse on a by which velocities at the start changed [mass velocity]
+  ContactResponse response;         ///< last contact response of the law
+  Vec3 update_impulse = Vec3::Zero();                 ///< impulse on a of the last momentum update      [mass velocity]
   ContactStatus update_status = ContactStatus::open;  ///< contact status in the last momentum update
   bool stuck = false;                                 ///< friction held the faces in the last momentum update
   double friction_work = 0.0;      ///< energy dissipated by sliding in the last momentum update       [energy]

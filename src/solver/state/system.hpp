@@ -97,6 +97,7 @@ struct Body {
   Vec<Dim> uniform_half_size = Vec<Dim>::Zero();
   double thickness = 1.0;             ///< out of the plane                                           [length]
   MatrixColumn domain;                ///< CPDI: F at the start of the step
+  VectorColumn damped;                ///< particle damping: velocity that no condition prescribes    [velocity]
   VectorColumn load;                  ///< external force                                             [force]
   VectorColumn origin;                ///< position at the start of the run                           [length]
   ScalarColumn load_set;              ///< bit k set: particle condition k acts on the particle
@@ -209,8 +210,8 @@ struct System {
 template <int Dim>
 void archive(Archive& a, Body<Dim>& body, const Lattice<Dim>& lattice, bool binned) {
   auto& [name, law, material, field, block, across_fields, cut, cut_bins, particles, bins, history, history_columns,
-         affine, filtered, start, half_size, half_axes, generation, uniform_half_size, thickness, domain, load, origin,
-         load_set, contact_slip, contact_bond, contact_state, contact_traction, contact_normal, temperature,
+         affine, filtered, damped, start, half_size, half_axes, generation, uniform_half_size, thickness, domain, load,
+         origin, load_set, contact_slip, contact_bond, contact_state, contact_traction, contact_normal, temperature,
          temperature_gradient, temperature_residual, heated, expanded, expansion_work, expansion, crossings,
          cell_number, volumetric, heat_capacity, conductivity, taylor_quinney, reference_temperature, cell,
          residual_share, volume_of_displacement, particle_damping, total_mass, read_by_scatter, read_by_gather] = body;

@@ -28,12 +28,14 @@ void move(Body<Dim>& body, const Lattice<Dim>& lattice, std::uint32_t first, int
     double* __restrict v = vs[static_cast<std::size_t>(d)] + first;
     const double* __restrict sv = sums.velocity[d];
     const double* __restrict sa = sums.acceleration[d];
+    const double* __restrict sd =
+        what.damps_part ? body.particles[body.damped][static_cast<std::size_t>(d)] + first : sv;
     const double inverse = 1.0 / lattice.spacing[d];
     double far = 0.0;
 #pragma omp simd reduction(max : far) reduction(+ : not_finite)
     for (int i = 0; i < count; ++i) {
       const double old = v[i];
-      const double now = flip * (old + dt * sa[i]) + pic * sv[i] - damping * sv[i];
+      const double now = flip * (old + dt * sa[i]) + pic * sv[i] - damping * sd[i];
       const double dx = dt * sv[i];
       v[i] = now;
       x[i] += dx;
@@ -252,8 +254,9 @@ template <int Dim>
 void update_particles(Body<Dim>& body, const Lattice<Dim>& lattice, std::uint32_t first, int count, const Gather& what,
                       GatherSums<Dim>& sums, GatherResult& result) {
   switch (what.task) {
-    case GatherTask::filtered_velocity: {
-      const auto to = body.particles[body.filtered];
+    case GatherTask::filtered_velocity:
+    case GatherTask::damped_velocity: {
+      const auto to = body.particles[what.task == GatherTask::damped_velocity ? body.damped : body.filtered];
       for (int d = 0; d < Dim; ++d) std::copy_n(sums.velocity[d], count, to[static_cast<std::size_t>(d)] + first);
       return;
     }

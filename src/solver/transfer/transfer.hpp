@@ -31,6 +31,7 @@ inline bool uses_gradients(Scatter what) {
 enum class GatherTask {
   update,                ///< velocity, position, deformation and stress, according to the members of Gather
   filtered_velocity,     ///< filtered velocity = S v
+  damped_velocity,       ///< damped velocity = S v
   temperature,           ///< temperature += dt S dT/dt, its gradient, and residual = temperature - S T
   temperature_residual,  ///< temperature -= r - S S+ r with the fraction r of the residual
   volume_rate,           ///< volumetric column = div v
@@ -40,10 +41,12 @@ enum class GatherTask {
 /// A gather: its task and the options of an update.
 struct Gather {
   GatherTask task = GatherTask::update;
-  bool move = false;           ///< update velocity and position
-  double dt = 0.0;             ///< of the motion                                            [time]
-  double flip = 1.0;           ///< FLIP fraction: weight of v + dt S a; the remainder is S v
-  double damping = 0.0;        ///< particle damping, subtracts damping dt S v               [1/time]
+  bool move = false;  ///< update velocity and position
+  double dt = 0.0;    ///< of the motion                                            [time]
+  double flip = 1.0;  ///< FLIP fraction: weight of v + dt S a; the remainder is S v
+  /// Particle damping, subtracts damping dt S v, or with `damps_part` damping dt times the damped velocity [1/time].
+  double damping = 0.0;
+  bool damps_part = false;
   double strain_dt = 0.0;      ///< > 0: deformation, stress and history over this time      [time]
   bool from_start = false;     ///< use the shape functions at the positions at the start of the step
   bool b_bar = false;          ///< use the rate of volume change in the volumetric column in place of div v

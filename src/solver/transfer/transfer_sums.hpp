@@ -54,6 +54,7 @@ template <class F>
 void with_gathered_sums(const Gather& what, bool affine, F&& f) {
   switch (what.task) {
     case GatherTask::filtered_velocity:
+    case GatherTask::damped_velocity:
     case GatherTask::temperature_residual:
     case GatherTask::cell_mean:
       return f(constant<GatheredSums{}>);
