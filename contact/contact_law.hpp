@@ -81,5 +81,7 @@ Catalogue<ContactLaw>::Item contact_law(const std::vector<std::string>& aliases 
 
 /// All contact laws; generated from contact/CMakeLists.txt.
 const Catalogue<ContactLaw>& contact_laws();
+/// The same list, to which a program may add laws of its own.
+Catalogue<ContactLaw>& extensible_contact_laws();
 
 }  // namespace tribo

@@ -187,5 +187,7 @@ void archive(Archive& a, Joint& joint);
 
 /// All joint laws; generated from contact/CMakeLists.txt.
 const Catalogue<JointLaw>& joint_laws();
+/// The same list, to which a program may add laws of its own.
+Catalogue<JointLaw>& extensible_joint_laws();
 
 }  // namespace tribo

@@ -239,12 +239,23 @@ Drive Builder::build_drive() {
   return out;
 }
 
-Drive read_drive(const std::filesystem::path& file, const Settings& settings) {
-  const Statement root = read_statements(file, settings);
+namespace {
+
+Drive drive_of(const Statement& root, const std::filesystem::path& folder) {
   Problems problems;
   check_statements(root, problems, true);
   problems.raise();
-  return Builder(root, file.parent_path()).build_drive();
+  return Builder(root, folder).build_drive();
+}
+
+}  // namespace
+
+Drive read_drive(const std::filesystem::path& file, const Settings& settings) {
+  return drive_of(read_statements(file, settings), file.parent_path());
+}
+
+Drive read_drive_text(std::string_view text, const std::string& name, const Settings& settings) {
+  return drive_of(read_statements_text(text, name, settings), {});
 }
 
 }  // namespace tribo

@@ -359,8 +359,16 @@ Model read_model(const std::filesystem::path& file, const Settings& settings) {
   });
 }
 
-Model read_model_text(std::string_view text, const std::string& name) {
-  return model_of(std::string(text), name, {}, {});
+Model read_model_text(std::string_view text, const std::string& name, const Settings& settings) {
+  return model_of(std::string(text), name, {}, settings);
+}
+
+Statement read_statements_text(std::string_view text, const std::string& name, Settings settings, std::FILE* output) {
+  About about;
+  Statement root = statements_of(std::string(text), std::make_shared<const std::string>(printable(name)),
+                                 std::move(settings), output, about);
+  about.problems.raise();
+  return root;
 }
 
 }  // namespace tribo

@@ -21,14 +21,20 @@ Statement read_statements(const std::filesystem::path& file, Settings settings =
 /// Reads and checks a command file. Throws InputError with every problem found, FileError if the file cannot be read.
 Model read_model(const std::filesystem::path& file, const Settings& settings = {});
 
-/// Reads a command file from a text; `name` is used as file name in messages.
-Model read_model_text(std::string_view text, const std::string& name);
+/// Reads a command file from a text; `name` is used as file name in messages, and files that it names are relative to
+/// the current folder.
+Model read_model_text(std::string_view text, const std::string& name, const Settings& settings = {});
+/// The statements of a text, as of a file.
+Statement read_statements_text(std::string_view text, const std::string& name, Settings settings = {},
+                               std::FILE* output = stdout);
 
 /// The contents of <Drive>.
 using Drive = std::variant<MaterialDrive, ContactDrive, JointDrive>;
 
 /// Reads <Drive> of a command file, which need not contain a model. Throws as read_model.
 Drive read_drive(const std::filesystem::path& file, const Settings& settings = {});
+/// The same from a text; files that it names are relative to the current folder.
+Drive read_drive_text(std::string_view text, const std::string& name, const Settings& settings = {});
 
 /// The model of a checked tree. Relative file names in it are relative to `folder`.
 Model build_model(const Statement& root, const std::filesystem::path& folder);

@@ -304,5 +304,7 @@ Catalogue<Material>::Item material_law(const std::vector<std::string>& aliases =
 
 /// All materials; generated from materials/CMakeLists.txt.
 const Catalogue<Material>& materials();
+/// The same list, to which a program may add laws of its own.
+Catalogue<Material>& extensible_materials();
 
 }  // namespace tribo

@@ -23,6 +23,8 @@ struct Arguments {
   std::string field, view;  ///< empty: chosen by the run
   std::vector<double> times, range;
   int width = 900, rate = 20, port = 0;
+  std::vector<std::string> variations;  ///< sweep: name=value,value,...
+  int jobs = 1, threads_each = 0;       ///< sweep: processes at a time; threads of each, 0: shared among them
   std::string command_line;
 };
 
@@ -33,6 +35,7 @@ int run_command(const Arguments& a);
 int resume_command(const Arguments& a);
 int check_command(const Arguments& a);
 int drive_command(const Arguments& a);
+int sweep_command(const Arguments& a);
 int safety_command(const Arguments& a);
 int convert_command(const Arguments& a);
 int list_command(const Arguments& a);

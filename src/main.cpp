@@ -102,6 +102,19 @@ class CommandLine {
         "check", "read the file, build the model and print a summary with checks, without running it", check_command));
     auto* drive = reads_file("drive", "drive one law along the path of <Drive> and write a table", drive_command);
     writes_file(drive, "file of the table (default: NAME.csv in the current folder)"), may_be_quiet(drive);
+    auto* sweep =
+        reads_file("sweep", "run a file for all combinations of some variables and write a table", sweep_command);
+    sweep->add_option("VARIABLES", a.variations, "NAME=VALUE,VALUE,... for each variable of a script or XML entity")
+        ->required();
+    sweep->add_option("-o,--output", a.output,
+                      "folder for the results, one folder per run, and for the table sweep.csv (default: NAME.sweep in "
+                      "the current folder)");
+    sweep->add_flag("--overwrite", a.overwrite, "replace earlier results");
+    sweep->add_option("-j,--jobs", a.jobs, "runs at the same time, each in a process of its own (default 1)")
+        ->check(CLI::PositiveNumber);
+    sweep->add_option("--threads", a.threads_each, "threads of each run (default: the cores are shared among the runs)")
+        ->check(CLI::PositiveNumber);
+    may_be_quiet(sweep);
     auto* safety = reads_file("safety", "find the factor of safety by strength reduction", safety_command);
     writes_folder(safety), has_threads(safety), may_be_quiet(safety);
     writes_file(reads_file("convert", "write a command file as XML", convert_command),

@@ -5,7 +5,9 @@
 
 #include "base/schema.hpp"
 
+#include <functional>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -29,12 +31,25 @@ class Catalogue {
     std::vector<ParameterInfo> parameters;
     std::vector<OwnProperty> own_properties;
     /// Builds the law from the properties of a <Material> element. Returns null if there were problems.
-    std::unique_ptr<Base> (*make)(const Statement&, const std::vector<std::string>& handled_elsewhere, const Units&,
-                                  Problems&) = nullptr;
+    std::function<std::unique_ptr<Base>(const Statement&, const std::vector<std::string>& handled_elsewhere,
+                                        const Units&, Problems&)>
+        make;
   };
 
-  explicit Catalogue(std::vector<Item> items) : items_(std::move(items)) {}
+  explicit Catalogue(std::vector<Item> items) : items_(std::move(items)), own_(items_.size()) {}
   const std::vector<Item>& items() const { return items_; }
+
+  /// Adds a law that a program brings along, before it reads a model. A law of the same name that was added before is
+  /// replaced. Throws std::invalid_argument if the name is that of a law of Tribo.
+  void add(Item item) {
+    const Item* known = find(item.name);
+    if (known && static_cast<std::size_t>(known - items_.data()) < own_)
+      throw std::invalid_argument("there is already a law '" + known->name + "'; choose another name");
+    if (known)
+      items_[static_cast<std::size_t>(known - items_.data())] = std::move(item);
+    else
+      items_.push_back(std::move(item));
+  }
 
   /// The item with this name or alias (in any case) or number; null if there is none.
   const Item* find(std::string_view word) const {
@@ -54,6 +69,7 @@ class Catalogue {
 
  private:
   std::vector<Item> items_;
+  std::size_t own_;  // number of the laws of Tribo, which stand first
 };
 
 /// Catalogue entry of `Law`, which has name, summary, number, parameters(), prepare() and optionally own_properties().

@@ -7,7 +7,9 @@
 #include "model/prescribed.hpp"
 
 #include <array>
+#include <functional>
 #include <optional>
+#include <span>
 
 namespace tribo {
 
@@ -57,11 +59,17 @@ struct ParticleCondition {
   Origin origin;
 };
 
+/// Accelerations that a program computes for all particles of the deformable bodies at once: from their positions and
+/// the time, `dimension` numbers per particle next to each other, in the order of bodies and particles.
+using ParticleAccelerations =
+    std::function<void(int dimension, std::span<const double> positions, double time, std::span<double> accelerations)>;
+
 struct BodyForce {
   Vec3 gravity = Vec3::Zero();
   std::array<std::optional<Expression>, 3> function;      ///< acceleration f(x, y, z, t) of grid nodes
   std::array<std::optional<Expression>, 3> on_particles;  ///< acceleration of particles, also depends on x0, y0, z0
-  bool acts_on_particles() const { return on_particles[0] || on_particles[1] || on_particles[2]; }
+  ParticleAccelerations of_program = {};                  ///< called once per step; empty: none
+  bool acts_on_particles() const { return on_particles[0] || on_particles[1] || on_particles[2] || of_program; }
   double function_time = 1.0;
 };
 

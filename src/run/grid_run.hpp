@@ -3,6 +3,7 @@
 #pragma once
 
 #include "run/monitor.hpp"
+#include "run/particle_fields.hpp"
 #include "run/results.hpp"
 #include "run/run_loop.hpp"
 #include "run/stage_balance.hpp"
@@ -63,6 +64,11 @@ class GridRun final : public SteppedModel {
   std::map<std::string, double> seconds_of(double steps) const override;
 
   const System<Dim>& system() const { return system_; }
+  System<Dim>& system() { return system_; }
+  /// Fields of all particles at present, as in the particle files; the results must be open.
+  std::shared_ptr<const ParticleFields<Dim>> particle_fields(const std::vector<std::string>& names) {
+    return results_->fields(names);
+  }
   /// Distance of the particle that moved farthest from its start [length].
   double largest_displacement();
 

@@ -98,15 +98,19 @@ ResultNames Results<Dim>::names(const Model& model, const System<Dim>& system) {
 }
 
 template <int Dim>
-void Results<Dim>::write_particles(std::int64_t number) {
+std::shared_ptr<const ParticleFields<Dim>> Results<Dim>::fields(const std::vector<std::string>& names) {
   stepper_.contact().fill_view();
   std::vector<Body<Dim>*> bodies;
   for (auto* list : {&system_.bodies, &system_.rigids})
     for (auto& body : *list)
       if (body.block < 0) bodies.push_back(&body);
+  return std::make_shared<const ParticleFields<Dim>>(model_, bodies, names);
+}
+
+template <int Dim>
+void Results<Dim>::write_particles(std::int64_t number) {
   const auto& wanted = model_.output.particle_fields;
-  auto all =
-      std::make_shared<const ParticleFields<Dim>>(model_, bodies, wanted.empty() ? standard_particle_fields() : wanted);
+  const auto all = fields(wanted.empty() ? standard_particle_fields() : wanted);
   const std::string file = "particles/" + numbered(number, ".vtp");
   queue_.add(all->bytes(), [all, path = folder_ / file, time = system_.time] {
     tribo::write_particles(path, all->count(), all->positions(), all->fields(), time);

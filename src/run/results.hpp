@@ -6,6 +6,7 @@
 #include "output/output_queue.hpp"
 #include "output/vtk.hpp"
 #include "run/block_results.hpp"
+#include "run/particle_fields.hpp"
 #include "run/tracers.hpp"
 #include "solver/measures.hpp"
 #include "solver/step.hpp"
@@ -30,6 +31,8 @@ class Results {
   void write_history(double dt);
   /// The last row of the histories: the time and the values.
   const std::vector<double>& last_row() const { return row_; }
+  /// Fields of all particles that are written, at present.
+  std::shared_ptr<const ParticleFields<Dim>> fields(const std::vector<std::string>& names);
   /// The events at joints and blocks since the last call.
   void write_events();
   /// Content of energy at the start, for the residual [energy]. Found by the constructor for a new run; to be set for

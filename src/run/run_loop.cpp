@@ -47,9 +47,11 @@ void keep_pages_of_copies() {
 #endif
 }
 
-class RunLoop {
+}  // namespace
+
+class RunLoop::Loop {
  public:
-  RunLoop(const Model& model, SteppedModel& stepped, const RunOptions& options)
+  Loop(const Model& model, SteppedModel& stepped, const RunOptions& options)
       : model_(model),
         stepped_(stepped),
         options_(options),
@@ -75,9 +77,11 @@ class RunLoop {
     provenance_.set_legend(units_of_results(model), std::move(materials), std::move(rigid));
   }
 
-  Outcome run() {
+  // Does a part of the run. A failure ends it: what was to be written is written, and the failure is recorded.
+  template <class F>
+  void guarded(F&& part) {
     try {
-      return run_or_throw();
+      part();
     } catch (const SimulationError& error) {
       finish_output();
       report_failure(error.what());
@@ -99,31 +103,58 @@ class RunLoop {
     }
   }
 
- private:
-  static constexpr double between_reports = 2.0;        // seconds
-  static constexpr std::int64_t steps_per_report = 16;  // the clock is read only then
-
-  Outcome run_or_throw() {
+  void begin() {
     report("running", "");
     for (const std::string& choice : stepped_.choices()) progress_.say(choice);
     if (!resume_time_) write_due(), save_due();
-    const std::int64_t first_step = stepped_.step();
-    while (!stepped_.at_end()) {
-      if (wants_stop()) {
-        save(Until::on_disk);
-        report("stopped", signals_.stop() ? "signal" : "wall time");
-        return Outcome::stopped;
-      }
-      if (signals_.checkpoint()) signals_.checkpoint_done(), save();
-      step();
+    first_step_ = stepped_.step();
+  }
+
+  bool at_end() const { return stepped_.at_end(); }
+
+  bool wants_stop() const {
+    return SignalGuard::stop() || (options_.max_wall > 0 && seconds_since(begin_) > options_.max_wall);
+  }
+
+  void step() {
+    if (SignalGuard::checkpoint()) SignalGuard::checkpoint_done(), save();
+    const double size = stepped_.advance();
+    for (const std::string& warning : stepped_.look()) progress_.warn(warning);
+    {
+      const auto lap = output_.lap();
+      stepped_.write_events();
     }
-    if (stepped_.step() > first_step) write_last_state();
+    write_due();
+    stepped_.check();  // before the checkpoint, which then holds a state that was found sound, and what the check noted
+    save_due();
+    if (stepped_.take_checkpoint()) save();
+    for (const std::string& news : stepped_.take_news()) progress_.say(news);
+    if (stepped_.step() % steps_per_report == 0 && seconds_since(reported_) > between_reports) {
+      report("running", "");
+      reported_ = Clock::now();
+    }
+    progress_.step(stepped_.time(), stepped_.step(), size);
+  }
+
+  std::int64_t files() const { return written_; }
+  void flush() { queue_.drain(); }
+
+  void stop(const std::string& reason) {
+    save(Until::on_disk);
+    report("stopped", reason);
+  }
+
+  void finish() {
+    if (stepped_.step() > first_step_) write_last_state();
     save(Until::on_disk);
     report("finished", stepped_.end_reason());
     progress_.finish(stepped_.time(), stepped_.step());
     summary();
-    return Outcome::finished;
   }
+
+ private:
+  static constexpr double between_reports = 2.0;        // seconds
+  static constexpr std::int64_t steps_per_report = 16;  // the clock is read only then
 
   // What a user can do after a failure that the model is not to blame for.
   std::string remains() const {
@@ -163,29 +194,6 @@ class RunLoop {
     return resume_time;
   }
 
-  bool wants_stop() const {
-    return signals_.stop() || (options_.max_wall > 0 && seconds_since(begin_) > options_.max_wall);
-  }
-
-  void step() {
-    const double size = stepped_.advance();
-    for (const std::string& warning : stepped_.look()) progress_.warn(warning);
-    {
-      const auto lap = output_.lap();
-      stepped_.write_events();
-    }
-    write_due();
-    stepped_.check();  // before the checkpoint, which then holds a state that was found sound, and what the check noted
-    save_due();
-    if (stepped_.take_checkpoint()) save();
-    for (const std::string& news : stepped_.take_news()) progress_.say(news);
-    if (stepped_.step() % steps_per_report == 0 && seconds_since(reported_) > between_reports) {
-      report("running", "");
-      reported_ = Clock::now();
-    }
-    progress_.step(stepped_.time(), stepped_.step(), size);
-  }
-
   void summary() {
     if (const std::string reason = stepped_.end_reason(); !reason.empty())
       progress_.say("the run stopped before its end: " + reason);
@@ -200,7 +208,7 @@ class RunLoop {
     const double time = stepped_.time(), tolerance = 1e-6 * stepped_.step_size();
     const bool last = stepped_.history_of_last_step() && stepped_.step() > 0 && stepped_.at_end();
     if (histories_.due(time, tolerance) || last) stepped_.write_history();
-    if (files_.due(time, tolerance)) stepped_.write_files(files_.count() - 1);
+    if (files_.due(time, tolerance)) stepped_.write_files(files_.count() - 1), ++written_;
   }
 
   void save_due() {
@@ -217,7 +225,7 @@ class RunLoop {
     if (written) return;
     const auto lap = output_.lap();
     if (!stepped_.history_of_last_step()) stepped_.write_history();
-    stepped_.write_files(files_.count());
+    stepped_.write_files(files_.count()), ++written_;
   }
 
   enum class Until { given, on_disk };
@@ -255,7 +263,6 @@ class RunLoop {
   const Model& model_;
   SteppedModel& stepped_;
   const RunOptions& options_;
-  SignalGuard signals_;
   Clock::time_point begin_ = Clock::now(), reported_ = begin_;
   Stopwatch output_;  // what the run waits for
   OutputQueue queue_;
@@ -266,11 +273,33 @@ class RunLoop {
   std::shared_ptr<const std::vector<std::filesystem::path>> flushed_;  // before a checkpoint
   std::optional<double> resume_time_;
   double begin_time_;
+  std::int64_t first_step_ = 0, written_ = 0;
   Provenance provenance_;
   Progress progress_;
 };
 
-}  // namespace
+RunLoop::RunLoop(const Model& model, SteppedModel& stepped, const RunOptions& options) {
+  keep_pages_of_copies();
+  loop_ = std::make_unique<Loop>(model, stepped, options);
+}
+RunLoop::~RunLoop() = default;
+
+void RunLoop::begin() {
+  loop_->guarded([&] { loop_->begin(); });
+}
+bool RunLoop::at_end() const { return loop_->at_end(); }
+bool RunLoop::wants_stop() const { return loop_->wants_stop(); }
+void RunLoop::step() {
+  loop_->guarded([&] { loop_->step(); });
+}
+std::int64_t RunLoop::files() const { return loop_->files(); }
+void RunLoop::flush() { loop_->flush(); }
+void RunLoop::finish() {
+  loop_->guarded([&] { loop_->finish(); });
+}
+void RunLoop::stop(const std::string& reason) {
+  loop_->guarded([&] { loop_->stop(reason); });
+}
 
 ResultNames names_of_every_run() {
   return {{"provenance.json", "checkpoint.bin", "tribo-model.json", "tribo-model.xml", "history.csv", "energy.csv"},
@@ -278,8 +307,18 @@ ResultNames names_of_every_run() {
 }
 
 Outcome run_to_end(const Model& model, SteppedModel& stepped, const RunOptions& options) {
-  keep_pages_of_copies();
-  return RunLoop(model, stepped, options).run();
+  const SignalGuard signals;
+  RunLoop loop(model, stepped, options);
+  loop.begin();
+  while (!loop.at_end()) {
+    if (loop.wants_stop()) {
+      loop.stop(SignalGuard::stop() ? "signal" : "wall time");
+      return Outcome::stopped;
+    }
+    loop.step();
+  }
+  loop.finish();
+  return Outcome::finished;
 }
 
 }  // namespace tribo

@@ -10,6 +10,7 @@
 
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -86,6 +87,38 @@ class SteppedModel {
 
 /// What every run writes.
 ResultNames names_of_every_run();
+
+/// The loop of a run whose caller takes the steps. All calls may throw SimulationError and FileError; the run has then
+/// failed, and its record says so. Signals are heard while the caller has a SignalGuard.
+class RunLoop {
+ public:
+  /// Opens the results of a model that has started, or continues one from the checkpoint of the folder. All arguments
+  /// must outlive the loop.
+  RunLoop(const Model& model, SteppedModel& stepped, const RunOptions& options);
+  ~RunLoop();
+  RunLoop(const RunLoop&) = delete;
+  RunLoop& operator=(const RunLoop&) = delete;
+
+  /// The output before the first step; to be called once.
+  void begin();
+  bool at_end() const;
+  /// Whether a signal or the limit of the wall time asks to stop.
+  bool wants_stop() const;
+  /// One step with its output.
+  void step();
+  /// Files of the state that have been written so far, or are in the queue.
+  std::int64_t files() const;
+  /// Waits until everything given to the queue is in the files.
+  void flush();
+  /// The output at the end of a run.
+  void finish();
+  /// Ends the run here with a checkpoint; `reason` is for the record.
+  void stop(const std::string& reason);
+
+ private:
+  class Loop;
+  std::unique_ptr<Loop> loop_;
+};
 
 /// Runs a model that has started, or continues one from the checkpoint of the folder, to its end. Throws
 /// SimulationError (the last checkpoint remains), FileError.

@@ -39,8 +39,8 @@ void heed_stop() {
   if (guards > 0 && stop_requested) throw StopRequest{};
 }
 
-bool SignalGuard::stop() const { return stop_requested; }
-bool SignalGuard::checkpoint() const { return checkpoint_requested; }
+bool SignalGuard::stop() { return stop_requested; }
+bool SignalGuard::checkpoint() { return checkpoint_requested; }
 void SignalGuard::checkpoint_done() { checkpoint_requested = false; }
 
 void request_stop() { stop_requested = true; }

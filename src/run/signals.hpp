@@ -16,9 +16,10 @@ class SignalGuard {
   SignalGuard(const SignalGuard&) = delete;
   SignalGuard& operator=(const SignalGuard&) = delete;
 
-  bool stop() const;
-  bool checkpoint() const;
-  void checkpoint_done();
+  /// Whether the present guards have heard such a request.
+  static bool stop();
+  static bool checkpoint();
+  static void checkpoint_done();
 
  private:
   struct Old {

@@ -6,6 +6,7 @@
 #include "run/block_run.hpp"
 #include "run/grid_run.hpp"
 #include "run/result_folder.hpp"
+#include "run/run_loop.hpp"
 #include "run/signals.hpp"
 #include "run/staged_run.hpp"
 
@@ -27,25 +28,29 @@ struct Plain<StagedRun<Stepped>> {
   using Type = Stepped;
 };
 
+// A run that has been opened: its model, its folder, and the guard that hears signals from then on.
+template <class Stepped>
+struct Opened {
+  std::optional<Stepped> stepped;
+  std::optional<SignalGuard> signals;
+  std::optional<ResultFolder> folder;
+};
+
 // The model is built before the folder is touched, so that a wrong command file leaves old results as they are. Signals
 // end the program until the run is able to continue from where they stop it.
 template <class Stepped>
-Outcome start(const Model& model, const RunOptions& options) {
+void start(Opened<Stepped>& run, const Model& model, const RunOptions& options) {
   if (!options.opened) check_folder(options);
-  std::optional<Stepped> built;
   with_memory_for("this model", place_of(model), [&] {
-    built.emplace(model);
-    built->choose_threads(options.threads);
-    built->start();
+    run.stepped.emplace(model);
+    run.stepped->choose_threads(options.threads);
+    run.stepped->start();
   });
-  Stepped& stepped = *built;
-  const SignalGuard signals;
-  std::optional<ResultFolder> own;
-  if (!options.opened) own.emplace(options.folder);
+  run.signals.emplace();
+  if (!options.opened) run.folder.emplace(options.folder);
   ResultNames names = names_of_every_run();
-  names.add(stepped.result_names()), names.add({options.further_files, {}});
-  (options.opened ? *options.opened : *own).start(names, options.overwrite);
-  return run_to_end(model, stepped, options);
+  names.add(run.stepped->result_names()), names.add({options.further_files, {}});
+  (options.opened ? *options.opened : *run.folder).start(names, options.overwrite);
 }
 
 // Turns the checkpoint of the former model into one of the present model, as at the begin of a stage.
@@ -72,25 +77,87 @@ void begin_with_edits(const Model& former, const Model& model, const std::filesy
 }
 
 template <class Stepped>
-Outcome resume(const Model& model, const RunOptions& options) {
+void resume(Opened<Stepped>& run, const Model& model, const RunOptions& options) {
   if (!std::filesystem::is_directory(options.folder))
     throw FileError("there is no folder '" + options.folder.string() + "'");
-  ResultFolder folder(options.folder);
+  ResultFolder& folder = run.folder.emplace(options.folder);
   folder.require_checkpoint();
   if (options.former)
     begin_with_edits<typename Plain<Stepped>::Type>(*options.former, model, folder.path() / "checkpoint.bin");
-  std::optional<Stepped> built;
-  with_memory_for("this model", place_of(model), [&] { built.emplace(model); });
-  Stepped& stepped = *built;
-  stepped.choose_threads(options.threads);
-  return run_to_end(model, stepped, options);
+  with_memory_for("this model", place_of(model), [&] { run.stepped.emplace(model); });
+  run.stepped->choose_threads(options.threads);
 }
 
 template <class Stepped>
-Outcome start_or_resume(const Model& model, const RunOptions& options) {
-  if (!model.stages.empty() || !model.reactions.empty())
-    return options.resume ? resume<StagedRun<Stepped>>(model, options) : start<StagedRun<Stepped>>(model, options);
-  return options.resume ? resume<Stepped>(model, options) : start<Stepped>(model, options);
+void open(Opened<Stepped>& run, const Model& model, const RunOptions& options) {
+  options.resume ? resume(run, model, options) : start(run, model, options);
+}
+
+// A run whose caller takes the steps.
+template <class Stepped>
+class OpenRun final : public StepwiseRun {
+ public:
+  OpenRun(Model model, RunOptions options) : model_(std::move(model)), options_(std::move(options)) {
+    open(run_, model_, options_);
+    loop_.emplace(model_, *run_.stepped, options_);
+    loop_->begin();
+    run_.signals.reset();
+  }
+
+  Pause advance(std::int64_t steps) override {
+    const SignalGuard signals;
+    run_.stepped->choose_threads(options_.threads);
+    try {
+      return advance_by(steps);
+    } catch (...) {
+      release();
+      throw;
+    }
+  }
+  void stop(const std::string& reason) override {
+    loop_->stop(reason);
+    release();
+  }
+  void flush() override {
+    if (run_.folder) loop_->flush();
+  }
+  const Model& model() const override { return model_; }
+  SteppedModel& stepped() override { return *run_.stepped; }
+
+ private:
+  Pause advance_by(std::int64_t steps) {
+    const std::int64_t before = loop_->files();
+    for (std::int64_t k = 0; steps == 0 || k < steps; ++k) {
+      if (loop_->at_end()) return end();
+      if (loop_->wants_stop()) return SignalGuard::stop() ? Pause::signal : Pause::wall_time;
+      loop_->step();
+      if (steps == 0 && loop_->files() > before) return loop_->at_end() ? end() : Pause::due;
+    }
+    return loop_->at_end() ? end() : Pause::due;
+  }
+  Pause end() {
+    loop_->finish();
+    release();
+    return Pause::end;
+  }
+  // The folder, in which everything has been written.
+  void release() { run_.folder.reset(); }
+
+  Model model_;
+  RunOptions options_;
+  Opened<Stepped> run_;
+  std::optional<RunLoop> loop_;
+};
+
+// Calls f.operator()<Stepped>() for the kind of run that a model needs.
+template <class F>
+auto with_kind_of(const Model& model, F&& f) {
+  const bool staged = !model.stages.empty() || !model.reactions.empty();
+  if (model.only_blocks())
+    return staged ? f.template operator()<StagedRun<BlockRun>>() : f.template operator()<BlockRun>();
+  if (model.dimension() == 2)
+    return staged ? f.template operator()<StagedRun<GridRun<2>>>() : f.template operator()<GridRun<2>>();
+  return staged ? f.template operator()<StagedRun<GridRun<3>>>() : f.template operator()<GridRun<3>>();
 }
 
 template <int Dim>
@@ -132,9 +199,19 @@ void check_folder(const RunOptions& options) {
 
 Outcome run(const Model& model, const RunOptions& options) {
   set_threads(options.threads);
-  if (model.only_blocks()) return start_or_resume<BlockRun>(model, options);
-  return model.dimension() == 2 ? start_or_resume<GridRun<2>>(model, options)
-                                : start_or_resume<GridRun<3>>(model, options);
+  return with_kind_of(model, [&]<class Stepped>() {
+    Opened<Stepped> opened;
+    open(opened, model, options);
+    return run_to_end(model, *opened.stepped, options);
+  });
+}
+
+std::unique_ptr<StepwiseRun> open_run(Model model, RunOptions options) {
+  set_threads(options.threads);
+  const Model& given = model;
+  return with_kind_of(given, [&]<class Stepped>() -> std::unique_ptr<StepwiseRun> {
+    return std::make_unique<OpenRun<Stepped>>(std::move(model), std::move(options));
+  });
 }
 
 Settlement settle(const Model& model, int thread_count) {

@@ -5,8 +5,10 @@
 #include "model/model.hpp"
 #include "run/result_folder.hpp"
 
+#include <cstdint>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <string>
 
 namespace tribo {
@@ -42,6 +44,35 @@ void check_folder(const RunOptions& options);
 /// provenance.json, checkpoint.bin. SIGINT, SIGTERM and SIGHUP finish the step, write a checkpoint and stop. Throws
 /// InputError, SimulationError (the last checkpoint remains), FileError.
 Outcome run(const Model& model, const RunOptions& options);
+
+class SteppedModel;
+
+/// A run whose caller takes the steps: the same steps and files as by run(). Between the calls signals are not heard.
+class StepwiseRun {
+ public:
+  StepwiseRun() = default;
+  virtual ~StepwiseRun() = default;
+  StepwiseRun(const StepwiseRun&) = delete;
+  StepwiseRun& operator=(const StepwiseRun&) = delete;
+
+  enum class Pause {
+    due,       ///< files were written, or the steps are done
+    end,       ///< the run has finished; no further call of advance() may follow
+    signal,    ///< a signal asks to stop
+    wall_time  ///< the limit of the wall time is reached
+  };
+  /// Takes so many steps; with 0, steps up to the next files. Throws SimulationError, FileError; the run is then over.
+  virtual Pause advance(std::int64_t steps) = 0;
+  /// Ends the run with a checkpoint; `reason` is for the record. No further call of advance() may follow.
+  virtual void stop(const std::string& reason) = 0;
+  /// Waits until all output so far is in the files. After the end of the run its folder is free for others.
+  virtual void flush() = 0;
+  virtual const Model& model() const = 0;
+  virtual SteppedModel& stepped() = 0;
+};
+
+/// Starts or resumes a run, and writes the first output. Throws as run().
+std::unique_ptr<StepwiseRun> open_run(Model model, RunOptions options);
 
 /// Distance of the particle that moved farthest from its start.
 struct Settlement {

@@ -121,6 +121,14 @@ while [ $code -eq 6 ]; do
   "$tribo" resume --quiet direct >/dev/null 2>&1 || code=$?
 done
 cmp direct/history.csv drop=0.25.csv || fail "a resumed run forgets --set"
+expect 0 "$tribo" sweep --quiet "$script" drop=0.5,0.25 -j 2 -o varied
+for drop in 0.5 0.25; do cmp varied/drop=$drop/history.csv drop=$drop.csv || fail "sweep: other results than run"; done
+head -1 varied/sweep.csv | grep -q '^drop,folder,outcome,time,' || { cat varied/sweep.csv; fail "sweep: columns"; }
+[ "$(tail -1 varied/sweep.csv)" = "0.25,drop=0.25,finished,$(tail -1 drop=0.25.csv)" ] || { cat varied/sweep.csv; fail "sweep: rows"; }
+expect 5 "$tribo" sweep "$script" drop=0.5 -o varied
+grep -q "already holds a run" err.txt || { cat err.txt; fail "sweep replaces results"; }
+expect 3 "$tribo" sweep "$script" dropp=0.5
+expect 2 "$tribo" sweep "$script" drop
 expect 0 "$tribo" run -a -v -w "$script"
 
 # A signal finishes the step and leaves a checkpoint

@@ -113,7 +113,24 @@ void ParticleLoads<Dim>::apply(double dt) {
       for (std::size_t d = 0; d < Dim; ++d) load[d][i] = sum[static_cast<Eigen::Index>(d)];
     });
   }
+  if (model_.body_force.of_program) add_loads_of_program();
   record(0.5 * dt);
+}
+
+template <int Dim>
+void ParticleLoads<Dim>::add_loads_of_program() {
+  positions_.clear();
+  for (auto& body : system_.bodies)
+    for (std::size_t i = 0; i < body.particles.size(); ++i)
+      for (const double* x : body.particles.x()) positions_.push_back(x[i]);
+  accelerations_.assign(positions_.size(), 0.0);
+  model_.body_force.of_program(Dim, positions_, system_.time, accelerations_);
+  const double* a = accelerations_.data();
+  for (auto& body : system_.bodies) {
+    const auto load = body.particles[body.load];
+    for (std::size_t i = 0; i < body.particles.size(); ++i)
+      for (double* force : load) force[i] += body.particles.mass()[i] * *a++;
+  }
 }
 
 template <int Dim>

@@ -31,20 +31,24 @@ class ParticleLoads {
 
   /// Saves and restores the factors. Which particles they belong to is a column of the particles.
   friend void archive(Archive& a, ParticleLoads& loads) {
-    auto& [model, system, ledger, factor, partial] = loads;
+    auto& [model, system, ledger, factor, partial, positions, accelerations] = loads;
     a.version(1);
     a.resizable("factor", factor);
     factor.resize(model.particle_conditions.size(), 1.0);
+    std::int64_t of_program = 1;  // a run without the program cannot continue from this state
+    if (model.body_force.of_program) a("loads_of_program", of_program);
   }
 
  private:
   Vec3 force_on(Body<Dim>& body, std::size_t particle, double dt) const;
+  void add_loads_of_program();
 
   const Model& model_;
   System<Dim>& system_;
   EnergyLedger& ledger_;
   std::vector<double> factor_;           // per condition: 1, or one over the number of particles for net loads
   std::vector<WorkAndImpulse> partial_;  // scratch: sums over chunks of particles
+  std::vector<double> positions_, accelerations_;  // scratch: of all particles, for the loads of a program
 };
 
 }  // namespace tribo

@@ -1,0 +1,33 @@
+# SPDX-License-Identifier: MIT
+"""Tribo, a material point method solver with contact, for Python.
+
+    import tribo
+    results = tribo.run("two_disks.fmcmd", set={"speed": 30})
+    results.history.plot()
+    results.plot("velocity")
+
+`run`, `resume` and `check` do what the program does, `open` reads the results of any run, `Model` builds a model in
+Python, `simulate` takes a run step by step, `drive` tests a single law, `sweep` varies parameters. Laws of your own
+are classes of `MaterialLaw` and `ContactLaw`. `doc("MohrCoulomb")` describes a keyword.
+"""
+
+from . import _core
+from .driving import drive
+from .errors import InputError, ModelWarning, NumericalError, OutputError, Problem, TriboError, UsageError
+from .laws import ContactLaw, ContactState, MaterialLaw, Parameter, check_contact_law, register
+from .manual import doc, keywords, parameters
+from .model import Model
+from .results import Frame, Results, Table, open
+from .running import Check, check, resume, run
+from .shapes import Expression, Shape, box, cut, cylinder, oval, polygon, rect, sphere
+from .simulation import Simulation, simulate
+from .sweeping import Sweep, sweep
+
+__version__ = _core.version().split()[1]
+
+__all__ = [
+    "Check", "ContactLaw", "ContactState", "Expression", "Frame", "InputError", "MaterialLaw", "Model", "ModelWarning", "NumericalError",
+    "OutputError", "Parameter", "Problem", "Results", "Shape", "Simulation", "Sweep", "Table", "TriboError", "UsageError",
+    "box", "check", "check_contact_law", "cut", "cylinder", "doc", "drive", "keywords", "open", "oval", "parameters",
+    "polygon", "rect", "register", "resume", "run", "simulate", "sphere", "sweep",
+]

@@ -1,0 +1,88 @@
+# SPDX-License-Identifier: MIT
+"""Pictures with matplotlib, which is imported only here."""
+
+import numpy as np
+
+_vector, _tensor = ("x", "y", "z"), ("xx", "yy", "zz", "xy", "yz", "xz")
+
+
+def _axes(ax):
+    import matplotlib.pyplot as plt
+
+    return ax if ax is not None else plt.subplots()[1]
+
+
+def plot_table(table, x, y, ax):
+    """Columns of a table over another one."""
+    ax = _axes(ax)
+    numbers = [name for name in table if table[name].dtype != object]
+    x = x or numbers[0]
+    names = [y] if isinstance(y, str) else y or [name for name in numbers if name != x]
+    for name in names:
+        ax.plot(table[x], table[name], label=name)
+    ax.set_xlabel(x)
+    ax.set_ylabel(names[0]) if len(names) == 1 else ax.legend()
+    return ax
+
+
+def scalar(values, name, component):
+    """One number per particle, and its name: a component or the magnitude of a vector or tensor."""
+    if values.ndim == 1:
+        return values, name
+    words = _vector if values.shape[1] == 3 else _tensor
+    if component is None:
+        if len(words) != values.shape[1] or words is _tensor:
+            raise ValueError(f"'{name}' is a tensor; name a component: {', '.join(_tensor)}")
+        return np.linalg.norm(values, axis=1), f"|{name}|"
+    if component not in words[: values.shape[1]]:
+        raise ValueError(f"'{name}' has no component '{component}'; valid: {', '.join(words)}")
+    return values[:, words.index(component)], f"{name}.{component}"
+
+
+def plot_particles(frame, field, component, limits, ax, units):
+    """The particles of a frame as their domains in two dimensions, as points in three."""
+    values, label = scalar(frame[field], field, component)
+    unit = units.get(field)
+    label += f" [{unit}]" if unit and unit != "-" else ""
+    position, domain = frame["position"], frame.particles.get("domain")
+    flat = domain is not None and domain.shape[1] == 4
+    if flat:
+        from matplotlib.collections import PolyCollection
+
+        ax = _axes(ax)
+        a, b, c = domain[:, :2], domain[:, 2:], position[:, :2]
+        corners = np.stack([c - a - b, c + a - b, c + a + b, c - a + b], axis=1)
+        drawn = PolyCollection(corners, array=values, edgecolors="face", linewidths=0.2)
+        ax.add_collection(drawn)
+        ax.autoscale_view()
+        ax.set_aspect("equal")
+    else:
+        import matplotlib.pyplot as plt
+
+        ax = ax if ax is not None else plt.figure().add_subplot(projection="3d")
+        drawn = ax.scatter(*position.T, c=values, s=4)
+    if limits is not None:
+        drawn.set_clim(*limits)
+    ax.figure.colorbar(drawn, ax=ax, label=label)
+    ax.set_title(f"time {frame.time:.4g}")
+    return ax
+
+
+def plot_sweep(table, x, y, ax):
+    """A column of a sweep over a parameter, a line for each value of the others."""
+    ax = _axes(ax)
+    x = x or table.parameters[0]
+    hidden = {*table.parameters, "folder", "outcome", "time"}
+    y = y or next(name for name in table if name not in hidden)
+    others = [name for name in table.parameters if name != x]
+    keys = list(zip(*(table[name] for name in others))) or [()] * table.rows
+    for key in dict.fromkeys(keys):
+        chosen = [k for k in range(table.rows) if keys[k] == key]
+        label = ", ".join(f"{name} = {value:g}" if not isinstance(value, str) else f"{name} = {value}"
+                          for name, value in zip(others, key))
+        ax.plot(table[x][chosen], table[y][chosen], "o-", label=label or None)
+    ax.set_xlabel(x)
+    ax.set_ylabel(y)
+    if others:
+        ax.legend()
+    return ax

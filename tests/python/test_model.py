@@ -1,0 +1,100 @@
+# SPDX-License-Identifier: MIT
+"""Models that are built in Python."""
+
+import inspect
+import pathlib
+import unittest
+
+import tribo
+from common import InFolder, run_program, sliding_block
+
+
+class Models(InFolder):
+    def test_same_results_as_the_script(self):
+        built = sliding_block().run(folder="built")
+        read = tribo.run("block.fmcmd", folder="read")
+        for name in ("history.csv", "energy.csv", "particles/run_000004.vtp"):
+            self.assertEqual((pathlib.Path(built.folder) / name).read_bytes(), (pathlib.Path(read.folder) / name).read_bytes())
+
+    def test_the_program_reads_what_it_writes(self):
+        m = sliding_block()
+        m.save("model.fmcmd")
+        pathlib.Path("model.xml").write_text(m.xml())
+        m.run(set={"v": 2.5}, folder="python")
+        self.assertEqual(run_program("run", "--set", "v=2.5", "-o", "script", "model.fmcmd").returncode, 0)
+        self.assertEqual(run_program("check", "model.xml").returncode, 0)
+        self.assertEqual(pathlib.Path("python/history.csv").read_text(), pathlib.Path("script/history.csv").read_text())
+
+    def test_every_command_is_a_method(self):
+        names = dir(tribo.Model)
+        for name in ("grid_horiz", "mpm_method", "cfl_factor", "grid_bc", "global_archive", "vel0_x", "stage", "bond"):
+            self.assertIn(name, names)
+        self.assertIn("time between rows of history.csv", inspect.getdoc(tribo.Model.global_archive_time).lower())
+        self.assertIn("Arguments: cells", inspect.getdoc(tribo.Model.grid_horiz))
+        with self.assertRaisesRegex(AttributeError, "did you mean 'grid_rect'"):
+            tribo.Model().grid_rekt(0, 1, 0, 1)
+
+    def test_errors_name_the_place_in_python(self):
+        m = sliding_block()
+        m.material("wrong", "LinearElastic", rho=1, E=1e6, nu=0.7)
+        line = inspect.currentframe().f_lineno - 1
+        with self.assertRaises(tribo.InputError) as caught:
+            m.check()
+        problem = caught.exception.problems[0]
+        self.assertEqual(problem.source, (__file__, line))
+        self.assertIn("must be in (-1, 0.5)", str(caught.exception))
+        self.assertIn(f"{line}", caught.exception.__notes__[0])
+        with self.assertRaises(ValueError):
+            tribo.Model("plain strain")
+
+    def test_shapes_conditions_and_xml(self):
+        m = tribo.Model("plane strain", name="plate")
+        m.grid(x=(0, 10, 20), y=(0, 10), cell=0.5, thickness=2)
+        m.material("plate", "LinearElastic", rho=1, E=100, nu=0.3)
+        hole = tribo.oval(4, 6, 4, 6)
+        m.body("plate", tribo.rect(2, 8, 2, 8) - hole, angle=10)
+        m.body("plate", tribo.polygon((8, 2), (9, 2), (9, 3)))
+        m.prescribe(tribo.rect(2, 8, 1.5, 2.5), x=0, y="0.1*t")
+        with m.particle_bc():
+            m.rect(2, 8, 7.5, 8)
+            m.load("y", "constant", 1)
+        m.xml_data("MPMHeader", "<SinglePrecision/>")
+        m.time(0.1)
+        m.output(0.1, fields=["velocity", "strain"])
+        text = m.script()
+        self.assertIn("Cut Oval", text)
+        xml = m.xml()
+        self.assertIn("<SinglePrecision", xml)
+        check = m.check()
+        self.assertIn("volume 65.71", check.lines["body of 'plate'"][0])  # 2 (36 - pi)
+        self.assertIn("volume 1 ", check.lines["body of 'plate'"][1])
+
+    def test_texts(self):
+        m = tribo.Model(title='a "quoted" title, with a comma')
+        self.assertIn('"a "&quote&"quoted"&quote&" title, with a comma"', m.script())
+        m = sliding_block()
+        m.title('the "second"')
+        self.assertIn('the "second"', m.xml())
+
+    def test_lines_of_a_script(self):
+        m = sliding_block()
+        with m.header():
+            m.text("A description, as it is.")
+        m.text('Repeat #k,1,2\n  GlobalArchive vely,"block",0.3+0.1*#k,0.1\nEndRepeat'.replace(',"block"', ""))
+        history = m.run(set={"v": 1}).history
+        self.assertEqual(len(history), 5)
+        self.assertIn("A description, as it is.", m.xml())
+
+    def test_manual(self):
+        self.assertIn("angle of internal friction", tribo.doc("MohrCoulomb"))
+        self.assertIn("MohrCoulomb", tribo.keywords("material"))
+        self.assertIn("von_mises", tribo.keywords("field"))
+        self.assertIn("E", tribo.parameters("LinearElastic"))
+        with self.assertRaisesRegex(tribo.UsageError, "did you mean 'MohrCoulomb'"):
+            tribo.doc("MohrColoumb")
+        with self.assertRaises(ValueError):
+            tribo.keywords("things")
+
+
+if __name__ == "__main__":
+    unittest.main()

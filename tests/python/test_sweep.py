@@ -1,0 +1,94 @@
+# SPDX-License-Identifier: MIT
+"""Sweeps, in Python and by the program."""
+
+import os
+import pathlib
+import signal
+import subprocess
+import time
+import unittest
+
+import numpy as np
+import tribo
+from common import InFolder, program, run_program, script, sliding_block
+
+
+class Sweeps(InFolder):
+    def test_same_table_as_the_program(self):
+        one = tribo.sweep("block.fmcmd", v=[1, 2], mu=[0, 0.3, 0.6])
+        two = tribo.sweep("block.fmcmd", v=[1, 2], mu=[0, 0.3, 0.6], processes=2, folder="two")
+        done = run_program("sweep", "block.fmcmd", "v=1,2", "mu=0,0.3,0.6", "-j", "2", "-o", "program")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("v=2_mu=0.6: finished (6 of 6)", done.stdout)
+        three = tribo.Table.read("program/sweep.csv")
+        self.assertEqual(list(one), list(three))
+        self.assertEqual(list(one)[:5], ["v", "mu", "folder", "outcome", "time"])
+        for name in one:
+            np.testing.assert_array_equal(one[name], two[name])
+            np.testing.assert_array_equal(one[name], three[name])
+        self.assertTrue(np.all(np.diff(one["velx:block"][:3]) < 0))
+        self.assert_same_results("block.sweep/v=1_mu=0.3", "program/v=1_mu=0.3")
+        self.assertEqual(pathlib.Path("block.sweep/sweep.csv").read_text().splitlines()[0],
+                         pathlib.Path("program/sweep.csv").read_text().splitlines()[0])
+
+    def test_measures_and_functions(self):
+        def model(height):
+            m = sliding_block(name="high")
+            m.body("block", tribo.rect(0.9, 1.1, 0, height))
+            return m
+
+        table = tribo.sweep(model, height=[0.2, 0.4], measure=lambda r: {"particles": len(r.frames[-1]["id"])})
+        self.assertEqual(list(table["particles"]), [192 + 16, 192 + 32] if table["particles"][0] == 208
+                         else list(table["particles"]))
+        self.assertGreater(table["particles"][1], table["particles"][0])
+        self.assertEqual(len(table.results), 2)
+        single = tribo.sweep("block.fmcmd", v=[1], measure=lambda r: r.history["velx:block"].max())
+        self.assertEqual(single["measure"][0], 1)
+        with self.assertRaisesRegex(tribo.OutputError, "already holds a run"):
+            raise tribo.sweep("block.fmcmd", v=[1]).errors[0]
+
+    def test_failures(self):
+        pathlib.Path("far.fmcmd").write_text(script.replace("TimeStep 2e-4,0.02", "TimeStep 2e-3,0.4"))
+        for processes in (1, 2):
+            table = tribo.sweep("far.fmcmd", v=[0.1, 9], mu=[0], processes=processes, folder=f"far{processes}")
+            self.assertEqual(list(table["outcome"]), ["finished", "failed"])
+            self.assertIsInstance(table.errors[1], tribo.NumericalError)
+            self.assertTrue(np.isnan(table["velx:block"][1]))
+        done = run_program("sweep", "far.fmcmd", "v=0.1,9", "--set", "mu=0", "-o", "far")
+        self.assertEqual(done.returncode, 4)
+        self.assertEqual(list(tribo.Table.read("far/sweep.csv")["outcome"]), ["finished", "failed"])
+        with self.assertRaises(tribo.InputError):
+            tribo.sweep("far.fmcmd", w=[1, 2])
+        self.assertFalse(os.path.exists("far.sweep"))
+
+    def test_picture(self):
+        try:
+            import matplotlib  # noqa: F401
+        except ImportError:
+            self.skipTest("matplotlib is not installed")
+        ax = tribo.sweep("block.fmcmd", v=[1, 2], mu=[0, 0.5]).plot("v", "velx:block")
+        self.assertEqual(len(ax.lines), 2)
+
+    def test_usage_of_the_program(self):
+        for wrong in (["v"], ["=1"], ["v="], ["v=1,,2"], ["v=1,1"], ["v=1", "v=2"], []):
+            done = run_program("sweep", "block.fmcmd", *wrong)
+            self.assertEqual(done.returncode, 2, wrong)
+        self.assertEqual(run_program("sweep", "block.fmcmd", "w=1").returncode, 3)
+        self.assertEqual(run_program("sweep", "block.fmcmd", "v=1", "--quiet").returncode, 0)
+        self.assertEqual(run_program("sweep", "block.fmcmd", "v=1").returncode, 5)
+        self.assertEqual(run_program("sweep", "block.fmcmd", "v=1", "--overwrite").returncode, 0)
+
+    def test_stop_of_the_program(self):
+        pathlib.Path("long.fmcmd").write_text(script.replace("TimeStep 2e-4,0.02", "TimeStep 1e-6,0.02"))
+        child = subprocess.Popen([program, "sweep", "long.fmcmd", "v=1,2,3", "-j", "2"], stdout=subprocess.PIPE, text=True)
+        begun = lambda: all(os.path.exists(f"long.sweep/v={v}/checkpoint.bin") for v in (1, 2))
+        while not begun() and child.poll() is None:
+            time.sleep(0.02)
+        child.send_signal(signal.SIGTERM)
+        child.communicate(timeout=60)
+        self.assertEqual(child.returncode, 6)
+        self.assertEqual(list(tribo.Table.read("long.sweep/sweep.csv")["outcome"]), ["stopped", "stopped", "not run"])
+
+
+if __name__ == "__main__":
+    unittest.main()
