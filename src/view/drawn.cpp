@@ -82,10 +82,13 @@ std::vector<std::uint32_t> thinned(const std::vector<Place>& places, const std::
 Drawn drawn(const KnownScene& known, const Wanted& wanted) {
   const ParticleFrame& frame = known.scene.particles;
   Drawn out;
-  const auto* material = frame.field("material");
+  const auto *material = frame.field("material"), *body = frame.field("body");
+  const auto hides = [](const std::set<int>& hidden, const ParticleFrame::Field* field, std::size_t i) {
+    return field && hidden.contains(static_cast<int>(field->values[i]));
+  };
   for (std::size_t i = 0; i < frame.count(); ++i)
-    if (!cut_away(frame.position[i], wanted.sections) &&
-        !(material && wanted.hidden.contains(static_cast<int>(material->values[i]))))
+    if (!cut_away(frame.position[i], wanted.sections) && !hides(wanted.hidden, material, i) &&
+        !hides(wanted.hidden_bodies, body, i))
       out.particles.push_back(static_cast<std::uint32_t>(i));
   out.visible = out.particles.size();
   if (out.particles.empty()) return out;

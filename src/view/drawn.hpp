@@ -20,6 +20,7 @@ struct Section {
 /// What the page asks for.
 struct Wanted {
   std::set<int> hidden;         ///< numbers of materials
+  std::set<int> hidden_bodies;  ///< numbers of bodies
   std::set<int> hidden_groups;  ///< numbers of groups of blocks
   std::vector<Section> sections;
   std::size_t most = 250000;  ///< particles at most

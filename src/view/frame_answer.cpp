@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <map>
 #include <nlohmann/json.hpp>
 
 namespace tribo {
@@ -121,23 +122,28 @@ void add_blocks(Parts& parts, const Scene& scene, const CellFrame& blocks, const
   const auto* name = blocks.field("block");
   for (std::size_t c = 0; c < blocks.count(); ++c)
     parts.add(static_cast<std::uint32_t>(name ? name->values[c] : static_cast<double>(c + 1)));
+  parts.cells("crack", visible_cells(scene.cracks, wanted));
   parts.cells("torn", visible_cells(broken(scene.contacts, 1), wanted));
   parts.cells("sheared", visible_cells(broken(scene.contacts, 2), wanted));
 }
 
-// Groups of blocks that there are, by number.
-std::vector<int> groups_of(const CellFrame& blocks) {
+// The numbers in a field of integers; none without the field.
+Json numbers_in(const ParticleFrame::Field* field) {
   std::set<int> out;
-  if (const auto* group = blocks.field("group"))
-    for (const double v : group->values) out.insert(static_cast<int>(v));
-  return {out.begin(), out.end()};
+  for (std::size_t i = 0; field && i < field->values.size(); ++i) out.insert(static_cast<int>(field->values[i]));
+  return out;
 }
 
-std::vector<int> materials_of(const ParticleFrame& particles) {
-  std::set<int> out;
-  if (const auto* material = particles.field("material"))
-    for (const double v : material->values) out.insert(static_cast<int>(v));
-  return {out.begin(), out.end()};
+// The material of each body, by their numbers.
+Json bodies_in(const ParticleFrame& particles) {
+  const auto *body = particles.field("body"), *material = particles.field("material");
+  std::map<int, int> found;
+  for (std::size_t i = 0; body && material && i < body->values.size(); ++i)
+    found.emplace(static_cast<int>(body->values[i]), static_cast<int>(material->values[i]));
+  Json out = Json::array();
+  for (const auto& [number, of] : found)
+    if (number > 0) out.push_back({{"number", number}, {"material", of}});
+  return out;
 }
 
 }  // namespace
@@ -171,8 +177,9 @@ std::string frame_answer(const KnownScene& known, const Legend& legend, const Fr
                   {"unit", legend.unit_of(shade.name)},
                   {"fields", field_names(scene)},
                   {"vectors", arrow_names(scene)},
-                  {"materials", materials_of(scene.particles)},
-                  {"groups", groups_of(scene.blocks)},
+                  {"materials", numbers_in(scene.particles.field("material"))},
+                  {"bodies", bodies_in(scene.particles)},
+                  {"groups", numbers_in(scene.blocks.field("group"))},
                   {"blocks", scene.blocks.count()},
                   {"arrow_unit", legend.unit_of(arrows.field)},
                   {"arrow_largest", arrows.largest},

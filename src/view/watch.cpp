@@ -65,7 +65,8 @@ std::vector<Section> sections_in(const httplib::Request& q) {
 FrameRequest frame_in(const httplib::Request& q) {
   FrameRequest out;
   out.field = text_in(q, "field"), out.arrows = text_in(q, "arrows");
-  out.wanted.hidden = numbers_in(q, "hidden"), out.wanted.hidden_groups = numbers_in(q, "groups");
+  out.wanted.hidden = numbers_in(q, "hidden"), out.wanted.hidden_bodies = numbers_in(q, "bodies");
+  out.wanted.hidden_groups = numbers_in(q, "groups");
   out.wanted.sections = sections_in(q);
   const auto count = [&](const char* name, std::size_t otherwise) {
     return q.has_param(name) ? static_cast<std::size_t>(std::clamp(number_in(text_in(q, name), name), 1.0, 1e9))
@@ -182,9 +183,11 @@ void watch(const RunFolder& run, const WatchOptions& options) {
     throw FileError("port " + std::to_string(options.port) + " of this machine is taken; --port names another");
   running_server = &server;
   const auto old_interrupt = std::signal(SIGINT, stop_server), old_terminate = std::signal(SIGTERM, stop_server);
+  const auto old_hangup = std::signal(SIGHUP, SIG_IGN);  // which stays so under nohup
+  if (old_hangup != SIG_IGN) std::signal(SIGHUP, stop_server);
   if (options.ready) options.ready("http://" + here + ":" + std::to_string(port) + base + "/");
   server.listen_after_bind();
-  std::signal(SIGINT, old_interrupt), std::signal(SIGTERM, old_terminate);
+  std::signal(SIGINT, old_interrupt), std::signal(SIGTERM, old_terminate), std::signal(SIGHUP, old_hangup);
   running_server = nullptr;
 }
 

@@ -121,6 +121,12 @@ class Browser:
         for kind in ("mouseMoved", "mousePressed", "mouseReleased"):
             self._call("Input.dispatchMouseEvent", type=kind, x=x, y=y, button="left", clickCount=1)
 
+    def drag(self, x, y, to_x, to_y):
+        """Drags from a point of the window to another one."""
+        for kind, at, button in (("mouseMoved", (x, y), "none"), ("mousePressed", (x, y), "left"), ("mouseMoved", ((x + to_x) / 2, (y + to_y) / 2), "left"),
+                                 ("mouseMoved", (to_x, to_y), "left"), ("mouseReleased", (to_x, to_y), "left")):
+            self._call("Input.dispatchMouseEvent", type=kind, x=at[0], y=at[1], button=button, buttons=0 if button == "none" else 1, clickCount=1)
+
     def picture(self, file=None):
         """The window as bytes of a PNG, also written to a file if one is named."""
         data = base64.b64decode(self._call("Page.captureScreenshot", format="png")["data"])

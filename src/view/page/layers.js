@@ -38,6 +38,7 @@ export class Layers {
     this.renderer.addActor(actor);
     return actor;
   }
+  has(name) { return this.list.some(layer => layer.name === name); }
   place(lift) { for (const { actor } of this.list) actor.setPosition(0, 0, lift); }
   // The bounds of bodies and layers together.
   around(bounds) {

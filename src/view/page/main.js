@@ -12,13 +12,13 @@ import { bindKeys } from "./keys.js";
 import { savePicture, saveFilm } from "./capture.js";
 
 const settings = {
-  field: "", map: "viridis", reversed: false, rangeMode: "all", own: [0, 1], arrows: "", arrowLength: 1, hidden: new Set(), groups: new Set(),
+  field: "", map: "viridis", reversed: false, rangeMode: "all", own: [0, 1], arrows: "", arrowLength: 1, hidden: new Set(), bodies: new Set(), groups: new Set(),
   sections: {}, axes: true, triad: true, bar: true, slits: true, outlines: false, most: 250000
 };
 const ranges = new Map(), mostPlaying = 60000, mostStill = 1500000;
 let state = {}, scene = null, webgl = typeof vtk !== "undefined", frame = null, shown = -1, filming = false, still = 0, working = null, next = null;
 
-const legendOf = () => ({ materials: state.materials, groups: state.block_groups || [], length: state.model?.["unit of length"] || "", time: state.model?.["unit of time"] || "" });
+const legendOf = () => ({ materials: state.materials || [], bodies: (state.bodies || []).map(b => b.name), groups: state.block_groups || [], length: state.model?.["unit of length"] || "", time: state.model?.["unit of time"] || "" });
 const modelView = () => state.status === "model";
 
 function query(most) {
@@ -26,6 +26,7 @@ function query(most) {
   if (settings.field) out.set("field", settings.field);
   if (settings.arrows) out.set("arrows", settings.arrows);
   if (settings.hidden.size) out.set("hidden", [...settings.hidden].join());
+  if (settings.bodies.size) out.set("bodies", [...settings.bodies].join());
   if (settings.groups.size) out.set("groups", [...settings.groups].join());
   const sections = Object.entries(settings.sections).filter(([, s]) => s.on).map(([axis, s]) => axis + (s.above ? "<" : ">") + s.place);
   if (sections.length) out.set("sections", sections.join());
@@ -121,7 +122,7 @@ function showCameras(flat) {
 
 function showState() {
   const model = state.model || {}, running = state.status === "running", unit = model["unit of time"] || "";
-  $("title").textContent = document.title = (model.title || state.folder || "Tribo").split("\n")[0];
+  $("title").textContent = document.title = (model.title || (modelView() ? (state.input || "").split("/").pop() : state.folder) || "Tribo").split("\n")[0];
   $("title").title = (model.title || "").trim();
   $("status").textContent = modelView() ? "model before its run" : state.status + (state.reason ? ": " + state.reason : "");
   $("status").className = state.status === "failed" || state.status === "lost" ? "bad" : "quiet";
@@ -171,6 +172,9 @@ async function film() {
   button.classList.remove("on");
   player.go(at);
 }
+
+// For tests, which import this module.
+export const page = { settings, player, charts, get scene() { return scene; }, get frame() { return frame; }, get filming() { return filming; } };
 
 $("fit").onclick = () => scene?.fit();
 $("shot").onclick = shot;

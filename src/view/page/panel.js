@@ -61,7 +61,7 @@ export class Panel {
       : `${head.arrow_total > drawn ? drawn + " of " : ""}${head.arrow_total} arrows${unit}`;
   }
   showParts(head, legend) {
-    const key = JSON.stringify([head.materials, head.groups, legend.materials, isCategory(head)]);
+    const key = JSON.stringify([head.materials, head.bodies, head.groups, legend.materials, isCategory(head)]);
     if (this.parts === key) return;
     this.parts = key;
     const line = (number, name, kind, hidden) => {
@@ -71,18 +71,19 @@ export class Panel {
       const only = element("button", { text: "only", title: "hide all others" });
       only.onclick = event => {
         event.preventDefault();
-        const all = kind === "material" ? head.materials : head.groups, alone = hidden.size === all.length - 1 && !hidden.has(number);
+        const all = { material: head.materials, body: head.bodies.map(b => b.number), group: head.groups }[kind], alone = hidden.size === all.length - 1 && !hidden.has(number);
         hidden.clear();
         if (!alone) all.filter(k => k !== number).forEach(k => hidden.add(k));
         this.parts = "";
         this.changed();
       };
-      return element("label", { className: "line part" }, box, patch, element("span", { text: name }), only);
+      return element("label", { className: "line part" + (kind === "body" ? " body" : "") }, box, kind === "body" ? "" : patch, element("span", { text: name }), only);
     };
-    const { hidden, groups } = this.settings, names = legend.groups;
+    const { hidden, bodies, groups } = this.settings;
+    const of = k => head.bodies.filter(b => b.material === k).map(({ number }) => line(number, legend.bodies[number - 1] || `body ${number}`, "body", bodies));
     $("parts").replaceChildren(
-      ...head.materials.map(k => line(k, legend.materials?.[k - 1] ?? `material ${k}`, "material", hidden)),
-      ...head.groups.map(k => line(k, names[k - 1] || `group ${k} of blocks`, "group", groups)));
+      ...head.materials.flatMap(k => [line(k, legend.materials[k - 1] ?? `material ${k}`, "material", hidden), ...(of(k).length > 1 ? of(k) : [])]),
+      ...head.groups.map(k => line(k, legend.groups[k - 1] || `group ${k} of blocks`, "group", groups)));
     $("parts-box").hidden = head.materials.length + head.groups.length === 0;
   }
   showSections(head, legend) {
@@ -112,13 +113,13 @@ export class Panel {
   showLegend(head, legend) {
     this.legend = [];
     if (isCategory(head)) {
-      const few = head.field === "material" ? head.materials : head.field === "group" ? head.groups : [];
-      const names = head.field === "material" ? legend.materials || [] : head.field === "group" ? legend.groups : [];
-      this.legend = few.filter(k => !(head.field === "material" ? this.settings.hidden : this.settings.groups).has(k))
-        .map(k => ({ name: names[k - 1] || `${head.field} ${k}`, colour: css(colourOf(k)) }));
+      const { materials, bodies, groups } = legend, { hidden, bodies: hiddenBodies, groups: hiddenGroups } = this.settings;
+      const [few, names, without] = { material: [head.materials, materials, hidden], body: [head.bodies.map(b => b.number), bodies, hiddenBodies],
+        group: [head.groups, groups, hiddenGroups] }[head.field] || [[], [], new Set()];
+      this.legend = few.filter(k => !without.has(k)).map(k => ({ name: names[k - 1] || `${head.field} ${k}`, colour: css(colourOf(k)) }));
     }
-    for (const [how, colour] of [["torn", "rgb(214,38,41)"], ["sheared", "rgb(31,89,199)"]])
-      if (head.parts.find(p => p.name === how + "_cells").length) this.legend.push({ name: `bonds ${how}`, colour });
+    for (const [how, colour] of [["torn", "rgb(214,38,41)"], ["sheared", "rgb(31,89,199)"], ["crack", "rgb(214,51,132)"]])
+      if (head.parts.find(p => p.name === how + "_cells").length) this.legend.push({ name: how === "crack" ? "cracks" : `bonds ${how}`, colour });
     $("legend").replaceChildren(...this.legend.slice(0, 30).map(({ name, colour }) => {
       const patch = element("span", { className: "patch" });
       patch.style.background = colour;

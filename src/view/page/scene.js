@@ -34,7 +34,7 @@ export class Scene {
     this.behind.actor.getProperty().setLighting(false);
     this.blocks = this.polygons();
     this.blocks.actor.getProperty().set({ edgeVisibility: true, edgeColor: [0.25, 0.25, 0.25], lineWidth: 1 });
-    for (const [how, colour] of [["torn", [0.84, 0.15, 0.16]], ["sheared", [0.12, 0.35, 0.78]]]) {
+    for (const [how, colour] of [["torn", [0.84, 0.15, 0.16]], ["sheared", [0.12, 0.35, 0.78]], ["crack", [0.84, 0.2, 0.52]]]) {
       this[how] = this.polygons();
       this[how].actor.getProperty().set({ color: colour, lineWidth: 3, lighting: false });
       this[how].actor.setPickable(false);
@@ -154,7 +154,8 @@ export class Scene {
     this.flat = head.flat;
     this.showParticles(head, parts, table, settings.slits);
     this.showBlocks(head, parts, table);
-    for (const how of ["torn", "sheared"]) this.showBroken(how, parts[how + "_corners"], parts[how + "_cells"], head);
+    for (const how of ["torn", "sheared", "crack"]) this.showBroken(how, parts[how + "_corners"], parts[how + "_cells"], head);
+    if (this.layers.has("cracks")) this.crack.actor.setVisibility(false);  // they are a layer
     this.showArrows(head, parts, settings.arrowLength);
     for (const { actor } of [this.particles, this.blocks]) actor.getProperty().setLighting(!head.flat);
     for (const { actor } of [this.particles, this.blocks]) actor.getProperty().set({ ambient: 0.42, diffuse: 0.75, specular: 0.06, specularPower: 20 });
