@@ -98,7 +98,7 @@ class Browser:
             raise RuntimeError(expression + ": " + result["exceptionDetails"].get("exception", {}).get("description", "exception"))
         return result["result"].get("value")
 
-    def wait(self, expression, seconds=20):
+    def wait(self, expression, seconds=60):
         """Waits until an expression is true; returns whether it became so."""
         deadline = time.time() + seconds
         while time.time() < deadline:

@@ -50,7 +50,8 @@ export class Furniture {
       camera: renderer.getActiveCamera(), boundsScaleFactor: 1.04, axisTitlePixelOffset: 34, tickLabelPixelOffset: 10, gridLines: false,
       axisTextStyle: { ...font, fontSize: 14 }, tickTextStyle: { ...font, fontSize: 12 },
       generateTicks: bounds => {
-        const places = [0, 1, 2].map(d => ticks(bounds[2 * d], bounds[2 * d + 1], 5));
+        const sizes = [0, 1, 2].map(d => bounds[2 * d + 1] - bounds[2 * d]), longest = Math.max(...sizes);
+        const places = sizes.map((size, d) => ticks(bounds[2 * d], bounds[2 * d + 1], size > 0.4 * longest ? 5 : size > 0.15 * longest ? 3 : 2));
         return { ticks: places, tickStrings: places.map(list => list.map(short)) };
       }
     });

@@ -57,8 +57,15 @@ function tellThinning({ count, total, visible, inside }) {
   $("note").textContent = total ? [`${total.toLocaleString("en")} particles`, ...drawn].join("; ") : "";
 }
 
+// A model before its run is drawn in the colours of its bodies.
+async function startWithBodies(k) {
+  const { fields } = (await frameOf(k, query(1), "")).head;
+  settings.field = ["body", "material", "group"].find(name => fields.includes(name)) || "";
+}
+
 async function draw(k, most) {
   const started = state.started || "";
+  if (modelView() && !settings.field) await startWithBodies(k);
   frame = await frameOf(k, query(most), started);
   const { head } = frame, all = await overTimes(head), legend = legendOf();
   const range = settings.rangeMode === "own" ? settings.own : head.integers || settings.rangeMode === "frame" ? head.range : all.range;
@@ -126,7 +133,8 @@ function showState() {
   $("title").title = (model.title || "").trim();
   $("status").textContent = modelView() ? "model before its run" : state.status + (state.reason ? ": " + state.reason : "");
   $("status").className = state.status === "failed" || state.status === "lost" ? "bad" : "quiet";
-  $("of-run").hidden = document.querySelector("footer").hidden = modelView();
+  document.body.classList.toggle("model", modelView());
+  $("film").hidden = $("of-run").hidden = document.querySelector("footer").hidden = modelView();
   $("progress").value = state.end_time > 0 ? state.time / state.end_time : 0;
   if (!modelView())
     $("where").textContent = `time ${short(state.time)} of ${short(state.end_time)} ${unit}, step ${state.step}` +

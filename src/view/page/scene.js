@@ -55,7 +55,7 @@ export class Scene {
   // One light from the eye, and one from above its left shoulder, which shows edges and hollows.
   light() {
     this.renderer.setAutomaticLightCreation(false);
-    for (const [position, intensity] of [[[0, 0, 1], 0.62], [[-0.9, 1.4, 0.8], 0.5]]) {
+    for (const [position, intensity] of [[[0, 0, 1], 0.55], [[-0.9, 1.4, 0.8], 0.32]]) {
       const light = vtk.Rendering.Core.vtkLight.newInstance({ position, focalPoint: [0, 0, 0], intensity });
       light.setLightTypeToCameraLight();
       this.renderer.addLight(light);
@@ -157,8 +157,8 @@ export class Scene {
     for (const how of ["torn", "sheared", "crack"]) this.showBroken(how, parts[how + "_corners"], parts[how + "_cells"], head);
     if (this.layers.has("cracks")) this.crack.actor.setVisibility(false);  // they are a layer
     this.showArrows(head, parts, settings.arrowLength);
-    for (const { actor } of [this.particles, this.blocks]) actor.getProperty().setLighting(!head.flat);
-    for (const { actor } of [this.particles, this.blocks]) actor.getProperty().set({ ambient: 0.42, diffuse: 0.75, specular: 0.06, specularPower: 20 });
+    for (const { actor } of [this.particles, this.blocks, this.arrows]) actor.getProperty().setLighting(!head.flat);
+    for (const { actor } of [this.particles, this.blocks]) actor.getProperty().set({ ambient: 0.34, diffuse: 0.76, specular: 0.06, specularPower: 20 });
     this.particles.actor.getProperty().set({ edgeVisibility: settings.outlines, edgeColor: [0.2, 0.2, 0.2] });
     this.layers.place(head.flat ? this.lift(head) : 0);
     const before = String(this.around);
@@ -187,7 +187,7 @@ export class Scene {
     const camera = this.renderer.getActiveCamera(), [x0, x1, y0, y1] = this.around, [wide, high] = this.window.getApiSpecificRenderWindow().getSize();
     this.renderer.resetCamera(this.around);
     if (this.flat) {  // with space for the labels and the bar
-      const [left, right] = wide > 600 ? [110, 130] : [72, 84], free = [wide - left - right, Math.max(0.4 * high, high - 150)];
+      const [left, right] = wide > 600 ? [110, 130] : [88, 108], free = [wide - left - right, Math.max(0.4 * high, high - 150)];
       camera.setParallelScale(0.5 * high * Math.max((y1 - y0) / free[1], (x1 - x0) / free[0]));
       const shift = (right - left) * camera.getParallelScale() / high, focus = camera.getFocalPoint(), place = camera.getPosition();
       camera.setFocalPoint(focus[0] + shift, focus[1], focus[2]);
