@@ -6,6 +6,7 @@ import json
 import os
 import select
 import shutil
+import signal
 import subprocess
 import time
 
@@ -32,7 +33,7 @@ class Browser:
             [shutil.which("chromium"), "--headless", "--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
              "--disable-quic", "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-sync",
              f"--user-data-dir={folder}/profile", f"--window-size={width},{height}", "--remote-debugging-pipe", "about:blank"],
-            stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, pass_fds=(3, 4), preexec_fn=redirect)
+            stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, pass_fds=(3, 4), preexec_fn=redirect, start_new_session=True)
         os.close(to_browser), os.close(from_browser)
         self._session = None
         target = next(t for t in self._call("Target.getTargets")["targetInfos"] if t["type"] == "page")
@@ -50,8 +51,13 @@ class Browser:
         return self
 
     def __exit__(self, *_):
-        self._process.kill()
-        self._process.wait()
+        try:
+            self._session = None
+            self._call("Browser.close", seconds=5)
+            self._process.wait(5)
+        except (OSError, TimeoutError, RuntimeError, subprocess.TimeoutExpired):
+            os.killpg(self._process.pid, signal.SIGKILL)
+            self._process.wait()
         os.close(self._write), os.close(self._read)
 
     def _message(self, deadline):

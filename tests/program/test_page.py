@@ -158,8 +158,11 @@ def downloaded(folder, ending, seconds=60):
     deadline = time.time() + seconds
     while time.time() < deadline:
         for name in os.listdir(folder):
-            if name.endswith(ending) and os.path.getsize(os.path.join(folder, name)) > 0:
-                return open(os.path.join(folder, name), "rb").read()
+            file = os.path.join(folder, name)
+            size = os.path.getsize(file) if name.endswith(ending) else 0
+            time.sleep(0.2)
+            if size > 0 and os.path.exists(file) and os.path.getsize(file) == size:  # it does not grow any more
+                return open(file, "rb").read()
         time.sleep(0.05)
     return b""
 
@@ -268,7 +271,7 @@ def pictures_and_films(b, folder):
     check(b.wait("Number(document.body.dataset.shown) >= 4 && document.getElementById('film').textContent === 'Stop'"), "a film is recorded")
     b.run("document.getElementById('film').click()")
     film = downloaded(folder, ".webm")
-    check(film[:4] == b"\x1a\x45\xdf\xa3" and len(film) > 5000, "a film is saved")
+    check(film[:4] == b"\x1a\x45\xdf\xa3" and len(film) > 5000, f"a film is saved: {len(film)} bytes, {film[:4]}")
     check(b.wait("document.getElementById('film').textContent === 'Film'"), "and the page is as before")
 
 
@@ -344,7 +347,7 @@ def views():
     check(subprocess.run([tribo, "view", "nowhere.xml"], stderr=subprocess.DEVNULL).returncode == 5, "no file: exit 5")
 
 
-with tempfile.TemporaryDirectory() as folder:
+with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
     os.chdir(folder)
     open("ball.xml", "w").write(ball), open("plate.xml", "w").write(plate)
     for name, file in (("disks", source + "/tests/input/legacy_disks.xml"), ("ball", "ball.xml"), ("blocks", source + "/input/examples/direct_tension.xml")):

@@ -43,7 +43,7 @@ def code_of(path, **options):
         return error.code
 
 
-with tempfile.TemporaryDirectory() as folder:
+with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
     os.chdir(folder)
     deck = open(source + "/tests/input/legacy_disks.xml").read()
     open("long.xml", "w").write(re.sub(r"<MaxTime units=.ms.>[^<]*", "<MaxTime units='ms'>100000", deck))

@@ -52,14 +52,19 @@ export async function saveFilm({ scene, legend, count, rate, show, stopped, name
   const recorder = new MediaRecorder(stream, { mimeType: kind, videoBitsPerSecond: 8e6 }), pieces = [];
   recorder.ondataavailable = event => { if (event.data.size) pieces.push(event.data); };
   const ended = new Promise(done => { recorder.onstop = done; });
+  const begun = new Promise(done => { recorder.onstart = done; }), wait = time => new Promise(done => setTimeout(done, Math.max(0, time)));
   recorder.start();
+  await begun;
   for (let k = 0; k < count && !stopped(); ++k) {
     const begin = performance.now();
     await show(k);
     compose(scene, legend(), canvas);
     track.requestFrame();
-    await new Promise(done => setTimeout(done, Math.max(0, 1000 / rate - (performance.now() - begin))));
+    await wait(1000 / rate - (performance.now() - begin));
   }
+  await wait(300);  // so that the last picture is in the film
+  track.requestFrame();
+  await wait(300);
   recorder.stop();
   await ended;
   save(new Blob(pieces, { type: "video/webm" }), name + ".webm");

@@ -158,7 +158,8 @@ export class Scene {
     if (this.layers.has("cracks")) this.crack.actor.setVisibility(false);  // they are a layer
     this.showArrows(head, parts, settings.arrowLength);
     for (const { actor } of [this.particles, this.blocks, this.arrows]) actor.getProperty().setLighting(!head.flat);
-    for (const { actor } of [this.particles, this.blocks]) actor.getProperty().set({ ambient: 0.34, diffuse: 0.76, specular: 0.06, specularPower: 20 });
+    const light = head.flat ? { ambient: 0, diffuse: 1, specular: 0 } : { ambient: 0.34, diffuse: 0.76, specular: 0.06, specularPower: 20 };
+    for (const { actor } of [this.particles, this.blocks]) actor.getProperty().set(light);
     this.particles.actor.getProperty().set({ edgeVisibility: settings.outlines, edgeColor: [0.2, 0.2, 0.2] });
     this.layers.place(head.flat ? this.lift(head) : 0);
     const before = String(this.around);
