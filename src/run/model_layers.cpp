@@ -197,7 +197,7 @@ void add_cracks(std::vector<Layer>& out, const System<Dim>& system) {
   Layer cracks{"cracks", count_of(system.cracks.size(), "crack"), pink, 3.0, Dim == 2 ? 1.0 : 0.6};
   for (const Crack<Dim>& crack : system.cracks) {
     const auto first = static_cast<std::uint32_t>(cracks.points.size());
-    for (const auto& x : crack.x) cracks.points.push_back(in_space<Dim>(x));
+    for (std::size_t k = 0; k < crack.main_points; ++k) cracks.points.push_back(in_space<Dim>(crack.x[k]));
     for (std::size_t p = 0; p < crack.main_pieces; ++p) {
       std::vector<std::uint32_t> corners;
       for (const auto k : crack.pieces[p]) corners.push_back(first + k);

@@ -13,7 +13,7 @@ struct FrameRequest {
   std::string field;   ///< empty: the default field
   std::string arrows;  ///< name of a field of vectors, or `contact forces`; empty: none
   Wanted wanted;
-  std::size_t most_arrows = 600;
+  std::size_t most_arrows = 300;
 };
 
 /// The name of the arrows that are the forces at contacts of blocks, and the tractions of particles in contact.

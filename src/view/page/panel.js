@@ -94,7 +94,7 @@ export class Panel {
       const section = this.settings.sections[axis] = { on: false, place: 0.5 * (low[d] + high[d]), above: true };
       const box = element("input", { type: "checkbox", ariaLabel: `section normal to ${axis}` }), turn = element("button", { text: "turn", title: "show the other side" });
       const slide = element("input", { type: "range", min: 0, max: 200, value: 100, ariaLabel: `place of the section normal to ${axis}` }), where = element("span", { className: "quiet" });
-      const tell = () => { where.textContent = section.on ? withUnit(`${axis} ${section.above ? "\u2264" : "\u2265"} ${short(section.place)}`, legend.length) : ""; };
+      const tell = () => { where.textContent = section.on ? withUnit(`${axis} ${section.above ? "\u2264" : "\u2265"} ${short(Math.abs(section.place) < 1e-4 * (high[d] - low[d]) ? 0 : section.place)}`, legend.length) : ""; };
       box.onchange = () => { section.on = box.checked; tell(); this.changed(); };
       slide.oninput = () => {
         const part = Number(slide.value) / 200;
