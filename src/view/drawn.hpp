@@ -14,6 +14,7 @@ struct Section {
   std::size_t axis = 0;  ///< 0 to 2
   double place = 0.0;    ///< [length]
   bool above = false;    ///< whether what lies above the plane is left out, else what lies below
+  bool operator==(const Section& other) const = default;
   bool leaves_out(const std::array<double, 3>& x) const { return above ? x[axis] > place : x[axis] < place; }
 };
 
@@ -24,6 +25,7 @@ struct Wanted {
   std::set<int> hidden_groups;  ///< numbers of groups of blocks
   std::vector<Section> sections;
   std::size_t most = 250000;  ///< particles at most
+  bool operator==(const Wanted& other) const = default;
 };
 
 /// The particles to draw, by their index in the file.

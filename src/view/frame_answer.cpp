@@ -148,11 +148,11 @@ Json bodies_in(const ParticleFrame& particles) {
 
 }  // namespace
 
-std::string frame_answer(const KnownScene& known, const Legend& legend, const FrameRequest& request) {
+std::string frame_answer(const KnownScene& known, const Legend& legend, const FrameRequest& request,
+                         const Drawn& shown) {
   const Scene& scene = known.scene;
   const std::string field = request.field.empty() ? default_field(scene) : request.field;
   const Shade shade = shade_of(scene, field);
-  const Drawn shown = drawn(known, request.wanted);
   Parts parts;
   add_particles(parts, scene.particles, shown, shade);
   add_blocks(parts, scene, visible_cells(scene.blocks, request.wanted), request.wanted, field);

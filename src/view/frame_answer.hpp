@@ -20,7 +20,9 @@ struct FrameRequest {
 extern const std::string contact_arrows;
 
 /// A line of JSON and then numbers of four bytes each. Its entry `parts` tells the name, the kind (`f`: floats, `u`:
-/// unsigned integers) and the length of each part of the numbers, in order. Throws UsageError for unknown fields.
-std::string frame_answer(const KnownScene& known, const Legend& legend, const FrameRequest& request);
+/// unsigned integers) and the length of each part of the numbers, in order. `shown`: what drawn() chooses for the
+/// request. Throws UsageError for unknown fields.
+std::string frame_answer(const KnownScene& known, const Legend& legend, const FrameRequest& request,
+                         const Drawn& shown);
 
 }  // namespace tribo

@@ -69,7 +69,18 @@ std::string PageAnswers::state() const {
 }
 
 std::string PageAnswers::frame(std::size_t k, const FrameRequest& request) {
-  return frame_answer(*cache_.scene(k), run_.legend(), request);
+  const auto known = cache_.scene(k);
+  return frame_answer(*known, run_.legend(), request, *drawn_of(known, request.wanted));
+}
+
+std::shared_ptr<const Drawn> PageAnswers::drawn_of(const std::shared_ptr<const KnownScene>& known,
+                                                   const Wanted& wanted) {
+  const std::scoped_lock lock(mutex_);
+  if (last_.scene != known || !(last_.wanted == wanted)) {
+    last_.drawn = std::make_shared<const Drawn>(drawn(*known, wanted));
+    last_.scene = known, last_.wanted = wanted;
+  }
+  return last_.drawn;
 }
 
 std::string PageAnswers::image(std::size_t k, const std::string& field) {
@@ -83,14 +94,17 @@ std::string PageAnswers::image(std::size_t k, const std::string& field) {
 }
 
 std::string PageAnswers::range(const std::string& field) const {
-  static constexpr std::size_t most_files = 12;
+  static constexpr std::size_t most_files = 12, most_particles = 12000000;
   const auto frames = run_.frames();
-  const std::size_t files = std::min(most_files, frames.size());
+  std::size_t files = std::min(most_files, frames.size());
   std::optional<Range> range;
   std::optional<std::array<std::array<double, 3>, 2>> box;
   for (std::size_t k = 0; k < files; ++k) {
     const Scene scene = run_.scene(frames[files > 1 ? k * (frames.size() - 1) / (files - 1) : 0]);
     if (scene.particles.count() + scene.blocks.count() == 0) continue;
+    // Of large models only the first file and a later one are read, so that the answer does not take long.
+    if (k == 0)
+      files = std::clamp(most_particles / (scene.particles.count() + 1), std::min<std::size_t>(2, files), files);
     extend(range, shade_of(scene, field).values);
     box = box ? joined(*box, box_of(scene)) : box_of(scene);
   }

@@ -36,8 +36,17 @@ class PageAnswers {
   bool tell(int signal) const;
 
  private:
+  // The particles to draw, found anew only for another state or another choice.
+  std::shared_ptr<const Drawn> drawn_of(const std::shared_ptr<const KnownScene>& known, const Wanted& wanted);
+
   const RunFolder& run_;
   SceneCache cache_;
+  std::mutex mutex_;
+  struct {
+    std::shared_ptr<const KnownScene> scene;
+    Wanted wanted;
+    std::shared_ptr<const Drawn> drawn;
+  } last_;
 };
 
 }  // namespace tribo

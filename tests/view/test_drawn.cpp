@@ -139,7 +139,7 @@ TEST_CASE("A frame tells the length of each of its parts", "[view]") {
   const KnownScene scene = cube_of_particles(3);
   FrameRequest request;
   request.field = "velocity.x", request.wanted.hidden = {1};
-  const std::string answer = frame_answer(scene, {}, request);
+  const std::string answer = frame_answer(scene, {}, request, drawn(scene, request.wanted));
   const auto end = answer.find('\n');
   const auto head = nlohmann::json::parse(answer.substr(0, end));
   CHECK((end + 1) % 4 == 0);
@@ -150,5 +150,5 @@ TEST_CASE("A frame tells the length of each of its parts", "[view]") {
   CHECK(head["total"] == 27);
   CHECK(head["parts"][0]["length"] == 54);
   request.field = "velocty";
-  CHECK_THROWS_WITH(frame_answer(scene, {}, request), Catch::Contains("did you mean 'velocity'?"));
+  CHECK_THROWS_WITH(frame_answer(scene, {}, request, {}), Catch::Contains("did you mean 'velocity'?"));
 }

@@ -33,11 +33,16 @@ function query(most) {
   return out.toString();
 }
 
-// The range of a field and the box of the bodies over the times.
+// The range of a field and the box of the bodies over the times; those of this time until they are known.
 async function overTimes(head) {
   const files = state.times.length, kept = ranges.get(head.field);
   if (!kept || (kept.files !== files && performance.now() - kept.at > 10000)) {
-    ranges.set(head.field, { ...await ask("range?field=" + encodeURIComponent(head.field)), files, at: performance.now() });
+    let late = false;
+    const mine = { range: kept?.range || head.range, box: kept?.box || head.box, files, at: performance.now() };
+    ranges.set(head.field, mine);
+    const asked = ask("range?field=" + encodeURIComponent(head.field)).then(found => { Object.assign(mine, found); if (late) redraw(); });
+    await Promise.race([asked, new Promise(done => setTimeout(done, 700))]);
+    late = true;
   }
   return ranges.get(head.field);
 }
