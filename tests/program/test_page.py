@@ -280,7 +280,7 @@ def phone(b):
     check(b.wait("document.querySelector('#view canvas').getBoundingClientRect().width <= 390"), "the picture fits a phone")
     check(b.wait("document.documentElement.scrollWidth <= 390"), "nothing is wider than a phone")
     check(b.run("[...document.querySelectorAll('footer button, #tools button')].every(e => { const r = e.getBoundingClientRect(); return r.left >= 0 && r.right <= 390; })"), "all buttons are there")
-    b.resize(1280, 900)
+    b.resize(1000, 720)
 
 
 def space(b, address):
@@ -353,7 +353,7 @@ with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
     for name, file in (("disks", source + "/tests/input/legacy_disks.xml"), ("ball", "ball.xml"), ("blocks", source + "/input/examples/direct_tension.xml")):
         check(subprocess.run([tribo, "run", "--quiet", "-o", name, file]).returncode == 0, f"the run of {name}")
     with contextlib.ExitStack() as stack:
-        b = stack.enter_context(browser.Browser(folder)) if browser.installed() else None
+        b = stack.enter_context(browser.Browser(folder, 1000, 720)) if browser.installed() else None
         with served("watch", "disks") as address:
             last = len(json.loads(get(address + "state"))["times"]) - 1
             answers_of_disks(address, last)
