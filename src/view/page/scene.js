@@ -190,15 +190,20 @@ export class Scene {
     if (this.flat) {  // with space for the labels and the bar
       const [left, right] = wide > 600 ? [110, 130] : [88, 108], free = [wide - left - right, Math.max(0.4 * high, high - 150)];
       camera.setParallelScale(0.5 * high * Math.max((y1 - y0) / free[1], (x1 - x0) / free[0]));
-      const shift = (right - left) * camera.getParallelScale() / high, focus = camera.getFocalPoint(), place = camera.getPosition();
-      camera.setFocalPoint(focus[0] + shift, focus[1], focus[2]);
-      camera.setPosition(place[0] + shift, place[1], place[2]);
+      this.moveRight(0.5 * (right - left) * 2 * camera.getParallelScale() / high);
     } else {
-      camera.zoom(0.92);
+      camera.dolly(Math.min(0.92, 1.12 - 130 / wide));
+      this.moveRight(40 * 2 * camera.getDistance() * Math.tan(camera.getViewAngle() * Math.PI / 360) / high);
     }
     this.untouched = true;
     this.renderer.resetCameraClippingRange();
     this.render();
+  }
+  // Moves the camera to its right, and the bodies to the left, away from the colour bar.
+  moveRight(length) {
+    const camera = this.renderer.getActiveCamera(), d = camera.getDirectionOfProjection(), u = camera.getViewUp();
+    const right = [d[1] * u[2] - d[2] * u[1], d[2] * u[0] - d[0] * u[2], d[0] * u[1] - d[1] * u[0]], size = length / (Math.hypot(...right) || 1);
+    for (const name of ["FocalPoint", "Position"]) camera["set" + name](...camera["get" + name]().map((x, k) => x + size * right[k]));
   }
   render() { this.window.getRenderWindow().render(); }
   canvas() { this.render(); return this.window.getApiSpecificRenderWindow().getCanvas(); }
