@@ -90,10 +90,15 @@ int print(const std::string& text) {
   return done;
 }
 
+Model model_of_file(const Arguments& a) {
+  Model model = read_model(a.file, settings_of(a));
+  print_warnings(model);
+  return model;
+}
+
 int run_command(const Arguments& a) {
   if (a.only_check) return check_command(a);
-  const Model model = read_model(a.file, settings_of(a));
-  print_warnings(model);
+  const Model model = model_of_file(a);
   RunOptions options;
   options.folder = a.output.empty() ? default_folder(a.file) : a.output;
   options.threads = a.thread_count, options.quiet = a.quiet, options.overwrite = a.overwrite,
@@ -153,8 +158,7 @@ std::string verdict(const SafetyTrial& t) {
 }
 
 int safety_command(const Arguments& a) {
-  const Model model = read_model(a.file, settings_of(a));
-  print_warnings(model);
+  const Model model = model_of_file(a);
   RunOptions options;
   options.folder = a.output.empty() ? default_folder(a.file) : a.output;
   options.threads = a.thread_count, options.quiet = true, options.overwrite = a.overwrite,

@@ -10,6 +10,8 @@
 
 namespace tribo {
 
+struct Model;
+
 enum ExitCode { done = 0, usage_error = 2, input_error = 3, numerical_error = 4, file_error = 5, stopped_early = 6 };
 
 struct Arguments {
@@ -41,9 +43,13 @@ int convert_command(const Arguments& a);
 int list_command(const Arguments& a);
 int doc_command(const Arguments& a);
 
+/// The model of the command file of the arguments; prints its warnings. Throws InputError, FileError.
+Model model_of_file(const Arguments& a);
+
 // show_commands.cpp
 int render_command(const Arguments& a);
 int report_command(const Arguments& a);
 int watch_command(const Arguments& a);
+int view_command(const Arguments& a);
 
 }  // namespace tribo

@@ -129,10 +129,11 @@ class CommandLine {
     report->add_option("DIR", a.folder, "folder of the run")->required();
     report->add_option("-o,--output", a.output, "output file (default: DIR/report.html)");
     shows_field(report);
-    auto* watch = add("watch", "show a running analysis on a web page", watch_command);
+    auto* watch = add("watch", "show a run on a web page, also while it goes on", watch_command);
     watch->add_option("DIR", a.folder, "folder of the run")->required();
-    watch->add_option("--port", a.port, "port of the local web server (default: any free port)")
-        ->check(CLI::Range(1, 65535));
+    has_port(watch);
+    auto* view = reads_file("view", "show a model before its run on a web page; writes no files", view_command);
+    has_port(view), has_threads(view);
     add("schema", "print the XML schema of command files", [](const Arguments&) { return print(schema()); });
     auto* list =
         add("list", "list all elements, materials, laws, commands and quantities, or describe one", list_command);
@@ -192,6 +193,10 @@ class CommandLine {
     command->add_option("--range", a.range, "lowest and highest value of the colour scale")->expected(2);
     command->add_option("--view", a.view, "xy, xz, yz, iso (y up) or iso-z");
     command->add_option("--width", a.width, "width of a picture in pixels (default 900)")->check(CLI::Range(200, 8000));
+  }
+  void has_port(CLI::App* command) {
+    command->add_option("--port", a.port, "port of the local web server (default: any free port)")
+        ->check(CLI::Range(1, 65535));
   }
   void may_be_quiet(CLI::App* command) { command->add_flag("--quiet", a.quiet, "print no progress and no summary"); }
   void has_wall(CLI::App* command) {

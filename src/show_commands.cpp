@@ -4,6 +4,9 @@
 #include "base/read_file.hpp"
 #include "commands.hpp"
 #include "output/atomic_file.hpp"
+#include "run/model_view.hpp"
+#include "run/signals.hpp"
+#include "run/trial_output.hpp"
 #include "view/picture.hpp"
 #include "view/report.hpp"
 #include "view/watch.hpp"
@@ -142,14 +145,30 @@ int report_command(const Arguments& a) {
   return done;
 }
 
-int watch_command(const Arguments& a) {
+namespace {
+
+// `word`, the address and `hint` are printed once the page is there.
+WatchOptions page_options(const Arguments& a, const std::string& word, const std::string& hint) {
   WatchOptions options;
   options.port = a.port;
-  options.ready = [](const std::string& address) {
-    std::printf("watch %s (Ctrl-C ends it, not the run)\n", address.c_str());
-    std::fflush(stdout);
-  };
-  watch(RunFolder(a.folder), options);
+  options.ready = [=](const std::string& address) { print(word + " " + address + " " + hint + "\n"); };
+  return options;
+}
+
+}  // namespace
+
+int watch_command(const Arguments& a) {
+  watch(RunFolder(a.folder), page_options(a, "watch", "(Ctrl-C ends it, not the run)"));
+  return done;
+}
+
+int view_command(const Arguments& a) {
+  const Model model = model_of_file(a);
+  const SignalGuard signals;  // so that the folder is removed
+  const TrialFolder folder;
+  write_model_view(model, folder.path, a.command_line, a.thread_count);
+  heed_stop();
+  watch(RunFolder(folder.path), page_options(a, "view", "(Ctrl-C ends it)"));
   return done;
 }
 

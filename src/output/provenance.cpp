@@ -84,9 +84,12 @@ void Provenance::write(const std::string& status, const std::string& reason, dou
   if (!progress_.seconds_of.empty()) record["seconds_writing"] = progress_.seconds_writing;
   if (!remarks_.empty()) record["to_look_at"] = remarks_;
   for (const auto& [name, value] : facts_) record["model"][name] = value;
-  for (const auto& [name, unit] : units_) record["unit_of"][name] = unit;
-  if (!materials_.empty()) record["materials"] = materials_;
-  if (!rigid_materials_.empty()) record["rigid_materials"] = rigid_materials_;
+  for (const auto& [name, unit] : legend_.units) record["unit_of"][name] = unit;
+  if (!legend_.materials.empty()) record["materials"] = legend_.materials;
+  if (!legend_.rigid_materials.empty()) record["rigid_materials"] = legend_.rigid_materials;
+  for (const auto& body : legend_.bodies)
+    record["bodies"].push_back({{"name", body.name}, {"first", body.first}, {"last", body.last}});
+  if (!legend_.block_groups.empty()) record["block_groups"] = legend_.block_groups;
   const std::string text = record.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
   try {
     write_atomically(path_, text);

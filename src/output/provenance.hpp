@@ -2,6 +2,7 @@
 /// Origin of results: the file provenance.json in their folder.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -15,6 +16,21 @@ std::string version_text();
 /// The contents of a file as a short text.
 std::string file_checksum(const std::filesystem::path& path);
 
+/// A body and the numbers of its particles, from the first to the last.
+struct RecordedBody {
+  std::string name;
+  std::int64_t first = 0, last = 0;
+};
+
+/// Units and names.
+struct RecordedLegend {
+  std::map<std::string, std::string> units;  ///< of fields and columns
+  std::vector<std::string> materials;        ///< by their number
+  std::vector<std::string> rigid_materials;
+  std::vector<RecordedBody> bodies;
+  std::vector<std::string> block_groups;  ///< by their number
+};
+
 class Provenance {
  public:
   /// Starts the record of a run. `facts`: further names and values, e.g. particles per material.
@@ -24,12 +40,8 @@ class Provenance {
   /// over the old record. Throws FileError.
   void write(const std::string& status, const std::string& reason, double time, long step) const;
 
-  /// What pictures and reports write next to numbers: units of fields and columns, the materials by their number, and
-  /// those that are rigid.
-  void set_legend(std::map<std::string, std::string> units, std::vector<std::string> materials,
-                  std::vector<std::string> rigid_materials) {
-    units_ = std::move(units), materials_ = std::move(materials), rigid_materials_ = std::move(rigid_materials);
-  }
+  /// What pictures and reports write next to numbers.
+  void set_legend(RecordedLegend legend) { legend_ = std::move(legend); }
   /// What the run has noticed about its own results, for the next write().
   void set_remarks(std::vector<std::string> remarks) { remarks_ = std::move(remarks); }
   /// Progress of the run and its computing time, for the next write().
@@ -45,8 +57,9 @@ class Provenance {
   std::filesystem::path path_;
   std::string command_line_, input_, input_checksum_, started_;
   int threads_;
-  std::map<std::string, std::string> facts_, units_;
-  std::vector<std::string> materials_, rigid_materials_, remarks_;
+  std::map<std::string, std::string> facts_;
+  RecordedLegend legend_;
+  std::vector<std::string> remarks_;
   Progress progress_;
 };
 

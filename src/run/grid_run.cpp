@@ -164,6 +164,25 @@ std::vector<std::string> GridRun<Dim>::choices() const {
   return out;
 }
 
+// Several bodies of one material are counted.
+template <int Dim>
+std::vector<RecordedBody> GridRun<Dim>::bodies() const {
+  static constexpr std::size_t most = 200;
+  std::map<int, int> all, counted;
+  const auto material = [&](const PieceNumbers& p) {
+    return model_.pieces[static_cast<std::size_t>(p.piece)].material;
+  };
+  for (const auto& piece : system_.pieces) ++all[material(piece)];
+  if (system_.pieces.size() <= all.size() || system_.pieces.size() > most) return {};
+  std::vector<RecordedBody> out;
+  for (const auto& piece : system_.pieces) {
+    const int k = material(piece);
+    const std::string name = model_.materials[static_cast<std::size_t>(k)].name;
+    out.push_back({all[k] == 1 ? name : name + " " + std::to_string(++counted[k]), piece.first, piece.last});
+  }
+  return out;
+}
+
 template <int Dim>
 std::map<std::string, std::string> GridRun<Dim>::facts() const {
   std::map<std::string, std::string> out;

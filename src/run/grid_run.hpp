@@ -60,6 +60,7 @@ class GridRun final : public SteppedModel {
 
   std::pair<std::int64_t, std::string> moving() const override { return {particle_count(system_), "particle"}; }
   std::vector<std::string> choices() const override;
+  std::vector<RecordedBody> bodies() const override;
   std::map<std::string, std::string> facts() const override;
   std::map<std::string, double> seconds_of(double steps) const override;
 

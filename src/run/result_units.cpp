@@ -54,7 +54,10 @@ std::map<std::string, std::string> units_of_results(const Model& model) {
     if (const auto* info = find_global_quantity(q.name)) add(q.column, info->unit);
   if (model.blocks) {
     using Of = BlockQuantityInfo::Of;
-    add("kinetic_energy", "energy"), add("spin", "1/time");
+    add("kinetic_energy", "energy"), add("spin", "1/time"), add("force", "force"), add("moment", "energy");
+    add("area", "length^2"), add("gap", "length"), add("opening", "length");
+    add("shear", "length"), add("slip", "length"), add("normal_stress", "stress"), add("shear_stress", "stress");
+    add("lost_energy", "energy");
     for (const auto& q : model.blocks->histories)
       if (const auto* info = find_block_quantity(q.name, q.group >= 0    ? Of::block
                                                          : q.platen >= 0 ? Of::platen

@@ -8,7 +8,7 @@
 #include "output/progress.hpp"
 #include "output/provenance.hpp"
 #include "run/model_record.hpp"
-#include "run/result_units.hpp"
+#include "run/run_record.hpp"
 #include "run/schedule.hpp"
 #include "run/signals.hpp"
 
@@ -26,15 +26,6 @@ double seconds_since(Clock::time_point begin) { return std::chrono::duration<dou
 
 Schedule every(double interval, const OutputSpec& output) {
   return interval > 0 ? Schedule::every(interval) : Schedule(output.archive);
-}
-
-std::map<std::string, std::string> facts_of(const Model& model, const SteppedModel& stepped,
-                                            const std::string& changed) {
-  std::map<std::string, std::string> out = unit_facts(model);
-  out["title"] = model.title;
-  if (!changed.empty()) out["changed on resumption"] = changed;
-  out.merge(stepped.facts());
-  return out;
 }
 
 // Copies of the state for output come and go; the pages of their memory are kept for the next ones, as it takes as long
@@ -61,11 +52,6 @@ class RunLoop::Loop {
         provenance_(options.folder / "provenance.json", options.command_line, model.file, threads(),
                     facts_of(model, stepped, options.changes)),
         progress_(options.quiet, stepped.time(), model.time.end, stepped.moving().first, stepped.moving().second) {
-    std::vector<std::string> materials, rigid;
-    for (const auto& m : model.materials) {
-      materials.push_back(m.name);
-      if (m.law && m.law->rigid()) rigid.push_back(m.name);
-    }
     ResultNames names = names_of_every_run();
     names.add(stepped.result_names());
     std::vector<std::filesystem::path> flushed;
@@ -74,7 +60,7 @@ class RunLoop::Loop {
     for (const std::string& name : names.frames) flushed.push_back(options.folder / name);
     flushed.push_back(options.folder);
     flushed_ = std::make_shared<const std::vector<std::filesystem::path>>(std::move(flushed));
-    provenance_.set_legend(units_of_results(model), std::move(materials), std::move(rigid));
+    provenance_.set_legend(legend_of(model, stepped));
   }
 
   // Does a part of the run. A failure ends it: what was to be written is written, and the failure is recorded.

@@ -4,6 +4,7 @@
 
 #include "output/checkpoint.hpp"
 #include "output/output_queue.hpp"
+#include "output/provenance.hpp"
 #include "run/restart.hpp"
 #include "run/result_folder.hpp"
 #include "run/simulation.hpp"
@@ -79,6 +80,8 @@ class SteppedModel {
 
   /// What moves, for the display of progress: how many, and their name in the singular.
   virtual std::pair<std::int64_t, std::string> moving() const = 0;
+  /// The bodies of particles, if there are more of them than materials and not too many to be told apart.
+  virtual std::vector<RecordedBody> bodies() const { return {}; }
   /// Further entries of the record of the run.
   virtual std::map<std::string, std::string> facts() const = 0;
   /// Seconds spent by part of the step; `steps` is the time spent outside of output.

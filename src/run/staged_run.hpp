@@ -50,6 +50,7 @@ class StagedRun final : public SteppedModel {
   bool history_of_last_step() const override { return now_->history_of_last_step(); }
 
   std::pair<std::int64_t, std::string> moving() const override { return now_->moving(); }
+  std::vector<RecordedBody> bodies() const override { return now_->bodies(); }
   std::map<std::string, std::string> facts() const override;
   std::map<std::string, double> seconds_of(double steps) const override { return now_->seconds_of(steps); }
 

@@ -217,6 +217,19 @@ void assign_fields(const Model& model, System<Dim>& system) {
     }
 }
 
+// Adds the numbers of the particles of a material that are present, piece by piece, from `next` on.
+void number_pieces(const Seeds& seeds, std::size_t present, std::int64_t next, std::vector<PieceNumbers>& pieces) {
+  std::size_t k = 0;
+  for (const Seed& seed : seeds) {
+    if (k++ == present) break;
+    if (seed.piece >= 0 && (pieces.empty() || pieces.back().piece != seed.piece))
+      pieces.push_back({seed.piece, next, next});
+    else if (seed.piece >= 0)
+      pieces.back().last = next;
+    ++next;
+  }
+}
+
 }  // namespace
 
 template <int Dim>
@@ -251,6 +264,7 @@ System<Dim> build_system(const Model& model, const Seeds& seeds) {
                                 : piece < 0  ? model.grid.origin
                                              : model.pieces[static_cast<std::size_t>(piece)].origin,
                                 [&] { return make_body<Dim>(model, m, mine, next_id, *transfers); });
+    number_pieces(mine, present, next_id, system.pieces);
     next_id += static_cast<std::int64_t>(mine.size());
     body.cell.setConstant(system.lattice.spacing[0]);
     body.cell.template head<Dim>() = system.lattice.spacing;

@@ -75,11 +75,11 @@ LocalServer::LocalServer() : token_(random_word()) {
                        {"Cache-Control", "no-store"}});
 }
 
-httplib::Headers LocalServer::page_headers(const std::string& nonce) {
+httplib::Headers LocalServer::page_headers() {
   return {{"Content-Security-Policy",
-           "default-src 'none'; script-src 'self' 'nonce-" + nonce +
-               "'; style-src 'unsafe-inline'; img-src 'self' data: blob:; connect-src 'self'; worker-src blob:; "
-               "base-uri 'none'; form-action 'none'; frame-ancestors 'none'"}};
+           "default-src 'none'; script-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:; "
+           "connect-src 'self'; worker-src blob:; "
+           "base-uri 'none'; form-action 'none'; frame-ancestors 'none'"}};
 }
 
 bool LocalServer::process_and_close_socket(socket_t socket) {

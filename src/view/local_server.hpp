@@ -14,8 +14,8 @@ class LocalServer : public httplib::Server {
   LocalServer();
   /// A random word of the address, without which nothing is answered: other users of the machine do not know it.
   const std::string& token() const { return token_; }
-  /// The headers of a page, of which only scripts with this nonce run.
-  static httplib::Headers page_headers(const std::string& nonce);
+  /// The headers of the page, on which only scripts of this server run.
+  static httplib::Headers page_headers();
 
  private:
   bool process_and_close_socket(socket_t socket) override;

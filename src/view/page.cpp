@@ -1,25 +1,30 @@
 // SPDX-License-Identifier: MIT
 #include "view/page.hpp"
 
-// The files between two labels of their own each
-// NOLINTNEXTLINE(hicpp-no-assembler)
-__asm__(
-    ".section .rodata\n"
-    ".global tribo_page_begin, tribo_page_end, tribo_vtk_begin, tribo_vtk_end\n"
-    "tribo_page_begin:\n.incbin \"" TRIBO_PAGE
-    "\"\ntribo_page_end:\n"
-    "tribo_vtk_begin:\n.incbin \"" TRIBO_VTK_JS
-    "\"\ntribo_vtk_end:\n"
-    ".byte 0\n"
-    ".previous\n");
+// `page_files.inc` is written by CMake: a line TRIBO_PAGE_FILE(number, name, type, path) for each file of the page.
 
-extern "C" const char tribo_page_begin, tribo_page_end, tribo_vtk_begin, tribo_vtk_end;
+// Each file between two labels of its own
+#define TRIBO_PAGE_FILE(number, name, type, path)                                                                   \
+  __asm__(".section .rodata\n.global tribo_page_" #number "_begin, tribo_page_" #number "_end\ntribo_page_" #number \
+          "_begin:\n.incbin \"" path "\"\ntribo_page_" #number "_end:\n.byte 0\n.previous\n");                      \
+  extern "C" const char tribo_page_##number##_begin, tribo_page_##number##_end;
+// NOLINTNEXTLINE(hicpp-no-assembler)
+#include "view/page_files.inc"
+#undef TRIBO_PAGE_FILE
 
 namespace tribo {
 
-std::string_view watch_page() {
-  return {&tribo_page_begin, static_cast<std::size_t>(&tribo_page_end - &tribo_page_begin)};
+const std::vector<PageFile>& page_files() {
+#define TRIBO_PAGE_FILE(number, name, type, path) \
+  {name,                                          \
+   type,                                          \
+   {&tribo_page_##number##_begin,                 \
+    static_cast<std::size_t>(&tribo_page_##number##_end - &tribo_page_##number##_begin)}},
+  static const std::vector<PageFile> files{
+#include "view/page_files.inc"
+  };
+#undef TRIBO_PAGE_FILE
+  return files;
 }
-std::string_view vtk_js() { return {&tribo_vtk_begin, static_cast<std::size_t>(&tribo_vtk_end - &tribo_vtk_begin)}; }
 
 }  // namespace tribo

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: MIT
-/// Files of the page of `tribo watch`, embedded in the program.
+/// Files of the live page, embedded in the program.
 #pragma once
 
 #include <string_view>
+#include <vector>
 
 namespace tribo {
 
-std::string_view watch_page();
-/// vtk.js, or a comment if the program was built without.
-std::string_view vtk_js();
+struct PageFile {
+  std::string_view name, type, text;
+};
+
+/// All files of the page. vtk.js and the charts are comments if the program was built without them.
+const std::vector<PageFile>& page_files();
 
 }  // namespace tribo

@@ -108,17 +108,35 @@ void remove_values_of_rigid_materials(ParticleFrame& frame, const Legend& legend
   }
 }
 
+void add_bodies(ParticleFrame& frame, const Legend& legend) {
+  const auto* id = frame.field("id");
+  if (legend.bodies.empty() || !id || frame.field("body")) return;
+  ParticleFrame::Field body{"body", 1, true, {}};
+  for (const double number : id->values) {
+    // The bodies are in the order of the numbers.
+    const auto after = std::upper_bound(legend.bodies.begin(), legend.bodies.end(), number,
+                                        [](double n, const Legend::Body& b) { return n < b.first; });
+    const bool inside = after != legend.bodies.begin() && number <= std::prev(after)->last;
+    body.values.push_back(inside ? static_cast<double>(after - legend.bodies.begin()) : 0.0);
+  }
+  frame.fields.push_back(std::move(body));
+}
+
 // Files that belong together have the same name in their folders.
 Scene RunFolder::scene(const CollectionEntry& frame) const {
   Scene scene;
   scene.time = frame.time;
   if (has_particles()) scene.particles = read_particles(frame.file);
-  if (std::filesystem::exists(folder_ / "provenance.json")) remove_values_of_rigid_materials(scene.particles, legend());
+  if (std::filesystem::exists(folder_ / "provenance.json")) {
+    const Legend names = legend();
+    remove_values_of_rigid_materials(scene.particles, names);
+    add_bodies(scene.particles, names);
+  }
   const auto cells = [&](const char* part) {
     const auto file = folder_ / part / frame.file.filename();
     return std::filesystem::exists(file) ? read_cells(file) : CellFrame{};
   };
-  scene.blocks = cells("blocks"), scene.contacts = cells("contacts");
+  scene.blocks = cells("blocks"), scene.contacts = cells("contacts"), scene.cracks = cells("cracks");
   return scene;
 }
 
@@ -143,6 +161,8 @@ Legend RunFolder::legend() const {
     out.time = model.value("unit of time", ""), out.length = model.value("unit of length", "");
     out.units = record.value("unit_of", out.units);
     out.materials = record.value("materials", out.materials);
+    for (const Json& body : record.value("bodies", Json::array()))
+      out.bodies.push_back({body.at("name"), body.at("first"), body.at("last")});
     out.rigid_materials = record.value("rigid_materials", out.rigid_materials);
   } catch (const Json::exception& error) {
     throw damaged_record(folder_, error.what());

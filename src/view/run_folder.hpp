@@ -22,11 +22,11 @@ struct ResultTable {
 /// A file of History: an incomplete last line is left out. Throws FileError.
 ResultTable read_table(const std::filesystem::path& file);
 
-/// The state at one output time: particles, rigid blocks and their contacts. Any may be empty.
+/// The state at one output time: particles, rigid blocks and their contacts, and cracks. Any may be empty.
 struct Scene {
   double time = 0.0;
   ParticleFrame particles;
-  CellFrame blocks, contacts;
+  CellFrame blocks, contacts, cracks;
 };
 
 /// The error of a provenance.json that cannot be read.
@@ -38,12 +38,20 @@ struct Legend {
   std::map<std::string, std::string> units;  ///< of fields, of columns of history.csv and of energy.csv
   std::vector<std::string> materials;        ///< names in the order of their numbers
   std::vector<std::string> rigid_materials;  ///< names of those that are rigid
+  struct Body {
+    std::string name;
+    double first = 0.0, last = 0.0;  ///< numbers of its particles
+  };
+  std::vector<Body> bodies;  ///< empty if there are no more than materials
   /// Unit of a field, of a component of it or of a column; empty if it has none.
   std::string unit_of(const std::string& name) const;
 };
 
 /// Replaces the values that rigid particles do not have, such as stress, by NaN.
 void remove_values_of_rigid_materials(ParticleFrame& frame, const Legend& legend);
+
+/// Adds the field `body` with the number of the body of each particle, from 1; 0 for those that came later.
+void add_bodies(ParticleFrame& frame, const Legend& legend);
 
 class RunFolder {
  public:

@@ -85,15 +85,18 @@ std::string default_field(const Scene& scene) {
 }
 
 void extend(std::optional<Range>& range, const std::vector<double>& values) {
-  std::vector<double> sorted;
+  std::vector<double> finite;
   for (const double v : values)
-    if (std::isfinite(v)) sorted.push_back(v);
-  if (sorted.empty()) return;
-  std::sort(sorted.begin(), sorted.end());
-  const auto at = [&](double part) {
-    return sorted[static_cast<std::size_t>(part * static_cast<double>(sorted.size() - 1))];
+    if (std::isfinite(v)) finite.push_back(v);
+  if (finite.empty()) return;
+  const auto place = [&](double part) {
+    return finite.begin() + static_cast<std::ptrdiff_t>(part * static_cast<double>(finite.size() - 1));
   };
-  const double low = at(0.005), high = at(0.995);
+  const auto lower = place(0.005), upper = place(0.995);
+  std::nth_element(finite.begin(), lower, finite.end());
+  const double low = *lower;
+  std::nth_element(lower, upper, finite.end());
+  const double high = *upper;
   range = range ? Range{std::min((*range)[0], low), std::max((*range)[1], high)} : Range{low, high};
 }
 

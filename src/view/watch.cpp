@@ -4,191 +4,97 @@
 #include "base/error.hpp"
 #include "view/local_server.hpp"
 #include "view/page.hpp"
-#include "view/picture.hpp"
-#include "view/report.hpp"
+#include "view/page_answers.hpp"
 
 #include <signal.h>
 
 #include <algorithm>
-#include <cstring>
-#include <nlohmann/json.hpp>
+#include <cmath>
+#include <cstdlib>
 
 namespace tribo {
 namespace {
-
-using Json = nlohmann::json;
 
 httplib::Server* running_server = nullptr;
 void stop_server(int) {
   if (running_server) running_server->stop();
 }
 
-// The process that writes the run, if it is a running process of this user; else 0.
-pid_t process_of(const Json& record) {
-  const auto status = record.find("status"), process = record.find("process");
-  if (status == record.end() || *status != "running" || process == record.end() || !process->is_number_integer())
-    return 0;
-  const auto pid = process->get<pid_t>();
-  if (pid <= 1) return 0;
-  std::error_code none;
-  const auto program = std::filesystem::read_symlink("/proc/" + std::to_string(pid) + "/exe", none);
-  return program.filename().string().rfind("tribo", 0) == 0 ? pid : 0;
+std::string text_in(const httplib::Request& q, const char* name) {
+  return q.has_param(name) ? q.get_param_value(name) : std::string();
 }
 
-void answer(httplib::Response& response, const Json& json) {
-  response.set_content(json.dump(-1, ' ', false, Json::error_handler_t::replace), "application/json");
+double number_in(const std::string& text, const char* name) {
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  if (text.empty() || *end != '\0' || !std::isfinite(value))
+    throw UsageError(std::string("'") + name + "' is not a number");
+  return value;
 }
 
-/// Numbers of four bytes each.
-struct Numbers {
-  std::string bytes;
-
-  template <class T>
-  void add(T value) {
-    static_assert(sizeof value == 4);
-    char raw[sizeof value];
-    std::memcpy(raw, &value, sizeof value);
-    bytes.append(raw, sizeof value);
-  }
-  template <class Iterator>
-  void floats(Iterator begin, Iterator end) {
-    for (; begin != end; ++begin) add(static_cast<float>(*begin));
-  }
-  void places(const std::vector<std::array<double, 3>>& list) {
-    for (const auto& x : list) floats(x.begin(), x.end());
-  }
-  void cells(const CellFrame& frame) {
-    for (const auto& cell : frame.cells) {
-      add(static_cast<std::uint32_t>(cell.size()));
-      for (const std::uint32_t k : cell) add(k);
-    }
-  }
-};
-
-// Faces of contacts whose bond broke: 1 in tension, 2 in shear.
-CellFrame broken(const CellFrame& contacts, double how) {
-  CellFrame out;
-  const auto* broke = contacts.field("broke");
-  for (std::size_t c = 0; broke && c < contacts.count(); ++c) {
-    if (broke->values[c] != how) continue;
-    out.cells.emplace_back();
-    for (const auto k : contacts.cells[c]) {
-      out.cells.back().push_back(static_cast<std::uint32_t>(out.position.size()));
-      out.position.push_back(contacts.position[k]);
-    }
-  }
-  return out;
-}
-
-// Fields for the colours of particles or blocks.
-std::vector<std::string> field_names(const Scene& scene) {
+std::vector<std::string> list_in(const httplib::Request& q, const char* name, char between) {
   std::vector<std::string> out;
-  const auto take = [&](const std::vector<ParticleFrame::Field>& fields) {
-    for (const auto& f : fields) {
-      std::vector<std::string> names;
-      if (f.components <= 3) names.push_back(f.name);
-      if (f.components == 3)
-        for (const char* c : {".x", ".y", ".z"}) names.push_back(f.name + c);
-      if (f.components == 6)
-        for (const char* c : {".xx", ".yy", ".zz", ".xy", ".yz", ".xz"}) names.push_back(f.name + c);
-      for (const auto& name : names)
-        if (std::find(out.begin(), out.end(), name) == out.end()) out.push_back(name);
-    }
-  };
-  take(scene.particles.fields), take(scene.blocks.fields);
+  std::string text = text_in(q, name);
+  while (!text.empty()) {
+    const auto at = std::min(text.find(between), text.size());
+    out.push_back(text.substr(0, at));
+    text.erase(0, at + 1);
+  }
   return out;
 }
 
-/// Requests of the page.
-class Answers {
- public:
-  explicit Answers(const RunFolder& run) : run_(run) {}
+std::set<int> numbers_in(const httplib::Request& q, const char* name) {
+  std::set<int> out;
+  for (const auto& one : list_in(q, name, ','))
+    out.insert(static_cast<int>(std::clamp(number_in(one, name), 0.0, 1e9)));
+  return out;
+}
 
-  Json state() const {
-    Json state = Json::parse(run_.provenance(), nullptr, false);
-    if (!state.is_object()) state = Json::object();
-    if (state.contains("status") && state["status"] == "running" && process_of(state) == 0) state["status"] = "lost";
-    state["folder"] = run_.path().string();
-    for (const auto& frame : run_.frames()) state["times"].push_back(frame.time);
-    return state;
+// `x<1.5,y>2`: what lies above 1.5 in x and below 2 in y is left out.
+std::vector<Section> sections_in(const httplib::Request& q) {
+  std::vector<Section> out;
+  for (const auto& one : list_in(q, "sections", ',')) {
+    const auto axis = std::string("xyz").find(one.substr(0, 1));
+    if (one.size() < 3 || axis == std::string::npos || (one[1] != '<' && one[1] != '>'))
+      throw UsageError("a section is written as 'x<1.5'");
+    out.push_back({axis, number_in(one.substr(2), "sections"), one[1] == '<'});
   }
+  return out;
+}
 
-  // A line of JSON, then what it counts as 32-bit numbers: places and values of particles, nine components of their
-  // half axes if the file has domains, places of the corners of blocks, their values, and for each block the number of
-  // its corners and which; the same of faces whose bonds broke.
-  std::string frame(std::size_t k, const std::string& field) const {
-    const Scene scene = run_.scene(entry(k));
-    const Shade shade = shade_of(scene, field.empty() ? default_field(scene) : field);
-    const auto box = box_of(scene);
-    const Legend legend = run_.legend();
-    const CellFrame &blocks = scene.blocks, torn = broken(scene.contacts, 1), sheared = broken(scene.contacts, 2);
-    const auto count = static_cast<std::ptrdiff_t>(scene.particles.count());
-    Numbers body;
-    body.places(scene.particles.position);
-    body.floats(shade.values.begin(), shade.values.begin() + count);
-    for (const HalfAxes& axes : scene.particles.domains) body.places({axes.begin(), axes.end()});
-    body.places(blocks.position);
-    body.floats(shade.values.begin() + count, shade.values.end());
-    body.cells(blocks);
-    for (const CellFrame* faces : {&torn, &sheared}) body.places(faces->position), body.cells(*faces);
-    const auto sizes = [](const CellFrame& f) {
-      std::size_t length = f.count();
-      for (const auto& c : f.cells) length += c.size();
-      return Json{{"corners", f.position.size()}, {"cells", f.count()}, {"length", length}};
-    };
-    const Json head{{"time", scene.time},
-                    {"count", count},
-                    {"domains", !scene.particles.domains.empty()},
-                    {"blocks", sizes(blocks)},
-                    {"torn", sizes(torn)},
-                    {"sheared", sizes(sheared)},
-                    {"spacing", spacing_of(scene.particles.position)},
-                    {"range", range_of(shade.values)},
-                    {"integers", shade.integers},
-                    {"flat", box[1][2] - box[0][2] <= 0},
-                    {"field", shade.name},
-                    {"unit", legend.unit_of(shade.name)},
-                    {"names", shade.name == "material" ? legend.materials : std::vector<std::string>()},
-                    {"fields", field_names(scene)}};
-    std::string out = head.dump(-1, ' ', false, Json::error_handler_t::replace);
-    out += std::string((4 - (out.size() + 1) % 4) % 4, ' ') + "\n";  // numbers begin at a multiple of four
-    return out + body.bytes;
-  }
+FrameRequest frame_in(const httplib::Request& q) {
+  FrameRequest out;
+  out.field = text_in(q, "field"), out.arrows = text_in(q, "arrows");
+  out.wanted.hidden = numbers_in(q, "hidden"), out.wanted.hidden_bodies = numbers_in(q, "bodies");
+  out.wanted.hidden_groups = numbers_in(q, "groups");
+  out.wanted.sections = sections_in(q);
+  const auto count = [&](const char* name, std::size_t otherwise) {
+    return q.has_param(name) ? static_cast<std::size_t>(std::clamp(number_in(text_in(q, name), name), 1.0, 1e9))
+                             : otherwise;
+  };
+  out.wanted.most = count("most", out.wanted.most), out.most_arrows = count("most_arrows", out.most_arrows);
+  return out;
+}
 
-  std::string image(std::size_t k, const std::string& field) const {
-    const Scene scene = run_.scene(entry(k));
-    const Legend legend = run_.legend();
-    PictureOptions options;
-    options.field = field.empty() ? default_field(scene) : field;
-    options.unit = legend.unit_of(options.field), options.time_unit = legend.time, options.length_unit = legend.length;
-    options.materials = legend.materials;
-    return picture(scene, options);
-  }
+std::array<double, 3> place_in(const httplib::Request& q) {
+  return {number_in(text_in(q, "x"), "x"), number_in(text_in(q, "y"), "y"), number_in(text_in(q, "z"), "z")};
+}
 
-  std::string charts() const { return report_charts(run_); }
+Picked picked_in(const httplib::Request& q) {
+  Picked out;
+  const std::string kind = text_in(q, "kind");
+  if (kind == "block")
+    out.kind = Picked::Kind::block;
+  else if (kind == "contact")
+    out.kind = Picked::Kind::contact;
+  else if (kind != "particle")
+    throw UsageError("'kind' is particle, block or contact");
+  out.numbers[0] = number_in(text_in(q, "number"), "number");
+  if (out.kind == Picked::Kind::contact) out.numbers[1] = number_in(text_in(q, "other"), "other");
+  return out;
+}
 
-  // Sends a signal to the run; false if it does not run.
-  bool tell(int signal) const {
-    const Json record = Json::parse(run_.provenance(), nullptr, false);
-    const pid_t pid = record.is_object() ? process_of(record) : 0;
-    return pid > 0 && ::kill(pid, signal) == 0;
-  }
-
- private:
-  CollectionEntry entry(std::size_t k) const {
-    const auto frames = run_.frames();
-    if (k >= frames.size()) throw FileError("there is no such file yet");
-    return frames[k];
-  }
-  const RunFolder& run_;
-};
-
-}  // namespace
-
-void watch(const RunFolder& run, const WatchOptions& options) {
-  const Answers answers(run);
-  LocalServer server;
-  const std::string base = "/" + server.token();
+void refuse_strangers(LocalServer& server) {
   // Names of other machines that lead here are refused, so that no page from elsewhere reads a run through a browser.
   server.set_pre_routing_handler([](const httplib::Request& request, httplib::Response& response) {
     const std::string host = request.get_header_value("Host"), name = host.substr(0, host.rfind(':'));
@@ -205,30 +111,45 @@ void watch(const RunFolder& run, const WatchOptions& options) {
           response.set_content(error.what(), "text/plain");
         }
       });
-  server.Get(base + "/", [](const httplib::Request&, httplib::Response& response) {
-    const std::string nonce = random_word(), plain = "<script>";
-    std::string page(watch_page());
-    if (const auto at = page.find(plain); at != std::string::npos)
-      page.replace(at, plain.size(), "<script nonce=\"" + nonce + "\">");
-    for (const auto& [name, value] : LocalServer::page_headers(nonce)) response.set_header(name, value);
-    response.set_content(page, "text/html; charset=utf-8");
-  });
-  server.Get(base + "/vtk.js", [](const httplib::Request&, httplib::Response& response) {
-    const auto script = vtk_js();
-    response.set_content(script.data(), script.size(), "text/javascript");
-  });
-  server.Get(base + "/state", [&](const httplib::Request&, httplib::Response& r) { answer(r, answers.state()); });
-  server.Get(base + "/charts",
-             [&](const httplib::Request&, httplib::Response& r) { r.set_content(answers.charts(), "text/html"); });
-  const auto field = [](const httplib::Request& q) {
-    return q.has_param("field") ? q.get_param_value("field") : std::string();
+}
+
+void serve_page(LocalServer& server, const std::string& base) {
+  for (const PageFile& file : page_files())
+    server.Get(base + "/" + std::string(file.name == "page.html" ? "" : file.name),
+               [file](const httplib::Request&, httplib::Response& response) {
+                 for (const auto& [name, value] : LocalServer::page_headers()) response.set_header(name, value);
+                 response.set_content(file.text.data(), file.text.size(), std::string(file.type));
+               });
+}
+
+void serve_answers(LocalServer& server, const std::string& base, PageAnswers& answers) {
+  using Q = httplib::Request;
+  const auto json = [&](const std::string& path, auto answer) {
+    server.Get(base + path,
+               [answer](const Q& q, httplib::Response& r) { r.set_content(answer(q), "application/json"); });
   };
-  server.Get(base + R"(/frame/(\d{1,9}))", [&](const httplib::Request& q, httplib::Response& r) {
-    r.set_content(answers.frame(std::stoul(q.matches[1]), field(q)), "application/octet-stream");
+  const auto number = [](const Q& q, int k) { return std::stoul(q.matches[k]); };
+  json("/state", [&](const Q&) { return answers.state(); });
+  json("/tables", [&](const Q&) { return answers.tables(); });
+  json("/layers", [&](const Q&) { return answers.layers(); });
+  json("/range", [&](const Q& q) { return answers.range(text_in(q, "field")); });
+  json(R"(/particle/(\d{1,9})/(\d{1,9}))",
+       [&answers, number](const Q& q) { return answers.particle(number(q, 1), number(q, 2)); });
+  json(R"(/block/(\d{1,9})/(\d{1,9}))", [&answers, number](const Q& q) {
+    return answers.block(number(q, 1), static_cast<double>(number(q, 2)), place_in(q));
   });
-  server.Get(base + R"(/picture/(\d{1,9}))", [&](const httplib::Request& q, httplib::Response& r) {
-    r.set_content(answers.image(std::stoul(q.matches[1]), field(q)), "image/png");
+  json(R"(/values/(\d{1,9}))", [&answers, number](const Q& q) { return answers.values(number(q, 1), picked_in(q)); });
+  json("/history", [&](const Q& q) { return answers.history(picked_in(q)); });
+  server.Get(base + "/charts", [&](const Q&, httplib::Response& r) { r.set_content(answers.charts(), "text/html"); });
+  server.Get(base + R"(/frame/(\d{1,9}))", [&answers, number](const Q& q, httplib::Response& r) {
+    r.set_content(answers.frame(number(q, 1), frame_in(q)), "application/octet-stream");
   });
+  server.Get(base + R"(/picture/(\d{1,9}))", [&answers, number](const Q& q, httplib::Response& r) {
+    r.set_content(answers.image(number(q, 1), text_in(q, "field")), "image/png");
+  });
+}
+
+void serve_commands(LocalServer& server, const std::string& base, const PageAnswers& answers) {
   // A header that forms and links of other pages cannot send
   const auto command = [&](int signal) {
     return [&answers, signal](const httplib::Request& q, httplib::Response& r) {
@@ -236,11 +157,21 @@ void watch(const RunFolder& run, const WatchOptions& options) {
         r.status = 403;
         return;
       }
-      answer(r, {{"sent", answers.tell(signal)}});
+      r.set_content(answers.tell(signal) ? R"({"sent":true})" : R"({"sent":false})", "application/json");
     };
   };
   server.Post(base + "/stop", command(SIGTERM));
   server.Post(base + "/checkpoint", command(SIGUSR1));
+}
+
+}  // namespace
+
+void watch(const RunFolder& run, const WatchOptions& options) {
+  PageAnswers answers(run);
+  LocalServer server;
+  const std::string base = "/" + server.token();
+  refuse_strangers(server);
+  serve_page(server, base), serve_answers(server, base, answers), serve_commands(server, base, answers);
 
   const std::string here = "127.0.0.1";
   int port = options.port;
@@ -252,9 +183,11 @@ void watch(const RunFolder& run, const WatchOptions& options) {
     throw FileError("port " + std::to_string(options.port) + " of this machine is taken; --port names another");
   running_server = &server;
   const auto old_interrupt = std::signal(SIGINT, stop_server), old_terminate = std::signal(SIGTERM, stop_server);
+  const auto old_hangup = std::signal(SIGHUP, SIG_IGN);  // which stays so under nohup
+  if (old_hangup != SIG_IGN) std::signal(SIGHUP, stop_server);
   if (options.ready) options.ready("http://" + here + ":" + std::to_string(port) + base + "/");
   server.listen_after_bind();
-  std::signal(SIGINT, old_interrupt), std::signal(SIGTERM, old_terminate);
+  std::signal(SIGINT, old_interrupt), std::signal(SIGTERM, old_terminate), std::signal(SIGHUP, old_hangup);
   running_server = nullptr;
 }
 

@@ -14,8 +14,8 @@ struct WatchOptions {
   std::function<void(const std::string&)> ready;
 };
 
-/// Serves the page to this machine only, at an address with a random word, until SIGINT or SIGTERM. The page can ask
-/// the run to stop, or to write a checkpoint. Throws FileError if the port is taken.
+/// Serves the page to this machine only, at an address with a random word, until SIGINT, SIGTERM or SIGHUP. The page
+/// can ask the run to stop, or to write a checkpoint. Throws FileError if the port is taken.
 void watch(const RunFolder& run, const WatchOptions& options);
 
 }  // namespace tribo

@@ -172,6 +172,12 @@ struct Inflow {
   double travel = 0.0;  ///< [length]
 };
 
+/// The numbers of the particles that a piece of the model has at the start.
+struct PieceNumbers {
+  int piece = 0;  ///< index into Model::pieces
+  std::int64_t first = 0, last = 0;
+};
+
 /// All state of a run on a grid.
 template <int Dim>
 struct System {
@@ -194,6 +200,7 @@ struct System {
   LoadController load_controller;
   double drift = 0.0;  ///< largest distance any particle may have moved since the last sort [cells]
   bool sorted = false;
+  std::vector<PieceNumbers> pieces;          ///< in the order of the numbers
   std::vector<PlacedParticles<Dim>> placed;  ///< to be added when the stage of the model begins
   std::vector<Inflow<Dim>> inflow;           ///< one for each source of the model
   std::int64_t deleted_failed = 0;           ///< particles removed because they failed, or at a given time
@@ -255,8 +262,8 @@ void check(const System<Dim>& system) {
 template <int Dim>
 void archive(Archive& a, System<Dim>& system) {
   auto& [lattice, analysis, fields, bodies, cracks, joints, rigids, blocks, contact_at_faces, contact_reason, time,
-         step, load_clock, load_controller, drift, sorted, placed, inflow, deleted_failed, deleted_outside, entered] =
-      system;
+         step, load_clock, load_controller, drift, sorted, pieces, placed, inflow, deleted_failed, deleted_outside,
+         entered] = system;
   a.version(5);
   a("time", time), a("step", step), a("load_clock", load_clock), a("load_controller", load_controller);
   a("drift", drift), a("sorted", sorted);

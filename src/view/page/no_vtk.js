@@ -1,2 +1,0 @@
-// SPDX-License-Identifier: MIT
-// Built without vtk.js: the page shows pictures.
