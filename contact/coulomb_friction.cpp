@@ -28,7 +28,7 @@ struct CoulombFriction final : ContactLaw {
     return std::array{
         P{"coeff", &L::coefficient, Dimension::none, any_value, "friction coefficient; negative: no sliding", 0.0},
         P{"coeffStatic", &L::static_coefficient, Dimension::none, any_value,
-          "coefficient at which sliding begins; not positive: the same", -1.0},
+          "coefficient at which sliding begins, above coeff; not positive: the same", -1.0},
         weakening_parameter(&L::weakening), displacement_only_parameter(&L::displacement_only),
         contact_stiffness_parameter(&L::contact_stiffness)};
   }

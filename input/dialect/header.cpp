@@ -38,7 +38,8 @@ void add_header(Rows& add) {
   add({"MPMHeader", "JANFEAInput", "settings of the solver and of the output", T::none, {}, true, true});
   add({"MPMMethod",
        "MPMHeader",
-       "stress update: 0 first (USF), 2 half at the start and half at the end of the step (USAVG), 3 last (USL)",
+       "stress update: 0 first (USF), 2 half at the start and half at the end of the step (USAVG, default), 3 last "
+       "(USL); strains are found again after the update of the particles unless <SkipPostExtrapolation/> is given",
        T::choice,
        {},
        true,
@@ -67,7 +68,12 @@ void add_header(Rows& add) {
        true});
   add({"TimeStep", "MPMHeader Stage", "largest time step", T::number, {units(times)}, true});
   add({"MaxTime", "MPMHeader", "end of the run", T::number, {units(times)}, true});
-  add({"TimeFactor", "MPMHeader Stage", "Courant number of the fastest wave, in cells per step", T::number, {}, true});
+  add({"TimeFactor",
+       "MPMHeader Stage",
+       "Courant number of the fastest wave, in cells per step (default 0.5)",
+       T::number,
+       {},
+       true});
   add({"TransTimeFactor", "MPMHeader", "fraction of the largest stable time step of conduction", T::number, {}, true});
   add({"Timing",
        "MPMHeader",

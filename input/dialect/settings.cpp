@@ -8,7 +8,7 @@ namespace tribo::keywords {
 void add_settings(Rows& add) {
   add({"MatlPtsPerElement",
        "MPMHeader Body",
-       "number of particles per cell, a square number in 2D, a cube number in 3D",
+       "number of particles per cell, a square number in 2D (default 4), a cube number in 3D (default 8)",
        T::integer,
        {},
        true});
