@@ -76,9 +76,9 @@ void ContactLedger<Dim>::record(ContactNodes<Dim>& contacts, double dt, bool rep
       if (!pair.law) continue;  // a joint acts in its place
       const Relative v = relative(contacts, node, pair, dt);
       const Vec3 mean = replaces || filtered ? v.end : Vec3(0.5 * (v.start + v.end));
-      // The impulse at the start acts before the velocities at the start, which contain its change.
-      const Part parts[] = {{pair.impulse, mean},
-                            {kept * pair.at_start, v.start + 0.5 / pair.state.mass * pair.at_start}};
+      // The impulse at the start removes a relative velocity that the extrapolation has made: its work is that at the
+      // velocity which remains, and the rest a loss of the transfer.
+      const Part parts[] = {{pair.impulse, mean}, {kept * pair.at_start, v.start}};
       const Vec3 impulse = parts[0].impulse + parts[1].impulse, beyond = impulse - pair.applied;
       nodal_work += node.ownership * (pair.applied.dot(mean) - parts[0].work() - parts[1].work());
       if (pair.response.status == ContactStatus::open && impulse.isZero(0)) continue;
