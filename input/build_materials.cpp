@@ -270,9 +270,14 @@ void Builder::rigid_functions(const Statement& s, MaterialSpec& spec, bool conta
            "<SetDirection> is the sum of 1 (x), 2 (y) and 4 (z), or 8 for a body that interacts by contact");
     }
     if (child.name.rfind("SettingFunction", 0) == 0) {
-      const auto place = static_cast<std::size_t>(child.name.back() == '2' ? 1 : child.name.back() == '3' ? 2 : 0);
-      must(!functions[place], child.origin, "there is another <" + child.name + ">");
-      functions[place] = &child;
+      // Without a number it is that of the first direction that has none yet.
+      const auto place = child.name.back() == '2'   ? functions.begin() + 1
+                         : child.name.back() == '3' ? functions.begin() + 2
+                                                    : std::find(functions.begin(), functions.end(), nullptr);
+      if (place == functions.end() || *place)
+        problems_.add(child.origin, "there is another <" + child.name + ">");
+      else
+        *place = &child;
     }
     if (child.name == "mirrored") spec.mirrored = static_cast<int>(to_number(child.text).value_or(2));
   }

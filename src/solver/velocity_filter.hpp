@@ -21,8 +21,7 @@ template <int Dim>
 class VelocityFilter {
  public:
   VelocityFilter(const Model& model, System<Dim>& system, const Transfers<Dim>& transfers,
-                 const Exchanges<Dim>& exchanges, std::vector<NodalConditions<Dim>>& conditions,
-                 Contact<Dim>& contact)
+                 const Exchanges<Dim>& exchanges, std::vector<NodalConditions<Dim>>& conditions, Contact<Dim>& contact)
       : scheme_(model.scheme),
         system_(system),
         transfers_(transfers),
