@@ -290,12 +290,16 @@ Model build_with_stages(const Statement& root, const std::filesystem::path& fold
     add_new(first.warnings, models.back()->warnings), add_new(first.data_files, models.back()->data_files);
   }
   first.stage.loads = has_loads(first);
+  bool damps = first.damps_particles(), prescribes = !first.node_conditions.empty();
   first.contact.keeps_memory = any_memory(first.contact);
   for (const auto& m : models) {
     first.stage.loads |= has_loads(*m);
+    damps |= m->damps_particles(), prescribes |= !m->node_conditions.empty();
     first.contact.keeps_memory |= any_memory(m->contact);
   }
+  first.stage.damps_prescribed = damps && prescribes;
   for (std::size_t k = 0; k < models.size(); ++k) {
+    models[k]->stage.damps_prescribed = first.stage.damps_prescribed;
     models[k]->stage.loads = first.stage.loads, models[k]->contact.keeps_memory = first.contact.keeps_memory;
     first.stages[k].model = std::move(models[k]);
   }

@@ -1,43 +1,68 @@
 # SPDX-License-Identifier: MIT
-"""Reads the particle files of a run (.vtp, appended raw, zlib) without any package but numpy."""
+"""Reads the result files of a run (.vtp and .vti, appended raw, zlib) without any package but numpy."""
 
 import re
 import zlib
 
 import numpy as np
 
-_types = {"Float64": np.float64, "Float32": np.float32, "Int64": np.int64, "Int32": np.int32, "UInt8": np.uint8}
+_types = {"Float64": np.float64, "Float32": np.float32, "Int64": np.int64, "Int32": np.int32, "UInt32": np.uint32,
+          "UInt8": np.uint8, "Int8": np.int8}
 
 
-def read(path):
-    """Arrays of a particle file by name; `points` are the positions, `time` the physical time."""
-    data = open(path, "rb").read()
-    head, rest = data.split(b'<AppendedData encoding="raw">', 1)
+def _attributes(tag):
+    return dict(re.findall(r'(\w+)="([^"]*)"', tag.decode()))
+
+
+def _numbers(raw, at, header, dtype):
+    count = int(np.frombuffer(raw, header, 1, at)[0])
+    sizes = np.frombuffer(raw, header, 3 + count, at)[3:]
+    at += header.itemsize * (3 + count)
+    parts = []
+    for size in sizes:
+        parts.append(zlib.decompress(raw[at : at + int(size)]))
+        at += int(size)
+    return np.frombuffer(b"".join(parts), dtype)
+
+
+def arrays(data):
+    """All arrays of the bytes of a file, by the names in the file; of a grid also `origin`, `spacing` and `nodes`."""
+    head, rest = data.split(b"<AppendedData", 1)
     raw = rest[rest.index(b"_") + 1 :]
     header = np.dtype(np.uint64 if b'header_type="UInt64"' in head else np.uint32)
     out = {}
     for tag in re.findall(rb"<DataArray ([^>]*?)/?>", head):
-        attribute = dict(re.findall(r'(\w+)="([^"]*)"', tag.decode()))
-        if attribute.get("format") != "appended":
+        attribute = _attributes(tag)
+        if attribute.get("format") != "appended" or attribute.get("type") not in _types:
             continue
-        at = int(attribute["offset"])
-        blocks = int(np.frombuffer(raw, header, 1, at)[0])
-        sizes = np.frombuffer(raw, header, 3 + blocks, at)[3:]
-        at += header.itemsize * (3 + blocks)
-        parts = []
-        for size in sizes:
-            parts.append(zlib.decompress(raw[at : at + int(size)]))
-            at += int(size)
-        array = np.frombuffer(b"".join(parts), _types[attribute["type"]])
+        array = _numbers(raw, int(attribute["offset"]), header, _types[attribute["type"]])
         components = int(attribute.get("NumberOfComponents", 1))
-        name = attribute.get("Name", "")
-        out["points" if name == "Points" else name] = array.reshape(-1, components) if components > 1 else array
+        out[attribute.get("Name", "")] = array.reshape(-1, components) if components > 1 else array
+    image = re.search(rb"<ImageData ([^>]*)>", head)
+    if image:
+        words = _attributes(image.group(1))
+        extent = [int(n) for n in words["WholeExtent"].split()]
+        out["origin"] = np.array([float(n) for n in words["Origin"].split()])
+        out["spacing"] = np.array([float(n) for n in words["Spacing"].split()])
+        out["nodes"] = np.array([extent[2 * k + 1] - extent[2 * k] + 1 for k in range(3)])
+    return out
+
+
+def read(path):
+    """Arrays of a particle file by name; `points` are the positions, `time` the physical time."""
+    out = arrays(open(path, "rb").read())
+    if "Points" in out:
+        out["points"] = out.pop("Points")
     if "TimeValue" in out:
         out["time"] = float(out["TimeValue"][0])
     return out
 
 
+def files(text):
+    """(time, name) of every file of the text of a collection .pvd."""
+    return [(float(time), name) for time, name in re.findall(r'timestep="([^"]*)"[^>]*file="([^"]*)"', text)]
+
+
 def collection(folder, name="run"):
     """(time, path) of every particle file of a run, or of its `cracks` or `joints`."""
-    text = open(f"{folder}/{name}.pvd").read()
-    return [(float(t), f"{folder}/{f}") for t, f in re.findall(r'timestep="([^"]*)"[^>]*file="([^"]*)"', text)]
+    return [(time, f"{folder}/{file}") for time, file in files(open(f"{folder}/{name}.pvd").read())]

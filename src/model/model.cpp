@@ -29,6 +29,11 @@ bool has_history(const OutputSpec& output, bool (*of_kind)(const QuantityInfo&))
 
 }  // namespace
 
+bool Model::damps_particles() const {
+  const auto damped = [](const MaterialSpec& m) { return m.particle_damping.has_value(); };
+  return damping.particle || damping.particle_gain || std::any_of(materials.begin(), materials.end(), damped);
+}
+
 bool OutputSpec::wants_strain() const { return has_history(*this, is_strain); }
 bool OutputSpec::wants_elastic_strain() const { return has_history(*this, is_elastic_strain); }
 

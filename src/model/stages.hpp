@@ -62,11 +62,12 @@ struct StageSpec {
 
 /// What the models of a run with stages have in common, and the place of a model among them.
 struct StagePlace {
-  int number = 0;           ///< 0: the model at the start
-  int count = 0;            ///< number of stages after the first model
-  bool loads = false;       ///< a model of the run has forces, tractions or heat fluxes on particles
-  std::size_t kept = 0;     ///< number of particle conditions at the begin of the list that were there before
-  bool conditions = false;  ///< conditions on nodes are other ones than before
+  int number = 0;                 ///< 0: the model at the start
+  int count = 0;                  ///< number of stages after the first model
+  bool loads = false;             ///< a model of the run has forces, tractions or heat fluxes on particles
+  bool damps_prescribed = false;  ///< models of the run have particle damping and prescribed velocities
+  std::size_t kept = 0;           ///< number of particle conditions at the begin of the list that were there before
+  bool conditions = false;        ///< conditions on nodes are other ones than before
 };
 
 }  // namespace tribo

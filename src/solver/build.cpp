@@ -52,7 +52,8 @@ void add_optional_columns(Body<Dim>& body, const Model& model) {
     body.filtered = particles.add_vector("filtered_velocity", Dimension::velocity);
   if (scheme.extrapolate_again && scheme.order != UpdateOrder::usf)
     body.start = particles.add_vector("start_position", Dimension::length);
-  if (!model.node_conditions.empty()) body.damped = particles.add_vector("damped_velocity", Dimension::velocity);
+  if (model.stage.damps_prescribed || (model.damps_particles() && !model.node_conditions.empty()))
+    body.damped = particles.add_vector("damped_velocity", Dimension::velocity);
   if (!model.particle_conditions.empty() || model.body_force.acts_on_particles() || model.stage.loads)
     body.load = particles.add_vector("load", Dimension::force);
   body.origin = particles.add_vector("origin", Dimension::length);

@@ -15,17 +15,12 @@ import subprocess
 import sys
 import tempfile
 
+import checks
+
 tribo, source = (pathlib.Path(a).resolve() for a in sys.argv[1:3])
 environment = dict(os.environ, OMP_NUM_THREADS="1")
-passed, left_out = 0, []
+check, left_out = checks.Checks(), []
 NOT_RESULTS = {"provenance.json", "tribo-run.json", "tribo-run.lock", "tribo-model.json", "tribo-model.xml"}
-
-
-def check(condition, what):
-    global passed
-    if not condition:
-        sys.exit(f"FAILED: {what}")
-    passed += 1
 
 
 def call(*words, user=None, cwd=None):
@@ -237,4 +232,4 @@ with tempfile.TemporaryDirectory() as folder:
     whole = results(work / "whole")
     for part in (other_users, read_only_disk, full_disk, disk_that_fills, order_on_disk):
         part()
-print(f"{passed} passed, 0 failed" + "".join(f"; left out: {what}" for what in left_out))
+print(f"{check.passed} passed, 0 failed" + "".join(f"; left out: {what}" for what in left_out))

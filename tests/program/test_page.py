@@ -17,16 +17,10 @@ import urllib.parse
 import urllib.request
 
 import browser
+import checks
 
 tribo, source = sys.argv[1:3]
-passed = 0
-
-
-def check(condition, what):
-    global passed
-    if not condition:
-        sys.exit(f"FAILED: {what}")
-    passed += 1
+check = checks.Checks()
 
 
 @contextlib.contextmanager
@@ -376,4 +370,4 @@ with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
             check(not b.problems, "no errors: " + "; ".join(b.problems))
         elif not browser.installed():
             print("Chromium is not installed: the page itself was not looked at")
-print(f"{passed} passed, 0 failed")
+print(f"{check.passed} passed, 0 failed")

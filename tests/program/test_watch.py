@@ -18,16 +18,10 @@ import urllib.error
 import urllib.request
 
 import browser
+import checks
 
 tribo, source = sys.argv[1:3]
-passed = 0
-
-
-def check(condition, what):
-    global passed
-    if not condition:
-        sys.exit(f"FAILED: {what}")
-    passed += 1
+check = checks.Checks()
 
 
 def get(path, **options):
@@ -177,4 +171,4 @@ with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
     finally:
         server.kill()
         run.kill()
-print(f"{passed} passed, 0 failed")
+print(f"{check.passed} passed, 0 failed")

@@ -43,6 +43,18 @@ std::string any_contact() {
   return "<MultiMaterialMode Impulses='" + impulses + "'><Friction lawname='law'/></MultiMaterialMode>";
 }
 
+// A run of 40 steps, and the momentum that the deformable bodies received in it.
+struct Run {
+  explicit Run(const Model& model) : system(build_system<2>(model, place_points(model))), stepper(model, system) {
+    const Measures first = measure(system);
+    for (int k = 0; k < 40; ++k) stepper.advance(0.02);
+    received = measure(system).momentum - first.momentum;
+  }
+  System<2> system;
+  Stepper<2> stepper;
+  Vec3 received;
+};
+
 }  // namespace
 
 TEST_CASE("the recorded forces of contact are what bodies receive, with each transfer and order", "[momentum]") {
@@ -64,14 +76,10 @@ TEST_CASE("the recorded impulse of a rigid body is what a body receives", "[mome
   const Model model =
       block_on_block(any_scheme() + any_contact(),
                      "<Material Type='RigidContact' Name='below'><SettingFunction2>0.03</SettingFunction2></Material>");
-  auto system = build_system<2>(model, place_points(model));
-  Stepper<2> stepper(model, system);
-  const Measures first = measure(system);
-  for (int k = 0; k < 40; ++k) stepper.advance(0.02);
-  const Vec3 received = measure(system).momentum - first.momentum;
-  CHECK(received[1] > 0.1);
-  CHECK(received[0] < -0.001);
-  CHECK((stepper.contact().ledger().rigid_impulse - received).norm() < 1e-11 * received.norm());
+  Run run(model);
+  CHECK(run.received[1] > 0.1);
+  CHECK(run.received[0] < -0.001);
+  CHECK((run.stepper.contact().ledger().rigid_impulse - run.received).norm() < 1e-11 * run.received.norm());
 }
 
 TEST_CASE("the recorded impulse of prescribed velocities is what a body receives", "[momentum]") {
@@ -79,30 +87,36 @@ TEST_CASE("the recorded impulse of prescribed velocities is what a body receives
       any_scheme(), soft,
       "<GridBCs><BCBox xmin='-4' xmax='4' ymin='7' ymax='9' zmin='0' zmax='0'><DisBC dir='2' vel='-0.05'/>"
       "<DisBC dir='1' vel='0.02'/></BCBox></GridBCs>");
-  auto system = build_system<2>(model, place_points(model));
-  Stepper<2> stepper(model, system);
-  const Measures first = measure(system);
-  for (int k = 0; k < 40; ++k) stepper.advance(0.02);
-  const Vec3 received = measure(system).momentum - first.momentum;
-  CHECK(received.norm() > 0.1);
-  CHECK((stepper.conditions(0).impulse() - received).norm() < 1e-11 * received.norm());
+  Run run(model);
+  CHECK(run.received.norm() > 0.1);
+  CHECK((run.stepper.conditions(0).impulse() - run.received).norm() < 1e-11 * run.received.norm());
 }
 
 TEST_CASE("particle damping leaves prescribed velocities alone", "[momentum]") {
-  const Model model = block_on_block(
-      any_scheme() + "<PDamping>5</PDamping>", soft,
-      "<GridBCs><BCBox xmin='-8' xmax='8' ymin='4' ymax='12' zmin='0' zmax='0'><DisBC dir='2' vel='-0.05'/>"
-      "</BCBox></GridBCs>");
-  auto system = build_system<2>(model, place_points(model));
-  Stepper<2> stepper(model, system);
-  const Measures first = measure(system);
-  for (int k = 0; k < 100; ++k) stepper.advance(0.02);
-  Body<2>& above = system.bodies[1];
+  Run run(block_on_block(any_scheme() + "<PDamping>5</PDamping>", soft,
+                         "<GridBCs><BCBox xmin='-8' xmax='8' ymin='4' ymax='12' zmin='0' zmax='0'>"
+                         "<DisBC dir='2' vel='-0.05'/></BCBox></GridBCs>"));
+  Body<2>& above = run.system.bodies[1];
   for (std::size_t i = 0; i < above.particles.size(); ++i) {
     if (above.particles.x()[1][i] < 7.7) continue;  // its nodes are prescribed and out of reach of the body below
     CHECK(above.particles.v()[1][i] == Approx(-0.05).epsilon(1e-9));
   }
-  const Vec3 received = measure(system).momentum - first.momentum,
-             given = stepper.conditions(0).impulse() + stepper.ledger().impulse;
-  CHECK((given - received).norm() < 1e-11 * received.norm());
+  const Vec3 given = run.stepper.conditions(0).impulse() + run.stepper.ledger().impulse;
+  CHECK((given - run.received).norm() < 1e-11 * run.received.norm());
+}
+
+TEST_CASE("particles keep what damping of prescribed velocities needs only where it occurs", "[momentum]") {
+  const std::string grip =
+      "<GridBCs><BCBox xmin='-8' xmax='8' ymin='4' ymax='12' zmin='0' zmax='0'>"
+      "<DisBC dir='2' vel='0'/></BCBox></GridBCs>";
+  const auto keeps = [](const Model& model) {
+    auto system = build_system<2>(model, place_points(model));
+    return static_cast<bool>(system.bodies[0].damped);
+  };
+  const std::string header = "<MPMMethod>USL</MPMMethod>", damped = header + "<PDamping>5</PDamping>";
+  CHECK_FALSE(keeps(block_on_block(header, soft, grip)));
+  CHECK_FALSE(keeps(block_on_block(damped, soft)));
+  CHECK(keeps(block_on_block(damped, soft, grip)));
+  CHECK(keeps(block_on_block(header, soft, grip + "<Stage at='0.5'><PDamping>5</PDamping></Stage>")));
+  CHECK(keeps(block_on_block(damped, soft, "<Stage at='0.5'>" + grip + "</Stage>")));
 }
