@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// The energy balance of bodies that touch.
 #include "input/read.hpp"
+#include "materials/material.hpp"
 #include "run/energy_balance.hpp"
 #include "solver/build.hpp"
 
@@ -62,4 +63,30 @@ TEST_CASE("frictionless impact dissipates nothing in contact, and the balance cl
   CHECK(worst < 0.02 * first);
   CHECK(std::abs(run.contact) < 0.02 * first);
   CHECK(run.transfer > 0);
+}
+
+TEST_CASE("the balance closes where a rigid body presses a bar, also with what a filter adds to its impulse",
+          "[energy]") {
+  const std::string transfer =
+      GENERATE("type='FMPM' order='2'", "type='FMPM' order='4'", "type='APIC'", "type='XPIC' order='2'", "type='FLIP'");
+  const std::string impulses = GENERATE("nodes", "faces");
+  INFO(transfer << ", " << impulses);
+  Model model = running_bars("<Transfer " + transfer + "/><MultiMaterialMode Impulses='" + impulses + "'/>");
+  Problems problems;
+  model.materials[0].law = materials().find("RigidContact")->make(Statement{}, {}, Units{}, problems);
+  model.materials[0].rigid_contact = true;
+  model.materials[0].rigid_velocity[0].emplace("0.01*min(t/2,1)", Origin{});
+  auto system = build_system<2>(model, place_points(model));
+  Stepper<2> stepper(model, system);
+  double worst = 0.0;
+  for (int k = 0; k < 100; ++k) {
+    stepper.advance(0.01);
+    const Measures all = measure(system);
+    const RunEnergies run = run_energies(model, system, stepper, all);
+    worst = std::max(worst, std::abs(energy_residual(all, run, 0.0)));
+  }
+  const Measures all = measure(system);
+  const RunEnergies run = run_energies(model, system, stepper, all);
+  CHECK(run.boundary_work > 0.9 * (all.kinetic + all.stored));
+  CHECK(worst < 0.02 * run.boundary_work);
 }
