@@ -3,6 +3,7 @@
 
 #include "base/text.hpp"
 #include "run/energy_balance.hpp"
+#include "run/expanded_matter.hpp"
 #include "run/sudden_gravity.hpp"
 
 #include <algorithm>
@@ -88,6 +89,7 @@ std::vector<std::string> Monitor<Dim>::summary() const {
   std::vector<std::string> out;
   for (std::size_t k = 0; k < sign_count; ++k)
     if (state.findings[k].seen) out.push_back(text(static_cast<Sign>(k)));
+  for (const std::string& line : expanded_matter(model_, system_)) out.push_back(line);
   if (sudden_gravity(model_).static_slip) out.push_back(sudden_gravity_advice());
   if (const auto removed = static_cast<long long>(system_.deleted_outside); removed > 0)
     out.push_back(format("particles: %lld that left the grid %s removed, with their mass and energy (<LeaveLimit>)",

@@ -229,6 +229,25 @@ TEST_CASE("domains that are stretched over a cell are holes, those that are shea
   CHECK(flowing.look_at_state().empty());
 }
 
+TEST_CASE("the summary names flowing matter that has expanded", "[monitor]") {
+  const auto summary = [](const std::string& material, double ratio, Transfer transfer = Transfer::apic) {
+    Watched run(block(material));
+    run.model.scheme.transfer = transfer;
+    for (std::size_t i = 0; i < run.body().particles.size(); ++i) run.body().particles.volume()[i] *= ratio;
+    return run.summary();
+  };
+  CHECK_THAT(summary(sand, 1.4),
+             Contains("'m' has 1.4 times its initial volume at the end, and 64 of its particles more than 1.3 times"));
+  CHECK_THAT(summary(sand, 1.03), Contains("has 1.03 times") && Contains("and 0 of its particles"));
+  CHECK(summary(sand, 1.01).empty());
+  CHECK(summary(sand, 0.9).empty());
+  CHECK(summary(gas, 1.4).empty());
+  CHECK(summary(elastic, 1.4).empty());
+  // the remedy depends on the transfer
+  CHECK_THAT(summary(sand, 1.4), !Contains("APIC"));
+  CHECK_THAT(summary(sand, 1.4, Transfer::fmpm), Contains("APIC") && Contains("free surface"));
+}
+
 TEST_CASE("a step that has fallen tenfold is told with its cause", "[monitor]") {
   const std::string adaptive = "<CustomTasks><Schedule name='AdjustTimeStep'/></CustomTasks>";
   Watched steady(block(elastic, "", "vx='1'", adaptive));
