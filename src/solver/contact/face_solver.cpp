@@ -213,6 +213,7 @@ void FaceSolver<Dim>::apply(double dt, ContactPass pass) {
   });
   solve(pass);
   if (pass == ContactPass::corrector) each_row([](Row& row) { row.pair->applied = row.impulse; });
+  given_ = pass == ContactPass::predictor ? &start_changes_ : &changes_;
   if (pass == ContactPass::predictor) {
     std::fill(start_changes_.begin(), start_changes_.end(), Vec3::Zero());
     each_group(false, [&](std::size_t g) {
@@ -245,8 +246,9 @@ void FaceSolver<Dim>::constrain_increments(ContactPass pass) {
     row.trial_velocity +=
         weighted_sum(row, [&](std::uint32_t v) { return Vec3(increment(constraints_.velocities()[v])); });
   });
-  each_velocity(changes_, [&](const FaceVelocity& of, const Vec3& change) { increment(of) -= change; });
+  each_velocity(*given_, [&](const FaceVelocity& of, const Vec3& change) { increment(of) -= change; });
   solve(pass);
+  given_ = &changes_;
   each_velocity(changes_, [&](const FaceVelocity& of, const Vec3& change) { increment(of) += change; });
 }
 

@@ -88,9 +88,10 @@ class FaceSolver {
   FaceConstraints<Dim> constraints_;
   std::vector<Row> rows_;  // of the constraints, in the same order
   std::vector<Weight> weights_;
-  std::vector<Vec3> start_changes_;    // of the nodal velocities at the start of the step
-  std::vector<Vec3> changes_;          // of the nodal velocities, by contact
-  std::vector<Change> group_changes_;  // per group
+  std::vector<Vec3> start_changes_;             // of the nodal velocities at the start of the step
+  std::vector<Vec3> changes_;                   // of the nodal velocities, by contact
+  const std::vector<Vec3>* given_ = &changes_;  // which of them nodes and filter contain already
+  std::vector<Change> group_changes_;           // per group
 };
 
 }  // namespace tribo
