@@ -104,6 +104,20 @@ class NodeNumbers {
 /// A node whose mass is below this fraction of the largest nodal mass counts as empty (round-off of the weights).
 inline constexpr double least_mass_ratio = 1e-14;
 
+/// A block with particles, and how far their shape functions reach into the neighbouring blocks.
+template <int Dim>
+struct BlockReach {
+  std::int64_t block;    ///< lattice index
+  Index<Dim> low, high;  ///< offsets of the farthest neighbours that are reached, from -1 to 0 and from 0 to 1
+
+  /// A block all neighbours of which are reached.
+  static BlockReach full(std::int64_t block) {
+    BlockReach reach{block, {}, {}};
+    reach.low.fill(-1), reach.high.fill(1);
+    return reach;
+  }
+};
+
 /// The existing blocks in lexicographic order: the sparse structure of the grid, shared by all layers of nodal data.
 template <int Dim>
 class BlockMap {
@@ -115,25 +129,34 @@ class BlockMap {
 
   const Lattice<Dim>& lattice() const { return lattice_; }
 
-  /// Makes the given blocks (lattice block indices) and their neighbours exist, and no others.
-  void rebuild(std::span<const std::int64_t> occupied) {
+  /// Makes the given blocks and the neighbours that they reach exist, and no others.
+  void rebuild(std::span<const BlockReach<Dim>> occupied) {
     for (const auto b : active_) slot_[static_cast<std::size_t>(b)] = -1;
     active_.clear();
-    for (const auto b : occupied) {
-      each_neighbour(b, [&](std::int64_t n) {
-        auto& s = slot_[static_cast<std::size_t>(n)];
-        if (s < 0) s = 0, active_.push_back(n);
+    for (const BlockReach<Dim>& from : occupied) {
+      const auto middle = lattice_.block_at(from.block);
+      each_in_box<Dim>(from.low, from.high, [&](Index<Dim> n) {
+        for (std::size_t d = 0; d < Dim; ++d) n[d] += middle[d];
+        const std::int64_t block = lattice_.block_index(n);
+        auto& s = slot_[static_cast<std::size_t>(block)];
+        if (s < 0) s = 0, active_.push_back(block);
       });
     }
     std::sort(active_.begin(), active_.end());
     for (std::size_t k = 0; k < active_.size(); ++k) slot_[static_cast<std::size_t>(active_[k])] = static_cast<int>(k);
+  }
+  /// The same with all neighbours of the blocks, which are given as lattice indices.
+  void rebuild(std::span<const std::int64_t> occupied) {
+    std::vector<BlockReach<Dim>> with_neighbours;
+    for (const auto block : occupied) with_neighbours.push_back(BlockReach<Dim>::full(block));
+    rebuild(std::span<const BlockReach<Dim>>(with_neighbours));
   }
 
   /// Lattice indices of the existing blocks. The position in this list is the slot of a block.
   const std::vector<std::int64_t>& active() const { return active_; }
   int slot(std::int64_t block) const { return slot_[static_cast<std::size_t>(block)]; }
 
-  /// Slots of a block and its neighbours, x fastest; the block itself is in the middle.
+  /// Slots of a block and its neighbours, x fastest, -1 for those that do not exist; the block itself is in the middle.
   std::array<int, neighbour_count> neighbours(std::int64_t block) const {
     std::array<int, neighbour_count> out{};
     std::size_t k = 0;

@@ -70,9 +70,45 @@ std::int64_t Bins<Dim>::sort(const Lattice<Dim>& lattice, Particles<Dim>& partic
                 [&](std::uint32_t i, std::uint32_t j) { return particles.id[i] < particles.id[j]; });
   });
 
+  cells_.clear();
+  for (std::size_t b = 0; b < occupied.size(); ++b)
+    cells_.push_back(range_of({start.data() + b * block_nodes<Dim>, block_nodes<Dim>}, bins_[b].begin));
+
   particles.reorder(order);
   paint(lattice);
   return -1;
+}
+
+// From the ends of the particles of each cell of a block, which begin with the particle `begin`.
+template <int Dim>
+auto Bins<Dim>::range_of(std::span<const std::uint32_t> ends, std::uint32_t begin) -> CellRange {
+  CellRange range;
+  range.low.fill(block_edge<Dim> - 1), range.high.fill(0);
+  for (std::size_t c = 0; c < ends.size(); ++c) {
+    if (ends[c] == (c == 0 ? begin : ends[c - 1])) continue;
+    auto rest = static_cast<int>(c);
+    for (std::size_t d = 0; d < Dim; ++d, rest /= block_edge<Dim>) {
+      const int at = rest % block_edge<Dim>;
+      range.low[d] = std::min(range.low[d], at), range.high[d] = std::max(range.high[d], at);
+    }
+  }
+  return range;
+}
+
+// The lowest node of a stencil is in the cells of the last sort or in those next to them.
+template <int Dim>
+std::vector<BlockReach<Dim>> Bins<Dim>::reach(const Lattice<Dim>& lattice, int width) const {
+  std::vector<BlockReach<Dim>> out;
+  for (std::size_t b = 0; b < bins_.size(); ++b) {
+    BlockReach<Dim> blocks{bins_[b].block, {}, {}};
+    const Index<Dim> middle = lattice.block_at(bins_[b].block);
+    for (std::size_t d = 0; d < Dim; ++d) {
+      blocks.low[d] = cells_[b].low[d] - 1 < 0 && middle[d] > 0 ? -1 : 0;
+      blocks.high[d] = cells_[b].high[d] + width >= block_edge<Dim> && middle[d] + 1 < lattice.blocks[d] ? 1 : 0;
+    }
+    out.push_back(blocks);
+  }
+  return out;
 }
 
 template <int Dim>

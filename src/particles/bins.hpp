@@ -3,9 +3,12 @@
 #pragma once
 
 #include "grid/lattice.hpp"
+#include "grid/nodes.hpp"
 #include "particles/particles.hpp"
 
 #include <cstdint>
+#include <span>
+#include <string>
 #include <vector>
 
 namespace tribo {
@@ -37,10 +40,12 @@ class Bins {
 
   /// The particles must be in the order of the bins. Colours follow from the bins.
   friend void archive(Archive& a, Bins& bins, const Lattice<Dim>& lattice) {
-    auto& [shift, colours_per_axis, list, colours, before] = bins;
+    auto& [shift, colours_per_axis, list, cells, colours, before] = bins;
     a.enter("bins");
-    a.version(1);
+    a.version(2);
     a.resizable("list", list);
+    cells.resize(list.size());
+    a("cells", cells);
     a.leave();
     if (a.reading()) bins.paint(lattice);
   }
@@ -49,6 +54,8 @@ class Bins {
   bool hold(const Lattice<Dim>& lattice, const Particles<Dim>& particles) const;
 
   const std::vector<Bin>& list() const { return bins_; }
+  /// The blocks of the bins, and the neighbours that stencils of `width` nodes per axis reach until the next sort.
+  std::vector<BlockReach<Dim>> reach(const Lattice<Dim>& lattice, int width) const;
   /// Bins of each colour, as indices into list().
   const std::vector<std::vector<std::uint32_t>>& colours() const { return colours_; }
   /// Number of particles in the first k bins of a colour.
@@ -57,11 +64,24 @@ class Bins {
   std::uint32_t before(std::size_t k) const { return k == 0 ? 0 : bins_[k - 1].end; }
 
  private:
+  // Lowest and highest cell of the lowest nodes of the particles of a bin in its block, at the last sort.
+  struct CellRange {
+    Index<Dim> low, high;
+
+    friend void archive(Archive& a, CellRange& range) {
+      auto& [lowest, highest] = range;
+      for (std::size_t d = 0; d < Dim; ++d)
+        a("low" + std::to_string(d), lowest[d]), a("high" + std::to_string(d), highest[d]);
+    }
+  };
+
   void paint(const Lattice<Dim>& lattice);
+  static CellRange range_of(std::span<const std::uint32_t> ends, std::uint32_t begin);
 
   double shift_;
   int colours_per_axis_;
   std::vector<Bin> bins_;
+  std::vector<CellRange> cells_;  // per bin
   std::vector<std::vector<std::uint32_t>> colours_, before_;
 };
 

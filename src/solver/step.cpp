@@ -183,11 +183,13 @@ void Stepper<Dim>::locate_nodes() {
   cracks_.locate();
   for (std::size_t f = 0; f < system_.fields.size(); ++f) {
     auto& field = system_.fields[f];
-    std::vector<std::int64_t> occupied;
+    std::vector<BlockReach<Dim>> occupied;
     for (auto* bodies : {&system_.bodies, &system_.rigids})
       for (const auto& body : *bodies)
-        if (body.field == f || body.field == Body<Dim>::no_field)
-          for (const Bin& bin : body.bins.list()) occupied.push_back(bin.block);
+        if (body.field == f || body.field == Body<Dim>::no_field) {
+          const auto reach = body.bins.reach(system_.lattice, transfers_->stencil_width());
+          occupied.insert(occupied.end(), reach.begin(), reach.end());
+        }
     if (field.side != 0) cracks_.add_blocks(field, occupied);
     add_periodic_blocks(model_.grid, system_.lattice, occupied);
     field.map.rebuild(occupied);

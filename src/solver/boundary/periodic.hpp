@@ -28,15 +28,16 @@ void return_through_period(const GridSpec& grid, const Lattice<Dim>& lattice, Bo
 /// Adds the blocks at both edges of a periodic axis to the list of blocks with particles if there are particles near
 /// one of the edges. The nodes that receive sums across the edge then exist.
 template <int Dim>
-void add_periodic_blocks(const GridSpec& grid, const Lattice<Dim>& lattice, std::vector<std::int64_t>& blocks) {
+void add_periodic_blocks(const GridSpec& grid, const Lattice<Dim>& lattice, std::vector<BlockReach<Dim>>& blocks) {
   for (std::size_t d = 0; d < Dim; ++d) {
     if (!grid.periodic[d]) continue;
     const int low = Lattice<Dim>::padding / block_edge<Dim>;
     const int high = (Lattice<Dim>::padding + grid.cells[d]) / block_edge<Dim>;
     for (std::size_t k = 0, count = blocks.size(); k < count; ++k) {
-      auto block = lattice.block_at(blocks[k]);
+      auto block = lattice.block_at(blocks[k].block);
       if (std::abs(block[d] - low) > 1 && std::abs(block[d] - high) > 1) continue;
-      for (const int edge : {low, high}) block[d] = edge, blocks.push_back(lattice.block_index(block));
+      for (const int edge : {low, high})
+        block[d] = edge, blocks.push_back(BlockReach<Dim>::full(lattice.block_index(block)));
     }
   }
 }

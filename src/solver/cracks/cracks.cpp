@@ -167,9 +167,10 @@ void Cracks<Dim>::locate() {
 }
 
 template <int Dim>
-void Cracks<Dim>::add_blocks(const Field<Dim>& field, std::vector<std::int64_t>& blocks) const {
+void Cracks<Dim>::add_blocks(const Field<Dim>& field, std::vector<BlockReach<Dim>>& blocks) const {
   for (const auto& cut : cut_)
-    if (cut.body->field == field.base_field) blocks.push_back(cut.body->bins.list()[cut.bin].block);
+    if (cut.body->field == field.base_field)
+      blocks.push_back(BlockReach<Dim>::full(cut.body->bins.list()[cut.bin].block));
 }
 
 template <int Dim>

@@ -50,7 +50,7 @@ class Cracks {
   /// Finds the bins whose particles may have nodes on both sides of a crack until the next sort.
   void locate();
   /// Appends to `blocks` the lattice blocks that `field`, an additional field of a crack, needs.
-  void add_blocks(const Field<Dim>& field, std::vector<std::int64_t>& blocks) const;
+  void add_blocks(const Field<Dim>& field, std::vector<BlockReach<Dim>>& blocks) const;
   /// Finds the sides of all particles near cracks at the nodes of their stencils. To be called at the start of a step.
   void find();
   /// Finds which nodes have mass on both sides of a crack and thus carry its tractions. To be called once the nodal

@@ -42,7 +42,8 @@ struct Patch {
 
   using Slots = std::array<int, BlockMap<Dim>::neighbour_count>;
 
-  /// Copies the nodes of the blocks in `slots`, the block and its neighbours, to the patch.
+  /// Copies the nodes of the blocks in `slots`, the block and its neighbours, to the patch. Where no block exists, the
+  /// patch is left as it is: no stencil reaches there.
   void load(const Slots& slots, NodeNumbers nodes) {
     each_run(slots, [&](double* patch, std::size_t node, auto count) {
       std::memcpy(patch, nodes[node], sizeof(double) * NodeNumbers::per_node * count);
@@ -73,16 +74,18 @@ struct Patch {
     for (int pz = 0; pz < (Dim == 2 ? 1 : 3); ++pz)
       for (int py = 0; py < 3; ++py, k += 3) {
         const Part y = parts[py], z = Dim == 2 ? Part{0, 0, 1} : parts[pz];
-        const auto first = [&](std::size_t px) { return static_cast<std::size_t>(slots[k + px]) * block_nodes<Dim>; };
-        const std::size_t below = first(0) + B - 1, block = first(1), above = first(2);
-        for (int c = 0; c < z.count; ++c)
-          for (int b = 0; b < y.count; ++b) {
-            double* at = data + ((z.patch + c) * plane + (y.patch + b) * row) * 8;
-            const auto offset = static_cast<std::size_t>(((z.node + c) * B + y.node + b) * B);
-            f(at, below + offset, std::integral_constant<std::size_t, 1>{});
-            f(at + 8, block + offset, std::integral_constant<std::size_t, B>{});
-            f(at + 8 * (1 + B), above + offset, std::integral_constant<std::size_t, edge - 1 - B>{});
-          }
+        const auto run = [&](std::size_t px, auto count) {
+          if (slots[k + px] < 0) return;
+          const Part x = parts[px];
+          const auto first = static_cast<std::size_t>(slots[k + px]) * block_nodes<Dim>;
+          for (int c = 0; c < z.count; ++c)
+            for (int b = 0; b < y.count; ++b)
+              f(data + ((z.patch + c) * plane + (y.patch + b) * row + x.patch) * 8,
+                first + static_cast<std::size_t>(((z.node + c) * B + y.node + b) * B + x.node), count);
+        };
+        run(0, std::integral_constant<std::size_t, 1>{});
+        run(1, std::integral_constant<std::size_t, B>{});
+        run(2, std::integral_constant<std::size_t, edge - 1 - B>{});
       }
   }
 };
