@@ -49,5 +49,61 @@ def rock_slope(p):
     p.render(p.run("rock_slope.xml", phi=39), "rock_slope_start", "group", 0)
 
 
+def beam_on_glue(strength, toughness, length, depth, modulus, poisson, final):
+    """Tip displacement and force of a beam, with shear, on a face that stays plane and opens by the triangular law."""
+    failed = 2 * toughness / strength
+    peak = 0.226 * failed
+    y = ((np.arange(2000) + 0.5) / 2000 - 0.5) * depth
+    compliance = length**3 / (3 * modulus * depth**3 / 12) + 1.2 * length * 2 * (1 + poisson) / (modulus * depth)
+
+    def traction(opening):
+        rising, falling = strength / peak * opening, strength * np.clip((failed - opening) / (failed - peak), 0, None)
+        return np.where(opening < peak, rising, falling)
+
+    curve = [(0.0, 0.0)]
+    for angle in np.linspace(0, final / length, 400)[1:]:
+        low, high = -angle * depth, angle * depth
+        for _ in range(60):  # the opening at half depth, without axial force
+            middle = (low + high) / 2
+            low, high = (low, middle) if traction(middle + angle * y).mean() > 0 else (middle, high)
+        force = (traction(middle + angle * y) * y).mean() * depth / length
+        curve.append((angle * length + force * compliance, force))
+    return np.array(curve).T
+
+
+def bonded_cantilever(p):
+    out = p.run("bonded_cantilever.fmcmd")
+    displacement = 0.45 * (p.column(out, "time") / 5) ** 2
+    theory = beam_on_glue(3, 0.05, 40, 10, 10000, 0.3, 0.45)
+    print("largest force of the beam:", theory[1].max(), "at", theory[0][theory[1].argmax()])
+    p.plot("bonded_cantilever_force", "displacement of the tip [mm]", "force per width [N/mm]",
+           [(*theory, "k-", "beam theory with the law of the glue"), (displacement, -p.column(out, "reactiony:-1"), "-", "at the tip"),
+            (displacement, p.column(out, "contacty:Beam"), "-", "in the glue")], xlim=(0, 0.45), ylim=(0, 2))
+    p.render(out, "bonded_cantilever", "stress.xx", 3)
+
+
+def deposit(out, height):
+    """Outline (x, depth) of the sand at the end of a run, and the run-out: where it is 0.05 deep, from the foot of the column."""
+    x = vtp.read(vtp.collection(out)[-1][1])["points"][:, 0]
+    depth = np.bincount((x / 0.05).astype(int)) * height / len(x) / 0.05
+    return (np.arange(len(depth)) + 0.5) * 0.05, depth, (np.nonzero(depth >= 0.05)[0].max() + 1) * 0.05 - 1
+
+
+def granular_column(p):
+    heights, fronts, outlines = (0.5, 1, 2, 3), [], []
+    for a in heights:
+        x, depth, front = deposit(p.run("granular_column.fmcmd", a=a, end=3.5 if a > 2 else 3 if a > 1 else 2), a)
+        fronts.append(front)
+        outlines.append((x, np.convolve(depth, np.full(4, 0.25), "same"), "-", f"a = {a}"))
+    print("run-outs:", fronts)
+    p.plot("granular_column_deposits", "x / half width", "depth / half width", outlines, xlim=(0, 6), ylim=(0, 1.4))
+    line = np.linspace(0.2, 3.2, 100)
+    p.plot("granular_column_run_out", "height / half width", "run-out / half width",
+           [(line, np.where(line < 1.8, 1.2 * line, 1.9 * line ** (2 / 3)), "k-", "Lube et al. (experiments)"),
+            (line, np.where(line < 3, 1.8 * line, 2.3 * line ** (2 / 3)), "k--", "Lajeunesse et al. (experiments)"),
+            (line, 2.2 * line, "k:", "Lagree et al. (continuum)"), (heights, fronts, "o", "Tribo")], ylim=(0, 7))
+    p.render(p.run("granular_column.fmcmd", a=1, end=2), "granular_column", "velocity", 0.4)
+
+
 def draw(name, tribo, run, column, folder):
     globals()[name](Pictures(tribo, run, column, folder))
