@@ -94,13 +94,14 @@ def granular_column(p):
     for a in heights:
         x, depth, front = deposit(p.run("granular_column.fmcmd", a=a, end=3.5 if a > 2 else 3 if a > 1 else 2), a)
         fronts.append(front)
-        outlines.append((x, np.convolve(depth, np.full(4, 0.25), "same"), "-", f"a = {a}"))
+        outlines.append((x, np.convolve(np.pad(depth, (2, 1), "symmetric"), np.full(4, 0.25), "valid"), "-", f"a = {a}"))
     print("run-outs:", fronts)
     p.plot("granular_column_deposits", "x / half width", "depth / half width", outlines, xlim=(0, 6), ylim=(0, 1.4))
-    line = np.linspace(0.2, 3.2, 100)
+    line = np.linspace(0.2, 3.2, 301)
+    gap = lambda low, high, change: np.where(abs(line - change) < 0.01, np.nan, np.where(line < change, low, high))  # noqa: E731
     p.plot("granular_column_run_out", "height / half width", "run-out / half width",
-           [(line, np.where(line < 1.8, 1.2 * line, 1.9 * line ** (2 / 3)), "k-", "Lube et al. (experiments)"),
-            (line, np.where(line < 3, 1.8 * line, 2.3 * line ** (2 / 3)), "k--", "Lajeunesse et al. (experiments)"),
+           [(line, gap(1.2 * line, 1.9 * line ** (2 / 3), 1.8), "k-", "Lube et al. (experiments)"),
+            (line, gap(1.8 * line, 2.3 * line ** (2 / 3), 3), "k--", "Lajeunesse et al. (experiments)"),
             (line, 2.2 * line, "k:", "Lagree et al. (continuum)"), (heights, fronts, "o", "Tribo")], ylim=(0, 7))
     p.render(p.run("granular_column.fmcmd", a=1, end=2), "granular_column", "velocity", 0.4)
 
