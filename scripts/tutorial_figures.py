@@ -106,5 +106,32 @@ def granular_column(p):
     p.render(p.run("granular_column.fmcmd", a=1, end=2), "granular_column", "velocity", 0.4)
 
 
+def contact_of_rings(p):
+    out = p.run("contact_of_rings.fmcmd")
+    time = p.column(out, "time")
+    p.plot("contact_of_rings_force", "time [ms]", "force per thickness [N/mm]", [(time, p.column(out, "contactx:Right"), "-", "contact force on the right ring")],
+           xlim=(0, 7))
+    width = p.column(out, "maxx:Right") - p.column(out, "minx:Right")
+    after = time > 3
+    waves = np.c_[np.ones(after.sum()), np.cos(2 * np.pi * time[after] / 3.047), np.sin(2 * np.pi * time[after] / 3.047)]
+    fitted = waves @ np.linalg.lstsq(waves, width[after], rcond=None)[0]
+    p.plot("contact_of_rings_width", "time [ms]", "width of the right ring [mm]",
+           [(time, width, "-", "Tribo"), (time[after], fitted, "k--", "wave with the period of theory, 3.05 ms")], xlim=(0, 7))
+    p.render(out, "contact_of_rings", "von_mises", 2)
+
+    frame = next(vtp.read(file) for time, file in vtp.collection(p.run("contact_of_rings.fmcmd", offset=20)) if time > 1.999)
+    x, traction, touching = frame["points"], frame["contact_traction"], frame["contact_state"] > 0
+    figure, plane = plt.subplots(figsize=(6, 4.6), layout="constrained")
+    for material, name in ((1, "left ring"), (2, "right ring")):
+        own = frame["material"] == material
+        plane.plot(x[own, 0], x[own, 1], ".", markersize=6, label=name)
+    plane.quiver(x[touching, 0], x[touching, 1], traction[touching, 0], traction[touching, 1], angles="xy", scale=5, width=0.006)
+    middle = x[touching].mean(axis=0)
+    plane.set(xlabel="x [mm]", ylabel="y [mm]", aspect=1, xlim=(middle[0] - 6, middle[0] + 6), ylim=(middle[1] - 4.5, middle[1] + 4.5))
+    plane.legend(loc="upper left")
+    figure.savefig(f"{p.folder}/contact_of_rings_normals.png", dpi=110)
+    plt.close(figure)
+
+
 def draw(name, tribo, run, column, folder):
     globals()[name](Pictures(tribo, run, column, folder))
