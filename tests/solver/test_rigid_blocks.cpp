@@ -8,6 +8,7 @@
 #include "input/read.hpp"
 #include "run/restart.hpp"
 #include "solver/build.hpp"
+#include "solver/measures.hpp"
 #include "solver/rigid/block_points.hpp"
 
 #include <filesystem>
@@ -191,6 +192,25 @@ TEST_CASE("A block too light for the matter at its nodes is an error that says w
   Run<2> run(floating(
       2, "<BoxBlock matname='stone' name='feather' xmin='-0.5' xmax='0.5' ymin='1' ymax='1.1' rho='20' vy='-1'/>"));
   CHECK_THROWS_WITH(run.steps(20, 5e-4), Catch::Contains("'feather' is too large compared with its own"));
+}
+
+// The sum of m (1/M + r^2/I) over its nodes exceeds 2, the largest eigenvalue of their inertia does not.
+TEST_CASE("A ball some cells thick sinks into matter in space without an error, and gains no energy") {
+  const std::string transfer = GENERATE("type='APIC'", "type='FMPM' order='2'");
+  INFO(transfer);
+  Run<3> run(
+      floating(3, "<Ball matname='stone' x='0' y='1.63' z='0' radius='0.625' rho='1667' vy='-5.5'/>", "0.4", transfer));
+  const auto energy = [&] {
+    const Measures all = measure(run.system);
+    const BlockMotion& m = run.system.blocks->motion[0];
+    const BlockBody& ball = run.system.blocks->bodies[0];
+    return all.kinetic + all.stored + 0.5 * ball.mass * m.v.squaredNorm() + 0.5 * ball.inertia[0] * m.w.squaredNorm();
+  };
+  const double first = energy();
+  double largest = 0.0;
+  for (int k = 0; k < 60; ++k) run.steps(1, 1e-3), largest = std::max(largest, energy());
+  CHECK(largest < (1 + 1e-9) * first);
+  CHECK(run.system.blocks->motion[0].v[1] > -2.75);  // it was stopped
 }
 
 TEST_CASE("The points of a block add up to it and cover its faces") {
