@@ -91,10 +91,12 @@ void Stepper<Dim>::advance(double dt) {
     filter_.use(dt);
   }
 
-  // 5. Record works and contact, set the contact forces on rigid blocks, evaluate crack tips and conduct heat.
+  // 5. Record works and contact, move rigid blocks under the contact forces, evaluate crack tips and conduct heat.
   record_works(dt);
   if (measures_balance_) record_balance();
   rigid_blocks_.take_contact_forces(contact_.ledger().rigid_exchanges(), dt);
+  rigid_blocks_.advance(dt);
+  contact_.record_block_motion(rigid_blocks_.means());
   measure_crack_tips(dt);
   heat_.conduct(dt, contact_, exchanges_);
 
@@ -477,7 +479,7 @@ void Stepper<Dim>::move_particles(double dt, double strain_dt) {
     travel = std::max(travel, result.travel);
     if (!result.valid) stop_at_bad_particle(system_);
   }
-  travel = std::max({travel, rigid_blocks_.move(dt), rigid_bodies_.move(dt)});
+  travel = std::max({travel, rigid_blocks_.move_particles(), rigid_bodies_.move(dt)});
   for (auto& body : system_.bodies) count_crossings(body, system_.lattice);
   system_.drift += travel;
   contact_.add_travel(travel);

@@ -8,6 +8,7 @@
 #include "input/read.hpp"
 #include "run/restart.hpp"
 #include "solver/build.hpp"
+#include "solver/measures.hpp"
 #include "solver/rigid/block_points.hpp"
 
 #include <filesystem>
@@ -18,25 +19,33 @@ using namespace tribo;
 namespace {
 
 /// A free elastic cube between -1 and 1 in a box, with the given blocks.
-std::string floating(int dimension, const std::string& block, const std::string& more = "") {
+std::string floating(int dimension, const std::string& block, const std::string& friction = "0.4",
+                     const std::string& transfer = "type='APIC'", const std::string& impulses = "nodes") {
   const std::string z = dimension == 3 ? " zmin='-4' zmax='4'" : "",
                     depth = dimension == 3 ? "<Depth cellsize='0.25'/>" : "";
   const std::string solid = dimension == 3 ? "<Box xmin='-1' xmax='1' ymin='-1' ymax='1' zmin='-1' zmax='1'/>"
                                            : "<Rect xmin='-1' xmax='1' ymin='-1' ymax='1'/>";
   return "<JANFEAInput version='3'><Header><Analysis>" + std::string(dimension == 3 ? "12" : "10") +
          "</Analysis><ConsistentUnits length='m' mass='kg' time='s'/></Header>"
-         "<MPMHeader><MPMMethod>USL</MPMMethod><SkipPostExtrapolation/><GIMP type='quadratic'/><Transfer type='APIC'/>"
+         "<MPMHeader><MPMMethod>USL</MPMMethod><SkipPostExtrapolation/><GIMP type='quadratic'/><Transfer " +
+         transfer +
+         "/>"
          "<TimeFactor>0.3</TimeFactor><MaxTime>1</MaxTime><ArchiveTime>1</ArchiveTime>"
-         "<MultiMaterialMode><Friction lawname='law'/></MultiMaterialMode></MPMHeader>"
+         "<MultiMaterialMode Impulses='" +
+         impulses +
+         "'><Friction lawname='law'/></MultiMaterialMode></MPMHeader>"
          "<Mesh><Grid xmin='-4' xmax='4' ymin='-4' ymax='4'" +
          z + "><Horiz cellsize='0.25'/><Vert cellsize='0.25'/>" + depth +
          "</Grid></Mesh><MaterialPoints><Body matname='soft'>" + solid +
          "</Body></MaterialPoints>"
          "<Blocks lawname='joint'>" +
-         block + "</Blocks>" + more +
+         block +
+         "</Blocks>"
          "<Material Type='LinearElastic' Name='soft'><rho>1000</rho><E>1e6</E><nu>0.3</nu></Material>"
          "<Material Type='RigidContact' Name='stone'/>"
-         "<Material Type='CoulombFriction' Name='law'><coeff>0.4</coeff></Material>"
+         "<Material Type='CoulombFriction' Name='law'><coeff>" +
+         friction +
+         "</coeff></Material>"
          "<Material Type='SpringNetwork' Name='joint'><kn>1e6</kn><ks>1e6</ks></Material></JANFEAInput>";
 }
 
@@ -115,6 +124,46 @@ TEST_CASE("A block and the matter it hits keep their momentum to round-off, also
   SECTION("space") { collide(Run<3>(floating(3, solid_stone)), 60, 1e-3); }
 }
 
+TEST_CASE(
+    "The grid receives the energy that a block loses, and contact accounts for the difference to the explicit work",
+    "[energy]") {
+  const std::string transfer = GENERATE("type='APIC'", "type='FLIP'", "type='XPIC' order='2'", "type='FMPM' order='2'");
+  const std::string impulses = GENERATE("nodes", "faces"), friction = GENERATE("0", "0.4");
+  INFO(transfer << ", " << impulses << ", friction " << friction);
+  const auto collide = [&](auto&& run, int steps, double dt) {
+    const Assembly& blocks = *run.system.blocks;
+    const BlockBody& stone = blocks.bodies[0];
+    const auto kinetic = [&] {  // of a block without other forces, with equal moments of inertia
+      const BlockMotion& m = blocks.motion[0];
+      return 0.5 * stone.mass * m.v.squaredNorm() + 0.5 * stone.inertia[2] * m.w.squaredNorm();
+    };
+    const double first = kinetic();
+    double at_start = 0.0, difference = 0.0;  // J v at the velocity before each impulse; J^2/(2 M) + L^2/(2 I)
+    for (int k = 0; k < steps; ++k) {
+      const BlockMotion before = blocks.motion[0];
+      run.steps(1, dt);
+      const Vec3 J = dt * blocks.grid_forces[0].force, L = dt * blocks.grid_forces[0].moment;
+      at_start -= J.dot(before.v) + L.dot(before.w);
+      difference += 0.5 * J.squaredNorm() / stone.mass + 0.5 * L.squaredNorm() / stone.inertia[2];
+    }
+    const double lost = first - kinetic(), given = run.stepper.contact().ledger().rigid_work;
+    CHECK(lost > 0.05 * first);
+    CHECK(given == Approx(lost).epsilon(1e-10));
+    CHECK(at_start - given == Approx(difference).epsilon(1e-8));
+    // Whatever the block does, contact takes up what the grid receives beyond the work at the start.
+    auto& ledger = run.stepper.contact().ledger();
+    const auto dissipated = [&] { return ledger.total().friction + ledger.total().impact; };
+    const double contact_before = dissipated();
+    BlockMean mean;
+    mean.x = blocks.motion[0].x, mean.v = Vec3(3, -20, 1), mean.w = Vec3(0, 0, 2);
+    run.stepper.contact().record_block_motion({mean});
+    CHECK(ledger.rigid_work != given);
+    CHECK(dissipated() - contact_before == Approx(ledger.rigid_work - given).epsilon(1e-9));
+  };
+  SECTION("plane") { collide(Run<2>(floating(2, flat_stone, friction, transfer, impulses)), 200, 5e-4); }
+  SECTION("space") { collide(Run<3>(floating(3, solid_stone, friction, transfer, impulses)), 60, 1e-3); }
+}
+
 TEST_CASE("What blocks do to the grid is the same to the bit for any number of threads, and after a restart") {
   Run<2> run(floating(2, flat_stone)), again(floating(2, flat_stone));
   const auto same = [&] {
@@ -143,6 +192,25 @@ TEST_CASE("A block too light for the matter at its nodes is an error that says w
   Run<2> run(floating(
       2, "<BoxBlock matname='stone' name='feather' xmin='-0.5' xmax='0.5' ymin='1' ymax='1.1' rho='20' vy='-1'/>"));
   CHECK_THROWS_WITH(run.steps(20, 5e-4), Catch::Contains("'feather' is too large compared with its own"));
+}
+
+// The sum of m (1/M + r^2/I) over its nodes exceeds 2, the largest eigenvalue of their inertia does not.
+TEST_CASE("A ball some cells thick sinks into matter in space without an error, and gains no energy") {
+  const std::string transfer = GENERATE("type='APIC'", "type='FMPM' order='2'");
+  INFO(transfer);
+  Run<3> run(
+      floating(3, "<Ball matname='stone' x='0' y='1.63' z='0' radius='0.625' rho='1667' vy='-5.5'/>", "0.4", transfer));
+  const auto energy = [&] {
+    const Measures all = measure(run.system);
+    const BlockMotion& m = run.system.blocks->motion[0];
+    const BlockBody& ball = run.system.blocks->bodies[0];
+    return all.kinetic + all.stored + 0.5 * ball.mass * m.v.squaredNorm() + 0.5 * ball.inertia[0] * m.w.squaredNorm();
+  };
+  const double first = energy();
+  double largest = 0.0;
+  for (int k = 0; k < 60; ++k) run.steps(1, 1e-3), largest = std::max(largest, energy());
+  CHECK(largest < (1 + 1e-9) * first);
+  CHECK(run.system.blocks->motion[0].v[1] > -2.75);  // it was stopped
 }
 
 TEST_CASE("The points of a block add up to it and cover its faces") {

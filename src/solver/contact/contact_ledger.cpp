@@ -65,6 +65,15 @@ double ContactLedger<Dim>::extrapolated(const ContactNodes<Dim>& contacts, const
 }
 
 template <int Dim>
+void ContactLedger<Dim>::add_work(const ContactNode<Dim>& node, ContactPair& pair, PairLedger& entry, double all,
+                                  double normal) const {
+  if (pair.law->interface())
+    entry.interface += all;
+  else
+    entry.impact += normal, entry.friction += all - normal, pair.friction_work += (all - normal) / node.ownership;
+}
+
+template <int Dim>
 void ContactLedger<Dim>::record(ContactNodes<Dim>& contacts, double dt, bool replaces, bool filtered, double kept) {
   for (auto& [fields, entry] : pairs) entry.force.setZero(), entry.stored = entry.area = 0.0;
   rigid_exchanges_.assign(system_.fields.size(), {});
@@ -72,7 +81,8 @@ void ContactLedger<Dim>::record(ContactNodes<Dim>& contacts, double dt, bool rep
     if (replaces && !filtered) nodal_work += node.ownership * extrapolated(contacts, node, dt);
     for (std::size_t p = node.first_pair; p < node.end_pair; ++p) {
       ContactPair& pair = contacts.pairs[p];
-      pair.update_impulse = pair.impulse, pair.update_status = pair.response.status, pair.friction_work = 0.0;
+      pair.update_impulse = pair.impulse, pair.update_status = pair.response.status;
+      pair.total_impulse.setZero(), pair.friction_work = 0.0;
       if (!pair.law) continue;  // a joint acts in its place
       const Relative v = relative(contacts, node, pair, dt);
       const Vec3 mean = replaces || filtered ? v.end : Vec3(0.5 * (v.start + v.end));
@@ -80,6 +90,7 @@ void ContactLedger<Dim>::record(ContactNodes<Dim>& contacts, double dt, bool rep
       // velocity which remains, and the rest a loss of the transfer.
       const Part parts[] = {{pair.impulse, mean}, {kept * pair.at_start, v.start}};
       const Vec3 impulse = parts[0].impulse + parts[1].impulse, beyond = impulse - pair.applied;
+      pair.total_impulse = impulse;
       nodal_work += node.ownership * (pair.applied.dot(mean) - parts[0].work() - parts[1].work());
       if (pair.response.status == ContactStatus::open && impulse.isZero(0)) continue;
       auto& entry = pairs[key(contacts, pair)];
@@ -88,40 +99,71 @@ void ContactLedger<Dim>::record(ContactNodes<Dim>& contacts, double dt, bool rep
       for (const Part& part : parts) {
         const double all = node.ownership * part.work();
         const double normal = node.ownership * part.along(pair.state.normal).work();
-        if (pair.law->interface())
-          entry.interface += all;
-        else
-          entry.impact += normal, entry.friction += all - normal, pair.friction_work += (all - normal) / node.ownership;
+        add_work(node, pair, entry, all, normal);
       }
       record_rigid(contacts, node, pair, impulse, beyond);
     }
   }
 }
 
-// An impulse of a node acts at the node, one of a face at the face. `total`: impulse on the first member of the pair;
-// `beyond`: the part of it that is not in the accelerations of the nodes.
+template <int Dim>
+void ContactLedger<Dim>::record_block_motion(ContactNodes<Dim>& contacts, const std::vector<BlockMean>& means) {
+  for (const auto& node : contacts.nodes)
+    for (ContactPair& pair : contacts.pairs_of(node)) {
+      if (!pair.law || pair.total_impulse.isZero(0)) continue;
+      for (const auto& [side, sign] : {std::pair{pair.a, -1.0}, std::pair{pair.b, 1.0}}) {
+        const ContactMember& rigid = contacts.members[side];
+        const auto k = system_.fields[rigid.field].block;
+        if (rigid.inverse_mass > 0.0 || k < 0) continue;
+        const RigidPoint at = rigid_point(node, pair, rigid, sign);
+        const BlockMean& mean = means[static_cast<std::size_t>(k)];
+        const Part part{node.ownership * pair.total_impulse,
+                        sign * (mean.v + mean.w.cross(at.x - mean.x) - at.velocity)};
+        rigid_work += part.work();
+        add_work(node, pair, pairs[key(contacts, pair)], part.work(), part.along(pair.state.normal).work());
+      }
+    }
+}
+
+template <int Dim>
+void ContactLedger<Dim>::add_inertia(const ContactPair& pair, double mass, const Vec3& r, RigidExchange& to) {
+  const bool slides = pair.response.status == ContactStatus::slip && !pair.law->interface() && pair.law->liquid() == 0;
+  const Mat3 held = slides ? Mat3(pair.state.normal * pair.state.normal.transpose()) : Mat3(Mat3::Identity());
+  Eigen::Matrix<double, 3, 6> velocity;  // at the node, for unit velocities and rotations
+  velocity << 1, 0, 0, 0, r[2], -r[1], 0, 1, 0, -r[2], 0, r[0], 0, 0, 1, r[1], -r[0], 0;
+  to.inertia += mass * velocity.transpose() * held * velocity;
+}
+
+// An impulse of a node acts at the node, one of a face at the face.
+template <int Dim>
+auto ContactLedger<Dim>::rigid_point(const ContactNode<Dim>& node, const ContactPair& pair, const ContactMember& rigid,
+                                     double sign) const -> RigidPoint {
+  Vec3 x = Vec3::Zero();
+  x.head<Dim>() = system_.lattice.position(node.index);
+  if (node.solved_on_faces) return {x + pair.face_position * pair.state.normal, sign * pair.rigid_velocity};
+  return {x, Eigen::Map<const Vec3>(system_.fields[rigid.field].nodes[static_cast<std::size_t>(rigid.node)].velocity)};
+}
+
+// `total`: impulse on the first member of the pair; `beyond`: the part of it that is not in the accelerations of the
+// nodes.
 template <int Dim>
 void ContactLedger<Dim>::record_rigid(const ContactNodes<Dim>& contacts, const ContactNode<Dim>& node,
                                       const ContactPair& pair, const Vec3& total, const Vec3& beyond) {
   for (const auto& [side, other, sign] : {std::tuple{pair.a, pair.b, -1.0}, std::tuple{pair.b, pair.a, 1.0}}) {
     const ContactMember& rigid = contacts.members[side];
     if (rigid.inverse_mass > 0.0) continue;
-    const Node& at = system_.fields[rigid.field].nodes[static_cast<std::size_t>(rigid.node)];
     const Vec3 impulse = sign * node.ownership * total;  // on the other field
-    const Vec3 velocity =
-        node.solved_on_faces ? Vec3(sign * pair.rigid_velocity) : Vec3(Eigen::Map<const Vec3>(at.velocity));
+    const auto [x, velocity] = rigid_point(node, pair, rigid, sign);
     rigid_work += impulse.dot(velocity);
     nodal_work += sign * node.ownership * beyond.dot(velocity);
     rigid_impulse += impulse;
-    Vec3 x = Vec3::Zero();
-    x.head<Dim>() = system_.lattice.position(node.index);
-    if (node.solved_on_faces) x += pair.face_position * pair.state.normal;
     RigidExchange& exchange = rigid_exchanges_[rigid.field];
-    const double mass = node.ownership * contacts.members[other].mass;
     exchange.impulse -= impulse, exchange.moment -= x.cross(impulse);
-    if (const auto k = system_.fields[rigid.field].block; k >= 0)
-      exchange.moment_tensor -= impulse * system_.blocks->nearest_on(static_cast<std::size_t>(k), x).transpose();
-    exchange.mass += mass, exchange.first_moment += mass * x, exchange.second_moment += mass * x.squaredNorm();
+    if (const auto k = system_.fields[rigid.field].block; k >= 0) {
+      const auto block = static_cast<std::size_t>(k);
+      exchange.moment_tensor -= impulse * system_.blocks->nearest_on(block, x).transpose();
+      add_inertia(pair, node.ownership * contacts.members[other].mass, x - system_.blocks->motion[block].x, exchange);
+    }
   }
 }
 

@@ -29,14 +29,22 @@ inline void archive(Archive& a, PairLedger& pair) {
 }
 
 /// What a field of prescribed velocity received from all others in the last step, and the mass of the others at the
-/// nodes where they touch it. Moments are about the origin of the coordinates.
+/// nodes where they touch it. Moments are about the origin of the coordinates, the inertia about the block's centre.
 struct RigidExchange {
   Vec3 impulse = Vec3::Zero();        ///< received                                             [mass velocity]
   Vec3 moment = Vec3::Zero();         ///< sum of x cross impulse                               [mass velocity length]
   Mat3 moment_tensor = Mat3::Zero();  ///< of blocks: sum of impulse x^T, x on the surface      [mass velocity length]
-  double mass = 0.0;                  ///< of the other fields                                  [mass]
-  double second_moment = 0.0;         ///< sum of m |x|^2                                       [mass length^2]
-  Vec3 first_moment = Vec3::Zero();   ///< sum of m x                                           [mass length]
+  /// Of blocks: impulse and moment by which contact reacts to a unit change of the velocity and of the rotation of the
+  /// block: sum of m G^T P G, G = (1, -[r]) the velocity at the node and P the directions that the law holds, all of
+  /// them where the faces stick, and the normal one where they slide  [mass, mass length, mass length^2]
+  Eigen::Matrix<double, 6, 6> inertia = Eigen::Matrix<double, 6, 6>::Zero();
+};
+
+/// Mean motion of a rigid block in a step: the mean of the velocities before and after each of its own steps.
+struct BlockMean {
+  Vec3 x = Vec3::Zero();  ///< centre at the start of the step              [length]
+  Vec3 v = Vec3::Zero();  ///< of the centre                                [velocity]
+  Vec3 w = Vec3::Zero();  ///< angular velocity                             [1/time]
 };
 
 /// Records what contact does in each step.
@@ -60,6 +68,12 @@ class ContactLedger {
   /// anything is strained, so its work is that at the velocity at the end; the difference is a loss of the transfer.
   /// The filter of FMPM takes most of that impulse back.
   void record(ContactNodes<Dim>& contacts, double dt, bool replaces, bool filtered, double kept);
+  /// Completes the works of the impulses of the last record() on rigid blocks, once the blocks have moved. Contact sets
+  /// nodes to the velocity of a block at the start of the step, but an impulse changes the velocity of the block, too:
+  /// its work on the block is that at the mean velocity of the block in the step. This becomes the work on the
+  /// deformable bodies, and the difference, J^2/(2 M) for an impulse J on a free block of mass M, is subtracted from
+  /// what contact dissipates. `means`: motions of the blocks in the step, by number of the block.
+  void record_block_motion(ContactNodes<Dim>& contacts, const std::vector<BlockMean>& means);
   /// Sums of works and areas over all pairs; the force is left at zero.
   PairLedger total() const;
   /// Per field: what it received in the last step if its velocity is prescribed. Empty before the first record.
@@ -85,8 +99,17 @@ class ContactLedger {
   };
   Key key(const ContactNodes<Dim>& contacts, const ContactPair& pair) const;
   double extrapolated(const ContactNodes<Dim>& contacts, const ContactNode<Dim>& node, double dt) const;
+  // Work of the impulses of a pair [energy]: of all, and of their normal components.
+  void add_work(const ContactNode<Dim>& node, ContactPair& pair, PairLedger& entry, double all, double normal) const;
+  // A rigid member of a pair: position and velocity at which the impulse of the pair acts on it.
+  struct RigidPoint {
+    Vec3 x, velocity;
+  };
+  RigidPoint rigid_point(const ContactNode<Dim>& node, const ContactPair& pair, const ContactMember& rigid,
+                         double sign) const;
   Relative relative(const ContactNodes<Dim>& contacts, const ContactNode<Dim>& node, const ContactPair& pair,
                     double dt) const;
+  static void add_inertia(const ContactPair& pair, double mass, const Vec3& r, RigidExchange& to);
   void record_rigid(const ContactNodes<Dim>& contacts, const ContactNode<Dim>& node, const ContactPair& pair,
                     const Vec3& total, const Vec3& beyond);
 

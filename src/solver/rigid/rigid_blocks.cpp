@@ -5,6 +5,8 @@
 #include "blocks/assembly.hpp"
 #include "grid/loops.hpp"
 
+#include <Eigen/Eigenvalues>
+
 #include <algorithm>
 #include <cmath>
 
@@ -71,19 +73,29 @@ void RigidBlocks<Dim>::take_contact_forces(const std::vector<RigidExchange>& exc
 }
 
 // Contact sets the nodes to the velocity of the block before the exchange. This explicit exchange of momentum is
-// stable if sum m (1/M + r^2/I) < 2 over the nodes in contact, with the nodal mass m, the distance r from the centre
-// of the block, and the mass M and moment of inertia I of the block. The left side bounds the largest eigenvalue of
-// the nodal inertia relative to that of the block.
+// stable if the largest eigenvalue of the inertia of the nodes in contact, relative to that of the block, is less
+// than 2. Of a single node of mass m at the distance r from the centre of a block of mass M and moment of inertia I it
+// is m (1/M + r^2/I).
 template <int Dim>
 void RigidBlocks<Dim>::check_stability(const Body<Dim>& body, const RigidExchange& exchange) const {
+  if (exchange.inertia.isZero(0)) return;
   const auto k = static_cast<std::size_t>(body.block);
   const BlockBody& block = system_.blocks->bodies[k];
-  const Vec3& c = system_.blocks->motion[k].x;
-  const double second_moment =
-      exchange.second_moment - 2 * c.dot(exchange.first_moment) + c.squaredNorm() * exchange.mass;
-  const double inertia = Dim == 2 ? block.inertia[2] : block.inertia.minCoeff();
-  const double mass_ratio = ((block.held & 7) == 7 ? 0.0 : exchange.mass / block.mass) +
-                            ((block.held & 56) == 56 ? 0.0 : second_moment / inertia);
+  // Square root of the inverse inertia of the block, whose held velocities do not react
+  Eigen::Matrix<double, 6, 6> root = Eigen::Matrix<double, 6, 6>::Zero();
+  for (int d = 0; d < Dim; ++d)
+    if (!(block.held & (1 << d))) root(d, d) = 1 / std::sqrt(block.mass);
+  if constexpr (Dim == 2) {
+    if (!(block.held & 32)) root(5, 5) = 1 / std::sqrt(block.inertia[2]);
+  } else {
+    const Mat3 axes = system_.blocks->motion[k].R * block.axes;
+    const Mat3 free = Vec3((block.held & 8) ? 0 : 1, (block.held & 16) ? 0 : 1, (block.held & 32) ? 0 : 1).asDiagonal();
+    root.bottomRightCorner<3, 3>() =
+        free * axes * block.inertia.cwiseSqrt().cwiseInverse().asDiagonal() * axes.transpose();
+  }
+  const Eigen::Matrix<double, 6, 6> relative = root * exchange.inertia * root.transpose();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> solver(relative, Eigen::EigenvaluesOnly);
+  const double mass_ratio = solver.eigenvalues()[5];
   if (mass_ratio < 2) return;
   throw SimulationError("the mass at the nodes in contact with '" + body.name +
                         "' is too large compared with its own in step " + std::to_string(system_.step + 1) +
@@ -93,16 +105,28 @@ void RigidBlocks<Dim>::check_stability(const Body<Dim>& body, const RigidExchang
 }
 
 template <int Dim>
-double RigidBlocks<Dim>::move(double dt) {
-  if (!active()) return 0.0;
+void RigidBlocks<Dim>::advance(double dt) {
+  if (!active()) return;
   Assembly& blocks = *system_.blocks;
-  before_.clear();
-  for (const BlockMotion& m : blocks.motion) before_.push_back(m.R);
+  before_.clear(), means_.clear();
+  for (const BlockMotion& m : blocks.motion) before_.push_back(m.R), means_.emplace_back().x = m.x;
   const int substeps = std::max(1, static_cast<int>(std::ceil(dt / blocks.critical_step() * (1 - 1e-12))));
-  for (int substep = 0; substep < substeps; ++substep) blocks.advance(dt / substeps);
+  const double half = 0.5 / substeps;
+  const auto add_velocities = [&] {
+    for (std::size_t k = 0; k < means_.size(); ++k)
+      means_[k].v += half * blocks.motion[k].v, means_[k].w += half * blocks.motion[k].w;
+  };
+  for (int substep = 0; substep < substeps; ++substep)
+    add_velocities(), blocks.advance(dt / substeps), add_velocities();
   if (!blocks.is_finite())
     throw SimulationError("the motion of the blocks grew without bound at time " + std::to_string(blocks.time));
   if (system_.step % 64 == 0) blocks.check_contacts();
+}
+
+template <int Dim>
+double RigidBlocks<Dim>::move_particles() {
+  if (!active()) return 0.0;
+  const Assembly& blocks = *system_.blocks;
   double travel = 0.0;
   each_block(system_, [&](Body<Dim>& body, std::size_t k) {
     const BlockMotion& m = blocks.motion[k];

@@ -25,16 +25,22 @@ class RigidBlocks {
   /// SimulationError if the mass of a block is so small, compared with the nodal masses in contact with it, that the
   /// exchange of momentum would be unstable.
   void take_contact_forces(const std::vector<RigidExchange>& exchanges, double dt);
-  /// Moves the blocks and their particles over a time dt, in shorter steps if contacts between blocks require them.
-  /// Returns the largest displacement of a particle along an axis [cells]. Throws SimulationError if the motion is not
-  /// finite.
-  double move(double dt);
+  /// Moves the blocks over a time dt, in shorter steps if contacts between blocks require them. Throws SimulationError
+  /// if the motion is not finite.
+  void advance(double dt);
+  /// Mean velocities of the blocks in the last advance(): the product with the forces and moments of the grid and dt is
+  /// the work that the blocks have received from the grid.
+  const std::vector<BlockMean>& means() const { return means_; }
+  /// Moves the particles of the blocks to their present positions. Returns the largest displacement of a particle along
+  /// an axis [cells].
+  double move_particles();
 
  private:
   void check_stability(const Body<Dim>& body, const RigidExchange& exchange) const;
 
   System<Dim>& system_;
-  std::vector<Mat3> before_;  ///< scratch: rotations at the start of the step
+  std::vector<Mat3> before_;      ///< scratch: rotations at the start of the step
+  std::vector<BlockMean> means_;  ///< of all blocks and platens
 };
 
 }  // namespace tribo

@@ -31,7 +31,8 @@ struct ContactPair {
   Vec3 applied = Vec3::Zero();      ///< the part of it in the nodal accelerations; a filter changes the rest
   Vec3 at_start = Vec3::Zero();     ///< contact impulse on a by which velocities at the start changed [mass velocity]
   ContactResponse response;         ///< last contact response of the law
-  Vec3 update_impulse = Vec3::Zero();                 ///< impulse on a of the last momentum update      [mass velocity]
+  Vec3 update_impulse = Vec3::Zero();  ///< impulse on a of the last momentum update      [mass velocity]
+  Vec3 total_impulse = Vec3::Zero();   ///< the same with what the particles keep of at_start   [mass velocity]
   ContactStatus update_status = ContactStatus::open;  ///< contact status in the last momentum update
   bool stuck = false;                                 ///< friction held the faces in the last momentum update
   double friction_work = 0.0;      ///< energy dissipated by sliding in the last momentum update       [energy]
