@@ -95,7 +95,7 @@ TEST_CASE("shapes of one material that touch or overlap are judged as one body",
   CHECK_THAT(with(block, rect("8", "9", "2", "6")), !Contains(thin) && !Contains("thick"));  // a layer that touches
   CHECK_THAT(with(rect("4", "9", "2", "3"), rect("4", "9", "3", "5")), !Contains(thin));
   CHECK_THAT(with(rect("4", "9", "2", "3"), rect("4", "9", "3", "4")),
-             Contains("a body of 'm' is 2 cells thick: " + thin) && Contains(", 2 cells thick\n"));
+             Contains("a body of 'm' is 2 cells thick: it " + thin) && Contains(", 2 cells thick\n"));
   CHECK_THAT(with(rect("4", "9", "2", "3"), rect("4", "5", "3", "8")), Contains("a body of 'm' is 1 cell thick"));
   CHECK_THAT(with(block, rect("12", "13", "2", "6")), Contains("a body of 'm' is 1 cell thick: "));  // apart from it
   CHECK_THAT(with("<Oval xmin='4' xmax='7' ymin='2' ymax='5'/>", ""), !Contains(thin));
