@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "contact/joint_parts.hpp"
 
+#include "base/text.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -156,7 +158,7 @@ std::vector<double> numbers_of(const Statement& material, const std::string& nam
   problems.add(child->text_origin,
                "<" + name + "> needs " +
                    (least == most ? std::to_string(least) : std::to_string(least) + " or " + std::to_string(most)) +
-                   (most == 1 ? " number" : " numbers") + ", not '" + child->text + "'");
+                   " " + plural(most == 1, "number") + ", not '" + child->text + "'");
   return {};
 }
 

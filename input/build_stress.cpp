@@ -3,6 +3,7 @@
 
 #include "base/csv.hpp"
 #include "base/schema.hpp"
+#include "base/text.hpp"
 #include "input/builder.hpp"
 
 #include <algorithm>
@@ -66,8 +67,7 @@ std::shared_ptr<const ScatteredField> Builder::stress_points(const Statement& s)
     }
     if (problems_.full()) break;
     must(row.cells.size() == meaning.size(), row.origin,
-         "this row has " + std::to_string(row.cells.size()) + " cells, its table has " +
-             std::to_string(meaning.size()) + " columns");
+         "this row has " + counted(row.cells.size(), "cell") + ", its table has " + counted(meaning.size(), "column"));
     Vec3& x = points.emplace_back(Vec3::Zero());
     auto& v = values.emplace_back();
     for (std::size_t k = 0; k < std::min(row.cells.size(), meaning.size()); ++k) {

@@ -2,6 +2,7 @@
 #include "commands.hpp"
 
 #include "base/error.hpp"
+#include "base/text.hpp"
 #include "input/coverage.hpp"
 #include "input/manual.hpp"
 #include "input/read.hpp"
@@ -145,7 +146,7 @@ int drive_command(const Arguments& a) {
   keep_file(table, a.overwrite);
   const auto out = std::visit([](const auto& what) { return tribo::drive(what); }, read_drive(a.file, settings_of(a)));
   write_atomically(table, out.text());
-  if (!a.quiet) std::printf("%zu rows in %s\n", out.rows.size(), table.c_str());
+  if (!a.quiet) std::printf("%s in %s\n", counted(out.rows.size(), "row").c_str(), table.c_str());
   return 0;
 }
 

@@ -5,6 +5,7 @@
 #include "base/parallel.hpp"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,8 @@ struct Arguments {
   bool markdown = false, coverage = false, names = false;
   std::string field, view;  ///< empty: chosen by the run
   std::vector<double> times, range;
+  std::vector<double> window, centre;  ///< render: what a picture shows
+  std::optional<double> zoom;          ///< render: magnification
   int width = 900, rate = 20, port = 0;
   std::vector<std::string> variations;  ///< sweep: name=value,value,...
   int jobs = 1, threads_each = 0;       ///< sweep: processes at a time; threads of each, 0: shared among them

@@ -124,6 +124,15 @@ class CommandLine {
     render->add_option("-o,--output", a.output,
                        "folder of the pictures FIELD_NUMBER.png and of the film FIELD.mp4 (default: DIR/pictures)");
     shows_field(render);
+    auto* window = render->add_option("--window", a.window,
+                                      "LEFT,RIGHT,LOW,HIGH: what the pictures show, along the two axes of the view");
+    window->expected(4)->delimiter(',');
+    auto* zoom = render->add_option("--zoom", a.zoom, "magnify by this factor, around the middle or --centre");
+    zoom->excludes(window);
+    render->add_option("--centre", a.centre, "X,Y or X,Y,Z: the point in the middle of a magnified picture")
+        ->expected(2, 3)
+        ->delimiter(',')
+        ->needs(zoom);
     render->add_option("--rate", a.rate, "pictures per second of the film (default 20)")->check(CLI::PositiveNumber);
     auto* report = add("report", "write an HTML report of a run: pictures, histories, energies, times", report_command);
     report->add_option("DIR", a.folder, "folder of the run")->required();

@@ -2,6 +2,7 @@
 #include "base/error.hpp"
 #include "base/memory.hpp"
 #include "base/read_file.hpp"
+#include "base/text.hpp"
 #include "commands.hpp"
 #include "output/atomic_file.hpp"
 #include "run/model_view.hpp"
@@ -61,6 +62,10 @@ PictureOptions common_options(const RunFolder& run, const std::vector<Frame>& fr
     options.box = options.box ? joined(*options.box, box) : box;
     extend(range, shade_of(scene, options.field).values);
   }
+  if (!a.window.empty() || a.zoom) {
+    const std::string view = a.view.empty() ? usual_view(*options.box) : a.view;
+    options.window = chosen_window({a.window, a.zoom.value_or(1.0), a.centre}, view, *options.box);
+  }
   options.range = a.range.size() == 2 ? Range{a.range[0], a.range[1]} : widened(range);
   if (!((*options.range)[1] > (*options.range)[0]))
     throw UsageError("--range: the first value must be below the second");
@@ -118,7 +123,7 @@ int render_command(const Arguments& a) {
   if (refused) throw FileError("cannot create '" + folder.string() + "': " + refused.message());
   // Pictures of different fields do not replace each other.
   for (const auto& frame : frames) write_atomically(place(frame), marked_as_rendered(drawn(run, frame.entry, options)));
-  std::printf("%zu picture%s in %s\n", frames.size(), frames.size() == 1 ? "" : "s", folder.c_str());
+  std::printf("%s in %s\n", counted(frames.size(), "picture").c_str(), folder.c_str());
   if (!a.times.empty()) return done;
   if (!film) return print("no film: ffmpeg is not installed\n");
   make_film(folder / (options.field + "_%05d.png"), frames.size(), a.rate, *film);

@@ -15,6 +15,7 @@
 #pragma once
 
 #include "base/error.hpp"
+#include "base/text.hpp"
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -271,7 +272,7 @@ void Archive::columns(std::string_view name, List& list) {
   std::size_t size = list.size();
   (*this)(std::string(name) + ".count", size);
   if (size != list.size())
-    throw FileError("'" + full_name(name) + "' has " + std::to_string(size) + " objects, not " +
+    throw FileError("'" + full_name(name) + "' has " + counted(size, "object") + ", not " +
                     std::to_string(list.size()) + "; the checkpoint belongs to another command file");
   ColumnArchive rows(*this, name, list.size());
   for (auto& object : list) rows.row(object);

@@ -2,6 +2,7 @@
 #include "base/expression_text.hpp"
 
 #include "base/expression.hpp"
+#include "base/text.hpp"
 
 #include <algorithm>
 #include <array>
@@ -228,8 +229,8 @@ class Checker {
   void count_arguments(const Level& level) const {
     const auto& f = *level.function;
     if (level.arguments >= f.least && (f.most == 0 || level.arguments <= f.most)) return;
-    fail(level.opened, std::string(f.name) + " takes " + (f.most == 0 ? "at least " : "") + std::to_string(f.least) +
-                           (f.least == 1 ? " argument" : " arguments") + ", not " + std::to_string(level.arguments));
+    fail(level.opened, std::string(f.name) + " takes " + (f.most == 0 ? "at least " : "") +
+                           counted(f.least, "argument") + ", not " + std::to_string(level.arguments));
   }
 
   void next_argument() {

@@ -19,6 +19,13 @@ std::vector<std::string> words_of(std::string_view text) {
   return out;
 }
 
+std::string plural(bool one, std::string_view noun) { return std::string(noun) + (one ? "" : "s"); }
+
+std::string counted(double number, std::string_view noun, const char* pattern) {
+  const std::string text = format(pattern, number);
+  return text + " " + plural(text == "1", noun);
+}
+
 std::string escaped(std::string_view text, char quote) {
   std::string out;
   for (const char c : text)

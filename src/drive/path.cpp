@@ -3,6 +3,7 @@
 
 #include "base/csv.hpp"
 #include "base/schema.hpp"
+#include "base/text.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -77,8 +78,8 @@ std::vector<PathRow> read_path(std::string_view text, const Origin& origin, cons
     row.origin = line.origin;
     row.value.assign(columns.size(), nothing);
     if (line.cells.size() != head.meaning.size()) {
-      problems.add(line.origin, "this row has " + std::to_string(line.cells.size()) + " cells, its table has " +
-                                    std::to_string(head.meaning.size()) + " columns");
+      problems.add(line.origin, "this row has " + counted(line.cells.size(), "cell") + ", its table has " +
+                                    counted(head.meaning.size(), "column"));
       continue;
     }
     for (std::size_t k = 0; k < line.cells.size(); ++k) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "base/error.hpp"
 #include "base/schema.hpp"
+#include "base/text.hpp"
 #include "geometry/file.hpp"
 #include "geometry/region.hpp"
 
@@ -112,8 +113,8 @@ std::vector<std::array<Vec3, 3>> read_stl(const std::string& path) {
   const auto first = text.find_first_not_of(" \t\r\n");
   if (first != std::string_view::npos && Words::same(text.substr(first, 5), "solid")) return read_ascii(bytes);
   if (bytes.size() >= head)
-    bytes.fail("this is not an STL file, or it is truncated: a binary file of " + std::to_string(bytes.word(80)) +
-               " facets has " + std::to_string(head + record * std::size_t{bytes.word(80)}) + " bytes, not " +
+    bytes.fail("this is not an STL file, or it is truncated: a binary file of " + counted(bytes.word(80), "facet") +
+               " has " + std::to_string(head + record * std::size_t{bytes.word(80)}) + " bytes, not " +
                std::to_string(bytes.size()));
   bytes.fail("this is not an STL file: it neither begins with 'solid' nor has the 84 bytes of a binary head");
 }

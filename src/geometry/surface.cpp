@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "geometry/surface.hpp"
 
+#include "base/text.hpp"
 #include "geometry/interval.hpp"
 
 #include <Eigen/Geometry>
@@ -90,10 +91,10 @@ bool check_closed(const Surface& surface) {
     for (std::size_t k = 0; k < 3; ++k) {
       const Uses& uses = edges[key(f[k], f[(k + 1) % 3])];
       if (uses.count != 2)
-        throw std::runtime_error(
-            "the surface is not closed: the edge from " + coordinates(surface.corners[static_cast<std::size_t>(f[k])]) +
-            " to " + coordinates(surface.corners[static_cast<std::size_t>(f[(k + 1) % 3])]) + " belongs to " +
-            std::to_string(uses.count) + (uses.count == 1 ? " facet" : " facets") + " instead of 2");
+        throw std::runtime_error("the surface is not closed: the edge from " +
+                                 coordinates(surface.corners[static_cast<std::size_t>(f[k])]) + " to " +
+                                 coordinates(surface.corners[static_cast<std::size_t>(f[(k + 1) % 3])]) +
+                                 " belongs to " + counted(uses.count, "facet") + " instead of 2");
       oriented = oriented && uses.direction == 0;
     }
   return oriented;

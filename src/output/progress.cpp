@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "output/progress.hpp"
 
+#include "base/text.hpp"
+
 #include <unistd.h>
 
 #include <algorithm>
@@ -50,7 +52,7 @@ void Progress::line(double time, std::int64_t step, double dt, bool last) {
 void Progress::finish(double time, std::int64_t step) {
   if (quiet_) return;
   if (terminal_) std::fprintf(stderr, "\r");
-  std::fprintf(stderr, "done: time %.6g, %lld steps, %.1f s%40s\n", time, static_cast<long long>(step),
+  std::fprintf(stderr, "done: time %.6g, %s, %.1f s%40s\n", time, counted(step, "step").c_str(),
                std::chrono::duration<double>(Clock::now() - begin_).count(), "");
 }
 

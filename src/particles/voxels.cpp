@@ -113,8 +113,55 @@ bool Voxels<Dim>::contains(Index<Dim> voxel) const {
   return std::binary_search(keys_.begin(), keys_.end(), key_of(voxel));
 }
 
-// The connected body of each cube, by the position of one of its cubes in keys_. The keys are in order, so that the
-// neighbours in one direction are found in a single pass.
+template <int Dim>
+void Voxels<Dim>::add_images(int reach) {
+  for (std::size_t d = 0; d < Dim; ++d)
+    for (const auto& plane : mirror_[d]) {
+      if (!plane) continue;
+      std::vector<Key> images;
+      for (const Key key : keys_) {
+        Index<Dim> voxel = voxel_of(key);
+        const int image = 2 * *plane - 1 - voxel[d];
+        if (std::abs(image - *plane) > reach) continue;
+        voxel[d] = image;
+        images.push_back(key_of(voxel));
+      }
+      keys_.insert(keys_.end(), images.begin(), images.end());
+    }
+  sort();
+}
+
+template <int Dim>
+std::optional<std::size_t> Voxels<Dim>::cube_around(const Vec<Dim>& x) const {
+  const Key key = key_of(around<Dim>((x - low_).cwiseQuotient(size_)));
+  const auto found = std::lower_bound(keys_.begin(), keys_.end(), key);
+  if (found == keys_.end() || *found != key) return std::nullopt;
+  return static_cast<std::size_t>(found - keys_.begin());
+}
+
+// A block with edge n ends at a cube if blocks with edge n - 1 end at all its neighbours with lower numbers. The keys
+// are in order, so that the neighbours in one direction are found in a single pass.
+template <int Dim>
+std::vector<int> Voxels<Dim>::largest_cubes(int most) const {
+  constexpr std::size_t corners = (1u << Dim) - 1;
+  std::array<Key, corners> step{};
+  std::array<std::size_t, corners> at{};
+  for (std::size_t c = 0; c < corners; ++c)
+    for (std::size_t d = 0; d < Dim; ++d)
+      if ((c + 1) >> d & 1u) step[c] += Key{1} << (bits * d);
+  std::vector<int> edge(keys_.size());
+  for (std::size_t i = 0; i < keys_.size(); ++i) {
+    int least = most - 1;
+    for (std::size_t c = 0; c < corners; ++c) {
+      while (keys_[at[c]] + step[c] < keys_[i]) ++at[c];
+      least = keys_[at[c]] + step[c] == keys_[i] ? std::min(least, edge[at[c]]) : 0;
+    }
+    edge[i] = least + 1;
+  }
+  return edge;
+}
+
+// The keys are in order, so that the neighbours in one direction are found in a single pass.
 template <int Dim>
 std::vector<std::size_t> Voxels<Dim>::connected() const {
   std::vector<std::size_t> root(keys_.size());

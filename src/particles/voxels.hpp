@@ -26,6 +26,8 @@ class Voxels {
   void add(const Seed& seed);
   void add(const Voxels& other) { keys_.insert(keys_.end(), other.keys_.begin(), other.keys_.end()); }
   void sort();
+  /// Adds the mirror images of the cubes up to a number of cubes from the planes, and sorts.
+  void add_images(int reach);
 
   bool empty() const { return keys_.empty(); }
   /// Numbers of the lowest and highest cubes along the axes.
@@ -37,6 +39,13 @@ class Voxels {
   /// Cubes that are farther apart along an axis do not touch, even by way of a mirror image.
   static constexpr int margin = 2 * per_cell + 1;
   bool contains(Index<Dim> voxel) const;
+
+  /// The position of the cube around a point in the order of the cubes; nullopt if there is none.
+  std::optional<std::size_t> cube_around(const Vec<Dim>& x) const;
+  /// The connected body of each cube, by the position of one of its cubes.
+  std::vector<std::size_t> connected() const;
+  /// For each cube the edge of the largest block of cubes, up to `most`, whose corner with the highest numbers it is.
+  std::vector<int> largest_cubes(int most) const;
 
   /// The thickness of the connected body that is thinnest behind the faces where it touches `other` [cells]: the median
   /// length of lines through the body, normal to these faces. Faces touch if they are less than a cell apart; nullopt
@@ -57,7 +66,6 @@ class Voxels {
   };
   static Key key_of(const Index<Dim>& voxel);
   static Index<Dim> voxel_of(Key key);
-  std::vector<std::size_t> connected() const;
   std::vector<std::size_t> touching(const Voxels& other) const;
   std::vector<Chord> chords_from(const Voxels& other) const;
   std::optional<Vec<Dim>> towards(const Vec<Dim>& point) const;

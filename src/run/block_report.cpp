@@ -98,9 +98,9 @@ std::string describe_blocks(const Model& model, int wanted_threads) {
   line(format("memory: about %.3g MB", 1e-6 * blocks.bytes()));
   line(format("files of blocks and contacts: %.0f each", output_times(Schedule(model.output.archive), model.time.end)));
   const double output = output_seconds(model, blocks, steps.size);
-  out += format("estimated time: %.3g s on %d thread%s, of which output %.2g s\n",
-                seconds_per_step(blocks, steps) * model.time.end / steps.size + output, threads(),
-                threads() == 1 ? "" : "s", output);
+  out += format("estimated time: %.3g s on %s, of which output %.2g s\n",
+                seconds_per_step(blocks, steps) * model.time.end / steps.size + output,
+                counted(threads(), "thread").c_str(), output);
   for (const auto& warning : model.warnings) line(warning);
   return out;
 }

@@ -5,65 +5,103 @@
 
 #include <cmath>
 #include <limits>
+#include <map>
 
 namespace tribo {
 namespace {
 
-/// Least distance between the points of two cracks.
+/// The cracks of one surface: lines that share an end, such as the parts of a crack with laws of their own.
 template <int Dim>
-double distance(const Crack<Dim>& a, const Crack<Dim>& b) {
+struct CrackGroup {
+  std::vector<std::size_t> members;  // numbers of its cracks
+  std::size_t pieces = 0, open_ends = 0;
+  double whole = 0.0, inside = 0.0;  // length or area, and what lies in bodies
+  double longest = 0.0;              // side of a piece
+};
+
+template <int Dim>
+std::vector<CrackGroup<Dim>> groups_of(const System<Dim>& system) {
+  std::map<std::uint32_t, CrackGroup<Dim>> groups;  // by the number of their first crack
+  for (std::size_t c = 0; c < system.cracks.size(); ++c) {
+    const Crack<Dim>& crack = system.cracks[c];
+    CrackGroup<Dim>& group = groups[Dim == 2 ? crack.surface : static_cast<std::uint32_t>(c)];
+    group.members.push_back(c), group.pieces += crack.main_pieces;
+    for (std::size_t p = 0; p < crack.main_pieces; ++p) {
+      const auto corners = crack.corners(p);
+      const double size = Crack<Dim>::area(corners).norm();
+      group.whole += size, group.inside += crack.inside[p] * size;
+      for (std::size_t k = 0; k < corners.size(); ++k)
+        group.longest = std::max(group.longest, (corners[k] - corners[(k + 1) % corners.size()]).norm());
+    }
+    for (std::size_t p = crack.main_pieces; p < crack.pieces.size(); ++p)
+      for (const auto point : crack.pieces[p]) group.open_ends += point < crack.main_points;
+  }
+  std::vector<CrackGroup<Dim>> out;
+  for (auto& entry : groups) out.push_back(std::move(entry.second));
+  return out;
+}
+
+template <int Dim>
+std::string name_of(const CrackGroup<Dim>& group) {
+  if (group.members.size() == 1) return format("crack %zu", group.members.front() + 1);
+  std::string numbers;
+  for (std::size_t k = 0; k < group.members.size(); ++k)
+    numbers += (k == 0 ? "" : k + 1 == group.members.size() ? " and " : ", ") + std::to_string(group.members[k] + 1);
+  return "the line of cracks " + numbers;
+}
+
+/// Least distance between the points of two groups of cracks.
+template <int Dim>
+double distance(const System<Dim>& system, const CrackGroup<Dim>& a, const CrackGroup<Dim>& b) {
   double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < a.main_points; ++i)
-    for (std::size_t j = 0; j < b.main_points; ++j) least = std::min(least, (a.x[i] - b.x[j]).norm());
+  for (const std::size_t m : a.members)
+    for (const std::size_t n : b.members) {
+      const Crack<Dim>&one = system.cracks[m], &other = system.cracks[n];
+      for (std::size_t i = 0; i < one.main_points; ++i)
+        for (std::size_t j = 0; j < other.main_points; ++j) least = std::min(least, (one.x[i] - other.x[j]).norm());
+    }
   return least;
 }
 
 /// Whether a crack ends within a body: in two dimensions if it does not go on beyond both its ends.
 template <int Dim>
-bool has_tips(const Crack<Dim>& crack, double inside, double whole) {
-  if (Dim == 3) return inside > 0.999 * whole;
-  std::size_t out = 0;
-  for (std::size_t p = crack.main_pieces; p < crack.pieces.size(); ++p)
-    for (const auto point : crack.pieces[p]) out += point < crack.main_points;
-  return out < 2;
+bool has_tips(const CrackGroup<Dim>& group) {
+  return Dim == 3 ? group.inside > 0.999 * group.whole : group.open_ends < 2;
 }
 
 }  // namespace
 
 template <int Dim>
 Remarks describe_cracks(const System<Dim>& system) {
-  constexpr double few = 6, near = 3, coarse = 1.01;  // cells
+  constexpr double few = 6, near = 3, coarse = 1.01, common = 1e-6;  // cells
   const double h = system.lattice.spacing.maxCoeff();
   Remarks out;
-  for (std::size_t c = 0; c < system.cracks.size(); ++c) {
-    const Crack<Dim>& crack = system.cracks[c];
-    double whole = 0.0, inside = 0.0, longest = 0.0;
-    for (std::size_t p = 0; p < crack.main_pieces; ++p) {
-      const auto corners = crack.corners(p);
-      const double size = Crack<Dim>::area(corners).norm();
-      whole += size, inside += crack.inside[p] * size;
-      for (std::size_t k = 0; k < corners.size(); ++k)
-        longest = std::max(longest, (corners[k] - corners[(k + 1) % corners.size()]).norm());
-    }
-    const double across = Dim == 2 ? inside / h : std::sqrt(inside) / h;
-    const std::string who = format("crack %zu", c + 1);
-    out.lines.push_back(who + format(": %zu pieces, %s %.6g, %.6g of it in bodies: %.3g cells %s", crack.main_pieces,
-                                     Dim == 2 ? "length" : "area", whole, inside, across,
-                                     Dim == 2 ? "long" : "across"));
-    if (inside == 0)
+  const auto groups = groups_of(system);
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    const CrackGroup<Dim>& group = groups[g];
+    const double across = Dim == 2 ? group.inside / h : std::sqrt(group.inside) / h;
+    const std::string who = name_of(group);
+    out.lines.push_back(
+        who + ": " + counted(group.pieces, "piece") +
+        format(", %s %.6g, %.6g of it in bodies: ", Dim == 2 ? "length" : "area", group.whole, group.inside) +
+        counted(across, "cell", "%.3g") + (Dim == 2 ? " long" : " across"));
+    if (group.inside == 0)
       out.advice.push_back(who + " lies in no body and does nothing");
-    else if (across < few && has_tips(crack, inside, whole))
-      out.advice.push_back(
-          who + format(" spans %.2g cells only: what happens at its ends is smeared over two or three", across));
-    if (longest > coarse * (Dim == 3 ? std::sqrt(2.0) : 1.0) * h)
-      out.advice.push_back(who +
-                           format(" has pieces of up to %.2g cells: nodes between its points see it coarsely; take "
-                                  "more, two per cell",
-                                  longest / h));
-    for (std::size_t other = 0; other < c; ++other)
-      if (const double d = distance(system.cracks[other], crack) / h; d < near)
-        out.advice.push_back(format("crack %zu and %s come within %.2g cells: what is between them is not resolved",
-                                    other + 1, who.c_str(), d));
+    else if (across < few && has_tips(group))
+      out.advice.push_back(who + " spans " + counted(across, "cell") +
+                           " only: what happens at its ends is smeared over two or three");
+    if (group.longest > coarse * (Dim == 3 ? std::sqrt(2.0) : 1.0) * h)
+      out.advice.push_back(who + " has pieces of up to " + counted(group.longest / h, "cell") +
+                           ": nodes between its points see it coarsely; take more, two per cell");
+    for (std::size_t other = 0; other < g; ++other) {
+      const double d = distance(system, groups[other], group) / h;
+      if (d < common)
+        out.advice.push_back(name_of(groups[other]) + " and " + who +
+                             " meet: the body between them is not resolved near their common point");
+      else if (d < near)
+        out.advice.push_back(name_of(groups[other]) + " and " + who + " come within " + counted(d, "cell") +
+                             ": what is between them is not resolved");
+    }
   }
   return out;
 }
@@ -92,9 +130,9 @@ Remarks describe_interfaces(const System<Dim>& system) {
     }
     const std::string who =
         format("joint %zu of %s and %s", s + 1, name(surface.material[0]).c_str(), name(surface.material[1]).c_str());
-    out.lines.push_back(who + format(": %zu points, area %.6g", surface.joints.size(), area));
+    out.lines.push_back(who + ": " + counted(surface.joints.size(), "point") + format(", area %.6g", area));
     const double cells = std::pow(static_cast<double>(surface.joints.size()), 1.0 / (Dim - 1)) / 2;
-    if (cells < few) out.advice.push_back(who + format(" has %zu points only", surface.joints.size()));
+    if (cells < few) out.advice.push_back(who + " has " + counted(surface.joints.size(), "point") + " only");
     if (10 * steps > surface.joints.size())
       out.advice.push_back(
           who +

@@ -31,8 +31,8 @@ class Effort {
     std::string time;
     try {
       const double free = seconds_per_step();
-      time = format("estimated time: %.3g s on %d thread%s, of which output %.2g s",
-                    steps * (free + added_by_contact(free)) + output, threads(), threads() == 1 ? "" : "s", output);
+      time = format("estimated time: %.3g s on %s, of which output %.2g s",
+                    steps * (free + added_by_contact(free)) + output, counted(threads(), "thread").c_str(), output);
     } catch (const SimulationError& error) {
       time = "estimated time: unknown";
       out_.advice.push_back(std::string("a trial of some steps failed: ") + error.what());

@@ -17,10 +17,6 @@ constexpr std::array<int, 3> grey{150, 160, 166}, green{46, 139, 87}, brown{139,
     red{200, 40, 60}, orange{230, 120, 20}, blue{30, 100, 200}, pink{214, 51, 132}, black{40, 46, 50};
 constexpr const char* axes = "xyz";
 
-std::string count_of(std::size_t n, const std::string& what) {
-  return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
-}
-
 // Every n-th of many, so that at most about 4000 are drawn.
 std::size_t stride_of(std::size_t count) { return count / 4000 + 1; }
 
@@ -121,11 +117,11 @@ void add_node_conditions(std::vector<Layer>& out, const Model& model, const Latt
     for (std::size_t k = 0; k < nodes.size(); k += stride_of(nodes.size()))
       layer.line(nodes[k] - half, nodes[k] + half);
   }
-  for (auto& [name, layer] : layers) layer.note = count_of(counts[name], "node"), out.push_back(std::move(layer));
+  for (auto& [name, layer] : layers) layer.note = counted(counts[name], "node"), out.push_back(std::move(layer));
   Layer heat{"temperature of nodes prescribed", "", pink, 2.0};
   for (const TemperatureCondition& c : model.temperature_conditions)
     for (const Vec3& x : nodes_in<Dim>(lattice, *c.where)) heat.points.push_back(x);
-  heat.note = count_of(heat.points.size(), "node");
+  heat.note = counted(heat.points.size(), "node");
   out.push_back(std::move(heat));
 }
 
@@ -181,7 +177,7 @@ void add_loads(std::vector<Layer>& out, const Model& model, const Lattice<Dim>& 
     }
   });
   for (auto& [kind, count] : counts)
-    (kind == Kind::force ? forces : kind == Kind::traction ? tractions : fluxes).note = count_of(count, "particle");
+    (kind == Kind::force ? forces : kind == Kind::traction ? tractions : fluxes).note = counted(count, "particle");
   for (Layer* layer : {&forces, &tractions, &fluxes}) out.push_back(std::move(*layer));
 }
 
@@ -194,7 +190,7 @@ Vec3 in_space(const Vec<Dim>& x) {
 
 template <int Dim>
 void add_cracks(std::vector<Layer>& out, const System<Dim>& system) {
-  Layer cracks{"cracks", count_of(system.cracks.size(), "crack"), pink, 3.0, Dim == 2 ? 1.0 : 0.6};
+  Layer cracks{"cracks", counted(system.cracks.size(), "crack"), pink, 3.0, Dim == 2 ? 1.0 : 0.6};
   for (const Crack<Dim>& crack : system.cracks) {
     const auto first = static_cast<std::uint32_t>(cracks.points.size());
     for (std::size_t k = 0; k < crack.main_points; ++k) cracks.points.push_back(in_space<Dim>(crack.x[k]));
@@ -212,7 +208,7 @@ void add_cracks(std::vector<Layer>& out, const System<Dim>& system) {
       const Vec3 x = in_space<Dim>(surface.x[k]);
       joints.line(x - half * surface.axes[k].n, x + half * surface.axes[k].n);
     }
-  joints.note = count_of(count, "point");
+  joints.note = counted(count, "point");
   out.push_back(std::move(cracks)), out.push_back(std::move(joints));
 }
 
@@ -260,7 +256,7 @@ void add_block_conditions(std::vector<Layer>& out, const BlocksSpec& spec, const
   const auto add = [&](Layer& layer, const auto& list) {
     for (const auto& one : list)
       if (one.where) add_region(layer, *one.where, around, blocks.plane());
-    layer.note = count_of(list.size(), "region");
+    layer.note = counted(list.size(), "region");
     out.push_back(std::move(layer));
   };
   add(held, spec.holds), add(loaded, spec.loads), add(pressed, spec.pressures), add(platens, spec.platens);

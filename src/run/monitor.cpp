@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numeric>
 
 namespace tribo {
 namespace {
@@ -15,6 +17,26 @@ namespace {
 constexpr double short_step = 0.1;  ///< over the first one
 /// Share of stretched particles of a body that is noticed; where matter is cut or torn, a few are always drawn out.
 constexpr double many = 0.01;
+
+/// The error of the energy balance that rounding explains [energy]: of sums over many steps a small share of the
+/// largest energy; the last digit of stored energies that are functions of the deformation gradient, whose terms are as
+/// large as the moduli and cancel; and the last digit of positions, of which displacements are differences.
+template <int Dim>
+double rounding_error(const Model& model, const System<Dim>& system, const Measures& all, const RunEnergies& run) {
+  constexpr double of_sums = 1e-9, digit = std::numeric_limits<double>::epsilon();
+  double largest = 0.0;
+  for (const double energy : {all.kinetic, all.stored, all.dissipated, all.expansion, run.potential, run.external_work,
+                              run.boundary_work, run.stages, run.damping, run.transfer, run.contact, run.interface})
+    largest = std::max(largest, std::abs(energy));
+  double terms = all.mass * model.body_force.gravity.norm() *
+                 std::max(system.lattice.low.cwiseAbs().maxCoeff(), system.lattice.high.cwiseAbs().maxCoeff());
+  for (const auto& body : system.bodies)
+    if (body.law->needs_deformation()) {
+      const double* const volume = body.particles.volume();
+      terms += body.law->wave_modulus() * std::accumulate(volume, volume + body.particles.size(), 0.0);
+    }
+  return of_sums * largest + digit * terms;
+}
 
 }  // namespace
 
@@ -54,7 +76,8 @@ void Monitor<Dim>::balance(double initial_energy, Warnings& warnings) {
   const double supplied = initial_energy + gained(run.external_work) + gained(run.boundary_work) + gained(run.stages) +
                           gained(-run.potential) + gained(-all.expansion);
   const double residual = energy_residual(all, run, initial_energy);
-  if (state.record_balance(supplied, residual, run.transfer, system_.time)) warnings.push_back(text(Sign::energy));
+  if (state.record_balance(supplied, residual, run.transfer, rounding_error(model_, system_, all, run), system_.time))
+    warnings.push_back(text(Sign::energy));
 }
 
 template <int Dim>
@@ -96,9 +119,8 @@ std::vector<std::string> Monitor<Dim>::summary() const {
                          removed, removed == 1 ? "was" : "were"));
   if (const long returned = stepper_.particle_sort().returned; returned > 0)
     out.push_back(
-        format("particles: %ld time%s one that left the grid was put back at its edge, without its velocity "
-               "across the edge (<LeaveLimit>)",
-               returned, returned == 1 ? "" : "s"));
+        "particles: " + counted(returned, "time") +
+        " one that left the grid was put back at its edge, without its velocity across the edge (<LeaveLimit>)");
   return out;
 }
 
@@ -107,12 +129,12 @@ std::vector<std::string> Monitor<Dim>::energy_figures() const {
   std::vector<std::string> out = state.energy_figures();
   if (!(state.supplied > 0)) return out;
   const bool once = !model_.scheme.extrapolate_again && model_.scheme.order != UpdateOrder::usf;
-  if (once && -state.residual > MonitorState::noticed * state.supplied)
+  if (once && state.is_notable(-state.residual))
     out.back() += "; the update without <SkipPostExtrapolation/> (USL+, USAVG+) usually avoids most of this loss";
   double released = 0.0;
   for (const auto& crack : system_.cracks)
     for (const CrackTip& tip : crack.tips) released += tip.released;
-  if (released > MonitorState::noticed * state.supplied)
+  if (state.is_notable(released))
     out.push_back(
         format("energy: the growth of cracks released %.3g %% of what was supplied; it becomes motion at the "
                "new faces, which transfer and damping dissipate",
@@ -139,8 +161,7 @@ template <int Dim>
 std::string Monitor<Dim>::particle_text(Sign sign, const Finding& f) const {
   const auto& body = system_.bodies[static_cast<std::size_t>(f.body)];
   const VolumeRange ordinary = ranges_[static_cast<std::size_t>(f.body)];
-  const std::string who = format("%lld particle%s of '%s' at time %.4g ", static_cast<long long>(f.count),
-                                 f.count == 1 ? "" : "s", body.name.c_str(), f.time);
+  const std::string who = counted(f.count, "particle") + format(" of '%s' at time %.4g ", body.name.c_str(), f.time);
   const char* const volume =
       "; usually the step is too large, or the shape functions are too rough: a smaller <TimeFactor>, "
       "<GIMP type='quadratic'/>, more particles per cell";
@@ -152,8 +173,8 @@ std::string Monitor<Dim>::particle_text(Sign sign, const Finding& f) const {
       return "volume: " + who + format("above %.3g of their volume, the worst at %.3g at ", ordinary.high, f.worst) +
              place(f) + volume;
     default:
-      return "holes: " + who + format("longer than a cell, the longest %.3g cells at ", f.worst) + place(f) +
-             ": there is less than one per cell, and the body comes apart numerically; " +
+      return "holes: " + who + "longer than a cell, the longest " + counted(f.worst, "cell", "%.3g") + " at " +
+             place(f) + ": there is less than one per cell, and the body comes apart numerically; " +
              (model_.splitting ? "more 'generations' of <SplitParticles>, or more particles per cell"
                                : "<SplitParticles/>, or more particles per cell");
   }

@@ -35,10 +35,11 @@ bool MonitorState::record(Sign sign, const Finding& now, bool worse, double at) 
   return fresh;
 }
 
-bool MonitorState::record_balance(double supplied_now, double residual_now, double transfer_now, double at) {
-  supplied = std::max(supplied, supplied_now);
+bool MonitorState::record_balance(double supplied_now, double residual_now, double transfer_now, double rounding_now,
+                                  double at) {
+  supplied = std::max(supplied, supplied_now), rounding = std::max(rounding, rounding_now);
   residual = residual_now, transfer = transfer_now, gain = residual - transfer;
-  gains = supplied > 0 && gain > noticed * supplied ? gains + 1 : 0;
+  gains = supplied > 0 && is_notable(gain) ? gains + 1 : 0;
   if (gains < lasting) return false;
   Finding now;
   now.worst = gain / supplied;
@@ -48,8 +49,8 @@ bool MonitorState::record_balance(double supplied_now, double residual_now, doub
 std::vector<std::string> MonitorState::energy_figures() const {
   std::vector<std::string> out;
   const auto tell = [&](const char* what, double energy) {
-    const double share = std::abs(energy) / supplied;
-    if (share > noticed) out.push_back(format("energy: %s %.3g %% of what was supplied", what, 100 * share));
+    if (is_notable(std::abs(energy)))
+      out.push_back(format("energy: %s %.3g %% of what was supplied", what, 100 * std::abs(energy) / supplied));
   };
   if (!(supplied > 0)) return out;
   tell(transfer > 0 ? "the transfer between particles and grid dissipated"

@@ -44,6 +44,7 @@ struct MonitorState {
   double gain = 0.0;        ///< energy from nowhere at the last look: residual minus transfer [energy]
   double residual = 0.0;    ///< of the energy balance at the last look        [energy]
   double transfer = 0.0;    ///< dissipated by the transfers until then; negative: created [energy]
+  double rounding = 0.0;    ///< error of the balance that rounding explains, the largest so far [energy]
   std::int64_t gains = 0;   ///< looks in a row with a gain
   std::array<Finding, sign_count> findings{};
   Finding& of(Sign sign) { return findings[static_cast<std::size_t>(sign)]; }
@@ -54,17 +55,20 @@ struct MonitorState {
   /// Notes a sign, with its figures where it is worst so far. True if it is seen for the first time.
   bool record(Sign sign, const Finding& now, bool worse, double time);
   /// Notes the balance of energy at a time: what was supplied so far, what is not accounted for, and what the transfers
-  /// dissipated [energy]. True if it is seen for the first time that energy comes from nowhere.
-  bool record_balance(double supplied_now, double residual_now, double transfer_now, double time);
+  /// dissipated; and the error of these figures that rounding explains [energy]. True if it is seen for the first time
+  /// that energy comes from nowhere.
+  bool record_balance(double supplied_now, double residual_now, double transfer_now, double rounding_now, double time);
+  /// Whether an energy is more than a trifle of what was supplied, and more than rounding explains.
+  bool is_notable(double energy) const { return energy > noticed * supplied && energy > rounding; }
   /// Lines on the energy that the transfers dissipated and on what is missing, where they are more than a trifle.
   std::vector<std::string> energy_figures() const;
 };
 
 inline void archive(Archive& a, MonitorState& state) {
-  auto& [stride, first_step, supplied, gain, residual, transfer, gains, findings] = state;
-  a.version(2);
+  auto& [stride, first_step, supplied, gain, residual, transfer, rounding, gains, findings] = state;
+  a.version(3);
   a("stride", stride), a("first_step", first_step), a("supplied", supplied), a("gain", gain), a("gains", gains);
-  a("residual", residual), a("transfer", transfer);
+  a("residual", residual), a("transfer", transfer), a("rounding", rounding);
   a.each("finding", findings);
 }
 

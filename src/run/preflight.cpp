@@ -8,6 +8,7 @@
 #include "grid/select.hpp"
 #include "run/block_run.hpp"
 #include "run/body_gaps.hpp"
+#include "run/body_thickness.hpp"
 #include "run/contact_probe.hpp"
 #include "run/crack_report.hpp"
 #include "run/effort.hpp"
@@ -23,6 +24,7 @@
 #include "solver/state/limited_interface.hpp"
 #include "solver/step.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -78,10 +80,12 @@ class Report {
   std::string name(int k) const { return "'" + material(k).name + "'"; }
 
   void bodies() {
+    thin_ = thin_bodies(model_, seeds_, system_.lattice);
     for (const auto& placed : volume_error(model_, seeds_)) {
       const auto& piece = model_.pieces[static_cast<std::size_t>(placed.piece)];
-      std::string text = format("body of %-20s %9lld particles, volume %.6g", (name(piece.material) + ":").c_str(),
-                                static_cast<long long>(placed.points), placed.placed);
+      std::string text =
+          format("body of %-20s %9lld %s, volume %.6g", (name(piece.material) + ":").c_str(),
+                 static_cast<long long>(placed.points), plural(placed.points == 1, "particle").c_str(), placed.placed);
       if (placed.exact) {
         text += format(" (exact %.6g, %+.2f %%)", *placed.exact, 100 * *placed.error());
         if (std::abs(*placed.error()) > 0.05)
@@ -92,6 +96,10 @@ class Report {
       }
       line(text + thickness(placed.piece));
     }
+    for (const ThinBody& body : thin_)
+      advice_.push_back("a body of " + name(model_.pieces[static_cast<std::size_t>(body.pieces.front())].material) +
+                        " is " + counted(body.cells, "cell") +
+                        " thick: it neither bends nor carries contact stress well below 3");
   }
 
   void rigid_blocks() {
@@ -106,23 +114,17 @@ class Report {
       const double cells =
           Dim == 2 ? std::sqrt(block.volume / model_.blocks->thickness) / h_ : std::cbrt(block.volume) / h_;
       if (cells < 3)
-        advice_.push_back(format("'%s' is %.2g cells across: contact sees blocks of three cells and more well",
-                                 body.name.c_str(), cells));
+        advice_.push_back("'" + body.name + "' is " + counted(cells, "cell") +
+                          " across: contact sees blocks of three cells and more well");
     }
   }
 
-  // Thickness of thin bodies in cells.
-  std::string thickness(int piece) {
-    Vec3 low = Vec3::Constant(1e300), high = -low;
-    for (const Seed& s : seeds_)
-      if (s.piece == piece) low = low.cwiseMin(s.x - s.half_size), high = high.cwiseMax(s.x + s.half_size);
-    const double cells = ((high - low).template head<Dim>().array() / system_.lattice.spacing.array()).minCoeff();
-    const int k = model_.pieces[static_cast<std::size_t>(piece)].material;
-    if (cells > 2.75 || material(k).law->rigid()) return {};
-    advice_.push_back(
-        format("a body of %s is %.2g cells thick: it neither bends nor carries contact stress well below 3",
-               name(k).c_str(), cells));
-    return format(", %.2g cells thick", cells);
+  // The thickness of the thin body of which a shape is a part.
+  std::string thickness(int piece) const {
+    for (const ThinBody& body : thin_)
+      if (std::find(body.pieces.begin(), body.pieces.end(), piece) != body.pieces.end())
+        return ", " + counted(body.cells, "cell") + " thick";
+    return {};
   }
 
   // Shapes that share the sites of the grid do not overlap: the parallelograms that stand for cut particles may reach
@@ -144,10 +146,10 @@ class Report {
       if (grips(pair.first) || grips(pair.second)) continue;
       const std::string who = name(pair.first) + " and " + name(pair.second);
       if (gap < -touching && (may_overlap(pair.first) || may_overlap(pair.second))) {
-        line("overlap: " + who + format(" by %.3g cells", -gap));
+        line("overlap: " + who + " by " + counted(-gap, "cell", "%.3g"));
         if (separate) advice_.push_back(who + " overlap at the start: contact will push them apart");
       } else if (gap < 1) {
-        line(gap < touching ? "touch: " + who : "gap: " + who + format(", %.3g cells", gap));
+        line(gap < touching ? "touch: " + who : "gap: " + who + ", " + counted(gap, "cell", "%.3g"));
       }
       if (!separate && gap < 1)
         advice_.push_back(who +
@@ -157,10 +159,9 @@ class Report {
                                : std::string(" act on each other across the gap, as they share one velocity field")) +
                           "; <MultiMaterialMode> gives each its own");
       if (separate && gap > touching && gap < 1 && model_.contact.separation != Separation::edges)
-        advice_.push_back(who +
-                          format(" are %.3g cells apart: this way to find the gap may see contact before they touch; "
-                                 "the default separation, of the edges of particles, measures it",
-                                 gap));
+        advice_.push_back(who + " are " + counted(gap, "cell", "%.3g") +
+                          " apart: this way to find the gap may see contact before they touch; the default separation, "
+                          "of the edges of particles, measures it");
     }
   }
 
@@ -202,12 +203,11 @@ class Report {
       }
   }
 
-  // Bodies that share fully constrained nodes with others that slide by a law.
   // Particles that come and go.
   void exchange() {
     for (const SourceSpec& source : model_.sources)
-      line(format("inlet of %s: %d particles of %.4g in a row, speed at the start %.4g", name(source.material).c_str(),
-                  source.count[0] * source.count[1], source.size, source.speed(0.0)));
+      line(format("inlet of %s: %s of %.4g in a row, speed at the start %.4g", name(source.material).c_str(),
+                  counted(source.count[0] * source.count[1], "particle").c_str(), source.size, source.speed(0.0)));
     if (model_.delete_leaving)
       line(format("particles that leave the grid are removed, at most %ld", model_.leave_limit.value_or(0)));
     for (const DeletionSpec& spec : model_.deletions)
@@ -223,6 +223,7 @@ class Report {
       if (!torn.empty()) advice_.push_back(torn);
   }
 
+  // Bodies that share fully constrained nodes with others that slide by a law.
   void glued() {
     if (!model_.contact.active || model_.node_conditions.empty()) return;
     std::map<Index<Dim>, std::set<int>> fixed;
@@ -299,6 +300,7 @@ class Report {
   typename StepSize<Dim>::First step_;
   std::string out_;
   std::vector<std::string> advice_;
+  std::vector<ThinBody> thin_;
 };
 
 }  // namespace

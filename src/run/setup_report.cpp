@@ -2,40 +2,19 @@
 #include "run/setup_report.hpp"
 
 #include "base/text.hpp"
-#include "contact/contact_law.hpp"
 #include "grid/select.hpp"
 #include "materials/material.hpp"
 #include "particles/coverage.hpp"
+#include "run/contact_table.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <set>
 
 namespace tribo {
 namespace {
 
 constexpr std::array<char, 3> axis_names{'x', 'y', 'z'};
-
-// A law of the input with its name and properties.
-std::string words_of_law(const MaterialSpec& law) {
-  std::string properties;
-  for (const auto& child : law.statement.children)
-    if (child.children.empty() && !child.text.empty())
-      properties += (properties.empty() ? "" : ", ") + child.name + " " + child.text;
-  return law.type + " '" + law.name + "'" + (properties.empty() ? "" : " (" + properties + ")");
-}
-
-// A law without a name, which the input gives by a number: Coulomb friction, an interface, or no contact.
-std::string words_of_law(const ContactLaw& law) {
-  if (law.interface())
-    return "LinearInterface" + (law.stiffness() > 0 ? format(" (stiffness %.4g)", law.stiffness()) : "");
-  ContactState m;
-  m.mass = m.dt = m.area = 1.0, m.velocity = Vec3(-1, 1e6, 0);
-  const Vec3 impulse = law.response(m).impulse;
-  if (impulse.isZero()) return "none, they pass through each other";
-  return impulse[1] == 0 ? "without friction" : format("friction %.6g", -impulse[1] / impulse[0]);
-}
 
 template <int Dim>
 class SetupReport {
@@ -46,7 +25,7 @@ class SetupReport {
     gravity();
     cells();
     edges();
-    contacts();
+    for (const std::string& text : contact_table(model_, system_)) line(text);
     overlapping();
     cut_by_edges();
     return std::move(out_);
@@ -100,7 +79,7 @@ class SetupReport {
     }
     const int total = model_.points_per_cell > 0 ? model_.points_per_cell : Dim == 2 ? 4 : 8;
     line("cells: " + counts + " of " + sizes + " (" + model_.units.name(Dimension::length) + "), " +
-         std::to_string(total) + " particles per cell" + own_numbers());
+         counted(total, "particle") + " per cell" + own_numbers());
     const double ratio = system_.lattice.spacing.maxCoeff() / system_.lattice.spacing.minCoeff();
     if (ratio > slender * (1 - 1e-9))
       out_.advice.push_back(
@@ -197,7 +176,7 @@ class SetupReport {
              (parts.empty() ? "free" : join(parts, "; ")));
       }
     for (const auto& [value, count] : elsewhere)
-      line("  inside: velocity " + value + (count == 1 ? "" : format(" in %d regions", count)));
+      line("  inside: velocity " + value + (count == 1 ? "" : " in " + counted(count, "region")));
   }
 
   std::vector<std::string> planes(int axis, int side) const {
@@ -213,41 +192,6 @@ class SetupReport {
     plane(model_.grid.symmetry[k][s], "symmetry");
     plane(model_.grid.wall[k][s], "wall");
     return out;
-  }
-
-  std::string law_of(int a, int b) const {
-    const ContactSpec& c = model_.contact;
-    const auto joint = c.joints.find({std::min(a, b), std::max(a, b)});
-    std::string out;
-    if (joint != c.joints.end())
-      for (const auto& m : model_.materials)
-        if (m.joint == joint->second.law) out = words_of_law(m) + " where they touch at the start, then ";
-    const ContactLaw* law = c.law(a, b);
-    for (const auto& m : model_.materials)
-      if (m.contact.get() == law) return out + words_of_law(m);
-    return out + words_of_law(*law);
-  }
-
-  // The pairs of materials whose velocity fields differ, and where their contact conditions hold.
-  void contacts() {
-    if (!model_.contact.active) {
-      if (system_.bodies.size() + system_.rigids.size() > 1)
-        line("contact: none, all bodies share one velocity field and stick where they touch");
-      return;
-    }
-    std::vector<const Body<Dim>*> bodies;
-    for (const auto* list : {&system_.bodies, &system_.rigids})
-      for (const auto& body : *list)
-        if (body.field != Body<Dim>::no_field) bodies.push_back(&body);
-    std::set<std::pair<int, int>> told;
-    for (std::size_t i = 0; i < bodies.size(); ++i)
-      for (std::size_t j = i + 1; j < bodies.size(); ++j) {
-        const int a = bodies[i]->material, b = bodies[j]->material;
-        const bool blocks = bodies[i]->block >= 0 && bodies[j]->block >= 0;  // their joint laws are no contact laws
-        if (!blocks && bodies[i]->field != bodies[j]->field && told.insert({a, b}).second)
-          line("contact of " + name(a) + " and " + name(b) + ": " + law_of(a, b));
-      }
-    if (!told.empty()) line("contact impulses: " + system_.contact_reason);
   }
 
   void overlapping() {

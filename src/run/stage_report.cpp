@@ -33,8 +33,8 @@ std::vector<std::string> describe_stages(const Model& model, const Seeds& seeds)
     }
     const auto placed =
         std::count_if(later.begin(), later.end(), [&](const LaterSeed& seed) { return seed.stage == number; });
-    if (removed > 0) line += format(", %ld particles of the start excavated", removed);
-    if (placed > 0) line += format(", %ld particles placed", static_cast<long>(placed));
+    if (removed > 0) line += ", " + counted(removed, "particle") + " of the start excavated";
+    if (placed > 0) line += ", " + counted(placed, "particle") + " placed";
     out.push_back(line);
   }
   return out;

@@ -103,8 +103,7 @@ std::string need(const Model& model, const Lattice<Dim>& lattice, const std::map
     others.sort();
     const auto cells = body.thickness_behind(others);
     if (!cells || *cells > thin + tolerance) continue;
-    const std::string number = format("%.2g", *cells);
-    return "'" + spec(model, material).name + "' is " + number + (number == "1" ? " cell thick" : " cells thick");
+    return "'" + spec(model, material).name + "' is " + counted(*cells, "cell") + " thick";
   }
   Voxels<Dim> rigid(model, lattice);
   for (const auto& [material, body] : bodies)
@@ -141,8 +140,8 @@ ImpulseChoice choose_impulses(const Model& model, const Seeds& seeds, const Latt
   const auto near = near_bodies(bodies);
   const std::string against = objection(model, materials), wanted = need(model, lattice, bodies, near);
   if (wanted.empty()) {
-    const std::string reason = format(
-        "on nodes, because no body that touches another one is as thin as %g cells or lies between rigid faces", thin);
+    const std::string reason = "on nodes, because no body that touches another one is as thin as " +
+                               counted(thin, "cell") + " or lies between rigid faces";
     const bool splines = model.scheme.kernel == Kernel::quadratic_spline || model.scheme.kernel == Kernel::cubic_spline;
     if (!splines || !touches_rigid_body(model, near)) return {false, reason};
     return {false, reason +

@@ -27,12 +27,15 @@ struct Sheet {
   double y(double v) const { return top + (v1 - v) * scale; }
 };
 
-/// Particles as squares (flat) or balls (space) on a canvas four times as fine as the picture.
+/// Particles as squares (flat) or balls (space) on a canvas with four times as many pixels as the picture.
 class Canvas {
  public:
-  Canvas(const Sheet& layout) : layout_(layout) {
-    width_ = fine * static_cast<int>(std::ceil(layout.width)),
-    height_ = fine * static_cast<int>(std::ceil(layout.height));
+  /// `beyond`: width of what is drawn around the picture and not shown [length]; at most the width of the picture.
+  Canvas(const Sheet& layout, double beyond = 0.0)
+      : layout_(layout), rim_(static_cast<int>(std::ceil(std::min(beyond * layout.scale, layout.width)))) {
+    layout_.u0 -= rim_ / layout_.scale, layout_.v1 += rim_ / layout_.scale;
+    width_ = fine * (static_cast<int>(std::ceil(layout.width)) + 2 * rim_),
+    height_ = fine * (static_cast<int>(std::ceil(layout.height)) + 2 * rim_);
     depth_.assign(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_), -1e30F);
     colour_.assign(depth_.size(), Colour{255, 255, 255});
   }
@@ -140,15 +143,14 @@ class Canvas {
     cairo_surface_flush(surface);
     unsigned char* data = cairo_image_surface_get_data(surface);
     const int stride = cairo_image_surface_get_stride(surface);
-    for (int y = 0; y < height_ / fine; ++y)
-      for (int x = 0; x < width_ / fine; ++x) {
+    for (int y = 0; y < height_ / fine - 2 * rim_; ++y)
+      for (int x = 0; x < width_ / fine - 2 * rim_; ++x) {
         const int to_x = static_cast<int>(layout_.left) + x, to_y = static_cast<int>(layout_.top) + y;
         if (to_x >= layout_.picture_width || to_y >= layout_.picture_height) continue;
         std::array<int, 3> sum{};
         for (int j = 0; j < fine; ++j)
           for (int i = 0; i < fine; ++i) {
-            const Colour& c = colour_[static_cast<std::size_t>(fine * y + j) * static_cast<std::size_t>(width_) +
-                                      static_cast<std::size_t>(fine * x + i)];
+            const Colour& c = colour_[index(fine * (x + rim_) + i, fine * (y + rim_) + j)];
             for (std::size_t k = 0; k < 3; ++k) sum[k] += c[k];
           }
         auto* pixel = reinterpret_cast<std::uint32_t*>(data + static_cast<std::ptrdiff_t>(to_y) * stride) + to_x;
@@ -210,7 +212,8 @@ class Canvas {
     return offsets;
   }
 
-  Sheet layout_;
+  Sheet layout_;  // of the canvas
+  int rim_;       // pixels of the picture around it
   int width_ = 0, height_ = 0;
   std::vector<float> depth_;
   std::vector<Colour> colour_;

@@ -4,6 +4,7 @@
 #include "base/error.hpp"
 #include "view/annotations.hpp"
 #include "view/chart.hpp"
+#include "view/outer_domains.hpp"
 
 #include <cairo.h>
 
@@ -28,16 +29,8 @@ using Pen = std::unique_ptr<cairo_t, Destroy>;
 constexpr double least_width = 170;
 constexpr double margin_left = 64, margin_right = 118, margin_top = 36, margin_bottom = 44;
 
-Sheet lay_out(const Camera& camera, const Box& box, int width, bool axes) {
-  double u0 = 1e300, u1 = -1e300, v0 = 1e300, v1 = -1e300;
-  for (int corner = 0; corner < 8; ++corner) {
-    std::array<double, 3> x{};
-    for (std::size_t d = 0; d < 3; ++d) x[d] = box[static_cast<std::size_t>(corner >> d & 1)][d];
-    const Vec3 p = camera.project(x);
-    u0 = std::min(u0, p[0]), u1 = std::max(u1, p[0]), v0 = std::min(v0, p[1]), v1 = std::max(v1, p[1]);
-  }
-  const double around = 0.02 * std::max(u1 - u0, v1 - v0);
-  u0 -= around, u1 += around, v0 -= around, v1 += around;
+Sheet lay_out(const Window& w, int width, bool axes) {
+  const double u0 = w.left, u1 = w.right, v0 = w.low, v1 = w.high;
   Sheet l{};
   l.left = axes ? margin_left : 16, l.top = margin_top;
   const double room = width - l.left - margin_right;
@@ -100,27 +93,46 @@ Box joined(const Box& a, const Box& b) {
   return out;
 }
 
+std::string usual_view(const Box& box) { return box[1][2] - box[0][2] <= 0 ? "xy" : "iso"; }
+
 namespace {
 
 constexpr double slit_share = 0.4;  // half the width of a slit that is filled, over the size of domains
 
-// The domains of particles as parallelograms, or as the sides of parallelepipeds that face the eye.
-void draw_domains(Canvas& canvas, const ParticleFrame& frame, const std::vector<std::size_t>& particles,
-                  const Camera& eye, bool flat, const std::function<Colour(std::size_t)>& colour) {
+// The domains of particles in the plane as parallelograms.
+void draw_flat_domains(Canvas& canvas, const ParticleFrame& frame, const std::vector<std::size_t>& particles,
+                       const Camera& eye, const std::function<Colour(std::size_t)>& colour) {
   for (const std::size_t i : particles) {
+    const Vec3 x = eye.project(frame.position[i]), a = eye.project(frame.domains[i][0]),
+               b = eye.project(frame.domains[i][1]);
+    canvas.polygon({x - a - b, x + a - b, x + a + b, x - a + b}, colour(i), false, false);
+  }
+}
+
+// The domains of particles in space as the sides of parallelepipeds that face the eye; those at the surface of bodies
+// cut by their neighbours. What extends them only fills gaps between them, and is therefore drawn a little behind.
+void draw_solid_domains(Canvas& canvas, const ParticleFrame& frame, const Camera& eye, double width,
+                        const std::function<Colour(std::size_t)>& colour) {
+  constexpr double extension = 0.5, behind = 0.03;
+  const OuterDomains outer(frame);
+  const auto draw = [&](const Polyhedron& polyhedron, const Colour& fill, double shift) {
+    for (std::vector<Vec3> face : polyhedron) {
+      for (Vec3& x : face) x = eye.project({x[0], x[1], x[2]}) - Vec3(0, 0, shift);
+      canvas.polygon(face, fill, true, false);
+    }
+  };
+  for (std::size_t i = 0; i < frame.count(); ++i) {
+    if (outer.is_outer(i)) {
+      draw(outer.domain(i, 0.0), colour(i), 0.0), draw(outer.domain(i, extension), colour(i), behind * width);
+      continue;
+    }
     const Vec3 x = eye.project(frame.position[i]);
     std::array<Vec3, 3> axes;
     for (std::size_t k = 0; k < 3; ++k) axes[k] = eye.project(frame.domains[i][k]);
-    const auto side = [&](const Vec3& centre, const Vec3& a, const Vec3& b) {
-      canvas.polygon({centre - a - b, centre + a - b, centre + a + b, centre - a + b}, colour(i), !flat, false);
-    };
-    if (flat) {
-      side(x, axes[0], axes[1]);
-      continue;
-    }
     for (std::size_t k = 0; k < 3; ++k) {
       const Vec3 &a = axes[(k + 1) % 3], &b = axes[(k + 2) % 3], normal = a.cross(b);
-      side(normal.dot(axes[k]) * normal[2] > 0 ? Vec3(x + axes[k]) : Vec3(x - axes[k]), a, b);
+      const Vec3 centre = normal.dot(axes[k]) * normal[2] > 0 ? Vec3(x + axes[k]) : Vec3(x - axes[k]);
+      canvas.polygon({centre - a - b, centre + a - b, centre + a + b, centre - a + b}, colour(i), true, false);
     }
   }
 }
@@ -190,8 +202,7 @@ std::string picture(const Scene& scene, const PictureOptions& options) {
   const Shade shade = shade_of(scene, options.field.empty() ? default_field(scene) : options.field);
   const Box particles = box_of(scene);
   const bool flat = particles[1][2] - particles[0][2] <= 0;
-  const std::string view = !options.view.empty() ? options.view : flat ? "xy" : "iso";
-  const Camera eye = camera(view);
+  const Camera eye = camera(options.view.empty() ? usual_view(particles) : options.view);
   const bool axes = !eye.right_name.empty();
   const bool domains = !frame.domains.empty();
   const double spacing = domains ? width_of(frame.domains) : spacing_of(frame.position);
@@ -206,10 +217,11 @@ std::string picture(const Scene& scene, const PictureOptions& options) {
   Box box = options.box.value_or(particles);
   for (std::size_t d = 0; d < 3; ++d)
     if (d < 2 || !flat) box[0][d] -= radius, box[1][d] += radius;
-  const Sheet l = lay_out(eye, box, options.width, axes);
+  const Sheet l = lay_out(options.window.value_or(window_around(eye, box)), options.width, axes);
   const Range range = options.range.value_or(range_of(shade.values));
 
-  Canvas canvas(l);
+  // Slits are also closed where they leave the picture.
+  Canvas canvas(l, options.window && flat ? std::max(2 * slit, 2 * slit_share * length) : 0.0);
   const auto colour = [&](std::size_t i) {
     const double v = shade.values[i];
     if (std::isnan(v)) return Colour{186, 184, 178};  // stone
@@ -217,13 +229,15 @@ std::string picture(const Scene& scene, const PictureOptions& options) {
   };
   if (!long_domains.empty()) {
     // Where matter flows, neighbours are so far apart, and so are the slits between their domains.
-    draw_domains(canvas, frame, long_domains, eye, flat, colour);
+    draw_flat_domains(canvas, frame, long_domains, eye, colour);
     canvas.close_gaps(slit_share * length);
   }
-  if (domains) {
+  if (domains && !flat) {
+    draw_solid_domains(canvas, frame, eye, spacing, colour);
+  } else if (domains) {
     std::vector<std::size_t> all(frame.count());
     std::iota(all.begin(), all.end(), std::size_t{0});
-    draw_domains(canvas, frame, all, eye, flat, colour);
+    draw_flat_domains(canvas, frame, all, eye, colour);
   } else {
     for (std::size_t i = 0; i < frame.count(); ++i)
       canvas.particle(eye.project(frame.position[i]), radius, colour(i), !flat);

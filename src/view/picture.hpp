@@ -4,6 +4,7 @@
 
 #include "view/camera.hpp"
 #include "view/shade.hpp"
+#include "view/window.hpp"
 
 namespace tribo {
 
@@ -19,6 +20,7 @@ struct PictureOptions {
   std::optional<Range> range;  ///< of the colours; empty: of the frame
   /// What the picture shows, low and high corner; empty: the frame with a margin.
   std::optional<std::array<std::array<double, 3>, 2>> box;
+  std::optional<Window> window;  ///< the part of the picture that is drawn; empty: everything, with a margin
 };
 
 /// The picture as a PNG file's bytes: particles as squares or balls, blocks as polygons with their edges, grey where
@@ -26,6 +28,9 @@ struct PictureOptions {
 /// shear. Throws UsageError like shade_of, FileError if there is nothing to draw.
 std::string picture(const Scene& scene, const PictureOptions& options);
 std::string picture(const ParticleFrame& frame, const PictureOptions& options);
+
+/// The view that is taken if none is chosen: xy if the box lies in a plane normal to z, else iso.
+std::string usual_view(const std::array<std::array<double, 3>, 2>& box);
 
 /// The bytes of a PNG file with a text that says it was made by `tribo render`.
 std::string marked_as_rendered(const std::string& png);

@@ -2,6 +2,7 @@
 #include "view/run_folder.hpp"
 
 #include "base/read_file.hpp"
+#include "base/text.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -56,7 +57,7 @@ ResultTable read_table(const std::filesystem::path& file) {
       continue;
     }
     if (row.size() != table.names.size())
-      fail(std::to_string(row.size()) + " cells, not " + std::to_string(table.names.size()));
+      fail(counted(row.size(), "cell") + ", not " + std::to_string(table.names.size()));
     for (std::size_t k = 0; k < row.size(); ++k) {
       double value = 0;  // nan and inf are numbers here
       const auto [last, error] = std::from_chars(row[k].data(), row[k].data() + row[k].size(), value);

@@ -79,6 +79,32 @@ TEST_CASE("the summary reports thin bodies, contrasts and the limit of the time 
   CHECK_THAT(text, Contains("stress MPa"));
 }
 
+TEST_CASE("shapes of one material that touch or overlap are judged as one body", "[preflight]") {
+  const std::string thin = "neither bends";
+  const auto rect = [](const char* x0, const char* x1, const char* y0, const char* y1) {
+    return std::string("<Rect xmin='") + x0 + "' xmax='" + x1 + "' ymin='" + y0 + "' ymax='" + y1 + "'/>";
+  };
+  const std::string block = rect("4", "8", "2", "6");
+  const auto body = [](const std::string& shape) { return "<Body matname='m'>" + shape + "</Body>"; };
+  const auto with = [&](const std::string& first, const std::string& second,
+                        const std::string& grid = "<Horiz nx='20'/><Vert ny='10'/>") {
+    return one_block(first, "", grid, "", second.empty() ? "" : body(second));
+  };
+  CHECK_THAT(with(block + rect("6", "7", "5", "9"), ""), !Contains(thin));  // a rib that overlaps, in the same <Body>
+  CHECK_THAT(with(block, rect("6", "7", "5", "9")), !Contains(thin));
+  CHECK_THAT(with(block, rect("8", "9", "2", "6")), !Contains(thin) && !Contains("thick"));  // a layer that touches
+  CHECK_THAT(with(rect("4", "9", "2", "3"), rect("4", "9", "3", "5")), !Contains(thin));
+  CHECK_THAT(with(rect("4", "9", "2", "3"), rect("4", "9", "3", "4")),
+             Contains("a body of 'm' is 2 cells thick: it " + thin) && Contains(", 2 cells thick\n"));
+  CHECK_THAT(with(rect("4", "9", "2", "3"), rect("4", "5", "3", "8")), Contains("a body of 'm' is 1 cell thick"));
+  CHECK_THAT(with(block, rect("12", "13", "2", "6")), Contains("a body of 'm' is 1 cell thick: "));  // apart from it
+  CHECK_THAT(with("<Oval xmin='4' xmax='7' ymin='2' ymax='5'/>", ""), !Contains(thin));
+  // A plane of symmetry shows half of a plate
+  const std::string mirrored = "<Horiz nx='20' symmin='0'/><Vert ny='10'/>";
+  CHECK_THAT(with(rect("0", "2", "2", "9"), "", mirrored), !Contains(thin));
+  CHECK_THAT(with(rect("0", "1", "2", "9"), "", mirrored), Contains("a body of 'm' is 2 cells thick"));
+}
+
 TEST_CASE("the summary tells which directions of an interface are elastic", "[preflight]") {
   const auto with = [](const std::string& stiffness) {
     return sheet("0", "<MultiMaterialMode><Friction lawname='glue'/></MultiMaterialMode>",
@@ -106,6 +132,35 @@ TEST_CASE("the summary reports how many cells a crack spans", "[preflight]") {
   CHECK_THAT(with("<Line xmin='5' xmax='5' ymin='2' ymax='8'/>",
                   "<CrackList><Line xmin='7.5' xmax='7.5' ymin='2' ymax='8'/></CrackList>"),
              Contains("crack 1 and crack 2 come within 2.5 cells"));
+  CHECK_THAT(with("<Line xmin='5' xmax='5' ymin='2' ymax='8'/>",
+                  "<CrackList><Line xmin='6' xmax='6' ymin='2' ymax='8'/></CrackList>"),
+             Contains("come within 1 cell: "));
+}
+
+TEST_CASE("parts of a crack with different laws are one line in the summary", "[preflight]") {
+  const std::string glue =
+      "<Material Type='TriangularTraction' Name='glue'><sigmaI>0.1</sigmaI><JIc>0.1</JIc><sigmaII>0.1</sigmaII>"
+      "<JIIc>0.1</JIIc></Material>";
+  const auto with = [&](const std::string& cracks) { return sheet("2", "", cracks + glue, "8"); };
+  const auto line = [](const char* from, const char* to, const std::string& law = "") {
+    return std::string("<Line xmin='6' xmax='6' ymin='") + from + "' ymax='" + to + "'" + law + "/>";
+  };
+  CHECK_THAT(with("<CrackList>" + line("1", "5") + line("5", "9", " matname='glue'") + "</CrackList>"),
+             Contains("the line of cracks 1 and 2: 16 pieces, length 8, 7 of it in bodies: 7 cells long\n") &&
+                 !Contains("come within") && !Contains("meet"));
+  // Both of its ends lie outside of the body
+  CHECK_THAT(with("<CrackList>" + line("1", "9.5") + line("9.5", "10", " matname='glue'") + "</CrackList>"),
+             Contains("the line of cracks 1 and 2: 18 pieces") && !Contains("spans"));
+  CHECK_THAT(with("<CrackList>" + line("3", "5") + line("5", "6", " matname='glue'") + line("6", "8") + "</CrackList>"),
+             Contains("the line of cracks 1, 2 and 3 spans 5 cells only"));
+  // Another law of contact, given by a crack of its own
+  CHECK_THAT(
+      with("<CrackList friction='0.3'>" + line("1", "5") + "</CrackList><CrackList>" + line("5", "9") + "</CrackList>"),
+      Contains("the line of cracks 1 and 2: 16 pieces") && !Contains("come within"));
+  // Three lines that share an end are cracks of their own
+  CHECK_THAT(with("<CrackList>" + line("1", "5") + "</CrackList><CrackList>" + line("5", "9") +
+                  "</CrackList><CrackList><Line xmin='6' xmax='9' ymin='5' ymax='5'/></CrackList>"),
+             Contains("crack 1 and crack 2 meet: ") && Contains("crack 1 and crack 3 meet: "));
 }
 
 TEST_CASE("the summary reports points, area and time step of a joint between materials", "[preflight]") {
@@ -211,6 +266,38 @@ TEST_CASE("the summary names the contact law of each pair of materials", "[prefl
              Contains("contact of 'left' and 'right': Mohr 'bed' (stiffness-normal 1) where they touch at the start, "
                       "then without friction"));
   CHECK_THAT(sheet("0", ""), Contains("contact: none, all bodies share one velocity field"));
+}
+
+TEST_CASE("pairs of materials with the same contact law share a line of the summary", "[preflight]") {
+  const auto row = [](const std::vector<std::string>& laws, const std::string& header = contact) {
+    std::string bodies, list;
+    for (std::size_t k = 0; k < laws.size(); ++k) {
+      const std::string who(1, static_cast<char>('a' + k)), x = std::to_string(4 * k), end = std::to_string(4 * k + 3);
+      bodies += "<Body matname='" + who + "'><Rect xmin='" + x + "' xmax='" + end + "' ymin='2' ymax='3'/></Body>";
+      list += "<Material Type='1' Name='" + who + "'><rho>1000</rho><E>1e6</E><nu>0</nu>" + laws[k] + "</Material>";
+    }
+    return one_block("<Rect xmin='16' xmax='19' ymin='6' ymax='9'/>", list, "<Horiz nx='20'/><Vert ny='10'/>", header,
+                     bodies);
+  };
+  const auto friction = [](const std::string& other, const std::string& value) {
+    return "<Friction matname='" + other + "'>" + value + "</Friction>";
+  };
+  const auto lines = [](const std::string& text) {
+    std::size_t count = 0;
+    for (std::size_t at = 0; (at = text.find("contact of ", at)) != std::string::npos; ++at) ++count;
+    return count;
+  };
+  const std::string same = row({"", "", "", ""});
+  CHECK_THAT(same, Contains("contact of all pairs (10): without friction\n"));
+  CHECK(lines(same) == 1);
+  const std::string some =
+      row({friction("b", "0.1") + friction("c", "0.2") + friction("d", "0.2"), friction("d", "0.2"), "", ""});
+  CHECK_THAT(some, Contains("contact of 'a' and 'b': friction 0.1\n") &&
+                       Contains("contact of 'a' with 'c', 'd'; 'd' with 'b': friction 0.2\n"));
+  CHECK_THAT(some, Contains("contact of all other pairs (6): without friction\n"));
+  CHECK(lines(some) == 3);
+  const std::string wall = row({friction("b", "0.1") + friction("c", "0.1") + friction("d", "0.1"), "", "", ""});
+  CHECK_THAT(wall, Contains("contact of 'a' with 'b', 'c', 'd': friction 0.1\n"));
 }
 
 TEST_CASE("the summary warns of bodies that claim the same place", "[preflight]") {

@@ -57,6 +57,10 @@ with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
     check(len([f for f in os.listdir("film") if f.endswith(".png")]) == frames, "a picture for every file")
     check(os.path.exists("film/von_mises.mp4") == bool(shutil.which("ffmpeg")), "a film if ffmpeg is there")
 
+    zoomed = [tribo, "render", "short", "-o", "zoomed", "--width", "400", "--time", "0"]
+    check(subprocess.run([*zoomed, "--zoom", "3"], stdout=subprocess.DEVNULL).returncode == 0, "a magnified picture")
+    bad = subprocess.run([*zoomed, "--window=1e6,2e6,0,1"], stderr=subprocess.PIPE, text=True)
+    check(bad.returncode == 2 and "nothing lies in it" in bad.stderr, "a window beside the particles: exit 2")
     before = {f: os.path.getmtime("film/" + f) for f in os.listdir("film")}
     subprocess.run([tribo, "render", "short", "-o", "film", "--field", "velocity.x", "--time", "1e9", "--width", "400"], check=True, stdout=subprocess.DEVNULL)
     check(set(os.listdir("film")) - set(before) == {f"velocity.x_{frames - 1:05d}.png"}, "a picture has the field and the number of its file")

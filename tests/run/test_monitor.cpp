@@ -117,7 +117,29 @@ TEST_CASE("a gain of energy that lasts is warned of, a loss is a figure", "[moni
   of_nothing.model.scheme.extrapolate_again = false;
   of_nothing.monitor.state.residual = -1;
   CHECK(of_nothing.figures().empty());
-  for (int k = 0; k < 20; ++k) CHECK_FALSE(of_nothing.monitor.state.record_balance(0, 1e-3, 0, 0));
+  for (int k = 0; k < 20; ++k) CHECK_FALSE(of_nothing.monitor.state.record_balance(0, 1e-3, 0, 0, 0));
+}
+
+TEST_CASE("a balance of energies that are no more than rounding is not judged", "[monitor]") {
+  const std::string rubber = "<Material Type='NeoHookean' Name='m'><rho>1</rho><E>1e8</E><nu>0.3</nu></Material>";
+  // The stored energy of a law of the deformation gradient has errors of the last digit of modulus times volume
+  Watched slow(block(rubber, "", "vx='1e-13'"));
+  CHECK(slow.look(0.5 * 8e-26, 20).empty());
+  slow.monitor.state.residual = 1e-9;
+  CHECK(slow.figures().empty());
+  CHECK(slow.monitor.state.rounding == Approx(2.2e-16 * 1.346e8 * 16).epsilon(0.01));
+  // The same motion of a body whose stress is the sum of its increments has none
+  CHECK_THAT(Watched(block(elastic, "", "vx='1e-13'")).look(0.5 * 8e-26, 20), Contains("came from nowhere"));
+  // Small differences of large energies
+  MonitorState state;
+  for (int k = 0; k < 20; ++k) CHECK_FALSE(state.record_balance(1e-26, 1e-20, 0, 1e-9, 0));
+  CHECK(state.energy_figures().empty());
+  state.record_balance(1e-26, 1e-8, 0, 1e-9, 0);
+  CHECK(state.energy_figures().size() == 1);
+  // What was supplied is compared with 2 % as before, however small it is
+  MonitorState small;
+  for (int k = 0; k < 4; ++k) CHECK_FALSE(small.record_balance(1e-26, 1e-27, 0, 0, 0));
+  CHECK(small.record_balance(1e-26, 1e-27, 0, 0, 0));
 }
 
 TEST_CASE("the energy that the growth of cracks releases is a figure", "[monitor]") {

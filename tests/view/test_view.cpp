@@ -4,6 +4,7 @@
 #include "scratch.hpp"
 #include "view/chart.hpp"
 #include "view/colours.hpp"
+#include "view/outer_domains.hpp"
 #include "view/picture.hpp"
 #include "view/report.hpp"
 
@@ -313,6 +314,56 @@ TEST_CASE("in space, domains are boxes whose nearer sides hide the others", "[vi
   // A box of the other orientation shows the same sides.
   frame.domains[0][2] = {0, 0, -4};
   CHECK(blue() > 100000);
+}
+
+TEST_CASE("a window shows a part of a picture in the same proportions", "[view]") {
+  const ParticleFrame frame = small_frame();  // x from 0 to 4, y from 0 to 2
+  const auto box = box_of(frame);
+  PictureOptions options;
+  options.range = Range{0, 2};
+  options.window = chosen_window({{1.5, 2.5, -0.5, 0.5}, 1.0, {}}, "xy", box);
+  const Pixels p = read_png(picture(frame, options));
+  CHECK(count(p, viridis(0.5)) > 100000);  // the middle particle of the lower row fills it
+  const Window twice = chosen_window({{}, 2.0, {}}, "xy", box), all = window_around(camera("xy"), box);
+  CHECK(twice.right - twice.left == Approx(0.5 * (all.right - all.left)));
+  CHECK(0.5 * (twice.left + twice.right) == Approx(2));
+  CHECK(chosen_window({{}, 2.0, {4, 2}}, "xy", box).high + chosen_window({{}, 2.0, {4, 2}}, "xy", box).low ==
+        Approx(4));
+  using Catch::Contains;
+  CHECK_THROWS_WITH(chosen_window({{2, 1, 0, 1}, 1.0, {}}, "xy", box), Contains("x goes from 2 to 1"));
+  CHECK_THROWS_WITH(chosen_window({{7, 8, 0, 1}, 1.0, {}}, "xy", box),
+                    Contains("nothing lies in it") && Contains("x from 0 to 4, y from 0 to 2"));
+  CHECK_THROWS_WITH(chosen_window({{0, 1, 0, 1}, 1.0, {}}, "iso", box), Contains("use --zoom and --centre"));
+  CHECK_THROWS_WITH(chosen_window({{}, 0.0, {}}, "xy", box), Contains("must be above 0, not 0"));
+  CHECK_THROWS_WITH(chosen_window({{}, 2.0, {9, 1}}, "xy", box), Contains("x = 9 lies outside of the particles"));
+}
+
+TEST_CASE("outer domains are cut by the planes of their neighbours and extended to them", "[view]") {
+  const Polyhedron cube{{{0, 0, 0}, {0, 1, 0}, {1, 1, 0}, {1, 0, 0}}, {{0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}},
+                        {{0, 0, 0}, {1, 0, 0}, {1, 0, 1}, {0, 0, 1}}, {{0, 1, 0}, {0, 1, 1}, {1, 1, 1}, {1, 1, 0}},
+                        {{0, 0, 0}, {0, 0, 1}, {0, 1, 1}, {0, 1, 0}}, {{1, 0, 0}, {1, 1, 0}, {1, 1, 1}, {1, 0, 1}}};
+  const Polyhedron half = clipped(cube, {Vec3(0, 0, 0.5), Vec3(0, 0, 1)});
+  CHECK(half.size() == 6);
+  for (const auto& face : half)
+    for (const Vec3& x : face) CHECK(x[2] <= 0.5);
+  CHECK(clipped(cube, {Vec3(1, 1, 1) * 0.9, Vec3(1, 1, 1).normalized()}).size() == 7);  // a corner is cut off
+  CHECK(clipped(cube, {Vec3(0, 0, -1), Vec3(0, 0, 1)}).empty());
+  // A block of 5 x 5 x 5: its faces stay where they are, and the particle in the middle is none of the outer ones
+  ParticleFrame frame;
+  for (int i = 0; i < 125; ++i) frame.position.push_back({1.0 * (i % 5), 1.0 * (i / 5 % 5), 1.0 * (i / 25)});
+  frame.domains.assign(125, HalfAxes{{{0.5, 0, 0}, {0, 0.5, 0}, {0, 0, 0.5}}});
+  frame.domains[112] = HalfAxes{{{0.5, 0, 0.2}, {0, 0.5, 0}, {0, 0, 0.5}}};  // in the middle of a face, sticks out
+  const OuterDomains outer(frame);
+  CHECK_FALSE(outer.is_outer(62));
+  CHECK(outer.is_outer(112));
+  for (const double extension : {0.0, 0.5})
+    for (std::size_t i = 0; i < 125; ++i)
+      if (outer.is_outer(i))
+        for (const auto& face : outer.domain(i, extension))
+          for (const Vec3& x : face) {
+            CHECK(x.maxCoeff() < 4.5 + 1e-9);
+            CHECK(x.minCoeff() > -0.5 - 1e-9);
+          }
 }
 
 TEST_CASE("in space, the nearer ball hides the farther one", "[view]") {

@@ -3,6 +3,7 @@
 
 #include "solver/cracks/crack_build.hpp"
 
+#include "base/text.hpp"
 #include "contact/interface_joint.hpp"
 #include "solver/neighbours/body_occupancy.hpp"
 #include "solver/state/limited_interface.hpp"
@@ -86,7 +87,7 @@ void add_joint(const Model& model, const CrackSpec& spec, const JointLaw& law, c
       static_cast<std::size_t>(std::count_if(areas.begin(), areas.end(), [](double a) { return a > 0; }));
   if (const std::size_t given = law.user_areas().size(); given > 1 && given != points)
     throw InputError(spec.origin, "<user_area> of the joint law has " + std::to_string(given) +
-                                      " areas, but the crack has " + std::to_string(points) + " points in bodies");
+                                      " areas, but the crack has " + counted(points, "point") + " in bodies");
   const auto normals = crack.normals();
   std::vector<std::uint32_t> joint_of(crack.x.size(), 0);
   for (std::size_t k = 0; k < crack.x.size(); ++k) {
