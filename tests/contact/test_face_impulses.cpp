@@ -175,8 +175,7 @@ TEST_CASE("impulses on faces push a rigid body at the face, not at the nodes", "
     ContactLedger<2> ledger(shared.system);
     ledger.record(shared.contacts, 1e-3, false, false, 0.0);
     const RigidExchange& exchange = ledger.rigid_exchanges().at(0);
-    REQUIRE(exchange.mass > 0);
-    CHECK(exchange.first_moment[1] == Approx(height * exchange.mass));
+    REQUIRE(exchange.impulse.norm() > 0);
     double moment = 0;  // x cross impulse, at the height of the face
     for (const auto& node : shared.contacts.nodes)
       for (const auto& pair : shared.contacts.pairs_of(node))
