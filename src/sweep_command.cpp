@@ -185,33 +185,49 @@ Ends ends_of_history(const fs::path& file) {
   return {first, last};
 }
 
-// Number of commas between the columns; names with commas are quoted.
-std::size_t commas_of(const std::string& names) {
-  std::size_t out = 0;
+// The cells of a line; those with commas are quoted, and stay so.
+std::vector<std::string> cells_of(const std::string& line) {
+  std::vector<std::string> cells(1);
   bool quoted = false;
-  for (const char c : names) {
+  for (const char c : line) {
     if (c == '"') quoted = !quoted;
-    if (c == ',' && !quoted) ++out;
+    if (c == ',' && !quoted)
+      cells.emplace_back();
+    else
+      cells.back() += c;
   }
-  return out;
+  return cells;
 }
 
+// The last values of the histories of a run by their names.
+std::map<std::string, std::string> last_values(const Ends& ends, std::vector<std::string>& columns) {
+  std::map<std::string, std::string> values;
+  if (ends.first.empty()) return values;
+  const auto names = cells_of(ends.first), last = cells_of(ends.second);
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    if (std::find(columns.begin(), columns.end(), names[k]) == columns.end()) columns.push_back(names[k]);
+    if (k < last.size()) values[names[k]] = last[k];
+  }
+  return values;
+}
+
+// Runs may have different histories: a column holds the values of those that have it.
 std::string table_of(const std::vector<Point>& points, const std::vector<Variation>& variations) {
-  std::string columns;
-  std::vector<std::string> last;
+  std::vector<std::string> columns;
+  std::vector<std::map<std::string, std::string>> last;
   for (const Point& point : points) {
     const bool has_results = point.code == done || point.code == stopped_early;
-    const auto [names, values] = has_results ? ends_of_history(point.folder / "history.csv") : Ends{};
-    if (columns.empty()) columns = names;
-    last.push_back(values);
+    last.push_back(last_values(has_results ? ends_of_history(point.folder / "history.csv") : Ends{}, columns));
   }
   std::string out;
   for (const Variation& v : variations) out += v.name + ",";
-  out += "folder,outcome" + (columns.empty() ? "" : "," + columns) + "\n";
+  out += "folder,outcome";
+  for (const std::string& column : columns) out += "," + column;
+  out += "\n";
   for (std::size_t k = 0; k < points.size(); ++k) {
     for (const std::string& value : points[k].values) out += value + ",";
     out += points[k].folder.filename().string() + "," + outcome(points[k]);
-    if (!columns.empty()) out += "," + (last[k].empty() ? std::string(commas_of(columns), ',') : last[k]);
+    for (const std::string& column : columns) out += "," + last[k][column];
     out += "\n";
   }
   return out;

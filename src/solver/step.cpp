@@ -301,16 +301,19 @@ void Stepper<Dim>::add_joint_forces(double dt) {
 template <int Dim>
 void Stepper<Dim>::impose(double time, double dt) {
   const auto lap = watches_.grid.lap();
-  for (std::size_t f = 0; f < conditions_.size(); ++f) conditions_[f].impose(system_.fields[f].nodes, time, dt);
+  for (std::size_t f = 0; f < conditions_.size(); ++f)
+    if (!system_.fields[f].rigid_contact) conditions_[f].impose(system_.fields[f].nodes, time, dt);
   rigid_bodies_.impose();
 }
 
 template <int Dim>
 void Stepper<Dim>::impose_update(double dt, bool after_impose) {
   const auto lap = watches_.grid.lap();
+  const double replaced = 1.0 - flip_share(model_.scheme, filter_.active());
   for (std::size_t f = 0; f < conditions_.size(); ++f)
-    conditions_[f].impose_update(system_.fields[f].nodes, *exchanges_[f], system_.time, dt, after_impose,
-                                 system_.step == 0 || jump_, 1.0 - flip_share(model_.scheme, filter_.active()));
+    if (!system_.fields[f].rigid_contact)
+      conditions_[f].impose_update(system_.fields[f].nodes, *exchanges_[f], system_.time, dt, after_impose,
+                                   system_.step == 0 || jump_, replaced);
   rigid_bodies_.impose_update(dt, after_impose);
 }
 

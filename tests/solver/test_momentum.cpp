@@ -97,6 +97,20 @@ TEST_CASE("the recorded impulse of prescribed velocities is what a body receives
   CHECK((run.stepper.conditions(0).impulse() - run.received).norm() < 1e-11 * run.received.norm());
 }
 
+TEST_CASE("conditions prescribe the velocities of bodies, not of a rigid body at the same nodes", "[momentum]") {
+  const Model model =
+      block_on_block(any_scheme() + any_contact(),
+                     "<Material Type='RigidContact' Name='below'><SettingFunction2>0.03</SettingFunction2></Material>",
+                     "<GridBCs><BCBox xmin='-8' xmax='8' ymin='4' ymax='6' zmin='0' zmax='0'><DisBC dir='1' vel='0'/>"
+                     "</BCBox></GridBCs>");
+  Run run(model);
+  CHECK(run.received[1] > 0.1);
+  Vec3 given = run.stepper.contact().ledger().rigid_impulse;
+  CHECK(given[1] == Approx(run.received[1]));
+  for (std::size_t f = 0; f < run.system.fields.size(); ++f) given += run.stepper.conditions(f).impulse();
+  CHECK((given - run.received).norm() < 1e-11 * run.received.norm());
+}
+
 TEST_CASE("particle damping leaves prescribed velocities alone", "[momentum]") {
   Run run(block_on_block(any_scheme(), damped_soft,
                          "<GridBCs><BCBox xmin='-8' xmax='8' ymin='4' ymax='12' zmin='0' zmax='0'>"

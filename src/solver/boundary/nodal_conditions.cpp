@@ -91,7 +91,8 @@ void NodalConditions<Dim>::impose_update(NodeLayer& nodes, const Exchange<Dim>& 
     const Vec<Dim> x = lattice_.position(chosen.node);
     const double wanted = prescribed(chosen, x, time + dt, dt), before = prescribed(chosen, x, time, dt);
     const double now = v.dot(chosen.direction), free = a.dot(chosen.direction);
-    const double transferred = after_impose ? before - l.pending : now - dt * free;  // velocity at the start
+    // The velocity at the start; contact may have taken back what it changed after impose().
+    const double transferred = now - dt * free - (after_impose ? l.pending : 0.0);
     const double start = first ? transferred : before;
     const double correction = (wanted - start) / dt - free;
     v += (wanted - now) * chosen.direction;
