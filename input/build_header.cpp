@@ -72,7 +72,10 @@ void Builder::mpm_header() {
     scheme.exponential_deformation = terms == 2;
   }
   model_.whole_particles = h.child("WholeParticles") != nullptr;
-  model_.output.single_precision = h.child("SinglePrecision") != nullptr;
+  const Statement *exact = h.child("DoublePrecision"), *rounded = h.child("SinglePrecision");
+  must(!exact || !rounded, exact ? exact->origin : h.origin,
+       "<DoublePrecision> and <SinglePrecision> exclude each other; the default is <SinglePrecision>");
+  model_.output.double_precision = exact != nullptr;
   if (const auto* split = h.child("SplitParticles")) {
     SplittingSpec& spec = model_.splitting.emplace();
     spec.longest = number(*split, "longest", Dimension::none, spec.longest);

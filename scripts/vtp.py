@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Reads the result files of a run (.vtp and .vti, appended raw, zlib) without any package but numpy."""
+"""Reads the result files of a run (.vtp, .vtm and .vti, appended raw, zlib) without any package but numpy."""
 
+import html
+import os
 import re
 import zlib
 
@@ -48,9 +50,32 @@ def arrays(data):
     return out
 
 
+def _content(path):
+    with open(path, "rb") as file:
+        return file.read()
+
+
+def blocks(path):
+    """(name, path) of every block of a .vtm file: the particles of one material each."""
+    entries = re.findall(r'<DataSet [^>]*name="([^"]*)"[^>]*file="([^"]*)"', _content(path).decode())
+    return [(html.unescape(name), os.path.join(os.path.dirname(path), file)) for name, file in entries]
+
+
+def file_arrays(path):
+    """All arrays of a file by name; of a .vtm file those of all its blocks, one after the other."""
+    if not str(path).endswith(".vtm"):
+        return arrays(_content(path))
+    parts = [arrays(_content(block)) for _, block in blocks(path)]
+    if not parts:
+        raise ValueError("it has no blocks")
+    once = {"TimeValue": parts[0]["TimeValue"]}
+    cells = ("connectivity", "offsets")  # count from the first particle of their block
+    return {name: np.concatenate([part[name] for part in parts]) for name in parts[0] if name not in cells} | once
+
+
 def read(path):
     """Arrays of a particle file by name; `points` are the positions, `time` the physical time."""
-    out = arrays(open(path, "rb").read())
+    out = file_arrays(path)
     if "Points" in out:
         out["points"] = out.pop("Points")
     if "TimeValue" in out:

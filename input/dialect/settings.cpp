@@ -74,8 +74,15 @@ void add_settings(Rows& add) {
        true});
   add({"SinglePrecision",
        "MPMHeader",
-       "writes the fields of particle files with the seven digits of single precision, positions excepted; the files "
-       "become half as large. The run itself, its checkpoints and tables keep double precision",
+       "writes the fields of particle files with the seven digits of single precision, positions excepted. This is the "
+       "default; the run itself, its checkpoints and tables always keep double precision",
+       T::none,
+       {},
+       true});
+  add({"DoublePrecision",
+       "MPMHeader",
+       "writes the fields of particle files with all sixteen digits, which makes the files twice as large; for "
+       "comparisons that need more than seven digits of a field",
        T::none,
        {},
        true});

@@ -38,7 +38,7 @@ struct OutputSpec {
   double history_interval = 0.0;  ///< 0: as for the particle files
   std::vector<HistoryQuantity> history;
   std::vector<std::string> particle_fields;  ///< empty: the standard set
-  bool single_precision = false;             ///< of the fields of particle files, but not of positions
+  bool double_precision = false;             ///< of the fields of particle files; positions always have it
   std::vector<std::string> grid_fields;      ///< for the .vti files; empty: none are written
   double checkpoint_interval = 0.0;          ///< simulated time; 0: only when the run is stopped
 

@@ -5,8 +5,6 @@
 #include "base/memory.hpp"
 #include "base/read_file.hpp"
 #include "output/atomic_file.hpp"
-#include "output/number.hpp"
-#include "output/output_queue.hpp"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -29,7 +27,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <fstream>
 
 namespace tribo {
 namespace {
@@ -135,6 +132,14 @@ void add_time(vtkDataObject* object, double time) {
   object->GetFieldData()->AddArray(value);
 }
 
+void add_names(vtkDataObject* object, const char* name, std::span<const std::string> names) {
+  if (names.empty()) return;
+  vtkNew<vtkStringArray> array;
+  array->SetName(name);
+  for (const std::string& text : names) array->InsertNextValue(text);
+  object->GetFieldData()->AddArray(array);
+}
+
 // VTK takes no threads of its own beside those of the run; set before any thread starts.
 [[maybe_unused]] const bool sequential =
     ::setenv("VTK_SMP_BACKEND_IN_USE", "Sequential", 0) == 0;  // NOLINT(concurrency-mt-unsafe)
@@ -199,7 +204,7 @@ void set_points(vtkPolyData* data, std::size_t count, const OutputRows& position
 }
 
 void write_points(const std::filesystem::path& path, std::size_t count, vtkPolyData* data,
-                  std::span<const OutputField> fields, double time) {
+                  std::span<const OutputField> fields, double time, std::span<const std::string> materials = {}) {
   const auto n = static_cast<vtkIdType>(count);
   vtkNew<vtkCellArray> vertices;
   vertices->AllocateExact(n, n);
@@ -207,6 +212,7 @@ void write_points(const std::filesystem::path& path, std::size_t count, vtkPolyD
   data->SetVerts(vertices);
   add_fields(data->GetPointData(), count, fields);
   add_time(data, time);
+  add_names(data, "material names", materials);
   write<vtkXMLPolyDataWriter>(path, data);
 }
 
@@ -277,11 +283,11 @@ void write_particles(const std::filesystem::path& path, std::size_t count, const
 }
 
 void write_particles(const std::filesystem::path& path, std::size_t count, const OutputRows& position,
-                     std::span<const OutputField> fields, double time) {
+                     std::span<const OutputField> fields, double time, std::span<const std::string> materials) {
   probe_memory(path, count, fields);
   vtkNew<vtkPolyData> data;
   set_points(data, count, position);
-  write_points(path, count, data, fields, time);
+  write_points(path, count, data, fields, time, materials);
 }
 
 void write_grid(const std::filesystem::path& path, const std::array<double, 3>& origin,
@@ -297,26 +303,6 @@ void write_grid(const std::filesystem::path& path, const std::array<double, 3>& 
   add_fields(data->GetPointData(), static_cast<std::size_t>(data->GetNumberOfPoints()), fields);
   add_time(data, time);
   write<vtkXMLImageDataWriter>(path, data.Get());
-}
-
-void Collection::resume(double time) {
-  lines_.clear(), count_ = 0;
-  for (const auto& e : read_collection(path_))
-    if (e.time <= time) append(e.time, std::filesystem::relative(e.file, path_.parent_path()).string());
-}
-
-void Collection::append(double time, const std::string& file) {
-  lines_ += "<DataSet timestep=\"" + number_text(time) + "\" part=\"0\" file=\"" + file + "\"/>\n", ++count_;
-}
-
-void Collection::add(double time, const std::string& file, OutputQueue* queue) {
-  append(time, file);
-  const std::string text =
-      "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" "
-      "byte_order=\"LittleEndian\">\n<Collection>\n" +
-      lines_ + "</Collection>\n</VTKFile>\n";
-  if (!queue) return write_atomically(path_, text);
-  queue->add_version(path_.string(), text.size(), [path = path_, text] { write_atomically(path, text); });
 }
 
 }  // namespace tribo

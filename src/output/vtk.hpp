@@ -43,9 +43,22 @@ void check_rows(std::size_t count, const OutputRows& position, std::span<const O
 /// FileError.
 void write_particles(const std::filesystem::path& path, std::size_t count, const std::array<const double*, 3>& position,
                      std::span<const OutputField> fields, double time);
-/// The same with the positions in rows of three doubles.
+/// The same with the positions in rows of three doubles. `materials`: names by the number of the material, for the
+/// field data `material names`; none: they are left out.
 void write_particles(const std::filesystem::path& path, std::size_t count, const OutputRows& position,
-                     std::span<const OutputField> fields, double time);
+                     std::span<const OutputField> fields, double time, std::span<const std::string> materials = {});
+
+/// Successive particles that ParaView shows and hides together.
+struct OutputBlock {
+  std::string name;  ///< which ParaView lists
+  int number = 0;    ///< in the name of its file
+  std::size_t begin = 0, count = 0;
+};
+/// Writes the particles of each block to a file `STEM_NUMBER.vtp` beside `path`, as write_particles, and then `path`,
+/// STEM.vtm, which lists them with their names. Throws FileError.
+void write_particle_blocks(const std::filesystem::path& path, std::span<const OutputBlock> blocks,
+                           const OutputRows& position, std::span<const OutputField> fields, double time,
+                           std::span<const std::string> materials);
 
 /// Writes points joined by cells of `corners` points each, lines (2) or triangles (3), as a .vtp. Throws FileError.
 void write_surface(const std::filesystem::path& path, std::size_t count, const std::array<const double*, 3>& position,
@@ -96,7 +109,8 @@ struct CellFrame {
   std::size_t count() const { return cells.size(); }
 };
 
-/// Reads a .vtp file of write_particles. Throws FileError.
+/// Reads a .vtp file of write_particles, or all blocks of a .vtm file of write_particle_blocks, one after the other.
+/// Throws FileError.
 ParticleFrame read_particles(const std::filesystem::path& path);
 /// Reads a .vtp file of write_cells. Throws FileError.
 CellFrame read_cells(const std::filesystem::path& path);
@@ -108,6 +122,14 @@ struct CollectionEntry {
 };
 /// The entries of a .pvd file, with whole paths. Throws FileError.
 std::vector<CollectionEntry> read_collection(const std::filesystem::path& path);
+
+/// A block of a .vtm file.
+struct BlockEntry {
+  std::string name;  ///< as in the file, with the entities of XML
+  std::filesystem::path file;
+};
+/// The blocks of a .vtm file, with whole paths. Throws FileError.
+std::vector<BlockEntry> read_blocks(const std::filesystem::path& path);
 
 /// The list of files and times that ParaView opens.
 class Collection {

@@ -259,7 +259,43 @@ const ParticleFrame::Field* named(const std::vector<ParticleFrame::Field>& field
 const ParticleFrame::Field* ParticleFrame::field(std::string_view name) const { return named(fields, name); }
 const ParticleFrame::Field* CellFrame::field(std::string_view name) const { return named(fields, name); }
 
+namespace {
+
+// Appends the particles of another block. All blocks of a file have the same fields.
+void append(ParticleFrame& frame, const ParticleFrame& more, const std::filesystem::path& path) {
+  const auto fail = [&] {
+    throw FileError("the file '" + printable(path.string()) + "' is damaged: its blocks have different fields");
+  };
+  if (frame.fields.size() != more.fields.size() || frame.domains.empty() != more.domains.empty()) fail();
+  for (std::size_t k = 0; k < frame.fields.size(); ++k) {
+    auto& to = frame.fields[k];
+    const auto& from = more.fields[k];
+    if (to.name != from.name || to.components != from.components) fail();
+    to.values.insert(to.values.end(), from.values.begin(), from.values.end());
+  }
+  frame.position.insert(frame.position.end(), more.position.begin(), more.position.end());
+  frame.domains.insert(frame.domains.end(), more.domains.begin(), more.domains.end());
+}
+
+// Blocks without particles have no domains, and do not count.
+ParticleFrame read_blocks_of_particles(const std::filesystem::path& path) {
+  ParticleFrame frame;
+  bool first = true;
+  for (const BlockEntry& block : read_blocks(path)) {
+    ParticleFrame next = read_particles(block.file);
+    if (first || frame.count() == 0)
+      frame = std::move(next);
+    else if (next.count() > 0)
+      append(frame, next, path);
+    first = false;
+  }
+  return frame;
+}
+
+}  // namespace
+
 ParticleFrame read_particles(const std::filesystem::path& path) {
+  if (path.extension() == ".vtm") return read_blocks_of_particles(path);
   const VtkFile file(path);
   auto frame = frame_of<ParticleFrame>(file);
   frame.fields = fields_of(file, "PointData", frame.count());
@@ -275,36 +311,6 @@ CellFrame read_cells(const std::filesystem::path& path) {
     take_cells(file, section, file.count_of(count), frame);
   frame.fields = fields_of(file, "CellData", frame.count());
   return frame;
-}
-
-std::vector<CollectionEntry> read_collection(const std::filesystem::path& path) {
-  const std::string text = read_file(path);
-  const auto fail = [&](const std::string& why) {
-    throw FileError("the file '" + printable(path.string()) + "' is damaged: " + why);
-  };
-  if (text.find("</VTKFile>") == std::string::npos) fail("its end is missing");
-  std::vector<CollectionEntry> entries;
-  // Collections are written with one <DataSet .../> per line.
-  for (std::size_t begin = 0; begin < text.size();) {
-    const auto end = std::min(text.find('\n', begin), text.size());
-    const std::string line = text.substr(begin, end - begin);
-    begin = end + 1;
-    if (line.find("<DataSet") == std::string::npos) continue;
-    const auto value = [&](const std::string& name) {
-      const auto at = line.find(" " + name + "=\""), from = at + name.size() + 3;
-      const auto stop = at == std::string::npos ? at : line.find('"', from);
-      if (stop == std::string::npos) fail(printable(line));
-      return line.substr(from, stop - from);
-    };
-    const auto time = to_number(value("timestep"));
-    const std::filesystem::path name = value("file");
-    if (!time) fail("a time is no number: " + printable(line));
-    if (name.is_absolute() || std::find(name.begin(), name.end(), "..") != name.end())
-      fail("a file lies outside the folder: " + printable(line));
-    if (!entries.empty() && *time < entries.back().time) fail("its times go back: " + printable(line));
-    entries.push_back({*time, path.parent_path() / name});
-  }
-  return entries;
 }
 
 }  // namespace tribo

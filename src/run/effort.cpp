@@ -38,7 +38,7 @@ class Effort {
       out_.advice.push_back(std::string("a trial of some steps failed: ") + error.what());
     }
     out_.lines.push_back(format("memory: about %.3g MB", 1e-6 * bytes()));
-    const double row = model_.output.single_precision ? 150 : 250;  // bytes of a particle, about
+    const double row = model_.output.double_precision ? 260 : 160;  // bytes of a particle, about
     out_.lines.push_back(format("particle files: %.0f, up to %.3g MB in all", files,
                                 files * 1e-6 * row * static_cast<double>(particle_count(system_))));
     if (files > 2000) out_.advice.push_back(format("%.0f particle files: a larger <ArchiveTime>?", files));

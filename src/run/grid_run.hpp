@@ -66,9 +66,9 @@ class GridRun final : public SteppedModel {
 
   const System<Dim>& system() const { return system_; }
   System<Dim>& system() { return system_; }
-  /// Fields of all particles at present, as in the particle files; the results must be open.
+  /// Fields of all particles at present, as in the particle files but in double precision; the results must be open.
   std::shared_ptr<const ParticleFields<Dim>> particle_fields(const std::vector<std::string>& names) {
-    return results_->fields(names);
+    return results_->fields(names, Precision::full);
   }
   /// Distance of the particle that moved farthest from its start [length].
   double largest_displacement();

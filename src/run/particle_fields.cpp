@@ -115,9 +115,16 @@ bool is_compact(const Mat<Dim>& axes, const Vec<Dim>& cell, bool limits) {
 
 template <int Dim>
 ParticleFields<Dim>::ParticleFields(const Model& model, std::vector<Body<Dim>*> bodies,
-                                    const std::vector<std::string>& names)
-    : bodies_(std::move(bodies)), limits_(model.scheme.kernel != Kernel::cpdi), single_(model.output.single_precision) {
-  for (const auto* body : bodies_) count_ += body->particles.size();
+                                    const std::vector<std::string>& names, Precision precision)
+    : bodies_(std::move(bodies)),
+      limits_(model.scheme.kernel != Kernel::cpdi),
+      single_(precision == Precision::single) {
+  for (const auto* body : bodies_) {
+    const std::size_t own = body->particles.size();
+    blocks_.push_back(
+        {model.materials[static_cast<std::size_t>(body->material)].name, body->material + 1, count_, own});
+    count_ += own;
+  }
   add_positions();
   for (const auto& name : names) {
     const ParticleField* field = find_particle_field(name);
@@ -245,7 +252,8 @@ void ParticleFields<Dim>::add_history() {
 template <int Dim>
 void ParticleFields<Dim>::add_domains() {
   static constexpr std::size_t width = Dim * Dim;
-  fills_.push_back([to = add_rows("domain", width, true), limits = limits_](const Part& part) {
+  const Target size = add_rows("size", 3, true), to = add_rows("domain", width, true);
+  fills_.push_back([to, size, limits = limits_](const Part& part) {
     const DomainReader<Dim> domain(*part.body);
     const Vec<Dim> cell = part.body->cell.template head<Dim>();
     std::size_t at = width * part.at;
@@ -257,6 +265,9 @@ void ParticleFields<Dim>::add_domains() {
       }
       for (std::size_t k = 0; k < width; ++k)
         to.set(at++, axes(static_cast<Eigen::Index>(k % Dim), static_cast<Eigen::Index>(k / Dim)));
+      for (std::size_t k = 0; k < 3; ++k)
+        size.set(3 * (part.at + i - part.begin) + k,
+                 k < Dim ? 2 * axes.col(static_cast<Eigen::Index>(k < Dim ? k : 0)).norm() : 0.0);
     }
   });
 }

@@ -17,17 +17,23 @@ namespace tribo {
 template <int Dim>
 Mat<Dim> limited(Mat<Dim> axes, const Vec<Dim>& cell);
 
-/// Values of all particles of some bodies, one body after the other, as the files need them. The field `domain` is
-/// always there: the half axes of the domains, one after the other, in the reduced basis of the lattice of particles
-/// and limited().
+/// How the numbers of fields are kept. Positions are always in double precision, domains and sizes in single precision.
+enum class Precision { single, full };
+
+/// Values of all particles of some bodies, one body after the other, as the files need them. Two fields are always
+/// there: `domain`, the half axes of the domains, one after the other, in the reduced basis of the lattice of particles
+/// and limited(), and `size`, the lengths of their edges (the third is zero in the plane).
 template <int Dim>
 class ParticleFields {
  public:
   /// Fields that need what the model does not have (temperature without heat, contact without contact) are left out.
   /// Throws SimulationError if a number is not finite.
-  ParticleFields(const Model& model, std::vector<Body<Dim>*> bodies, const std::vector<std::string>& names);
+  ParticleFields(const Model& model, std::vector<Body<Dim>*> bodies, const std::vector<std::string>& names,
+                 Precision precision);
 
   std::size_t count() const { return count_; }
+  /// The particles of each body, with the name of its material.
+  const std::vector<OutputBlock>& blocks() const { return blocks_; }
   /// Memory that it holds.
   std::size_t bytes() const {
     std::size_t sum = 0;
@@ -81,6 +87,7 @@ class ParticleFields {
   bool limits_;  ///< CPDI: particles interact as far as their domains reach
   bool single_;
   OutputRows positions_;
+  std::vector<OutputBlock> blocks_;
   std::vector<OutputField> fields_;
   std::vector<std::function<void(const Part&)>> fills_;  // until the fields are filled
   std::vector<Rows<double>> doubles_;

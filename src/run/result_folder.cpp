@@ -72,9 +72,12 @@ bool is_frame(std::string name) {
   }
   const auto dot = name.find('.');
   if (!name.starts_with("run_") || dot == std::string::npos || dot < 10) return false;
-  const std::string digits = name.substr(4, dot - 4), extension = name.substr(dot);
+  std::string digits = name.substr(4, dot - 4);
+  const std::string extension = name.substr(dot);
+  if (const auto block = digits.find('_'); block != std::string::npos && block >= 6 && block + 1 < digits.size())
+    digits.erase(block, 1);  // run_000012_3.vtp, a block of run_000012.vtm
   return std::all_of(digits.begin(), digits.end(), [](unsigned char c) { return std::isdigit(c) != 0; }) &&
-         (extension == ".vtp" || extension == ".vti");
+         (extension == ".vtp" || extension == ".vti" || extension == ".vtm");
 }
 
 // Removes a file or a link, but no folder.

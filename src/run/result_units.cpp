@@ -45,6 +45,7 @@ std::map<std::string, std::string> units_of_results(const Model& model) {
     if (const std::string unit = unit_in(model.units, generic); !unit.empty()) out[std::string(name)] = unit;
   };
   for (const auto& field : particle_fields()) add(field.name, field.unit);
+  add("size", "length"), add("domain", "length");
   for (const auto& material : model.materials) {
     if (!material.law) continue;  // of rigid blocks
     for (const auto& variable : material.law->history())

@@ -98,22 +98,26 @@ ResultNames Results<Dim>::names(const Model& model, const System<Dim>& system) {
 }
 
 template <int Dim>
-std::shared_ptr<const ParticleFields<Dim>> Results<Dim>::fields(const std::vector<std::string>& names) {
+std::shared_ptr<const ParticleFields<Dim>> Results<Dim>::fields(const std::vector<std::string>& names,
+                                                                Precision precision) {
   stepper_.contact().fill_view();
   std::vector<Body<Dim>*> bodies;
   for (auto* list : {&system_.bodies, &system_.rigids})
     for (auto& body : *list)
       if (body.block < 0) bodies.push_back(&body);
-  return std::make_shared<const ParticleFields<Dim>>(model_, bodies, names);
+  return std::make_shared<const ParticleFields<Dim>>(model_, bodies, names, precision);
 }
 
 template <int Dim>
 void Results<Dim>::write_particles(std::int64_t number) {
   const auto& wanted = model_.output.particle_fields;
-  const auto all = fields(wanted.empty() ? standard_particle_fields() : wanted);
-  const std::string file = "particles/" + numbered(number, ".vtp");
-  queue_.add(all->bytes(), [all, path = folder_ / file, time = system_.time] {
-    tribo::write_particles(path, all->count(), all->positions(), all->fields(), time);
+  const auto all = fields(wanted.empty() ? standard_particle_fields() : wanted,
+                          model_.output.double_precision ? Precision::full : Precision::single);
+  const std::string file = "particles/" + numbered(number, ".vtm");
+  std::vector<std::string> materials;
+  for (const MaterialSpec& material : model_.materials) materials.push_back(material.name);
+  queue_.add(all->bytes(), [all, materials, path = folder_ / file, time = system_.time] {
+    write_particle_blocks(path, all->blocks(), all->positions(), all->fields(), time, materials);
   });
   particles_.add(system_.time, file, &queue_);
 }

@@ -32,7 +32,7 @@ class Results {
   /// The last row of the histories: the time and the values.
   const std::vector<double>& last_row() const { return row_; }
   /// Fields of all particles that are written, at present.
-  std::shared_ptr<const ParticleFields<Dim>> fields(const std::vector<std::string>& names);
+  std::shared_ptr<const ParticleFields<Dim>> fields(const std::vector<std::string>& names, Precision precision);
   /// The events at joints and blocks since the last call.
   void write_events();
   /// Content of energy at the start, for the residual [energy]. Found by the constructor for a new run; to be set for

@@ -123,7 +123,7 @@ void add_bodies(ParticleFrame& frame, const Legend& legend) {
   frame.fields.push_back(std::move(body));
 }
 
-// Files that belong together have the same name in their folders.
+// Files that belong together have the same number in their folders.
 Scene RunFolder::scene(const CollectionEntry& frame) const {
   Scene scene;
   scene.time = frame.time;
@@ -134,7 +134,7 @@ Scene RunFolder::scene(const CollectionEntry& frame) const {
     add_bodies(scene.particles, names);
   }
   const auto cells = [&](const char* part) {
-    const auto file = folder_ / part / frame.file.filename();
+    const auto file = folder_ / part / frame.file.filename().replace_extension(".vtp");
     return std::filesystem::exists(file) ? read_cells(file) : CellFrame{};
   };
   scene.blocks = cells("blocks"), scene.contacts = cells("contacts"), scene.cracks = cells("cracks");

@@ -196,11 +196,15 @@ TEST_CASE("a contact law is found by its number or its name", "[input]") {
   }
 }
 
-TEST_CASE("single precision of files is a choice", "[input]") {
+TEST_CASE("double precision of files is a choice", "[input]") {
   std::string text = text_of(here / "legacy_disks.xml");
-  CHECK_FALSE(read_model_text(text, "deck.xml").output.single_precision);
-  text.insert(text.find("<MPMHeader>") + 11, "<SinglePrecision/>");
-  CHECK(read_model_text(text, "deck.xml").output.single_precision);
+  CHECK_FALSE(read_model_text(text, "deck.xml").output.double_precision);
+  const auto head = text.find("<MPMHeader>") + 11;
+  const auto with = [&](const char* more) { return std::string(text).insert(head, more); };
+  CHECK_FALSE(read_model_text(with("<SinglePrecision/>"), "deck.xml").output.double_precision);
+  CHECK(read_model_text(with("<DoublePrecision/>"), "deck.xml").output.double_precision);
+  CHECK_THROWS_WITH(read_model_text(with("<SinglePrecision/><DoublePrecision/>"), "deck.xml"),
+                    Catch::Contains("exclude each other"));
 }
 
 TEST_CASE("the cell size enlarges the upper edge to a whole cell", "[input]") {

@@ -145,6 +145,39 @@ TEST_CASE("domains of particles are written in single precision and read back as
   CHECK(frame.domains[0] == HalfAxes{{{0.5, 1, 1.5}, {2, 2.5, 3}, {3.5, 4, 4.5}}});
 }
 
+TEST_CASE("blocks of particles have a file each, and are read as one", "[output]") {
+  const ScratchFolder scratch;
+  const auto file = scratch.path / "run_000003.vtm";
+  const std::vector<double> x{0, 0, 0, 1, 2, 3, 4, 5, 6};
+  const std::vector<float> speed{7, 8, 9};
+  const std::vector<std::int64_t> id{2, 0, 1};
+  const std::vector<OutputField> fields{{"speed", {}, nullptr, nullptr, {nullptr, speed.data(), 1}, "m/s"},
+                                        {"id", {}, id.data()}};
+  const std::vector<OutputBlock> blocks{{"none yet", 1, 0, 0}, {"soft <& \"wet\">", 2, 0, 1}, {"rock", 4, 1, 2}};
+  const std::vector<std::string> materials{"none yet", "soft", "contact", "rock"};
+  write_particle_blocks(file, blocks, {x.data(), nullptr, 3}, fields, 0.25, materials);
+  CHECK(files_in(scratch.path) == 4);
+  const auto read = read_blocks(file);
+  REQUIRE(read.size() == 3);
+  CHECK(read[1].name == "soft &lt;&amp; &quot;wet&quot;&gt;");
+  CHECK(read[2].file == scratch.path / "run_000003_4.vtp");
+  CHECK(content(read[2].file).find("Name=\"material names\"") != std::string::npos);
+  CHECK(read_particles(read[2].file).count() == 2);
+  const ParticleFrame whole = read_particles(file);
+  CHECK(whole.time == 0.25);
+  CHECK(whole.position[2] == std::array<double, 3>{4, 5, 6});
+  CHECK(whole.field("speed")->values == std::vector<double>{7, 8, 9});
+  CHECK(whole.field("id")->values == std::vector<double>{2, 0, 1});
+  write_particles(read[2].file, 2, {x.data(), nullptr, 3}, std::vector{fields[1]}, 0.25);
+  CHECK_THROWS_WITH(read_particles(file), Catch::Contains("different fields"));
+  std::filesystem::remove(read[2].file);
+  CHECK_THROWS_AS(read_particles(file), FileError);
+  std::ofstream(file) << "<DataSet index=\"0\" name=\"a\" file=\"../x.vtp\"/>\n</VTKFile>";
+  CHECK_THROWS_WITH(read_particles(file), Catch::Contains("outside the folder"));
+  std::ofstream(file) << "<DataSet index=\"0\" name=\"a\" file=\"run_000003.vtm\"/>\n</VTKFile>";
+  CHECK_THROWS_WITH(read_particles(file), Catch::Contains("no file of particles"));
+}
+
 TEST_CASE("a particle file is written whole, compressed and with its time", "[output]") {
   const ScratchFolder scratch;
   const auto file = scratch.path / "p.vtp";

@@ -13,7 +13,7 @@ class Models(InFolder):
     def test_same_results_as_the_script(self):
         built = sliding_block().run(folder="built")
         read = tribo.run("block.fmcmd", folder="read")
-        for name in ("history.csv", "energy.csv", "particles/run_000004.vtp"):
+        for name in ("history.csv", "energy.csv", "particles/run_000004.vtm", "particles/run_000004_2.vtp"):
             self.assertEqual((pathlib.Path(built.folder) / name).read_bytes(), (pathlib.Path(read.folder) / name).read_bytes())
 
     def test_the_program_reads_what_it_writes(self):

@@ -24,10 +24,17 @@ class Stepping(InFolder):
         frames = [(f.particles["velocity"], f.particles["position"], f.particles["stress"], f.particles["id"])
                   for f in tribo.simulate("block.fmcmd", set={"v": 1})]
         results = tribo.run("block.fmcmd", set={"v": 1})
+        with open("block.fmcmd") as file, open("exact.fmcmd", "w") as exact:
+            exact.write(file.read() + 'XMLData "MPMHeader"\n<DoublePrecision/>\nEndXMLData\n')
+        full = tribo.run("exact.fmcmd", set={"v": 1})
         self.assertEqual(len(frames), len(results.frames))
-        for seen, written in zip(frames, results.frames):
+        for seen, rounded, written in zip(frames, results.frames, full.frames):
             for array, name in zip(seen, ("velocity", "position", "stress", "id")):
                 np.testing.assert_array_equal(array, written[name])
+                # Fields of files have single precision by default, positions and numbers do not
+                kind = np.float32 if name in ("velocity", "stress") else array.dtype
+                self.assertEqual(rounded[name].dtype, kind)
+                np.testing.assert_array_equal(array.astype(kind), rounded[name])
 
     def test_steps(self):
         with tribo.simulate("block.fmcmd") as simulation:

@@ -51,7 +51,8 @@ TEST_CASE("a run whose caller takes the steps writes the files of a run", "[run]
   const auto whole = scratch.path / "whole", steps = scratch.path / "steps", stopped = scratch.path / "stopped";
   CHECK(run(square(), options_for(whole)) == Outcome::finished);
   const auto same = [&](const std::filesystem::path& folder) {
-    for (const char* file : {"history.csv", "energy.csv", "checkpoint.bin", "particles/run_000004.vtp"}) {
+    for (const char* file :
+         {"history.csv", "energy.csv", "checkpoint.bin", "particles/run_000004.vtm", "particles/run_000004_1.vtp"}) {
       INFO(file);
       CHECK(read_file(folder / file) == read_file(whole / file));
     }

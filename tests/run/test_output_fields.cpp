@@ -84,7 +84,8 @@ TEST_CASE("every field of the table can be written", "[output]") {
   Stepper<2> stepper(model, system);
   stepper.advance(1e-6);
   stepper.contact().fill_view();
-  const ParticleFields<2> fields(model, {&system.bodies[0], &system.bodies[1]}, model.output.particle_fields);
+  const ParticleFields<2> fields(model, {&system.bodies[0], &system.bodies[1]}, model.output.particle_fields,
+                                 Precision::single);
   std::map<std::string, const OutputField*> by_name;
   for (const auto& field : fields.fields()) by_name[field.name] = &field;
   for (const auto& field : particle_fields()) {
@@ -103,13 +104,12 @@ TEST_CASE("every field of the table can be written", "[output]") {
 }
 
 TEST_CASE("fields in single precision are the rounded ones, positions are not rounded", "[output]") {
-  Model model = two_layers();
+  const Model model = two_layers();
   auto system = build_system<2>(model, layers_of(model));
   auto& body = system.bodies[0];
   body.particles.x()[0][1] = 1.0 / 3.0, body.particles.v()[1][1] = 1.0 / 3.0;
-  const ParticleFields<2> exact(model, {&body}, {"velocity", "material"});
-  model.output.single_precision = true;
-  const ParticleFields<2> rounded(model, {&body}, {"velocity", "material"});
+  const ParticleFields<2> exact(model, {&body}, {"velocity", "material"}, Precision::full);
+  const ParticleFields<2> rounded(model, {&body}, {"velocity", "material"}, Precision::single);
   REQUIRE(rounded.fields()[0].rows.floats);
   CHECK(exact.fields()[0].rows.doubles[4] == 1.0 / 3.0);
   CHECK(rounded.fields()[0].rows.floats[4] == static_cast<float>(1.0 / 3.0));
@@ -129,7 +129,7 @@ TEST_CASE("particle files carry the half axes of the domains in the reduced basi
   Mat3 F = Mat3::Identity();
   F(0, 1) = 5.25;
   store_full<2>(F, body.particles.F(), 3);
-  const ParticleFields<2> fields(model, {&body}, {"velocity"});
+  const ParticleFields<2> fields(model, {&body}, {"velocity"}, Precision::full);
   const OutputField& domain = fields.fields().back();
   CHECK(domain.name == "domain");
   REQUIRE(domain.rows.floats);
@@ -140,6 +140,12 @@ TEST_CASE("particle files carry the half axes of the domains in the reduced basi
     CHECK(component(k, 2) == Approx(box[k]));
     CHECK(component(k, 3) == Approx(sheared[k]).margin(1e-6));
   }
+  // The lengths of its edges; a domain in the plane has two
+  const OutputField& size = fields.fields()[fields.fields().size() - 2];
+  CHECK(size.name == "size");
+  REQUIRE(size.rows.width == 3);
+  const std::array<double, 3> edges{2 * half[0], 2 * half[0] * std::sqrt(1 + 0.25 * 0.25), 0};
+  for (std::size_t k = 0; k < 3; ++k) CHECK(size.rows.floats[9 + k] == Approx(edges[k]));
 }
 
 TEST_CASE("long domains are limited to one and a half cells and keep their volume", "[output]") {

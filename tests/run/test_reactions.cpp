@@ -23,7 +23,7 @@ TEST_CASE("reactions write files, begin the next stage and stop the run", "[stag
   REQUIRE(run(model, options) == Outcome::finished);
   const auto stages = contents(options.folder / "stages.csv");
   INFO(stages);
-  CHECK(std::filesystem::exists(options.folder / "particles" / numbered(900000, ".vtp")));
+  CHECK(std::filesystem::exists(options.folder / "particles" / numbered(900000, ".vtm")));
   const auto rows = rows_of(options.folder / "history.csv");
   double begin = -1;
   for (const auto& row : rows)

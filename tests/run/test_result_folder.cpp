@@ -60,7 +60,9 @@ TEST_CASE("overwriting removes what a run has made and nothing else", "[folder]"
   start(folder, false, {{"history.csv", "provenance.json", "events.csv"}, {"particles", "grid", "joints"}});
   put(folder / "history.csv", "old"), put(folder / "particles" / "run_000000.vtp", "old");
   put(folder / "particles" / ".run_000001.writing.vtp", "old"), put(folder / "joints" / "run_000000.vtp", "old");
-  put(folder / "particles" / "mine.vtp"), put(folder / "particles" / "run_1.vtp"), put(folder / "other.csv");
+  put(folder / "particles" / "run_000000.vtm", "old"), put(folder / "particles" / "run_000000_12.vtp", "old");
+  put(folder / "particles" / "run_000000_.vtp"), put(folder / "particles" / "mine.vtp"),
+      put(folder / "particles" / "run_1.vtp"), put(folder / "other.csv");
   put(outside / "run_000000.vtp");
   fs::remove(folder / "grid");
   fs::create_directory_symlink(outside, folder / "grid");
@@ -73,10 +75,12 @@ TEST_CASE("overwriting removes what a run has made and nothing else", "[folder]"
   CHECK_FALSE(fs::exists(folder / "history.csv"));
   CHECK_FALSE(fs::exists(folder / "joints"));
   CHECK_FALSE(fs::exists(folder / "particles" / "run_000000.vtp"));
+  CHECK_FALSE(fs::exists(folder / "particles" / "run_000000.vtm"));
+  CHECK_FALSE(fs::exists(folder / "particles" / "run_000000_12.vtp"));
   CHECK_FALSE(fs::exists(folder / "particles" / ".run_000001.writing.vtp"));
   CHECK_FALSE(fs::exists(fs::symlink_status(folder / "events.csv")));
-  for (const char* kept : {"particles/mine.vtp", "particles/run_1.vtp", "other.csv", "outside/run_000000.vtp",
-                           "outside/events.csv", "grid/run_000000.vtp"}) {
+  for (const char* kept : {"particles/mine.vtp", "particles/run_000000_.vtp", "particles/run_1.vtp", "other.csv",
+                           "outside/run_000000.vtp", "outside/events.csv", "grid/run_000000.vtp"}) {
     INFO(kept);
     CHECK(content(folder / kept) == "mine");
   }

@@ -12,8 +12,7 @@ from .errors import OutputError
 def read(path):
     """The arrays of a file by name; `position` are its points. Arrays in memory of their own."""
     try:
-        with open(path, "rb") as file:
-            arrays = _vtp.arrays(file.read())
+        arrays = _vtp.file_arrays(path)
     except OSError as error:
         raise OutputError(f"cannot read '{path}': {error.strerror}") from None
     except (ValueError, KeyError, IndexError, zlib.error) as error:
