@@ -22,16 +22,20 @@ bool is_shape(std::string_view name) {
   return false;
 }
 
+bool is_gmsh_file(const std::string& name) { return lower(std::filesystem::path(name).extension().string()) == ".msh"; }
+
 int axis_of(const std::string& text) { return text == "1" || text == "x" ? 0 : text == "2" || text == "y" ? 1 : 2; }
 
 }  // namespace
 
 // A shape minus its nested shapes, which are cut out; shapes nested in a cut-out are added again.
 RegionPtr Builder::shape(const Statement& s) {
+  const bool surface = s.name == "STL" || s.name == "Surface";
   const bool three = s.name == "Box" || s.name == "Sphere" || s.name == "Cylinder" || s.name == "Torus" ||
-                     s.name == "STL" || s.name == "Surface" || s.name == "Terrain";
+                     s.name == "Terrain" || (surface && !is_gmsh_file(word(s, "file")));
   must(!three || model_.dimension() == 3, s.origin,
-       "<" + s.name + "> is a three-dimensional shape, and the model is two-dimensional");
+       "<" + s.name + "> is a three-dimensional shape, and the model is two-dimensional" +
+           (surface ? "; in two dimensions the file is a plane mesh of Gmsh, which ends with .msh" : ""));
   const bool flat = s.name == "Rect" || s.name == "Oval" || s.name == "Polygon" || s.name == "Arc";
   must(!flat || model_.dimension() == 2, s.origin,
        "<" + s.name + "> is a two-dimensional shape, and the model is three-dimensional");
@@ -98,8 +102,11 @@ Builder::Placement Builder::placement(const Statement& s) {
 
 RegionPtr Builder::surface_shape(const Statement& s) {
   const Placement place = placement(s);
-  const std::string path = data_file(word(s, "file")).string();
-  return from_file([&] { return surface_body(path, place.scale, place.shift); });
+  const std::string path = data_file(word(s, "file")).string(), group = word(s, "group");
+  return from_file([&] {
+    return model_.dimension() == 2 && is_gmsh_file(path) ? outline_body(path, group, place.scale, place.shift)
+                                                         : surface_body(path, place.scale, place.shift, group);
+  });
 }
 
 RegionPtr Builder::terrain_shape(const Statement& s) {
@@ -157,8 +164,9 @@ void Builder::bodies() {
     if (s.name == "BMP") picture(s);
     if (s.name == "PointList")
       for (const auto& mp : s.children) point(mp);
+    if (s.name == "ParticleTable") particle_table(s);
   }
-  must(!model_.pieces.empty() || !model_.points.empty() || has_source(), points.origin,
+  must(!model_.pieces.empty() || !model_.points.empty() || points.child("ParticleTable") || has_source(), points.origin,
        "<MaterialPoints> holds no particle; give a <Body> with a shape");
 }
 

@@ -207,7 +207,11 @@ void Builder::check_capacities(const Statement* thermal) {
       needs_capacity || !heat.ramps.empty() ||
       std::any_of(model_.pieces.begin(), model_.pieces.end(), [&](const Piece& p) { return differs(p.temperature); }) ||
       std::any_of(model_.points.begin(), model_.points.end(),
-                  [&](const PointSpec& p) { return differs(p.temperature); });
+                  [&](const PointSpec& p) { return differs(p.temperature); }) ||
+      std::any_of(model_.tables.begin(), model_.tables.end(), [&](const ParticleTable& t) {
+        return differs(t.temperature) ||
+               std::any_of(t.temperatures.begin(), t.temperatures.end(), [&](double value) { return differs(value); });
+      });
   heat.kept = needs_capacity || !heat.ramps.empty();
   for (const auto& m : model_.materials) {
     if (!m.law || m.law->rigid()) continue;

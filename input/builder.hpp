@@ -7,6 +7,7 @@
 #include "contact/joint_law.hpp"
 #include "geometry/point_sets.hpp"
 #include "geometry/terrain.hpp"
+#include "input/particle_columns.hpp"
 #include "input/read.hpp"
 #include "model/blocks.hpp"
 #include "model/model.hpp"
@@ -131,6 +132,12 @@ class Builder {
   void body(const Statement& s, bool hole);
   void picture(const Statement& s);
   void point(const Statement& s);
+
+  // build_particle_table.cpp
+  void particle_table(const Statement& s);
+  void table_columns(const ParticleColumns& columns, ParticleTable& table, const Statement& s);
+
+  // build_bodies.cpp
   void modify(const Statement& s, Piece& piece);
   bool has_axes(int material) const;
   void must_be_solid(const Statement& s, int material);

@@ -59,6 +59,24 @@ void add_bodies(Rows& add) {
         number("lpx", "half width of its domain [half cells]"),
         number("lpy", ""),
         number("lpz", "")}});
+  add({"ParticleTable",
+       "MaterialPoints",
+       "a body that is given by its particles, the rows of a table: positions x, y, z; volume, or edge lengths of the "
+       "domain as size or size_x, size_y, size_z; and as needed mass, vx, vy, vz, temperature, the initial stress xx, "
+       "yy, zz, xy, yz, xz, and history variables of the material by their names",
+       T::none,
+       {text("mat", "number of the material"), text("matname", "name of the material, instead of mat"),
+        text("file",
+             "table of comma-separated values with the names of its columns in the first line, or a VTK file "
+             "(.vtp, .vtu), such as a block of a particle file of a run",
+             true),
+        number("size", "edge length of all domains, instead of a column"),
+        number("vx", "initial velocity, instead of a column"), number("vy", "initial velocity"),
+        number("vz", "initial velocity"), number("temp", "initial temperature, instead of a column"),
+        number("angle", "rotation of the material axes about z [degrees]"),
+        number("scale", "factor of the coordinates of the file and of its sizes (default 1)"),
+        number("x", "shift of the coordinates"), number("y", "shift of the coordinates"),
+        number("z", "shift of the coordinates")}});
   add({"pt",
        "mp Polygon Voronoi PolygonBlock",
        "coordinates",
@@ -96,9 +114,15 @@ void add_shapes(Rows& add) {
                         number("radius", "half width of the cross-section of the ring; 0: circular cross-section")});
   const std::vector placement{number("scale", "factor (default 1)"), number("x", "shift"), number("y", "shift"),
                               number("z", "shift")};
-  shape("STL", "older name of Surface", std::vector{text("file", "", true)} + placement);
-  shape("Surface", "body with a closed surface from a file, in space",
-        std::vector{text("file", "STL, OBJ or PLY, by its ending", true)} + placement);
+  const std::vector group{
+      text("group", "physical group of a mesh of Gmsh, by its name or number (default: the whole mesh)")};
+  shape("STL", "older name of Surface", std::vector{text("file", "", true)} + placement + group);
+  shape("Surface", "body with a closed surface from a file in space, or with the outline of a plane mesh",
+        std::vector{text("file",
+                         "by its ending: STL, OBJ or PLY; a mesh of Gmsh (.msh), of whose volumes or surfaces the "
+                         "outer faces count, and in two dimensions the outer edges",
+                         true)} +
+            placement + group);
   shape("Terrain", "body below a surface of heights, in space",
         std::vector{text("file", "ESRI ASCII grid, or a PNG or BMP picture", true),
                     number("zmin", "height of its bottom"), text("below", "file of its lower surface, instead of zmin"),

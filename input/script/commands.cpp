@@ -95,6 +95,8 @@ const std::vector<CommandInfo>& commands() {
       {"Unbond", 0, 12, "[criterion, value ...]; shapes up to EndUnbond",
        "in a stage: breaks the bonds of joints, chosen as by Bond"},
       {"Region", 3, 40, "material, vx, vy[, thickness or vz[, attribute, value ...]]; shapes up to EndRegion", "body"},
+      {"ParticleTable", 2, 24, "material, file[, attribute, value ...]",
+       "body that is given by a table of its particles; the attributes are those of the element of this name"},
       {"Hole", 0, 0, "shapes up to EndHole", "shapes without particles of the following bodies"},
       {"BMPRegion", 2, 4, "file, width[, height]; up to EndRegion", "bodies from a greyscale image"},
       {"Intensity", 3, 10, "material, low, high[, attribute, value ...]", "range of grey values of a material"},
@@ -118,7 +120,10 @@ const std::vector<CommandInfo>& commands() {
       {"Cylinder", 7, 8, "xmin, xmax, ymin, ymax, zmin, zmax, axis[, radius]",
        "cylinder, or cone with a radius from -1 to 1"},
       {"Torus", 7, 8, "xmin, xmax, ymin, ymax, zmin, zmax, axis[, radius]", "torus"},
-      {"Surface", 1, 5, "file[, scale, x, y, z]", "body with the closed surface of an STL, OBJ or PLY file"},
+      {"Surface", 1, 6, "file[, scale, x, y, z[, group]]",
+       "body with the closed surface of an STL, OBJ or PLY file or of a physical group of a mesh of Gmsh (.msh); in "
+       "two "
+       "dimensions with the outline of a plane mesh of Gmsh"},
       {"Terrain", 2, 10, "file, bottom[, scale, x, y, z][, width, depth, low, high]",
        "body below the heights of an ESRI ASCII grid or of a picture; bottom: a height, or the file of the lower "
        "surface"},

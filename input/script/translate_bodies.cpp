@@ -306,10 +306,26 @@ void Translator::shape_of_file(const Command& c) {
   attribute(s, "file", c.text(0), c.origin(0));
   if (heights) attribute(s, to_number(c.text(1)) ? "zmin" : "below", c.text(1), c.origin(1));
   const std::size_t first = heights ? 2 : 1;
-  static const std::vector<std::string> more{"scale", "x", "y", "z", "width", "depth", "low", "high"};
+  std::vector<std::string> more{"scale", "x", "y", "z"};
+  if (heights)
+    more.insert(more.end(), {"width", "depth", "low", "high"});
+  else
+    more.emplace_back("group");
   for (std::size_t k = first; k < c.size(); ++k)
     if (c.given(k)) attribute(s, more[k - first], c.text(k), c.origin(k));
   place(c, c.node.cuts).children.push_back(std::move(s));
+}
+
+void Translator::particle_table(const Command& c) {
+  if (open_ != Open::nothing)
+    throw InputError(c.origin(),
+                     "'ParticleTable' is a body of its own and stands outside of 'Region' and other blocks");
+  Statement s = element("ParticleTable", c.origin());
+  Document::refer(s, "mat", c.text(0), c.origin(0));
+  attribute(s, "file", c.text(1), c.origin(1));
+  if (c.size() % 2 != 0) throw InputError(c.origin(), "after the file come pairs: a name and its value");
+  for (std::size_t k = 2; k + 1 < c.size(); k += 2) attribute(s, c.text(k), c.text(k + 1), c.origin(k));
+  document_.section("MaterialPoints", c.origin()).children.push_back(std::move(s));
 }
 
 void Translator::polygon_point(const Command& c) {

@@ -83,6 +83,7 @@ auto Translator::actions() -> const std::map<std::string, Action>& {
                                                  {"torus", &A::shape},
                                                  {"surface", &A::shape_of_file},
                                                  {"terrain", &A::shape_of_file},
+                                                 {"particletable", &A::particle_table},
                                                  {"polypt", &A::polygon_point},
                                                  {"gridbc", &A::conditions},
                                                  {"moveline", &A::old_selector},

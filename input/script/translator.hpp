@@ -91,6 +91,7 @@ class Translator {
   void initial_stress(const Command& c);
   void shape(const Command& c);
   void shape_of_file(const Command& c);
+  void particle_table(const Command& c);
   void polygon_point(const Command& c);
   void conditions(const Command& c);
   void old_selector(const Command& c);

@@ -23,6 +23,10 @@ class Bytes {
   std::uint32_t word(std::size_t offset) const;
   /// Throws FileError `path: message`.
   [[noreturn]] void fail(const std::string& message) const { throw FileError(path_ + ": " + message); }
+  /// Throws FileError `path:line:column: message`.
+  [[noreturn]] void fail_at(int line, int column, const std::string& message) const {
+    throw FileError(path_ + ":" + std::to_string(line) + ":" + std::to_string(column) + ": " + message);
+  }
 
  private:
   std::string path_, data_;

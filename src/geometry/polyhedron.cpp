@@ -125,8 +125,8 @@ RegionPtr polyhedron(const std::vector<std::array<Vec3, 3>>& triangles) {
   return std::make_shared<Polyhedron>(Surface(triangles, 1e-9));
 }
 
-RegionPtr surface_body(const std::string& path, double scale, const Vec3& shift) {
-  auto triangles = read_surface(path);
+RegionPtr surface_body(const std::string& path, double scale, const Vec3& shift, const std::string& group) {
+  auto triangles = read_surface(path, group);
   for (auto& t : triangles)
     for (auto& x : t) x = scale * x + shift;
   try {

@@ -43,6 +43,13 @@ RegionPtr rectangle(double xmin, double xmax, double ymin, double ymax);
 RegionPtr oval(double xmin, double xmax, double ymin, double ymax, double start = 0.0, double end = 0.0);
 /// Polygon by the even-odd rule; the last corner is connected to the first.
 RegionPtr polygon(std::vector<Vec<2>> corners);
+/// What edges enclose by the even-odd rule; they may form several closed lines. `area`: what measure() returns. Throws
+/// std::runtime_error with the coordinates of a corner that an odd number of edges has.
+RegionPtr outline(std::vector<std::array<Vec<2>, 2>> edges, std::optional<double> area = std::nullopt);
+/// The outline of a part of a plane mesh of Gmsh, see gmsh_outline(), transformed by x -> scale x + shift. Throws
+/// FileError if the file cannot be read, and std::runtime_error as `outline`.
+RegionPtr outline_body(const std::string& path, const std::string& group = {}, double scale = 1.0,
+                       const Vec3& shift = Vec3::Zero());
 /// All points within `tolerance` of the segment (2D: both ends at z = 0).
 RegionPtr line(const Vec3& a, const Vec3& b, double tolerance);
 /// All points within `tolerance` of the edge of an ellipse between two polar angles, as in `oval`.
@@ -66,11 +73,12 @@ RegionPtr shell(const Vec3& low, const Vec3& high, int axis, double radius, doub
 RegionPtr polyhedron(const std::vector<std::array<Vec3, 3>>& triangles);
 /// Body with the closed surface of a file, see read_surface(), transformed by x -> scale x + shift. Corners closer than
 /// 1e-6 of the extent are merged, since files are in single precision. Throws FileError if the file cannot be read, and
-/// std::runtime_error as `polyhedron`.
-RegionPtr surface_body(const std::string& path, double scale = 1.0, const Vec3& shift = Vec3::Zero());
-/// The facets of a file whose name ends with .stl (ASCII or binary), .obj or .ply; polygons as triangles. Throws
-/// FileError.
-std::vector<std::array<Vec3, 3>> read_surface(const std::string& path);
+/// std::runtime_error as `polyhedron`. `group`: part of a mesh of Gmsh, see gmsh_surface(); empty: all of it.
+RegionPtr surface_body(const std::string& path, double scale = 1.0, const Vec3& shift = Vec3::Zero(),
+                       const std::string& group = {});
+/// The facets of a file whose name ends with .stl (ASCII or binary), .obj, .ply or .msh; polygons as triangles. Throws
+/// FileError, also if there is a `group` and the file is no mesh of Gmsh.
+std::vector<std::array<Vec3, 3>> read_surface(const std::string& path, const std::string& group = {});
 /// The facets of an STL file as written. Throws FileError.
 std::vector<std::array<Vec3, 3>> read_stl(const std::string& path);
 

@@ -12,6 +12,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace tribo {
 
@@ -65,6 +66,29 @@ struct Piece {
   std::optional<double> K0;  ///< adds the geostatic stress under gravity with this ratio of horizontal to vertical
   double angle = 0.0;        ///< rotation of the material axes about z
   Origin origin;
+};
+
+/// A body that is given by its particles. Lists have an entry for each particle, or none where it says so.
+struct ParticleTable {
+  struct History {
+    std::string name;  ///< of a history variable of the material
+    std::vector<double> values;
+  };
+  int material = 0;
+  std::vector<Vec3> position, velocity;
+  std::vector<Vec3> half_size;       ///< half edge lengths of the domains; in the plane the third is half the thickness
+  std::vector<double> volume;        ///< in the plane times the thickness; axisymmetric: times the radius, per radian
+  std::vector<double> mass;          ///< empty: density times volume
+  std::vector<double> temperatures;  ///< empty: `temperature`
+  std::vector<std::array<double, 6>> stress;  ///< initial, xx yy zz xy yz xz; empty: none
+  std::vector<History> histories;
+  std::optional<double> temperature;  ///< of all; unset: the reference temperature
+  double angle = 0.0;                 ///< rotation of the material axes about z
+  Origin origin, file;
+  std::vector<int> lines;  ///< of the file; empty if it has none
+
+  /// `file:line` of a particle, or the file if it has no lines.
+  Origin place(std::size_t particle) const { return lines.empty() ? file : Origin{file.file, lines[particle], 1}; }
 };
 
 /// A single particle of the input.

@@ -45,6 +45,7 @@ struct Model {
   std::vector<MaterialSpec> materials;
   std::vector<Piece> pieces;
   std::vector<PointSpec> points;
+  std::vector<ParticleTable> tables;
   std::vector<NodeCondition> node_conditions;
   std::vector<ParticleCondition> particle_conditions;
   std::vector<TemperatureCondition> temperature_conditions;

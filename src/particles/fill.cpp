@@ -44,6 +44,10 @@ class Filler {
     for (std::size_t p = 0; p < model_.pieces.size(); ++p)
       with_memory_for("the particles of this body", model_.pieces[p].origin, [&] { fill(p); });
     for (const auto& point : model_.points) receive_(seeds_.at(point, per_axis_));
+    for (std::size_t t = 0; t < model_.tables.size(); ++t)
+      with_memory_for("the particles of this table", model_.tables[t].origin, [&] {
+        for (std::size_t row = 0; row < model_.tables[t].position.size(); ++row) receive_(seeds_.of_table(t, row));
+      });
   }
 
  private:

@@ -12,7 +12,7 @@
 namespace tribo {
 
 /// Places particles in the shapes of the model: piece by piece, inside a piece in a fixed order (cells with x fastest,
-/// then y, then z; within a cell likewise), and finally the single points.
+/// then y, then z; within a cell likewise), then the single points, and finally the tables.
 ///
 /// The surface of a shape cuts the cells of its outermost particles: these get the volume, the centroid and the surface
 /// facets of the part inside (CutCell), so that the body has the volume and the faces of its shape.

@@ -20,9 +20,11 @@ struct Seed {
   double volume = 0.0;         ///< before deformation; 2D: times thickness; axisymmetric: times r, per radian
   double mass = 0.0;           ///< density of its material times volume, unless prescribed
   double temperature = 0.0;
-  double angle = 0.0;  ///< rotation of the material axes about z [rad]
-  int material = 0;    ///< index into Model::materials
-  int piece = -1;      ///< index into Model::pieces; -1: a single point of Model::points
+  double angle = 0.0;   ///< rotation of the material axes about z [rad]
+  int material = 0;     ///< index into Model::materials
+  int piece = -1;       ///< index into Model::pieces; -1: a single point of Model::points, or of a table
+  int table = -1;       ///< index into Model::tables; -1: not of a table
+  std::size_t row = 0;  ///< of the table
 
   bool operator==(const Seed&) const = default;
 };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "particles/seed_maker.hpp"
 
+#include "base/text.hpp"
+
 #include <Eigen/LU>
 
 #include <cmath>
@@ -115,6 +117,31 @@ void SeedMaker::weigh(Seed& seed, double r, const Origin& origin) const {
     seed.volume *= r;
   }
   seed.mass *= seed.volume;
+}
+
+Seed SeedMaker::of_table(std::size_t table, std::size_t row) const {
+  const ParticleTable& of = model_.tables[table];
+  Seed seed;
+  seed.x = of.position[row], seed.v = of.velocity[row], seed.half_size = of.half_size[row];
+  if (!grid_.contains(seed.x))
+    throw InputError(of.place(row), "the particle " + std::to_string(row + 1) + " of this table, at " + text(seed.x) +
+                                        ", lies outside the grid");
+  for (int d = 0; d < model_.dimension(); ++d)
+    if (2 * seed.half_size[d] > grid_.cell[d] * (1 + 1e-9))
+      throw InputError(of.place(row), "the domain of particle " + std::to_string(row + 1) + " is " +
+                                          format("%g", 2 * seed.half_size[d]) + " long along " + "xyz"[d] +
+                                          ", more than a cell, " + format("%g", grid_.cell[d]) +
+                                          "; particles are at most as large as a cell");
+  seed.material = of.material, seed.angle = of.angle;
+  seed.temperature = of.temperatures.empty() ? of.temperature.value_or(model_.heat.reference) : of.temperatures[row];
+  seed.volume = of.volume[row];
+  seed.mass = of.mass.empty() ? law(of.material, of.origin).density() * seed.volume : of.mass[row];
+  if (!of.stress.empty()) {
+    const auto& s = of.stress[row];
+    seed.stress << s[0], s[3], s[5], s[3], s[1], s[4], s[5], s[4], s[2];
+  }
+  seed.table = static_cast<int>(table), seed.row = row;
+  return seed;
 }
 
 Seed SeedMaker::at(const PointSpec& point, int per_axis) const {

@@ -29,6 +29,8 @@ class SeedMaker {
   Seed at(const Piece& piece, const Seed& pattern, const Vec3& x) const;
   /// A single particle. `per_axis`: particles per cell along an axis, for the size of its domain.
   Seed at(const PointSpec& point, int per_axis) const;
+  /// The particle in a row of the table with this number.
+  Seed of_table(std::size_t table, std::size_t row) const;
 
  private:
   double thickness(const std::optional<double>& own) const;

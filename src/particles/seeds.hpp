@@ -52,9 +52,9 @@ class Runs {
   std::size_t size_ = 0;
 };
 
-/// The initial particles, in order. Positions are stored one by one. Velocity, stress, mass with volume, and everything
-/// else are stored once for successive particles for which they are the same, as most particles of a body differ by
-/// their positions only.
+/// The initial particles, in order. Positions are stored one by one. Velocity, stress, mass with volume, row of a
+/// table, and everything else are stored once for successive particles for which they are the same, as most particles
+/// of a body differ by their positions only.
 class Seeds {
   struct Weight {
     double volume, mass;
@@ -70,9 +70,10 @@ class Seeds {
 
   void push_back(const Seed& seed) {
     x_.push_back(seed.x), v_.push_back(seed.v), stress_.push_back(seed.stress);
-    weight_.push_back({seed.volume, seed.mass});
+    weight_.push_back({seed.volume, seed.mass}), row_.push_back(seed.row);
     Seed rest = seed;
     rest.x = rest.v = Vec3::Zero(), rest.stress.setZero(), rest.volume = rest.mass = 0.0;
+    rest.row = 0;
     rest_.push_back(rest);
   }
   std::size_t size() const { return x_.size(); }
@@ -95,6 +96,7 @@ class Seeds {
           v_(seeds.v_, i),
           stress_(seeds.stress_, i),
           weight_(seeds.weight_, i),
+          row_(seeds.row_, i),
           rest_(seeds.rest_, i) {
       if (i_ < seeds_->size()) read();
     }
@@ -102,8 +104,9 @@ class Seeds {
     const Seed* operator->() const { return &seed_; }
     Iterator& operator++() {
       if (++i_ == seeds_->size()) return *this;
-      const bool other_v = v_.move_to(i_), other_stress = stress_.move_to(i_), other_weight = weight_.move_to(i_);
-      if (rest_.move_to(i_) || other_v || other_stress || other_weight)
+      const bool other_v = v_.move_to(i_), other_stress = stress_.move_to(i_), other_weight = weight_.move_to(i_),
+                 other_row = row_.move_to(i_);
+      if (rest_.move_to(i_) || other_v || other_stress || other_weight || other_row)
         read();
       else
         seed_.x = seeds_->x_[i_];
@@ -120,7 +123,7 @@ class Seeds {
     void read() {
       seed_ = rest_.value();
       seed_.x = seeds_->x_[i_], seed_.v = v_.value(), seed_.stress = stress_.value();
-      seed_.volume = weight_.value().volume, seed_.mass = weight_.value().mass;
+      seed_.volume = weight_.value().volume, seed_.mass = weight_.value().mass, seed_.row = row_.value();
     }
 
     const Seeds* seeds_;
@@ -128,6 +131,7 @@ class Seeds {
     Runs<Vec3>::Cursor v_;
     Runs<Mat3>::Cursor stress_;
     Runs<Weight>::Cursor weight_;
+    Runs<std::size_t>::Cursor row_;
     Runs<Seed>::Cursor rest_;
     Seed seed_;
   };
@@ -139,6 +143,7 @@ class Seeds {
   Runs<Vec3> v_;
   Runs<Mat3> stress_;
   Runs<Weight> weight_;
+  Runs<std::size_t> row_;
   Runs<Seed> rest_;
 };
 

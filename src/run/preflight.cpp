@@ -96,10 +96,20 @@ class Report {
       }
       line(text + thickness(placed.piece));
     }
+    for (std::size_t t = 0; t < model_.tables.size(); ++t) table(t);
     for (const ThinBody& body : thin_)
       advice_.push_back("a body of " + name(model_.pieces[static_cast<std::size_t>(body.pieces.front())].material) +
                         " is " + counted(body.cells, "cell") +
                         " thick: it neither bends nor carries contact stress well below 3");
+  }
+
+  void table(std::size_t number) {
+    const ParticleTable& of = model_.tables[number];
+    double volume = 0.0, mass = 0.0;
+    for (const Seed& seed : seeds_)
+      if (seed.table == static_cast<int>(number)) volume += seed.volume, mass += seed.mass;
+    line(format("table of %-19s %9zu %s, volume %.6g, mass %.6g", (name(of.material) + ":").c_str(), of.position.size(),
+                plural(of.position.size() == 1, "particle").c_str(), volume, mass));
   }
 
   void rigid_blocks() {
@@ -134,6 +144,7 @@ class Report {
       return std::any_of(list.begin(), list.end(), [&](const auto& one) { return one.material == k && differs(one); });
     };
     return model_.whole_particles || of(model_.points, [](const PointSpec&) { return true; }) ||
+           of(model_.tables, [](const ParticleTable&) { return true; }) ||
            of(model_.pieces, [](const Piece& p) { return p.deformation.has_value(); }) ||
            of(system_.rigids, [](const Body<Dim>& b) { return b.block >= 0; });
   }

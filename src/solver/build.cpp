@@ -114,6 +114,21 @@ void fill(Body<Dim>& body, const Seeds& seeds, std::int64_t first_id) {
   }
 }
 
+// History variables that tables of particles give.
+template <int Dim>
+void fill_histories(Body<Dim>& body, const Model& model, const Seeds& seeds) {
+  const auto& variables = body.law->history();
+  std::size_t i = 0;
+  for (const Seed& seed : seeds) {
+    const std::size_t particle = i++;
+    if (seed.table < 0) continue;
+    for (const auto& history : model.tables[static_cast<std::size_t>(seed.table)].histories)
+      for (std::size_t k = 0; k < variables.size(); ++k)
+        if (variables[k].name == history.name)
+          body.particles.column(body.history + k)[particle] = history.values[seed.row];
+  }
+}
+
 template <int Dim>
 Body<Dim> make_body(const Model& model, int material, const Seeds& seeds, std::int64_t first_id,
                     const Transfers<Dim>& transfers) {
@@ -147,6 +162,7 @@ Body<Dim> make_body(const Model& model, int material, const Seeds& seeds, std::i
     body.particles.add(variable.name, variable.dimension, variable.initial);
   add_optional_columns(body, model);
   fill(body, seeds, first_id);
+  if (!model.tables.empty()) fill_histories(body, model, seeds);
   body.refresh();
   return body;
 }

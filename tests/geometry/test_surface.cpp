@@ -196,7 +196,7 @@ TEST_CASE("OBJ and PLY files are read, with polygons", "[geometry][surface]") {
   CHECK_THROWS_WITH(surface_body(open.path), Catch::Contains("open.obj: the surface is not closed"));
   const ScratchFile empty("empty.obj", "nothing here\n"), other("cube.step", obj);
   CHECK_THROWS_WITH(read_surface(empty.path), Catch::Contains("no facets were found"));
-  CHECK_THROWS_WITH(read_surface(other.path), Catch::Contains(".stl, .obj or .ply, not with '.step'"));
+  CHECK_THROWS_WITH(read_surface(other.path), Catch::Contains(".stl, .obj, .ply or .msh, not with '.step'"));
   CHECK_THROWS_AS(read_surface("/nowhere/at/all.ply"), FileError);
 }
 
@@ -216,7 +216,7 @@ TEST_CASE("a broken STL file is a file error, never a crash", "[geometry][surfac
   const ScratchFile gap("gap.stl", ascii(open));
   CHECK_THROWS_WITH(surface_body(gap.path), Catch::Contains("gap.stl: the surface is not closed"));
   const ScratchFile wrong("wrong.stl", "solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 zero\n");
-  CHECK_THROWS_WITH(surface_body(wrong.path), Catch::Contains("wrong.stl: line 4: a number is expected, not 'zero'"));
+  CHECK_THROWS_WITH(surface_body(wrong.path), Catch::Contains("wrong.stl:4:12: a number is expected, not 'zero'"));
 
   for (const auto& content : {ascii(cube()), binary(cube())})
     for (std::size_t length = 0; length + 20 < content.size(); length += 7) {
