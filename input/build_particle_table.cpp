@@ -83,7 +83,7 @@ void Builder::table_columns(const ParticleColumns& columns, ParticleTable& table
   const auto value = [&](const ParticleColumns::Column* column, std::size_t i, double factor, double fallback) {
     return column ? factor * column->values[i] : fallback;
   };
-  const auto positive = [&](const ParticleColumns::Column* column) {
+  const auto check_positive = [&](const ParticleColumns::Column* column) {
     for (std::size_t i = 0; column && i < columns.count && !problems_.full(); ++i)
       must(column->values[i] > 0, columns.place(*column, i),
            "the " + column->name + columns.which(i) + " must be positive, not " + format("%g", column->values[i]));
@@ -92,11 +92,11 @@ void Builder::table_columns(const ParticleColumns& columns, ParticleTable& table
   for (std::size_t d = 0; d < dimension; ++d) {
     x[d] = column_of(axis_columns[d]), v[d] = column_of(velocity_columns[d]), edges[d] = column_of(size_columns[d]);
     must(x[d] != nullptr, columns.file, "the column '" + axis_columns[d] + "' of the positions is missing");
-    positive(edges[d]);
+    check_positive(edges[d]);
   }
   const auto *volume = column_of("volume"), *size = column_of("size"), *mass = column_of("mass"),
              *temperature = column_of("temperature");
-  positive(volume), positive(size), positive(mass);
+  check_positive(volume), check_positive(size), check_positive(mass);
   const auto given = std::count_if(edges.begin(), edges.end(), [](const auto* c) { return c != nullptr; });
   must(given == 0 || static_cast<std::size_t>(given) == dimension, columns.file,
        "the edge lengths size_x, size_y" + std::string(dimension == 3 ? ", size_z" : "") + " are needed together");

@@ -7,8 +7,10 @@
 #include "geometry/point_file.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
+#include <utility>
 
 namespace tribo {
 namespace {

@@ -223,7 +223,7 @@ def special_file():
 def result(folder):
     shutil.copytree(folder, "out")
     files = [os.path.join(where, f) for where, _, names in os.walk("out") for f in names
-             if f.endswith((".vtp", ".pvd", ".csv", ".json")) and f != "safety.csv"]
+             if f.endswith((".vtp", ".vtm", ".pvd", ".csv", ".json")) and f != "safety.csv"]
     last = max((f for f in files if f.endswith(".vtp") and os.sep + "contacts" not in f), default="")
     file = rng.choice([f for f in files if not f.endswith(".vtp")] + [last] * 6)
     data = open(file, "rb").read()

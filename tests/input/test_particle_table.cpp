@@ -4,6 +4,7 @@
 #include "output/vtk.hpp"
 #include "particles/fill.hpp"
 #include "solver/build.hpp"
+#include "tests/root.hpp"
 #include "tests/scratch.hpp"
 
 #include <catch2/catch.hpp>
@@ -135,6 +136,33 @@ TEST_CASE("errors of a table of particles have the place, what is wrong and what
                                                        "with .csv, .txt, .vtp or .vtu, not with '.xyz'"));
   CHECK_THAT(deck("file='nowhere.csv'"), Catch::StartsWith("deck.xml:2:24: error: "));
   CHECK_THAT(deck("file='nowhere.vtp'"), Catch::StartsWith("deck.xml:2:24: error: "));
+}
+
+TEST_CASE("scripts have tables of particles and groups of meshes", "[table][script]") {
+  const ScratchFile file("cloud.csv", "x,y,volume\n1,1,0.25\n2,1,0.125\n");
+  const std::string head =
+      "Title \"t\"\nAnalysis \"Plane Strain MPM\"\nConsistentUnits m,kg,s\nMPMMethod \"USL\",\"uGIMP\"\n"
+      "TimeStep 1,1,0.4\nArchiveTime 1\nMaterial \"m\",\"m\",\"LinearElastic\"\n  rho 2\n  E 10\n  nu 0.3\nDone\n"
+      "GridHoriz 10\nGridVert 8\nGridRect 0,5,0,4\n";
+  const Seeds seeds = particles_of(head + "ParticleTable \"m\",\"" + file.path + "\",vx,3,scale,2\n");
+  REQUIRE(seeds.size() == 2);
+  CHECK(seeds[1].x == Vec3(4, 2, 0));
+  CHECK(seeds[1].v == Vec3(3, 0, 0));
+  CHECK_THROWS_WITH(particles_of(head + "ParticleTable \"m\",\"" + file.path + "\",vx\n"),
+                    Catch::Contains("after the file come pairs: a name and its value"));
+  CHECK_THROWS_WITH(particles_of(head + "Region \"m\",0,0\nParticleTable \"m\",\"" + file.path + "\"\nEndRegion\n"),
+                    Catch::Contains("stands outside of 'Region'"));
+  // A body from a mesh with a rectangle cut out, and a mesh that is cut out of a rectangle
+  const std::string mesh = (test::source_root() / "tests/geometry/data/plate.msh").string();
+  const auto volume_of = [](const Seeds& all) {
+    double sum = 0;
+    for (const Seed& seed : all) sum += seed.volume;
+    return sum;
+  };
+  CHECK(volume_of(particles_of(head + "Region \"m\",0,0\nSurface \"" + mesh +
+                               "\",1,0.5,1,0,\"right half\"\nCut Rect 3,4,1.5,2\nEndRegion\n")) == Approx(3.5));
+  CHECK(volume_of(particles_of(head + "Region \"m\",0,0\nRect 0,5,0,4\nCut Surface \"" + mesh +
+                               "\",1,0.5,1,0,\"right half\"\nEndRegion\n")) == Approx(16));
 }
 
 TEST_CASE("a block of a particle file is a table of particles", "[table]") {
