@@ -110,6 +110,9 @@ void Builder::table_columns(const ParticleColumns& columns, ParticleTable& table
        "the table has the sizes of its particles, and the attribute 'size' is not needed");
   if (!problems_.empty()) return;
 
+  // In the plane the thickness is not that of the file and keeps its length when the coordinates are scaled.
+  const bool flat = dimension == 2 && model_.analysis != Analysis::axisymmetric;
+  const double volume_factor = length * length * length / (flat ? place.scale : 1.0);
   const double depth = model_.analysis == Analysis::axisymmetric ? 1.0 : model_.grid.thickness;
   const Vec3 common(number(s, "vx", Dimension::velocity), number(s, "vy", Dimension::velocity),
                     number(s, "vz", Dimension::velocity));
@@ -130,7 +133,7 @@ void Builder::table_columns(const ParticleColumns& columns, ParticleTable& table
     // The volume is kept as it is given; the domain has it up to round-off.
     double whole = 8.0 * half.prod() * radius;
     if (volume) {
-      const double wanted = length * length * length * volume->values[i];
+      const double wanted = volume_factor * volume->values[i];
       half.head(model_.dimension()) *= std::pow(wanted / whole, 1.0 / static_cast<double>(dimension));
       whole = wanted;
     }

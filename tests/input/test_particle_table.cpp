@@ -139,7 +139,7 @@ TEST_CASE("errors of a table of particles have the place, what is wrong and what
 }
 
 TEST_CASE("scripts have tables of particles and groups of meshes", "[table][script]") {
-  const ScratchFile file("cloud.csv", "x,y,volume\n1,1,0.25\n2,1,0.125\n");
+  const ScratchFile file("cloud.csv", "x,y,volume\n1,1,0.01\n2,1,0.0225\n");
   const std::string head =
       "Title \"t\"\nAnalysis \"Plane Strain MPM\"\nConsistentUnits m,kg,s\nMPMMethod \"USL\",\"uGIMP\"\n"
       "TimeStep 1,1,0.4\nArchiveTime 1\nMaterial \"m\",\"m\",\"LinearElastic\"\n  rho 2\n  E 10\n  nu 0.3\nDone\n"
@@ -148,6 +148,8 @@ TEST_CASE("scripts have tables of particles and groups of meshes", "[table][scri
   REQUIRE(seeds.size() == 2);
   CHECK(seeds[1].x == Vec3(4, 2, 0));
   CHECK(seeds[1].v == Vec3(3, 0, 0));
+  CHECK(seeds[1].volume == Approx(0.09));  // the thickness is not scaled
+  CHECK(seeds[1].half_size[0] == Approx(0.15));
   CHECK_THROWS_WITH(particles_of(head + "ParticleTable \"m\",\"" + file.path + "\",vx\n"),
                     Catch::Contains("after the file come pairs: a name and its value"));
   CHECK_THROWS_WITH(particles_of(head + "Region \"m\",0,0\nParticleTable \"m\",\"" + file.path + "\"\nEndRegion\n"),
