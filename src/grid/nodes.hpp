@@ -124,8 +124,7 @@ struct BlockReach {
 template <int Dim>
 std::uint64_t nodes_in_box(Index<Dim> low, Index<Dim> high) {
   std::uint64_t bits = 0;
-  for (std::size_t d = 0; d < Dim; ++d)
-    low[d] = std::max(low[d], 0), high[d] = std::min(high[d], block_edge<Dim> - 1);
+  for (std::size_t d = 0; d < Dim; ++d) low[d] = std::max(low[d], 0), high[d] = std::min(high[d], block_edge<Dim> - 1);
   each_in_box<Dim>(low, high, [&](const Index<Dim>& n) {
     int local = 0;
     for (std::size_t d = Dim; d-- > 0;) local = local * block_edge<Dim> + n[d];
@@ -238,8 +237,7 @@ class BlockMap {
     for (const BlockReach<Dim>& from : occupied) {
       const auto middle = lattice_.block_at(from.block);
       Index<Dim> low, high;
-      for (std::size_t d = 0; d < Dim; ++d)
-        low[d] = from.low[d] < 0 ? -1 : 0, high[d] = from.high[d] < edge ? 0 : 1;
+      for (std::size_t d = 0; d < Dim; ++d) low[d] = from.low[d] < 0 ? -1 : 0, high[d] = from.high[d] < edge ? 0 : 1;
       each_in_box<Dim>(low, high, [&](Index<Dim> n) {
         Index<Dim> first = from.low, last = from.high;
         for (std::size_t d = 0; d < Dim; ++d) first[d] -= n[d] * edge, last[d] -= n[d] * edge, n[d] += middle[d];

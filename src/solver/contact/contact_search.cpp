@@ -36,7 +36,6 @@ void ContactSearch<Dim>::locate() {
 template <int Dim>
 void ContactSearch<Dim>::find(const Exchanges<Dim>& exchanges) {
   std::fill(node_of_.begin(), node_of_.end(), -1);
-  found_.clear();
   chunks_.resize((shared_.size() + chunk_blocks - 1) / chunk_blocks);
   const auto count = static_cast<std::ptrdiff_t>(chunks_.size());
   parallel_for(count, [&](std::ptrdiff_t k) { list_nodes(exchanges, static_cast<std::size_t>(k)); });
@@ -45,6 +44,7 @@ void ContactSearch<Dim>::find(const Exchanges<Dim>& exchanges) {
     chunk.first_node = nodes, chunk.first_member = members, chunk.first_pair = pairs;
     nodes += chunk.nodes.size(), members += chunk.members.size(), pairs += chunk.pair_count;
   }
+  // All elements are assigned below, so those of the last step need not be removed first.
   found_.nodes.resize(nodes), found_.members.resize(members), found_.pairs.resize(pairs);
   parallel_for(count, [&](std::ptrdiff_t k) {
     const Chunk& chunk = chunks_[static_cast<std::size_t>(k)];
