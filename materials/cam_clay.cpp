@@ -97,6 +97,8 @@ struct CamClay {
                            StateVariable<State>{"opening", Dimension::none, &State::opening});
   }
 
+  Material::Opening opening() const { return {4, std::nullopt, 0.0}; }
+
   double bulk(double p) const { return std::max(p, least_pressure) / k; }
   double shear(double p) const {
     return given(shear_modulus) ? shear_modulus : 1.5 * bulk(p) * (1 - 2 * poisson_ratio) / (1 + poisson_ratio);

@@ -111,6 +111,8 @@ struct DruckerPrager {
                            StateVariable<State>{"opening", Dimension::none, &State::opening});
   }
 
+  Material::Opening opening() const { return {3, 1, elastic.bulk()}; }
+
   PressureShear returned(PressureShear trial, const ReturnStep& step, State& state) const {
     const double G = elastic.mu, K = elastic.bulk();
     if (state.opening > 0 && trial.p < 0) {  // what is open closes before it is pressed

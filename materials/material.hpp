@@ -74,6 +74,14 @@ class Material {
   /// Stored energy of the batch in its present state, summed over the points [energy].
   virtual double stored_energy(const MaterialPoints<2>&) const { return 0.0; }
   virtual double stored_energy(const MaterialPoints<3>&) const { return 0.0; }
+  /// How a law without tension keeps the volume strain by which it has opened, and which closes before it is pressed.
+  struct Opening {
+    std::size_t column = 0;                     ///< index into history() of the opening, a logarithmic volume strain
+    std::optional<std::size_t> plastic_volume;  ///< index of the plastic volume strain that contains the opening
+    double bulk_modulus = 0.0;                  ///< pressure over the elastic volume strain [stress]; 0: not constant
+  };
+  /// None for laws without openings that close. The solver averages the openings of a body over cells.
+  virtual std::optional<Opening> opening() const { return std::nullopt; }
   /// Index into history() of the dissipated energy per initial volume, or -1 if the law does not dissipate.
   virtual int dissipation_index() const { return -1; }
 
@@ -132,6 +140,7 @@ struct NoState {};
 /// - `Mat3 stress(const Motion&, const Mat3& old_stress, State&) const`
 /// - `double energy_density(const Mat3& F, const Mat3& stress, const State&) const`: stored energy per current volume
 /// - `void weaken(double factor)`, optional: see Material::weakened
+/// - `Material::Opening opening() const`, optional: see Material::opening
 /// - `bool feels_temperature() const; double largest_cell() const`, optional: see Material
 ///
 /// Plane stress is solved by this class for every such law, see plane_stress.hpp.
@@ -167,6 +176,10 @@ class PointwiseMaterial : public Material {
   double stored_energy(const MaterialPoints<2>& points) const override { return stored<2>(points); }
   double stored_energy(const MaterialPoints<3>& points) const override { return stored<3>(points); }
   int dissipation_index() const override { return dissipation_; }
+  std::optional<Opening> opening() const override {
+    if constexpr (requires { law_.opening(); }) return law_.opening();
+    return std::nullopt;
+  }
   const std::vector<HistoryVariable>& history() const override { return history_; }
   std::shared_ptr<const Material> weakened([[maybe_unused]] double factor) const override {
     if constexpr (requires(Law law) { law.weaken(factor); }) {

@@ -22,6 +22,10 @@ class MohrCoulomb final : public Material {
   double stored_energy(const MaterialPoints<2>& points) const override { return stored<2>(points); }
   double stored_energy(const MaterialPoints<3>& points) const override { return stored<3>(points); }
   int dissipation_index() const override { return 3; }
+  std::optional<Opening> opening() const override {
+    if (!law_.cohesionless()) return std::nullopt;  // cracks stay open
+    return Opening{4, 1, law_.elastic.bulk()};
+  }
   std::shared_ptr<const Material> weakened(double factor) const override {
     MohrCoulombLaw law = law_;
     law.weaken(factor);

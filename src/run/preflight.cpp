@@ -6,6 +6,7 @@
 #include "base/text.hpp"
 #include "contact/contact_law.hpp"
 #include "grid/select.hpp"
+#include "run/bare_edges.hpp"
 #include "run/block_run.hpp"
 #include "run/body_gaps.hpp"
 #include "run/body_thickness.hpp"
@@ -58,6 +59,7 @@ class Report {
     glued();
     pressures();
     if (sudden_gravity(model_).slips && has_neighbours(model_, system_)) advice_.push_back(sudden_gravity_advice());
+    for (auto& edge : bare_edges(model_)) advice_.push_back(std::move(edge));
     cracks();
     travel();
     steps();

@@ -115,6 +115,7 @@ void Stepper<Dim>::advance(double dt) {
   // 7. "+" variants: strain from the velocities of the updated particles, with the shape functions at the start of the
   // step.
   if (again) strain_again(dt, strain_dt);
+  openings_.apply();
   record_joints();
 
   system_.time += dt;
@@ -146,6 +147,7 @@ Stepper<Dim>::Stepper(const Model& model, System<Dim>& system)
       heat_(model, system, *transfers_),
       ramps_(model, system),
       b_bar_(model.scheme, system, *transfers_, exchanges_),
+      openings_(model, system),
       filter_(model, system, *transfers_, exchanges_, conditions_, contact_) {
   for (std::size_t f = 0; f < system.fields.size(); ++f) {
     exchanges_.push_back(make_exchange<Dim>(model.grid, system.lattice));

@@ -15,6 +15,7 @@
 #include "solver/loads/nodal_work.hpp"
 #include "solver/loads/particle_loads.hpp"
 #include "solver/loads/tractions.hpp"
+#include "solver/opening_average.hpp"
 #include "solver/particle_sort.hpp"
 #include "solver/particle_splitting.hpp"
 #include "solver/rigid/rigid_blocks.hpp"
@@ -80,7 +81,7 @@ class Stepper {
   friend void archive(Archive& a, Stepper& stepper) {
     auto& [model, system, loops, ledger, watches, transfers, sort, splitting, exchanges, conditions, cracks, crack_tips,
            interface_faces, joints, contact, loads, tractions, body_forces, nodal_work, damping, rigid_bodies,
-           rigid_blocks, heat, ramps, b_bar, filter, jump, measures, ratio, gathered] = stepper;
+           rigid_blocks, heat, ramps, b_bar, openings, filter, jump, measures, ratio, gathered] = stepper;
     a.version(5);
     a("system", system);
     a("ledger", ledger), a("sort", sort), a("splitting", splitting), a.each("conditions", conditions),
@@ -145,6 +146,7 @@ class Stepper {
   HeatConduction<Dim> heat_;
   TemperatureRamps<Dim> ramps_;
   BBar<Dim> b_bar_;
+  OpeningAverage<Dim> openings_;
   VelocityFilter<Dim> filter_;
   bool jump_ = false, measures_balance_ = false;
   double unbalanced_ratio_ = 0.0;

@@ -50,8 +50,8 @@ std::string floating(int dimension, const std::string& block, const std::string&
 }
 
 template <int Dim>
-struct Run {
-  explicit Run(const std::string& text)
+struct BlockRun {
+  explicit BlockRun(const std::string& text)
       : model(read_model_text(text, "deck.xml")),
         system(build_system<Dim>(model, place_points(model))),
         stepper(model, system) {}
@@ -69,7 +69,7 @@ struct Momentum {
 
 /// About the origin of space, with the part that APIC's affine velocities carry.
 template <int Dim>
-Momentum momentum(Run<Dim>& run) {
+Momentum momentum(BlockRun<Dim>& run) {
   Momentum out;
   auto& body = run.system.bodies.front();
   for (std::size_t i = 0; i < body.particles.size(); ++i) {
@@ -120,8 +120,8 @@ TEST_CASE("A block and the matter it hits keep their momentum to round-off, also
     CHECK((after.linear - before.linear).norm() < 1e-12 * before.linear.norm());
     CHECK((after.angular - before.angular).norm() < 1e-12 * before.linear.norm());
   };
-  SECTION("plane") { collide(Run<2>(floating(2, flat_stone)), 200, 5e-4); }
-  SECTION("space") { collide(Run<3>(floating(3, solid_stone)), 60, 1e-3); }
+  SECTION("plane") { collide(BlockRun<2>(floating(2, flat_stone)), 200, 5e-4); }
+  SECTION("space") { collide(BlockRun<3>(floating(3, solid_stone)), 60, 1e-3); }
 }
 
 TEST_CASE(
@@ -160,12 +160,12 @@ TEST_CASE(
     CHECK(ledger.rigid_work != given);
     CHECK(dissipated() - contact_before == Approx(ledger.rigid_work - given).epsilon(1e-9));
   };
-  SECTION("plane") { collide(Run<2>(floating(2, flat_stone, friction, transfer, impulses)), 200, 5e-4); }
-  SECTION("space") { collide(Run<3>(floating(3, solid_stone, friction, transfer, impulses)), 60, 1e-3); }
+  SECTION("plane") { collide(BlockRun<2>(floating(2, flat_stone, friction, transfer, impulses)), 200, 5e-4); }
+  SECTION("space") { collide(BlockRun<3>(floating(3, solid_stone, friction, transfer, impulses)), 60, 1e-3); }
 }
 
 TEST_CASE("What blocks do to the grid is the same to the bit for any number of threads, and after a restart") {
-  Run<2> run(floating(2, flat_stone)), again(floating(2, flat_stone));
+  BlockRun<2> run(floating(2, flat_stone)), again(floating(2, flat_stone));
   const auto same = [&] {
     const BlockMotion &a = run.system.blocks->motion[0], &b = again.system.blocks->motion[0];
     return a.x == b.x && a.v == b.v && a.w == b.w && a.R == b.R;
@@ -177,7 +177,7 @@ TEST_CASE("What blocks do to the grid is the same to the bit for any number of t
   again.steps(60, 5e-4);
   const auto file = std::filesystem::temp_directory_path() / "tribo_blocks_in_grid.bin";
   save_state(RunState{}, again.system, again.stepper).save(file);
-  Run<2> third(floating(2, flat_stone));
+  BlockRun<2> third(floating(2, flat_stone));
   load_state(Checkpoint(file), third.system, third.stepper);
   third.steps(40, 5e-4);
   again.steps(40, 5e-4);
@@ -189,7 +189,7 @@ TEST_CASE("What blocks do to the grid is the same to the bit for any number of t
 }
 
 TEST_CASE("A block too light for the matter at its nodes is an error that says why") {
-  Run<2> run(floating(
+  BlockRun<2> run(floating(
       2, "<BoxBlock matname='stone' name='feather' xmin='-0.5' xmax='0.5' ymin='1' ymax='1.1' rho='20' vy='-1'/>"));
   CHECK_THROWS_WITH(run.steps(20, 5e-4), Catch::Contains("'feather' is too large compared with its own"));
 }
@@ -198,7 +198,7 @@ TEST_CASE("A block too light for the matter at its nodes is an error that says w
 TEST_CASE("A ball some cells thick sinks into matter in space without an error, and gains no energy") {
   const std::string transfer = GENERATE("type='APIC'", "type='FMPM' order='2'");
   INFO(transfer);
-  Run<3> run(
+  BlockRun<3> run(
       floating(3, "<Ball matname='stone' x='0' y='1.63' z='0' radius='0.625' rho='1667' vy='-5.5'/>", "0.4", transfer));
   const auto energy = [&] {
     const Measures all = measure(run.system);
