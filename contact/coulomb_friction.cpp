@@ -44,7 +44,7 @@ struct CoulombFriction final : ContactLaw {
   }
 
   ContactResponse response(const ContactState& m) const override {
-    const NormalContact c = resolve_contact(m, {displacement_only, contact_stiffness});
+    const NormalContact c = resolve_contact(m, {displacement_only, contact_stiffness}, true);
     if (!c.closed) return {Vec3::Zero(), ContactStatus::open, m.bond};
     const SlipWeakening friction{static_coefficient, coefficient, weakening};
     const bool holds = coefficient < 0 || c.stick <= friction.at_rest(m) * c.pressure();

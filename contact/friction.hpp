@@ -73,11 +73,12 @@ inline double normal_impulse(const ContactState& m, const NormalContactRule& rul
   return hold < -rule.displacement_only * m.area * m.dt ? hold : std::min(0.0, hold);
 }
 
-/// Solves the normal contact of a state, and resolves its tangential motion.
-inline NormalContact resolve_contact(const ContactState& m, const NormalContactRule& rule) {
-  NormalContact c;
+/// Solves the normal contact of a state, and resolves its tangential motion. `only_closed`: not of open faces.
+inline NormalContact resolve_contact(const ContactState& m, const NormalContactRule& rule, bool only_closed = false) {
+  NormalContact c{};
   c.normal = normal_impulse(m, rule);
   c.closed = c.normal != 0.0;
+  if (!c.closed && only_closed) return c;
   const Vec3 slide = m.velocity - m.velocity.dot(m.normal) * m.normal;
   const double speed = slide.norm();
   c.direction = speed > 0 ? Vec3(slide / speed) : Vec3(Vec3::Zero());

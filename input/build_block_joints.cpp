@@ -98,7 +98,7 @@ BlockJoint Builder::joint_criteria(const Statement& s, const BlocksSpec* spec) {
 
 BlockJoint Builder::block_joint(const Statement& s, const BlocksSpec& spec) {
   BlockJoint out = joint_criteria(s, &spec);
-  out.corners = word(s, "points") == "corners";
+  out.corners = has(s, "points") ? word(s, "points") == "corners" : spec.corners;
   const std::string when = word(s, "contacts");
   out.at_start = when != "later", out.later = when == "later" || when == "all";
   const bool chooses = has(s, "blocks") || has(s, "with") || out.dip || out.dip_direction || out.kind || out.later;

@@ -132,11 +132,11 @@ void Builder::blocks() {
       if (const auto value = time_function(part, "value", Dimension::stress)) p.pressure = *value;
       spec->pressures.push_back(std::move(p));
     } else if (part.name == "Hold") {
-      BlockHold h{shapes_of(part), {}, {}, part.origin};
+      BlockHold h{of_named_blocks(part), {}, {}, part.origin};
       all(velocities, Dimension::velocity, h.velocity), all(spins, Dimension::rate, h.spin);
       spec->holds.push_back(std::move(h));
     } else if (part.name == "Load") {
-      BlockLoad l{shapes_of(part), {}, {}, part.origin};
+      BlockLoad l{of_named_blocks(part), {}, {}, part.origin};
       all({"Fx", "Fy", "Fz"}, Dimension::force, l.force);
       all({"Mx", "My", "Mz"}, Dimension::force, l.moment, model_.units.factor(Dimension::length));
       spec->loads.push_back(std::move(l));
@@ -145,6 +145,7 @@ void Builder::blocks() {
       surfaces_.push_back(block_surface(part));
     }
   }
+  name_blocks(s, *spec);
   must(!spec->groups.empty(), s.origin, "<Blocks> has no block; give <Voronoi>, <BoxBlock>, <PolygonBlock> or <Ball>");
   block_joints(s, *spec);
   block_histories(*spec);
@@ -180,6 +181,20 @@ std::shared_ptr<const JointLaw> Builder::joint_of(const Statement& s) {
   must(!found->joint || found->joint->user_areas().size() <= 1, s.origin,
        "<user_area> of '" + found->name + "' has an area for each point of a crack; contacts of blocks take one area");
   return found->joint;
+}
+
+// The shapes of a <Hold> or <Load>; null if it chooses blocks by their names only.
+RegionPtr Builder::of_named_blocks(const Statement& s) {
+  return has(s, "blocks") && s.children.empty() ? nullptr : shapes_of(s);
+}
+
+// The names refer to all blocks, which are known only now.
+void Builder::name_blocks(const Statement& s, BlocksSpec& spec) {
+  std::size_t hold = 0, load = 0;
+  for (const auto& part : s.children) {
+    if (part.name == "Hold") spec.holds[hold++].groups = block_groups(part, "blocks", spec);
+    if (part.name == "Load") spec.loads[load++].groups = block_groups(part, "blocks", spec);
+  }
 }
 
 RegionPtr Builder::shapes_of(const Statement& s) {

@@ -201,6 +201,8 @@ class Builder {
   void check_nuclei(const BlockGroup& group);
   std::shared_ptr<const JointLaw> joint_of(const Statement& s);
   RegionPtr shapes_of(const Statement& s);
+  RegionPtr of_named_blocks(const Statement& s);
+  void name_blocks(const Statement& s, BlocksSpec& spec);
   std::optional<TimeFunction> time_function(const Statement& s, const char* attribute, Dimension dimension,
                                             double factor = 1.0);
   void block_histories(BlocksSpec& spec);

@@ -116,12 +116,14 @@ void add_blocks(Rows& add) {
        std::vector<AttributeSpec>{
            {"value", T::function, "pressure, may be a function of t", {}, true},
            {"follows", T::flag, "the pressure stays normal to the rotating faces (default yes)"}}});
+  const AttributeSpec named = text("blocks", "names of blocks, separated by blanks: only these; shapes may be absent");
   add({"Hold", "Blocks",
        "prescribed motion of blocks whose centres lie in its shapes; components that are not given are free", T::none,
-       motion + std::vector<AttributeSpec>{function("spinx", "angular velocity [rad/time], may be a function of t"),
-                                           function("spiny", ""), function("spinz", "")}});
+       std::vector<AttributeSpec>{named} + motion +
+           std::vector<AttributeSpec>{function("spinx", "angular velocity [rad/time], may be a function of t"),
+                                      function("spiny", ""), function("spinz", "")}});
   add({"Load", "Blocks", "force and moment on each block whose centre lies in its shapes", T::none,
-       std::vector<AttributeSpec>{function("Fx", "force, may be a function of t"), function("Fy", ""),
+       std::vector<AttributeSpec>{named, function("Fx", "force, may be a function of t"), function("Fy", ""),
                                   function("Fz", ""), function("Mx", "moment, may be a function of t"),
                                   function("My", ""), function("Mz", "")}});
 }

@@ -250,6 +250,15 @@ void Assembly::refuse_overlaps(double tolerance) const {
 }
 
 void Assembly::add_holds_and_loads() {
+  const auto chosen = [&](const auto& by, std::size_t k) {
+    const auto& groups = by.groups;
+    return (groups.empty() || std::find(groups.begin(), groups.end(), bodies[k].group) != groups.end()) &&
+           (!by.where || by.where->contains(motion[k].x));
+  };
+  const auto none = [&](const auto& by) {
+    fail(by.origin, by.groups.empty() ? "no block has its centre in this shape"
+                                      : "none of these blocks has its centre in this shape");
+  };
   for (std::size_t h = 0; h < spec_->holds.size(); ++h) {
     const BlockHold& hold = spec_->holds[h];
     ScatterTerms prescribed;
@@ -259,22 +268,22 @@ void Assembly::add_holds_and_loads() {
     }
     bool found = false;
     for (std::size_t k = 0; k < blocks_; ++k) {
-      if (!hold.where->contains(motion[k].x)) continue;
+      if (!chosen(hold, k)) continue;
       found = true;
       if (bodies[k].hold >= 0)
         fail(hold.origin, "the block at " + place_text(motion[k].x) + " is held already by another element");
       bodies[k].hold = static_cast<std::int32_t>(h), bodies[k].held |= prescribed.held;
       bodies[k].stress_weight = 0;  // the forces that hold it are not among those on its faces
     }
-    if (!found) fail(hold.origin, "no block has its centre in this shape");
+    if (!found) none(hold);
     prescribed_motions_.push_back(prescribed);
   }
   for (std::size_t l = 0; l < spec_->loads.size(); ++l) {
     const std::size_t before = loaded_.size();
     for (std::size_t k = 0; k < blocks_; ++k)
-      if (spec_->loads[l].where->contains(motion[k].x))
+      if (chosen(spec_->loads[l], k))
         loaded_.emplace_back(static_cast<std::uint32_t>(k), static_cast<std::uint32_t>(l));
-    if (loaded_.size() == before) fail(spec_->loads[l].origin, "no block has its centre in this shape");
+    if (loaded_.size() == before) none(spec_->loads[l]);
   }
   std::sort(loaded_.begin(), loaded_.end());
 }

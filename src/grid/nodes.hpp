@@ -6,6 +6,8 @@
 #include "grid/lattice.hpp"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -104,19 +106,32 @@ class NodeNumbers {
 /// A node whose mass is below this fraction of the largest nodal mass counts as empty (round-off of the weights).
 inline constexpr double least_mass_ratio = 1e-14;
 
-/// A block with particles, and how far their shape functions reach into the neighbouring blocks.
+/// A block with particles, and the nodes that their shape functions reach.
 template <int Dim>
 struct BlockReach {
   std::int64_t block;    ///< lattice index
-  Index<Dim> low, high;  ///< offsets of the farthest neighbours that are reached, from -1 to 0 and from 0 to 1
+  Index<Dim> low, high;  ///< box of the reached nodes, from the first node of the block; at most one block beyond it
 
   /// A block all neighbours of which are reached.
   static BlockReach full(std::int64_t block) {
     BlockReach reach{block, {}, {}};
-    reach.low.fill(-1), reach.high.fill(1);
+    reach.low.fill(-block_edge<Dim>), reach.high.fill(2 * block_edge<Dim> - 1);
     return reach;
   }
 };
+
+/// Bits of the nodes of a block that lie in a box, given from the first node of the block.
+template <int Dim>
+std::uint64_t nodes_in_box(Index<Dim> low, Index<Dim> high) {
+  std::uint64_t bits = 0;
+  for (std::size_t d = 0; d < Dim; ++d) low[d] = std::max(low[d], 0), high[d] = std::min(high[d], block_edge<Dim> - 1);
+  each_in_box<Dim>(low, high, [&](const Index<Dim>& n) {
+    int local = 0;
+    for (std::size_t d = Dim; d-- > 0;) local = local * block_edge<Dim> + n[d];
+    bits |= std::uint64_t{1} << local;
+  });
+  return bits;
+}
 
 /// The existing blocks in lexicographic order: the sparse structure of the grid, shared by all layers of nodal data.
 template <int Dim>
@@ -133,17 +148,16 @@ class BlockMap {
   void rebuild(std::span<const BlockReach<Dim>> occupied) {
     for (const auto b : active_) slot_[static_cast<std::size_t>(b)] = -1;
     active_.clear();
-    for (const BlockReach<Dim>& from : occupied) {
-      const auto middle = lattice_.block_at(from.block);
-      each_in_box<Dim>(from.low, from.high, [&](Index<Dim> n) {
-        for (std::size_t d = 0; d < Dim; ++d) n[d] += middle[d];
-        const std::int64_t block = lattice_.block_index(n);
-        auto& s = slot_[static_cast<std::size_t>(block)];
-        if (s < 0) s = 0, active_.push_back(block);
-      });
-    }
+    each_reached_block(occupied, [&](std::int64_t block, std::uint64_t) {
+      int& s = slot_[static_cast<std::size_t>(block)];
+      if (s < 0) s = 0, active_.push_back(block);
+    });
     std::sort(active_.begin(), active_.end());
     for (std::size_t k = 0; k < active_.size(); ++k) slot_[static_cast<std::size_t>(active_[k])] = static_cast<int>(k);
+    reached_.assign(active_.size(), 0);
+    each_reached_block(occupied, [&](std::int64_t block, std::uint64_t nodes) {
+      reached_[static_cast<std::size_t>(slot(block))] |= nodes;
+    });
   }
   /// The same with all neighbours of the blocks, which are given as lattice indices.
   void rebuild(std::span<const std::int64_t> occupied) {
@@ -156,11 +170,38 @@ class BlockMap {
   const std::vector<std::int64_t>& active() const { return active_; }
   int slot(std::int64_t block) const { return slot_[static_cast<std::size_t>(block)]; }
 
-  /// Slots of a block and its neighbours, x fastest, -1 for those that do not exist; the block itself is in the middle.
-  std::array<int, neighbour_count> neighbours(std::int64_t block) const {
-    std::array<int, neighbour_count> out{};
+  /// Bits of the nodes of the block in a slot that the shape functions of particles may reach. The others stay empty.
+  std::uint64_t reached(std::size_t slot) const { return reached_[slot]; }
+  /// Makes all nodes of the blocks count as reached, because more than transfers writes to them.
+  void reach_all() { std::fill(reached_.begin(), reached_.end(), ~std::uint64_t{0}); }
+  /// Calls f(first node, last node + 1) for the runs of reached nodes of the blocks in the slots from `begin` to before
+  /// `end`; the nodes are positions in the layers of nodal data.
+  template <class F>
+  void each_run(std::size_t begin, std::size_t end, F&& f) const {
+    for (std::size_t s = begin; s < end; ++s) {
+      std::size_t first = s * block_nodes<Dim>;
+      for (std::uint64_t rest = reached_[s]; rest != 0;) {
+        const int skipped = std::countr_zero(rest), length = std::countr_one(rest >> skipped);
+        first += static_cast<std::size_t>(skipped);
+        f(first, first + static_cast<std::size_t>(length));
+        first += static_cast<std::size_t>(length);
+        rest = skipped + length < 64 ? rest >> (skipped + length) : 0;
+      }
+    }
+  }
+
+  /// A block and its neighbours, x fastest; the block itself is in the middle.
+  struct Neighbours {
+    std::array<int, neighbour_count> slots;              ///< -1: the block does not exist
+    std::array<std::uint64_t, neighbour_count> reached;  ///< bits of the reached nodes; 0 if the block does not exist
+  };
+  Neighbours neighbours(std::int64_t block) const {
+    Neighbours out{};
     std::size_t k = 0;
-    each_neighbour(block, [&](std::int64_t n) { out[k++] = slot(n); });
+    each_neighbour(block, [&](std::int64_t n) {
+      const int s = out.slots[k] = slot(n);
+      out.reached[k++] = s < 0 ? 0 : reached_[static_cast<std::size_t>(s)];
+    });
     return out;
   }
 
@@ -189,6 +230,22 @@ class BlockMap {
   std::int64_t node_count() const { return static_cast<std::int64_t>(active_.size()) * block_nodes<Dim>; }
 
  private:
+  // Calls f(block, bits of its nodes) for the blocks that the given ones reach.
+  template <class F>
+  void each_reached_block(std::span<const BlockReach<Dim>> occupied, F&& f) const {
+    constexpr int edge = block_edge<Dim>;
+    for (const BlockReach<Dim>& from : occupied) {
+      const auto middle = lattice_.block_at(from.block);
+      Index<Dim> low, high;
+      for (std::size_t d = 0; d < Dim; ++d) low[d] = from.low[d] < 0 ? -1 : 0, high[d] = from.high[d] < edge ? 0 : 1;
+      each_in_box<Dim>(low, high, [&](Index<Dim> n) {
+        Index<Dim> first = from.low, last = from.high;
+        for (std::size_t d = 0; d < Dim; ++d) first[d] -= n[d] * edge, last[d] -= n[d] * edge, n[d] += middle[d];
+        f(lattice_.block_index(n), nodes_in_box<Dim>(first, last));
+      });
+    }
+  }
+
   template <class F>
   void each_neighbour(std::int64_t block, F&& f) const {
     const auto b = lattice_.block_at(block);
@@ -205,6 +262,7 @@ class BlockMap {
   Lattice<Dim> lattice_;
   std::vector<int> slot_;
   std::vector<std::int64_t> active_;
+  std::vector<std::uint64_t> reached_;  // per slot
 };
 
 using NodeLayer = AlignedVector<Node>;

@@ -111,16 +111,18 @@ struct BlockPressure {
 
 /// Prescribed motion of the blocks whose centres lie in a region.
 struct BlockHold {
-  RegionPtr where;
+  RegionPtr where;                                            ///< null: anywhere
   std::array<std::optional<TimeFunction>, 3> velocity, spin;  ///< absent components are free
   Origin origin;
+  std::vector<std::int32_t> groups = {};  ///< of the blocks, indices into BlocksSpec::groups; empty: any
 };
 
-/// Force and moment on each block whose centre lies in a region.
+/// Force and moment on each block of some groups whose centre lies in a region.
 struct BlockLoad {
-  RegionPtr where;
+  RegionPtr where;  ///< null: anywhere
   std::array<std::optional<TimeFunction>, 3> force, moment;
   Origin origin;
+  std::vector<std::int32_t> groups = {};  ///< of the blocks, indices into BlocksSpec::groups; empty: any
 };
 
 /// A column of history.csv.

@@ -100,13 +100,15 @@ template <int Dim>
 std::vector<BlockReach<Dim>> Bins<Dim>::reach(const Lattice<Dim>& lattice, int width) const {
   std::vector<BlockReach<Dim>> out;
   for (std::size_t b = 0; b < bins_.size(); ++b) {
-    BlockReach<Dim> blocks{bins_[b].block, {}, {}};
+    BlockReach<Dim> nodes{bins_[b].block, {}, {}};
     const Index<Dim> middle = lattice.block_at(bins_[b].block);
     for (std::size_t d = 0; d < Dim; ++d) {
-      blocks.low[d] = cells_[b].low[d] - 1 < 0 && middle[d] > 0 ? -1 : 0;
-      blocks.high[d] = cells_[b].high[d] + width >= block_edge<Dim> && middle[d] + 1 < lattice.blocks[d] ? 1 : 0;
+      const int last = block_edge<Dim> - 1;  // of the block
+      nodes.low[d] = std::max(cells_[b].low[d] - 1, middle[d] > 0 ? -block_edge<Dim> : 0);
+      nodes.high[d] =
+          std::min(cells_[b].high[d] + width, middle[d] + 1 < lattice.blocks[d] ? last + block_edge<Dim> : last);
     }
-    out.push_back(blocks);
+    out.push_back(nodes);
   }
   return out;
 }

@@ -54,7 +54,7 @@ class Bins {
   bool hold(const Lattice<Dim>& lattice, const Particles<Dim>& particles) const;
 
   const std::vector<Bin>& list() const { return bins_; }
-  /// The blocks of the bins, and the neighbours that stencils of `width` nodes per axis reach until the next sort.
+  /// The blocks of the bins, and the nodes that stencils of `width` nodes per axis reach until the next sort.
   std::vector<BlockReach<Dim>> reach(const Lattice<Dim>& lattice, int width) const;
   /// Bins of each colour, as indices into list().
   const std::vector<std::vector<std::uint32_t>>& colours() const { return colours_; }

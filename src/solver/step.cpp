@@ -197,8 +197,10 @@ void Stepper<Dim>::locate_nodes() {
     if (field.side != 0) cracks_.add_blocks(field, occupied);
     add_periodic_blocks(model_.grid, system_.lattice, occupied);
     field.map.rebuild(occupied);
+    if (exchanges_[f]->has_images()) field.map.reach_all();
     const auto nodes = static_cast<std::size_t>(field.map.node_count());
     field.nodes.resize(nodes);
+    zero(field.nodes);  // later only those that are reached
     field.rigid.resize(system_.rigids.size());
     for (std::size_t r = 0; r < system_.rigids.size(); ++r)
       if (system_.rigids[r].field == Body<Dim>::no_field) field.rigid[r].resize(nodes);

@@ -20,11 +20,13 @@ class SystemLoops {
 
   /// Divides the work anew, after particles or nodes have changed their numbers.
   void divide() {
-    constexpr std::size_t length = 1024, per_thread = 4;
+    constexpr std::size_t length = 16, per_thread = 4;
     ranges_.clear();
-    for (std::size_t f = 0; f < system_.fields.size(); ++f)
-      for (std::size_t first = 0; first < system_.fields[f].nodes.size(); first += length)
-        ranges_.push_back({f, first, std::min(first + length, system_.fields[f].nodes.size())});
+    for (std::size_t f = 0; f < system_.fields.size(); ++f) {
+      const std::size_t blocks = system_.fields[f].map.active().size();
+      for (std::size_t first = 0; first < blocks; first += length)
+        ranges_.push_back({f, first, std::min(first + length, blocks)});
+    }
     before_.assign(1, 0);
     std::vector<char> used(system_.fields.size(), 0);
     bool distinct = true;
@@ -49,12 +51,14 @@ class SystemLoops {
     for (std::size_t k = 0; k < count; ++k) f(k);
   }
 
-  /// Calls f(number of the field, first node, last node + 1) for ranges that cover the nodes of all fields.
+  /// Calls f(number of the field, first node, last node + 1) for ranges that cover the nodes of all fields that
+  /// particles may reach.
   template <class F>
   void each_range(F&& f) const {
     parallel_for(static_cast<std::ptrdiff_t>(ranges_.size()), [&](std::ptrdiff_t k) {
       const Range& range = ranges_[static_cast<std::size_t>(k)];
-      f(range.field, range.first, range.last);
+      system_.fields[range.field].map.each_run(
+          range.first, range.last, [&](std::size_t first, std::size_t last) { f(range.field, first, last); });
     });
   }
 
@@ -69,7 +73,7 @@ class SystemLoops {
     std::size_t field, first, last;
   };
   System<Dim>& system_;
-  std::vector<Range> ranges_;          // of the nodes of all fields
+  std::vector<Range> ranges_;          // of the blocks of all fields
   std::vector<std::uint32_t> before_;  // number of particles of the bodies before the k-th
   bool side_by_side_ = false;          // the bodies are many, none of them is large, and each has its own field
 };

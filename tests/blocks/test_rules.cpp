@@ -186,6 +186,41 @@ TEST_CASE("blocks that collapse need no law by name", "[blocks][rules]") {
   CHECK(refused.blocks->laws.later == nullptr);
 }
 
+TEST_CASE("a rule has the contact points of the blocks unless it has its own", "[blocks][rules]") {
+  const auto contacts = [](const std::string& of_blocks, const std::string& of_rule) {
+    const Model model = model_of("<Blocks lawname='joint'" + of_blocks +
+                                 "><BoxBlock name='a' xmin='0' xmax='1' ymin='-1' ymax='0' rho='2000'/>"
+                                 "<BoxBlock name='b' xmin='0' xmax='1' ymin='0' ymax='1' rho='2000'/>"
+                                 "<Joint lawname='joint' blocks='a' with='b'" +
+                                 of_rule + "/></Blocks>");
+    return Assembly(model.blocks, 2, false, Vec3::Zero(), 1.0).contacts.size();
+  };
+  CHECK(contacts("", "") == 1);
+  CHECK(contacts("", " points='corners'") == 2);
+  CHECK(contacts(" points='corners'", "") == 2);
+  CHECK(contacts(" points='corners'", " points='centre'") == 1);
+}
+
+TEST_CASE("blocks are held and loaded by their names, and also by shapes", "[blocks][rules]") {
+  const std::string row =
+      "<BoxBlock name='base' xmin='0' xmax='1' ymin='0' ymax='1' rho='2000'/>"
+      "<BoxBlock name='base' xmin='3' xmax='4' ymin='0' ymax='1' rho='2000'/>"
+      "<BoxBlock name='top' xmin='6' xmax='7' ymin='0' ymax='1' rho='2000'/>";
+  const auto assembly = [&](const std::string& rest) {
+    return Assembly(model_of("<Blocks lawname='joint'>" + row + rest + "</Blocks>").blocks, 2, false, Vec3::Zero(),
+                    1.0);
+  };
+  Assembly held = assembly("<Hold blocks='base' vx='0' vy='0'/><Load blocks='base top' Fx='5'/>");
+  CHECK((held.bodies[0].held == 3 && held.bodies[1].held == 3 && held.bodies[2].held == 0));
+  held.advance(1e-6);
+  CHECK((held.motion[0].v[0] == 0 && held.motion[2].v[0] > 0));
+  const Assembly both = assembly("<Hold blocks='base' vx='0'><Rect xmin='2' xmax='9' ymin='0' ymax='1'/></Hold>");
+  CHECK((both.bodies[0].held == 0 && both.bodies[1].held == 1 && both.bodies[2].held == 0));
+  CHECK_THROWS_WITH(assembly("<Hold blocks='bas' vx='0'/>"), Catch::Contains("base"));
+  CHECK_THROWS_WITH(assembly("<Hold blocks='top' vx='0'><Rect xmin='0' xmax='4' ymin='0' ymax='1'/></Hold>"),
+                    Catch::Contains("none of these blocks"));
+}
+
 TEST_CASE("faces that have turned are replaced without a jump of their force", "[blocks][rules]") {
   const Model model = model_of(
       "<Blocks lawname='joint'><BoxBlock xmin='-2' xmax='2' ymin='-1' ymax='0' rho='2000'/>"

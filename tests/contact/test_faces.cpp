@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "solver/contact/face_geometry.hpp"
+#include "solver/contact/near_particles.hpp"
 
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
@@ -115,6 +116,23 @@ TEST_CASE("a corner that slides past another one is not stopped by it", "[contac
     REQUIRE(n);
     CHECK((*n - along).norm() < 1e-6);
   }
+}
+
+TEST_CASE("bodies whose boxes hardly overlap along two axes meet in a corner or an edge", "[contact]") {
+  NearParticles<3> near;
+  near.low[0] = Vec3(-2, -2, -2), near.high[0] = Vec3(0, 0, 0);
+  const auto apart = [&](double x, double y, double z) {
+    near.low[1] = Vec3(x, y, z), near.high[1] = near.low[1] + Vec3(2, 2, 2);
+    return apart_beside_corner(near, 0.05);
+  };
+  CHECK(apart(0, -1, -1) == 0.0);                         // a face
+  CHECK(apart(0.5, -1, -0.06) == 0.0);                    // a face with a gap
+  CHECK(apart(0, 0, -1) == Approx(0.05));                 // an edge
+  CHECK(apart(-0.02, -0.04, -1) == Approx(0.01));         // the same, slightly displaced
+  CHECK(apart(0.3, 0.1, 0) == Approx(0.15));              // a corner
+  CHECK(apart(-2, -2 - 1e-9, -1.99) == 0.0);              // one beside the other: it has faces within the other's box
+  CHECK(apart(-1.98, 0, -1) == 0.0);                      // a face, though the boxes end nearly together
+  CHECK(apart(-3.97, -3.96, -1) == Approx(0.05 - 0.04));  // on the other side
 }
 
 TEST_CASE("a box above the edge of a box rests on it, and beside it falls past", "[contact]") {

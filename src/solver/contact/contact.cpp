@@ -118,7 +118,10 @@ void Contact<Dim>::find_faces(const Exchanges<Dim>& exchanges, bool all) {
       ContactPair& pair = contacts.pairs[p];
       if (!pair.needs_face) continue;
       ContactFace& face = cache_.new_face(p);
-      if (!finder_.find(node, contacts.members, pair, face, near)) continue;
+      if (!finder_.find(node, contacts.members, pair, face, near)) {
+        if (face.missing) cache_.store_missing(face, near.apart);
+        continue;
+      }
       if (cache_.enabled()) cache_.store(face, near);
       if (pair.law->has_memory()) memory_.read(node, pair, near);
     }

@@ -84,6 +84,7 @@ void ContactLedger<Dim>::record(ContactNodes<Dim>& contacts, double dt, bool rep
       pair.update_impulse = pair.impulse, pair.update_status = pair.response.status;
       pair.total_impulse.setZero(), pair.friction_work = 0.0;
       if (!pair.law) continue;  // a joint acts in its place
+      if (pair.response.status == ContactStatus::open && !pair.has_impulse()) continue;
       const Relative v = relative(contacts, node, pair, dt);
       const Vec3 mean = replaces || filtered ? v.end : Vec3(0.5 * (v.start + v.end));
       // The impulse at the start removes a relative velocity that the extrapolation has made: its work is that at the

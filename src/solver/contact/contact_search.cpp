@@ -4,6 +4,7 @@
 #include "base/parallel.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <map>
 
 namespace tribo {
@@ -13,16 +14,18 @@ void ContactSearch<Dim>::locate() {
   shared_at_.resize(static_cast<std::size_t>(system_.lattice.block_count()), -1);
   for (const auto& s : shared_) shared_at_[static_cast<std::size_t>(s.block)] = -1;
   shared_.clear();
-  std::map<std::int64_t, std::vector<std::pair<std::size_t, int>>> users;
+  std::map<std::int64_t, std::vector<BlockUser>> all;
   for (std::size_t f = 0; f < system_.fields.size(); ++f) {
     const auto& map = system_.fields[f].map;
     for (std::size_t slot = 0; slot < map.active().size(); ++slot)
-      users[map.active()[slot]].emplace_back(f, static_cast<int>(slot));
+      all[map.active()[slot]].push_back({f, static_cast<int>(slot), map.reached(slot)});
   }
-  for (auto& [block, slots] : users) {
-    if (slots.size() < 2) continue;
+  for (auto& [block, users] : all) {
+    std::uint64_t once = 0, twice = 0;
+    for (const BlockUser& user : users) twice |= once & user.reached, once |= user.reached;
+    if (twice == 0) continue;
     shared_at_[static_cast<std::size_t>(block)] = static_cast<int>(shared_.size());
-    shared_.push_back({block, std::move(slots)});
+    shared_.push_back({block, twice, std::move(users)});
   }
   node_of_.assign(shared_.size() * block_nodes<Dim>, -1);
   found_.clear();
@@ -33,7 +36,6 @@ void ContactSearch<Dim>::locate() {
 template <int Dim>
 void ContactSearch<Dim>::find(const Exchanges<Dim>& exchanges) {
   std::fill(node_of_.begin(), node_of_.end(), -1);
-  found_.clear();
   chunks_.resize((shared_.size() + chunk_blocks - 1) / chunk_blocks);
   const auto count = static_cast<std::ptrdiff_t>(chunks_.size());
   parallel_for(count, [&](std::ptrdiff_t k) { list_nodes(exchanges, static_cast<std::size_t>(k)); });
@@ -42,6 +44,7 @@ void ContactSearch<Dim>::find(const Exchanges<Dim>& exchanges) {
     chunk.first_node = nodes, chunk.first_member = members, chunk.first_pair = pairs;
     nodes += chunk.nodes.size(), members += chunk.members.size(), pairs += chunk.pair_count;
   }
+  // All elements are assigned below, so those of the last step need not be removed first.
   found_.nodes.resize(nodes), found_.members.resize(members), found_.pairs.resize(pairs);
   parallel_for(count, [&](std::ptrdiff_t k) {
     const Chunk& chunk = chunks_[static_cast<std::size_t>(k)];
@@ -67,11 +70,13 @@ void ContactSearch<Dim>::list_nodes(const Exchanges<Dim>& exchanges, std::size_t
   const std::size_t first = number * chunk_blocks;
   for (std::size_t s = first; s < std::min(first + chunk_blocks, shared_.size()); ++s) {
     const SharedBlock& shared = shared_[s];
-    for (int local = 0; local < block_nodes<Dim>; ++local) {
+    for (std::uint64_t rest = shared.nodes; rest != 0; rest &= rest - 1) {
+      const int local = std::countr_zero(rest);
       ContactNode<Dim> node{};
       if (!list_members(shared, local, node, chunk.members)) continue;
-      const auto& [field, slot] = shared.slots[0];
-      node.index = system_.fields[field].map.node_at(static_cast<std::int64_t>(slot) * block_nodes<Dim> + local);
+      const BlockUser& user = shared.users[0];
+      node.index =
+          system_.fields[user.field].map.node_at(static_cast<std::int64_t>(user.slot) * block_nodes<Dim> + local);
       node.number = static_cast<std::int64_t>(s) * block_nodes<Dim> + local;
       const ContactMember& of_first = chunk.members[node.first_member];
       node.mirrored_axes = exchanges[of_first.field]->mirrored_axes(node.index);
@@ -91,7 +96,8 @@ bool ContactSearch<Dim>::list_members(const SharedBlock& shared, int local, Cont
                                       std::vector<ContactMember>& members) const {
   node.first_member = members.size();
   bool deformable = false;
-  for (const auto& [f, slot] : shared.slots) {
+  for (const auto& [f, slot, reached] : shared.users) {
+    if ((reached >> local & 1) == 0) continue;
     const auto at = static_cast<std::int64_t>(slot) * block_nodes<Dim> + local;
     const double m = system_.fields[f].nodes[static_cast<std::size_t>(at)].mass;
     if (!(m > 0)) continue;

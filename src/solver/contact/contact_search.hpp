@@ -13,8 +13,8 @@ namespace tribo {
 
 /// Finds the grid nodes that carry two or more velocity fields, and lists their members and pairs.
 ///
-/// Only blocks that exist in the maps of two or more fields (shared blocks) can hold such nodes. They are found once
-/// per change of the maps (locate), the nodes in every step (find).
+/// Only nodes that the particles of two or more fields reach can carry these. Their blocks (shared blocks) are found
+/// once per change of the maps (locate), the nodes in every step (find).
 template <int Dim>
 class ContactSearch {
  public:
@@ -67,10 +67,17 @@ class ContactSearch {
     }
   };
 
-  // A block of nodes that two or more fields have.
+  // A field that reaches nodes of a block.
+  struct BlockUser {
+    std::size_t field;
+    int slot;               // of the block in the map of the field
+    std::uint64_t reached;  // bits of the nodes
+  };
+  // A block with nodes that two or more fields reach.
   struct SharedBlock {
-    std::int64_t block;                              // in the lattice
-    std::vector<std::pair<std::size_t, int>> slots;  // field, and slot of the block in its map
+    std::int64_t block;   // in the lattice
+    std::uint64_t nodes;  // bits of these nodes
+    std::vector<BlockUser> users;
   };
 
   // What is found at some shared blocks; the ranges of nodes refer to these members.

@@ -159,6 +159,14 @@ void FaceCache<Dim>::store(ContactFace& face, NearParticles<Dim>& near) const {
   }
 }
 
+// Two particles that approach each other do so by twice the travel. There are few values, so that most faces expire
+// together.
+template <int Dim>
+void FaceCache<Dim>::store_missing(ContactFace& face, double apart) const {
+  for (const double travel : {2 * curved_travel, flat_travel, max_valid_travel})
+    if (2 * travel * h_ <= apart) face.valid_travel = travel;
+}
+
 // Calls f(number) for the particles of the faces that were found in this step, or of the others.
 template <int Dim>
 template <class F>

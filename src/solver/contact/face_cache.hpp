@@ -100,6 +100,8 @@ class FaceCache {
   /// Stores the particles that determine the gap of a face just found, or may do so while it is valid. `near`: the
   /// particles from which it was found.
   void store(ContactFace& face, NearParticles<Dim>& near) const;
+  /// Stores how long it is known that a pair has no face. `apart`: see apart_beside_corner() [length].
+  void store_missing(ContactFace& face, double apart) const;
   /// Ends a search: copies the stored particles from the cloud.
   void end_search(const ParticleCloud<Dim>& cloud);
   /// Whether the numbers of bodies and particles exist, as they do unless a checkpoint is damaged. `bodies`: as in the

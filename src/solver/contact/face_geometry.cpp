@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "solver/contact/face_geometry.hpp"
 
+#include "solver/contact/face_tolerances.hpp"
+
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <array>
@@ -283,13 +285,15 @@ std::optional<Vec<Dim>> corner_normal(ParticleSet<Dim>& a, ParticleSet<Dim>& b, 
   double largest = -std::numeric_limits<double>::infinity();
   const auto try_normal = [&](const Vec<Dim>& m) {
     const double gap = -a.max_reach(m, 1.0) - b.max_reach(-m, 1.0);
+    if (!(gap > largest)) return;
     collect(m);
-    double opposite = std::numeric_limits<double>::infinity();
+    bool opposite = true;
     each_across<Dim>(m, sides, [&](const Vec<Dim>& t) {
+      if (!opposite) return;
       const Extent of_a = extent<Dim>(at_a, t), of_b = extent<Dim>(at_b, t);
-      opposite = std::min({opposite, of_a.high - of_b.low, of_b.high - of_a.low});
+      opposite = std::min(of_a.high - of_b.low, of_b.high - of_a.low) >= face_tolerance::least_opposite * length;
     });
-    if (gap > largest && opposite >= 0.05 * length) best = m, largest = gap;
+    if (opposite) best = m, largest = gap;
   };
   try_normal(n);
   for (const Mat<Dim>& normals : sides)

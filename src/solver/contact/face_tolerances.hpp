@@ -6,6 +6,8 @@ namespace tribo::face_tolerance {
 
 /// Gaps are measured from the particles at most this far from the line through the node along the normal [cells].
 inline constexpr double band = 0.75;
+/// Bodies of which less than this is opposite each other meet in a corner or an edge, not in a face [cells].
+inline constexpr double least_opposite = 0.05;
 /// Curved faces get a gap correction of at most this; it is the sagitta within the band of a face with a radius of
 /// about five cells [cells].
 inline constexpr double max_gap_correction = 0.06;

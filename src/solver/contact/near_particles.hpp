@@ -5,7 +5,9 @@
 #include "solver/contact/particle_cloud.hpp"
 #include "solver/contact/particle_set.hpp"
 
+#include <algorithm>
 #include <array>
+#include <limits>
 #include <vector>
 
 namespace tribo {
@@ -18,6 +20,8 @@ struct NearParticles {
   std::array<Groups, 2> groups;           ///< per side: all groups with particles within reach of the node
   std::array<ParticleSet<Dim>, 2> sides;  ///< per side: the particles that determine the face
   Vec<Dim> direction;                     ///< from the mean position of the first side to that of the second [length]
+  std::array<Vec<Dim>, 2> low, high;      ///< per side: corners of the box around the domains of its groups   [length]
+  double apart;                           ///< see apart_beside_corner()                                       [length]
   std::array<bool, 2> rigid;              ///< per side: the body is rigid
   bool wide;                              ///< the normal is that of wide faces, not of corners or edges
   std::array<double, 2> max_reach;        ///< per side: reach of the foremost particle                        [length]
@@ -25,6 +29,19 @@ struct NearParticles {
   std::vector<double> reach, bounds;  ///< scratch: reach of particles, upper bounds of the reach of groups
   std::vector<std::size_t> numbers;   ///< scratch: numbers of particles in the cloud
 };
+
+/// Whether the two sides meet in a corner or an edge only, to judge by the boxes around them: along two axes the boxes
+/// overlap by less than `overlap`, so that no face between the two is wider than that in any direction in which it must
+/// extend. Returns how much more they would have to overlap for a face [length]; 0 if they may have one.
+template <int Dim>
+double apart_beside_corner(const NearParticles<Dim>& near, double overlap) {
+  double least = std::numeric_limits<double>::infinity(), second = least;
+  for (int d = 0; d < Dim; ++d) {
+    const double along = std::min(near.high[0][d] - near.low[1][d], near.high[1][d] - near.low[0][d]);
+    second = std::min(second, std::max(least, along)), least = std::min(least, along);
+  }
+  return std::max(0.0, overlap - second);
+}
 
 /// Calls f(domain, label) for the particles of `groups` within reach of a node at `centre`.
 template <int Dim, class F>

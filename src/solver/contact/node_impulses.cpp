@@ -24,9 +24,12 @@ void NodeImpulses<Dim>::apply(double dt, ContactPass pass) {
       if (pass == ContactPass::corrector) m.start_velocity -= dt * Eigen::Map<const Vec3>(at.acceleration);
     }
     for (std::size_t p = node.first_pair; p < node.end_pair; ++p) pairs[p].state.dt = dt;
-    solve_node(members, contacts_.pairs_of(node), pass, false);
+    const auto of_node = contacts_.pairs_of(node);
+    solve_node(members, of_node, pass, false);
     if (pass == ContactPass::corrector)
-      for (ContactPair& pair : contacts_.pairs_of(node)) pair.applied = pair.impulse;
+      for (ContactPair& pair : of_node) pair.applied = pair.impulse;
+    if (std::none_of(of_node.begin(), of_node.end(), [](const ContactPair& pair) { return pair.has_impulse(); }))
+      return;
     if (pass == ContactPass::predictor) {
       find_start_impulses(node);
       return change_at_start(node, 1.0);

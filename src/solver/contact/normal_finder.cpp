@@ -59,19 +59,21 @@ Vec<Dim> NormalFinder<Dim>::gradient_normal(const ContactMember& a, const Contac
   }
 }
 
-// Lists the groups of both sides near the node, and estimates the direction from a to b by the difference of the mean
-// positions of their particles.
+// Lists the groups of both sides near the node with the boxes around them, and estimates the direction from a to b by
+// the difference of the mean positions of their particles.
 template <int Dim>
 void NormalFinder<Dim>::collect_groups(const ContactNode<Dim>& node, NearParticles<Dim>& near, const ContactMember& a,
                                        const ContactMember& b) const {
   std::array<Vec<Dim>, 2> sum{Vec<Dim>::Zero(), Vec<Dim>::Zero()};
   std::array<double, 2> count{};
   for (auto& groups : near.groups) groups.clear();
+  near.low.fill(Vec<Dim>::Constant(infinity)), near.high.fill(Vec<Dim>::Constant(-infinity));
   cloud_.each_group(node.index, [&](const ParticleGroup<Dim>& group) {
     if (group.field != a.field && group.field != b.field) return;
     const std::size_t side = group.field == a.field ? 0 : 1;
     near.groups[side].push_back(&group);
     sum[side] += group.sum, count[side] += group.end - group.begin;
+    near.low[side] = near.low[side].cwiseMin(group.low), near.high[side] = near.high[side].cwiseMax(group.high);
   });
   near.direction.setZero();
   if (count[0] > 0 && count[1] > 0) near.direction = sum[1] / count[1] - sum[0] / count[0];
@@ -238,6 +240,9 @@ template <int Dim>
 std::optional<Vec<Dim>> NormalFinder<Dim>::largest_margin(const Vec<Dim>& centre, NearParticles<Dim>& near,
                                                           const Vec<Dim>& gradient) const {
   auto& [side_a, side_b] = near.sides;
+  if (near.groups[0].empty() || near.groups[1].empty()) return std::nullopt;
+  near.apart = apart_beside_corner(near, least_opposite * h_);
+  if (near.apart > 0.0) return std::nullopt;
   const Vec<Dim> guess = unit<Dim>(near.direction).value_or(Vec<Dim>::Unit(0));
   FrontNormal front = front_normal(centre, near, guess);
   // Where faces overhang, the first guess is poor.
@@ -264,7 +269,7 @@ std::optional<Vec<Dim>> NormalFinder<Dim>::chosen_normal(const ContactNode<Dim>&
                                                          const ContactMember& a, const ContactMember& b) const {
   const Vec<Dim> centre = system_.lattice.position(node.index);
   auto& [side_a, side_b] = near.sides;
-  near.wide = false;
+  near.wide = false, near.apart = 0.0;
   near.rigid = {a.inverse_mass == 0.0, b.inverse_mass == 0.0};
   const Vec<Dim> gradient = gradient_normal(a, b);
   NormalMethod method = spec_.normals;

@@ -17,6 +17,7 @@ class OpenExchange final : public Exchange<Dim> {
   void sum_images(NodeNumbers, ImageValues) const override {}
   void copy_images(NodeNumbers, ImageValues) const override {}
   double ownership(std::int64_t) const override { return 1.0; }
+  bool has_images() const override { return false; }
   bool is_image(const Index<Dim>&) const override { return false; }
   int mirrored_axes(const Index<Dim>&) const override { return 0; }
   void begin_step() override {}
@@ -45,6 +46,7 @@ class EdgeExchange final : public Exchange<Dim> {
   double ownership(std::int64_t node) const override {
     return ownership_.empty() ? 1.0 : ownership_[static_cast<std::size_t>(node)];
   }
+  bool has_images() const override { return any(); }
   bool is_image(const Index<Dim>& node) const override;
   int mirrored_axes(const Index<Dim>& node) const override;
   void begin_step() override;

@@ -40,6 +40,8 @@ class Exchange {
   /// The weight of a node (its position in the nodal arrays) in sums over nodes. A node on a symmetry plane also
   /// carries the mass of its mirror image, so its weight is reduced by one half for every such plane.
   virtual double ownership(std::int64_t node) const = 0;
+  /// Whether there may be images. Then the exchange writes to nodes that no particle reaches.
+  virtual bool has_images() const = 0;
   /// Whether this node is an image, which sum_images sets to zero.
   virtual bool is_image(const Index<Dim>& node) const = 0;
   /// Bit d is set if a symmetry plane normal to axis d passes through this node.

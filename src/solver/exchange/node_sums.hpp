@@ -22,10 +22,14 @@ class NodeSums {
     by_block_.assign(field.map.active().size(), WorkAndImpulse::Zero());
     parallel_for(static_cast<std::ptrdiff_t>(by_block_.size()), [&](std::ptrdiff_t block) {
       WorkAndImpulse sum = WorkAndImpulse::Zero();
-      for (std::int64_t n = block * block_nodes<Dim>; n < (block + 1) * block_nodes<Dim>; ++n) {
-        Node& node = field.nodes[static_cast<std::size_t>(n)];
-        if (node.mass > 0) sum += exchanges_[f]->ownership(n) * term(n, node);
-      }
+      const auto slot = static_cast<std::size_t>(block);
+      field.map.each_run(slot, slot + 1, [&](std::size_t first, std::size_t last) {
+        for (std::size_t at = first; at < last; ++at) {
+          const auto n = static_cast<std::int64_t>(at);
+          Node& node = field.nodes[at];
+          if (node.mass > 0) sum += exchanges_[f]->ownership(n) * term(n, node);
+        }
+      });
       by_block_[static_cast<std::size_t>(block)] = sum;
     });
     return exchanges_[f]->total(by_block_);

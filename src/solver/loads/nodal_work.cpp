@@ -15,14 +15,16 @@ void NodalWork<Dim>::add(double dt, F&& power) {
   blocks_.clear();
   for (std::size_t f = 0; f < system_.fields.size(); ++f)
     for (std::size_t b = 0; b < system_.fields[f].map.active().size() && !system_.fields[f].rigid_contact; ++b)
-      blocks_.push_back({f, b * block_nodes<Dim>, 0.0});
+      blocks_.push_back({f, b, 0.0});
   parallel_for(static_cast<std::ptrdiff_t>(blocks_.size()), [&](std::ptrdiff_t k) {
     Block& block = blocks_[static_cast<std::size_t>(k)];
-    const auto& nodes = system_.fields[block.field].nodes;
-    for (std::size_t n = block.first; n < block.first + block_nodes<Dim>; ++n)
-      if (nodes[n].mass > 0)
-        block.work +=
-            exchanges_[block.field]->ownership(static_cast<std::int64_t>(n)) * power(block.field, n, nodes[n]);
+    const auto& field = system_.fields[block.field];
+    const Exchange<Dim>& exchange = *exchanges_[block.field];
+    field.map.each_run(block.slot, block.slot + 1, [&](std::size_t first, std::size_t last) {
+      for (std::size_t n = first; n < last; ++n)
+        if (field.nodes[n].mass > 0)
+          block.work += exchange.ownership(static_cast<std::int64_t>(n)) * power(block.field, n, field.nodes[n]);
+    });
   });
   double sum = 0.0;
   for (const Block& block : blocks_) sum += block.work;

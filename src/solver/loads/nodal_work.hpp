@@ -44,7 +44,7 @@ class NodalWork {
   const Exchanges<Dim>& exchanges_;
   EnergyLedger& ledger_;
   struct Block {
-    std::size_t field, first;  // first node
+    std::size_t field, slot;
     double work;
   };
   std::vector<Block> blocks_;  // of all fields

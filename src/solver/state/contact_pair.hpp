@@ -44,6 +44,9 @@ struct ContactPair {
   /// Contribution of a field with prescribed velocity to the relative velocity at the face; set only by FaceSolver
   /// [velocity].
   Vec3 rigid_velocity = Vec3::Zero();
+
+  /// Whether an impulse acts, or has changed velocities in this step.
+  bool has_impulse() const { return !impulse.isZero(0) || !applied.isZero(0) || !at_start.isZero(0); }
 };
 
 }  // namespace tribo

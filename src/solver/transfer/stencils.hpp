@@ -40,19 +40,18 @@ struct Patch {
     return out;
   }
 
-  using Slots = std::array<int, BlockMap<Dim>::neighbour_count>;
+  using Blocks = typename BlockMap<Dim>::Neighbours;
 
-  /// Copies the nodes of the blocks in `slots`, the block and its neighbours, to the patch. Where no block exists, the
-  /// patch is left as it is: no stencil reaches there.
-  void load(const Slots& slots, NodeNumbers nodes) {
-    each_run(slots, [&](double* patch, std::size_t node, auto count) {
+  /// Copies the nodes of a block and its neighbours to the patch. Where no stencil reaches, it is left as it is.
+  void load(const Blocks& blocks, NodeNumbers nodes) {
+    each_run(blocks, [&](double* patch, std::size_t node, auto count) {
       std::memcpy(patch, nodes[node], sizeof(double) * NodeNumbers::per_node * count);
     });
   }
 
-  /// Adds the patch to the nodes of the blocks in `slots`.
-  void add_to(const Slots& slots, NodeNumbers nodes) {
-    each_run(slots, [&](const double* patch, std::size_t node, auto count) {
+  /// Adds the patch to the nodes of a block and its neighbours.
+  void add_to(const Blocks& blocks, NodeNumbers nodes) {
+    each_run(blocks, [&](const double* patch, std::size_t node, auto count) {
       double* to = nodes[node];
       for (int i = 0; i < static_cast<int>(8 * count); i += 8)
         (Wide::load(to + i) + Wide::load(patch + i)).store(to + i);
@@ -60,11 +59,11 @@ struct Patch {
   }
 
  private:
-  // Calls f(patch, first node in the layers, count) for every run of nodes along x. Along each axis the patch consists
-  // of the last node of the block below, the nodes of the block, and the first nodes of the block above. Counts are
-  // types, so that the compiler unrolls the copies.
+  // Calls f(patch, first node in the layers, count) for every run of nodes along x of which some are reached. Along
+  // each axis the patch consists of the last node of the block below, the nodes of the block, and the first nodes of
+  // the block above. Counts are types, so that the compiler unrolls the copies.
   template <class F>
-  void each_run(const Slots& slots, F&& f) {
+  void each_run(const Blocks& blocks, F&& f) {
     constexpr int B = block_edge<Dim>;
     struct Part {
       int patch, node, count;
@@ -75,13 +74,17 @@ struct Patch {
       for (int py = 0; py < 3; ++py, k += 3) {
         const Part y = parts[py], z = Dim == 2 ? Part{0, 0, 1} : parts[pz];
         const auto run = [&](std::size_t px, auto count) {
-          if (slots[k + px] < 0) return;
+          const std::uint64_t reached = blocks.reached[k + px];
+          if (reached == 0) return;
           const Part x = parts[px];
-          const auto first = static_cast<std::size_t>(slots[k + px]) * block_nodes<Dim>;
+          const auto first = static_cast<std::size_t>(blocks.slots[k + px]) * block_nodes<Dim>;
           for (int c = 0; c < z.count; ++c)
-            for (int b = 0; b < y.count; ++b)
+            for (int b = 0; b < y.count; ++b) {
+              const int local = ((z.node + c) * B + y.node + b) * B + x.node;
+              if ((reached >> local & ((std::uint64_t{1} << count) - 1)) == 0) continue;
               f(data + ((z.patch + c) * plane + (y.patch + b) * row + x.patch) * 8,
-                first + static_cast<std::size_t>(((z.node + c) * B + y.node + b) * B + x.node), count);
+                first + static_cast<std::size_t>(local), count);
+            }
         };
         run(0, std::integral_constant<std::size_t, 1>{});
         run(1, std::integral_constant<std::size_t, B>{});
