@@ -30,6 +30,7 @@ void OpeningAverage<Dim>::apply() {
   for (auto& body : system_.bodies) {
     const auto law = body.law->opening();
     if (!law) continue;
+    if (!any_open(body, law->column)) continue;
     const std::size_t bins = body.bins.list().size();
     if (volumes_.size() < bins) volumes_.resize(bins);
     parallel_for(static_cast<std::ptrdiff_t>(bins),
@@ -40,13 +41,25 @@ void OpeningAverage<Dim>::apply() {
 }
 
 template <int Dim>
+bool OpeningAverage<Dim>::any_open(Body<Dim>& body, std::size_t column) {
+  const auto& bins = body.bins.list();
+  const double* opening = body.history_columns[column];
+  open_.resize(bins.size());
+  parallel_for(static_cast<std::ptrdiff_t>(bins.size()), [&](std::ptrdiff_t b) {
+    const Bin& bin = bins[static_cast<std::size_t>(b)];
+    open_[static_cast<std::size_t>(b)] =
+        std::any_of(opening + bin.begin, opening + bin.end, [](double o) { return o > 0; });
+  });
+  return std::any_of(open_.begin(), open_.end(), [](char open) { return open != 0; });
+}
+
+template <int Dim>
 void OpeningAverage<Dim>::sum_volumes(Body<Dim>& body, std::size_t column, std::size_t bin) {
   const Bin& range = body.bins.list()[bin];
   const double* opening = body.history_columns[column];
   const double* volume = body.particles.volume();
   const Index<Dim> block = system_.lattice.block_at(range.block);
-  auto& [cells, any] = volumes_[bin];
-  any = std::any_of(opening + range.begin, opening + range.end, [](double o) { return o > 0; });
+  auto& cells = volumes_[bin];
   cells.fill({});
   for (std::size_t i = range.begin; i < range.end; ++i) {
     CellVolume& cell = cells[place_of(body, block, i)];
@@ -56,11 +69,10 @@ void OpeningAverage<Dim>::sum_volumes(Body<Dim>& body, std::size_t column, std::
 
 // The volumes in the cells of a bin, with the particles of other bins in them, in the order of the bins.
 template <int Dim>
-auto OpeningAverage<Dim>::cell_volumes(const std::vector<Bin>& bins, std::size_t bin) const
-    -> std::array<CellVolume, size> {
+auto OpeningAverage<Dim>::cell_volumes(const std::vector<Bin>& bins, std::size_t bin) const -> CellVolumes {
   const Lattice<Dim>& lattice = system_.lattice;
   const Index<Dim> block = lattice.block_at(bins[bin].block);
-  std::array<CellVolume, size> sums{};
+  CellVolumes sums{};
   Index<Dim> low, high;
   for (std::size_t d = 0; d < Dim; ++d)
     low[d] = std::max(block[d] - 1, 0), high[d] = std::min(block[d] + 1, lattice.blocks[d] - 1);
@@ -69,7 +81,7 @@ auto OpeningAverage<Dim>::cell_volumes(const std::vector<Bin>& bins, std::size_t
     const auto found =
         std::lower_bound(bins.begin(), bins.end(), number, [](const Bin& b, std::int64_t n) { return b.block < n; });
     if (found == bins.end() || found->block != number) return;
-    const auto& cells = volumes_[static_cast<std::size_t>(found - bins.begin())].cells;
+    const auto& cells = volumes_[static_cast<std::size_t>(found - bins.begin())];
     // the cells that both tables contain, in those of this bin
     Index<Dim> first, last, offset;
     for (std::size_t d = 0; d < Dim; ++d) {

@@ -42,20 +42,19 @@ class OpeningAverage {
   static constexpr int before = 1, edge = block_edge<Dim> + 3;
   static constexpr std::size_t size = Dim == 2 ? edge * edge : edge * edge * edge;
   // What the particles of a bin contribute to the cells of its block and around it.
-  struct BinVolumes {
-    std::array<CellVolume, size> cells;
-    bool any = false;  // whether a particle is open
-  };
+  using CellVolumes = std::array<CellVolume, size>;
 
+  bool any_open(Body<Dim>& body, std::size_t column);
   void sum_volumes(Body<Dim>& body, std::size_t column, std::size_t bin);
   void set_openings(Body<Dim>& body, const Material::Opening& law, std::size_t bin) const;
   static void set(Body<Dim>& body, const Material::Opening& law, std::size_t i, double opening);
-  std::array<CellVolume, size> cell_volumes(const std::vector<Bin>& bins, std::size_t bin) const;
+  CellVolumes cell_volumes(const std::vector<Bin>& bins, std::size_t bin) const;
   std::size_t place_of(Body<Dim>& body, const Index<Dim>& block, std::size_t i) const;
 
   System<Dim>& system_;
-  bool plane_stress_;  // the law then chooses the thickness of each particle: openings are not averaged
-  std::vector<BinVolumes> volumes_;
+  bool plane_stress_;                 // the law then chooses the thickness of each particle: openings are not averaged
+  std::vector<CellVolumes> volumes_;  // per bin of a body
+  std::vector<char> open_;            // per bin: whether a particle is open
 };
 
 }  // namespace tribo
