@@ -251,8 +251,8 @@ void Assembly::refuse_overlaps(double tolerance) const {
 
 void Assembly::add_holds_and_loads() {
   const auto chosen = [&](const auto& by, std::size_t k) {
-    const auto& groups = by.groups;
-    return (groups.empty() || std::find(groups.begin(), groups.end(), bodies[k].group) != groups.end()) &&
+    const auto& named = by.groups;
+    return (named.empty() || std::find(named.begin(), named.end(), bodies[k].group) != named.end()) &&
            (!by.where || by.where->contains(motion[k].x));
   };
   const auto none = [&](const auto& by) {
