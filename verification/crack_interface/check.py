@@ -18,7 +18,7 @@ def run(case):
                 strain = stress / 1000
                 jump = got["dispx:b"][-1] - got["dispx:a"][-1] - 50 * (strain + 0.5 * strain**2)
                 where = f"{name}, D = {D:g} MPa/mm, crack at {shift} mm in the cell"
-                faces = vtp.read(str(vtp.collection(out)[-1][1]).replace("particles/run", "cracks/run"))
+                faces = vtp.read(str(vtp.collection(out)[-1][1]).replace("particles/run", "cracks/run").replace(".vtm", ".vtp"))
                 case.check(f"{where}: opening of the faces", np.abs(faces["gap"]).mean(), stress / D, 1e-3)
                 case.check(f"{where}: from the energy", np.sqrt(2 * got["Interface Energy"][-1] / (2.5 * D)), stress / D, 1e-3)
                 case.check(f"{where}: elongation", jump + 0.1 * stress, stress / D + 0.1 * stress, 5e-4)

@@ -16,8 +16,7 @@ Vec3 velocity_after(std::span<const ContactMember> members, std::span<const Cont
 /// Finds the impulses of the pairs of a node so that each pair obeys its law for the velocities that the impulses of
 /// all other pairs leave.
 ///
-/// Projected Gauss-Seidel iteration, extrapolated by Aitken's method. A single pair needs one sweep. The impulses of a
-/// step always begin at zero: those of the last step save few sweeps, and the energy cannot grow from zero. The
+/// Projected Gauss-Seidel iteration whose sweeps run forward and backward in turn. A single pair needs one sweep. The
 /// impulses on the two members of a pair are equal and opposite, so momentum is conserved to round-off. With
 /// frictionless laws the result minimises the kinetic energy under the constraint that no gap closes further.
 ///
