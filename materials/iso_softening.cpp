@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: MIT
 /// Brittle solid: elastic until a crack starts, then softening on the plane of the crack until it is free of traction.
 ///
-///   T    the stress without damage (Jaumann rate), C the isotropic stiffness, M = lambda + 2 mu, <x> = max(x, 0)
+///   T    the Kirchhoff stress without damage (Jaumann rate), C the isotropic stiffness, M = lambda + 2 mu,
+///        <x> = max(x, 0)
 ///   n_i  the normals of up to three orthogonal cracks, which turn with the material; T_ij = n_i.T n_j
-///   sigma = T - C:(sum over i of e_i n_i n_i + sum over i < j of g_ij (n_i n_j + n_j n_i)/2)
+///   tau = T - C:(sum over i of e_i n_i n_i + sum over i < j of g_ij (n_i n_j + n_j n_i)/2),  sigma = tau/J
+///
+/// The Kirchhoff stress tau is the force per area of the matter before cracks opened. The volume ratio J of a cracked
+/// point grows by the openings of its cracks, and the void in them carries no stress. With the Cauchy stress in place
+/// of tau, a point under stress along its crack would gain elastic energy from opening, without work.
 ///
 /// Crack i opens by the strain e_i and slips by the share of the crack in g_ij. With its damage d_i,
 ///
 ///   M e_i/d_i = p_i = <T_ii - lambda sum over j != i of e_j>
-///   slip of crack i along n_j = d_i q_ij/mu,  q_ij = T_ij (1 - d_j)/(1 - d_i d_j),  sigma_ij = (1 - d_i) q_ij
+///   slip of crack i along n_j = d_i q_ij/mu,  q_ij = T_ij (1 - d_j)/(1 - d_i d_j),  tau_ij = (1 - d_i) q_ij
 ///
 /// p_i and q_ij are the tractions on plane i without its own damage, and the actual ones are smaller by 1 - d_i; a
 /// closed crack has its full normal stiffness. For fixed normals the stress derives from the energy
@@ -141,26 +146,31 @@ struct IsoSoftening {
   }
 
   Mat3 stress(const Motion& motion, const Mat3& old, State& state) const {
+    const double J = motion.F.determinant();
     const Mat3 T = elastic_trial(elastic, motion, old + released(state));
     Cracks cracks = cracks_of(state);
     const bool cracked = cracks.any();
-    if (!cracked && strength_ratio(tractions(weakest_plane(T), T)) <= 1) return T;
+    if (!cracked && strength_ratio(tractions(weakest_plane(T), T)) <= 1) {
+      store(cracks, T - T / J, state);
+      return T / J;
+    }
     if (cracked)
       turn(cracks, spin_rotation(motion.L, motion.dt));
     else
       cracks.normal.col(0) = weakest_plane(T);
     if (cracks.damage[1] == 0 && cracks.damage[2] == 0) choose_second(cracks, T);
-    for (int i = 0; i < 3; ++i) grow(cracks, i, T, motion, state.dissipation);
+    for (int i = 0; i < 3; ++i) grow(cracks, i, T, motion.cell, state.dissipation);
     const Response response = respond(cracks, T);
     state.opening = cracks.band[0] * response.opening[0];
-    store(cracks, T - response.stress, state);
-    return response.stress;
+    const Mat3 stress = response.stress / J;
+    store(cracks, T - stress, state);
+    return stress;
   }
 
-  double energy_density(const Mat3&, const Mat3& stress, const State& state) const {
+  double energy_density(const Mat3& F, const Mat3& stress, const State& state) const {
     const Mat3 T = stress + released(state);
     const Cracks cracks = cracks_of(state);
-    return elastic.energy(T) - (cracks.any() ? respond(cracks, T).released_energy : 0.0);
+    return (elastic.energy(T) - (cracks.any() ? respond(cracks, T).released_energy : 0.0)) / F.determinant();
   }
 
  private:
@@ -172,7 +182,7 @@ struct IsoSoftening {
   };
   /// Stress of the cracked material, and of each crack: its opening strain e_i and its tractions p_i and |q_i|.
   struct Response {
-    Mat3 stress;
+    Mat3 stress;  // tau
     Vec3 opening, normal, shear;
     double released_energy;
   };
@@ -241,18 +251,17 @@ struct IsoSoftening {
   }
 
   /// Damage of crack i grows if the tractions on its plane exceed the strength.
-  void grow(Cracks& cracks, int i, const Mat3& T, const Motion& motion, double& dissipation) const {
+  void grow(Cracks& cracks, int i, const Mat3& T, const Vec3& cell, double& dissipation) const {
     const Response response = respond(cracks, T);
     const double r = strength_ratio({response.normal[i], response.shear[i]});
     if (!(r > 1)) return;
     double& d = cracks.damage[i];
-    if (d == 0) cracks.band[i] = width(cracks.normal.col(i), motion.cell);
+    if (d == 0) cracks.band[i] = width(cracks.normal.col(i), cell);
     const double energy = 0.5 * (response.normal[i] * response.normal[i] / elastic.wave_modulus() +
                                  response.shear[i] * response.shear[i] / elastic.mu);
     const Softening softening = softening_of(shear_share(response.shear[i]) / (r * r), cracks.band[i]);
     const double larger = std::max(d, softening.damage(r));
-    dissipation +=
-        motion.F.determinant() * 2 * energy / (r * r) * (softening.dissipated(larger) - softening.dissipated(d));
+    dissipation += 2 * energy / (r * r) * (softening.dissipated(larger) - softening.dissipated(d));
     d = larger;
   }
 

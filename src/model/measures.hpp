@@ -56,7 +56,8 @@ struct RunEnergies {
 
 /// Contact of one pair of materials, or the sum over pairs.
 struct ContactSums {
-  Vec3 force = Vec3::Zero();                          ///< on the material          [force]
+  Vec3 force = Vec3::Zero();                          ///< on the material, mean since the last row  [force]
+  Vec3 last_force = Vec3::Zero();                     ///< on the material, in the last step         [force]
   double friction = 0.0, impact = 0.0, stored = 0.0;  ///< see PairLedger           [energy]
   double area = 0.0;                                  ///< of the faces in contact  [length^2]
 };

@@ -134,7 +134,7 @@ const std::vector<QuantityInfo>& global_quantities() {
       {"reactiony", "force", "the same as reactionx, y", Scope::material, [](const S& s) { return s.reaction()[1]; }},
       {"reactionz", "force", "the same as reactionx, z", Scope::material, [](const S& s) { return s.reaction()[2]; }},
       {"contactx", "force",
-       "contact force on a material, x, mean over the last step; with='n': from that material only", Scope::material,
+       "contact force on a material, x, mean since the last row; with='n': from that material only", Scope::material,
        [](const S& s) { return s.contact().force[0]; }},
       {"contacty", "force", "contact force on a material, y", Scope::material,
        [](const S& s) { return s.contact().force[1]; }},

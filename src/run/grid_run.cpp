@@ -48,7 +48,7 @@ void GridRun<Dim>::control_load(double step) {
   const RunEnergies none;
   const RunHistorySource<Dim> source(model_, system_, stepper_, force, {}, none, step);
   // a rigid material either prescribes velocities of nodes or is in contact
-  const double load = source.reaction()[control.axis] - source.contact().force[control.axis];
+  const double load = source.reaction()[control.axis] - source.contact().last_force[control.axis];
   system_.load_controller.update(load, system_.time, step, control);
 }
 

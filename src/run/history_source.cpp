@@ -40,7 +40,8 @@ template <int Dim>
 ContactSums RunHistorySource<Dim>::contact() const {
   const HistoryQuantity& q = quantity_;
   ContactSums sum;
-  for (const auto& [pair, entry] : stepper_.contact().ledger().pairs) {
+  const auto& ledger = stepper_.contact().ledger();
+  for (const auto& [pair, entry] : ledger.pairs) {
     double sign = 1.0;
     if (q.material >= 0) {
       const bool first = has_material(pair.first, q.material);
@@ -48,7 +49,7 @@ ContactSums RunHistorySource<Dim>::contact() const {
       if (q.other >= 0 && !has_material(first ? pair.second : pair.first, q.other)) continue;
       sign = first ? 1.0 : -1.0;
     }
-    sum.force += sign * entry.force;
+    sum.force += sign * ledger.mean_force(entry), sum.last_force += sign * entry.force;
     sum.friction += entry.friction, sum.impact += entry.impact, sum.stored += entry.stored, sum.area += entry.area;
   }
   return sum;

@@ -163,6 +163,7 @@ void Results<Dim>::write_history(double dt) {
     blocks->write_history(dt);
   }
   history_->add(row);
+  stepper_.contact().ledger().start_means();
   row_ = std::move(row);
   write_tips();
 

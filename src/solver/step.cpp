@@ -117,6 +117,7 @@ void Stepper<Dim>::advance(double dt) {
   if (again) strain_again(dt, strain_dt);
   openings_.apply();
   record_joints();
+  contact_.ledger().end_step(dt);
 
   system_.time += dt;
   ++system_.step;
@@ -361,6 +362,7 @@ void Stepper<Dim>::strain_again(double dt, double strain_dt) {
   copy_images();
   if (filter_.active()) filter_.filter(0.0, true);
   nodal_work_.record_end(dt, filters_update(), filter_.active());
+  contact_.record_end(filters_update(), filter_.active());
   tractions_.record_end(dt, filters_update(), filter_.active());
   strain(strain_dt, true);
   joints_.update_laws(strain_dt, system_.time + dt, filter_.active());

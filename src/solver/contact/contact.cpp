@@ -204,6 +204,14 @@ void Contact<Dim>::record(double dt, double flip, bool filtered) {
 }
 
 template <int Dim>
+void Contact<Dim>::record_end(bool filtered, bool strain_filtered) {
+  if (!active_) return;
+  const auto lap = watch.lap();
+  face_solver_.find_velocities(strain_filtered);
+  ledger_.record_end(search_.found(), filtered, strain_filtered);
+}
+
+template <int Dim>
 void Contact<Dim>::archive_kept(Archive& a) {
   a.version(1);
   a("faces", cache_);

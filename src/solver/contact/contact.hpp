@@ -57,6 +57,8 @@ class Contact {
   /// Records the impulses of the corrector in the ledger, and updates slip and bonds of particles and cracks. `dt`:
   /// step; `flip`: FLIP fraction of the update of the particles; `filtered`: see ContactLedger::record().
   void record(double dt, double flip, bool filtered);
+  /// Completes the works of the "+" variants of the update, see ContactLedger::record_end().
+  void record_end(bool filtered, bool strain_filtered);
   /// Completes the works on rigid blocks, see ContactLedger::record_block_motion().
   void record_block_motion(const std::vector<BlockMean>& means) {
     if (active_ && !means.empty()) ledger_.record_block_motion(search_.found(), means);

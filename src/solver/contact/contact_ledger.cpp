@@ -39,6 +39,22 @@ auto ContactLedger<Dim>::relative(const ContactNodes<Dim>& contacts, const Conta
   return {end - dt * (Eigen::Map<const Vec3>(b.acceleration) - Eigen::Map<const Vec3>(a.acceleration)), end};
 }
 
+// Of the deformable members. At a node from the present velocities of the nodes or of the filter.
+template <int Dim>
+Vec3 ContactLedger<Dim>::deformable_velocity(const ContactNodes<Dim>& contacts, const ContactNode<Dim>& node,
+                                             const ContactPair& pair, bool strain_filtered) const {
+  if (node.solved_on_faces) return pair.final_velocity - pair.rigid_velocity;
+  Vec3 velocity = Vec3::Zero();
+  for (const auto& [member, sign] : {std::pair{pair.a, -1.0}, std::pair{pair.b, 1.0}}) {
+    const ContactMember& m = contacts.members[member];
+    if (m.inverse_mass == 0.0) continue;
+    const auto& field = system_.fields[m.field];
+    const auto n = static_cast<std::size_t>(m.node);
+    velocity += sign * Eigen::Map<const Vec3>(strain_filtered ? field.filter[n].velocity : field.nodes[n].velocity);
+  }
+  return velocity;
+}
+
 // Half the sum of m v^2 over the fields of a node that touch, v the change of their velocities in the step against that
 // of their centre of mass.
 template <int Dim>
@@ -86,6 +102,7 @@ void ContactLedger<Dim>::record(ContactNodes<Dim>& contacts, double dt, bool rep
       if (!pair.law) continue;  // a joint acts in its place
       if (pair.response.status == ContactStatus::open && !pair.has_impulse()) continue;
       const Relative v = relative(contacts, node, pair, dt);
+      pair.update_velocity = deformable_velocity(contacts, node, pair, false);
       const Vec3 mean = replaces || filtered ? v.end : Vec3(0.5 * (v.start + v.end));
       // The impulse at the start removes a relative velocity that the extrapolation has made: its work is that at the
       // velocity which remains, and the rest a loss of the transfer.
@@ -105,6 +122,19 @@ void ContactLedger<Dim>::record(ContactNodes<Dim>& contacts, double dt, bool rep
       record_rigid(contacts, node, pair, impulse, beyond);
     }
   }
+}
+
+template <int Dim>
+void ContactLedger<Dim>::record_end(ContactNodes<Dim>& contacts, bool filtered, bool strain_filtered) {
+  const double share = filtered ? 1.0 : 0.5;  // of the work that is done at the velocities at the end
+  for (const auto& node : contacts.nodes)
+    for (ContactPair& pair : contacts.pairs_of(node)) {
+      if (!pair.law || (pair.update_impulse.isZero(0) && pair.applied.isZero(0))) continue;
+      const Vec3 change = deformable_velocity(contacts, node, pair, strain_filtered) - pair.update_velocity;
+      const Part part{share * node.ownership * pair.update_impulse, change};
+      nodal_work += share * node.ownership * (pair.applied - pair.update_impulse).dot(change);
+      add_work(node, pair, pairs[key(contacts, pair)], part.work(), part.along(pair.state.normal).work());
+    }
 }
 
 template <int Dim>
@@ -166,6 +196,18 @@ void ContactLedger<Dim>::record_rigid(const ContactNodes<Dim>& contacts, const C
       add_inertia(pair, node.ownership * contacts.members[other].mass, x - system_.blocks->motion[block].x, exchange);
     }
   }
+}
+
+template <int Dim>
+void ContactLedger<Dim>::end_step(double dt) {
+  time += dt;
+  for (auto& [fields, entry] : pairs) entry.impulse += dt * entry.force;
+}
+
+template <int Dim>
+void ContactLedger<Dim>::start_means() {
+  time = 0.0;
+  for (auto& [fields, entry] : pairs) entry.impulse.setZero();
 }
 
 template <int Dim>

@@ -11,21 +11,23 @@
 
 namespace tribo {
 
-/// What a pair of fields exchanges: works since the start of the run, and force and area in the last step.
+/// What a pair of fields exchanges: works since the start of the run, impulse since the last row of the histories, and
+/// force and area in the last step.
 struct PairLedger {
-  Vec3 force = Vec3::Zero();  ///< on the field with the lower number, mean over the last step            [force]
-  double friction = 0.0;      ///< work dissipated by sliding, >= 0 up to the accuracy of the scheme      [energy]
-  double impact = 0.0;        ///< work of the normal impulses, dissipated                                [energy]
-  double interface = 0.0;     ///< work done on imperfect interfaces                                      [energy]
-  double stored = 0.0;        ///< the part of it that is stored in the interfaces now                    [energy]
-  double area = 0.0;          ///< of the faces on which an impulse acted in the last step                [length^2]
+  Vec3 force = Vec3::Zero();    ///< on the field with the lower number, mean over the last step            [force]
+  double friction = 0.0;        ///< work dissipated by sliding, >= 0 up to the accuracy of the scheme      [energy]
+  double impact = 0.0;          ///< work of the normal impulses, dissipated                                [energy]
+  double interface = 0.0;       ///< work done on imperfect interfaces                                      [energy]
+  double stored = 0.0;          ///< the part of it that is stored in the interfaces now                    [energy]
+  double area = 0.0;            ///< of the faces on which an impulse acted in the last step                [length^2]
+  Vec3 impulse = Vec3::Zero();  ///< of the force, since the last ContactLedger::start_means()          [force time]
 };
 
 inline void archive(Archive& a, PairLedger& pair) {
-  auto& [force, friction, impact, interface, stored, area] = pair;
-  a.version(1);
+  auto& [force, friction, impact, interface, stored, area, impulse] = pair;
+  a.version(2);
   a("force", force), a("friction", friction), a("impact", impact);
-  a("interface", interface), a("stored", stored), a("area", area);
+  a("interface", interface), a("stored", stored), a("area", area), a("impulse", impulse);
 }
 
 /// What a field of prescribed velocity received from all others in the last step, and the mass of the others at the
@@ -68,12 +70,24 @@ class ContactLedger {
   /// anything is strained, so its work is that at the velocity at the end; the difference is a loss of the transfer.
   /// The filter of FMPM takes most of that impulse back.
   void record(ContactNodes<Dim>& contacts, double dt, bool replaces, bool filtered, double kept);
+  /// For the "+" variants of the update, once the velocities have been extrapolated again and have passed contact: the
+  /// particles are strained at these velocities, so that the impulses of the last record() do their work at them and
+  /// not at those of the momentum update (as NodalWork::record_end()). `filtered`: as in record(); `strain_filtered`:
+  /// the particles are strained with the filtered velocities (Field::filter).
+  void record_end(ContactNodes<Dim>& contacts, bool filtered, bool strain_filtered);
   /// Completes the works of the impulses of the last record() on rigid blocks, once the blocks have moved. Contact sets
   /// nodes to the velocity of a block at the start of the step, but an impulse changes the velocity of the block, too:
   /// its work on the block is that at the mean velocity of the block in the step. This becomes the work on the
   /// deformable bodies, and the difference, J^2/(2 M) for an impulse J on a free block of mass M, is subtracted from
   /// what contact dissipates. `means`: motions of the blocks in the step, by number of the block.
   void record_block_motion(ContactNodes<Dim>& contacts, const std::vector<BlockMean>& means);
+  /// Adds the forces of a step of size `dt` to the impulses, once contact and joints are recorded.
+  void end_step(double dt);
+  /// Starts a new interval of means: to be called when a row of the histories is written.
+  void start_means();
+  /// Mean force on the first field of a pair since the last start_means(): that of the histories. If no step has passed
+  /// since then, the force of the last step  [force].
+  Vec3 mean_force(const PairLedger& pair) const { return time > 0 ? Vec3(pair.impulse / time) : pair.force; }
   /// Sums of works and areas over all pairs; the force is left at zero.
   PairLedger total() const;
   /// Per field: what it received in the last step if its velocity is prescribed. Empty before the first record.
@@ -83,13 +97,15 @@ class ContactLedger {
   double rigid_work = 0.0;            ///< done on deformable bodies by the motion of rigid ones so far  [energy]
   Vec3 rigid_impulse = Vec3::Zero();  ///< given to deformable bodies by rigid ones so far               [mass velocity]
   double nodal_work = 0.0;            ///< of contact, beyond that in velocities and accelerations       [energy]
+  double time = 0.0;                  ///< since the last start_means()                                  [time]
 
   /// The exchanges with rigid bodies are those of the last step.
   friend void archive(Archive& a, ContactLedger& ledger) {
-    auto& [its_pairs, its_work, its_impulse, its_nodal_work, system, rigid_exchanges] = ledger;
-    a.version(2);
+    auto& [its_pairs, its_work, its_impulse, its_nodal_work, its_time, system, rigid_exchanges] = ledger;
+    a.version(3);
     a.map("pairs", its_pairs);
     a("rigid_work", its_work), a("rigid_impulse", its_impulse), a("nodal_work", its_nodal_work);
+    a("time", its_time);
   }
 
  private:
@@ -98,6 +114,8 @@ class ContactLedger {
     Vec3 start, end;
   };
   Key key(const ContactNodes<Dim>& contacts, const ContactPair& pair) const;
+  Vec3 deformable_velocity(const ContactNodes<Dim>& contacts, const ContactNode<Dim>& node, const ContactPair& pair,
+                           bool strain_filtered) const;
   double extrapolated(const ContactNodes<Dim>& contacts, const ContactNode<Dim>& node, double dt) const;
   // Work of the impulses of a pair [energy]: of all, and of their normal components.
   void add_work(const ContactNode<Dim>& node, ContactPair& pair, PairLedger& entry, double all, double normal) const;

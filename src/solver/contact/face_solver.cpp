@@ -252,6 +252,19 @@ void FaceSolver<Dim>::constrain_increments(ContactPass pass) {
   each_velocity(changes_, [&](const FaceVelocity& of, const Vec3& change) { increment(of) += change; });
 }
 
+template <int Dim>
+void FaceSolver<Dim>::find_velocities(bool of_filter) {
+  each_row([&](Row& row) {
+    row.pair->final_velocity =
+        row.pair->rigid_velocity + weighted_sum(row, [&](std::uint32_t v) {
+          const FaceVelocity& of = constraints_.velocities()[v];
+          const auto& field = system_.fields[of.field];
+          const auto n = static_cast<std::size_t>(of.node);
+          return Vec3(Eigen::Map<const Vec3>(of_filter ? field.filter[n].velocity : field.nodes[n].velocity));
+        });
+  });
+}
+
 template class FaceSolver<2>;
 template class FaceSolver<3>;
 

@@ -39,6 +39,8 @@ class FaceSolver {
   /// Applies the laws to the velocities that follow from the increments in Field::filter; an increment becomes the
   /// change of velocity that contact then makes: see Contact::constrain_increments.
   void constrain_increments(ContactPass pass);
+  /// Sets ContactPair::final_velocity to that of the present velocities of the nodes, or of the filter.
+  void find_velocities(bool of_filter);
 
  private:
   // What the sweeps read of a term: they pass over all of them many times, so it is small.
