@@ -58,6 +58,8 @@ class Contact {
   /// Applies the contact laws to the increments of a velocity filter (Field::filter): the impulses must obey the laws
   /// for the sum of all increments so far. Nairn, arXiv:2604.07307 (2026). `pass`: that of the apply() before.
   void constrain_increments(Pass pass);
+  /// Keeps the relative velocities that strain the bodies at the start of a step, see ContactLedger::keep_start().
+  void keep_start(bool strain_filtered);
   /// Records the impulses of the corrector in the ledger, and updates slip and bonds of particles and cracks. `dt`:
   /// step; `flip`: FLIP fraction of the update of the particles; `filtered`: see ContactLedger::record().
   void record(double dt, double flip, bool filtered);
