@@ -58,7 +58,7 @@ void Stepper<Dim>::advance(double dt) {
     // conditions.
     divide_by_mass();
     find_contact();
-    contact_.apply(dt, ContactPass::predictor);
+    contact_.apply(dt, contact_.strain_pass());
     impose(system_.time, dt);
     copy_images();
     if (filter_.active()) filter_.filter(0.0, false);
@@ -361,7 +361,7 @@ void Stepper<Dim>::strain_again(double dt, double strain_dt) {
   scatter(Scatter::momentum, true);
   sum_images(ImageValues::vectors);
   divide_by_mass();
-  contact_.apply(dt, contact_.pass_after_update());
+  contact_.apply(dt, contact_.strain_pass());
   impose(system_.time + dt, dt);
   copy_images();
   if (filter_.active()) filter_.filter(0.0, true);
