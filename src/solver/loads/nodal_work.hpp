@@ -29,7 +29,7 @@ class NodalWork {
       : system_(system), exchanges_(exchanges), ledger_(ledger) {}
 
   /// For USAVG, before the strains at the start of a step: keeps the velocities of the nodes, or of the filter if the
-  /// particles are strained with those. The records of the step then take them for v_0.
+  /// particles are strained with those (Field::start_velocities). The records of the step then take them for v_0.
   void keep_start(bool strain_filtered);
   /// Adds the work of a step of size `dt` to the ledger, if the particles are strained with the present velocities.
   void record(double dt, bool filtered);
@@ -56,8 +56,7 @@ class NodalWork {
   std::vector<Block> blocks_;  // of all fields
   std::vector<double> by_piece_;
   std::vector<std::vector<Vec3>> forces_;  // per field and node, m a
-  std::vector<std::vector<Vec3>> start_;  // per field and node, the velocities that strained the particles at the start
-  bool has_start_ = false;                // in this step
+  bool has_start_ = false;                 // keep_start() was called in this step
 };
 
 }  // namespace tribo

@@ -14,6 +14,11 @@ Vec<Dim> end_velocity(const Field<Dim>& field, std::size_t n) {
 }
 
 template <int Dim>
+Vec<Dim> start_velocity(const Field<Dim>& field, std::size_t n) {
+  return field.start_velocities[n].template head<Dim>();
+}
+
+template <int Dim>
 Vec<Dim> acceleration(const Field<Dim>& field, std::size_t n) {
   return Eigen::Map<const Vec<Dim>>(field.nodes[n].acceleration);
 }
@@ -81,6 +86,7 @@ template <int Dim>
 void Tractions<Dim>::record(double dt, bool filtered) {
   const double since_middle = filtered ? 0.0 : 0.5 * dt;
   add_work(dt, [&](const Field<Dim>& field, std::size_t n) -> Vec<Dim> {
+    if (knows_start()) return 0.5 * (start_velocity(field, n) + end_velocity(field, n));
     return end_velocity(field, n) - since_middle * acceleration(field, n);
   });
   for (const NodalForce& applied : forces_) ledger_.impulse.template head<Dim>() += dt * applied.force;
@@ -88,7 +94,9 @@ void Tractions<Dim>::record(double dt, bool filtered) {
 
 template <int Dim>
 void Tractions<Dim>::record_start(double dt, bool filtered) {
-  if (!filtered)
+  if (knows_start())
+    add_work(0.5 * dt, start_velocity<Dim>);
+  else if (!filtered)
     add_work(0.5 * dt, [&](const Field<Dim>& field, std::size_t n) -> Vec<Dim> {
       return end_velocity(field, n) - dt * acceleration(field, n);
     });
@@ -97,7 +105,7 @@ void Tractions<Dim>::record_start(double dt, bool filtered) {
 
 template <int Dim>
 void Tractions<Dim>::record_end(double dt, bool filtered, bool strain_filtered) {
-  add_work(filtered ? dt : 0.5 * dt, [&](const Field<Dim>& field, std::size_t n) -> Vec<Dim> {
+  add_work(filtered && !knows_start() ? dt : 0.5 * dt, [&](const Field<Dim>& field, std::size_t n) -> Vec<Dim> {
     return strain_filtered ? Vec<Dim>(Eigen::Map<const Vec<Dim>>(field.filter[n].velocity)) : end_velocity(field, n);
   });
 }

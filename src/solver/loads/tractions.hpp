@@ -30,6 +30,8 @@ class Tractions {
  private:
   void apply(const ParticleCondition& condition, Body<Dim>& body, std::size_t particle);
 
+  // Whether the velocities that strain the particles at the start of the step are known.
+  bool knows_start() const { return model_.scheme.order == UpdateOrder::usavg; }
   template <class F>
   void add_work(double dt, F&& velocity);
 

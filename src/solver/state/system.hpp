@@ -47,8 +47,11 @@ struct Field {
   NodeLayer nodes;
   /// Velocities that rigid bodies prescribe, per rigid body without a velocity field of its own.
   std::vector<AlignedVector<PrescribedNode>> rigid;
-  AlignedVector<FilterNode> filter;   ///< XPIC, FMPM: velocities during filtering; else empty
-  NodeLayer increment;                ///< XPIC, FMPM: momentum scattered by the filter; else empty
+  AlignedVector<FilterNode> filter;  ///< XPIC, FMPM: velocities during filtering; else empty
+  NodeLayer increment;               ///< XPIC, FMPM: momentum scattered by the filter; else empty
+  /// USAVG: velocities that strain the particles at the start of the step, after contact, prescribed velocities and
+  /// filters; else empty.
+  std::vector<Vec3> start_velocities;
   AlignedVector<VolumeNode> volumes;  ///< contact: nodal volumes and their gradients; else empty
   AlignedVector<HeatNode> heat;       ///< heat conduction: nodal temperatures; else empty
   AlignedVector<CellNode> cells;      ///< B-bar: volume means of cells; else empty
