@@ -108,6 +108,9 @@ void particle_tables(std::string_view data) {
 void particle_files(std::string_view data) {
   data_file("<ParticleTable matname='rubber' file='particles.vtp'/>", "particles.vtp", data);
 }
+void particle_legacy_files(std::string_view data) {
+  data_file("<ParticleTable matname='rubber' file='particles.vtk'/>", "particles.vtk", data);
+}
 
 // A body whose shape is in a file. Filling the body would take most of the time.
 void shape_file(const char* head, const char* body, const char* name, std::string_view data) {
@@ -255,7 +258,8 @@ const std::map<std::string, Reader> readers{
     {"plane_meshes", plane_meshes},
     {"solid_meshes", solid_meshes},
     {"particle_tables", particle_tables},
-    {"particle_files", particle_files}};
+    {"particle_files", particle_files},
+    {"particle_legacy_files", particle_legacy_files}};
 Reader reader = nullptr;
 
 }  // namespace

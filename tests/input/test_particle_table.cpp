@@ -133,7 +133,7 @@ TEST_CASE("errors of a table of particles have the place, what is wrong and what
     return std::string();
   };
   CHECK_THAT(deck("file='cloud.xyz'"), Catch::Contains("deck.xml:2:24: error: the name of a table of particles ends "
-                                                       "with .csv, .txt, .vtp or .vtu, not with '.xyz'"));
+                                                       "with .csv, .txt, .vtp, .vtu or .vtk, not with '.xyz'"));
   CHECK_THAT(deck("file='nowhere.csv'"), Catch::StartsWith("deck.xml:2:24: error: "));
   CHECK_THAT(deck("file='nowhere.vtp'"), Catch::StartsWith("deck.xml:2:24: error: "));
 }
