@@ -73,7 +73,7 @@ TEST_CASE("a damaged file of points is an error, never a crash", "[geometry][vtk
     INFO(name);
     const std::string whole = bytes_of(point_file(name)), ending = name.substr(name.size() - 4);
     CHECK(complaint_of(ending, whole) == "none");
-    CHECK(complaint_of(ending, whole.substr(0, whole.size() / 2)) != "none");
+    CHECK(complaint_of(ending, whole.substr(0, ending == ".vtk" ? 90 : whole.size() / 2)) != "none");
     for (int n = 0; n < 200; ++n) {
       std::string content = n % 4 == 0 ? whole.substr(0, random() % whole.size()) : whole;
       for (int k = 0; k < n % 4 && !content.empty(); ++k)
@@ -98,7 +98,7 @@ TEST_CASE("messages about files of points", "[geometry][vtk]") {
              Contains("has another size than the file says"));
   CHECK_THAT(complaint_of(".vtu", with("points_ascii.vtu", "NumberOfPoints=\"3\"", "NumberOfPoints=\"1e14\"")),
              Contains("numbers"));
-  CHECK_THAT(complaint_of(".vtu", with("points_ascii.vtu", "-3.25e-7", "nan")),
+  CHECK_THAT(complaint_of(".vtu", with("points_ascii.vtu", "2.5 -3.25e-7", "2.5 nan")),
              Contains("point 3 has a value of 'mass' that is not finite") || Contains("contains 'nan'"));
   CHECK_THAT(complaint_of(".vtu", with("points_raw_zlib.vtu", "vtkZLibDataCompressor", "vtkLZ4DataCompressor")),
              Contains("not by zlib"));

@@ -101,7 +101,7 @@ TEST_CASE("the version of the format is three whole numbers, and a file may stat
                "to version 3.2"));
   CHECK_THAT(problems_of(with("3.x")), Contains("must be one to three whole numbers"));
   CHECK_THAT(problems_of(deck(half + "Version " + format_version_text(next))),
-             Contains("deck:7:9: error: the version is 3.2.1"));
+             Contains("deck:8:9: error: the version is 3.2.1"));
   CHECK_THAT(problems_of(xml("<Commands>Version 3</Commands>")),
              Contains("in an XML file the version is that of <JANFEAInput>"));
 
