@@ -113,6 +113,11 @@ def history(folder):
     return table(f"{folder}/history.csv")
 
 
+def middles(time):
+    """Times to which contact forces in the rows of a history belong: each is the mean over the time since the row before."""
+    return np.concatenate([time[:1], 0.5 * (time[:-1] + time[1:])])
+
+
 def energy(folder):
     return table(f"{folder}/energy.csv")
 

@@ -357,7 +357,7 @@ void Stepper<Dim>::strain_again(double dt, double strain_dt) {
   scatter(Scatter::momentum, true);
   sum_images(ImageValues::vectors);
   divide_by_mass();
-  contact_.apply(dt, ContactPass::predictor);
+  contact_.apply(dt, contact_.pass_after_update());
   impose(system_.time + dt, dt);
   copy_images();
   if (filter_.active()) filter_.filter(0.0, true);

@@ -80,6 +80,29 @@ TEST_CASE("faces that friction held do not slide in the predictor, whatever pres
   }
 }
 
+TEST_CASE("pairs that carried an impulse have the relative velocity of the update again", "[contact]") {
+  const auto rough = make_law("61", {{"coeff", "0.3"}}), interface = make_law("62", {{"Dn", "10"}, {"Dt", "10"}});
+  for (const double closing : {1.0, 0.0, -1.0})
+    for (const ContactLaw* law : {rough.get(), interface.get()})
+      for (const bool pressed : {true, false}) {
+        std::vector<ContactMember> members(2);
+        members[0].inverse_mass = 1.0, members[0].trial_velocity = Vec3(0, closing, 0);
+        members[1].inverse_mass = 0.5, members[1].trial_velocity = Vec3(4, 0, 1);
+        std::vector<ContactPair> pairs(1);
+        pairs[0].a = 0, pairs[0].b = 1, pairs[0].law = law;
+        pairs[0].state.mass = 1 / 1.5, pairs[0].state.dt = 1e-3, pairs[0].state.area = 1;
+        pairs[0].state.normal = Vec3::UnitY(), pairs[0].end_velocity = Vec3(0.2, 0, -0.1);
+        if (pressed) pairs[0].update_impulse = Vec3(0, -3, 0);
+        const auto relative = [&](ContactPass pass) {
+          solve_node(members, pairs, pass, false);
+          return Vec3(velocity_after(members, pairs, 1) - velocity_after(members, pairs, 0));
+        };
+        const Vec3 by_law = relative(ContactPass::predictor), again = relative(ContactPass::again);
+        const Vec3 wanted = pressed && law == rough.get() ? pairs[0].end_velocity : by_law;
+        CHECK((again - wanted).norm() < 1e-14);
+      }
+}
+
 TEST_CASE("many bodies with any frictional laws keep momentum and never gain energy", "[contact]") {
   std::mt19937 random(3);
   std::normal_distribution<double> normal;

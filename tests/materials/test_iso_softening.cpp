@@ -30,6 +30,8 @@ Properties stiff(Properties properties, bool exponential) {
 
 Mat3 stretch(double e) { return symmetric(e, 0, 0); }
 
+Mat3 kirchhoff(const MaterialPoint<3>& point) { return point.F.determinant() * point.stress; }
+
 // The tension of a face that was pulled apart by `e` of a length of 1: what opens and what stretches.
 double stress_at(double e, bool exponential) {
   const double strength = 2, length = exponential ? 0.5 : 1.0;
@@ -77,14 +79,14 @@ TEST_CASE("an opening crack follows its softening law and dissipates its fractur
     point.step(stretch(end / steps), 1.0);
     const double e = end * k / steps;
     if (e < 2.0 / 140 * 0.999)
-      REQUIRE(point.stress(0, 0) == Approx(140 * e).epsilon(1e-10));
+      REQUIRE(kirchhoff(point)(0, 0) == Approx(140 * e).epsilon(1e-10));
     else if (k % 100 == 0)
-      REQUIRE(point.stress(0, 0) == Approx(stress_at(e, exponential)).margin(1e-9));
+      REQUIRE(kirchhoff(point)(0, 0) == Approx(stress_at(e, exponential)).margin(1e-9));
   }
   CHECK(point.history_value("crack_normal_x") * point.history_value("crack_normal_x") == Approx(1));
   CHECK(point.history_value("damage") > 0.9999);
   // per initial volume it would grow with the stretch; the trapezoidal rule over the steps of the softening
-  CHECK(point.stress(1, 1) == Approx(60 * end - 60 * point.history_value("crack_opening")).margin(1e-9));
+  CHECK(kirchhoff(point)(1, 1) == Approx(60 * end - 60 * point.history_value("crack_opening")).margin(1e-9));
 }
 
 TEST_CASE("a crack of any mode mix dissipates its fracture energy", "[materials]") {
@@ -114,7 +116,7 @@ TEST_CASE("a crack of any mode mix dissipates its fracture energy", "[materials]
   CHECK(band * point.history_value("dissipation") ==
         Approx((1 - m) * k / k_open * 1e-3 + m * k / k_slip * 2.5e-4).epsilon(exponential ? 1e-3 : 2e-3));
   CHECK(point.stored_energy() + point.history_value("dissipation") ==
-        Approx(point.work).epsilon(end));  // of small strains
+        Approx(point.work).epsilon(5e-5));  // trapezoidal rule
 }
 
 TEST_CASE("a crack that opens within one step dissipates its fracture energy", "[materials]") {
@@ -122,7 +124,7 @@ TEST_CASE("a crack that opens within one step dissipates its fracture energy", "
   const auto law = make_material("50", stiff(brittle, exponential));
   MaterialPoint<3> point(*law);
   point.step(stretch(0.01), 1.0);
-  CHECK(point.history_value("dissipation") == Approx(1e-3 * std::exp(0.01)).epsilon(exponential ? 1e-6 : 1e-12));
+  CHECK(point.history_value("dissipation") == Approx(1e-3).epsilon(exponential ? 1e-6 : 1e-12));
 }
 
 TEST_CASE("a second and a third crack release what the first cannot", "[materials]") {
@@ -138,7 +140,7 @@ TEST_CASE("a second and a third crack release what the first cannot", "[material
   CHECK(point.stress(1, 1) == Approx(0).margin(1e-9));  // the opening also releases the lateral stress
   // The crack is free of traction, so that the stiffness along y is that of plane stress, M - lambda^2/M.
   point.step(symmetric(0, 1e-3, 0), 1.0);
-  CHECK(point.stress(1, 1) == Approx((140 - 60.0 * 60 / 140) * 1e-3).epsilon(1e-6));
+  CHECK(kirchhoff(point)(1, 1) == Approx((140 - 60.0 * 60 / 140) * 1e-3).epsilon(1e-6));
   pull(symmetric(0, 2, 0));
   CHECK(point.history_value("damage_2") == 1);
   CHECK(point.history_value("crack_normal_2_y") * point.history_value("crack_normal_2_y") == Approx(1));
@@ -174,9 +176,8 @@ TEST_CASE("cracks in three directions lose the energy that they dissipate", "[ma
   }
   INFO("work " << point.work << ", stored " << point.stored_energy() << ", dissipated " << dissipated);
   CHECK(point.history_value("damage_3") > 0);
-  // The energy is that of small strains, of which the largest are 0.01; a step of the path dissipates too much by up
-  // to the square of its change of damage.
-  CHECK(std::abs(point.stored_energy() + dissipated - point.work) < 0.01 * largest_stored + 0.01 * dissipated);
+  // A step of the path dissipates too much by up to the square of its change of damage.
+  CHECK(std::abs(point.stored_energy() + dissipated - point.work) < 1e-4 * largest_stored + 1e-4 * dissipated);
 }
 
 TEST_CASE("a closed crack is as stiff as before and slides freely once broken", "[materials]") {
@@ -188,8 +189,8 @@ TEST_CASE("a closed crack is as stiff as before and slides freely once broken", 
   for (int k = 0; k < 100; ++k) point.step(stretch(-0.02), 1.0);  // where it began
   CHECK(point.stress.norm() == Approx(0).margin(1e-9));
   point.step(stretch(-0.1) + symmetric(0, 0, 0, 0.05), 1.0);
-  CHECK(point.stress(0, 0) == Approx(-14));
-  CHECK(point.stress(1, 1) == Approx(-6));
+  CHECK(kirchhoff(point)(0, 0) == Approx(-14));
+  CHECK(kirchhoff(point)(1, 1) == Approx(-6));
   CHECK(point.stress(0, 1) == Approx(0).margin(1e-9));
   CHECK(point.history_value("crack_opening") == 0);
 }
@@ -198,12 +199,12 @@ TEST_CASE("an unloaded crack closes and keeps its damage", "[materials]") {
   const auto law = make_material("50", brittle);
   MaterialPoint<3> point(*law);
   for (int k = 0; k < 50; ++k) point.step(stretch(0.01), 1.0);
-  const double stress = point.stress(0, 0), damage = point.history_value("damage");
+  const double stress = kirchhoff(point)(0, 0), damage = point.history_value("damage");
   point.step(stretch(-0.25), 1.0);
-  CHECK(point.stress(0, 0) == Approx(0.5 * stress));
+  CHECK(kirchhoff(point)(0, 0) == Approx(0.5 * stress));
   CHECK(point.history_value("damage") == damage);
   point.step(stretch(0.25), 1.0);
-  CHECK(point.stress(0, 0) == Approx(stress));
+  CHECK(kirchhoff(point)(0, 0) == Approx(stress));
 }
 
 TEST_CASE("a crack starts where and when the weakest plane fails", "[materials]") {
@@ -221,11 +222,24 @@ TEST_CASE("a crack starts where and when the weakest plane fails", "[materials]"
     MaterialPoint<3> point(*law);
     Mat3 T = Mat3::Zero();
     for (int k = 0; k < 100000 && point.history_value("damage") == 0; ++k) {
-      T = point.stress;
+      T = kirchhoff(point);
       point.step(direction, 1.0);
     }
     CHECK(largest_r(T, sigmac, tauc) == Approx(1).epsilon(0.01));  // steps of half a per cent, planes every degree
   }
+}
+
+TEST_CASE("an open crack lets no stress along it gain energy", "[materials]") {
+  const auto law = make_material("50", brittle);
+  MaterialPoint<3> point(*law);
+  for (int k = 0; k < 4000; ++k) point.step(stretch(2.0 / 4000), 1.0);  // broken, to 7.4 times its length
+  for (int k = 0; k < 1000; ++k) point.step(symmetric(0, -1e-5, 0), 1.0);
+  const double stored = point.stored_energy(), work = point.work, dissipated = point.history_value("dissipation");
+  CHECK(stored == Approx(0.5 * (140 - 60.0 * 60 / 140) * 1e-4).epsilon(1e-6));
+  for (int k = 0; k < 4000; ++k) point.step(stretch(1.0 / 4000), 1.0);
+  CHECK(point.stored_energy() == Approx(stored));
+  CHECK(point.work == Approx(work));
+  CHECK(point.history_value("dissipation") == dissipated);
 }
 
 TEST_CASE("cracks turn with the material", "[materials]") {

@@ -90,3 +90,25 @@ TEST_CASE("the balance closes where a rigid body presses a bar, also with what a
   CHECK(run.boundary_work > 0.9 * (all.kinetic + all.stored));
   CHECK(worst < 0.02 * run.boundary_work);
 }
+
+TEST_CASE("contact creates no energy where velocities are extrapolated again, until the bars have parted", "[energy]") {
+  const std::string transfer =
+      GENERATE("type='FMPM' order='2'", "type='FMPM' order='4'", "type='APIC'", "type='PIC'", "type='FLIP'");
+  const std::string impulses = GENERATE("nodes", "faces");
+  const UpdateOrder order = GENERATE(UpdateOrder::usl, UpdateOrder::usavg);
+  INFO(transfer << ", " << impulses << ", order " << static_cast<int>(order));
+  Model model = running_bars("<Transfer " + transfer + "/><MultiMaterialMode Impulses='" + impulses + "'/>");
+  model.scheme.order = order, model.scheme.extrapolate_again = true;
+  auto system = build_system<2>(model, place_points(model));
+  Stepper<2> stepper(model, system);
+  const double first = measure(system).kinetic;
+  double worst = 0.0, least = 0.0;
+  for (int k = 0; k < 200; ++k) {
+    stepper.advance(0.02);
+    const Measures all = measure(system);
+    const RunEnergies run = run_energies(model, system, stepper, all);
+    worst = std::max(worst, std::abs(energy_content(all, run) - first)), least = std::min(least, run.contact);
+  }
+  CHECK(worst < 0.02 * first);
+  CHECK(least > -0.002 * first);
+}

@@ -54,12 +54,13 @@ def pull(case, angle):
     entities = dict(c=repr(c), s=repr(s), h=str(cell)) | (dict(side="1.05") if angle else {}) | (dict(end="18.5") if case.quick else {})
     out = case.run(f"slip{angle}", entities=entities)
     h = verify.history(out)
+    middles = verify.middles(h["time"])
     found, shear_shares, first = [], [], None
     for t, path in verify.vtp.collection(out):
         if t < 14.9:
             continue
         x, slip, state, traction = faces(verify.vtp.read(path), back, cell)
-        Q, P = (np.array([np.interp(t, h["time"], h[f"contact{axis}:upper"]) for axis in "xy"]) @ back) * signs
+        Q, P = (np.array([np.interp(t, middles, h[f"contact{axis}:upper"]) for axis in "xy"]) @ back) * signs
         a = np.sqrt(8 * P * radius * 0.91 / np.pi)
         if first is None:
             first = slip
@@ -93,12 +94,13 @@ def ball(case):
     cell, depth, lift = 0.01, 0.3, 0.001
     out = case.run("ball", file="ball.xml")
     h = verify.history(out)
+    middles = verify.middles(h["time"])
     found = []
     for t, path in verify.vtp.collection(out):
         if t < 7.4:
             continue
         p = verify.vtp.read(path)
-        Q, P = signs * [2 * np.interp(t, h["time"], h[f"contact{axis}:upper"]) for axis in "xy"]
+        Q, P = signs * [2 * np.interp(t, middles, h[f"contact{axis}:upper"]) for axis in "xy"]
         a = (0.75 * P * radius * 2 * 0.91) ** (1 / 3)
         at = p["points"] - p["displacement"]
         square = at[:, 0] ** 2 + at[:, 2] ** 2

@@ -37,6 +37,10 @@ class Contact {
   /// Transfers that replace the particle velocities use the predictor for strains only, and the corrector gives the
   /// whole impulse of the step.
   bool keeps_start_impulses() const { return keeps_start_impulses_; }
+  /// The pass for velocities that are extrapolated again after the update: `again` if the particles take over the nodal
+  /// velocities. Velocities extrapolated from those of FLIP and XPIC differ from the nodal ones by more than the
+  /// smoothing near a face, so the law acts on them.
+  Pass pass_after_update() const { return keeps_start_impulses_ ? Pass::predictor : Pass::again; }
 
   /// Finds the blocks that fields share; to be called after every change of the fields' maps.
   void locate();

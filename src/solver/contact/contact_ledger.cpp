@@ -103,6 +103,7 @@ void ContactLedger<Dim>::record(ContactNodes<Dim>& contacts, double dt, bool rep
       if (pair.response.status == ContactStatus::open && !pair.has_impulse()) continue;
       const Relative v = relative(contacts, node, pair, dt);
       pair.update_velocity = deformable_velocity(contacts, node, pair, false);
+      pair.end_velocity = v.end;
       const Vec3 mean = replaces || filtered ? v.end : Vec3(0.5 * (v.start + v.end));
       // The impulse at the start removes a relative velocity that the extrapolation has made: its work is that at the
       // velocity which remains, and the rest a loss of the transfer.

@@ -28,7 +28,7 @@ void FaceSolver<Dim>::set_up(ContactNodes<Dim>& contacts) {
   for (std::size_t k = 0; k < list.size(); ++k) {
     const FaceConstraint<Dim>& c = list[k];
     Row& row = rows_[k];
-    row.pair = c.pair, row.law = c.pair->law, row.stuck = c.pair->stuck;
+    row.pair = c.pair, row.law = c.pair->law;
     row.size_before = c.pair->update_impulse.squaredNorm();
     row.active = !c.pair->has_no_face && !c.pair->replaced_by_joint;
     row.effective_mass = c.effective_mass, row.lumped_mass = c.lumped_mass;
@@ -99,7 +99,7 @@ template <int Dim>
 void FaceSolver<Dim>::update_impulse(Row& row, double mass, ContactPass pass) {
   row.state.mass = mass;
   row.state.velocity = velocity_at_face(row) + row.impulse / mass;
-  row.response = response_of(*row.law, row.state, row.stuck, pass);
+  row.response = response_of(*row.pair, row.state, pass);
   row.impulse_change = row.response.impulse - row.impulse;
   row.impulse = row.response.impulse;
 }
@@ -213,8 +213,8 @@ void FaceSolver<Dim>::apply(double dt, ContactPass pass) {
   });
   solve(pass);
   if (pass == ContactPass::corrector) each_row([](Row& row) { row.pair->applied = row.impulse; });
-  given_ = pass == ContactPass::predictor ? &start_changes_ : &changes_;
-  if (pass == ContactPass::predictor) {
+  given_ = pass != ContactPass::corrector ? &start_changes_ : &changes_;
+  if (pass != ContactPass::corrector) {
     std::fill(start_changes_.begin(), start_changes_.end(), Vec3::Zero());
     each_group(false, [&](std::size_t g) {
       for (std::size_t k = groups[g].first; k < groups[g].end; ++k) distribute_at_start(rows_[k]);

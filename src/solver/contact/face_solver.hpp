@@ -54,7 +54,6 @@ class FaceSolver {
     ContactPair* pair;
     const ContactLaw* law;
     double size_before;        // squared impulse of the last step
-    bool stuck;                // see ContactPair
     std::uint32_t first, end;  // in weights_
     bool active;
     double effective_mass, lumped_mass;

@@ -30,7 +30,7 @@ void NodeImpulses<Dim>::apply(double dt, ContactPass pass) {
       for (ContactPair& pair : of_node) pair.applied = pair.impulse;
     if (std::none_of(of_node.begin(), of_node.end(), [](const ContactPair& pair) { return pair.has_impulse(); }))
       return;
-    if (pass == ContactPass::predictor) {
+    if (pass != ContactPass::corrector) {
       find_start_impulses(node);
       return change_at_start(node, 1.0);
     }

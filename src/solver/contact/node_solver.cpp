@@ -29,7 +29,7 @@ Change solve_pair(std::span<ContactMember> members, ContactPair& pair, ContactPa
   ContactMember &a = members[pair.a], &b = members[pair.b];
   m.velocity = b.velocity - a.velocity + pair.impulse / m.mass;
   m.start = b.start_velocity - a.start_velocity;
-  pair.response = response_of(*pair.law, m, pair.stuck, pass);
+  pair.response = response_of(pair, m, pass);
   const Vec3 change = pair.response.impulse - pair.impulse;
   const double size =
       pair.response.impulse.squaredNorm() + pair.impulse.squaredNorm() + m.mass * m.mass * m.velocity.squaredNorm();
