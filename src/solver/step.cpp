@@ -58,10 +58,11 @@ void Stepper<Dim>::advance(double dt) {
     // conditions.
     divide_by_mass();
     find_contact();
-    contact_.apply(dt, ContactPass::predictor);
+    contact_.apply(dt, contact_.strain_pass());
     impose(system_.time, dt);
     copy_images();
     if (filter_.active()) filter_.filter(0.0, false);
+    if (order == UpdateOrder::usavg) nodal_work_.keep_start(filter_.active()), contact_.keep_start(filter_.active());
     strain(order == UpdateOrder::usf ? dt : 0.5 * dt, false);
     const double part = order == UpdateOrder::usf ? dt : 0.5 * dt;
     joints_.update_laws(part, system_.time + part, filter_.active());
@@ -109,7 +110,10 @@ void Stepper<Dim>::advance(double dt) {
   cracks_.move(dt);
   joints_.move_points(dt);
   move_particles(dt, again ? 0.0 : strain_dt);
-  if (filters_update()) nodal_work_.record_change_of_velocities(dt), tractions_.record_change_of_velocities(dt);
+  if (filters_update()) {
+    if (order != UpdateOrder::usavg) nodal_work_.record_change_of_velocities(dt);
+    tractions_.record_change_of_velocities(dt);
+  }
   loads_.record(0.5 * dt);
 
   // 7. "+" variants: strain from the velocities of the updated particles, with the shape functions at the start of the
@@ -357,7 +361,7 @@ void Stepper<Dim>::strain_again(double dt, double strain_dt) {
   scatter(Scatter::momentum, true);
   sum_images(ImageValues::vectors);
   divide_by_mass();
-  contact_.apply(dt, contact_.pass_after_update());
+  contact_.apply(dt, contact_.strain_pass());
   impose(system_.time + dt, dt);
   copy_images();
   if (filter_.active()) filter_.filter(0.0, true);

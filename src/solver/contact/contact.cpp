@@ -186,6 +186,14 @@ void Contact<Dim>::constrain_increments(Pass pass) {
 }
 
 template <int Dim>
+void Contact<Dim>::keep_start(bool strain_filtered) {
+  if (!active_) return;
+  const auto lap = watch.lap();
+  face_solver_.find_velocities(strain_filtered);
+  ledger_.keep_start(search_.found(), strain_filtered);
+}
+
+template <int Dim>
 void Contact<Dim>::record(double dt, double flip, bool filtered) {
   if (!active_) return;
   const auto lap = watch.lap();

@@ -37,10 +37,10 @@ class Contact {
   /// Transfers that replace the particle velocities use the predictor for strains only, and the corrector gives the
   /// whole impulse of the step.
   bool keeps_start_impulses() const { return keeps_start_impulses_; }
-  /// The pass for velocities that are extrapolated again after the update: `again` if the particles take over the nodal
+  /// How contact acts on the velocities that strain the particles: `held` if the particles take over the nodal
   /// velocities. Velocities extrapolated from those of FLIP and XPIC differ from the nodal ones by more than the
-  /// smoothing near a face, so the law acts on them.
-  Pass pass_after_update() const { return keeps_start_impulses_ ? Pass::predictor : Pass::again; }
+  /// smoothing near a face, so the laws act on them.
+  Pass strain_pass() const { return keeps_start_impulses_ ? Pass::predictor : Pass::held; }
 
   /// Finds the blocks that fields share; to be called after every change of the fields' maps.
   void locate();
@@ -58,6 +58,8 @@ class Contact {
   /// Applies the contact laws to the increments of a velocity filter (Field::filter): the impulses must obey the laws
   /// for the sum of all increments so far. Nairn, arXiv:2604.07307 (2026). `pass`: that of the apply() before.
   void constrain_increments(Pass pass);
+  /// Keeps the relative velocities that strain the bodies at the start of a step, see ContactLedger::keep_start().
+  void keep_start(bool strain_filtered);
   /// Records the impulses of the corrector in the ledger, and updates slip and bonds of particles and cracks. `dt`:
   /// step; `flip`: FLIP fraction of the update of the particles; `filtered`: see ContactLedger::record().
   void record(double dt, double flip, bool filtered);

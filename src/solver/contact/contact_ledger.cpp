@@ -39,18 +39,21 @@ auto ContactLedger<Dim>::relative(const ContactNodes<Dim>& contacts, const Conta
   return {end - dt * (Eigen::Map<const Vec3>(b.acceleration) - Eigen::Map<const Vec3>(a.acceleration)), end};
 }
 
-// Of the deformable members. At a node from the present velocities of the nodes or of the filter.
+// Relative velocity of a pair, at a node from the present velocities of the nodes or of the filter. `rigid`: with the
+// velocities of rigid members, otherwise they count as zero.
 template <int Dim>
-Vec3 ContactLedger<Dim>::deformable_velocity(const ContactNodes<Dim>& contacts, const ContactNode<Dim>& node,
-                                             const ContactPair& pair, bool strain_filtered) const {
-  if (node.solved_on_faces) return pair.final_velocity - pair.rigid_velocity;
+Vec3 ContactLedger<Dim>::velocity_of(const ContactNodes<Dim>& contacts, const ContactNode<Dim>& node,
+                                     const ContactPair& pair, bool rigid, bool strain_filtered) const {
+  if (node.solved_on_faces) return rigid ? pair.final_velocity : Vec3(pair.final_velocity - pair.rigid_velocity);
   Vec3 velocity = Vec3::Zero();
   for (const auto& [member, sign] : {std::pair{pair.a, -1.0}, std::pair{pair.b, 1.0}}) {
     const ContactMember& m = contacts.members[member];
-    if (m.inverse_mass == 0.0) continue;
+    const bool is_rigid = m.inverse_mass == 0.0;
+    if (is_rigid && !rigid) continue;
     const auto& field = system_.fields[m.field];
     const auto n = static_cast<std::size_t>(m.node);
-    velocity += sign * Eigen::Map<const Vec3>(strain_filtered ? field.filter[n].velocity : field.nodes[n].velocity);
+    const bool filtered = strain_filtered && !is_rigid;
+    velocity += sign * Eigen::Map<const Vec3>(filtered ? field.filter[n].velocity : field.nodes[n].velocity);
   }
   return velocity;
 }
@@ -90,21 +93,31 @@ void ContactLedger<Dim>::add_work(const ContactNode<Dim>& node, ContactPair& pai
 }
 
 template <int Dim>
+void ContactLedger<Dim>::keep_start(ContactNodes<Dim>& contacts, bool strain_filtered) {
+  has_start_ = true;
+  for (const auto& node : contacts.nodes)
+    for (ContactPair& pair : contacts.pairs_of(node))
+      pair.strain_velocity = velocity_of(contacts, node, pair, true, strain_filtered);
+}
+
+template <int Dim>
 void ContactLedger<Dim>::record(ContactNodes<Dim>& contacts, double dt, bool replaces, bool filtered, double kept) {
   for (auto& [fields, entry] : pairs) entry.force.setZero(), entry.stored = entry.area = 0.0;
   rigid_exchanges_.assign(system_.fields.size(), {});
   for (const auto& node : contacts.nodes) {
-    if (replaces && !filtered) nodal_work += node.ownership * extrapolated(contacts, node, dt);
+    if (replaces && !filtered && !has_start_) nodal_work += node.ownership * extrapolated(contacts, node, dt);
     for (std::size_t p = node.first_pair; p < node.end_pair; ++p) {
       ContactPair& pair = contacts.pairs[p];
       pair.update_impulse = pair.impulse, pair.update_status = pair.response.status;
       pair.total_impulse.setZero(), pair.friction_work = 0.0;
       if (!pair.law) continue;  // a joint acts in its place
       if (pair.response.status == ContactStatus::open && !pair.has_impulse()) continue;
-      const Relative v = relative(contacts, node, pair, dt);
-      pair.update_velocity = deformable_velocity(contacts, node, pair, false);
+      Relative v = relative(contacts, node, pair, dt);
+      pair.update_velocity = velocity_of(contacts, node, pair, false, false);
       pair.end_velocity = v.end;
-      const Vec3 mean = replaces || filtered ? v.end : Vec3(0.5 * (v.start + v.end));
+      if (has_start_) v.start = pair.strain_velocity;
+      const bool at_end = !has_start_ && (replaces || filtered);
+      const Vec3 mean = at_end ? v.end : Vec3(0.5 * (v.start + v.end));
       // The impulse at the start removes a relative velocity that the extrapolation has made: its work is that at the
       // velocity which remains, and the rest a loss of the transfer.
       const Part parts[] = {{pair.impulse, mean}, {kept * pair.at_start, v.start}};
@@ -127,11 +140,11 @@ void ContactLedger<Dim>::record(ContactNodes<Dim>& contacts, double dt, bool rep
 
 template <int Dim>
 void ContactLedger<Dim>::record_end(ContactNodes<Dim>& contacts, bool filtered, bool strain_filtered) {
-  const double share = filtered ? 1.0 : 0.5;  // of the work that is done at the velocities at the end
+  const double share = filtered && !has_start_ ? 1.0 : 0.5;  // of the work that is done at the velocities at the end
   for (const auto& node : contacts.nodes)
     for (ContactPair& pair : contacts.pairs_of(node)) {
       if (!pair.law || (pair.update_impulse.isZero(0) && pair.applied.isZero(0))) continue;
-      const Vec3 change = deformable_velocity(contacts, node, pair, strain_filtered) - pair.update_velocity;
+      const Vec3 change = velocity_of(contacts, node, pair, false, strain_filtered) - pair.update_velocity;
       const Part part{share * node.ownership * pair.update_impulse, change};
       nodal_work += share * node.ownership * (pair.applied - pair.update_impulse).dot(change);
       add_work(node, pair, pairs[key(contacts, pair)], part.work(), part.along(pair.state.normal).work());
@@ -201,7 +214,7 @@ void ContactLedger<Dim>::record_rigid(const ContactNodes<Dim>& contacts, const C
 
 template <int Dim>
 void ContactLedger<Dim>::end_step(double dt) {
-  time += dt;
+  time += dt, has_start_ = false;
   for (auto& [fields, entry] : pairs) entry.impulse += dt * entry.force;
 }
 

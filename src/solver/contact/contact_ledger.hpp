@@ -59,6 +59,9 @@ class ContactLedger {
 
   explicit ContactLedger(const System<Dim>& system) : system_(system) {}
 
+  /// For USAVG, before the strains at the start of a step: keeps the relative velocities of the pairs there. record()
+  /// then takes the mean of these and those at the end. `strain_filtered`: see record_end().
+  void keep_start(ContactNodes<Dim>& contacts, bool strain_filtered);
   /// Records the impulses of the corrector, and marks them in the pairs as those of the last update (update_impulse,
   /// update_status, friction_work). `dt`: step; `replaces`: the particles take over the nodal velocities in this step;
   /// `filtered`: FMPM, whose work is that at the velocities at the end of the step (NodalWork). `kept`: share of the
@@ -101,7 +104,7 @@ class ContactLedger {
 
   /// The exchanges with rigid bodies are those of the last step.
   friend void archive(Archive& a, ContactLedger& ledger) {
-    auto& [its_pairs, its_work, its_impulse, its_nodal_work, its_time, system, rigid_exchanges] = ledger;
+    auto& [its_pairs, its_work, its_impulse, its_nodal_work, its_time, system, rigid_exchanges, has_start] = ledger;
     a.version(3);
     a.map("pairs", its_pairs);
     a("rigid_work", its_work), a("rigid_impulse", its_impulse), a("nodal_work", its_nodal_work);
@@ -114,8 +117,8 @@ class ContactLedger {
     Vec3 start, end;
   };
   Key key(const ContactNodes<Dim>& contacts, const ContactPair& pair) const;
-  Vec3 deformable_velocity(const ContactNodes<Dim>& contacts, const ContactNode<Dim>& node, const ContactPair& pair,
-                           bool strain_filtered) const;
+  Vec3 velocity_of(const ContactNodes<Dim>& contacts, const ContactNode<Dim>& node, const ContactPair& pair, bool rigid,
+                   bool strain_filtered) const;
   double extrapolated(const ContactNodes<Dim>& contacts, const ContactNode<Dim>& node, double dt) const;
   // Work of the impulses of a pair [energy]: of all, and of their normal components.
   void add_work(const ContactNode<Dim>& node, ContactPair& pair, PairLedger& entry, double all, double normal) const;
@@ -133,6 +136,7 @@ class ContactLedger {
 
   const System<Dim>& system_;
   std::vector<RigidExchange> rigid_exchanges_;
+  bool has_start_ = false;  // keep_start() was called in this step
 };
 
 }  // namespace tribo

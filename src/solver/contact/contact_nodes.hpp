@@ -10,29 +10,28 @@
 
 namespace tribo {
 
-/// The times in a step at which contact acts on the nodal velocities.
+/// The ways in which contact acts on the nodal velocities in a step.
 enum class ContactPass {
-  predictor,  ///< on the extrapolated velocities, before a strain update
-  corrector,  ///< after the momentum update; its impulse is the contact impulse of the step
-  again       ///< on the velocities extrapolated again after the update, before a strain update (the "+" variants)
+  predictor,  ///< on extrapolated velocities, by the laws, before a strain update
+  held,       ///< the same, but faces on which an impulse acted keep the relative velocity of the last momentum update
+  corrector   ///< after the momentum update; its impulse is the contact impulse of the step
 };
 
-/// The response of the law of a pair in a state. In the predictor, faces that friction held in the last momentum update
-/// (ContactPair::stuck) do not slide.
+/// The response of the law of a pair in a state.
 ///
-/// The extrapolated velocities of two bodies that stick differ, since the particles keep motions that the nodes do not
-/// see. The impulse that removes this difference has nothing to do with the pressure between the bodies, so the
-/// frictional limit of the law does not apply to it. With the limit most nodes would slide in the predictor, with two
+/// In the predictor, faces that friction held in the last momentum update (ContactPair::stuck) do not slide. The
+/// extrapolated velocities of two bodies that stick differ, since the particles keep motions that the nodes do not see.
+/// The impulse that removes this difference has nothing to do with the pressure between the bodies, so the frictional
+/// limit of the law does not apply to it. With the limit most nodes would slide in the predictor, with two
 /// consequences. The strains of USF, USAVG and the "+" variants would belong to faces that slide, the forces to faces
 /// that stick, which adds energy in every step. And FLIP would give the difference to the corrector as a shear impulse.
 ///
-/// After the update (`again`), faces on which an impulse acted have the relative velocity of the update once more. The
-/// work of that impulse is its product with the velocity that strains the bodies. With the law in its place, faces
-/// under pressure would be held while the extrapolation makes them approach, in loading, but not while it makes them
-/// separate, in unloading: contact would create energy.
+/// `held` does the same for the normal direction, too. The work of an impulse is its product with the velocity that
+/// strains the bodies. By the law, faces under pressure would be held while the extrapolation makes them approach, in
+/// loading, but not while it makes them separate, in unloading: contact would create energy.
 inline ContactResponse response_of(const ContactPair& pair, const ContactState& m, ContactPass pass) {
   ContactResponse out = pair.law->response(m);
-  if (pass == ContactPass::again && !pair.update_impulse.isZero(0) && !pair.law->interface()) {
+  if (pass == ContactPass::held && !pair.update_impulse.isZero(0) && !pair.law->interface()) {
     out.impulse = m.mass * (m.velocity - pair.end_velocity);
   } else if (pass != ContactPass::corrector && pair.stuck) {
     const Vec3 slide = m.velocity - m.velocity.dot(m.normal) * m.normal;

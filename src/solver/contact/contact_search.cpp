@@ -142,10 +142,15 @@ void ContactSearch<Dim>::list_pairs(ContactNode<Dim>& node, std::int64_t place) 
         pair.law = laws_.between(field_a.base_field, field_b.base_field), node.between_bodies = true;
       else
         pair.crack = 0;
-      const KeptPair self{place, static_cast<std::int64_t>(of_a.field), static_cast<std::int64_t>(of_b.field), false,
+      const KeptPair self{place,
+                          static_cast<std::int64_t>(of_a.field),
+                          static_cast<std::int64_t>(of_b.field),
+                          false,
+                          Vec3::Zero(),
                           Vec3::Zero()};
       while (kept != kept_.end() && kept->precedes(self)) ++kept;
-      if (kept != kept_.end() && !self.precedes(*kept)) pair.stuck = kept->stuck, pair.update_impulse = kept->impulse;
+      if (kept != kept_.end() && !self.precedes(*kept))
+        pair.stuck = kept->stuck, pair.update_impulse = kept->impulse, pair.end_velocity = kept->velocity;
     }
   node.end_pair = next;
 }
@@ -168,7 +173,7 @@ void ContactSearch<Dim>::remember_pairs() {
                    (impulse - impulse.dot(n) * n).norm() > round_off * impulse.norm();
       if (!pair.stuck && impulse.isZero(0)) continue;
       const auto field = [&](std::size_t member) { return static_cast<std::int64_t>(found_.members[member].field); };
-      kept_.push_back({place_of(node.number), field(pair.a), field(pair.b), pair.stuck, impulse});
+      kept_.push_back({place_of(node.number), field(pair.a), field(pair.b), pair.stuck, impulse, pair.end_velocity});
     }
 }
 

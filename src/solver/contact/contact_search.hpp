@@ -28,7 +28,8 @@ class ContactSearch {
   /// crack 0 and no law; Cracks then finds which crack it is. `exchanges`: one for each field.
   void find(const Exchanges<Dim>& exchanges);
 
-  /// Sets ContactPair::stuck after a momentum update, and keeps it and the impulses for the next find().
+  /// Sets ContactPair::stuck after a momentum update, and keeps it, the impulses and the velocities for the next
+  /// find().
   void remember_pairs();
 
   /// What was found.
@@ -38,20 +39,27 @@ class ContactSearch {
   const ContactNode<Dim>* node_at(const Index<Dim>& index) const;
 
   friend void archive(Archive& a, ContactSearch& search) {
-    a.version(2);
+    a.version(3);
     std::vector<std::int64_t> numbers;
-    std::vector<double> impulses;
+    std::vector<double> impulses, velocities;
     for (const KeptPair& pair : search.kept_) {
       numbers.insert(numbers.end(), {pair.place, pair.a, pair.b, pair.stuck ? 1 : 0});
       impulses.insert(impulses.end(), pair.impulse.begin(), pair.impulse.end());
+      velocities.insert(velocities.end(), pair.velocity.begin(), pair.velocity.end());
     }
-    a.resizable("pairs", numbers), a.resizable("impulses", impulses);
+    a.resizable("pairs", numbers), a.resizable("impulses", impulses), a.resizable("velocities", velocities);
     search.kept_.resize(numbers.size() / 4);
-    if (numbers.size() != 4 * search.kept_.size() || impulses.size() != 3 * search.kept_.size())
+    if (numbers.size() != 4 * search.kept_.size() || impulses.size() != 3 * search.kept_.size() ||
+        velocities.size() != impulses.size())
       refuse_checkpoint("the pairs of contact and their impulses differ in number");
     for (std::size_t k = 0; k < search.kept_.size(); ++k) {
       const std::int64_t* n = numbers.data() + 4 * k;
-      search.kept_[k] = {n[0], n[1], n[2], n[3] != 0, Eigen::Map<const Vec3>(impulses.data() + 3 * k)};
+      search.kept_[k] = {n[0],
+                         n[1],
+                         n[2],
+                         n[3] != 0,
+                         Eigen::Map<const Vec3>(impulses.data() + 3 * k),
+                         Eigen::Map<const Vec3>(velocities.data() + 3 * k)};
     }
   }
 
@@ -61,7 +69,7 @@ class ContactSearch {
     std::int64_t place;  // position of the node among those of all blocks of the lattice
     std::int64_t a, b;   // fields
     bool stuck;
-    Vec3 impulse;
+    Vec3 impulse, velocity;
     bool precedes(const KeptPair& other) const {
       return std::tie(place, a, b) < std::tie(other.place, other.a, other.b);
     }

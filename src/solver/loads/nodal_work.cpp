@@ -32,7 +32,31 @@ void NodalWork<Dim>::add(double dt, F&& power) {
 }
 
 template <int Dim>
+void NodalWork<Dim>::keep_start(bool strain_filtered) {
+  has_start_ = true;
+  start_.resize(system_.fields.size());
+  for (std::size_t f = 0; f < start_.size(); ++f) {
+    const auto& field = system_.fields[f];
+    start_[f].resize(field.nodes.size());
+    parallel_for(static_cast<std::ptrdiff_t>(field.map.active().size()), [&](std::ptrdiff_t b) {
+      const auto block = static_cast<std::size_t>(b);
+      field.map.each_run(block, block + 1, [&](std::size_t first, std::size_t last) {
+        for (std::size_t n = first; n < last; ++n)
+          start_[f][n] = Eigen::Map<const Vec3>(strain_filtered ? field.filter[n].velocity : field.nodes[n].velocity);
+      });
+    });
+  }
+}
+
+template <int Dim>
 void NodalWork<Dim>::record(double dt, bool filtered) {
+  if (has_start_) {
+    has_start_ = false;
+    return add(dt, [&](std::size_t f, std::size_t n, const Node& node) {
+      const Vec3 both = start_[f][n] + Eigen::Map<const Vec3>(node.velocity);
+      return 0.5 * node.mass * both.template head<Dim>().dot(Eigen::Map<const Vec<Dim>>(node.acceleration));
+    });
+  }
   const double since_middle = filtered ? 0.0 : 0.5 * dt;
   add(dt, [&](std::size_t, std::size_t, const Node& node) {
     double power = 0.0;
@@ -48,6 +72,7 @@ void NodalWork<Dim>::record_start(double dt, bool filtered) {
   for (std::size_t f = 0; f < forces_.size(); ++f) forces_[f].resize(system_.fields[f].nodes.size());
   add(dt, [&](std::size_t f, std::size_t n, const Node& node) {
     forces_[f][n] = node.mass * Eigen::Map<const Vec3>(node.acceleration);
+    if (has_start_) return 0.5 * forces_[f][n].template head<Dim>().dot(start_[f][n].template head<Dim>());
     if (filtered) return 0.0;
     double power = 0.0;
     for (int d = 0; d < Dim; ++d) power += node.acceleration[d] * (node.velocity[d] - dt * node.acceleration[d]);
@@ -57,7 +82,8 @@ void NodalWork<Dim>::record_start(double dt, bool filtered) {
 
 template <int Dim>
 void NodalWork<Dim>::record_end(double dt, bool filtered, bool strain_filtered) {
-  const double share = filtered ? 1.0 : 0.5;
+  const double share = filtered && !has_start_ ? 1.0 : 0.5;
+  has_start_ = false;
   add(dt, [&](std::size_t f, std::size_t n, const Node& node) {
     const double* velocity = strain_filtered ? system_.fields[f].filter[n].velocity : node.velocity;
     return share * forces_[f][n].template head<Dim>().dot(Eigen::Map<const Vec<Dim>>(velocity));

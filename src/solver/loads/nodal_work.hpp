@@ -15,16 +15,22 @@ namespace tribo {
 /// the "+" variants those that are extrapolated again. With the velocities of the momentum update, nodes of these
 /// variants would do work that no strain takes up.
 ///
+/// USAVG strains the particles in two halves, at the start and the end of the step. There v_0 are the velocities that
+/// strain them at the start, after contact, prescribed velocities and filters.
+///
 /// FMPM (`filtered`) moves and strains the particles with filtered velocities v*, while a is the acceleration of lumped
 /// masses, which can be large at light nodes and in contact where v* does not change. The mean is then v* - a* dt/2,
 /// where a* is the change of the velocities of the particles over dt, transferred to the nodes: m a . a* is the sum of
-/// m_p (S a) . a_p over the particles.
+/// m_p (S a) . a_p over the particles. USAVG needs no such estimate, since v_0 is known.
 template <int Dim>
 class NodalWork {
  public:
   NodalWork(System<Dim>& system, const Exchanges<Dim>& exchanges, EnergyLedger& ledger)
       : system_(system), exchanges_(exchanges), ledger_(ledger) {}
 
+  /// For USAVG, before the strains at the start of a step: keeps the velocities of the nodes, or of the filter if the
+  /// particles are strained with those. The records of the step then take them for v_0.
+  void keep_start(bool strain_filtered);
   /// Adds the work of a step of size `dt` to the ledger, if the particles are strained with the present velocities.
   void record(double dt, bool filtered);
   /// The same for the "+" variants: adds the work at the velocities at the start of the step, and keeps the forces. To
@@ -50,6 +56,8 @@ class NodalWork {
   std::vector<Block> blocks_;  // of all fields
   std::vector<double> by_piece_;
   std::vector<std::vector<Vec3>> forces_;  // per field and node, m a
+  std::vector<std::vector<Vec3>> start_;  // per field and node, the velocities that strained the particles at the start
+  bool has_start_ = false;                // in this step
 };
 
 }  // namespace tribo

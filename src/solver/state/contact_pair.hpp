@@ -33,7 +33,9 @@ struct ContactPair {
   ContactResponse response;         ///< last contact response of the law
   Vec3 update_impulse = Vec3::Zero();  ///< impulse on a of the last momentum update      [mass velocity]
   Vec3 total_impulse = Vec3::Zero();   ///< the same with what the particles keep of at_start   [mass velocity]
-  Vec3 end_velocity = Vec3::Zero();    ///< relative velocity after the last momentum update and its filter [velocity]
+  Vec3 strain_velocity =
+      Vec3::Zero();                  ///< relative velocity that strains the particles at the start (USAVG) [velocity]
+  Vec3 end_velocity = Vec3::Zero();  ///< relative velocity after the last momentum update and its filter [velocity]
   /// Relative velocity of the deformable members after the last momentum update and its filter, zero for rigid members
   /// [velocity].
   Vec3 update_velocity = Vec3::Zero();
