@@ -51,7 +51,7 @@ void Builder::particle_table(const Statement& s) {
   const auto valid = column_names(model_.dimension(), law);
   ParticleColumns columns;
   try {
-    if (ending == ".vtp" || ending == ".vtu") {
+    if (ending == ".vtp" || ending == ".vtu" || ending == ".vtk") {
       columns = particle_columns_of_vtk(path, valid);
     } else if (ending == ".csv" || ending == ".txt") {
       const auto text = content_of(path, at);
@@ -62,7 +62,7 @@ void Builder::particle_table(const Statement& s) {
       if (!found.empty()) return;
     } else {
       problems_.add(at,
-                    "the name of a table of particles ends with .csv, .txt, .vtp or .vtu, not with '" + ending + "'");
+                    "the name of a table of particles ends with .csv, .txt, .vtp, .vtu or .vtk, not with '" + ending + "'");
       return;
     }
   } catch (const FileError& error) {

@@ -5,6 +5,7 @@
 #include "base/schema.hpp"
 #include "base/text.hpp"
 #include "input/dialect.hpp"
+#include "input/format_version.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -104,6 +105,10 @@ void check_value(std::string_view what, ValueType type, std::string_view choices
       break;
     case ValueType::choice:
       if (!lists(choices, text)) wrong("one of " + join(words_of(choices)) + did_you_mean(text, words_of(choices)));
+      break;
+    case ValueType::version:
+      if (const std::string problem = problem_of_format_version(text); !problem.empty())
+        problems.add(origin, std::string(what) + " " + problem);
       break;
   }
 }

@@ -20,7 +20,8 @@ enum class ValueType {
   coordinate,  ///< a number, or `min`, `max`, `min+2`, `max-1.5`, `max+` (cells from the edge of the grid)
   function,    ///< of x, y, z, t
   flag,        ///< yes, no, 1, 0
-  choice
+  choice,
+  version  ///< of the format, such as 3 or 3.2
 };
 
 struct AttributeSpec {

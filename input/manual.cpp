@@ -41,6 +41,8 @@ std::string type_name(ValueType type, std::string_view choices) {
       for (const auto& word : words_of(choices)) out += (out.empty() ? "" : " | ") + word;
       return out;
     }
+    case ValueType::version:
+      return "version";
   }
   return "";
 }

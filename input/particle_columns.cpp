@@ -96,8 +96,11 @@ ParticleColumns particle_columns_of_vtk(const std::string& path, const std::vect
     const auto component = [&](std::size_t k) {
       return [&array, k](std::size_t i) { return array.values[array.components * i + k]; };
     };
+    constexpr std::array<std::size_t, 6> of_nine{0, 4, 8, 1, 5, 2};  // the components of a symmetric tensor in all nine
     if (found != parts.end() && array.components == found->second.size())
       for (std::size_t k = 0; k < array.components; ++k) add(found->second[k], component(k));
+    else if (array.name == "stress" && array.components == 9)
+      for (std::size_t k = 0; k < 6; ++k) add(found->second[k], component(of_nine[k]));
     else if (array.components == 1)
       add(array.name, component(0));
   }

@@ -85,6 +85,9 @@ std::string schema() {
         out << "><xs:simpleType><xs:restriction base=\"xs:string\">";
         for (const auto& word : words_of(spec->choices)) out << "<xs:enumeration value=\"" << escaped(word) << "\"/>";
         out << "</xs:restriction></xs:simpleType></xs:attribute>";
+      } else if (spec->type == ValueType::version) {
+        out << "><xs:simpleType><xs:restriction base=\"xs:string\"><xs:pattern "
+               "value=\"(0|[1-9][0-9]*)(\\.(0|[1-9][0-9]*)){0,2}\"/></xs:restriction></xs:simpleType></xs:attribute>";
       } else {
         out << " type=\""
             << (spec->type == ValueType::number    ? "xs:double"

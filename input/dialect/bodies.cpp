@@ -68,7 +68,7 @@ void add_bodies(Rows& add) {
        {text("mat", "number of the material"), text("matname", "name of the material, instead of mat"),
         text("file",
              "table of comma-separated values with the names of its columns in the first line, or a VTK file "
-             "(.vtp, .vtu), such as a block of a particle file of a run",
+             "(.vtp, .vtu, .vtk), such as a block of a particle file of a run",
              true),
         number("size", "edge length of all domains, instead of a column"),
         number("vx", "initial velocity, instead of a column"), number("vy", "initial velocity"),

@@ -7,7 +7,13 @@
 namespace tribo::keywords {
 
 void add_header(Rows& add) {
-  add({"JANFEAInput", "", "a command file", T::none, {{"version", T::choice, "version of the format", "3"}}});
+  add({"JANFEAInput",
+       "",
+       "a command file",
+       T::none,
+       {{"version", T::version,
+         "version of the format that the file needs, such as 3 or 3.2; a newer one than the program reads is an "
+         "error"}}});
 
   add({"Commands", "JANFEAInput",
        "commands of the script language; the elements that they produce are added to the file", T::text});

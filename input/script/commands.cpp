@@ -5,6 +5,8 @@ namespace tribo::script {
 
 const std::vector<CommandInfo>& commands() {
   static const std::vector<CommandInfo> all{
+      {"Version", 1, 1, "number",
+       "version of the format that the script needs, such as 3.2; a newer one than the program reads is an error"},
       {"Title", 1, 1, "text", "title of the run"},
       {"Name", 1, 1, "text", "author; added to the description"},
       {"Comment", 1, 99, "text, ...", "a line of the description"},

@@ -54,6 +54,12 @@ Statement& Document::material(const Origin& origin) {
   return materials_.back();
 }
 
+void Document::set_version(const std::string& text, const Origin& origin) {
+  if (inside_) throw InputError(origin, "in an XML file the version is that of <JANFEAInput>");
+  if (version_) throw InputError(origin, "'Version' is given twice; first at " + version_->origin.text());
+  version_ = Attribute{"version", text, origin};
+}
+
 void Document::name_material(const std::string& id, const Origin& origin) {
   if (!ids_.emplace(id, surrounding_ + materials_.size()).second)
     throw InputError(origin, "the material '" + id + "' already exists");
@@ -194,7 +200,7 @@ std::vector<Statement> Document::finish_sections(bool legacy) {
 
 Statement Document::finish(bool legacy) {
   Statement root = statement("JANFEAInput", origin_);
-  attribute(root, "version", "3", origin_);
+  root.attributes.push_back(version_.value_or(Attribute{"version", "3", origin_}));
   section("Mesh", origin_), section("MPMHeader", origin_), section("MaterialPoints", origin_);
   root.children = finish_sections(legacy);
   return root;

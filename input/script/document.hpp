@@ -54,6 +54,9 @@ class Document {
   /// A text that names a material by its id, which may be defined later.
   static void refer_text(Statement& s, const std::string& id, const Origin& origin);
 
+  /// Sets the version of the format. Throws InputError if it is given already, or by the XML file that contains the script.
+  void set_version(const std::string& text, const Origin& origin);
+
   /// Adds a line to the description.
   void describe(const std::string& line) { description_ += line + "\n"; }
 
@@ -83,6 +86,7 @@ class Document {
   std::vector<Statement> materials_before_;  ///< while a stage is open: what lies outside of it
   std::map<std::string, std::size_t> ids_;   ///< number of each id, from 1
   std::string description_;
+  std::optional<Attribute> version_;
   Problems problems_;            ///< warnings only
   bool inside_ = false;          ///< the script is part of an XML file
   std::size_t surrounding_ = 0;  ///< number of materials of that file

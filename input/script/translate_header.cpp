@@ -3,6 +3,7 @@
 
 #include "base/schema.hpp"
 #include "base/text.hpp"
+#include "input/format_version.hpp"
 #include "input/script/commands.hpp"
 #include "input/script/translator.hpp"
 #include "input/xml.hpp"
@@ -52,6 +53,15 @@ std::string count(const Command& c, std::size_t k) {
 }
 
 }  // namespace
+
+void Translator::version(const Command& c) {
+  // As it is written: 3.10 is not the number 3.1
+  std::string text = c.given(0) ? c.node.arguments[0].text : "";
+  if (text.size() > 1 && text.front() == '"' && text.back() == '"') text = text.substr(1, text.size() - 2);
+  if (const std::string problem = problem_of_format_version(text); !problem.empty())
+    throw InputError(c.origin(0), "the version " + problem);
+  document_.set_version(text, c.origin(0));
+}
 
 void Translator::title(const Command& c) { document_.describe("Title: " + c.text(0)); }
 void Translator::user(const Command& c) { document_.describe("User Name: " + c.text(0)); }

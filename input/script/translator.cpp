@@ -13,7 +13,8 @@ namespace tribo::script {
 // Functions that translate a command, by its name in lower case.
 auto Translator::actions() -> const std::map<std::string, Action>& {
   using A = Translator;
-  static const std::map<std::string, Action> all{{"title", &A::title},
+  static const std::map<std::string, Action> all{{"version", &A::version},
+                                                 {"title", &A::title},
                                                  {"name", &A::user},
                                                  {"comment", &A::comment},
                                                  {"header", &A::header},

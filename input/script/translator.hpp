@@ -37,6 +37,7 @@ class Translator {
   static const std::map<std::string, Action>& actions();
 
   // translate_header.cpp
+  void version(const Command& c);
   void title(const Command& c);
   void user(const Command& c);
   void comment(const Command& c);

@@ -20,8 +20,11 @@ struct PointFile {
   std::vector<Array> arrays;   ///< of numbers; arrays of texts are left out
 };
 
-/// The points of a file whose name ends with .vtp or .vtu, with the arrays of its points. Throws FileError if it cannot
-/// be read or has no points.
+/// The points of a file whose name ends with .vtp, .vtu or .vtk, with the arrays of its points. Throws FileError if it
+/// cannot be read or has no points.
 PointFile read_point_file(const std::string& path);
+
+/// The same for the older format of VTK, whose files begin with "# vtk DataFile" and whose names end with .vtk.
+PointFile read_legacy_point_file(const std::string& path);
 
 }  // namespace tribo

@@ -5,18 +5,13 @@
 #include "base/schema.hpp"
 #include "geometry/file.hpp"
 #include "geometry/gmsh.hpp"
-#include "geometry/point_file.hpp"
 #include "geometry/region.hpp"
 
 #include <vtkCellArray.h>
 #include <vtkNew.h>
 #include <vtkObject.h>
 #include <vtkPLYReader.h>
-#include <vtkPointData.h>
 #include <vtkPolyData.h>
-#include <vtkUnstructuredGrid.h>
-#include <vtkXMLPolyDataReader.h>
-#include <vtkXMLUnstructuredGridReader.h>
 
 #include <algorithm>
 #include <cctype>
@@ -115,43 +110,6 @@ std::vector<std::array<Vec3, 3>> read_surface(const std::string& path, const std
   if (ending == ".obj") return read_obj(path);
   if (ending == ".ply") return read_ply(path);
   throw FileError(path + ": the name of a surface file ends with .stl, .obj, .ply or .msh, not with '" + ending + "'");
-}
-
-PointFile read_point_file(const std::string& path) {
-  const Bytes bytes(path);  // says why if the file cannot be read
-  vtkObject::GlobalWarningDisplayOff();
-  const auto points_of = [&](auto* reader) {
-    reader->SetFileName(path.c_str());
-    reader->Update();
-    PointFile out;
-    vtkPointSet* data = reader->GetOutput();
-    const vtkIdType n = data && reader->GetErrorCode() == 0 ? data->GetNumberOfPoints() : 0;
-    if (n == 0) bytes.fail("no points were found; this is not a complete file of VTK with points");
-    for (vtkIdType i = 0; i < n; ++i) {
-      Vec3 x;
-      data->GetPoint(i, x.data());
-      if (!x.allFinite()) bytes.fail("point " + std::to_string(i + 1) + " has a coordinate that is not finite");
-      out.position.push_back(x);
-    }
-    for (int k = 0; k < data->GetPointData()->GetNumberOfArrays(); ++k) {
-      vtkDataArray* array = data->GetPointData()->GetArray(k);
-      if (!array || !array->GetName() || array->GetNumberOfTuples() != n) continue;
-      const int components = array->GetNumberOfComponents();
-      auto& to = out.arrays.emplace_back();
-      to.name = array->GetName(), to.components = static_cast<std::size_t>(components);
-      for (vtkIdType i = 0; i < n; ++i)
-        for (int c = 0; c < components; ++c) {
-          to.values.push_back(array->GetComponent(i, c));
-          if (!std::isfinite(to.values.back()))
-            bytes.fail("point " + std::to_string(i + 1) + " has a value of '" + to.name + "' that is not finite");
-        }
-    }
-    return out;
-  };
-  const std::string ending = ending_of(path);
-  if (ending == ".vtp") return points_of(vtkNew<vtkXMLPolyDataReader>().Get());
-  if (ending == ".vtu") return points_of(vtkNew<vtkXMLUnstructuredGridReader>().Get());
-  throw FileError(path + ": the name of a VTK file with points ends with .vtp or .vtu, not with '" + ending + "'");
 }
 
 }  // namespace tribo

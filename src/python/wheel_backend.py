@@ -2,17 +2,19 @@
 """Builds the package with CMake and packs it as a wheel, for pip and `python3 -m build`; needs nothing but Python.
 
 The wheel is for the Python and the processor of this machine, and uses the shared libraries of the system.
-The environment variable TRIBO_ARCH selects another instruction set, as in CMake.
+The environment variable TRIBO_ARCH selects another instruction set, as in CMake; it is then built in a folder of its own.
 """
 
 import base64
 import hashlib
+import io
 import os
 import pathlib
 import re
 import subprocess
 import sys
 import sysconfig
+import tarfile
 import zipfile
 
 root = pathlib.Path(__file__).resolve().parents[2]
@@ -31,11 +33,14 @@ def build():
                            stdout=subprocess.PIPE, text=True).stdout.strip()
     if own != other:
         raise SystemExit(f"the package is built for {system_python}, version {other}; run pip with this Python, not {own}")
-    arch = [f"-DTRIBO_ARCH={os.environ['TRIBO_ARCH']}"] if "TRIBO_ARCH" in os.environ else []
-    configure = ["cmake", "--preset", "release", "-DTRIBO_PYTHON=ON", *arch]
-    for command in (configure, ["cmake", "--build", "--preset", "release", "--target", "tribo_python"]):
+    folder, options = "build/release", []
+    if "TRIBO_ARCH" in os.environ:
+        arch = os.environ["TRIBO_ARCH"]
+        folder, options = f"build/python-{arch or 'any'}", [f"-DTRIBO_ARCH={arch}", "-DTRIBO_TESTS=OFF"]
+    configure = ["cmake", "--preset", "release", "-B", folder, "-DTRIBO_PYTHON=ON", *options]
+    for command in (configure, ["cmake", "--build", folder, "--target", "tribo_python"]):
         subprocess.run(command, cwd=root, check=True, stdout=sys.stderr)
-    return root / "build/release/python/tribo"
+    return root / folder / "python/tribo"
 
 
 def metadata():
@@ -68,9 +73,34 @@ def pack(package, folder):
     return path
 
 
+def archive(folder):
+    """The files of the last commit as an archive of sources, with their names below tribo-VERSION; returns its path."""
+    name = f"tribo-{version()}"
+    path = pathlib.Path(folder) / f"{name}.tar.gz"
+    files = subprocess.run(["git", "archive", "--format=tar", f"--prefix={name}/", "HEAD"], cwd=root, check=True,
+                           stdout=subprocess.PIPE).stdout
+    with tarfile.open(fileobj=io.BytesIO(files)) as committed, tarfile.open(path, "w:gz", format=tarfile.PAX_FORMAT) as packed:
+        for member in committed:
+            packed.addfile(member, committed.extractfile(member) if member.isfile() else None)
+        about = tarfile.TarInfo(f"{name}/PKG-INFO")
+        about.size, about.mtime, about.mode = len(metadata().encode()), member.mtime, 0o644
+        packed.addfile(about, io.BytesIO(metadata().encode()))
+    return path
+
+
 def get_requires_for_build_wheel(config_settings=None):
     """Of PEP 517: nothing."""
     return []
+
+
+def get_requires_for_build_sdist(config_settings=None):
+    """Of PEP 517: nothing."""
+    return []
+
+
+def build_sdist(sdist_directory, config_settings=None):
+    """Of PEP 517."""
+    return archive(sdist_directory).name
 
 
 def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):

@@ -43,6 +43,10 @@ of_surface = (flat.replace("<Analysis>10", "<Analysis>12").replace("ymax='4'><Ho
               .replace("<Vert ny='8'/>", "<Vert ny='8'/><Depth nz='8'/>").replace("CRACKS", "")
               .replace("BODIES", "<Body matname='rubber'><STL file='surface.stl'/></Body>")
               .replace("<Rect xmin='0' xmax='1' ymin='0' ymax='4'/>", "<Box xmin='0' xmax='2' ymin='0' ymax='4' zmin='0' zmax='4'/>"))
+of_mesh = plain.replace("<Rect xmin='2' xmax='5' ymin='1' ymax='3'/>", "<Surface file='mesh.msh' group='plate' x='2' y='1'/>", 1)
+of_solid = of_surface.replace("<STL file='surface.stl'/>", "<Surface file='mesh.msh' group='high' x='2' y='1' z='1'/>")
+of_particles = flat.replace("BODIES", "<ParticleTable matname='rubber' file='particles.csv'/>").replace("CRACKS", "")
+of_particle_file = of_particles.replace("particles.csv", "particles.vtp")
 
 
 def png():
@@ -74,6 +78,9 @@ def ascii_stl():
 
 
 table = b"x,y,xx,yy\n2,1,-1,-2\n5,1,-1,-2\n2,3,-1,-2\n5,3,-2,-2\n"
+
+particles = (b"x,y,size_x,size_y,vx,xx,yy\n" +
+             b"".join(b"%g,%g,0.25,0.25,1,-1,-2\n" % (2.125 + 0.25 * i, 1.125 + 0.25 * j) for i in range(4) for j in range(4)))
 
 
 def damaged(data, binary):
@@ -252,6 +259,8 @@ def main():
     xml = read(f for f in files if f.endswith(".xml")) + [t.encode() for t in (plain, of_crack)]
     blocks = read(os.path.join(examples, n) for n in ("brick_wall.xml", "toppling.xml", "direct_tension.xml"))
     scripts = read(f for f in files if f.endswith(".fmcmd")) + read([os.path.join(source, "tests/input/falling_blocks.fmcmd")])
+    meshes = os.path.join(source, "tests/geometry/data")
+    plates, solids = (read(os.path.join(meshes, n) for n in (name + ".msh", name + "22.msh")) for name in ("plate", "solid"))
     with tempfile.TemporaryDirectory() as top:
         os.chdir(top)
         write("plain.xml", plain)
@@ -260,12 +269,17 @@ def main():
         write("blocks.xml", tension)
         subprocess.run([tribo, "run", "--quiet", "--max-wall", "0.5", "-o", "blocks", "blocks.xml"], check=False, env=environment)
         runs = [os.path.join(top, f) for f in ("plain", "blocks") if os.path.exists(f + "/provenance.json")]
+        particle_file = open(os.path.join(top, "plain/particles/run_000001_1.vtp"), "rb").read()
         kinds = [lambda: command_file("XML", xml, ".xml"), lambda: command_file("blocks", blocks, ".xml"),
                  lambda: command_file("cracks", [of_crack.encode()], ".xml"), lambda: command_file("scripts", scripts, ".fmcmd"),
                  missing_word, impossible_number, lambda: with_file("tables", of_table, "table.csv", table, False),
                  lambda: with_file("pictures", of_picture, "picture", rng.choice([png, bmp])(), True),
                  lambda: with_file("surfaces", of_surface, "surface.stl", stl(), True),
                  lambda: with_file("surfaces", of_surface, "surface.stl", ascii_stl(), False), special_file,
+                 lambda: with_file("meshes", of_mesh, "mesh.msh", rng.choice(plates), False),
+                 lambda: with_file("meshes", of_solid, "mesh.msh", rng.choice(solids), False),
+                 lambda: with_file("tables of particles", of_particles, "particles.csv", particles, False),
+                 lambda: with_file("files of particles", of_particle_file, "particles.vtp", particle_file, True),
                  lambda: result(rng.choice(runs)), lambda: result(rng.choice(runs)), lambda: checkpoint(rng.choice(runs))]
         begin = time.time()
         for k in range(count):

@@ -102,12 +102,31 @@ void images(std::string_view data) {
       "imax='100'/></BMP>",
       "picture", data);
 }
-// Filling the body would take most of the time.
-void surfaces(std::string_view data) {
-  const Model model = with_file(solid, "<Body matname='rubber'><STL file='surface.stl'/></Body>", "surface.stl", data);
+void particle_tables(std::string_view data) {
+  data_file("<ParticleTable matname='rubber' file='particles.csv'/>", "particles.csv", data);
+}
+void particle_files(std::string_view data) {
+  data_file("<ParticleTable matname='rubber' file='particles.vtp'/>", "particles.vtp", data);
+}
+void particle_legacy_files(std::string_view data) {
+  data_file("<ParticleTable matname='rubber' file='particles.vtk'/>", "particles.vtk", data);
+}
+
+// A body whose shape is in a file. Filling the body would take most of the time.
+void shape_file(const char* head, const char* body, const char* name, std::string_view data) {
+  const Model model = with_file(head, body, name, data);
   const auto box = model.pieces.at(0).region->bounds();
   for (double part = 0.05; part < 1; part += 0.1)
     model.pieces[0].region->contains(box.low + Vec3(part, 0.5, 1 - part).cwiseProduct(box.high - box.low));
+}
+void surfaces(std::string_view data) {
+  shape_file(solid, "<Body matname='rubber'><STL file='surface.stl'/></Body>", "surface.stl", data);
+}
+void plane_meshes(std::string_view data) {
+  shape_file(flat, "<Body matname='rubber'><Surface file='mesh.msh' group='plate'/></Body>", "mesh.msh", data);
+}
+void solid_meshes(std::string_view data) {
+  shape_file(solid, "<Body matname='rubber'><Surface file='mesh.msh' group='high'/></Body>", "mesh.msh", data);
 }
 
 // Results
@@ -221,11 +240,26 @@ const std::map<std::string, Reader> readers{
 #ifdef TRIBO_FUZZ_STATES
     {"states", states},
 #endif
-    {"xml", command_file},        {"scripts", command_file}, {"blocks", command_file},
-    {"cracks", command_file},     {"tables", tables},        {"images", images},
-    {"surfaces", surfaces},       {"particles", particles},  {"cells", cells},
-    {"collections", collections}, {"histories", histories},  {"records", records},
-    {"models", models},           {"lists", lists},          {"checkpoints", checkpoints}};
+    {"xml", command_file},
+    {"scripts", command_file},
+    {"blocks", command_file},
+    {"cracks", command_file},
+    {"tables", tables},
+    {"images", images},
+    {"surfaces", surfaces},
+    {"particles", particles},
+    {"cells", cells},
+    {"collections", collections},
+    {"histories", histories},
+    {"records", records},
+    {"models", models},
+    {"lists", lists},
+    {"checkpoints", checkpoints},
+    {"plane_meshes", plane_meshes},
+    {"solid_meshes", solid_meshes},
+    {"particle_tables", particle_tables},
+    {"particle_files", particle_files},
+    {"particle_legacy_files", particle_legacy_files}};
 Reader reader = nullptr;
 
 }  // namespace

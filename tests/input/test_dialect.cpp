@@ -2,6 +2,7 @@
 /// Forms of the dialect of NairnMPM, in XML and in scripts, and names that Tribo refuses.
 
 #include "input/coverage.hpp"
+#include "input/format_version.hpp"
 #include "input/read.hpp"
 #include "input/script/script.hpp"
 
@@ -67,6 +68,49 @@ TEST_CASE("no name of the dialect is unknown", "[dialect]") {
     known += c.state == Coverage::State::known;
   }
   CHECK(known > 400);
+}
+
+TEST_CASE("the version of the format is three whole numbers, and a file may state an older one", "[dialect]") {
+  CHECK(format_version("3") == FormatVersion{3, 0, 0});
+  CHECK(format_version("3.10") == FormatVersion{3, 10, 0});
+  CHECK(format_version("0.2.7") == FormatVersion{0, 2, 7});
+  CHECK(*format_version("3.10") > *format_version("3.9.9"));
+  for (const char* wrong : {"", " ", "3.", ".3", "3..1", "3.1.0.0", "03", "3.01", "+3", "-3", "3.1-beta", "v3", "3 ",
+                            "99999999999", "3,1"}) {
+    INFO(wrong);
+    CHECK(!format_version(wrong));
+  }
+  CHECK(format_version_text({3, 2, 0}) == "3.2");
+  CHECK(format_version_text({3, 2, 1}) == "3.2.1");
+
+  const std::string newest = format_version_text(newest_format);
+  const auto with = [](const std::string& version) {
+    std::string text = xml("");
+    return text.replace(text.find("version='3'"), 11, "version='" + version + "'");
+  };
+  for (const std::string& version : {std::string("2"), std::string("3"), std::string("3.0.4"), newest}) {
+    INFO(version);
+    CHECK(problems_of(with(version)).empty());
+    CHECK(problems_of(deck(half + "Version " + version)).empty());
+  }
+  FormatVersion after = newest_format;
+  ++after.patch;
+  const std::string next = format_version_text(after);
+  const std::string refused = " is " + next + ", but this program reads the format up to version " + newest + ";";
+  CHECK_THAT(problems_of(with(next)), Contains("deck:1:14: error: attribute 'version' of <JANFEAInput>" + refused));
+  CHECK_THAT(problems_of(with("3.x")), Contains("must be one to three whole numbers"));
+  // Six lines and the one of `half` precede it.
+  CHECK_THAT(problems_of(deck(half + "Version " + next)), Contains("deck:8:9: error: the version" + refused));
+  CHECK_THAT(problems_of(xml("<Commands>Version 3</Commands>")),
+             Contains("in an XML file the version is that of <JANFEAInput>"));
+
+  // The XML of a script states what the script states.
+  Settings none;
+  const auto root = [&](const std::string& text) {
+    return read_script(text, std::make_shared<const std::string>("deck"), none).root.attribute("version")->text;
+  };
+  CHECK(root(deck(half)) == "3");
+  CHECK(root(deck(half + "Version 3.2")) == "3.2");
 }
 
 TEST_CASE("BCShape selects particles, and scripts write it", "[dialect]") {

@@ -133,7 +133,7 @@ TEST_CASE("errors of a table of particles have the place, what is wrong and what
     return std::string();
   };
   CHECK_THAT(deck("file='cloud.xyz'"), Catch::Contains("deck.xml:2:24: error: the name of a table of particles ends "
-                                                       "with .csv, .txt, .vtp or .vtu, not with '.xyz'"));
+                                                       "with .csv, .txt, .vtp, .vtu or .vtk, not with '.xyz'"));
   CHECK_THAT(deck("file='nowhere.csv'"), Catch::StartsWith("deck.xml:2:24: error: "));
   CHECK_THAT(deck("file='nowhere.vtp'"), Catch::StartsWith("deck.xml:2:24: error: "));
 }
@@ -185,6 +185,21 @@ TEST_CASE("a block of a particle file is a table of particles", "[table]") {
   CHECK(seeds[1].v == Vec3(3, 4, 0));
   CHECK(seeds[1].volume == 0.2);
   CHECK(seeds[1].half_size[1] == Approx(2 * seeds[1].half_size[0]));
+  CHECK(seeds[1].stress(0, 1) == 8);
+  CHECK(seeds[0].stress(2, 2) == 3);
+}
+
+TEST_CASE("a file of the older format of VTK is a table of particles", "[table]") {
+  const ScratchFile file("grains.vtk",
+                         "# vtk DataFile Version 4.2\ngrains\nASCII\nDATASET POLYDATA\nPOINTS 2 double\n1 1 0 2 1 0\n"
+                         "POINT_DATA 2\nSCALARS volume double 1\nLOOKUP_TABLE default\n0.1 0.2\nVECTORS velocity double\n"
+                         "1 2 0 3 4 0\nTENSORS stress double\n1 4 0 4 2 0 0 0 3\n5 8 0 8 6 0 0 0 7\n");
+  const Seeds seeds = particles_of(with_table("file='" + file.path + "'", 10));
+  REQUIRE(seeds.size() == 2);
+  CHECK(seeds[1].x == Vec3(2, 1, 0));
+  CHECK(seeds[1].v == Vec3(3, 4, 0));
+  CHECK(seeds[1].volume == 0.2);
+  CHECK(seeds[1].stress(0, 0) == 5);
   CHECK(seeds[1].stress(0, 1) == 8);
   CHECK(seeds[0].stress(2, 2) == 3);
 }

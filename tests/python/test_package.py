@@ -68,6 +68,19 @@ class Package(InFolder):
         self.assertEqual(version, tribo.__version__)
         self.assertGreater(int(files), 12)
 
+        # On a processor that lacks something, the import says so before it loads what was compiled.
+        with open("site/tribo/_needs.py", "a") as needs:
+            needs.write('features = ["sse2", "avx9000"]\n')
+        done = subprocess.run([sys.executable, "-E", "-c", code], capture_output=True, text=True)
+        self.assertNotEqual(done.returncode, 0)
+        self.assertIn("ImportError: this package was built for a processor with avx9000, which this one lacks", done.stderr)
+
+    def test_features_of_the_processor(self):
+        from tribo import _processor
+        self.assertEqual(_processor.missing("model name\t: some\nflags\t\t: fpu " + " ".join(_processor.features)), [])
+        self.assertEqual(_processor.missing("flags\t\t: fpu"), _processor.features)
+        self.assertEqual(_processor.missing(""), [])
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -11,6 +11,7 @@ Python, `simulate` takes a run step by step, `drive` tests a single law, `sweep`
 are classes of `MaterialLaw` and `ContactLaw`. `doc("MohrCoulomb")` describes a keyword.
 """
 
+from . import _processor  # first: it refuses a processor on which _core would crash
 from . import _core
 from .driving import drive
 from .errors import InputError, ModelWarning, NumericalError, OutputError, Problem, TriboError, UsageError
