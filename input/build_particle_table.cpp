@@ -61,8 +61,8 @@ void Builder::particle_table(const Statement& s) {
       problems_.add(found);
       if (!found.empty()) return;
     } else {
-      problems_.add(at,
-                    "the name of a table of particles ends with .csv, .txt, .vtp, .vtu or .vtk, not with '" + ending + "'");
+      problems_.add(
+          at, "the name of a table of particles ends with .csv, .txt, .vtp, .vtu or .vtk, not with '" + ending + "'");
       return;
     }
   } catch (const FileError& error) {

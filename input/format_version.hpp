@@ -12,7 +12,7 @@ namespace tribo {
 /// Three numbers, as in Semantic Versioning. What is left out is zero: `3` is 3.0.0, the format of NairnMPM.
 struct FormatVersion {
   int major = 0, minor = 0, patch = 0;
-  auto operator<=>(const FormatVersion&) const = default;
+  auto operator<=>(const FormatVersion&) const = default;  // NOLINT(modernize-use-nullptr): not a pointer
 };
 
 /// The newest version that this program reads. The second number rises with every release that adds keywords or

@@ -54,7 +54,8 @@ class Document {
   /// A text that names a material by its id, which may be defined later.
   static void refer_text(Statement& s, const std::string& id, const Origin& origin);
 
-  /// Sets the version of the format. Throws InputError if it is given already, or by the XML file that contains the script.
+  /// Sets the version of the format. Throws InputError if it is given already, or by the XML file that contains the
+  /// script.
   void set_version(const std::string& text, const Origin& origin);
 
   /// Adds a line to the description.

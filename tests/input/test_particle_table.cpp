@@ -190,10 +190,11 @@ TEST_CASE("a block of a particle file is a table of particles", "[table]") {
 }
 
 TEST_CASE("a file of the older format of VTK is a table of particles", "[table]") {
-  const ScratchFile file("grains.vtk",
-                         "# vtk DataFile Version 4.2\ngrains\nASCII\nDATASET POLYDATA\nPOINTS 2 double\n1 1 0 2 1 0\n"
-                         "POINT_DATA 2\nSCALARS volume double 1\nLOOKUP_TABLE default\n0.1 0.2\nVECTORS velocity double\n"
-                         "1 2 0 3 4 0\nTENSORS stress double\n1 4 0 4 2 0 0 0 3\n5 8 0 8 6 0 0 0 7\n");
+  const ScratchFile file(
+      "grains.vtk",
+      "# vtk DataFile Version 4.2\ngrains\nASCII\nDATASET POLYDATA\nPOINTS 2 double\n1 1 0 2 1 0\n"
+      "POINT_DATA 2\nSCALARS volume double 1\nLOOKUP_TABLE default\n0.1 0.2\nVECTORS velocity double\n"
+      "1 2 0 3 4 0\nTENSORS stress double\n1 4 0 4 2 0 0 0 3\n5 8 0 8 6 0 0 0 7\n");
   const Seeds seeds = particles_of(with_table("file='" + file.path + "'", 10));
   REQUIRE(seeds.size() == 2);
   CHECK(seeds[1].x == Vec3(2, 1, 0));
