@@ -184,21 +184,24 @@ def main():
     # Cases side by side, each on one processor; what they print stays together.
     os.environ.setdefault("OMP_NUM_THREADS", "1")
     failed = total = 0
+    stopped = []
     with concurrent.futures.ProcessPoolExecutor(os.cpu_count(), multiprocessing.get_context("fork")) as pool:
         for running in concurrent.futures.as_completed([pool.submit(run_case, name, tribo, quick) for name in names]):
             name, entry, printed = running.result()
             print(printed, end="", flush=True)
             if isinstance(entry, str):
-                sys.exit(entry)
+                print(f"STOP {name}: {entry}", flush=True)
+                stopped.append(name)
+                continue
             failed += sum(not r["passed"] for r in entry["results"])
             total += len(entry["results"])
             store[name] = entry
-    store = dict(sorted(store.items()))
-    if not quick:
-        record.write_text(json.dumps(store, indent=1) + "\n")
-        write_report(store)
-    print(f"{total - failed} passed, {failed} failed")
-    sys.exit(1 if failed else 0)
+            if not quick:  # after each case, so that a run that is interrupted keeps what it has
+                store = dict(sorted(store.items()))
+                record.write_text(json.dumps(store, indent=1) + "\n")
+                write_report(store)
+    print(f"{total - failed} passed, {failed} failed" + (f"; stopped: {', '.join(stopped)}" if stopped else ""))
+    sys.exit(1 if failed or stopped else 0)
 
 
 if __name__ == "__main__":
