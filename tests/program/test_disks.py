@@ -95,7 +95,7 @@ def writers(folder, new):
 
 def stopped_run(folder):
     """A run with some results and a checkpoint, which is not finished."""
-    code, errors = call("run", "--quiet", "--max-wall", "0.15", "-o", folder, deck)
+    code, errors = call("run", "--quiet", "--max-wall", "0.05", "-o", folder, deck)
     check(code == 6, f"the run was not stopped: {code}, {errors}")
 
 
