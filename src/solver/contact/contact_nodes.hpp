@@ -28,11 +28,18 @@ enum class ContactPass {
 ///
 /// `held` does the same for the normal direction, too. The work of an impulse is its product with the velocity that
 /// strains the bodies. By the law, faces under pressure would be held while the extrapolation makes them approach, in
-/// loading, but not while it makes them separate, in unloading: contact would create energy.
+/// loading, but not while it makes them separate, in unloading: contact would create energy. A film of liquid holds
+/// faces in the normal direction only; its drag follows from the extrapolated velocities. Where a law makes two fields
+/// one (IgnoreContact), they stick in every pass, to the last digit like one field.
 inline ContactResponse response_of(const ContactPair& pair, const ContactState& m, ContactPass pass) {
   ContactResponse out = pair.law->response(m);
-  if (pass == ContactPass::held && !pair.update_impulse.isZero(0) && !pair.law->interface()) {
-    out.impulse = m.mass * (m.velocity - pair.end_velocity);
+  const bool holds = pair.law->uses_face() && !pair.law->interface();
+  if (pass == ContactPass::held && holds && !pair.update_impulse.isZero(0)) {
+    const Vec3 held = m.mass * (m.velocity - pair.end_velocity);
+    if (pair.law->liquid() != 0)
+      out.impulse += (held - out.impulse).dot(m.normal) * m.normal;
+    else
+      out.impulse = held;
   } else if (pass != ContactPass::corrector && pair.stuck) {
     const Vec3 slide = m.velocity - m.velocity.dot(m.normal) * m.normal;
     out.impulse = out.impulse.dot(m.normal) * m.normal + m.mass * slide;
