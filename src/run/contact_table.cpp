@@ -3,6 +3,7 @@
 
 #include "base/text.hpp"
 #include "contact/contact_law.hpp"
+#include "materials/material.hpp"
 
 #include <algorithm>
 #include <map>
@@ -66,7 +67,15 @@ class ContactTable {
     return out + words_of_law(*law);
   }
 
-  // The pairs of materials whose velocity fields differ.
+  // Contact does not change the motion of two rigid bodies that follow a prescribed motion.
+  bool both_prescribed(const Body<Dim>& a, const Body<Dim>& b) const {
+    const auto prescribed = [&](const Body<Dim>& body) {
+      return body.block < 0 && model_.materials[static_cast<std::size_t>(body.material)].law->rigid();
+    };
+    return prescribed(a) && prescribed(b);
+  }
+
+  // The pairs of materials whose velocity fields differ and that contact can move.
   LawsOfPairs pairs() const {
     std::vector<const Body<Dim>*> bodies;
     for (const auto* list : {&system_.bodies, &system_.rigids})
@@ -77,7 +86,8 @@ class ContactTable {
       for (std::size_t j = i + 1; j < bodies.size(); ++j) {
         const int a = bodies[i]->material, b = bodies[j]->material;
         const bool blocks = bodies[i]->block >= 0 && bodies[j]->block >= 0;  // their joint laws are no contact laws
-        if (!blocks && bodies[i]->field != bodies[j]->field) laws[law_of(a, b)].insert({a, b});
+        if (!blocks && !both_prescribed(*bodies[i], *bodies[j]) && bodies[i]->field != bodies[j]->field)
+          laws[law_of(a, b)].insert({a, b});
       }
     return laws;
   }

@@ -155,14 +155,17 @@ class Report {
     static constexpr double touching = 1e-3;  // cells
     const bool separate = model_.contact.active;
     const auto grips = [&](int k) { return material(k).law->rigid() && !material(k).touches(); };
+    std::vector<std::string> touching_pairs, near_pairs;
     for (const auto& [pair, gap] : smallest_gaps<Dim>(seeds_, system_.lattice)) {
       if (grips(pair.first) || grips(pair.second)) continue;
       const std::string who = name(pair.first) + " and " + name(pair.second);
       if (gap < -touching && (may_overlap(pair.first) || may_overlap(pair.second))) {
         line("overlap: " + who + " by " + counted(-gap, "cell", "%.3g"));
         if (separate) advice_.push_back(who + " overlap at the start: contact will push them apart");
+      } else if (gap < touching) {
+        touching_pairs.push_back(who);
       } else if (gap < 1) {
-        line(gap < touching ? "touch: " + who : "gap: " + who + ", " + counted(gap, "cell", "%.3g"));
+        near_pairs.push_back(who + ", " + counted(gap, "cell", "%.3g"));
       }
       if (!separate && gap < 1)
         advice_.push_back(who +
@@ -176,6 +179,17 @@ class Report {
                           " apart: this way to find the gap may see contact before they touch; the default separation, "
                           "of the edges of particles, measures it");
     }
+    list_pairs("touch: ", touching_pairs);
+    list_pairs("gap: ", near_pairs);
+  }
+
+  // A line for each pair, or one for all if there are many.
+  void list_pairs(const std::string& what, const std::vector<std::string>& pairs) {
+    constexpr std::size_t listed = 6;
+    if (pairs.size() > listed)
+      line(what + std::to_string(pairs.size()) + " pairs of materials, the first of them " + pairs.front());
+    else
+      for (const std::string& pair : pairs) line(what + pair);
   }
 
   void stiffness() {

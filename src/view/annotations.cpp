@@ -62,7 +62,7 @@ void draw_axes(cairo_t* pen, const Sheet& l, const Camera& camera, const std::st
   }
   const std::string in_unit = unit.empty() ? "" : " [" + unit + "]";
   write_text(pen, camera.right_name + in_unit, l.left + l.width, bottom + 34, Anchor::right);
-  write_text(pen, camera.up_name + in_unit, 8, l.top - 2);
+  write_text(pen, camera.up_name + in_unit, 8, l.top - 9);  // above a number at the upper end of the axis
 }
 
 void draw_directions(cairo_t* pen, const Sheet& l, const Camera& camera) {
@@ -98,19 +98,22 @@ void draw_scale(cairo_t* pen, const Sheet& l, const Range& range, const std::str
     line(pen, x + width, y, x + width + 4, y);
     write_text(pen, short_number(value), x + width + 7, y + 4, Anchor::left, 11);
   }
-  write_text(pen, unit.empty() ? name : name + " [" + unit + "]", l.picture_width - 8.0, l.top - 14, Anchor::right, 13);
+  write_text(pen, unit.empty() ? name : name + " [" + unit + "]", l.picture_width - 8.0, l.top - above_names,
+             Anchor::right, 13);
 }
 
 void draw_names(cairo_t* pen, const Sheet& l, const std::vector<double>& values, const std::string& name,
                 const std::vector<std::string>& names) {
-  const std::set<int> things = [&] {
-    std::set<int> all;
-    for (const double v : values)
-      if (all.size() < 12 && !std::isnan(v)) all.insert(static_cast<int>(v));
-    return all;
-  }();
+  std::set<int> things;
+  for (const double v : values)
+    if (!std::isnan(v)) things.insert(static_cast<int>(v));
+  constexpr double row = 19;
+  const auto rows = static_cast<std::size_t>(std::max(2.0, std::floor((l.picture_height - l.top) / row)));
+  const std::size_t shown = things.size() <= rows ? things.size() : rows - 1;
+  std::size_t drawn = 0;
   double y = l.top + 14;
   for (const int k : things) {
+    if (drawn++ == shown) break;
     const Colour c = distinct(k - 1);
     cairo_set_source_rgb(pen, c[0] / 255.0, c[1] / 255.0, c[2] / 255.0);
     cairo_rectangle(pen, l.left + l.width + 18, y - 10, 14, 12);
@@ -119,9 +122,12 @@ void draw_names(cairo_t* pen, const Sheet& l, const std::vector<double>& values,
     const bool named = k >= 1 && static_cast<std::size_t>(k) <= names.size();
     write_within(pen, named ? names[static_cast<std::size_t>(k) - 1] : std::to_string(k), l.left + l.width + 38, y,
                  l.picture_width - 4.0);
-    y += 19;
+    y += row;
   }
-  write_text(pen, name, l.picture_width - 8.0, l.top - 14, Anchor::right, 13);
+  if (shown < things.size())
+    write_within(pen, "and " + std::to_string(things.size() - shown) + " more", l.left + l.width + 38, y,
+                 l.picture_width - 4.0);
+  write_text(pen, name, l.picture_width - 8.0, l.top - above_names, Anchor::right, 13);
 }
 
 }  // namespace tribo

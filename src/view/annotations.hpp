@@ -8,6 +8,9 @@
 
 namespace tribo {
 
+/// Distance of the names of the run and of the field from the upper edge of the frame [pixels].
+inline constexpr double above_names = 24;
+
 /// Which point of a text is at its place.
 enum class Anchor { left, middle, right };
 void write_text(cairo_t* pen, const std::string& text, double x, double y, Anchor anchor = Anchor::left,

@@ -27,7 +27,7 @@ using Surface = std::unique_ptr<cairo_surface_t, Destroy>;
 using Pen = std::unique_ptr<cairo_t, Destroy>;
 
 constexpr double least_width = 170;
-constexpr double margin_left = 64, margin_right = 118, margin_top = 36, margin_bottom = 44;
+constexpr double margin_left = 64, margin_right = 118, margin_top = 44, margin_bottom = 44;
 
 Sheet lay_out(const Window& w, int width, bool axes) {
   const double u0 = w.left, u1 = w.right, v0 = w.low, v1 = w.high;
@@ -262,7 +262,7 @@ std::string picture(const Scene& scene, const PictureOptions& options) {
     draw_scale(pen.get(), l, range, shade.name, options.unit);
   cairo_set_source_rgb(pen.get(), 0.2, 0.2, 0.2);
   write_text(pen.get(), "time " + short_number(scene.time) + (options.time_unit.empty() ? "" : " " + options.time_unit),
-             l.left - std::max(0.0, 0.5 * (least_width - l.width)), l.top - 14, Anchor::left, 13);
+             l.left - std::max(0.0, 0.5 * (least_width - l.width)), l.top - above_names, Anchor::left, 13);
   std::string png;
   if (cairo_surface_write_to_png_stream(surface.get(), append, &png) != CAIRO_STATUS_SUCCESS)
     throw FileError("the picture could not be drawn");

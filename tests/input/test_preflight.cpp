@@ -300,6 +300,30 @@ TEST_CASE("pairs of materials with the same contact law share a line of the summ
   CHECK_THAT(wall, Contains("contact of 'a' with 'b', 'c', 'd': friction 0.1\n"));
 }
 
+TEST_CASE("the summary counts the pairs that touch where there are many", "[preflight]") {
+  const auto row = [](int count) {
+    std::string bodies, list;
+    for (int k = 0; k < count; ++k) {
+      const std::string who(1, static_cast<char>('a' + k)), x = std::to_string(2 * k), end = std::to_string(2 * k + 2);
+      bodies += "<Body matname='" + who + "'><Rect xmin='" + x + "' xmax='" + end + "' ymin='2' ymax='3'/></Body>";
+      list += "<Material Type='1' Name='" + who + "'><rho>1000</rho><E>1e6</E><nu>0</nu></Material>";
+    }
+    return one_block("<Rect xmin='16' xmax='19' ymin='6' ymax='9'/>", list, "<Horiz nx='20'/><Vert ny='10'/>", contact,
+                     bodies);
+  };
+  CHECK_THAT(row(7), Contains("touch: 'a' and 'b'\n") && Contains("touch: 'f' and 'g'\n"));
+  CHECK_THAT(row(8), Contains("touch: 7 pairs of materials, the first of them 'a' and 'b'\n") && !Contains("'f' and"));
+}
+
+TEST_CASE("the summary has no contact law between rigid bodies, which contact cannot move", "[preflight]") {
+  const std::string tools = "<Material Type='RigidContact' Name='p'/><Material Type='RigidContact' Name='q'/>";
+  const std::string text = one_block("<Rect xmin='4' xmax='8' ymin='2' ymax='6'/>", tools,
+                                     "<Horiz nx='20'/><Vert ny='10'/>", contact,
+                                     "<Body matname='p'><Rect xmin='2' xmax='4' ymin='2' ymax='6'/></Body>"
+                                     "<Body matname='q'><Rect xmin='2' xmax='8' ymin='1' ymax='2'/></Body>");
+  CHECK_THAT(text, Contains("contact of all pairs (2): without friction"));
+}
+
 TEST_CASE("the summary warns of bodies that claim the same place", "[preflight]") {
   const std::string other = "<Material Type='1' Name='n'><rho>1000</rho><E>1e6</E><nu>0</nu></Material>";
   const auto with = [&](const std::string& first, const std::string& second) {

@@ -232,8 +232,8 @@ TEST_CASE("a picture shows particles where they are, in the colours of their val
 
   options.field = "material";
   const Pixels m = read_png(picture(frame, options));
-  CHECK(m.at(64 + 0.5 * (m.width - 182), 36 + 0.75 * (m.height - 80)) == distinct(0));  // y points up
-  CHECK(m.at(64 + 0.5 * (m.width - 182), 36 + 0.25 * (m.height - 80)) == distinct(1));
+  CHECK(m.at(64 + 0.5 * (m.width - 182), 44 + 0.75 * (m.height - 88)) == distinct(0));  // y points up
+  CHECK(m.at(64 + 0.5 * (m.width - 182), 44 + 0.25 * (m.height - 88)) == distinct(1));
 }
 
 TEST_CASE("domains are drawn where they are, with their area and without holes", "[view]") {
@@ -254,7 +254,7 @@ TEST_CASE("domains are drawn where they are, with their area and without holes",
   // with 118 on the right.
   const double around = 0.8 * std::sqrt(4.5), margin = around + 0.02 * (6.75 + 2 * around);
   const double scale = (1200 - 182) / (6.75 + 2 * margin);
-  const double x0 = 64 + (1.875 + margin) * scale, y0 = 36 + (0.75 + margin) * scale;
+  const double x0 = 64 + (1.875 + margin) * scale, y0 = 44 + (0.75 + margin) * scale;
   const auto at = [&](double x, double y) { return p.at(x0 + x * scale, y0 - y * scale); };
   CHECK(at(-1.0, -0.6) == distinct(0));
   CHECK(at(1.7, 0.7) == distinct(0));   // sheared to the right above, by 0.5 times the height
@@ -271,7 +271,7 @@ TEST_CASE("domains are drawn where they are, with their area and without holes",
   const Pixels apart = read_png(picture(frame, options));
   for (const int k : {0, 1}) CHECK(count(apart, distinct(k)) > 1000);
   const double border = around + 0.02 * (9.75 + 2 * around), wide = (1200 - 182) / (9.75 + 2 * border);
-  CHECK(apart.at(64 + (1.875 + border + 3) * wide, 36 + (0.75 + border) * wide) == Colour{255, 255, 255});
+  CHECK(apart.at(64 + (1.875 + border + 3) * wide, 44 + (0.75 + border) * wide) == Colour{255, 255, 255});
 }
 
 TEST_CASE("slits between stretched domains that are shorter than the domains are filled", "[view]") {
@@ -290,7 +290,7 @@ TEST_CASE("slits between stretched domains that are shorter than the domains are
     const double ratio = half_length / half_height;
     const double around = std::max(0.8 * std::sqrt(2.0), ratio > 2 ? 0.8 * half_length : 0.0);
     const double margin = around + 0.02 * (wide + 2 * around), scale = (1200 - 182) / (wide + 2 * margin);
-    return p.at(64 + 0.5 * (1200 - 182), 36 + 0.5 * (high + 2 * margin) * scale);
+    return p.at(64 + 0.5 * (1200 - 182), 44 + 0.5 * (high + 2 * margin) * scale);
   };
   CHECK(centre(2, 0.25) == distinct(0));
   CHECK(centre(std::sqrt(0.5), std::sqrt(0.5)) == Colour{255, 255, 255});
@@ -412,6 +412,35 @@ TEST_CASE("tables are read back, without a torn last line", "[view]") {
   CHECK_FALSE(table.column("vely"));
   CHECK_THROWS_AS(read_table(scratch.path / "none.csv"), FileError);
   CHECK_THROWS_WITH(RunFolder(scratch.path), Catch::Contains("not the folder of a run"));
+}
+
+TEST_CASE("The legend of categories lists as many as fit, and says how many more there are", "[view]") {
+  Scene scene;
+  PictureOptions options;
+  options.field = "material", options.width = 400;
+  // the coloured squares beside the particles, each 14 x 12 pixels; colours repeat after ten
+  const auto squares = [&](int materials) {
+    scene.particles.position.clear();
+    std::vector<double> numbers;
+    for (int k = 0; k < materials; ++k) {
+      scene.particles.position.push_back({k % 2 == 0 ? 0.0 : 10.0, 0.05 * k, 0.0});
+      numbers.push_back(k + 1);
+    }
+    scene.particles.fields = {{"material", 1, true, numbers}};
+    const Pixels p = read_png(picture(scene, options));
+    int rows = 0;
+    bool inside = false;
+    const int column = p.width - 118 + 18 + 7;
+    for (int y = 0; y < p.height; ++y) {
+      const bool white = p.at(column, y) == Colour{255, 255, 255};
+      rows += !white && !inside ? 1 : 0, inside = !white;
+    }
+    return rows;
+  };
+  CHECK(squares(4) == 4);
+  const int shown = squares(100);
+  CHECK(shown > 4);
+  CHECK(shown < 30);
 }
 
 TEST_CASE("Blocks are drawn with their field, grey without, and broken bonds on them", "[view]") {
