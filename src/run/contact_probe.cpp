@@ -27,15 +27,15 @@ class ContactProbe {
 
   double bring() {
     double in_contact = 0.0;
-    int moved = 0;
+    int counted = 0;
     for (auto* body : bodies_)
-      if (const double time = bring(*body); time < model_.time.end) {
+      if (const double time = has_neighbour(*body) ? 0.0 : bring(*body); time < model_.time.end) {
         in_contact += 1 - time / model_.time.end;
-        ++moved;
+        ++counted;
       }
-    if (moved == 0) return 0.0;
+    if (counted == 0) return 0.0;
     system_.sorted = false;
-    return in_contact / moved;
+    return in_contact / counted;
   }
 
  private:
@@ -102,7 +102,7 @@ class ContactProbe {
                                        : !body.law->rigid();
     const Vec<Dim> g = falls ? Vec<Dim>(model_.body_force.gravity.template head<Dim>()) : Vec<Dim>(Vec<Dim>::Zero());
     const double never = std::numeric_limits<double>::infinity();
-    if ((v.isZero() && g.isZero()) || has_neighbour(body)) return never;
+    if (v.isZero() && g.isZero()) return never;
     const double h = system_.lattice.smallest_spacing();
     double time = 0.0;
     for (Vec<Dim> shift = Vec<Dim>::Zero(); time < model_.time.end;) {
@@ -153,9 +153,32 @@ double bring_into_contact(const Model& model, System<Dim>& system) {
   return ContactProbe<Dim>(model, system).bring();
 }
 
+template <int Dim>
+void press_bodies(System<Dim>& system, double speed) {
+  const auto middle_of = [](const Body<Dim>& body) {
+    Vec<Dim> sum = Vec<Dim>::Zero();
+    for (std::size_t i = 0; i < body.particles.size(); ++i) sum += body.particles.position(i);
+    return Vec<Dim>(sum / std::max<double>(1, static_cast<double>(body.particles.size())));
+  };
+  Vec<Dim> middle = Vec<Dim>::Zero();
+  for (const auto* list : {&system.bodies, &system.rigids})
+    for (const auto& body : *list)
+      middle += middle_of(body) / static_cast<double>(system.bodies.size() + system.rigids.size());
+  for (auto& body : system.bodies) {
+    const Vec<Dim> way = middle - middle_of(body);
+    if (!(way.norm() > 0)) continue;
+    const auto v = body.particles.v();
+    for (std::size_t d = 0; d < Dim; ++d)
+      for (std::size_t i = 0; i < body.particles.size(); ++i)
+        v[d][i] += speed * way[static_cast<Eigen::Index>(d)] / way.norm();
+  }
+}
+
 template bool has_neighbours<2>(const Model&, System<2>&);
 template bool has_neighbours<3>(const Model&, System<3>&);
 template double bring_into_contact<2>(const Model&, System<2>&);
 template double bring_into_contact<3>(const Model&, System<3>&);
+template void press_bodies<2>(System<2>&, double);
+template void press_bodies<3>(System<3>&, double);
 
 }  // namespace tribo
