@@ -1,51 +1,88 @@
 // SPDX-License-Identifier: MIT
 #include "solver/contact/node_solver.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <vector>
 
 namespace tribo {
 namespace {
 
-constexpr int max_sweeps = 200;
-// Of the impulses, relative. Their error is that of the last change times r / (1 - r) with the rate of convergence r,
-// which is 0.5 to 0.9 at nodes of many bodies. It is far below that of the interpolation between particles and nodes,
-// and the tolerance far above round-off.
+constexpr int max_passes = 100;
+// Of the impulses, relative. Their error is that of the last change times r / (1 - r) with the rate of convergence r.
+// It is far below that of the interpolation between particles and nodes, and the tolerance far above round-off.
 constexpr double tolerance = 1e-13;
 // Where faces stick and slip in turn, the iteration does not converge: the changes no longer decrease. It ends when
-// this many sweeps have not made the smallest change half as large.
-constexpr int patience = 30;
+// this many passes have not made the smallest change half as large.
+constexpr int patience = 10;
+// Changes that decrease by the same rate from pass to pass are summed up to their limit. Rates beyond the largest would
+// extrapolate too far; where the rate is small the passes suffice.
+constexpr double least_rate = 0.05, largest_rate = 0.98;
 
-// Change of the impulses in a sweep, and what it is to be compared with.
+// Change of the impulses in a pass, and what it is to be compared with.
 struct Change {
   double change = 0.0, size = 0.0;
-  void operator+=(const Change& other) { change += other.change, size += other.size; }
   bool is_small() const { return change <= tolerance * tolerance * size; }
 };
 
+// A pair on which an impulse may act, its impulse before the present pass, and the changes in the last two passes.
+struct ActivePair {
+  ContactPair* pair;
+  Vec3 old = Vec3::Zero(), change = Vec3::Zero(), before = Vec3::Zero();
+};
+
+void add_impulse(std::span<ContactMember> members, ContactPair& pair, const Vec3& impulse) {
+  ContactMember &a = members[pair.a], &b = members[pair.b];
+  pair.impulse += impulse;
+  a.velocity += a.inverse_mass * impulse, b.velocity -= b.inverse_mass * impulse;
+}
+
 // The law reads the relative velocity without the impulse of its own pair.
-Change solve_pair(std::span<ContactMember> members, ContactPair& pair, ContactPass pass) {
+void solve_pair(std::span<ContactMember> members, ContactPair& pair, ContactPass pass) {
   ContactState& m = pair.state;
   ContactMember &a = members[pair.a], &b = members[pair.b];
-  m.velocity = b.velocity - a.velocity + pair.impulse / m.mass;
-  m.start = b.start_velocity - a.start_velocity;
+  m.velocity = b.velocity - a.velocity + (a.inverse_mass + b.inverse_mass) * pair.impulse;
   pair.response = response_of(pair, m, pass);
   const Vec3 change = pair.response.impulse - pair.impulse;
-  const double size =
-      pair.response.impulse.squaredNorm() + pair.impulse.squaredNorm() + m.mass * m.mass * m.velocity.squaredNorm();
   pair.impulse = pair.response.impulse;
   a.velocity += a.inverse_mass * change, b.velocity -= b.inverse_mass * change;
-  return {change.squaredNorm(), size};
+}
+
+// All pairs, forward and backward.
+Change pass_over(std::span<ContactMember> members, std::span<ActivePair> pairs, ContactPass pass) {
+  for (ActivePair& p : pairs) p.old = p.pair->impulse, solve_pair(members, *p.pair, pass);
+  for (std::size_t k = pairs.size() - 1; k-- > 0;) solve_pair(members, *pairs[k].pair, pass);
+  Change all;
+  for (ActivePair& p : pairs) {
+    const ContactState& m = p.pair->state;
+    p.before = p.change, p.change = p.pair->impulse - p.old;
+    all.change += p.change.squaredNorm();
+    all.size += p.pair->impulse.squaredNorm() + p.old.squaredNorm() + m.mass * m.mass * m.velocity.squaredNorm();
+  }
+  return all;
+}
+
+// Aitken's extrapolation of all impulses from the last two passes; false if the changes do not decrease steadily. The
+// passes that follow bring the impulses back into the limits of their laws.
+bool extrapolate(std::span<ContactMember> members, std::span<const ActivePair> pairs) {
+  double product = 0.0, square = 0.0;
+  for (const ActivePair& p : pairs) product += p.change.dot(p.before), square += p.before.squaredNorm();
+  if (!(product > least_rate * square)) return false;
+  const double rate = std::min(product / square, largest_rate);
+  for (const ActivePair& p : pairs) add_impulse(members, *p.pair, rate / (1.0 - rate) * p.change);
+  return true;
 }
 
 // Velocities of the members after the present impulses, against one of them, which saves digits if all move fast.
-void begin_velocities(std::span<ContactMember> members, std::span<ContactPair* const> pairs) {
-  const Vec3 common = members[pairs[0]->a].trial_velocity;
-  for (const ContactPair* pair : pairs)
-    for (const std::size_t i : {pair->a, pair->b}) members[i].velocity = members[i].trial_velocity - common;
-  for (const ContactPair* pair : pairs) {
-    ContactMember &a = members[pair->a], &b = members[pair->b];
-    a.velocity += a.inverse_mass * pair->impulse, b.velocity -= b.inverse_mass * pair->impulse;
+void begin_velocities(std::span<ContactMember> members, std::span<const ActivePair> pairs) {
+  const Vec3 common = members[pairs[0].pair->a].trial_velocity;
+  for (const ActivePair& p : pairs) {
+    for (const std::size_t i : {p.pair->a, p.pair->b}) members[i].velocity = members[i].trial_velocity - common;
+    p.pair->state.start = members[p.pair->b].start_velocity - members[p.pair->a].start_velocity;
+  }
+  for (const ActivePair& p : pairs) {
+    ContactMember &a = members[p.pair->a], &b = members[p.pair->b];
+    a.velocity += a.inverse_mass * p.pair->impulse, b.velocity -= b.inverse_mass * p.pair->impulse;
   }
 }
 
@@ -62,29 +99,28 @@ Vec3 velocity_after(std::span<const ContactMember> members, std::span<const Cont
 }
 
 void solve_node(std::span<ContactMember> members, std::span<ContactPair> pairs, ContactPass pass, bool warm_start) {
-  thread_local std::vector<ContactPair*> active;
+  thread_local std::vector<ActivePair> active;
   active.clear();
   for (ContactPair& pair : pairs) {
     if (!warm_start) pair.impulse.setZero(), pair.response = {};
-    if (!pair.has_no_face && !pair.replaced_by_joint) active.push_back(&pair);
+    if (!pair.has_no_face && !pair.replaced_by_joint) active.push_back({&pair});
   }
   if (active.empty()) return;
   begin_velocities(members, active);
   if (active.size() == 1) {
-    solve_pair(members, *active[0], pass);
+    solve_pair(members, *active[0].pair, pass);
     return;
   }
   double least = std::numeric_limits<double>::infinity();
-  int waited = 0;
-  for (int sweep = 0; sweep < max_sweeps; ++sweep) {
-    Change change;
-    for (std::size_t k = 0; k < active.size(); ++k)
-      change += solve_pair(members, *active[sweep % 2 == 0 ? k : active.size() - 1 - k], pass);
+  int waited = 0, steady = 0;  // passes since the change decreased, and since the last extrapolation
+  for (int k = 0; k < max_passes; ++k) {
+    const Change change = pass_over(members, active, pass);
     if (change.is_small()) break;
     if (change.change < 0.25 * least)
       least = change.change, waited = 0;
     else if (++waited == patience)
       break;
+    if (++steady >= 2 && k + 1 < max_passes && extrapolate(members, active)) steady = 0;
   }
 }
 

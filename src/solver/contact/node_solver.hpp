@@ -16,9 +16,11 @@ Vec3 velocity_after(std::span<const ContactMember> members, std::span<const Cont
 /// Finds the impulses of the pairs of a node so that each pair obeys its law for the velocities that the impulses of
 /// all other pairs leave.
 ///
-/// Projected Gauss-Seidel iteration whose sweeps run forward and backward in turn. A single pair needs one sweep. The
-/// impulses on the two members of a pair are equal and opposite, so momentum is conserved to round-off. With
-/// frictionless laws the result minimises the kinetic energy under the constraint that no gap closes further.
+/// Projected Gauss-Seidel iteration. A pass goes through all pairs forward and backward, which makes its linear part
+/// symmetric, so that the changes from pass to pass decrease steadily; they are extrapolated by Aitken's method. A
+/// single pair needs no iteration. The impulses on the two members of a pair are equal and opposite, so momentum is
+/// conserved to round-off. With frictionless laws the result minimises the kinetic energy under the constraint that no
+/// gap closes further.
 ///
 /// `members`: their trial and start velocities, masses. `pairs`: in, ContactState without velocities; out, impulse and
 /// response. `pass`: imperfect interfaces act in the corrector only, see also response_of. `warm_start`: begin with the
