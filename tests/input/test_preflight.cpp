@@ -317,10 +317,10 @@ TEST_CASE("the summary counts the pairs that touch where there are many", "[pref
 
 TEST_CASE("the summary has no contact law between rigid bodies, which contact cannot move", "[preflight]") {
   const std::string tools = "<Material Type='RigidContact' Name='p'/><Material Type='RigidContact' Name='q'/>";
-  const std::string text = one_block("<Rect xmin='4' xmax='8' ymin='2' ymax='6'/>", tools,
-                                     "<Horiz nx='20'/><Vert ny='10'/>", contact,
-                                     "<Body matname='p'><Rect xmin='2' xmax='4' ymin='2' ymax='6'/></Body>"
-                                     "<Body matname='q'><Rect xmin='2' xmax='8' ymin='1' ymax='2'/></Body>");
+  const std::string text =
+      one_block("<Rect xmin='4' xmax='8' ymin='2' ymax='6'/>", tools, "<Horiz nx='20'/><Vert ny='10'/>", contact,
+                "<Body matname='p'><Rect xmin='2' xmax='4' ymin='2' ymax='6'/></Body>"
+                "<Body matname='q'><Rect xmin='2' xmax='8' ymin='1' ymax='2'/></Body>");
   CHECK_THAT(text, Contains("contact of all pairs (2): without friction"));
 }
 
