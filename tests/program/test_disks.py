@@ -57,7 +57,7 @@ def disk(size):
     """A small disk, or None if none can be mounted."""
     place = work / "disk"
     place.mkdir(exist_ok=True)
-    mounted = subprocess.run(["mount", "-t", "tmpfs", "-o", f"size={size}", "none", place], capture_output=True, check=False).returncode == 0
+    mounted = shutil.which("mount") and subprocess.run(["mount", "-t", "tmpfs", "-o", f"size={size}", "none", place], capture_output=True, check=False).returncode == 0
     if not mounted and "full disks" not in left_out:
         left_out.append("full disks")
     try:
