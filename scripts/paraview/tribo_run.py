@@ -4,7 +4,7 @@
 As a macro: Macros > Import new macro, then start the macro and choose the file run.pvd, or select it in the pipeline first.
 From a shell:  paraview --script=tribo_run.py          with the folder of the run in the variable TRIBO_RUN
                pvpython tribo_run.py FOLDER PICTURE [FIELD [TIME]]    draws a picture
-The blocks of the run are named as the materials: the inspector "Multi-block" shows and hides them.
+The blocks of the run are named as the materials and their bodies: the inspector "Multi-block" shows and hides them.
 """
 
 import json

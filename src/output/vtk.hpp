@@ -53,9 +53,11 @@ struct OutputBlock {
   std::string name;  ///< which ParaView lists
   int number = 0;    ///< in the name of its file
   std::size_t begin = 0, count = 0;
+  std::string group = {};  ///< name of the block that contains it and its neighbours of the same group; empty: none
+  int part = 0;            ///< number within the group, in the name of the file after `number`
 };
-/// Writes the particles of each block to a file `STEM_NUMBER.vtp` beside `path`, as write_particles, and then `path`,
-/// STEM.vtm, which lists them with their names. Throws FileError.
+/// Writes the particles of each block to a file `STEM_NUMBER.vtp`, or in a group `STEM_NUMBER_PART.vtp`, beside `path`,
+/// as write_particles, and then `path`, STEM.vtm, which lists them with their names. Throws FileError.
 void write_particle_blocks(const std::filesystem::path& path, std::span<const OutputBlock> blocks,
                            const OutputRows& position, std::span<const OutputField> fields, double time,
                            std::span<const std::string> materials);
@@ -119,6 +121,7 @@ CellFrame read_cells(const std::filesystem::path& path);
 struct CollectionEntry {
   double time = 0.0;
   std::filesystem::path file;
+  std::string name = {};  ///< of a part, if a time has several files
 };
 /// The entries of a .pvd file, with whole paths. Throws FileError.
 std::vector<CollectionEntry> read_collection(const std::filesystem::path& path);
@@ -138,11 +141,16 @@ class Collection {
   /// Takes over the entries of an existing file up to a time. Throws FileError if the file is damaged.
   void resume(double time);
   /// Adds a file, relative to the collection, and rewrites the collection, by a job of the queue if there is one.
-  void add(double time, const std::string& file, OutputQueue* queue = nullptr);
+  void add(double time, const std::string& file, OutputQueue* queue = nullptr) { add(time, {{"", file}}, queue); }
+  /// Adds several files of one time, which ParaView shows together, with their names.
+  struct Part {
+    std::string name, file;
+  };
+  void add(double time, const std::vector<Part>& parts, OutputQueue* queue = nullptr);
   std::size_t size() const { return count_; }
 
  private:
-  void append(double time, const std::string& file);
+  void append(double time, const std::vector<Part>& parts);
   std::filesystem::path path_;
   std::string lines_;
   std::size_t count_ = 0;

@@ -44,6 +44,7 @@ class FileList {
     if (stop == std::string::npos) fail(printable(line_));
     return line_.substr(from, stop - from);
   }
+  bool has(const std::string& name) const { return line_.find(" " + name + "=\"") != std::string::npos; }
   double time() const {
     const auto time = to_number(value("timestep"));
     if (!time) fail("a time is no number: " + printable(line_));
@@ -87,7 +88,7 @@ std::vector<CollectionEntry> read_collection(const std::filesystem::path& path) 
   for (FileList list(path); list.next();) {
     const double time = list.time();
     if (!entries.empty() && time < entries.back().time) list.fail("its times go back: " + list.line());
-    entries.push_back({time, list.file()});
+    entries.push_back({time, list.file(), list.has("name") ? list.value("name") : ""});
   }
   return entries;
 }
@@ -104,16 +105,27 @@ std::vector<BlockEntry> read_blocks(const std::filesystem::path& path) {
 void write_particle_blocks(const std::filesystem::path& path, std::span<const OutputBlock> blocks,
                            const OutputRows& position, std::span<const OutputField> fields, double time,
                            std::span<const std::string> materials) {
-  std::string lines;
-  for (std::size_t k = 0; k < blocks.size(); ++k) {
-    const OutputBlock& block = blocks[k];
+  std::string lines, group;
+  std::size_t outer = 0, inner = 0;
+  const auto close_group = [&] {
+    if (!group.empty()) lines += "</Block>\n";
+  };
+  for (const OutputBlock& block : blocks) {
+    if (block.group != group) {
+      close_group();
+      group = block.group, inner = 0;
+      if (!group.empty())
+        lines += "<Block index=\"" + std::to_string(outer++) + "\" name=\"" + escaped(group) + "\">\n";
+    }
     std::vector<OutputField> own;
     for (const OutputField& field : fields) own.push_back(from_row(field, block.begin));
-    const std::string file = path.stem().string() + "_" + std::to_string(block.number) + ".vtp";
+    const std::string file = path.stem().string() + "_" + std::to_string(block.number) +
+                             (group.empty() ? "" : "_" + std::to_string(block.part)) + ".vtp";
     write_particles(path.parent_path() / file, block.count, from_row(position, block.begin), own, time, materials);
-    lines +=
-        "<DataSet index=\"" + std::to_string(k) + "\" name=\"" + escaped(block.name) + "\" file=\"" + file + "\"/>\n";
+    lines += "<DataSet index=\"" + std::to_string(group.empty() ? outer++ : inner++) + "\" name=\"" +
+             escaped(block.name) + "\" file=\"" + file + "\"/>\n";
   }
+  close_group();
   write_atomically(path, list_head +
                              std::string("vtkMultiBlockDataSet\" version=\"1.0\" byte_order=\"LittleEndian\">\n"
                                          "<vtkMultiBlockDataSet>\n") +
@@ -122,16 +134,27 @@ void write_particle_blocks(const std::filesystem::path& path, std::span<const Ou
 
 void Collection::resume(double time) {
   lines_.clear(), count_ = 0;
-  for (const auto& e : read_collection(path_))
-    if (e.time <= time) append(e.time, std::filesystem::relative(e.file, path_.parent_path()).string());
+  const auto entries = read_collection(path_);
+  for (std::size_t k = 0; k < entries.size() && entries[k].time <= time;) {
+    const double at = entries[k].time;
+    std::vector<Part> parts;
+    for (; k < entries.size() && entries[k].time == at; ++k)
+      parts.push_back({entries[k].name, std::filesystem::relative(entries[k].file, path_.parent_path()).string()});
+    append(at, parts);
+  }
 }
 
-void Collection::append(double time, const std::string& file) {
-  lines_ += "<DataSet timestep=\"" + number_text(time) + "\" part=\"0\" file=\"" + file + "\"/>\n", ++count_;
+void Collection::append(double time, const std::vector<Part>& parts) {
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    const std::string name = parts[k].name.empty() ? "" : " name=\"" + parts[k].name + "\"";
+    lines_ += "<DataSet timestep=\"" + number_text(time) + "\" part=\"" + std::to_string(k) + "\"" + name + " file=\"" +
+              parts[k].file + "\"/>\n";
+  }
+  ++count_;
 }
 
-void Collection::add(double time, const std::string& file, OutputQueue* queue) {
-  append(time, file);
+void Collection::add(double time, const std::vector<Part>& parts, OutputQueue* queue) {
+  append(time, parts);
   const std::string text = list_head +
                            std::string("Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n<Collection>\n") +
                            lines_ + "</Collection>\n</VTKFile>\n";

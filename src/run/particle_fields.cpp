@@ -115,16 +115,12 @@ bool is_compact(const Mat<Dim>& axes, const Vec<Dim>& cell, bool limits) {
 
 template <int Dim>
 ParticleFields<Dim>::ParticleFields(const Model& model, std::vector<Body<Dim>*> bodies,
-                                    const std::vector<std::string>& names, Precision precision)
+                                    const std::vector<std::string>& names, Precision precision,
+                                    std::span<const PieceNumbers> pieces)
     : bodies_(std::move(bodies)),
       limits_(model.scheme.kernel != Kernel::cpdi),
       single_(precision == Precision::single) {
-  for (const auto* body : bodies_) {
-    const std::size_t own = body->particles.size();
-    blocks_.push_back(
-        {model.materials[static_cast<std::size_t>(body->material)].name, body->material + 1, count_, own});
-    count_ += own;
-  }
+  add_blocks(model, pieces);
   add_positions();
   for (const auto& name : names) {
     const ParticleField* field = find_particle_field(name);
@@ -138,15 +134,45 @@ ParticleFields<Dim>::ParticleFields(const Model& model, std::vector<Body<Dim>*> 
   fill();
 }
 
+template <int Dim>
+void ParticleFields<Dim>::add_blocks(const Model& model, std::span<const PieceNumbers> pieces) {
+  static constexpr std::size_t most = 20;  // a folder of thousands of small files is of no use
+  for (const auto* body : bodies_) {
+    const std::string& name = model.materials[static_cast<std::size_t>(body->material)].name;
+    const std::size_t own = body->particles.size();
+    std::vector<std::pair<std::int64_t, std::int64_t>> parts;
+    for (const PieceNumbers& p : pieces)
+      if (model.pieces[static_cast<std::size_t>(p.piece)].material == body->material)
+        parts.emplace_back(p.first, p.last);
+    orders_.emplace_back();
+    if (parts.size() < 2 || parts.size() > most) {
+      blocks_.push_back({name, body->material + 1, count_, own});
+    } else {
+      orders_.back() = order_by_body({body->particles.id.data(), own}, parts);
+      std::size_t at = count_;
+      const auto& counts = orders_.back().counts;
+      for (std::size_t k = 0; k < counts.size(); ++k) {
+        const bool later = k == parts.size();
+        const std::string own_name = name + (later ? ", came later" : " " + std::to_string(k + 1));
+        if (!later || counts[k] > 0 || model.particles_change() || model.splitting)
+          blocks_.push_back({own_name, body->material + 1, at, counts[k], name, static_cast<int>(k) + 1});
+        at += counts[k];
+      }
+    }
+    count_ += own;
+  }
+}
+
 // All fields of some particles, then of the next ones, as long as they are in the cache.
 template <int Dim>
 void ParticleFields<Dim>::fill() {
   static constexpr std::size_t size = 1024;
   std::vector<Part> parts;
   std::size_t at = 0;
-  for (auto* body : bodies_) {
-    const std::size_t n = body->particles.size();
-    for (std::size_t i = 0; i < n; i += size) parts.push_back({body, i, std::min(n, i + size), at + i});
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    const std::size_t n = bodies_[b]->particles.size();
+    const std::uint32_t* order = orders_[b].particles.empty() ? nullptr : orders_[b].particles.data();
+    for (std::size_t i = 0; i < n; i += size) parts.push_back({bodies_[b], order, i, std::min(n, i + size), at + i});
     at += n;
   }
   std::vector<char> finite(parts.size());
@@ -159,7 +185,7 @@ void ParticleFields<Dim>::fill() {
     finite[static_cast<std::size_t>(k)] = std::all_of(doubles_.begin(), doubles_.end(), is_finite) &&
                                           std::all_of(floats_.begin(), floats_.end(), is_finite);
   });
-  fills_.clear();
+  fills_.clear(), orders_.clear();
   if (std::count(finite.begin(), finite.end(), 0) > 0) check_rows(count_, positions_, fields_);
 }
 
@@ -183,7 +209,7 @@ void ParticleFields<Dim>::add_positions() {
     const auto x = part.body->particles.x();
     double* at = to + 3 * part.at;
     for (std::size_t i = part.begin; i < part.end; ++i)
-      for (std::size_t d = 0; d < 3; ++d) *at++ = d < Dim ? x[d < Dim ? d : 0][i] : 0.0;
+      for (std::size_t d = 0; d < 3; ++d) *at++ = d < Dim ? x[d < Dim ? d : 0][part.particle(i)] : 0.0;
   });
 }
 
@@ -206,7 +232,7 @@ void ParticleFields<Dim>::add_integer(const ParticleField& field) {
   fills_.push_back([a, value = field.value.integer](const Part& part) {
     BodyParticle<Dim> particle(*part.body);
     std::size_t at = part.at;
-    for (std::size_t i = part.begin; i < part.end; ++i) particle.select(i), a[at++] = value(particle);
+    for (std::size_t i = part.begin; i < part.end; ++i) particle.select(part.particle(i)), a[at++] = value(particle);
   });
 }
 
@@ -221,7 +247,7 @@ void ParticleFields<Dim>::add_numbers(const ParticleField& field) {
     std::array<double, most> values{};
     std::size_t at = n * part.at;
     for (std::size_t i = part.begin; i < part.end; ++i) {
-      particle.select(i);
+      particle.select(part.particle(i));
       numbers(particle, values.data());
       for (std::size_t k = 0; k < n; ++k) to.set(at++, values[k]);
     }
@@ -244,7 +270,8 @@ void ParticleFields<Dim>::add_history() {
       const double* from = found == variables.end()
                                ? nullptr
                                : part.body->history_columns[static_cast<std::size_t>(found - variables.begin())];
-      for (std::size_t i = part.begin; i < part.end; ++i) to.set(part.at + i - part.begin, from ? from[i] : 0.0);
+      for (std::size_t i = part.begin; i < part.end; ++i)
+        to.set(part.at + i - part.begin, from ? from[part.particle(i)] : 0.0);
     }
   });
 }
@@ -258,7 +285,7 @@ void ParticleFields<Dim>::add_domains() {
     const Vec<Dim> cell = part.body->cell.template head<Dim>();
     std::size_t at = width * part.at;
     for (std::size_t i = part.begin; i < part.end; ++i) {
-      Mat<Dim> axes = domain(static_cast<std::uint32_t>(i)).axes;
+      Mat<Dim> axes = domain(static_cast<std::uint32_t>(part.particle(i))).axes;
       if (!is_compact<Dim>(axes, cell, limits)) {
         axes = reduced<Dim>({axes, Mat<Dim>::Identity()}, cell).current;
         if (limits) axes = limited<Dim>(axes, cell);

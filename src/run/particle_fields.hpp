@@ -4,6 +4,7 @@
 
 #include "model/output_fields.hpp"
 #include "output/vtk.hpp"
+#include "run/body_order.hpp"
 #include "solver/state/system.hpp"
 
 #include <functional>
@@ -26,13 +27,14 @@ enum class Precision { single, full };
 template <int Dim>
 class ParticleFields {
  public:
-  /// Fields that need what the model does not have (temperature without heat, contact without contact) are left out.
-  /// Throws SimulationError if a number is not finite.
+  /// `pieces`: the bodies of the materials in the order of their numbers; if given, a material of 2 to 20 bodies has a
+  /// block for each of them. Fields that need what the model does not have (temperature without heat, contact without
+  /// contact) are left out. Throws SimulationError if a number is not finite.
   ParticleFields(const Model& model, std::vector<Body<Dim>*> bodies, const std::vector<std::string>& names,
-                 Precision precision);
+                 Precision precision, std::span<const PieceNumbers> pieces = {});
 
   std::size_t count() const { return count_; }
-  /// The particles of each body, with the name of its material.
+  /// The particles of each material, or of each of its bodies.
   const std::vector<OutputBlock>& blocks() const { return blocks_; }
   /// Memory that it holds.
   std::size_t bytes() const {
@@ -45,11 +47,14 @@ class ParticleFields {
   const std::vector<OutputField>& fields() const { return fields_; }
 
  private:
-  // Particles of a body, and the index of the first among all.
+  // Successive particles of a material in the order of the file, and the index of the first among all.
   struct Part {
     Body<Dim>* body;
+    const std::uint32_t* order;  // null: as they are stored
     std::size_t begin, end, at;
+    std::size_t particle(std::size_t i) const { return order ? order[i] : i; }
   };
+  void add_blocks(const Model& model, std::span<const PieceNumbers> pieces);
   // Rows of a field, not initialised.
   template <class Number>
   struct Rows {
@@ -88,6 +93,7 @@ class ParticleFields {
   bool single_;
   OutputRows positions_;
   std::vector<OutputBlock> blocks_;
+  std::vector<BodyOrder> orders_;  // of each of bodies_, until the fields are filled
   std::vector<OutputField> fields_;
   std::vector<std::function<void(const Part&)>> fills_;  // until the fields are filled
   std::vector<Rows<double>> doubles_;

@@ -74,8 +74,10 @@ bool is_frame(std::string name) {
   if (!name.starts_with("run_") || dot == std::string::npos || dot < 10) return false;
   std::string digits = name.substr(4, dot - 4);
   const std::string extension = name.substr(dot);
-  if (const auto block = digits.find('_'); block != std::string::npos && block >= 6 && block + 1 < digits.size())
-    digits.erase(block, 1);  // run_000012_3.vtp, a block of run_000012.vtm
+  // run_000012_3.vtp and run_000012_3_1.vtp are blocks of run_000012.vtm.
+  for (int level = 0; level < 2; ++level)
+    if (const auto block = digits.find('_'); block != std::string::npos && block >= 6 && block + 1 < digits.size())
+      digits.erase(block, 1);
   return std::all_of(digits.begin(), digits.end(), [](unsigned char c) { return std::isdigit(c) != 0; }) &&
          (extension == ".vtp" || extension == ".vti" || extension == ".vtm");
 }

@@ -54,7 +54,8 @@ Results<Dim>::Results(const Model& model, System<Dim>& system, Stepper<Dim>& ste
       particles_(folder_ / "run.pvd"),
       grid_(folder_ / "grid.pvd"),
       cracks_(folder_ / "cracks.pvd"),
-      joints_(folder_ / "joints.pvd") {
+      joints_(folder_ / "joints.pvd"),
+      all_(folder_ / "all.pvd") {
   if (model.output.wants_elastic_strain())
     for (const auto& body : system.bodies) moduli_.push_back(elastic_moduli(*body.law));
   std::vector<std::string> columns{"time"};
@@ -78,6 +79,7 @@ Results<Dim>::Results(const Model& model, System<Dim>& system, Stepper<Dim>& ste
   history_.emplace(History::resume(folder_ / "history.csv", columns, *resume_time, &queue));
   energy_.emplace(History::resume(folder_ / "energy.csv", energy_columns(model), *resume_time, &queue));
   particles_.resume(*resume_time);
+  if (has_several_kinds(system)) all_.resume(*resume_time);
   if (!model.output.grid_fields.empty()) grid_.resume(*resume_time);
   if (!system.cracks.empty()) cracks_.resume(*resume_time);
   if (model.fracture) tips_.emplace(History::resume(folder_ / "tips.csv", tip_columns, *resume_time, &queue));
@@ -94,25 +96,33 @@ ResultNames Results<Dim>::names(const Model& model, const System<Dim>& system) {
   if (!system.joints.empty()) out.add({{"joints.pvd", "events.csv"}, {"joints"}});
   if (model.fracture) out.add({{"tips.csv"}, {}});
   if (system.blocks) out.add(BlockResults::names(model));
+  if (has_several_kinds(system)) out.add({{"all.pvd"}, {}});
   return out;
 }
 
 template <int Dim>
+bool Results<Dim>::has_several_kinds(const System<Dim>& system) {
+  return !system.cracks.empty() || !system.joints.empty() || system.blocks;
+}
+
+template <int Dim>
 std::shared_ptr<const ParticleFields<Dim>> Results<Dim>::fields(const std::vector<std::string>& names,
-                                                                Precision precision) {
+                                                                Precision precision, bool by_body) {
   stepper_.contact().fill_view();
   std::vector<Body<Dim>*> bodies;
   for (auto* list : {&system_.bodies, &system_.rigids})
     for (auto& body : *list)
       if (body.block < 0) bodies.push_back(&body);
-  return std::make_shared<const ParticleFields<Dim>>(model_, bodies, names, precision);
+  return std::make_shared<const ParticleFields<Dim>>(
+      model_, bodies, names, precision,
+      by_body ? std::span<const PieceNumbers>(system_.pieces) : std::span<const PieceNumbers>());
 }
 
 template <int Dim>
 void Results<Dim>::write_particles(std::int64_t number) {
   const auto& wanted = model_.output.particle_fields;
   const auto all = fields(wanted.empty() ? standard_particle_fields() : wanted,
-                          model_.output.double_precision ? Precision::full : Precision::single);
+                          model_.output.double_precision ? Precision::full : Precision::single, true);
   const std::string file = "particles/" + numbered(number, ".vtm");
   std::vector<std::string> materials;
   for (const MaterialSpec& material : model_.materials) materials.push_back(material.name);
@@ -130,6 +140,15 @@ void Results<Dim>::write_files(std::int64_t number) {
   if (!system_.cracks.empty()) write_cracks(number);
   if (!system_.joints.empty()) write_joints(number);
   if (blocks) blocks->write_files(number);
+  if (!has_several_kinds(system_)) return;
+  const auto part = [&](const std::string& kind, const std::string& extension) {
+    return Collection::Part{kind, kind + "/" + numbered(number, extension)};
+  };
+  std::vector<Collection::Part> parts{part("particles", ".vtm")};
+  if (!system_.cracks.empty()) parts.push_back(part("cracks", ".vtp"));
+  if (!system_.joints.empty()) parts.push_back(part("joints", ".vtp"));
+  if (blocks) parts.push_back(part("blocks", ".vtp")), parts.push_back(part("contacts", ".vtp"));
+  all_.add(system_.time, parts, &queue_);
 }
 
 template <int Dim>

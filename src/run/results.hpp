@@ -31,8 +31,10 @@ class Results {
   void write_history(double dt);
   /// The last row of the histories: the time and the values.
   const std::vector<double>& last_row() const { return row_; }
-  /// Fields of all particles that are written, at present.
-  std::shared_ptr<const ParticleFields<Dim>> fields(const std::vector<std::string>& names, Precision precision);
+  /// Fields of all particles that are written, at present. `by_body`: a material's particles are in the order of its
+  /// bodies.
+  std::shared_ptr<const ParticleFields<Dim>> fields(const std::vector<std::string>& names, Precision precision,
+                                                    bool by_body = false);
   /// The events at joints and blocks since the last call.
   void write_events();
   /// Content of energy at the start, for the residual [energy]. Found by the constructor for a new run; to be set for
@@ -52,6 +54,8 @@ class Results {
   void write_cracks(std::int64_t number);
   void write_joints(std::int64_t number);
   void write_tips();
+  /// Whether there are files that belong together with those of the particles.
+  static bool has_several_kinds(const System<Dim>& system);
 
   const Model& model_;
   System<Dim>& system_;
@@ -60,7 +64,7 @@ class Results {
   std::vector<std::optional<ElasticModuli>> moduli_;  ///< per body, if a history asks for elastic strains
   std::filesystem::path folder_;
   OutputQueue& queue_;
-  Collection particles_, grid_, cracks_, joints_;
+  Collection particles_, grid_, cracks_, joints_, all_;
   std::optional<History> history_, energy_, events_, tips_;
   std::vector<double> row_;
 };

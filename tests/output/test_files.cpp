@@ -178,6 +178,37 @@ TEST_CASE("blocks of particles have a file each, and are read as one", "[output]
   CHECK_THROWS_WITH(read_particles(file), Catch::Contains("no file of particles"));
 }
 
+TEST_CASE("bodies of a material are blocks within its block", "[output]") {
+  const ScratchFolder scratch;
+  const auto file = scratch.path / "run_000003.vtm";
+  const std::vector<double> x{0, 0, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9};
+  const std::vector<OutputBlock> blocks{
+      {"floor", 1, 0, 1}, {"rubber 1", 2, 1, 1, "rubber", 1}, {"rubber 2", 2, 2, 1, "rubber", 2}, {"rock", 4, 3, 1}};
+  write_particle_blocks(file, blocks, {x.data(), nullptr, 3}, {}, 0.25, {});
+  const std::string text = content(file);
+  const auto at = [&](const char* line) { return text.find(line); };
+  const auto floor = at("<DataSet index=\"0\" name=\"floor\" file=\"run_000003_1.vtp\"/>"),
+             rubber = at("<Block index=\"1\" name=\"rubber\">"),
+             second = at("<DataSet index=\"1\" name=\"rubber 2\" file=\"run_000003_2_2.vtp\"/>\n</Block>"),
+             rock = at("<DataSet index=\"2\" name=\"rock\" file=\"run_000003_4.vtp\"/>");
+  CHECK((floor < rubber && rubber < second && second < rock && rock != std::string::npos));
+  CHECK(read_particles(file).position[2] == std::array<double, 3>{4, 5, 6});
+}
+
+TEST_CASE("a collection has several files for a time", "[output]") {
+  const ScratchFolder scratch;
+  Collection all(scratch.path / "all.pvd");
+  all.add(0.0, {{"particles", "particles/run_000000.vtm"}, {"blocks", "blocks/run_000000.vtp"}});
+  all.add(0.5, {{"particles", "particles/run_000001.vtm"}, {"blocks", "blocks/run_000001.vtp"}});
+  const std::string whole = content(scratch.path / "all.pvd");
+  CHECK(whole.find("timestep=\"0.5\" part=\"1\" name=\"blocks\" file=\"blocks/run_000001.vtp\"") != std::string::npos);
+  Collection again(scratch.path / "all.pvd");
+  again.resume(0.0);
+  CHECK(again.size() == 1);
+  again.add(0.5, {{"particles", "particles/run_000001.vtm"}, {"blocks", "blocks/run_000001.vtp"}});
+  CHECK(content(scratch.path / "all.pvd") == whole);
+}
+
 TEST_CASE("a particle file is written whole, compressed and with its time", "[output]") {
   const ScratchFolder scratch;
   const auto file = scratch.path / "p.vtp";

@@ -27,13 +27,14 @@ model = """<JANFEAInput version='3'>
 <MaterialPoints>
 <Body matname='soft &amp; "wet"' vx='1'><{shape} xmin='1' xmax='3' ymin='1' ymax='3'{box}/></Body>
 <Body matname='rock'><{shape} xmin='3' xmax='6' ymin='1' ymax='3'{box}/></Body>
+{other}
 </MaterialPoints>
 <Material Type='NeoHookean' Name='soft &amp; "wet"'><rho>1000</rho><E>1e6</E><nu>0.3</nu></Material>
 <Material Type='LinearElastic' Name='rock'><rho>2000</rho><E>1e6</E><nu>0.3</nu></Material>
 </JANFEAInput>
 """
-plane = dict(analysis=10, deep="", depth="", box="", shape="Rect")
-space = dict(analysis=12, deep=" zmin='0' zmax='4'", depth="<Depth nz='4'/>", box=" zmin='1' zmax='3'", shape="Box")
+plane = dict(other="", analysis=10, deep="", depth="", box="", shape="Rect")
+space = dict(other="", analysis=12, deep=" zmin='0' zmax='4'", depth="<Depth nz='4'/>", box=" zmin='1' zmax='3'", shape="Box")
 names = ['soft & "wet"', "rock"]
 units = dict(velocity="m/s", displacement="m", stress="Pa", size="m", domain="m", material=None)
 
@@ -93,6 +94,16 @@ def check_run(folder, dimension, real):
     check(grid.GetPointData().GetArray("velocity").GetNumberOfTuples() == grid.GetNumberOfPoints(), "nodal field")
 
 
+def check_bodies(folder):
+    """Two bodies of the second material are blocks within its block."""
+    blocks = read(vtk.vtkXMLMultiBlockDataReader(), f"{folder}/particles/run_000000.vtm")
+    name = lambda data, k: data.GetMetaData(k).Get(vtk.vtkCompositeDataSet.NAME())
+    check([name(blocks, k) for k in range(blocks.GetNumberOfBlocks())] == names, "a block for each material")
+    rock = blocks.GetBlock(1)
+    check([name(rock, k) for k in range(rock.GetNumberOfBlocks())] == ["rock 1", "rock 2"], "a block for each body")
+    check([rock.GetBlock(k).GetNumberOfPoints() for k in range(2)] == [24, 4], "particles of each body")
+
+
 with tempfile.TemporaryDirectory(prefix="tribo-paraview-") as scratch:
     os.chdir(scratch)
     for label, dimension, words, header, real in (("plane", 2, plane, "", vtk.VTK_FLOAT), ("space", 3, space, "", vtk.VTK_FLOAT),
@@ -102,4 +113,10 @@ with tempfile.TemporaryDirectory(prefix="tribo-paraview-") as scratch:
         done = subprocess.run([program, "run", "--quiet", "-o", label, f"{label}.xml"], capture_output=True, text=True)
         check(done.returncode == 0, f"the run {label}: {done.stderr}")
         check_run(label, dimension, real)
+    with open("bodies.xml", "w") as file:
+        other = "<Body matname='rock'><Rect xmin='7' xmax='8' ymin='1' ymax='2'/></Body>"
+        file.write(model.format(header="", **{**plane, "other": other}))
+    done = subprocess.run([program, "run", "--quiet", "-o", "bodies", "bodies.xml"], capture_output=True, text=True)
+    check(done.returncode == 0, f"the run of bodies: {done.stderr}")
+    check_bodies("bodies")
 print(f"{check.passed} checks passed")

@@ -103,6 +103,49 @@ TEST_CASE("every field of the table can be written", "[output]") {
                                                                "history"});
 }
 
+TEST_CASE("particles of a file stand in the order of the bodies", "[output]") {
+  const std::vector<std::int64_t> numbers{7, 3, 12, 4, 2, 9, 20};
+  const BodyOrder order = order_by_body(numbers, {{2, 3}, {4, 8}, {9, 9}});
+  CHECK(order.particles == std::vector<std::uint32_t>{1, 4, 0, 3, 5, 2, 6});
+  CHECK(order.counts == std::vector<std::size_t>{2, 2, 1, 2});
+}
+
+TEST_CASE("each body of a material is a block of its own", "[output]") {
+  Model model = two_layers();
+  model.pieces.assign(2, {});
+  for (Piece& piece : model.pieces) piece.material = 0;
+  auto seeds = layers_of(model);
+  std::stable_sort(seeds.begin(), seeds.end(), [](const Seed& a, const Seed& b) { return a.material < b.material; });
+  for (Seed& seed : seeds) seed.piece = seed.material, seed.material = 0;
+  auto system = build_system<2>(model, seeds);
+  REQUIRE(system.bodies.size() == 1);
+  REQUIRE(system.pieces.size() == 2);
+  auto& body = system.bodies[0];
+  Stepper<2> stepper(model, system);
+  stepper.advance(1e-6);  // sorts the particles
+  const std::vector<std::string> names{"id", "velocity", "stress"};
+  const ParticleFields<2> stored(model, {&body}, names, Precision::full);
+  CHECK(stored.blocks().size() == 1);
+  const ParticleFields<2> fields(model, {&body}, names, Precision::full, system.pieces);
+  REQUIRE(fields.blocks().size() == 2);
+  CHECK(fields.blocks()[1].name == model.materials[static_cast<std::size_t>(body.material)].name + " 2");
+  CHECK(fields.blocks()[0].count + fields.blocks()[1].count == body.particles.size());
+  std::map<std::int64_t, std::size_t> row_of;
+  for (std::size_t i = 0; i < body.particles.size(); ++i) row_of[stored.fields()[0].integers[i]] = i;
+  for (std::size_t k = 0; k < 2; ++k)
+    for (std::size_t i = 0; i < fields.blocks()[k].count; ++i) {
+      const std::size_t row = fields.blocks()[k].begin + i;
+      const std::int64_t id = fields.fields()[0].integers[row];
+      CHECK((id >= system.pieces[k].first && id <= system.pieces[k].last));
+      const std::size_t other = row_of.at(id);
+      for (std::size_t d = 0; d < 2; ++d) {
+        CHECK(fields.positions().doubles[3 * row + d] == stored.positions().doubles[3 * other + d]);
+        CHECK(fields.fields()[1].rows.doubles[3 * row + d] == stored.fields()[1].rows.doubles[3 * other + d]);
+        CHECK(fields.fields().back().rows.floats[4 * row + d] == stored.fields().back().rows.floats[4 * other + d]);
+      }
+    }
+}
+
 TEST_CASE("fields in single precision are the rounded ones, positions are not rounded", "[output]") {
   const Model model = two_layers();
   auto system = build_system<2>(model, layers_of(model));
