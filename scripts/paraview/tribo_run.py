@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Opens a run of Tribo in ParaView: particles as boxes of their size, coloured by material or by a field, with the time.
+"""Opens a run of Tribo in ParaView: particles as boxes of their size, coloured by material or by a field, rigid blocks, cracks
+and joints if there are any, and the time.
 
-As a macro: Macros > Import new macro, then start the macro and choose the file run.pvd, or select it in the pipeline first.
+As a macro: Macros > Import new macro, select the file run.pvd (blocks.pvd of a run of blocks alone) in the pipeline, start the macro.
 From a shell:  paraview --script=tribo_run.py          with the folder of the run in the variable TRIBO_RUN
                pvpython tribo_run.py FOLDER PICTURE [FIELD [TIME]]    draws a picture
 The blocks of the run are named as the materials and their bodies: the inspector "Multi-block" shows and hides them.
@@ -52,17 +53,33 @@ def colour_by_material(display, names):
         colours.Annotations, colours.IndexedColors = annotations, shades
 
 
-def open_run(path, field="material"):
-    """Shows a run. `path`: its folder or its run.pvd; `field`: `material` or an array of the particles."""
-    folder = os.path.dirname(path) if path.endswith(".pvd") else path
-    record = record_of(folder or ".")
-    reader = simple.PVDReader(registrationName=os.path.basename(os.path.abspath(folder or ".")), FileName=os.path.join(folder, "run.pvd"))
-    return show(reader, record, field)
+def file_of(folder, name):
+    """A reader of a collection of the folder; None if there is no such file."""
+    path = os.path.join(folder, name + ".pvd")
+    label = f"{os.path.basename(os.path.abspath(folder or '.'))} {name}"
+    return simple.PVDReader(registrationName=label, FileName=path) if os.path.exists(path) else None
 
 
-def show(reader, record, field="material"):
-    """Shows a reader of a run.pvd."""
-    view = simple.GetActiveViewOrCreate("RenderView")
+def show_others(folder, view):
+    """Shows blocks as surfaces with their edges, cracks and joints as lines; returns the first reader and whether the model is plane."""
+    first, flat = None, True
+    for name, width in (("blocks", 1), ("cracks", 3), ("joints", 3)):
+        reader = file_of(folder, name)
+        if reader is None:
+            continue
+        display = simple.Show(reader, view)
+        display.SetRepresentationType("Surface With Edges" if name == "blocks" else "Surface")
+        display.ColorArrayName = ["POINTS", ""]
+        display.AmbientColor = display.DiffuseColor = (0.75, 0.73, 0.68) if name == "blocks" else (0.1, 0.1, 0.1)
+        display.EdgeColor, display.LineWidth = (0.2, 0.2, 0.2), width
+        display.Ambient, display.Diffuse = 0.6, 0.4
+        low, high = reader.GetDataInformation().GetBounds()[4:6]
+        first, flat = first or reader, flat and high - low < 1e-12
+    return first, flat
+
+
+def show_particles(reader, record, field, view):
+    """Shows a reader of a run.pvd; returns its display and whether the model is plane."""
     reader.UpdatePipeline()
     low, high = reader.GetDataInformation().GetBounds()[4:6]
     flat = high - low < 1e-12
@@ -76,6 +93,23 @@ def show(reader, record, field="material"):
     display.SetScalarBarVisibility(view, True)
     bar = simple.GetScalarBar(simple.GetColorTransferFunction(field), view)
     bar.TitleFontSize = bar.LabelFontSize = 8
+    return display, flat
+
+
+def open_run(path, field="material", particles=None):
+    """Shows a run. `path`: its folder or one of its .pvd files; `field`: `material` or an array of the particles; `particles`: a
+    reader of run.pvd if there is one already."""
+    folder = os.path.dirname(path) if path.endswith(".pvd") else path
+    record = record_of(folder or ".")
+    view = simple.GetActiveViewOrCreate("RenderView")
+    reader, display, flat = particles or file_of(folder, "run"), None, False
+    if reader is not None:
+        display, flat = show_particles(reader, record, field, view)
+    other, flat_others = show_others(folder, view)
+    if reader is None:
+        reader, flat = other, flat_others
+    if reader is None:
+        raise OSError(f"there is no run.pvd or blocks.pvd in '{folder or '.'}'")
     unit = record.get("model", {}).get("unit of time", "")
     label = simple.AnnotateTimeFilter(registrationName="time", Input=reader)
     label.Format = "time {time:g} " + unit
@@ -92,21 +126,24 @@ def main():
     if len(sys.argv) > 2:  # pvpython
         reader, display, view = open_run(sys.argv[1], *sys.argv[3:4])
         if len(sys.argv) > 4:
-            simple.GetAnimationScene().AnimationTime = float(sys.argv[4])
+            scene, times = simple.GetAnimationScene(), list(reader.TimestepValues)
+            scene.AnimationTime = min(times, key=lambda t: abs(t - float(sys.argv[4])))
             simple.Render(view)
-            if sys.argv[3] != "material":
+            if display is not None and sys.argv[3] != "material":
                 display.RescaleTransferFunctionToDataRange(False, True)
             simple.ResetCamera(view)
         simple.SaveScreenshot(sys.argv[2], view, ImageResolution=[1200, 800])
         return
     active = simple.GetActiveSource()
-    if active is not None and "run.pvd" in str(getattr(active, "FileName", "")):
-        path = str(active.FileName)
-        show(active, record_of(os.path.dirname(path)))
+    path = str(getattr(active, "FileName", "")).strip("[]'")
+    if path.endswith("run.pvd"):
+        open_run(path, particles=active)
+    elif path.endswith(".pvd"):
+        open_run(path)
     elif os.environ.get("TRIBO_RUN"):
         open_run(os.environ["TRIBO_RUN"])
     else:
-        print("Select a run.pvd in the pipeline, or set the variable TRIBO_RUN to the folder of a run.")
+        print("Select the run.pvd or blocks.pvd of a run in the pipeline, or set the variable TRIBO_RUN to the folder of a run.")
 
 
 main()
