@@ -165,6 +165,8 @@ class JointLaw {
 
   /// Largest stiffness per area [stress/length], used to check the time step; 0 if it depends on the contact.
   virtual double stiffness() const = 0;
+  /// The larger one of the two damping ratios of its dashpots, for the time step; 0 without dashpots.
+  virtual double damping_ratio() const { return 0.0; }
   /// Whether the law needs JointSite::distance.
   virtual bool needs_distance() const { return false; }
   /// Fictitious stress: Poisson's ratio nu, and the factor `off_diagonal` of its shear components (poisson_force).

@@ -54,6 +54,7 @@ class PressureFunction {
 struct Dashpots {
   double normal = 0.0, shear = 0.0;  ///< beta, fractions of critical damping
   double mode = 0.0;  ///< bit 0: the normal dashpot exerts no net tension; bit 1: no shear dashpot while sliding
+  double largest_ratio() const { return normal > shear ? normal : shear; }
   /// Sets the dashpot forces of `joint` for this step and adds their work.
   void act(Joint& joint, const JointIncrement& step) const;
 };

@@ -171,6 +171,7 @@ struct Mohr final : JointLaw {
     return j;
   }
 
+  double damping_ratio() const override { return dashpots.largest_ratio(); }
   double pore_pressure(const Vec3& at, double time) const override { return pressure_function.at(at, time); }
   double pressure_in(const Joint& j) const { return constant_pressure + j.pressure; }
 
@@ -213,7 +214,9 @@ struct Mohr final : JointLaw {
     };
 
     if (failed && overlap_gap - j.rest_gap > 0 && !(tension_residual > 0)) {
-      if (whole) j.shear_weak = j.torn = true;  // it had healed
+      // Faces that have separated have torn, also if they had only slipped before: when they close again, no cohesion
+      // is left, as after a failure in tension.
+      j.shear_weak = j.torn = true;
       j.Fn = keep_pressure > 0 ? -A * pressure : 0.0, j.Fs = {};
       j.dashpot_normal = 0, j.dashpot_shear = {};
       j.strain = keep_pressure > 0 ? strain_energy(j) : 0.0;

@@ -58,6 +58,7 @@ struct SpringNetwork final : JointLaw {
   Joint start(const JointSite& site) const override;
   void update(std::span<Joint> joints, std::span<const JointIncrement> increments,
               std::vector<JointEvent>& events) const override;
+  double damping_ratio() const override { return dashpots.largest_ratio(); }
   bool is_bonded(const Joint& j) const override { return j.state >= bonded; }
   void adopt(Joint& joint, const JointLaw& former, const JointSite& site) const override;
   bool bond(Joint& joint) const override;

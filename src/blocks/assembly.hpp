@@ -281,6 +281,7 @@ class Assembly {
     double straight = 0.0, turning = 0.0;
   };
   std::vector<Stiffness> stiffness_around() const;
+  std::vector<Stiffness> viscosity_around(const std::vector<Stiffness>& stiffness) const;
   void expect_neighbours(std::vector<Stiffness>& around) const;
   void choose_masses(const std::vector<Stiffness>& around, double max_step, double nu);
   void set_step(const std::vector<Stiffness>& around, double max_step, double nu);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace tribo {
 
@@ -71,14 +72,46 @@ void Assembly::choose_masses(const std::vector<Stiffness>& around, double max_st
   }
 }
 
+// Contacts that may form later are as many as those of a ball that is surrounded by others.
+std::vector<Assembly::Stiffness> Assembly::viscosity_around(const std::vector<Stiffness>& stiffness) const {
+  std::vector<Stiffness> out(bodies.size());
+  for (const ContactGroup& group : groups) {
+    const double ratio = group.law->damping_ratio();
+    for (std::size_t k = group.begin; ratio > 0 && k < group.end; ++k) {
+      const Joint& j = joints[k];
+      const BlockContact& c = contacts[k];
+      const double viscous = 2 * ratio * std::sqrt(mass_between(c.a, c.b) * std::max(j.kn, j.ks) * j.area);
+      for (const auto& [body, arm] : {std::pair{c.a, c.pa}, std::pair{c.b, c.pb}})
+        out[body].straight += viscous, out[body].turning += viscous * arm.squaredNorm();
+    }
+  }
+  double later = 0;
+  for (const JointLaw* law : later_laws_) later = std::max(later, law->damping_ratio());
+  const double count = plane_ ? 6 : 12;
+  for (std::size_t k = 0; later > 0 && k < blocks_; ++k) {
+    const double viscous = 2 * later * std::sqrt(0.5 * count * bodies[k].mass * stiffness[k].straight);
+    const double arms = stiffness[k].straight > 0 ? stiffness[k].turning / stiffness[k].straight : 0.0;
+    out[k].straight = std::max(out[k].straight, viscous), out[k].turning = std::max(out[k].turning, viscous * arms);
+  }
+  return out;
+}
+
 void Assembly::set_step(const std::vector<Stiffness>& around, double max_step, double nu) {
+  // The row sums of a block with springs k and dashpots c are 2 k/m and 2 c/m. The scheme is stable if
+  // k dt^2/(2 m) + c dt/m <= 1; without dashpots this is half the square of sqrt(m/k).
+  const auto stable = [](double mass, double stiffness, double viscosity) {
+    const double lag = viscosity / stiffness;
+    return (std::sqrt(lag * lag + 2 * mass / stiffness) - lag) / std::numbers::sqrt2;
+  };
+  const std::vector<Stiffness> viscosity = viscosity_around(around);
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < blocks_; ++k) {
     const BlockBody& body = bodies[k];
-    if (around[k].straight > 0 && (body.held & 7) != 7)
-      least = std::min(least, std::sqrt(body.mass / around[k].straight));
-    if (around[k].turning > 0 && (body.held & 56) != 56)
-      least = std::min(least, std::sqrt(body.inertia.minCoeff() / around[k].turning));
+    const Stiffness& sum = around[k];
+    if (sum.straight > 0 && (body.held & 7) != 7)
+      least = std::min(least, stable(body.mass, sum.straight, viscosity[k].straight));
+    if (sum.turning > 0 && (body.held & 56) != 56)
+      least = std::min(least, stable(body.inertia.minCoeff(), sum.turning, viscosity[k].turning));
   }
   // The fictitious stress makes the assembly stiffer than its springs
   const double stiffer = !poisson_       ? 1.0

@@ -120,7 +120,6 @@ void Joints<Dim>::find() {
       const auto [x, n] = place(surface, k);
       // The faces of an interface are on either side of its points, by half of the opening.
       const double opening = of_interface ? surface.joints[surface.samples[k].joint[0]].opening : 0.0;
-      double inverse = 0.0;
       for (std::size_t f = 0; f < 2; ++f) {
         const Vec<Dim> at = x + (f == 0 ? -0.5 : 0.5) * opening * n;
         const double mass = find_face_nodes(surface, at, n, f, sample_nodes.side[f]);
@@ -128,13 +127,10 @@ void Joints<Dim>::find() {
         if (first == 0) first = mass;
         constexpr double enough = 0.05;  // below this fraction of the first mass, the face has moved away
         if (mass < enough * first || extrapolates(sample_nodes.side[f])) sample_nodes.side[f].clear();
-        for (const NodeWeight& share : sample_nodes.side[f])
-          inverse += share.weight * share.weight * inverse_mass(share);
       }
       const bool apart = opening > system_.lattice.spacing.maxCoeff();
       if (surface.crack == JointSurface<Dim>::none && (apart || !sample_nodes.has_both_faces()))
         surface.mass[0][k] = surface.mass[1][k] = surface.detached;
-      sample_nodes.mass = inverse > 0 ? 1 / inverse : 0.0;
     });
     surface_nodes.supported_fraction.assign(surface.joints.size(), 0.0);
     each_contribution(s, [&](SampleNodes&, std::uint32_t joint, double fraction) {
@@ -162,6 +158,22 @@ void Joints<Dim>::each_contribution(std::size_t s, F&& f) {
 // bounds this eigenvalue (Gershgorin).
 template <int Dim>
 void Joints<Dim>::find_stable_step() {
+  const auto scaled = [&](const NodeWeight& share) {
+    return std::abs(share.weight) * std::sqrt(share.images * inverse_mass(share));
+  };
+  const double largest = find_row_sums(scaled, scaled);
+  constexpr double share_of_limit = 0.5;
+  stable_step_ = largest > 0 ? share_of_limit * 2 / std::sqrt(largest) : std::numeric_limits<double>::max();
+  double ratio = 0.0;
+  for (const auto& surface : system_.joints) ratio = std::max(ratio, surface.law->damping_ratio());
+  if (ratio > 0) stable_step_ = std::min(stable_step_, share_of_limit * find_masses(ratio));
+}
+
+// Row sums of a matrix of the stiffnesses of all joints at each node, whose entry for two nodes of a joint is
+// kA row(node) column(other node). Returns the largest one.
+template <int Dim>
+template <class Row, class Column>
+double Joints<Dim>::find_row_sums(const Row& row, const Column& column) {
   stiffness_.resize(system_.fields.size());
   const auto each_share = [&](const SampleNodes& sample_nodes, auto&& f) {
     for (const auto& side : sample_nodes.side)
@@ -176,28 +188,51 @@ void Joints<Dim>::find_stable_step() {
         stiffness_[share.field].resize(system_.fields[share.field].nodes.size());
         stiffness(share) = 0.0;
       });
-  const auto scaled = [&](const NodeWeight& share) {
-    return std::abs(share.weight) * std::sqrt(share.images * inverse_mass(share));
-  };
   double largest = 0.0;
   for (std::size_t s = 0; s < surfaces_.size(); ++s) {
     auto& joints = system_.joints[s].joints;
     row_.assign(joints.size(), 0.0);
     each_contribution(s, [&](SampleNodes& sample_nodes, std::uint32_t joint, double fraction) {
-      each_share(sample_nodes, [&](const NodeWeight& share) { row_[joint] += fraction * scaled(share); });
+      each_share(sample_nodes, [&](const NodeWeight& share) { row_[joint] += fraction * column(share); });
     });
     each_contribution(s, [&](SampleNodes& sample_nodes, std::uint32_t joint, double fraction) {
       const Joint& j = joints[joint];
       const double row_factor = std::max(j.kn, j.ks) * j.area * row_[joint] * fraction;
       each_share(sample_nodes, [&](const NodeWeight& share) {
         double& sum = stiffness(share);
-        sum += row_factor * scaled(share);
+        sum += row_factor * row(share);
         largest = std::max(largest, sum);
       });
     });
   }
-  constexpr double share_of_limit = 0.5;
-  stable_step_ = largest > 0 ? share_of_limit * 2 / std::sqrt(largest) : std::numeric_limits<double>::max();
+  return largest;
+}
+
+// The mass of a joint is the one with which its spring has the frequency sqrt(S), where S is the largest row sum of
+// M^-1 K at its nodes. For joints that move together, it is the joint's part of the reduced mass of both faces; the
+// nodes of a joint count for all joints that they belong to, so that their whole mass would be too large. The row sums
+// of the dashpots of ratio beta are then at most 2 beta sqrt(S), and the scheme is stable if S dt^2/4 + beta sqrt(S) dt
+// <= 1. Returns the largest such dt.
+template <int Dim>
+double Joints<Dim>::find_masses(double ratio) {
+  const double largest = find_row_sums(
+      [&](const NodeWeight& share) { return std::abs(share.weight) * share.images * inverse_mass(share); },
+      [](const NodeWeight& share) { return std::abs(share.weight); });
+  for (std::size_t s = 0; s < surfaces_.size(); ++s) {
+    const auto& joints = system_.joints[s].joints;
+    row_.assign(joints.size(), 0.0);
+    each_contribution(s, [&](SampleNodes& sample_nodes, std::uint32_t joint, double) {
+      for (const auto& side : sample_nodes.side)
+        for (const NodeWeight& share : side)
+          row_[joint] = std::max(row_[joint], stiffness_[share.field][static_cast<std::size_t>(share.node)]);
+    });
+    auto& mass = surfaces_[s].mass;
+    mass.resize(joints.size());
+    for (std::size_t k = 0; k < joints.size(); ++k)
+      mass[k] = row_[k] > 0 ? std::max(joints[k].kn, joints[k].ks) * joints[k].area / row_[k] : 0.0;
+  }
+  if (!(largest > 0)) return std::numeric_limits<double>::max();
+  return 2 * (std::sqrt(1 + ratio * ratio) - ratio) / std::sqrt(largest);
 }
 
 template <int Dim>
@@ -267,12 +302,8 @@ void Joints<Dim>::update_laws(double dt, double time, bool filtered) {
     const std::size_t count = surface.joints.size();
     find_motion(s, filtered);
     increments_.assign(count, {});
-    each_contribution(s, [&](SampleNodes& sample_nodes, std::uint32_t joint, double fraction) {
-      increments_[joint].mass += fraction / surface_nodes.supported_fraction[joint] * sample_nodes.mass;
-    });
-    // Of a joint on a symmetry plane only the half is here, with half of the area and of the mass.
-    for (std::size_t k = 0; k < count; ++k)
-      increments_[k].mass *= std::exp2(-nodes_around_.planes_through(surface.x[k]));
+    if (surface.law->damping_ratio() > 0)
+      for (std::size_t k = 0; k < count; ++k) increments_[k].mass = surface_nodes.mass[k];
     for (std::size_t k = 0; k < count; ++k) {
       Vec3 jump = Vec3::Zero();
       jump.template head<Dim>() = surface_nodes.motion[k][1].velocity - surface_nodes.motion[k][0].velocity;

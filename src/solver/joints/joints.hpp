@@ -131,13 +131,14 @@ class Joints {
     /// Nodes of body 1 and body 2; empty: the face has moved away.
     std::array<std::vector<NodeWeight>, 2> side;
     std::array<Motion, 2> motion;
-    double mass = 0.0;  ///< reduced mass of the two faces
     bool has_both_faces() const { return !side[0].empty() && !side[1].empty(); }
   };
   /// Data of one surface of joints within a step.
   struct Surface {
     std::vector<SampleNodes> samples;
-    std::vector<double> supported_fraction;     ///< per joint: fraction of its surface with both faces
+    std::vector<double> supported_fraction;  ///< per joint: fraction of its surface with both faces
+    /// Per joint, if its law has dashpots: reduced mass of the parts of the two faces that move with it [mass].
+    std::vector<double> mass;
     std::vector<std::array<Motion, 2>> motion;  ///< per joint
   };
   Node& node(const NodeWeight& share) const {
@@ -161,6 +162,9 @@ class Joints {
   void each_contribution(std::size_t surface, F&& f);
   void list_points();
   void find_stable_step();
+  template <class Row, class Column>
+  double find_row_sums(const Row& row, const Column& column);
+  double find_masses(double ratio);
   void record_rigid_work(std::size_t surface, const std::vector<Vec3>& before, double dt);
   Motion motion(const std::vector<NodeWeight>& shares, bool filtered) const;
   void find_motion(std::size_t surface, bool filtered);
