@@ -12,6 +12,20 @@ struct ExponentialTraction final : CohesiveProperties {
   static constexpr std::string_view summary =
       "Cohesive zone: traction up to a peak, then an exponential decay to zero.";
   static constexpr int number = 34;
+  static constexpr std::string_view needs =
+      "alphaI, two of sigmaI, JIc and delIc, and kIe or delpkI; alphaII, two of sigmaII, JIIc and delIIc, and kIIe or "
+      "delpkII";
+  static constexpr std::string_view example = R"(
+<Material Type='ExponentialTraction' Name='glue'>
+  <sigmaI>2e6</sigmaI>
+  <JIc>100</JIc>
+  <delpkI>0.1</delpkI>
+  <sigmaII>3e6</sigmaII>
+  <JIIc>200</JIIc>
+  <delpkII>0.1</delpkII>
+  <alphaI>4</alphaI>
+  <alphaII>4</alphaII>
+</Material>)";
 
   static auto parameters() {
     using Rows = CohesiveRows<ExponentialTraction>;
