@@ -12,7 +12,7 @@ struct CoupledTraction final : CohesiveProperties {
   static constexpr std::string_view summary =
       "Cohesive zone: one triangle for the effective displacement of opening and sliding.";
   static constexpr int number = 23;
-  static constexpr std::string_view needs = "two of sigmaI, JIc and delIc, if kIe or delpkI do not replace one";
+  static constexpr std::string_view needs = "two of sigmaI, JIc and delIc, or one of them with kIe and delpkI";
   static constexpr std::string_view example = R"(
 <Material Type='CoupledTraction' Name='glue'>
   <sigmaI>2e6</sigmaI>

@@ -13,8 +13,8 @@ struct ExponentialTraction final : CohesiveProperties {
       "Cohesive zone: traction up to a peak, then an exponential decay to zero.";
   static constexpr int number = 34;
   static constexpr std::string_view needs =
-      "alphaI, two of sigmaI, JIc and delIc, and kIe or delpkI; alphaII, two of sigmaII, JIIc and delIIc, and kIIe or "
-      "delpkII";
+      "alphaI, and two of sigmaI, JIc and delIc with kIe or delpkI, or one of them with both; the same for sliding, of "
+      "alphaII, sigmaII, JIIc, delIIc, kIIe and delpkII";
   static constexpr std::string_view example = R"(
 <Material Type='ExponentialTraction' Name='glue'>
   <sigmaI>2e6</sigmaI>

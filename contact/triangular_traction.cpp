@@ -11,8 +11,8 @@ struct TriangularTraction final : CohesiveProperties {
   static constexpr std::string_view summary = "Cohesive zone: traction up to a peak and down again in straight lines.";
   static constexpr int number = 12;
   static constexpr std::string_view needs =
-      "two of sigmaI, JIc and delIc, and two of sigmaII, JIIc and delIIc, if the slopes kIe, kIIe or the peaks delpkI, "
-      "delpkII do not replace one";
+      "two of sigmaI, JIc and delIc, or one of them with kIe and delpkI; the same for sliding, of sigmaII, JIIc, "
+      "delIIc, kIIe and delpkII";
   static constexpr std::string_view example = R"(
 <Material Type='TriangularTraction' Name='glue'>
   <sigmaI>2e6</sigmaI>
