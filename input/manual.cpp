@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "input/manual.hpp"
 
-#include "base/error.hpp"
 #include "base/schema.hpp"
 #include "base/text.hpp"
 #include "contact/contact_law.hpp"
@@ -15,7 +14,6 @@
 #include "model/quantities.hpp"
 
 #include <algorithm>
-#include <set>
 #include <sstream>
 
 namespace tribo {
