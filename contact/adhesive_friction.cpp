@@ -19,6 +19,12 @@ struct AdhesiveFriction final : ContactLaw {
   static constexpr std::string_view name = "AdhesiveFriction";
   static constexpr std::string_view summary = "Coulomb friction with cohesion, adhesion and speed dependence.";
   static constexpr int number = 63;
+  static constexpr std::string_view example = R"(
+<Material Type='AdhesiveFriction' Name='glued'>
+  <coeff>0.3</coeff>
+  <Sa>2e5</Sa>
+  <Na>1e5</Na>
+</Material>)";
 
   double coefficient = 0, static_coefficient = -1, weakening = -1, speed_coefficient = 0, half_speed = 0;
   double shear_strength = 0, normal_strength = 0, rebond = 0;

@@ -18,6 +18,11 @@ struct CoulombFriction final : ContactLaw {
   static constexpr std::string_view name = "CoulombFriction";
   static constexpr std::string_view summary = "Coulomb friction with static and dynamic coefficient.";
   static constexpr int number = 61;
+  static constexpr std::string_view example = R"(
+<Material Type='CoulombFriction' Name='friction'>
+  <coeff>0.3</coeff>
+  <coeffStatic>0.4</coeffStatic>
+</Material>)";
 
   double coefficient = 0, static_coefficient = -1, weakening = -1;
   double displacement_only = 0, contact_stiffness = -1;

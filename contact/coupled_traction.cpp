@@ -12,6 +12,13 @@ struct CoupledTraction final : CohesiveProperties {
   static constexpr std::string_view summary =
       "Cohesive zone: one triangle for the effective displacement of opening and sliding.";
   static constexpr int number = 23;
+  static constexpr std::string_view needs = "two of sigmaI, JIc and delIc, or one of them with kIe and delpkI";
+  static constexpr std::string_view example = R"(
+<Material Type='CoupledTraction' Name='glue'>
+  <sigmaI>2e6</sigmaI>
+  <JIc>100</JIc>
+  <delpkI>0.1</delpkI>
+</Material>)";
 
   static auto parameters() {
     using L = CoupledTraction;

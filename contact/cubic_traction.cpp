@@ -11,6 +11,14 @@ struct CubicTraction final : CohesiveProperties {
   static constexpr std::string_view name = "CubicTraction";
   static constexpr std::string_view summary = "Cohesive zone: smooth traction, a cubic of the displacement.";
   static constexpr int number = 14;
+  static constexpr std::string_view needs = "two of sigmaI, JIc and delIc, and two of sigmaII, JIIc and delIIc";
+  static constexpr std::string_view example = R"(
+<Material Type='CubicTraction' Name='glue'>
+  <sigmaI>2e6</sigmaI>
+  <JIc>100</JIc>
+  <sigmaII>3e6</sigmaII>
+  <JIIc>200</JIIc>
+</Material>)";
 
   static auto parameters() {
     using Rows = CohesiveRows<CubicTraction>;

@@ -12,6 +12,20 @@ struct ExponentialTraction final : CohesiveProperties {
   static constexpr std::string_view summary =
       "Cohesive zone: traction up to a peak, then an exponential decay to zero.";
   static constexpr int number = 34;
+  static constexpr std::string_view needs =
+      "alphaI, and two of sigmaI, JIc and delIc with kIe or delpkI, or one of them with both; the same for sliding, of "
+      "alphaII, sigmaII, JIIc, delIIc, kIIe and delpkII";
+  static constexpr std::string_view example = R"(
+<Material Type='ExponentialTraction' Name='glue'>
+  <sigmaI>2e6</sigmaI>
+  <JIc>100</JIc>
+  <delpkI>0.1</delpkI>
+  <sigmaII>3e6</sigmaII>
+  <JIIc>200</JIIc>
+  <delpkII>0.1</delpkII>
+  <alphaI>4</alphaI>
+  <alphaII>4</alphaII>
+</Material>)";
 
   static auto parameters() {
     using Rows = CohesiveRows<ExponentialTraction>;

@@ -10,6 +10,8 @@ struct IgnoreContact final : ContactLaw {
   static constexpr std::string_view name = "IgnoreContact";
   static constexpr std::string_view summary = "No contact: materials share one velocity; faces of a crack do not meet.";
   static constexpr int number = 60;
+  static constexpr std::string_view example = R"(
+<Material Type='IgnoreContact' Name='none'/>)";
   static std::array<Parameter<IgnoreContact>, 0> parameters() { return {}; }
   void prepare(const Statement&, Problems&) {}
 

@@ -15,6 +15,12 @@ struct LinearInterface final : InterfaceLaw {
   static constexpr std::string_view name = "LinearInterface";
   static constexpr std::string_view summary = "Imperfect interface with stiffnesses; negative: perfect.";
   static constexpr int number = 62;
+  static constexpr std::string_view example = R"(
+<Material Type='LinearInterface' Name='interface'>
+  <Dnt>1e9</Dnt>
+  <Dnc>1e10</Dnc>
+  <Dt>5e8</Dt>
+</Material>)";
 
   double open = -1, closed = -1, tangential = -1;
 

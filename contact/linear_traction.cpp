@@ -11,6 +11,11 @@ struct LinearTraction final : CohesiveProperties {
   static constexpr std::string_view summary =
       "Traction proportional to the displacement of the faces, without failure.";
   static constexpr int number = 13;
+  static constexpr std::string_view example = R"(
+<Material Type='LinearTraction' Name='glue'>
+  <kIe>1e10</kIe>
+  <kIIe>5e9</kIIe>
+</Material>)";
 
   static auto parameters() {
     using Rows = CohesiveRows<LinearTraction>;

@@ -16,6 +16,11 @@ struct LiquidContact final : ContactLaw {
   static constexpr std::string_view name = "LiquidContact";
   static constexpr std::string_view summary = "Viscous drag of a liquid on a wall with a slip length.";
   static constexpr int number = 64;
+  static constexpr std::string_view example = R"(
+<Material Type='LiquidContact' Name='drag'>
+  <LiquidPhase>1</LiquidPhase>
+  <coeff>1000</coeff>
+</Material>)";
 
   double coefficient = 2, liquid_phase = 0;
   double displacement_only = 0, contact_stiffness = -1;

@@ -13,6 +13,18 @@ struct MixedModeTraction final : CohesiveProperties {
   static constexpr std::string_view summary =
       "Cohesive zone: a curve of any shape for each mode, with one damage for both.";
   static constexpr int number = 33;
+  static constexpr std::string_view needs =
+      "the properties of the curves modelI and modelII, such as two of sigmaI, JIc and delIc, and two of sigmaII, JIIc "
+      "and delIIc";
+  static constexpr std::string_view example = R"(
+<Material Type='MixedModeTraction' Name='glue'>
+  <modelI>12</modelI>
+  <sigmaI>2e6</sigmaI>
+  <JIc>100</JIc>
+  <modelII>14</modelII>
+  <sigmaII>3e6</sigmaII>
+  <JIIc>200</JIIc>
+</Material>)";
 
   static auto parameters() {
     using L = MixedModeTraction;

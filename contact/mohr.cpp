@@ -30,6 +30,15 @@ struct Mohr final : JointLaw {
   static constexpr std::string_view summary =
       "Rock joint: Mohr-Coulomb slip with weakening, dilation, pore pressure, healing and dashpots.";
   static constexpr int number = 0;
+  static constexpr std::string_view example = R"(
+<Material Type='Mohr' Name='joint'>
+  <stiffness-normal>1e9</stiffness-normal>
+  <stiffness-shear>5e8</stiffness-shear>
+  <friction>35</friction>
+  <friction-residual>30</friction-residual>
+  <cohesion>0.2e6</cohesion>
+  <tension>0.1e6</tension>
+</Material>)";
 
   double kn = 0, ks = 0;
   double c = 0, c_residual = 0, phi = 0, phi_residual = 0, tension = 0, tension_residual = 0;

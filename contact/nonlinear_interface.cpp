@@ -17,6 +17,18 @@ struct NonlinearInterface final : InterfaceLaw {
   static constexpr std::string_view name = "NonlinearInterface";
   static constexpr std::string_view summary = "Imperfect interface, linear, bilinear or of Morse's shape.";
   static constexpr int number = 65;
+  static constexpr std::string_view needs =
+      "with normal_shape 1 or 2 positive Dnt and Npeak, with 2 also Nbreak; the same for tangential_shape, Dt, Tpeak "
+      "and Tbreak";
+  static constexpr std::string_view example = R"(
+<Material Type='NonlinearInterface' Name='interface'>
+  <Dnt>1e9</Dnt>
+  <Dnc>1e10</Dnc>
+  <Dt>5e8</Dt>
+  <normal_shape>2</normal_shape>
+  <Npeak>1e5</Npeak>
+  <Nbreak>1e-3</Nbreak>
+</Material>)";
 
   double open = -1, closed = -1, tangential = -1;
   /// The traction law of one direction, besides its initial stiffness.

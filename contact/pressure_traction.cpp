@@ -15,6 +15,10 @@ struct PressureTraction final : JointLaw {
   static constexpr std::string_view name = "PressureTraction";
   static constexpr std::string_view summary = "Prescribed normal traction on the faces of a crack, such as a pressure.";
   static constexpr int number = 26;
+  static constexpr std::string_view example = R"(
+<Material Type='PressureTraction' Name='fluid'>
+  <function>-1e6*min(t/1e-3,1)</function>
+</Material>)";
 
   double stress = 0, closed = 0;
   Expression function;

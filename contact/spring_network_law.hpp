@@ -26,6 +26,16 @@ struct SpringNetwork final : JointLaw {
   static constexpr std::string_view summary =
       "Bond of a spring network with moments, softening, friction and a correction for Poisson's ratio.";
   static constexpr int number = 0;
+  static constexpr std::string_view example = R"(
+<Material Type='SpringNetwork' Name='bond'>
+  <kn>1e9</kn>
+  <ks>5e8</ks>
+  <sn_ten>1e6</sn_ten>
+  <sn_coh>3e6</sn_coh>
+  <sn_fa>35</sn_fa>
+  <fric>0.6</fric>
+  <bond>gap 1e-6</bond>
+</Material>)";
 
   double kn = 0, ks = 0, krot_n = 0, krot_s = 0, krot_t = 0;
   bool turns_with_area = false;  ///< the rotational stiffnesses are kn and ks times the moments of the contact area

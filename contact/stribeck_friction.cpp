@@ -28,6 +28,13 @@ struct StribeckFriction final : ContactLaw {
   static constexpr std::string_view name = "StribeckFriction";
   static constexpr std::string_view summary = "Friction that falls exponentially with speed, with a viscous share.";
   static constexpr int number = 0;
+  static constexpr std::string_view example = R"(
+<Material Type='StribeckFriction' Name='lubricated'>
+  <coeff>0.1</coeff>
+  <coeffStatic>0.25</coeffStatic>
+  <vs>0.05</vs>
+  <kmu>0.01</kmu>
+</Material>)";
 
   double coefficient = 0, static_coefficient = 0, stribeck_speed = 0, viscous_coefficient = 0;
   double displacement_only = 0, contact_stiffness = -1;

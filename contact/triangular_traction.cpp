@@ -10,6 +10,16 @@ struct TriangularTraction final : CohesiveProperties {
   static constexpr std::string_view name = "TriangularTraction";
   static constexpr std::string_view summary = "Cohesive zone: traction up to a peak and down again in straight lines.";
   static constexpr int number = 12;
+  static constexpr std::string_view needs =
+      "two of sigmaI, JIc and delIc, or one of them with kIe and delpkI; the same for sliding, of sigmaII, JIIc, "
+      "delIIc, kIIe and delpkII";
+  static constexpr std::string_view example = R"(
+<Material Type='TriangularTraction' Name='glue'>
+  <sigmaI>2e6</sigmaI>
+  <JIc>100</JIc>
+  <sigmaII>3e6</sigmaII>
+  <JIIc>200</JIIc>
+</Material>)";
 
   static auto parameters() {
     using Rows = CohesiveRows<TriangularTraction>;

@@ -10,6 +10,22 @@ struct TrilinearTraction final : CohesiveProperties {
   static constexpr std::string_view name = "TrilinearTraction";
   static constexpr std::string_view summary = "Cohesive zone: traction in three straight lines between two corners.";
   static constexpr int number = 20;
+  static constexpr std::string_view needs =
+      "five of sigmaI, delpkI, sigmaI2, delpkI2, delIc, JIc and kIe, with kIe one of sigmaI and delpkI; the same of "
+      "sigmaII, delpkII, sigmaII2, delpkII2, delIIc, JIIc and kIIe";
+  static constexpr std::string_view example = R"(
+<Material Type='TrilinearTraction' Name='fibres'>
+  <sigmaI>2e6</sigmaI>
+  <delpkI>0.02</delpkI>
+  <sigmaI2>0.5e6</sigmaI2>
+  <delpkI2>0.2</delpkI2>
+  <delIc>1e-3</delIc>
+  <sigmaII>2e6</sigmaII>
+  <delpkII>0.02</delpkII>
+  <sigmaII2>0.5e6</sigmaII2>
+  <delpkII2>0.2</delpkII2>
+  <delIIc>1e-3</delIIc>
+</Material>)";
 
   static auto parameters() {
     using Rows = CohesiveRows<TrilinearTraction>;

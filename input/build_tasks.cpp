@@ -90,6 +90,17 @@ std::vector<std::string> parameter_names(const std::string& task) {
   return names;
 }
 
+std::string_view needs_of_task(std::string_view task) {
+  if (task == "PropertyRamp" || task == "ThermalRamp") return "Delta or DeltaT";
+  if (task == "LoadControl") return "material or mat, Load_Function, velocity and Kp";
+  if (task == "ReverseLoad")
+    return "quantity, or 'global' with a quantity such as 'global dispx', and maxValue; or maxLength";
+  if (task == "DeleteDamaged") return "material or matname";
+  if (task == "FluidSource")
+    return "material or matname; FlowRate or FlowFunction; flow_x, flow_y or flow_z; inlet_width";
+  return {};
+}
+
 bool knows_parameter(const std::string& task, const std::string& name) {
   const auto names = parameter_names(task);
   if (std::find(names.begin(), names.end(), name) != names.end()) return true;

@@ -20,6 +20,9 @@ struct ManualEntry {
   std::string usage;  ///< elements that may contain it, or arguments of a command
   std::string meaning;
   std::vector<ManualRow> rows = {};
+  std::string needs = {};    ///< laws: which properties that are not required alone are required together
+  std::string example = {};  ///< as in a command file
+  std::string script = {};   ///< materials and laws: the same in a script
 };
 
 /// All entries, grouped by kind, in the order of their tables.

@@ -42,6 +42,17 @@ struct CamClay {
   static constexpr std::string_view name = "CamClay";
   static constexpr std::string_view summary = "Modified Cam-Clay, a critical state model of clay.";
   static constexpr int number = 0;
+  static constexpr std::string_view needs = "G or nu";
+  static constexpr std::string_view example = R"(
+<Material Type='CamClay' Name='kaolin'>
+  <rho>1700</rho>
+  <lambda>0.2</lambda>
+  <kappa>0.04</kappa>
+  <e0>1.2</e0>
+  <M>0.9</M>
+  <pc0>100e3</pc0>
+  <nu>0.3</nu>
+</Material>)";
 
   double density = 0, lambda = 0, kappa = 0, void_ratio = 0, slope = 0, consolidation = 0;
   double shear_modulus = absent, poisson_ratio = absent, least_pressure = absent;

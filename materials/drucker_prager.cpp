@@ -23,6 +23,17 @@ struct DruckerPrager {
   static constexpr std::string_view name = "DruckerPrager";
   static constexpr std::string_view summary = "Drucker-Prager plasticity (frictional solid), matched to Mohr-Coulomb.";
   static constexpr int number = 0;
+  static constexpr std::string_view needs = one_elastic_pair;
+  static constexpr std::string_view example = R"(
+<Material Type='DruckerPrager' Name='sand'>
+  <rho>1600</rho>
+  <E>10e6</E>
+  <nu>0.3</nu>
+  <cohesion>0</cohesion>
+  <friction>32</friction>
+  <dilation>0</dilation>
+  <match>1</match>
+</Material>)";
 
   double density = 0;
   double young_modulus = absent, poisson_ratio = absent, bulk_modulus = absent, shear_modulus = absent;

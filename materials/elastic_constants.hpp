@@ -5,6 +5,7 @@
 #include "materials/elastic.hpp"
 
 #include <limits>
+#include <string_view>
 
 namespace tribo {
 
@@ -17,6 +18,9 @@ struct ElasticConstants {
   double young_modulus = absent, poisson_ratio = absent;                ///< E, nu
   double bulk_modulus = absent, shear_modulus = absent, lame = absent;  ///< K, G, Lame
 };
+
+/// What laws with `elastic_constants` need, for the manual.
+inline constexpr std::string_view one_elastic_pair = "E and nu, or K and G";
 
 /// Lame constants from exactly one of the pairs E and nu, K and G or, if `allow_lame`, Lame and G. Any other
 /// combination is reported as a problem at `statement`, with the constants given and the valid pairs. The ranges of

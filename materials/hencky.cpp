@@ -19,6 +19,13 @@ struct Hencky {
   static constexpr std::string_view name = "Hencky";
   static constexpr std::string_view summary = "Hencky solid, linear between Kirchhoff stress and logarithmic strain.";
   static constexpr int number = 0;
+  static constexpr std::string_view needs = one_elastic_pair;
+  static constexpr std::string_view example = R"(
+<Material Type='Hencky' Name='rubber'>
+  <rho>1100</rho>
+  <E>1.5e6</E>
+  <nu>0.45</nu>
+</Material>)";
 
   double density = 0;
   double young_modulus = absent, poisson_ratio = absent, bulk_modulus = absent, shear_modulus = absent;

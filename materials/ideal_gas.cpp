@@ -12,6 +12,12 @@ struct IdealGas {
   static constexpr std::string_view name = "IdealGas";
   static constexpr std::string_view summary = "Ideal gas, adiabatic or isothermal.";
   static constexpr int number = 22;
+  static constexpr std::string_view example = R"(
+<Material Type='IdealGas' Name='air'>
+  <rho>1.2</rho>
+  <P0>101325</P0>
+  <gamma>1.4</gamma>
+</Material>)";
 
   double density = 0, pressure = 0, gamma = 1.4, absolute = 0;
 

@@ -29,6 +29,19 @@ struct IsoPlasticity {
   static constexpr std::string_view summary =
       "Elastic-plastic solid of von Mises type with linear, power-law or Johnson-Cook hardening.";
   static constexpr int number = 9;
+  static constexpr std::string_view needs = "E and nu, or K and G; yield, with <Hardening> JohnsonCook Ajc";
+  static constexpr std::string_view example = R"(
+<Material Type='IsoPlasticity' Name='copper'>
+  <rho>8930</rho>
+  <E>117e9</E>
+  <nu>0.35</nu>
+  <Hardening>JohnsonCook</Hardening>
+  <Ajc>90e6</Ajc>
+  <Bjc>292e6</Bjc>
+  <njc>0.31</njc>
+  <Cjc>0.025</Cjc>
+  <ep0jc>1</ep0jc>
+</Material>)";
 
   double density = 0;
   double young_modulus = absent, poisson_ratio = absent, bulk_modulus = absent, shear_modulus = absent;

@@ -48,6 +48,16 @@ struct IsoSoftening {
   static constexpr std::string_view summary =
       "Elastic solid that cracks: softening damage with a fracture energy that does not depend on the cell size.";
   static constexpr int number = 50;
+  static constexpr std::string_view needs = one_elastic_pair;
+  static constexpr std::string_view example = R"(
+<Material Type='IsoSoftening' Name='concrete'>
+  <rho>2400</rho>
+  <E>30e9</E>
+  <nu>0.2</nu>
+  <sigmac>3e6</sigmac>
+  <I-Gc>100</I-Gc>
+  <SofteningI>Linear</SofteningI>
+</Material>)";
 
   double density = 0;
   double young_modulus = absent, poisson_ratio = absent, bulk_modulus = absent, shear_modulus = absent;

@@ -17,6 +17,12 @@ struct LinearElasticParameters {
   static constexpr std::string_view name = "LinearElastic";
   static constexpr std::string_view summary = "Isotropic linear elastic solid, Jaumann rate (large rotations).";
   static constexpr int number = 1;
+  static constexpr std::string_view example = R"(
+<Material Type='LinearElastic' Name='steel'>
+  <rho>7850</rho>
+  <E>210e9</E>
+  <nu>0.3</nu>
+</Material>)";
 
   double density = 0, young_modulus = 0, poisson_ratio = 0;
   Elasticity elastic;

@@ -131,6 +131,8 @@ struct NoState {};
 
 /// Batch implementation for a law written for one point. `Law` is a plain struct with
 /// - `static constexpr std::string_view name, summary; static constexpr int number;` (type number in NairnMPM, or 0)
+/// - `static constexpr std::string_view example`: a <Material> element for the manual, in m, kg, s
+/// - `static constexpr std::string_view needs`, optional: which of the optional parameters are needed together
 /// - `static auto parameters()`: std::array<Parameter<Law>, N>
 /// - `static std::vector<OwnProperty> own_properties()`, optional: words and lists that `prepare` reads itself
 /// - `void prepare(const Statement&, Problems&)`: derived constants and checks, called once; optionally with a Units

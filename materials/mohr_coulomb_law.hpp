@@ -20,6 +20,20 @@ struct MohrCoulombLaw {
   static constexpr std::string_view summary =
       "Elastic, frictional plastic or viscoplastic solid: Mohr-Coulomb with dilation, tension cut-off and softening.";
   static constexpr int number = 0;
+  static constexpr std::string_view needs =
+      "E and nu, or K and G; softening_end, if there is one of cohesion_residual, friction_residual, dilation_residual "
+      "and tension_residual, and the reverse";
+  static constexpr std::string_view example = R"(
+<Material Type='MohrCoulomb' Name='clay'>
+  <rho>1900</rho>
+  <E>40e6</E>
+  <nu>0.3</nu>
+  <cohesion>20e3</cohesion>
+  <friction>25</friction>
+  <dilation>0</dilation>
+  <cohesion_residual>5e3</cohesion_residual>
+  <softening_end>0.1</softening_end>
+</Material>)";
 
   double density = 0;
   double young_modulus = absent, poisson_ratio = absent, bulk_modulus = absent, shear_modulus = absent;

@@ -16,6 +16,14 @@ struct MooneyRivlin {
   static constexpr std::string_view name = "MooneyRivlin";
   static constexpr std::string_view summary = "Compressible Mooney-Rivlin rubber.";
   static constexpr int number = 8;
+  static constexpr std::string_view needs = "G1 and K, or E and nu";
+  static constexpr std::string_view example = R"(
+<Material Type='MooneyRivlin' Name='rubber'>
+  <rho>1100</rho>
+  <G1>0.4e6</G1>
+  <G2>0.1e6</G2>
+  <K>50e6</K>
+</Material>)";
 
   double density = 0;
   double G1 = absent, G2 = 0, bulk_modulus = absent, young_modulus = absent, poisson_ratio = absent;

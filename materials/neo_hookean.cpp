@@ -16,6 +16,13 @@ struct NeoHookean {
   static constexpr std::string_view name = "NeoHookean";
   static constexpr std::string_view summary = "Compressible neo-Hookean solid for large elastic strains.";
   static constexpr int number = 28;
+  static constexpr std::string_view needs = "E and nu, or K and G, or Lame and G";
+  static constexpr std::string_view example = R"(
+<Material Type='NeoHookean' Name='rubber'>
+  <rho>1100</rho>
+  <G>0.5e6</G>
+  <K>50e6</K>
+</Material>)";
 
   double density = 0;
   double young_modulus = absent, poisson_ratio = absent, bulk_modulus = absent, shear_modulus = absent, lame = absent;

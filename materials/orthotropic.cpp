@@ -60,6 +60,20 @@ struct OrthotropicParameters {
   static constexpr std::string_view name = "Orthotropic";
   static constexpr std::string_view summary = "Orthotropic elastic solid for small strains and any rotation.";
   static constexpr int number = 4;
+  static constexpr std::string_view needs = "nuxy or nuyx, nuyz or nuzy, nuxz or nuzx";
+  static constexpr std::string_view example = R"(
+<Material Type='Orthotropic' Name='spruce'>
+  <rho>430</rho>
+  <Ex>11e9</Ex>
+  <Ey>0.9e9</Ey>
+  <Ez>0.5e9</Ez>
+  <Gxy>0.7e9</Gxy>
+  <Gyz>0.04e9</Gyz>
+  <Gxz>0.6e9</Gxz>
+  <nuxy>0.4</nuxy>
+  <nuyz>0.5</nuyz>
+  <nuxz>0.45</nuxz>
+</Material>)";
 
   double density = 0;
   double nu_xy = absent, nu_yz = absent, nu_xz = absent, nu_yx = absent, nu_zy = absent, nu_zx = absent;

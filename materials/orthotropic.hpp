@@ -80,6 +80,24 @@ struct Transverse {
   static constexpr std::string_view summary = Axis == 2 ? "Transversely isotropic elastic solid, axial direction z."
                                                         : "Transversely isotropic elastic solid, axial direction y.";
   static constexpr int number = Axis == 2 ? 2 : 3;
+  static constexpr std::string_view example = Axis == 2 ? R"(
+<Material Type='Transverse1' Name='carbon'>
+  <rho>1600</rho>
+  <EA>140e9</EA>
+  <ET>9e9</ET>
+  <GA>5e9</GA>
+  <nuA>0.3</nuA>
+  <nuT>0.45</nuT>
+</Material>)"
+                                                        : R"(
+<Material Type='Transverse2' Name='carbon'>
+  <rho>1600</rho>
+  <EA>140e9</EA>
+  <ET>9e9</ET>
+  <GA>5e9</GA>
+  <nuA>0.3</nuA>
+  <nuT>0.45</nuT>
+</Material>)";
 
   double density = 0, EA = 0, ET = 0, GA = 0, nu_A = 0, nu_T = 0;
   OrthotropicElasticity elastic;

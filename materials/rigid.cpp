@@ -10,6 +10,12 @@ struct Rigid {
   static constexpr std::string_view name = "Rigid";
   static constexpr std::string_view summary = "Rigid particles with prescribed motion, as moving boundary conditions.";
   static constexpr int number = 11;
+  static constexpr std::string_view needs = "a direction in SetDirection for each <SettingFunction>";
+  static constexpr std::string_view example = R"(
+<Material Type='Rigid' Name='piston'>
+  <SetDirection>2</SetDirection>
+  <SettingFunction>-0.5*min(t/0.1,1)</SettingFunction>
+</Material>)";
   static std::array<Parameter<Rigid>, 0> parameters() { return {}; }
   // Read by the model: see Builder::rigid_functions.
   static std::vector<OwnProperty> own_properties() {

@@ -11,6 +11,11 @@ struct RigidContact {
   static constexpr std::string_view summary =
       "Rigid body with prescribed motion, in contact with other materials by contact laws.";
   static constexpr int number = 35;
+  static constexpr std::string_view example = R"(
+<Material Type='RigidContact' Name='tool'>
+  <SettingFunction>0.2</SettingFunction>
+  <SettingFunction2>-0.1*sin(20*t)</SettingFunction2>
+</Material>)";
   static std::array<Parameter<RigidContact>, 0> parameters() { return {}; }
   // Read by the model: see Builder::rigid_functions.
   static std::vector<OwnProperty> own_properties() {

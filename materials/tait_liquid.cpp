@@ -19,6 +19,12 @@ struct TaitLiquid {
   static constexpr std::string_view summary =
       "Weakly compressible viscous liquid: Tait equation, viscosity as a function of shear rate.";
   static constexpr int number = 27;
+  static constexpr std::string_view example = R"(
+<Material Type='TaitLiquid' Name='water'>
+  <rho>1000</rho>
+  <K>2e7</K>
+  <viscosity>1e-3</viscosity>
+</Material>)";
   static constexpr double C = 0.0894;
 
   double density = 0, bulk_modulus = 0;
@@ -32,7 +38,7 @@ struct TaitLiquid {
     };
   }
   static std::vector<OwnProperty> own_properties() {
-    return {{"viscosity", "viscosity [stress time]; one value, or one for each <logshearrate>"},
+    return {{"viscosity", "viscosity [stress time]; one value, or one for each <logshearrate>; required"},
             {"logshearrate", "log10 of the shear rate that belongs to each <viscosity>; increasing"}};
   }
 

@@ -23,6 +23,17 @@ struct ViscoelasticParameters {
   static constexpr std::string_view name = "Viscoelastic";
   static constexpr std::string_view summary = "Viscoelastic solid, Prony series of shear moduli, elastic in volume.";
   static constexpr int number = 7;
+  static constexpr std::string_view example = R"(
+<Material Type='Viscoelastic' Name='polymer'>
+  <rho>1200</rho>
+  <K>3e9</K>
+  <G0>0.2e9</G0>
+  <ntaus>2</ntaus>
+  <Gk>0.5e9</Gk>
+  <tauk>0.01</tauk>
+  <Gk>0.3e9</Gk>
+  <tauk>1</tauk>
+</Material>)";
 
   double density = 0, bulk_modulus = 0, long_modulus = 0;
   std::vector<MaxwellElement> elements;

@@ -8,8 +8,9 @@ namespace tribo::keywords {
 void add_blocks(Rows& add) {
   const std::vector<AttributeSpec> of_blocks{
       text("name", "name used by histories and messages"),
-      text("matname", "with a grid: RigidContact material of the block, for contact with other materials"),
-      text("mat", "number of that material, instead of matname"),
+      text("matname",
+           "RigidContact material of the block, for contact with other materials; this or mat is required with a grid"),
+      text("mat", "number of that material; this or matname is required with a grid"),
       number("rho", "density", true),
       number("vx", "initial velocity"),
       number("vy", ""),
@@ -24,9 +25,12 @@ void add_blocks(Rows& add) {
       number("fric", "as kn, friction coefficient: the smaller one of both sides")};
   const AttributeSpec inherit{
       "inherit", T::flag, "kn, ks and friction of a contact follow from those of its two blocks, where both have them"};
-  const std::vector<AttributeSpec> block_box{number("xmin", "edge", true), number("xmax", "", true),
-                                             number("ymin", "", true),     number("ymax", "", true),
-                                             number("zmin", ""),           number("zmax", "")};
+  const std::vector<AttributeSpec> block_box{number("xmin", "edge", true),
+                                             number("xmax", "", true),
+                                             number("ymin", "", true),
+                                             number("ymax", "", true),
+                                             number("zmin", "required in three dimensions"),
+                                             number("zmax", "required in three dimensions")};
   const AttributeSpec points{
       "points", T::choice,
       "one contact at the centre of a common face (default), or one at each of its corners with its "
@@ -35,7 +39,9 @@ void add_blocks(Rows& add) {
   add({"Blocks", "JANFEAInput",
        "rigid blocks with joint laws at their contacts, alone or together with bodies in a grid", T::none,
        std::vector<AttributeSpec>{
-           text("lawname", "name of the joint law of contacts outside every <Joint>, and of the stiffness of platens"),
+           text("lawname",
+                "name of the joint law of contacts outside every <Joint>, and of the stiffness of platens; required if "
+                "there are any"),
            text("law", "number or name of that joint law, instead of lawname"),
            text("touchname",
                 "name of the joint law of contacts formed during the run outside every <Joint>; default: the law "
@@ -57,11 +63,16 @@ void add_blocks(Rows& add) {
        T::none,
        block_box +
            std::vector{
-               text("file", "table with columns x, y, z of the nuclei"),
-               number("hexagons", "nuclei of regular hexagons: distance between opposite sides (2D)"),
-               number("cubes", "nuclei of cubes, in two dimensions squares: edge length"),
-               number("octahedra", "nuclei of truncated octahedra: distance between opposite squares (3D)"),
-               {"random", T::integer, "number of randomly placed nuclei"},
+               text("file", "table with columns x, y, z of the nuclei; required without other nuclei"),
+               number(
+                   "hexagons",
+                   "nuclei of regular hexagons: distance between opposite sides (2D); required without other nuclei"),
+               number("cubes",
+                      "nuclei of cubes, in two dimensions squares: edge length; required without other nuclei"),
+               number("octahedra",
+                      "nuclei of truncated octahedra: distance between opposite squares (3D); required without other "
+                      "nuclei"),
+               {"random", T::integer, "number of randomly placed nuclei; required without other nuclei"},
                {"seed", T::integer, "seed of the random numbers; each value gives another specimen (default 1)"},
                number("apart",
                       "smallest distance between two random nuclei, as a fraction of the edge length of the square or "
@@ -83,9 +94,11 @@ void add_blocks(Rows& add) {
        "Criteria are its shapes, one of which contains the middle of the contact, and the attributes",
        T::none,
        std::vector<AttributeSpec>{
-           text("lawname", "name of the joint law"),
-           text("law", "number or name of the joint law, instead of lawname"),
-           text("blocks", "names of blocks, separated by blanks: both blocks of the contact are among them"),
+           text("lawname", "name of the joint law; this or law is required"),
+           text("law", "number or name of the joint law; this or lawname is required"),
+           text(
+               "blocks",
+               "names of blocks, separated by blanks: both blocks of the contact are among them; required with 'with'"),
            text("with", "one block is among these, the other among 'blocks'; 'any': any block"),
            text("dip",
                 "two angles: the face is inclined to the horizontal by an angle between them [degrees, 0 to 90]; y "
@@ -116,7 +129,8 @@ void add_blocks(Rows& add) {
        std::vector<AttributeSpec>{
            {"value", T::function, "pressure, may be a function of t", {}, true},
            {"follows", T::flag, "the pressure stays normal to the rotating faces (default yes)"}}});
-  const AttributeSpec named = text("blocks", "names of blocks, separated by blanks: only these; shapes may be absent");
+  const AttributeSpec named =
+      text("blocks", "names of blocks, separated by blanks: only these; required without shapes");
   add({"Hold", "Blocks",
        "prescribed motion of blocks whose centres lie in its shapes; components that are not given are free", T::none,
        std::vector<AttributeSpec>{named} + motion +

@@ -7,8 +7,8 @@ namespace tribo::keywords {
 namespace {
 
 std::vector<AttributeSpec> body_attributes() {
-  return {text("mat", "number of the material"),
-          text("matname", "name of the material, instead of mat"),
+  return {text("mat", "number of the material; this or matname is required"),
+          text("matname", "name of the material; this or mat is required"),
           number("angle", "rotation of the material axes about z [degrees]"),
           number("thick", "thickness (2D)"),
           number("vx", "initial velocity"),
@@ -29,7 +29,10 @@ void add_bodies(Rows& add) {
     add({name, "Body", "initial velocity of the following shapes, a function of position (before Deform moves it)",
          T::function});
   for (const auto name : {"RotateX", "RotateY", "RotateZ"})
-    add({name, "Body", "rotation of the material axes of the following shapes [degrees]", T::function});
+    add({name, "Body",
+         name[6] == 'Z' ? "rotation of the material axes of the following shapes [degrees]"
+                        : "rotation out of the plane: without effect on isotropic materials, refused for others",
+         T::function});
   add({"Unrotate", "Body", "the material axes of the following shapes are those of the grid"});
   add({"Deform",
        "Body",
@@ -48,11 +51,11 @@ void add_bodies(Rows& add) {
   add({"PointList", "MaterialPoints", "single particles"});
   add({"mp",
        "PointList",
-       "a particle",
+       "a particle; its <pt> is required",
        T::none,
        {{"elem", T::integer, "accepted"},
-        text("mat", "number of the material"),
-        text("matname", "name of the material, instead of mat"),
+        text("mat", "number of the material; this or matname is required"),
+        text("matname", "name of the material; this or mat is required"),
         number("angle", "rotation of the material axes about z [degrees]"),
         number("thick", "thickness"),
         number("temp", "temperature"),
@@ -65,12 +68,13 @@ void add_bodies(Rows& add) {
        "domain as size or size_x, size_y, size_z; and as needed mass, vx, vy, vz, temperature, the initial stress xx, "
        "yy, zz, xy, yz, xz, and history variables of the material by their names",
        T::none,
-       {text("mat", "number of the material"), text("matname", "name of the material, instead of mat"),
+       {text("mat", "number of the material; this or matname is required"),
+        text("matname", "name of the material; this or mat is required"),
         text("file",
              "table of comma-separated values with the names of its columns in the first line, or a VTK file "
              "(.vtp, .vtu, .vtk), such as a block of a particle file of a run",
              true),
-        number("size", "edge length of all domains, instead of a column"),
+        number("size", "edge length of all domains; required without a column of sizes or volumes"),
         number("vx", "initial velocity, instead of a column"), number("vy", "initial velocity"),
         number("vz", "initial velocity"), number("temp", "initial temperature, instead of a column"),
         number("angle", "rotation of the material axes about z [degrees]"),
@@ -125,9 +129,11 @@ void add_shapes(Rows& add) {
             placement + group);
   shape("Terrain", "body below a surface of heights, in space",
         std::vector{text("file", "ESRI ASCII grid, or a PNG or BMP picture", true),
-                    number("zmin", "height of its bottom"), text("below", "file of its lower surface, instead of zmin"),
-                    number("width", "of a picture, along x"), number("depth", "of a picture, along y"),
-                    number("low", "height of black (default 0)"), number("high", "height of white")} +
+                    number("zmin", "height of its bottom; this or below is required"),
+                    text("below", "file of its lower surface; this or zmin is required"),
+                    number("width", "required of a picture: along x"),
+                    number("depth", "required of a picture: along y"), number("low", "height of black (default 0)"),
+                    number("high", "required of a picture: height of white")} +
             placement);
   add({"BMP",
        "MaterialPoints Stage",
@@ -140,8 +146,8 @@ void add_shapes(Rows& add) {
        "BMP",
        "material of a range of grey values",
        T::none,
-       {text("mat", "number of the material"),
-        text("matname", "name of the material, instead of mat"),
+       {text("mat", "number of the material; this or matname is required"),
+        text("matname", "name of the material; this or mat is required"),
         {"imin", T::integer, "0 black", {}, true},
         {"imax", T::integer, "255 white", {}, true},
         number("vx", ""),

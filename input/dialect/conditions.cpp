@@ -11,7 +11,7 @@ std::vector<AttributeSpec> condition_attributes() {
   return {{"style", T::choice, "how the value depends on time or on motion (default constant)", all_style_words()},
           number("time", "start time, or angular frequency of sine and cosine"),
           number("ftime", "the same as time"),
-          function("function", "value for style function"),
+          function("function", "value; required with style function"),
           {"id", T::integer, "number <= 0 that identifies the condition in reaction histories"}};
 }
 

@@ -43,8 +43,9 @@ void add_contact(Rows& add) {
        "the "
        "start",
        T::number,
-       contact_law() + std::vector<AttributeSpec>{text("mat", "number of the other material"),
-                                                  text("matname", "name of the other material, instead of mat")}});
+       contact_law() +
+           std::vector<AttributeSpec>{text("mat", "number of the other material; this or matname is required"),
+                                      text("matname", "name of the other material; this or mat is required")}});
   add({"ContactPosition",
        "MultiMaterialMode",
        "for gaps from positions and normals from gradients: distance in cells at which bodies touch, or minus an "

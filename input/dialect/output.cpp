@@ -8,7 +8,7 @@ namespace tribo::keywords {
 void add_output(Rows& add) {
   add({"ArchiveTime",
        "MPMHeader",
-       "time between particle files",
+       "time between particle files; this or ArchiveGroup is required",
        T::number,
        {units(times), {"maxProps", T::integer, "no effect"}},
        false});
@@ -23,7 +23,7 @@ void add_output(Rows& add) {
        "a further interval between particle files, from a later time on",
        T::none,
        {number("time", "interval", true),
-        number("start", "time from which on it applies"),
+        number("start", "time from which on it applies; required where an interval precedes"),
         {"maxProps", T::integer, "no effect"},
         units(times)}});
   add({"GlobalArchiveTime",
@@ -36,8 +36,10 @@ void add_output(Rows& add) {
        "MPMHeader",
        "a column of history.csv",
        T::none,
-       {text("type", "name of the quantity", true), text("material", "number of a material, or id of a condition"),
-        text("mat", "the same as material"), text("matname", "name of a material"),
+       {text("type", "name of the quantity", true),
+        text("material", "number of a material, or id of a condition; this, mat or matname is required with 'with'"),
+        text("mat", "the same as material; this, material or matname is required with 'with'"),
+        text("matname", "name of a material; this, material or mat is required with 'with'"),
         text("pt", "'x,y' or 'x,y,z': value of the particle initially nearest to this point"),
         text("with", "contact quantities: number of the other material"),
         text("withname", "name of the other material"), text("platen", "models of blocks: name of a platen"),

@@ -28,9 +28,13 @@ std::vector<AttributeSpec> box(bool three) {
 
 std::vector<AttributeSpec> ends() {
   std::vector<AttributeSpec> out;
-  for (const auto name : {"x1", "y1", "z1", "x2", "y2", "z2", "xmin", "ymin", "zmin", "xmax", "ymax", "zmax"})
-    out.push_back({name, T::coordinate, "end, or corner"});
-  out.push_back({"tolerance", T::text, "distance, or *f for f cells (default *0.1)"});
+  constexpr std::string_view end = "end; the ends or the corners are required",
+                             corner = "corner; the corners or the ends are required";
+  for (const std::string_view name : {"x1", "y1", "z1", "x2", "y2", "z2"})
+    out.push_back({name, T::coordinate, name[0] == 'z' ? "end" : end});
+  for (const std::string_view name : {"xmin", "ymin", "zmin", "xmax", "ymax", "zmax"})
+    out.push_back({name, T::coordinate, name[0] == 'z' ? "corner" : corner});
+  out.push_back({"tolerance", T::text, "distance, or *f for f cells (default *0.1; required without a grid)"});
   return out;
 }
 
@@ -45,8 +49,8 @@ std::vector<AttributeSpec> stress_components() {
 }
 
 std::vector<AttributeSpec> contact_law() {
-  return {text("law", "number or name of the contact law"),
-          text("lawname", "name of the contact law, instead of law"),
+  return {text("law", "number or name of the contact law; this, lawname or a number as text is required"),
+          text("lawname", "name of the contact law; this, law or a number as text is required"),
           number("Dn", "old form: normal stiffness of an interface"),
           number("Dnt", "normal stiffness in tension"),
           number("Dnc", "normal stiffness in compression"),

@@ -16,7 +16,7 @@ void add_settings(Rows& add) {
        "MPMHeader Stage",
        "grid damping [1/time]: a force on the nodes, minus this times their momentum",
        T::number,
-       {function("function", "of time, instead of the number")},
+       {function("function", "of time; required without the number")},
        true});
   add({"PDamping",
        "MPMHeader Stage",
@@ -24,7 +24,7 @@ void add_settings(Rows& add) {
        "velocity "
        "are not damped",
        T::number,
-       {function("function", "of time, instead of the number")},
+       {function("function", "of time; required without the number")},
        true});
   add({"FeedbackDamping",
        "MPMHeader Stage",
@@ -132,8 +132,8 @@ void add_grid(Rows& add) {
         number("xmax", "", true),
         number("ymin", "", true),
         number("ymax", "", true),
-        number("zmin", ""),
-        number("zmax", ""),
+        number("zmin", "required in three dimensions"),
+        number("zmax", "required in three dimensions"),
         number("thickness", "thickness of a plane model (default 1)"),
         {"type", T::integer, "accepted"},
         units(lengths)},
@@ -142,15 +142,16 @@ void add_grid(Rows& add) {
   for (const auto name : {"Horiz", "Vert", "Depth"})
     add({name,
          "Grid",
-         name[0] == 'H'   ? "cells along x"
-         : name[0] == 'V' ? "cells along y"
-                          : "cells along z",
+         name[0] == 'H'   ? "cells along x; required"
+         : name[0] == 'V' ? "cells along y; required"
+                          : "cells along z; required in three dimensions",
          T::none,
-         {{"nx", T::integer, "number of cells (Horiz)"},
-          {"ny", T::integer, "number of cells (Vert)"},
-          {"nz", T::integer, "number of cells (Depth)"},
+         {{"nx", T::integer, "number of cells (Horiz); this or cellsize is required"},
+          {"ny", T::integer, "number of cells (Vert); this or cellsize is required"},
+          {"nz", T::integer, "number of cells (Depth); this or cellsize is required"},
           number("cellsize",
-                 "cell size, instead of a number; the upper edge is moved outward to a whole number of cells"),
+                 "cell size, required without a number of cells; the upper edge is moved outward to a whole number of "
+                 "cells"),
           number("symmin", "symmetry plane at this coordinate"),
           number("symmax", "symmetry plane at this coordinate"),
           number("wallmin", "wall at this coordinate with boundary-modified shape functions (B-splines)"),

@@ -16,13 +16,16 @@ void add_stages(Rows& add) {
                    units(times)}});
   add({"When",
        "JANFEAInput Stage",
-       "what is done, once, when something happens while the stage lasts, or in the file before the first stage",
+       "what is done, once, when something happens while the stage lasts, or in the file before the first stage; an "
+       "element in it is required",
        T::none,
-       {{"event", T::choice, "bond_break: a bond of a joint breaks", "bond_break"},
-        text("history", "a column of history.csv, which passes a value in a row of the file"),
-        number("above", "the history is above this value, in its unit"),
-        number("below", "the history is below this value"),
-        number("ratio", "the ratio of unbalanced to applied forces is below this value")}});
+       {{"event", T::choice, "bond_break: a bond of a joint breaks; this, history or ratio is required", "bond_break"},
+        text("history",
+             "a column of history.csv, which passes a value in a row of the file; this, event or ratio is required"),
+        number("above", "the history is above this value, in its unit; this or below is required with history"),
+        number("below", "the history is below this value; this or above is required with history"),
+        number("ratio",
+               "the ratio of unbalanced to applied forces is below this value; this, event or history is required")}});
   add({"Stop", "When", "the run stops, as if its time were over", T::none, {}, true});
   add({"Frame", "When", "the files of particles or blocks are written", T::none, {}, true});
   add({"Checkpoint", "When", "a checkpoint is written", T::none, {}, true});

@@ -26,6 +26,8 @@ class Catalogue {
   struct Item {
     std::string name;                  ///< as written in the input, e.g. `MohrCoulomb`
     std::string summary;               ///< one sentence
+    std::string needs;                 ///< which of the optional parameters the law needs together; empty: none
+    std::string example;               ///< a <Material> element for the manual, in m, kg, s
     int number = 0;                    ///< type number in NairnMPM; 0: none
     std::vector<std::string> aliases;  ///< further accepted names
     std::vector<ParameterInfo> parameters;
@@ -72,13 +74,16 @@ class Catalogue {
   std::size_t own_;  // number of the laws of Tribo, which stand first
 };
 
-/// Catalogue entry of `Law`, which has name, summary, number, parameters(), prepare() and optionally own_properties().
-/// `Host` is the class used by the solver, constructed from the law: the law itself or an adapter.
+/// Catalogue entry of `Law`, which has name, summary, number, parameters(), prepare() and optionally own_properties()
+/// and an example, which the test of the manual demands of Tribo's laws. `Host` is the class used by the solver,
+/// constructed from the law: the law itself or an adapter.
 template <class Base, class Law, class Host>
 typename Catalogue<Base>::Item catalogue_item(const std::vector<std::string>& aliases) {
   typename Catalogue<Base>::Item item;
   item.name = Law::name;
   item.summary = Law::summary;
+  if constexpr (requires { Law::needs; }) item.needs = Law::needs;
+  if constexpr (requires { Law::example; }) item.example = Law::example;
   item.number = Law::number;
   item.aliases = aliases;
   for (const auto& p : Law::parameters()) item.parameters.push_back(p.info());

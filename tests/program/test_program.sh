@@ -26,6 +26,7 @@ expect 0 "$tribo" list GIMP
 expect 2 "$tribo" list Nonsense
 expect 0 "$tribo" doc mohrcoulomb
 grep -q "angle of internal friction" out.txt || fail "doc does not describe a material"
+grep -q "<Material Type='MohrCoulomb'" out.txt || fail "doc shows no example"
 expect 0 "$tribo" doc GridHoriz
 expect 2 "$tribo" doc MohrColoumb
 grep -q "did you mean 'MohrCoulomb'" err.txt || fail "doc: no 'did you mean'"

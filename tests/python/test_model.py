@@ -87,6 +87,7 @@ class Models(InFolder):
 
     def test_manual(self):
         self.assertIn("angle of internal friction", tribo.doc("MohrCoulomb"))
+        self.assertIn("<Material Type='MohrCoulomb'", tribo.doc("MohrCoulomb"))
         self.assertIn("MohrCoulomb", tribo.keywords("material"))
         self.assertIn("von_mises", tribo.keywords("field"))
         self.assertIn("E", tribo.parameters("LinearElastic"))
