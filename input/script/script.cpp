@@ -166,7 +166,8 @@ std::string run_commands(Statement& root, Settings& settings, Problems& problems
       if (same == root.children.end())
         root.children.push_back(std::move(section));
       else
-        std::move(section.children.begin(), section.children.end(), std::back_inserter(same->children));
+        std::move(section.attributes.begin(), section.attributes.end(), std::back_inserter(same->attributes)),
+            std::move(section.children.begin(), section.children.end(), std::back_inserter(same->children));
     }
   }
 }
