@@ -61,7 +61,7 @@ void PythonProgram::call(const std::string& begin, const std::vector<std::string
 void PythonProgram::take(const Command& c) {
   const std::string word = lower(c.node.word);
   if (material_) return word == "done" ? end_of_material() : property(c, word);
-  if (region_ && word != "polypt") end_of_polygon();
+  if (word != "polypt" || c.node.cuts > 0) end_of_polygon();
   if (!ends_.empty() && word == ends_.back()) {
     if (program_.back().ends_with(":")) add(std::string(4 * ends_.size(), ' ') + "pass");
     if (region_)
@@ -82,6 +82,7 @@ void PythonProgram::take(const Command& c) {
     return;
   }
   if (word == "region") return begin_region(c);
+  if (word == "polypt" && c.node.cuts == 0) return corner(c);
   if (region_) shape(c, word);
   any(c, info_of(word));
 }
@@ -134,9 +135,7 @@ void PythonProgram::lines(const Command& c, const std::string& word) {
   }
   std::vector<std::string> arguments{c.given(0) ? python_value(c.text(0)) : "None", python_lines("\n" + text)};
   if (c.given(1)) arguments.push_back(python_value(c.text(1)));
-  std::string out = std::string(4 * ends_.size(), ' ') + "m.xml_data(";
-  for (std::size_t k = 0; k < arguments.size(); ++k) out += (k ? ", " : "") + arguments[k];
-  add(out + ")");
+  add(std::string(4 * ends_.size(), ' ') + "m.xml_data(" + join(arguments) + ")");
 }
 
 void PythonProgram::property(const Command& c, const std::string& word) {
@@ -206,15 +205,28 @@ void PythonProgram::begin_region(const Command& c) {
   region_ = std::move(region);
 }
 
+// The corners of a polygon are one call.
+void PythonProgram::corner(const Command& c) {
+  if (c.size() == 0) {
+    end_of_polygon();
+    return call("m.poly_pt", {});
+  }
+  corners_.push_back("(" + join(values(c)) + ")");
+}
+
+void PythonProgram::end_of_polygon() {
+  if (corners_.empty()) return;
+  call("m.points", corners_);
+  if (region_) {
+    const std::string text = join(corners_);
+    region_->shapes.push_back("tribo.polygon(" + text + ")");
+    region_->shorter &= text.size() < 90;  // a longer one is easier to read in several lines
+  }
+  corners_.clear();
+}
+
 void PythonProgram::shape(const Command& c, const std::string& word) {
   Region& region = *region_;
-  if (word == "polypt" && c.node.cuts == 0) {
-    if (c.size() == 0) return end_of_polygon();
-    region.corners.push_back("(" + python_value(c.text(0)) + ", " + python_value(c.text(1)) + ")");
-    return;
-  }
-  std::string text;
-  for (const std::string& value : values(c)) text += (text.empty() ? "" : ", ") + value;
   static const std::map<std::string, std::string> of_six{
       {"rect", "box"}, {"oval", "sphere"}, {"box", "box"}, {"sphere", "sphere"}};
   std::string name = word;
@@ -222,20 +234,11 @@ void PythonProgram::shape(const Command& c, const std::string& word) {
   const bool known = of_six.contains(word) || (word == "cylinder" && c.size() == 7);
   region.shorter &= known && c.node.cuts <= 1 && (c.node.cuts == 0 || !region.shapes.empty());
   if (!region.shorter) return;
-  const std::string made = "tribo." + name + "(" + text + ")";
+  const std::string made = "tribo." + name + "(" + join(values(c)) + ")";
   if (c.node.cuts == 0)
     region.shapes.push_back(made);
   else
     region.shapes.back() += " - " + made;
-}
-
-void PythonProgram::end_of_polygon() {
-  if (region_->corners.empty()) return;
-  std::string text;
-  for (const std::string& corner : region_->corners) text += (text.empty() ? "" : ", ") + corner;
-  region_->shapes.push_back("tribo.polygon(" + text + ")");
-  region_->shorter &= text.size() < 90;  // more corners are easier to read in a line each
-  region_->corners.clear();
 }
 
 void PythonProgram::end_of_region() {
@@ -249,17 +252,15 @@ void PythonProgram::end_of_region() {
 }
 
 std::string PythonProgram::text(const std::string& source) const {
-  std::string units;
-  for (const std::string& unit : units_) units += (units.empty() ? "" : ", ") + unit;
   const auto last = analysis_.find(" mpm");
   std::vector<std::string> arguments{"\"" + analysis_.substr(0, last) + "\""};
   if (!title_.empty()) arguments.push_back("title=" + title_);
-  arguments.push_back(units_.empty() ? "units=None" : "units=(" + units + ")");
+  arguments.push_back(units_.empty() ? "units=None" : "units=(" + join(units_) + ")");
   arguments.push_back("name=" + python_value(name_));
-  std::string out = "\"\"\"The model of " + source + ", built in Python.\n\nWritten by `tribo convert " + source +
-                    " -o " + name_ +
-                    ".py`: commands in the order in which they run, with values in place of variables.\n\"\"\"\n\n" +
-                    "import tribo\n\n" + python_call("m = tribo.Model", arguments, "", 0) + "\n";
+  std::string out =
+      "\"\"\"The model of " + source + ", built in Python.\n\nWritten by `tribo convert " + source + " -o " + name_ +
+      ".py`: the commands in the order in which they run, with values\nin place of variables.\n\"\"\"\n\n" +
+      "import tribo\n\n" + python_call("m = tribo.Model", arguments, "", 0) + "\n";
   for (const std::string& line : program_) out += line + "\n";
   return out + "\nif __name__ == \"__main__\":\n    m.run()\n";
 }

@@ -34,7 +34,7 @@ class PythonProgram {
   };
   struct Region {
     std::size_t line = 0;  ///< of the program, where it began
-    std::vector<std::string> arguments, shapes, corners;
+    std::vector<std::string> arguments, shapes;
     bool shorter = true;
   };
 
@@ -46,6 +46,7 @@ class PythonProgram {
   void property(const Command& c, const std::string& word);
   void end_of_material();
   void begin_region(const Command& c);
+  void corner(const Command& c);
   void shape(const Command& c, const std::string& word);
   void end_of_polygon();
   void end_of_region();
@@ -54,7 +55,8 @@ class PythonProgram {
   std::vector<std::string> units_;
   bool described_ = false, solid_ = false, gravity_ = false;
   std::vector<std::string> program_;
-  std::vector<std::string> ends_;  ///< commands that close the open blocks, in lower case
+  std::vector<std::string> ends_;     ///< commands that close the open blocks, in lower case
+  std::vector<std::string> corners_;  ///< of the polygon that is not yet written
   std::optional<Material> material_;
   std::optional<Region> region_;
 };

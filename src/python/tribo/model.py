@@ -152,6 +152,11 @@ class Model:
             for line in shape.lines():
                 self._add("  " + line)
 
+    def points(self, *points):
+        """Corners (x, y) of a polygon, or of the `polygon_block` before them, or nuclei of the `voronoi` before them."""
+        for point in points:
+            self.command("PolyPt", *point)
+
     def prescribe(self, *shapes, x=None, y=None, z=None):
         """Velocities of the nodes in the shapes: numbers, or texts that are functions of t, x, y, z."""
         with self.grid_bc():
