@@ -102,15 +102,15 @@ void Translator::blocks(const Command& c) {
 void Translator::line_of_blocks(const Command& c, const ElementSpec& element) {
   Statement& s = block_.children.emplace_back();
   s.name = element.name, s.origin = s.text_origin = c.origin();
+  path_ = {block_.children.size() - 1};  // its shapes follow
   pairs(s, element, c, 0);
 }
 
-// The last line of Blocks, to which a shape or a point belongs.
-Statement& Translator::line_before(const Command& c, const std::string& child) {
+// A shape or a point of a polygon belongs to the last line.
+void Translator::must_follow_line(const Command& c, const std::string& child) const {
   if (block_.children.empty() || !find_element(child, block_.children.back().name))
     throw InputError(c.origin(),
                      "'" + c.node.word + "' inside 'Blocks' belongs to a line before it: " + elements_with(child));
-  return block_.children.back();
 }
 
 void Translator::store_blocks() {

@@ -262,7 +262,7 @@ Statement& Translator::place(const Command& c, int cuts) {
   const bool selects = open_ == Open::grid || open_ == Open::particles;
   if (selects && cuts == 0 && !block_.name.empty()) throw InputError(c.origin(), "there is a shape already");
   const bool of_block = open_ == Open::blocks;  // the shape belongs to the line before it, or is cut from its last one
-  if (of_block && cuts == 0) line_before(c, "Rect"), path_ = {block_.children.size() - 1};
+  if (of_block && cuts == 0) must_follow_line(c, "Rect");
   const std::size_t depth = static_cast<std::size_t>(cuts) + (of_block ? 1 : 0);
   if (depth > path_.size()) throw InputError(c.origin(), "'Cut' needs a shape to cut from before it");
   if (selects && block_.name.empty()) block_ = element("BCShape", c.origin());

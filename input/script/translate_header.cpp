@@ -465,6 +465,7 @@ void Translator::xml_data(const Command& c) {
       if (block_.name.empty())
         throw InputError(c.origin(), "'XMLData' inside '" + opened_by_ + "' needs a shape before it");
       block_.children.push_back(child);
+      if (open_ == Open::blocks) path_ = {block_.children.size() - 1};
     } else if (found->second == "Material") {
       document_.materials().push_back(child);
       if (c.given(1)) document_.name_material(c.text(1), c.origin(1));

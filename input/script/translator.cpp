@@ -226,8 +226,8 @@ void Translator::translate(const Command& c, const std::string& word) {
   const bool property_or_unknown = action == actions().end() || also_properties.count(word);
   if (open_ == Open::material && property_or_unknown && !end_of_material) return property(c);
   if (!info) return refused(c);
-  if (const ElementSpec* element = find_element_of_blocks(word); element && open_ == Open::blocks)
-    return line_of_blocks(c, *element);
+  const ElementSpec* line = open_ == Open::blocks ? find_element_of_blocks(word) : nullptr;
+  if (line) return line_of_blocks(c, *line);
   if (action == actions().end())
     throw InputError(c.origin(), "'" + c.node.word + "' belongs into 'Blocks ... EndBlocks'");
   if (c.size() < info->least || c.size() > info->most)

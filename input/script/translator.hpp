@@ -110,7 +110,7 @@ class Translator {
   // translate_blocks.cpp
   void blocks(const Command& c);
   void line_of_blocks(const Command& c, const ElementSpec& element);
-  Statement& line_before(const Command& c, const std::string& child);
+  void must_follow_line(const Command& c, const std::string& child) const;
   void store_blocks();
   static void pairs(Statement& s, const ElementSpec& element, const Command& c, std::size_t first);
 

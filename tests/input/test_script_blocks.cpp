@@ -120,7 +120,7 @@ TEST_CASE("problems of blocks in a script", "[script]") {
   CHECK_THAT(wrong("Rect 0,1,0,1\n"),
              Contains("belongs to a line before it: Joint or Platen or Pressure or Hold or Load"));
   CHECK_THAT(wrong(two_boxes + "PolyPt 0,1\n"), Contains("'PolyPt' inside 'Blocks' belongs to a line before it"));
-  CHECK_THAT(wrong(two_boxes + "Hold vx,0\n  Cut Rect 0,1,0,1\n"),
+  CHECK_THAT(wrong(two_boxes + "Hold vx,0\n  Rect 0,1,0,1\nHold vy,0\n  Cut Rect 0,1,0,1\n"),
              Contains("'Cut' needs a shape to cut from before it"));
   CHECK_THAT(wrong(two_boxes + "Joint lawname,\"dri\"\n"),
              Contains("there is no material 'dri' (did you mean 'dry'?)"));
