@@ -7,9 +7,8 @@ in place of variables.
 import tribo
 
 m = tribo.Model("plane strain", title="An avalanche against a wall", units=("m", "kg", "s"), name="avalanche")
-m.text("""Header
-Units m, kg, s. The slope lies along x and gravity is inclined instead. Dry sand slides down, meets a rigid retaining wall, and comes to rest as a wedge behind it. The force on the wall rises above the one that remains at the end; the static part is that of the deposit.
-EndHeader""")
+with m.header():
+    m.text("""Units m, kg, s. The slope lies along x and gravity is inclined instead. Dry sand slides down, meets a rigid retaining wall, and comes to rest as a wedge behind it. The force on the wall rises above the one that remains at the end; the static part is that of the deposit.""")
 m.mpm_method("USL-", "B2SPLINE")
 m.transfer("APIC")
 m.time_step(1, 3, 0.4)

@@ -8,9 +8,8 @@ import tribo
 
 m = tribo.Model("plane strain", title="A brick arch that fails under a load", units=("m", "kg", "s"),
                 name="brick_arch")
-m.text("""Header
-Units m, kg, s. Fifteen rigid bricks form a semicircle on two fixed abutments, held by their weight and by friction alone. The load on one brick at the left grows to 8000 N, and from 5 s on by 500 N/s. The arch fails when four joints have opened alternately inside and outside, so that it is a mechanism of four hinges: limit analysis (Heyman) gives the load for this.
-EndHeader""")
+with m.header():
+    m.text("""Units m, kg, s. Fifteen rigid bricks form a semicircle on two fixed abutments, held by their weight and by friction alone. The load on one brick at the left grows to 8000 N, and from 5 s on by 500 N/s. The arch fails when four joints have opened alternately inside and outside, so that it is a mechanism of four hinges: limit analysis (Heyman) gives the load for this.""")
 m.time_step(1e-3, 13.5)
 m.archive_time(0.25)
 m.global_archive_time(0.01)

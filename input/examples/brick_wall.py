@@ -7,9 +7,8 @@ in place of variables.
 import tribo
 
 m = tribo.Model("3d", title="A wall of bricks", units=("m", "kg", "s"), name="brick_wall")
-m.text("""Header
-Units m, kg, s. A ball of stone goes through a dry wall. Bricks rest on one another at their corners with friction; those that meet later find each other.
-EndHeader""")
+with m.header():
+    m.text("""Units m, kg, s. A ball of stone goes through a dry wall. Bricks rest on one another at their corners with friction; those that meet later find each other.""")
 m.time_step(1e-3, 1.2)
 m.archive_time(0.04)
 m.global_archive_time(0.01)

@@ -7,9 +7,8 @@ in place of variables.
 import tribo
 
 m = tribo.Model("plane strain", title="Orthogonal cutting", units=("mm", "g", "ms"), name="cutting")
-m.text("""Header
-Units mm, g, ms (MPa). Plane strain, fast: 100 m/s. The block is held at its bottom. APIC keeps the energy within 8 %.
-EndHeader""")
+with m.header():
+    m.text("""Units mm, g, ms (MPa). Plane strain, fast: 100 m/s. The block is held at its bottom. APIC keeps the energy within 8 %.""")
 m.mpm_method("USL-", "uGIMP")
 m.transfer("APIC")
 m.time_step(1, 0.01, 0.3)

@@ -7,9 +7,8 @@ in place of variables.
 import tribo
 
 m = tribo.Model("plane strain", title="Excavation in stages", units=("m", "kg", "s"), name="excavation")
-m.text("""Header
-Units m, kg, s. The ground is at rest under its weight with K0 = 0.5. Each lift removes two metres; the floor heaves, the wall leans into the pit.
-EndHeader""")
+with m.header():
+    m.text("""Units m, kg, s. The ground is at rest under its weight with K0 = 0.5. Each lift removes two metres; the floor heaves, the wall leans into the pit.""")
 m.mpm_method("USL-", "uGIMP")
 m.transfer("APIC")
 m.time_step(1, 4, 0.4)

@@ -7,9 +7,8 @@ in place of variables.
 import tribo
 
 m = tribo.Model("axisymmetric", title="Pull-out of a fibre", units=("mm", "g", "ms"), name="fibre_pull_out")
-m.text("""Header
-Units mm, g, ms (MPa). The end displacement over the stress is coth(b l)/(b E) with b = sqrt(2 Dt/(E r)).
-EndHeader""")
+with m.header():
+    m.text("""Units mm, g, ms (MPa). The end displacement over the stress is coth(b l)/(b E) with b = sqrt(2 Dt/(E r)).""")
 m.mpm_method("USL-", "B2SPLINE")
 m.transfer("FMPM", 2)
 m.time_step(1, 0.12, 0.4)

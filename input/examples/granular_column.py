@@ -7,9 +7,8 @@ in place of variables.
 import tribo
 
 m = tribo.Model("plane strain", title="Collapse of a granular column", units=("m", "kg", "s"), name="granular_column")
-m.text("""Header
-Units m, kg, s. The run-out is measured in half widths of the column.
-EndHeader""")
+with m.header():
+    m.text("""Units m, kg, s. The run-out is measured in half widths of the column.""")
 m.mpm_method("USL-", "uGIMP")
 m.transfer("APIC")
 m.time_step(1, 1.5, 0.4)

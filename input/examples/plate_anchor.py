@@ -7,9 +7,8 @@ in place of variables.
 import tribo
 
 m = tribo.Model("plane strain", title="A plate anchor in sand", units=("m", "kg", "s"), name="plate_anchor")
-m.text("""Header
-Units m, kg, s. A rigid strip anchor, buried in sand at twice its width, is pulled up slowly. The sand above it is lifted as a wedge whose sides lean outwards by the friction angle (dilation = friction), so that the force is the weight of the wedge: F = g rho B H (1 + H/B tan phi). The force here is that of half the anchor.
-EndHeader""")
+with m.header():
+    m.text("""Units m, kg, s. A rigid strip anchor, buried in sand at twice its width, is pulled up slowly. The sand above it is lifted as a wedge whose sides lean outwards by the friction angle (dilation = friction), so that the force is the weight of the wedge: F = g rho B H (1 + H/B tan phi). The force here is that of half the anchor.""")
 m.mpm_method("USL-", "B2SPLINE")
 m.transfer("FMPM", 4)
 m.time_step(1, 1.5, 0.4)

@@ -7,9 +7,8 @@ in place of variables.
 import tribo
 
 m = tribo.Model("plane strain", title="Rockfall", units=("m", "kg", "s"), name="rockfall")
-m.text("""Header
-Units m, kg, s. Boulders roll and bounce down a hard slope onto soft soil, which yields under them (Mohr-Coulomb).
-EndHeader""")
+with m.header():
+    m.text("""Units m, kg, s. Boulders roll and bounce down a hard slope onto soft soil, which yields under them (Mohr-Coulomb).""")
 m.mpm_method("USL-", "B2SPLINE")
 m.transfer("APIC")
 m.cfl_factor(0.4)

@@ -7,9 +7,8 @@ in place of variables.
 import tribo
 
 m = tribo.Model("plane strain", title="Failure of a slope", units=("m", "kg", "s"), name="slope_failure")
-m.text("""Header
-Units m, kg, s. The ground gets its weight at once; cohesion falls to a residual where the soil has sheared by 10 %.
-EndHeader""")
+with m.header():
+    m.text("""Units m, kg, s. The ground gets its weight at once; cohesion falls to a residual where the soil has sheared by 10 %.""")
 m.mpm_method("USL-", "uGIMP")
 m.transfer("APIC")
 m.time_step(1, 8, 0.4)

@@ -7,9 +7,8 @@ in place of variables.
 import tribo
 
 m = tribo.Model("plane strain", title="Two rubber disks collide", units=("mm", "g", "ms"), name="two_disks")
-m.text("""Header
-Units mm, g, ms (MPa). Each disk has a velocity field of its own and meets the other by contact without friction.
-EndHeader""")
+with m.header():
+    m.text("""Units mm, g, ms (MPa). Each disk has a velocity field of its own and meets the other by contact without friction.""")
 m.mpm_method("USL+", "B2SPLINE")
 m.transfer("FMPM", 4)
 m.time_step(1, 2, 0.3)

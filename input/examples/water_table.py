@@ -7,9 +7,8 @@ in place of variables.
 import tribo
 
 m = tribo.Model("plane strain", title="Rising water table", units=("m", "kg", "s"), name="water_table")
-m.text("""Header
-Units m, kg, s. The bedding dips by 30 degrees towards the face and has a friction of 40 degrees. Its pore pressure is the weight of the water above it; from 1 s on the water rises by 3 m/s. The block begins to slide when the friction that is left equals its weight along the bedding.
-EndHeader""")
+with m.header():
+    m.text("""Units m, kg, s. The bedding dips by 30 degrees towards the face and has a friction of 40 degrees. Its pore pressure is the weight of the water above it; from 1 s on the water rises by 3 m/s. The block begins to slide when the friction that is left equals its weight along the bedding.""")
 m.mpm_method("USL-", "quadratic")
 m.transfer("APIC")
 m.time_step(1, 5, 0.4)

@@ -131,7 +131,11 @@ void PythonProgram::lines(const Command& c, const std::string& word) {
   for (const Piece& line : c.node.lines) text += line.text + "\n";
   if (word == "header") {
     described_ = true;
-    return add("m.text(" + python_lines("Header\n" + text + "EndHeader") + ")");
+    if (!text.empty()) text.pop_back();
+    const std::string margin(4 * ends_.size(), ' ');
+    add(margin + "with m.header():");
+    return add(margin + "    " +
+               (text.find_first_not_of(" \n") == std::string::npos ? "pass" : "m.text(" + python_lines(text) + ")"));
   }
   std::vector<std::string> arguments{c.given(0) ? python_value(c.text(0)) : "None", python_lines("\n" + text)};
   if (c.given(1)) arguments.push_back(python_value(c.text(1)));

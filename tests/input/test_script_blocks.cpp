@@ -116,7 +116,7 @@ TEST_CASE("problems of blocks in a script", "[script]") {
   CHECK_THAT(wrong(two_boxes + "Hold vx,0,VX,1\n"), Contains("'VX' is given twice"));
   CHECK_THAT(wrong(two_boxes + "Ball x,0,y,3,radius,1\n"),
              Contains("b:13:1") && Contains("'Ball' needs the attribute 'rho'"));
-  CHECK_THAT(wrong(two_boxes + "Ball x,0,y,3,radius,big,rho,1\n"), Contains("b:13:23"));
+  CHECK_THAT(wrong(two_boxes + "Ball x,0,y,3,radius,big,rho,1\n"), Contains("b:13:21"));
   CHECK_THAT(wrong("Rect 0,1,0,1\n"),
              Contains("belongs to a line before it: Joint or Platen or Pressure or Hold or Load"));
   CHECK_THAT(wrong(two_boxes + "PolyPt 0,1\n"), Contains("'PolyPt' inside 'Blocks' belongs to a line before it"));
