@@ -86,11 +86,10 @@ const std::vector<CommandInfo>& written_commands() {
        "what is done once when something happens until the next stage: Stop, Frame, Checkpoint or NextStage"},
       {"Stage", 1, 3, "time[, name[, ratio]]; commands up to EndStage",
        "from this time on the run continues with what the commands change: Material, ContactMM, Gravity, GridBC, "
-       "ParticleBC, Damping, PDamping, FeedbackDamping, PFeedbackDamping, TimeStep, CFLFactor; Region and Hole place "
-       "bodies, Excavate, Stress, Bond and Unbond act once. With a ratio the stage ends once the ratio of unbalanced "
-       "to "
-       "applied "
-       "forces is below it"},
+       "ParticleBC, Damping, PDamping, FeedbackDamping, PFeedbackDamping, TimeStep, CFLFactor; Blocks changes settings "
+       "and platens; Region and Hole place bodies, Excavate, Stress, Bond and Unbond act once. With a ratio the stage "
+       "ends "
+       "once the ratio of unbalanced to applied forces is below it"},
       {"Excavate", 0, 1, "[material]; shapes up to EndExcavate", "in a stage: removes the particles in the shapes"},
       {"Stress", 2, 20, "component, function, ...[, material, id][, file, name][, add, yes]; shapes up to EndStress",
        "in a stage: sets the stress of the particles in the shapes"},
@@ -209,7 +208,8 @@ const std::vector<CommandInfo>& written_commands() {
       {"Blocks", 0, 99, "[attribute, value, ...]; lines up to EndBlocks",
        "rigid blocks; attributes are those of the element of this name. Each line begins with the name of an element "
        "that belongs into it and pairs of an attribute and its value; PolyPt and shapes belong to the line before "
-       "them"},
+       "them. "
+       "In a stage: the attributes that change, and Platen with what changes of a platen"},
       {"EndBlocks", 0, 0, "", "ends Blocks"},
   };
   return all;

@@ -104,7 +104,7 @@ void Document::end_stage() {
       const bool known = law || find_element(child.name, "Stage") != nullptr;
       if (!known && !wrong)
         wrong.emplace(child.origin,
-                      "this cannot change in a stage; there can be Material, Region, Hole, Excavate, Stress, "
+                      "this cannot change in a stage; there can be Material, Region, Hole, Blocks, Excavate, Stress, "
                       "Bond, Unbond, When, GridBC, ParticleBC, Gravity, ContactMM, Damping, PDamping, "
                       "FeedbackDamping, PFeedbackDamping, TimeStep and CFLFactor");
       if (law)

@@ -143,7 +143,7 @@ void PythonProgram::lines(const Command& c, const std::string& word) {
 }
 
 void PythonProgram::property(const Command& c, const std::string& word) {
-  Material& m = *material_;
+  PythonMaterial& m = *material_;
   std::vector<std::string> arguments = values(c);
   arguments.insert(arguments.begin(), "\"" + c.node.word + "\"");
   m.calls.push_back(python_call("m.command", arguments, "", 4 * ends_.size()));
@@ -162,7 +162,7 @@ void PythonProgram::property(const Command& c, const std::string& word) {
 }
 
 void PythonProgram::end_of_material() {
-  const Material m = std::move(*material_);
+  const PythonMaterial m = std::move(*material_);
   material_.reset();
   if (!m.shorter) {
     std::vector<std::string> head = m.head;
@@ -190,7 +190,7 @@ void PythonProgram::end_of_material() {
 
 // A region is written with all of its commands, and at its end in the shorter form if it has only shapes.
 void PythonProgram::begin_region(const Command& c) {
-  Region region;
+  PythonRegion region;
   region.line = program_.size();
   region.shorter = c.given(1) && c.given(2) && (c.size() < 4 || c.given(3));
   const std::vector<std::string> given = arguments_of(c, 4);
@@ -230,7 +230,7 @@ void PythonProgram::end_of_polygon() {
 }
 
 void PythonProgram::shape(const Command& c, const std::string& word) {
-  Region& region = *region_;
+  PythonRegion& region = *region_;
   static const std::map<std::string, std::string> of_six{
       {"rect", "box"}, {"oval", "sphere"}, {"box", "box"}, {"sphere", "sphere"}};
   std::string name = word;
@@ -246,7 +246,7 @@ void PythonProgram::shape(const Command& c, const std::string& word) {
 }
 
 void PythonProgram::end_of_region() {
-  const Region region = std::move(*region_);
+  const PythonRegion region = std::move(*region_);
   region_.reset(), ends_.pop_back();
   if (!region.shorter || region.shapes.empty()) return;
   program_.resize(region.line);

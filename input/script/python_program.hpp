@@ -7,9 +7,27 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace tribo::script {
+
+/// A material whose lines are being collected.
+struct PythonMaterial {
+  using Property = std::pair<std::string, std::string>;  ///< name and value
+  std::vector<std::string> head;                         ///< id, name, type; the id alone in a stage
+  std::vector<Property> properties;                      ///< in their order
+  std::vector<Property> contacts;                        ///< the other material and the law
+  std::vector<std::string> calls;                        ///< one for each line, for what has no shorter form
+  bool shorter = true;
+};
+
+/// A body whose commands are being collected.
+struct PythonRegion {
+  std::size_t line = 0;  ///< of the program, where it began
+  std::vector<std::string> arguments, shapes;
+  bool shorter = true;
+};
 
 /// Collects the commands of a script in the order in which they run, with the values of their arguments, and writes
 /// them as calls of the methods of tribo.Model. The commands must be those of a script without problems.
@@ -23,21 +41,6 @@ class PythonProgram {
   std::string text(const std::string& source) const;
 
  private:
-  /// A property of a material and its value.
-  using Property = std::pair<std::string, std::string>;
-  struct Material {
-    std::vector<std::string> head;     ///< id, name, type; the id alone in a stage
-    std::vector<Property> properties;  ///< in their order
-    std::vector<Property> contacts;    ///< the other material and the law
-    std::vector<std::string> calls;    ///< one for each line, for what has no shorter form
-    bool shorter = true;
-  };
-  struct Region {
-    std::size_t line = 0;  ///< of the program, where it began
-    std::vector<std::string> arguments, shapes;
-    bool shorter = true;
-  };
-
   void add(const std::string& line);
   void call(const std::string& begin, const std::vector<std::string>& arguments, const std::string& end = {});
   void any(const Command& c, const CommandInfo& info);
@@ -57,8 +60,8 @@ class PythonProgram {
   std::vector<std::string> program_;
   std::vector<std::string> ends_;     ///< commands that close the open blocks, in lower case
   std::vector<std::string> corners_;  ///< of the polygon that is not yet written
-  std::optional<Material> material_;
-  std::optional<Region> region_;
+  std::optional<PythonMaterial> material_;
+  std::optional<PythonRegion> region_;
 };
 
 }  // namespace tribo::script

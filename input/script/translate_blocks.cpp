@@ -89,34 +89,47 @@ void Translator::pairs(Statement& s, const ElementSpec& element, const Command& 
 }
 
 void Translator::blocks(const Command& c) {
-  if (stage_) throw InputError(c.origin(), "'Blocks' does not belong into a stage; its blocks exist from the start");
-  if (blocks_) throw InputError(c.origin(), "'Blocks' is given twice; first at " + blocks_->text());
+  if (blocks_ && !stage_) throw InputError(c.origin(), "'Blocks' is given twice; first at " + blocks_->text());
   open(Open::blocks, c);
-  blocks_ = c.origin();
+  if (!stage_) blocks_ = c.origin();
   block_ = Statement{};
   block_.name = "Blocks", block_.origin = block_.text_origin = c.origin();
-  pairs(block_, *find_element("Blocks", "JANFEAInput"), c, 0);
+  pairs(block_, *find_element("Blocks", stage_ ? "Stage" : "JANFEAInput"), c, 0);
 }
 
 // The element is added first, so that after an error its shapes are not those of the line before.
 void Translator::line_of_blocks(const Command& c, const ElementSpec& element) {
+  const ElementSpec* spec = stage_ ? find_element(element.name, "Stage") : &element;
+  if (!spec)
+    throw InputError(c.origin(), "'" + c.node.word + "' cannot change in a stage; of 'Blocks' there can be Platen");
   Statement& s = block_.children.emplace_back();
   s.name = element.name, s.origin = s.text_origin = c.origin();
   path_ = {block_.children.size() - 1};  // its shapes follow
-  pairs(s, element, c, 0);
+  pairs(s, *spec, c, 0);
 }
 
 // A shape or a point of a polygon belongs to the last line.
 void Translator::must_follow_line(const Command& c, const std::string& child) const {
+  if (stage_)
+    throw InputError(c.origin(),
+                     "'" + c.node.word + "': in a stage a platen keeps the faces that it has; there are no shapes");
   if (block_.children.empty() || !find_element(child, block_.children.back().name))
     throw InputError(c.origin(),
                      "'" + c.node.word + "' inside 'Blocks' belongs to a line before it: " + elements_with(child));
 }
 
+// In a stage the settings of the blocks and the lines stand beside each other.
 void Translator::store_blocks() {
   Statement& section = document_.section("Blocks", opened_at_);
-  section.origin = section.text_origin = block_.origin;
   const auto append = [](auto& from, auto& to) { std::move(from.begin(), from.end(), std::back_inserter(to)); };
+  if (stage_) {
+    std::vector<Statement> lines = std::move(block_.children);
+    block_.children.clear();
+    if (!block_.attributes.empty()) section.children.push_back(std::move(block_));
+    append(lines, section.children);
+    return;
+  }
+  section.origin = section.text_origin = block_.origin;
   append(block_.attributes, section.attributes), append(block_.children, section.children);
 }
 

@@ -137,13 +137,32 @@ TEST_CASE("Blocks out of place in a script", "[script]") {
              Contains("b:10:1") && Contains("this 'Blocks' is never closed"));
   CHECK_THAT(complaint_of_blocks(good + "EndBlocks\n"), Contains("'EndBlocks' closes nothing"));
   CHECK_THAT(complaint_of_blocks(good + "Blocks\nEndBlocks\n"), Contains("'Blocks' is given twice; first at b:10"));
-  CHECK_THAT(complaint_of_blocks(good + "Stage 0.05\nBlocks\nEndStage\n"), Contains("does not belong into a stage"));
   CHECK_THAT(complaint_of_blocks(good + "Platen name,\"p\"\n"),
              Contains("'Platen' belongs into 'Blocks ... EndBlocks'"));
   CHECK_THAT(complaint_of_blocks(script_of_blocks(two_boxes, "", "Blocks lawnam,\"dry\"")),
              Contains("'Blocks' has no attribute 'lawnam' (did you mean 'lawname'?)"));
   CHECK_THAT(complaint_of_blocks(good + "GlobalArchive dispy,blok,\"top\"\n"),
              Contains("'GlobalArchive' has no attribute 'blok' (did you mean 'block'?)"));
+}
+
+TEST_CASE("Blocks in a stage of a script", "[script]") {
+  const std::string platens = two_boxes + "Platen name,\"top\",vy,-1e-3\n  Line 0,1,2,2,1e-6\n";
+  const auto with_stage = [&](const std::string& inside) {
+    return script_of_blocks(platens, "Stage 0.05,\"later\"\nBlocks damping,0.7\n" + inside + "EndBlocks\nEndStage\n");
+  };
+  const std::string text = with_stage("Platen name,\"top\",vy,0\n");
+  const Statement root = root_of_blocks(text);
+  const Statement* stage = root.child("Stage");
+  REQUIRE(stage);
+  REQUIRE(stage->children.size() == 2);
+  CHECK(attribute_of(stage->children[0], "damping") == "0.7");
+  CHECK(attribute_of(stage->children[1], "vy") == "0");
+  CHECK(complaint_of_blocks(text).empty());
+  CHECK_THAT(complaint_of_blocks(with_stage("Hold vx,0\n")), Contains("'Hold' cannot change in a stage"));
+  CHECK_THAT(complaint_of_blocks(with_stage("Platen name,\"top\",vy,0\n  Line 0,1,2,2,1e-6\n")),
+             Contains("a platen keeps the faces that it has"));
+  CHECK_THAT(complaint_of_blocks(with_stage("Platen name,\"top\",rough,yes\n")),
+             Contains("'Platen' has no attribute 'rough'"));
 }
 
 TEST_CASE("Blocks in the commands of an XML file", "[script]") {

@@ -99,6 +99,8 @@ Blocks lawname,"bond"
     Rect 0,1,0,1
     Cut Rect 0.2,0.3,0,1
   Load Fx,"10*t",blocks,"a b"
+  Platen name,"p"
+    Line 0,1,0.5,0.5
 EndBlocks
 Stage 0.5,"later"
   Material 1
@@ -107,6 +109,9 @@ Stage 0.5,"later"
   Excavate 1
     Rect 1,1.5,1,2
   EndExcavate
+  Blocks damping,0.7
+    Platen name,"p",vy,0
+  EndBlocks
 EndStage
 When ratio,0.1,Stop
 '''.replace('\\"quoted\\"', "quoted"))
