@@ -371,4 +371,16 @@ Statement read_statements_text(std::string_view text, const std::string& name, S
   return root;
 }
 
+std::string read_as_python(const std::filesystem::path& file, const Settings& settings, std::FILE* output) {
+  const std::string name = printable(file.string());
+  const std::string text = read_file(file, most_text);
+  if (!is_script(text))
+    throw InputError({std::make_shared<const std::string>(name), 1, 1},
+                     "a Python program is made from a script, and this is XML, which has no commands; in Python "
+                     "tribo.run(\"" +
+                         file.filename().string() + "\") runs the file as it is");
+  read_statements_text(text, name, settings, output);  // reports every problem, also of settings
+  return script_as_python(text, name, settings);
+}
+
 }  // namespace tribo

@@ -28,6 +28,10 @@ Model read_model_text(std::string_view text, const std::string& name, const Sett
 Statement read_statements_text(std::string_view text, const std::string& name, Settings settings = {},
                                std::FILE* output = stdout);
 
+/// The model of a script as a Python program. Throws as read_statements, also for an XML file.
+std::string read_as_python(const std::filesystem::path& file, const Settings& settings = {},
+                           std::FILE* output = stdout);
+
 /// The contents of <Drive>.
 using Drive = std::variant<MaterialDrive, ContactDrive, JointDrive>;
 

@@ -193,7 +193,9 @@ int safety_command(const Arguments& a) {
 }
 
 int convert_command(const Arguments& a) {
-  const std::string text = xml_text(read_statements(a.file, settings_of(a), stderr));
+  const bool python = a.output.extension() == ".py";
+  const std::string text = python ? read_as_python(a.file, settings_of(a), stderr)
+                                  : xml_text(read_statements(a.file, settings_of(a), stderr));
   if (a.output.empty()) return print(text);
   keep_file(a.output, a.overwrite);
   write_atomically(a.output, text);

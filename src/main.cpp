@@ -117,8 +117,8 @@ class CommandLine {
     may_be_quiet(sweep);
     auto* safety = reads_file("safety", "find the factor of safety by strength reduction", safety_command);
     writes_folder(safety), has_threads(safety), may_be_quiet(safety);
-    writes_file(reads_file("convert", "write a command file as XML", convert_command),
-                "output file (default: standard output)");
+    writes_file(reads_file("convert", "write a command file as XML, or a script as a Python program", convert_command),
+                "output file; NAME.py: a Python program, otherwise XML (default: XML to the standard output)");
     auto* render = add("render", "draw the particles of a run, as pictures and a film", render_command);
     render->add_option("DIR", a.folder, "folder of the run")->required();
     render->add_option("-o,--output", a.output,

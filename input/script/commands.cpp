@@ -2,8 +2,9 @@
 #include "input/script/commands.hpp"
 
 namespace tribo::script {
+namespace {
 
-const std::vector<CommandInfo>& commands() {
+const std::vector<CommandInfo>& written_commands() {
   static const std::vector<CommandInfo> all{
       {"Version", 1, 1, "number",
        "version of the format that the script needs, such as 3.2; a newer one than the program reads is an error"},
@@ -30,8 +31,10 @@ const std::vector<CommandInfo>& commands() {
        "the name has no effect, since results are written to the folder of the run; the other arguments are those of "
        "ArchiveTime"},
       {"ArchiveUnique", 1, 4, "name[, interval[, first time[, contact events]]]", "the same as Archive"},
-      {"GlobalArchive", 1, 4, "quantity[, material or id | , x, y[, z]]",
-       "column of history.csv; with a point: value of the particle initially nearest to it"},
+      {"GlobalArchive", 1, 7, "quantity[, material or id | , x, y[, z] | , attribute, value, ...]",
+       "column of history.csv; with a point: value of the particle initially nearest to it; attributes are those of "
+       "the "
+       "element of this name: block or platen and its name, material and with for the forces between two materials"},
       {"ToArchive", 1, 99, "field, ...", "fields of the particle files"},
       {"PtsPerElement", 1, 1, "number", "particles per cell along an axis"},
       {"Damping", 1, 3, "rate or function[, 0]",
@@ -83,11 +86,10 @@ const std::vector<CommandInfo>& commands() {
        "what is done once when something happens until the next stage: Stop, Frame, Checkpoint or NextStage"},
       {"Stage", 1, 3, "time[, name[, ratio]]; commands up to EndStage",
        "from this time on the run continues with what the commands change: Material, ContactMM, Gravity, GridBC, "
-       "ParticleBC, Damping, PDamping, FeedbackDamping, PFeedbackDamping, TimeStep, CFLFactor; Region and Hole place "
-       "bodies, Excavate, Stress, Bond and Unbond act once. With a ratio the stage ends once the ratio of unbalanced "
-       "to "
-       "applied "
-       "forces is below it"},
+       "ParticleBC, Damping, PDamping, FeedbackDamping, PFeedbackDamping, TimeStep, CFLFactor; Blocks changes settings "
+       "and platens; Region and Hole place bodies, Excavate, Stress, Bond and Unbond act once. With a ratio the stage "
+       "ends "
+       "once the ratio of unbalanced to applied forces is below it"},
       {"Excavate", 0, 1, "[material]; shapes up to EndExcavate", "in a stage: removes the particles in the shapes"},
       {"Stress", 2, 20, "component, function, ...[, material, id][, file, name][, add, yes]; shapes up to EndStress",
        "in a stage: sets the stress of the particles in the shapes"},
@@ -129,7 +131,9 @@ const std::vector<CommandInfo>& commands() {
       {"Terrain", 2, 10, "file, bottom[, scale, x, y, z][, width, depth, low, high]",
        "body below the heights of an ESRI ASCII grid or of a picture; bottom: a height, or the file of the lower "
        "surface"},
-      {"PolyPt", 0, 2, "x, y", "corner of a polygon; without numbers the polygon ends"},
+      {"PolyPt", 0, 3, "x, y[, z]",
+       "corner of a polygon, of the PolygonBlock before it, or a nucleus of the Voronoi before it, which may have z; "
+       "without numbers the polygon ends"},
       {"NewCrack", 2, 5, "x, y[, end[, law[, traction law]]]",
        "starts a crack at a point; end: the material around a tip, exterior (extended through the surface), free (no "
        "tip) or fixed; law: a contact or joint law of the faces, or a friction coefficient"},
@@ -174,7 +178,9 @@ const std::vector<CommandInfo>& commands() {
        "prescribed velocity: constant, linear, sine, cosine or function; 0 without a value. A moving wall: direction, "
        "gradient, velocity function, 0, depth[, gradient function or mirror[, displacement function]]"},
       {"Temperature", 1, 3, "style[, value[, time]]", "prescribed temperature"},
-      {"Load", 2, 5, "direction, style[, value[, time]]", "force on each particle"},
+      {"Load", 2, 5, "direction, style[, value[, time]]",
+       "force on each particle. Inside Blocks: attribute, value, ... of the element of this name, force and moment on "
+       "each block in the shapes after it"},
       {"LoadType", 1, 1, "net or perParticle",
        "whether a force is divided among the particles or acts on each of them"},
       {"Traction", 3, 6, "direction, face, style[, value[, time[, function]]]",
@@ -199,7 +205,25 @@ const std::vector<CommandInfo>& commands() {
       {"EndLoadArc", 0, 0, "", "ends LoadArc"},
       {"EndLoadRect", 0, 0, "", "ends LoadRect"},
       {"EndLoadBox", 0, 0, "", "ends LoadBox"},
+      {"Blocks", 0, 99, "[attribute, value, ...]; lines up to EndBlocks",
+       "rigid blocks; attributes are those of the element of this name. Each line begins with the name of an element "
+       "that belongs into it and pairs of an attribute and its value; PolyPt and shapes belong to the line before "
+       "them. "
+       "In a stage: the attributes that change, and Platen with what changes of a platen"},
+      {"EndBlocks", 0, 0, "", "ends Blocks"},
   };
+  return all;
+}
+
+}  // namespace
+
+const std::vector<CommandInfo>& commands() {
+  static const std::vector<CommandInfo> all = [] {
+    std::vector<CommandInfo> out = written_commands();
+    for (const CommandInfo& line : lines_of_blocks())
+      if (line.name != "Load") out.push_back(line);  // a command outside of Blocks, too
+    return out;
+  }();
   return all;
 }
 

@@ -14,8 +14,8 @@ namespace {
 constexpr char reference = '\x01';  // marks a text as an id until finish()
 
 // Order of the sections in a file.
-constexpr std::array order{"Header",  "MPMHeader",   "Mesh",    "MaterialPoints", "CrackList",  "Material",
-                           "GridBCs", "ParticleBCs", "Thermal", "Gravity",        "CustomTasks"};
+constexpr std::array order{"Header",   "MPMHeader", "Mesh",        "MaterialPoints", "Blocks",  "CrackList",
+                           "Material", "GridBCs",   "ParticleBCs", "Thermal",        "Gravity", "CustomTasks"};
 
 Statement statement(const std::string& name, const Origin& origin, const std::string& text = {}) {
   Statement s;
@@ -104,7 +104,7 @@ void Document::end_stage() {
       const bool known = law || find_element(child.name, "Stage") != nullptr;
       if (!known && !wrong)
         wrong.emplace(child.origin,
-                      "this cannot change in a stage; there can be Material, Region, Hole, Excavate, Stress, "
+                      "this cannot change in a stage; there can be Material, Region, Hole, Blocks, Excavate, Stress, "
                       "Bond, Unbond, When, GridBC, ParticleBC, Gravity, ContactMM, Damping, PDamping, "
                       "FeedbackDamping, PFeedbackDamping, TimeStep and CFLFactor");
       if (law)
@@ -126,13 +126,21 @@ const Statement& Document::material_before(const std::string& id, const Origin& 
   return materials_before_[number - surrounding_ - 1];
 }
 
-// In an XML file the numbers of materials may depend on the order of references, so references are made by name.
+// In an XML file the numbers of materials may depend on the order of references, so references are made by name, as in
+// attributes that take a name only.
 void Document::resolve(Attribute& a, Problems& problems) const {
   if (a.text.empty() || a.text[0] != reference) return;
   const std::string id = a.text.substr(1), number = number_of(id, a.origin, problems);
   a.text = number;
-  if (!inside_ || a.name == "tip" || a.name == "end_tip") return;  // a tip only states that it lies in a material
-  a.name = a.name == "law" ? "lawname" : a.name == "Tprop" ? "Tpropname" : "matname";
+  const bool by_name = a.name.ends_with("name");
+  if (!inside_ && !by_name) return;
+  if (a.name == "tip" || a.name == "end_tip") return;  // a tip only states that it lies in a material
+  static const std::map<std::string, std::string> names{
+      {"law", "lawname"}, {"Tprop", "Tpropname"}, {"with", "withname"}};
+  if (!by_name) {
+    const auto found = names.find(a.name);
+    a.name = found == names.end() ? "matname" : found->second;
+  }
   const auto k = static_cast<std::size_t>(std::stoul(number));
   a.text = id;
   if (k > surrounding_ && k <= surrounding_ + materials_.size())
@@ -201,7 +209,8 @@ std::vector<Statement> Document::finish_sections(bool legacy) {
 Statement Document::finish(bool legacy) {
   Statement root = statement("JANFEAInput", origin_);
   root.attributes.push_back(version_.value_or(Attribute{"version", "3", origin_}));
-  section("Mesh", origin_), section("MPMHeader", origin_), section("MaterialPoints", origin_);
+  section("MPMHeader", origin_);
+  if (!sections_.contains("Blocks")) section("Mesh", origin_), section("MaterialPoints", origin_);
   root.children = finish_sections(legacy);
   return root;
 }

@@ -4,10 +4,12 @@
 #include "base/error.hpp"
 #include "base/schema.hpp"
 #include "input/script/interpreter.hpp"
+#include "input/script/python_program.hpp"
 #include "input/script/translator.hpp"
 
 #include <algorithm>
 #include <cctype>
+#include <filesystem>
 #include <iterator>
 #include <map>
 #include <set>
@@ -22,12 +24,15 @@ bool is_script(std::string_view text) {
 
 namespace {
 
-// Runs a script; the translator stores the elements that its commands produce. Problems of commands are added to
-// `problems`, unless the script does not run to its end.
+// Runs a script; the translator stores the elements that its commands produce, `python` the commands themselves.
+// Problems of commands are added to `problems`, unless the script does not run to its end.
 std::string interpret(std::string_view text, const Origin& begin, Settings& settings, script::Translator& translator,
-                      Problems& problems) {
+                      Problems& problems, script::PythonProgram* python = nullptr) {
   const script::Program program = script::parse(text, begin);
-  script::Interpreter interpreter(program, [&](const script::Command& c) { translator.take(c); });
+  script::Interpreter interpreter(program, [&](const script::Command& c) {
+    translator.take(c);
+    if (python) python->take(c);
+  });
   interpreter.before_assignment = [&](const std::string& name, const script::Node& n) { translator.assigned(name, n); };
   for (const std::string& name : script::assigned_variables(program))
     if (const std::string* value = settings.find(name)) {
@@ -53,6 +58,19 @@ Script read_script(std::string_view text, const std::shared_ptr<const std::strin
   std::string output = interpret(text, begin, settings, translator, problems);
   Statement root = translator.finish(problems);
   return {std::move(root), std::move(output), std::move(problems), translator.warnings(), translator.xml_lines()};
+}
+
+std::string script_as_python(std::string_view text, const std::string& file_name, Settings settings) {
+  if (text.substr(0, 3) == "\xEF\xBB\xBF") text.remove_prefix(3);
+  const Origin begin{std::make_shared<const std::string>(file_name), 1, 1};
+  const std::filesystem::path file(file_name);
+  script::Translator translator(begin);
+  script::PythonProgram python(file.stem().string());
+  Problems problems;
+  interpret(text, begin, settings, translator, problems, &python);
+  translator.finish(problems);
+  problems.raise();
+  return python.text(file.filename().string());
 }
 
 namespace {
@@ -166,7 +184,8 @@ std::string run_commands(Statement& root, Settings& settings, Problems& problems
       if (same == root.children.end())
         root.children.push_back(std::move(section));
       else
-        std::move(section.children.begin(), section.children.end(), std::back_inserter(same->children));
+        std::move(section.attributes.begin(), section.attributes.end(), std::back_inserter(same->attributes)),
+            std::move(section.children.begin(), section.children.end(), std::back_inserter(same->children));
     }
   }
 }

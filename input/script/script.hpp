@@ -32,6 +32,10 @@ std::vector<Problem> in_words_of_scripts(std::vector<Problem> problems,
 /// Runs a script. Variables in `settings` keep their values. Throws InputError if the script cannot be run to its end.
 Script read_script(std::string_view text, const std::shared_ptr<const std::string>& file_name, Settings& settings);
 
+/// A Python program that builds the model of a script with tribo.Model: the commands in the order in which they run,
+/// with the values of their arguments. Throws InputError with every problem found.
+std::string script_as_python(std::string_view text, const std::string& file_name, Settings settings);
+
 /// Runs the scripts in <Commands> of an XML file and adds the resulting elements to its sections, and problems of their
 /// commands to `problems`. Returns the text that they wrote. Throws as read_script.
 std::string run_commands(Statement& root, Settings& settings, Problems& problems);

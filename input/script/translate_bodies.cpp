@@ -255,15 +255,18 @@ void Translator::initial_stress(const Command& c) {
 // Parent of the next shape: the list of shapes, or for cut-outs the last shape, the last cut-out in it, ...
 Statement& Translator::place(const Command& c, int cuts) {
   if (open_ != Open::region && open_ != Open::hole && open_ != Open::grid && open_ != Open::particles &&
-      open_ != Open::action)
-    throw InputError(c.origin(),
-                     "'" + c.node.word + "' is a shape; it belongs into 'Region', 'Hole', 'GridBC' or 'ParticleBC'");
+      open_ != Open::action && open_ != Open::blocks)
+    throw InputError(
+        c.origin(),
+        "'" + c.node.word + "' is a shape; it belongs into 'Region', 'Hole', 'GridBC', 'ParticleBC' or 'Blocks'");
   const bool selects = open_ == Open::grid || open_ == Open::particles;
   if (selects && cuts == 0 && !block_.name.empty()) throw InputError(c.origin(), "there is a shape already");
-  if (static_cast<std::size_t>(cuts) > path_.size())
-    throw InputError(c.origin(), "'Cut' needs a shape to cut from before it");
+  const bool of_block = open_ == Open::blocks;  // the shape belongs to the line before it, or is cut from its last one
+  if (of_block && cuts == 0) must_follow_line(c, "Rect");
+  const std::size_t depth = static_cast<std::size_t>(cuts) + (of_block ? 1 : 0);
+  if (depth > path_.size()) throw InputError(c.origin(), "'Cut' needs a shape to cut from before it");
   if (selects && block_.name.empty()) block_ = element("BCShape", c.origin());
-  path_.resize(static_cast<std::size_t>(cuts));
+  path_.resize(depth);
   Statement* at = &block_;
   for (const std::size_t k : path_) at = &at->children[k];
   path_.push_back(at->children.size());
@@ -330,6 +333,14 @@ void Translator::particle_table(const Command& c) {
 
 void Translator::polygon_point(const Command& c) {
   if (c.size() == 0) return close_polygon();
+  const bool of_blocks = open_ == Open::blocks && c.node.cuts == 0 && !polygon_ && !block_.children.empty();
+  if (of_blocks && find_element("pt", block_.children.back().name)) {
+    Statement s = element("pt", c.origin());
+    constexpr std::array axes{"x", "y", "z"};
+    for (std::size_t k = 0; k < c.size(); ++k) attribute(s, axes[k], c.text(k), c.origin(k));
+    block_.children.back().children.push_back(std::move(s));
+    return;
+  }
   if (c.size() != 2) throw InputError(c.origin(), "a point of a polygon is x, y");
   if (!polygon_) {
     Statement& to = place(c, c.node.cuts);

@@ -176,6 +176,7 @@ void Translator::archive(const Command& c) {
 void Translator::global_archive(const Command& c) {
   Statement& s = document_.add("MPMHeader", "GlobalArchive", c.origin());
   attribute(s, "type", c.text(0), c.origin(0));
+  if (c.size() > 2 && !to_number(c.text(1))) return pairs(s, *find_element("GlobalArchive", "MPMHeader"), c, 1);
   if (c.size() > 2) {
     std::string point;
     for (std::size_t k = 1; k < c.size(); ++k) point += (k > 1 ? "," : "") + written(c.number(k));
@@ -436,6 +437,7 @@ void Translator::xml_data(const Command& c) {
                                                            {"mpmheader", "MPMHeader"},
                                                            {"mesh", "Mesh"},
                                                            {"materialpoints", "MaterialPoints"},
+                                                           {"blocks", "Blocks"},
                                                            {"cracklist", "CrackList"},
                                                            {"material", "Material"},
                                                            {"gridbcs", "GridBCs"},
@@ -463,14 +465,16 @@ void Translator::xml_data(const Command& c) {
       if (block_.name.empty())
         throw InputError(c.origin(), "'XMLData' inside '" + opened_by_ + "' needs a shape before it");
       block_.children.push_back(child);
+      if (open_ == Open::blocks) path_ = {block_.children.size() - 1};
     } else if (found->second == "Material") {
       document_.materials().push_back(child);
       if (c.given(1)) document_.name_material(c.text(1), c.origin(1));
     } else if (found->second == "End" && child.name == "Stage") {
       document_.add_stage(child);
     } else if (found->second == "End") {
-      auto& children = document_.section(child.name, child.origin).children;
-      children.insert(children.end(), child.children.begin(), child.children.end());
+      Statement& section = document_.section(child.name, child.origin);
+      section.attributes.insert(section.attributes.end(), child.attributes.begin(), child.attributes.end());
+      section.children.insert(section.children.end(), child.children.begin(), child.children.end());
     } else {
       document_.section(found->second, child.origin).children.push_back(child);
     }

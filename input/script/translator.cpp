@@ -137,7 +137,9 @@ auto Translator::actions() -> const std::map<std::string, Action>& {
                                                  {"endloadline", &A::end_block},
                                                  {"endloadarc", &A::end_block},
                                                  {"endloadrect", &A::end_block},
-                                                 {"endloadbox", &A::end_block}};
+                                                 {"endloadbox", &A::end_block},
+                                                 {"blocks", &A::blocks},
+                                                 {"endblocks", &A::end_block}};
   return all;
 }
 
@@ -160,15 +162,15 @@ namespace {
 bool opens_block(const std::string& word) {
   static const std::set<std::string> all{"material", "region",   "hole",    "bmpregion", "gridbc",  "particlebc",
                                          "moveline", "movearc",  "movebox", "loadline",  "loadarc", "loadrect",
-                                         "loadbox",  "excavate", "stress",  "bond",      "unbond"};
+                                         "loadbox",  "excavate", "stress",  "bond",      "unbond",  "blocks"};
   return all.count(word) > 0;
 }
 
 bool closes_block(const std::string& word) {
-  static const std::set<std::string> all{"done",          "endregion",   "endhole",     "endgridbc",
-                                         "endparticlebc", "endmoveline", "endmovearc",  "endmovebox",
-                                         "endloadline",   "endloadarc",  "endloadrect", "endloadbox",
-                                         "endexcavate",   "endstress",   "endbond",     "endunbond"};
+  static const std::set<std::string> all{"done",        "endregion",  "endhole",     "endgridbc",   "endparticlebc",
+                                         "endmoveline", "endmovearc", "endmovebox",  "endloadline", "endloadarc",
+                                         "endloadrect", "endloadbox", "endexcavate", "endstress",   "endbond",
+                                         "endunbond",   "endblocks"};
   return all.count(word) > 0;
 }
 
@@ -220,14 +222,20 @@ void Translator::translate(const Command& c, const std::string& word) {
   static const std::set<std::string> also_properties{"temperature", "pdamping",           "velocity", "load", "origin",
                                                      "rotate",      "imperfectinterface", "friction", "bond", "unbond"};
   const bool end_of_material = !info && c.size() == 0 && resembled(c.node.word) == "done";
-  if (open_ == Open::material && (!info || also_properties.count(word)) && !end_of_material) return property(c);
+  const auto action = actions().find(word);  // none for an unknown command, and for a line of Blocks
+  const bool property_or_unknown = action == actions().end() || also_properties.count(word);
+  if (open_ == Open::material && property_or_unknown && !end_of_material) return property(c);
   if (!info) return refused(c);
+  const ElementSpec* line = open_ == Open::blocks ? find_element_of_blocks(word) : nullptr;
+  if (line) return line_of_blocks(c, *line);
+  if (action == actions().end())
+    throw InputError(c.origin(), "'" + c.node.word + "' belongs into 'Blocks ... EndBlocks'");
   if (c.size() < info->least || c.size() > info->most)
     throw InputError(c.origin(), "'" + c.node.word + "' takes " + std::to_string(info->least) +
                                      (info->most > info->least ? " to " + std::to_string(info->most) : "") +
                                      " arguments, not " + std::to_string(c.size()) +
                                      (info->arguments.empty() ? "" : ": " + std::string(info->arguments)));
-  (this->*actions().at(word))(c);
+  (this->*action->second)(c);
 }
 
 // Reports commands of NairnFEAMPM that Tribo does not support, and unknown commands.
@@ -268,7 +276,8 @@ void Translator::end_block(const Command& c) {
                                                                {"endloadline", {Open::particles}},
                                                                {"endloadarc", {Open::particles}},
                                                                {"endloadrect", {Open::particles}},
-                                                               {"endloadbox", {Open::particles}}};
+                                                               {"endloadbox", {Open::particles}},
+                                                               {"endblocks", {Open::blocks}}};
   const auto& fitting = closes.at(word);
   if (std::find(fitting.begin(), fitting.end(), open_) == fitting.end())
     throw InputError(c.origin(), "'" + c.node.word + "' closes nothing" +
@@ -280,6 +289,7 @@ void Translator::end_block(const Command& c) {
 void Translator::store_block() {
   if (open_ == Open::region || open_ == Open::hole || open_ == Open::picture || open_ == Open::action)
     document_.section("MaterialPoints", opened_at_).children.push_back(std::move(block_));
+  if (open_ == Open::blocks) store_blocks();
   if (open_ == Open::grid) document_.section("GridBCs", opened_at_).children.push_back(std::move(block_));
   if (open_ == Open::particles) document_.section("ParticleBCs", opened_at_).children.push_back(std::move(block_));
   block_ = {}, path_.clear();

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/error.hpp"
+#include "input/dialect.hpp"
 #include "input/script/document.hpp"
 #include "input/script/interpreter.hpp"
 
@@ -106,6 +107,13 @@ class Translator {
   void boundary_id(const Command& c);
   void end_block(const Command& c);
 
+  // translate_blocks.cpp
+  void blocks(const Command& c);
+  void line_of_blocks(const Command& c, const ElementSpec& element);
+  void must_follow_line(const Command& c, const std::string& child) const;
+  void store_blocks();
+  static void pairs(Statement& s, const ElementSpec& element, const Command& c, std::size_t first);
+
   // translate_stages.cpp
   void stage(const Command& c);
   void end_stage(const Command& c);
@@ -146,7 +154,7 @@ class Translator {
   void style(Statement& s, const Command& c, std::size_t k, const char* value_name);
   static std::string direction(const Command& c, std::size_t k, bool traction);
 
-  enum class Open { nothing, material, region, hole, picture, grid, particles, action };
+  enum class Open { nothing, material, region, hole, picture, grid, particles, action, blocks };
   void open(Open block, const Command& c);
 
   Document document_;
@@ -157,7 +165,8 @@ class Translator {
   bool in_lost_block_ = false;    ///< between a command that did not begin a block and the end of the block
   bool lost_a_material_ = false;  ///< a material whose command has an error; references to it are not reported
   Open open_ = Open::nothing;
-  std::optional<Origin> stage_;  ///< place of the stage that is open
+  std::optional<Origin> stage_;   ///< place of the stage that is open
+  std::optional<Origin> blocks_;  ///< place of `Blocks`, of which there can be one
   std::string opened_by_;
   Origin opened_at_;
   Statement block_;                ///< the body, hole or selector being filled

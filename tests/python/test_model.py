@@ -69,6 +69,32 @@ class Models(InFolder):
         self.assertIn("volume 65.71", check.lines["body of 'plate'"][0])  # 2 (36 - pi)
         self.assertIn("volume 1 ", check.lines["body of 'plate'"][1])
 
+    def test_blocks(self):
+        m = tribo.Model("plane strain", name="columns")
+        m.time(0.1, step=1e-3)
+        m.output(0.1)
+        m.material("rub", "SpringNetwork", called="Joints", kn=5e7, ks=5e7, fric=0.6)
+        with m.blocks(lawname="rub", touchname="rub"):
+            for k in range(3):
+                m.box_block(name=f"column{k}", xmin=0.7 * k, xmax=0.7 * k + 0.2, ymin=0, ymax=1.2, rho=2500)
+            m.polygon_block(name="wedge", rho=2500)
+            m.points((6, 0), (6.8, 0), (6.8, 0.5))
+            m.hold("blocks", "column0", vx=0, vy=0)
+            m.load(Fy="-10*t")
+            m.rect(5, 7, -1, 1)
+        m.history("turnz", block="column1")
+        m.global_archive("dispx", block="wedge")
+        self.assertIn("blocks: 4", str(m.check()))
+        xml = m.xml()
+        for text in ("Name='Joints'", "<pt x='6.8' y='0.5'/>", "block='column1'", "<Load Fy='-10*t'>", "<Hold blocks='column0' vx='0'"):
+            self.assertIn(text, xml)
+        self.assertIn("keyword arguments", inspect.getdoc(tribo.Model.box_block))
+        m = tribo.Model("plane strain")
+        with m.blocks():
+            m.ball(x=0, y=0, radios=1)
+        with self.assertRaisesRegex(tribo.InputError, "did you mean 'radius'"):
+            m.xml()
+
     def test_texts(self):
         m = tribo.Model(title='a "quoted" title, with a comma')
         self.assertIn('"a "&quote&"quoted"&quote&" title, with a comma"', m.script())

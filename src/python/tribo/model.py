@@ -125,13 +125,13 @@ class Model:
             self.command(command, axis[2] if len(axis) > 2 else max(1, round((axis[1] - axis[0]) / cell)))
         self.command("GridRect", *(bound for axis in axes for bound in axis[:2]))
 
-    def material(self, name, type=None, *, contact=None, properties=None, **more):
+    def material(self, name, type=None, *, called=None, contact=None, properties=None, **more):
         """A material, contact law or joint law of a type, with its properties; see `tribo.parameters(type)`.
 
-        `contact` names the contact law with other materials: {other: law}. In a stage only the properties that change
+        `called` is its name in results, if that is another one than the name in commands. `contact` names the contact law with other materials: {other: law}. In a stage only the properties that change
         are given, without the type. `properties` is for names that are no names of Python.
         """
-        self._add("Material " + (formatted(name) if type is None else arguments((name, name, type))))
+        self._add("Material " + (formatted(name) if type is None else arguments((name, called or name, type))))
         for key, value in {**(properties or {}), **more}.items():
             self._add(f"  {key} {formatted(value)}")
         for other, law in (contact or {}).items():
@@ -143,8 +143,7 @@ class Model:
         numbers = list(velocity) + ([thickness] if thickness is not None else [])
         if attributes and len(numbers) == 2:
             numbers.append(self._thickness)
-        pairs = [part for item in attributes.items() for part in item]
-        with self.region(material, *numbers, *pairs):
+        with self.region(material, *numbers, **attributes):
             self.shapes(*shapes)
 
     def shapes(self, *shapes):
@@ -152,6 +151,11 @@ class Model:
         for shape in shapes:
             for line in shape.lines():
                 self._add("  " + line)
+
+    def points(self, *points):
+        """Corners (x, y) of a polygon, or of the `polygon_block` before them, or nuclei of the `voronoi` before them."""
+        for point in points:
+            self.command("PolyPt", *point)
 
     def prescribe(self, *shapes, x=None, y=None, z=None):
         """Velocities of the nodes in the shapes: numbers, or texts that are functions of t, x, y, z."""
@@ -173,9 +177,11 @@ class Model:
         if fields:
             self.command("ToArchive", *fields)
 
-    def history(self, quantity, material=None, point=None):
-        """A column of the histories: a quantity of all, of a material, or of the particle next to a point."""
-        self.command("GlobalArchive", quantity, *([material] if material is not None else ()), *(point or ()))
+    def history(self, quantity, material=None, point=None, **of):
+        """A column of the histories: a quantity of all, of a material, of the particle next to a point, of a `block` or
+        of a `platen`."""
+        values = ([material] if material is not None else []) + list(point or ())
+        self.command("GlobalArchive", quantity, *values, *_pairs(of))
 
     def xml_data(self, section=None, text="", material=None):
         """XML that is added to a section of the file, for what has no command."""
@@ -215,8 +221,19 @@ def _python_name(command):
     return spaced.lower()
 
 
-def _method(command, end, doc):
-    if end:
+def _pairs(attributes):
+    """Keyword arguments as pairs of a name and a value."""
+    return [part for item in attributes.items() for part in item]
+
+
+def _method(command, end, doc, has_attributes):
+    if has_attributes:
+
+        def method(self, *values, **attributes):
+            self.command(command, *values, *_pairs(attributes))
+            return _Block(self, end) if end else None
+
+    elif end:
 
         def method(self, *values):
             self.command(command, *values)
@@ -241,7 +258,11 @@ def _add_commands():
         end = re.search(r"up to (End\w+)", expected)
         how = f"\n\nArguments: {expected}." if expected else "\n\nWithout arguments."
         use = "\nUse it with `with`; the lines in between are further commands." if end else ""
-        setattr(Model, name, _method(command, end.group(1) if end else None, f"{command}: {meaning}.{how}{use}"))
+        has_attributes = "attribute, value" in expected + meaning
+        if has_attributes:
+            use = "\nPairs of an attribute and its value may be keyword arguments." + use
+        doc = f"{command}: {meaning}.{how}{use}"
+        setattr(Model, name, _method(command, end.group(1) if end else None, doc, has_attributes))
 
 
 _add_commands()
