@@ -163,6 +163,9 @@ class JointLaw {
   /// puts it into JointSite::pressure and JointIncrement::pressure.
   virtual double pore_pressure(const Vec3& at, double time) const { return (void)at, (void)time, 0.0; }
 
+  /// Whether a pore pressure acts in its contacts.
+  virtual bool has_pore_pressure() const { return false; }
+
   /// Largest stiffness per area [stress/length], used to check the time step; 0 if it depends on the contact.
   virtual double stiffness() const = 0;
   /// The larger one of the two damping ratios of its dashpots, for the time step; 0 without dashpots.

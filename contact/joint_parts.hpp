@@ -43,6 +43,7 @@ class PressureFunction {
   double at(const Vec3& x, double time) const {
     return unit_ > 0 ? unit_ * function_(Variables::at(x, time / time_unit_)) : 0.0;
   }
+  bool given() const { return unit_ > 0; }
 
  private:
   Expression function_;

@@ -182,6 +182,7 @@ struct Mohr final : JointLaw {
 
   double damping_ratio() const override { return dashpots.largest_ratio(); }
   double pore_pressure(const Vec3& at, double time) const override { return pressure_function.at(at, time); }
+  bool has_pore_pressure() const override { return constant_pressure != 0 || pressure_function.given(); }
   double pressure_in(const Joint& j) const { return constant_pressure + j.pressure; }
 
   static double strain_energy(const Joint& j) {

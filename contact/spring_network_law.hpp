@@ -87,6 +87,7 @@ struct SpringNetwork final : JointLaw {
   std::shared_ptr<const JointLaw> for_new_contacts() const override;
 
  private:
+  bool has_pore_pressure() const override { return constant_pressure != 0 || pressure_function.given(); }
   double pressure_in(const Joint& j) const { return constant_pressure + j.pressure; }
   enum State : int { loose = 0, torn = 1, sheared = 2, bonded = 3, softening = 4, unloaded = 5, healed = 6 };
   struct Break {

@@ -63,9 +63,10 @@ const MaterialSpec* Builder::named_law(const Statement& s) {
   }
   const std::string valid = names.empty()
                                 ? "this file defines none: give a <Material> of type " + join(contact_law_names())
-                                : "contact laws: " + join(names);
+                                : "contact and joint laws: " + join(names);
   if (!found) {
-    problems_.add(a->origin, "there is no contact law '" + a->text + "'" + did_you_mean(a->text, names) + "; " + valid);
+    problems_.add(a->origin,
+                  "there is no contact or joint law '" + a->text + "'" + did_you_mean(a->text, names) + "; " + valid);
     return nullptr;
   }
   if (!law(*found)) {

@@ -54,7 +54,8 @@ void add_conditions(Rows& add) {
   add({"net", "BCShape LdShape BCLine BCArc LdRect BCBox",
        "the following loads are totals, divided among the particles found"});
   add({"perParticle", "BCShape LdShape BCLine BCArc LdRect BCBox", "the following loads act on each particle"});
-  add({"LoadBC", "BCShape LdShape BCLine BCArc LdRect BCBox", "force", T::none,
+  add({"LoadBC", "BCShape LdShape BCLine BCArc LdRect BCBox",
+       "force on each particle in the region, or their sum after <net/>", T::none,
        std::vector{AttributeSpec{"dir", T::choice, "1 x, 2 y, 3 z", "1 2 3", true}, number("load", "force"),
                    number("value", "the same as load")} +
            condition_attributes()});

@@ -34,7 +34,7 @@ void add_output(Rows& add) {
        true});
   add({"GlobalArchive",
        "MPMHeader",
-       "a column of history.csv",
+       "a column of history.csv; 'tribo list' names all quantities",
        T::none,
        {text("type", "name of the quantity", true),
         text("material", "number of a material, or id of a condition; this, mat or matname is required with 'with'"),

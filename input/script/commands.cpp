@@ -32,10 +32,11 @@ const std::vector<CommandInfo>& written_commands() {
        "ArchiveTime"},
       {"ArchiveUnique", 1, 4, "name[, interval[, first time[, contact events]]]", "the same as Archive"},
       {"GlobalArchive", 1, 7, "quantity[, material or id | , x, y[, z] | , attribute, value, ...]",
-       "column of history.csv; with a point: value of the particle initially nearest to it; attributes are those of "
+       "column of history.csv ('tribo list' names all quantities); with a point: value of the particle initially "
+       "nearest to it; attributes are those of "
        "the "
        "element of this name: block or platen and its name, material and with for the forces between two materials"},
-      {"ToArchive", 1, 99, "field, ...", "fields of the particle files"},
+      {"ToArchive", 1, 99, "field, ...", "fields of the particle files; 'tribo list' names all of them"},
       {"PtsPerElement", 1, 1, "number", "particles per cell along an axis"},
       {"Damping", 1, 3, "rate or function[, 0]",
        "grid damping; a fraction of PIC, the second argument, is set by Transfer"},
@@ -184,8 +185,8 @@ const std::vector<CommandInfo>& written_commands() {
       {"LoadType", 1, 1, "net or perParticle",
        "whether a force is divided among the particles or acts on each of them"},
       {"Traction", 3, 6, "direction, face, style[, value[, time[, function]]]",
-       "traction on faces of particles; direction x, y, z, normal or shear; the function of style function in place of "
-       "the value or as the last argument"},
+       "traction on faces of particles; direction x, y, z, normal or shear; face 1 bottom, 2 right, 3 top, 4 left, in "
+       "space 5 and 6 low and high z; the function of style function in place of the value or as the last argument"},
       {"HeatFlux", 3, 5, "external, face, style[, value[, time]]", "heat flux through faces of particles"},
       {"BoundaryID", 0, 1, "[id]", "id, at most 0, of the following conditions, for reaction histories"},
       {"Done", 0, 0, "", "ends Material"},

@@ -476,9 +476,26 @@ void Translator::xml_data(const Command& c) {
       section.attributes.insert(section.attributes.end(), child.attributes.begin(), child.attributes.end());
       section.children.insert(section.children.end(), child.children.begin(), child.children.end());
     } else {
-      document_.section(found->second, child.origin).children.push_back(child);
+      add_to_section(document_.section(found->second, child.origin), child);
     }
   }
+}
+
+// <MultiMaterialMode> adds to the one of MultimaterialMPM or ContactMM.
+void Translator::add_to_section(Statement& section, const Statement& child) {
+  Statement* former = nullptr;
+  if (child.name == "MultiMaterialMode")
+    for (Statement& s : section.children)
+      if (s.name == child.name) former = &s;
+  if (!former) {
+    section.children.push_back(child);
+    return;
+  }
+  for (const Attribute& a : child.attributes) {
+    if (former->attribute(a.name)) throw InputError(a.origin, "'" + a.name + "' is given twice");
+    former->attributes.push_back(a);
+  }
+  former->children.insert(former->children.end(), child.children.begin(), child.children.end());
 }
 
 }  // namespace tribo::script

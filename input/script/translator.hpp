@@ -145,6 +145,7 @@ class Translator {
   static void unknown_properties(const Statement& material, Problems& problems);
   int dimension(const Command& c) const;
   Statement& multimaterial_mode(const Command& c);
+  static void add_to_section(Statement& section, const Statement& child);
   static Statement number_law(const Command& c);
   Statement& place(const Command& c, int cuts);
   void close_polygon() { polygon_ = nullptr; }

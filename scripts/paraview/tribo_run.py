@@ -8,8 +8,10 @@ From a shell:  paraview --script=tribo_run.py          with the folder of the ru
 The blocks of the run are named as the materials and their bodies: the inspector "Multi-block" shows and hides them.
 """
 
+import html
 import json
 import os
+import re
 import sys
 
 from paraview import simple
@@ -37,8 +39,8 @@ def show_as_boxes(display, flat):
         display.Ambient, display.Diffuse = 1.0, 0.0
 
 
-def colour_by_material(display, names):
-    """Colours by the number of the material, with the names beside the colours."""
+def colour_by_material(display, names, used):
+    """Colours by the number of the material, with the names beside the colours. `used`: names of the materials with particles."""
     simple.ColorBy(display, ("POINTS", "material"))
     colours = simple.GetColorTransferFunction("material")
     colours.InterpretValuesAsCategories = 1
@@ -47,8 +49,9 @@ def colour_by_material(display, names):
     palette = [(0.30, 0.45, 0.69), (0.87, 0.52, 0.32), (0.33, 0.66, 0.41), (0.77, 0.31, 0.32), (0.51, 0.45, 0.70),
                (0.58, 0.47, 0.38), (0.85, 0.55, 0.76), (0.55, 0.55, 0.55), (0.80, 0.73, 0.45), (0.39, 0.71, 0.80)]
     for number, name in enumerate(names, 1):
-        annotations += [str(number), name]
-        shades += palette[(number - 1) % len(palette)]
+        if name in used or not used:
+            annotations += [str(number), name]
+            shades += palette[(number - 1) % len(palette)]
     if annotations:
         colours.Annotations, colours.IndexedColors = annotations, shades
 
@@ -78,6 +81,18 @@ def show_others(folder, view):
     return first, flat
 
 
+def materials_with_particles(path):
+    """The materials that the files of a run.pvd have blocks for; contact laws count as materials, but have no particles."""
+    folder = os.path.dirname(path)
+    with open(path, encoding="utf-8") as collection:
+        files = re.findall(r'file="([^"]*)"', collection.read())
+    used = set()
+    for name in files[-1:]:
+        with open(os.path.join(folder, name), encoding="utf-8") as blocks:
+            used |= {html.unescape(word) for word in re.findall(r' name="([^"]*)"', blocks.read())}
+    return used
+
+
 def show_particles(reader, record, field, view):
     """Shows a reader of a run.pvd; returns its display and whether the model is plane."""
     reader.UpdatePipeline()
@@ -86,13 +101,15 @@ def show_particles(reader, record, field, view):
     display = simple.Show(reader, view)
     show_as_boxes(display, flat)
     if field == "material":
-        colour_by_material(display, record.get("materials", []))
+        colour_by_material(display, record.get("materials", []), materials_with_particles(str(reader.FileName).strip("[]'")))
     else:
         simple.ColorBy(display, ("POINTS", field))
         display.RescaleTransferFunctionToDataRange(True, False)
     display.SetScalarBarVisibility(view, True)
     bar = simple.GetScalarBar(simple.GetColorTransferFunction(field), view)
     bar.TitleFontSize = bar.LabelFontSize = 8
+    in_unit = record.get("unit_of", {}).get(field)
+    bar.Title = f"{field} [{in_unit}]" if in_unit and in_unit != "-" else field
     return display, flat
 
 
@@ -117,6 +134,8 @@ def open_run(path, field="material", particles=None):
     simple.GetAnimationScene().UpdateAnimationUsingDataTimeSteps()
     if flat:
         view.InteractionMode = "2D"
+    else:  # from the front, the right and above; z points up
+        view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp = (0.8, -1.6, 0.9), (0, 0, 0), (0, 0, 1)
     simple.ResetCamera(view)
     simple.SetActiveSource(reader)
     return reader, display, view

@@ -166,6 +166,8 @@ class Assembly {
 
   /// Largest stable step times BlocksSpec::step_share [time].
   double critical_step() const { return critical_step_; }
+  /// The block whose contacts are the stiffest for its mass, which limits the step.
+  std::size_t step_block() const { return step_block_; }
   /// One step of dt: velocities, positions, contacts, forces. Throws SimulationError.
   void advance(double dt);
   /// Computes the forces on all bodies anew, after a change of gravity, damping, pressures or joints. Contacts keep
@@ -351,6 +353,7 @@ class Assembly {
   std::shared_ptr<const BlocksSpec> spec_;
   bool plane_ = true, plane_stress_ = false, poisson_ = false;
   double thickness_ = 1.0, damping_ = 0.0, critical_step_ = 0.0;
+  std::size_t step_block_ = 0;
   int iterations_ = 0;
   Vec3 gravity_ = Vec3::Zero();
   std::size_t blocks_ = 0;

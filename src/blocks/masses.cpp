@@ -108,10 +108,11 @@ void Assembly::set_step(const std::vector<Stiffness>& around, double max_step, d
   for (std::size_t k = 0; k < blocks_; ++k) {
     const BlockBody& body = bodies[k];
     const Stiffness& sum = around[k];
-    if (sum.straight > 0 && (body.held & 7) != 7)
-      least = std::min(least, stable(body.mass, sum.straight, viscosity[k].straight));
+    double own = std::numeric_limits<double>::infinity();
+    if (sum.straight > 0 && (body.held & 7) != 7) own = stable(body.mass, sum.straight, viscosity[k].straight);
     if (sum.turning > 0 && (body.held & 56) != 56)
-      least = std::min(least, stable(body.inertia.minCoeff(), sum.turning, viscosity[k].turning));
+      own = std::min(own, stable(body.inertia.minCoeff(), sum.turning, viscosity[k].turning));
+    if (own < least) least = own, step_block_ = k;
   }
   // The fictitious stress makes the assembly stiffer than its springs
   const double stiffer = !poisson_       ? 1.0

@@ -74,8 +74,8 @@ static void check(const Assembly& blocks) {
 void archive(Archive& a, Assembly& blocks) {
   auto& [motion, orientation, bodies, forces, work, shapes, contacts, joints, contact_forces, dashpot_work,
          failure_mode, shift, groups, outlines, pressed, grid_forces, stress, box_rate, time, step, broken, spec, plane,
-         plane_stress, poisson, thickness, damping, critical_step, iterations, gravity, block_count, batches,
-         batch_events, kept_increments, predicted, first, entries, first_pressed, pressed_of, pressed_force,
+         plane_stress, poisson, thickness, damping, critical_step, step_block, iterations, gravity, block_count,
+         batches, batch_events, kept_increments, predicted, first, entries, first_pressed, pressed_of, pressed_force,
          pressure_now, loaded, motions, motions_now, own_laws, platen_area, events, balls, edges, later_laws, permanent,
          skin, reach, found_at, checked_at, removed, last_step, time_error] = blocks;
   a.version(2);

@@ -24,6 +24,23 @@ double seconds_per_step(Assembly& blocks, const BlockSteps& steps) {
   return seconds() / static_cast<double>(trial);
 }
 
+// What limits the time step, with the block if it is much smaller than the others.
+std::string stiff_block(const Model& model, const Assembly& blocks) {
+  static constexpr double small = 0.1;
+  const std::string text = "the stiffness of the contacts";
+  if (blocks.block_count() < 2) return text;
+  double volume = 0.0;
+  for (std::size_t k = 0; k < blocks.block_count(); ++k) volume += blocks.bodies[k].volume;
+  const BlockBody& body = blocks.bodies[blocks.step_block()];
+  if (body.volume > small * volume / static_cast<double>(blocks.block_count()) || body.group < 0) return text;
+  const std::string& name = model.blocks->groups[static_cast<std::size_t>(body.group)].name;
+  return text + format(
+                    " of block %zu (%svolume %.3g), which is much smaller than the mean of %.3g: larger blocks take "
+                    "larger steps",
+                    blocks.step_block() + 1, name.empty() ? "" : ("'" + name + "', ").c_str(), body.volume,
+                    volume / static_cast<double>(blocks.block_count()));
+}
+
 // A law of the input by its name; laws derived from it say how.
 std::string words_of_law(const Model& model, const ContactGroup& group) {
   if (group.platen) return "a platen";
@@ -90,7 +107,7 @@ std::string describe_blocks(const Model& model, int wanted_threads) {
   const BlockSteps steps = steps_of(model, blocks);
   line(format("time step: %.6g, set by %s", steps.size,
               model.blocks->quasi_static                     ? "<TimeStep>, to which masses are fitted"
-              : blocks.critical_step() < model.time.max_step ? "the stiffness of the contacts"
+              : blocks.critical_step() < model.time.max_step ? stiff_block(model, blocks).c_str()
                                                              : "<TimeStep>"));
   line(format("steps: %lld to time %.6g", static_cast<long long>(steps.count), model.time.next_end()));
   for (const std::string& text : describe_stages(model, {})) line(text);

@@ -57,8 +57,12 @@ std::vector<std::string> BlockRun::look() {
   const BlockLedger energy = blocks_.ledger();
   const auto gained = [](double x) { return std::max(0.0, x); };
   const double initial = results_->initial_energy;
+  // A pore pressure does work on the faces that it separates: what contacts release then becomes negative.
+  const bool has_pressure = std::any_of(blocks_.groups.begin(), blocks_.groups.end(),
+                                        [](const ContactGroup& g) { return g.law->has_pore_pressure(); });
+  const double of_pressure = has_pressure ? gained(-energy.released) : 0.0;
   const double supplied =
-      initial + gained(energy.outer_work) + gained(energy.boundary_work) + gained(-energy.potential);
+      initial + gained(energy.outer_work) + gained(energy.boundary_work) + gained(-energy.potential) + of_pressure;
   const double residual =
       energy.content() - initial - energy.outer_work - energy.boundary_work - restored_.block_stages;
   // of the sums over many steps, as in runs with a grid
@@ -67,7 +71,9 @@ std::vector<std::string> BlockRun::look() {
                        energy.damping, std::abs(energy.outer_work), std::abs(energy.boundary_work)});
   // The fictitious stress is no elastic force where bonds have broken or vibrations grow: what it releases may become
   // negative.
-  if (!monitor_.record_balance(supplied, residual + gained(-energy.released), 0.0, rounding, blocks_.time)) return {};
+  if (!monitor_.record_balance(supplied, residual + gained(-energy.released) - of_pressure, 0.0, rounding,
+                               blocks_.time))
+    return {};
   return remarks();
 }
 

@@ -13,6 +13,7 @@
 #include "run/contact_probe.hpp"
 #include "run/crack_report.hpp"
 #include "run/effort.hpp"
+#include "run/load_report.hpp"
 #include "run/pore_pressure.hpp"
 #include "run/setup_report.hpp"
 #include "run/stage_report.hpp"
@@ -60,6 +61,7 @@ class Report {
     pressures();
     if (sudden_gravity(model_).slips && has_neighbours(model_, system_)) advice_.push_back(sudden_gravity_advice());
     for (auto& edge : bare_edges(model_)) advice_.push_back(std::move(edge));
+    for (const auto& load : describe_loads(model_, system_)) line(load);
     cracks();
     travel();
     steps();

@@ -18,7 +18,7 @@ Model weakened(const Model& model, double factor) {
   if (!any)
     throw InputError(model.materials.front().origin,
                      "no material has a strength that could be reduced; MohrCoulomb, DruckerPrager and IsoPlasticity "
-                     "have");
+                     "have one; for joints make friction and cohesion variables of the file and use 'tribo sweep'");
   return weak;
 }
 

@@ -92,7 +92,11 @@ void draw_scale(cairo_t* pen, const Sheet& l, const Range& range, const std::str
   cairo_set_line_width(pen, 1);
   cairo_rectangle(pen, x - 0.5, top - 0.5, width + 1, height + 1);
   cairo_stroke(pen);
-  for (const double value : ticks(range[0], range[1], std::max(2, static_cast<int>(height / 50)))) {
+  const int wanted = std::max(2, static_cast<int>(height / 50));
+  std::vector<double> values = ticks(range[0], range[1], wanted);
+  for (int more = 1; values.size() < 2 && more < 8; ++more)  // a single number is no scale
+    values = ticks(range[0], range[1], wanted + more);
+  for (const double value : values) {
     const double y = top + height * (1 - (value - range[0]) / (range[1] - range[0]));
     if (y < top - 1 || y > top + height + 1) continue;
     line(pen, x + width, y, x + width + 4, y);

@@ -12,7 +12,14 @@ are classes of `MaterialLaw` and `ContactLaw`. `doc("MohrCoulomb")` describes a 
 """
 
 from . import _processor  # first: it refuses a processor on which _core would crash
-from . import _core
+
+try:
+    from . import _core
+except ImportError as error:
+    if "partially initialized" not in str(error) and "cannot import name '_core'" not in str(error):
+        raise
+    raise ImportError("the compiled part of the package is not there; build it (cmake --build --preset release --target tribo_python) "
+                      "or install the package (scripts/install-python)") from None
 from .driving import drive
 from .errors import InputError, ModelWarning, NumericalError, OutputError, Problem, TriboError, UsageError
 from .laws import ContactLaw, ContactState, MaterialLaw, Parameter, check_contact_law, register

@@ -12,6 +12,10 @@ def _axes(ax):
     return ax if ax is not None else plt.subplots()[1]
 
 
+def _unit(unit):
+    return f" [{unit}]" if unit and unit != "-" else ""
+
+
 def plot_table(table, x, y, ax):
     """Columns of a table over another one."""
     ax = _axes(ax)
@@ -20,8 +24,11 @@ def plot_table(table, x, y, ax):
     names = [y] if isinstance(y, str) else y or [name for name in numbers if name != x]
     for name in names:
         ax.plot(table[x], table[name], label=name)
-    ax.set_xlabel(x)
-    ax.set_ylabel(names[0]) if len(names) == 1 else ax.legend()
+    units = [_unit(table.units.get(name)) for name in names]
+    ax.set_xlabel(x + _unit(table.units.get(x)))
+    ax.set_ylabel(names[0] + units[0] if len(names) == 1 else units[0].strip() if len(set(units)) == 1 else "")
+    if len(names) > 1:
+        ax.legend()
     return ax
 
 
@@ -42,8 +49,7 @@ def scalar(values, name, component):
 def plot_particles(frame, field, component, limits, ax, units):
     """The particles of a frame as their domains in two dimensions, as points in three."""
     values, label = scalar(frame[field], field, component)
-    unit = units.get(field)
-    label += f" [{unit}]" if unit and unit != "-" else ""
+    label += _unit(units.get(field))
     position, domain = frame["position"], frame.particles.get("domain")
     flat = domain is not None and domain.shape[1] == 4
     if flat:
@@ -63,8 +69,12 @@ def plot_particles(frame, field, component, limits, ax, units):
         drawn = ax.scatter(*position.T, c=values, s=4)
     if limits is not None:
         drawn.set_clim(*limits)
-    ax.figure.colorbar(drawn, ax=ax, label=label)
-    ax.set_title(f"time {frame.time:.4g}")
+    if flat:  # as high as the picture, which may be a narrow strip
+        bar = ax.inset_axes([1.03, 0, 0.03, 1])
+        ax.figure.colorbar(drawn, cax=bar, label=label)
+    else:
+        ax.figure.colorbar(drawn, ax=ax, label=label)
+    ax.set_title(f"time {frame.time:.4g}" + (f" {units['time']}" if units.get("time") else ""))
     return ax
 
 

@@ -25,12 +25,13 @@ def _column(cells):
 class Table(Mapping):
     """A table: arrays by the names of its columns, in order. Columns with words are arrays of texts."""
 
-    def __init__(self, columns):
+    def __init__(self, columns, units=None):
         self._columns = dict(columns)
+        self.units = dict(units or {})  # of columns, by name, as far as they are known
 
     @classmethod
-    def read(cls, path):
-        """A table from a file of comma-separated values."""
+    def read(cls, path, units=None):
+        """A table from a file of comma-separated values. `units`: of columns, by name."""
         try:
             with builtins.open(path, newline="", encoding="utf-8") as file:
                 rows = list(csv.reader(file))
@@ -39,7 +40,7 @@ class Table(Mapping):
         if not rows:
             raise OutputError(f"the file '{path}' is empty")
         body = [row for row in rows[1:] if len(row) == len(rows[0])]  # a run may be writing the last row
-        return cls({name: _column([row[k] for row in body]) for k, name in enumerate(rows[0])})
+        return cls({name: _column([row[k] for row in body]) for k, name in enumerate(rows[0])}, units)
 
     def __getitem__(self, name):
         if name not in self._columns:
@@ -79,6 +80,15 @@ class Table(Mapping):
 
     def __repr__(self):
         return f"Table of {self.rows} rows: {', '.join(self._columns)}"
+
+    def __str__(self):
+        shown = min(self.rows, 20)
+        cells = [[name, *(c[k] if isinstance(c[k], str) else format(c[k], ".6g") for k in range(shown))]
+                 for name, c in self._columns.items()]
+        widths = [max(map(len, column)) for column in cells]
+        lines = ["  ".join(cell.rjust(width) for cell, width in zip(row, widths)) for row in zip(*cells)]
+        rest = [f"and {self.rows - shown} further rows"] if self.rows > shown else []
+        return "\n".join(lines + rest)
 
     def _repr_html_(self):
         shown = range(min(self.rows, 20))
@@ -163,7 +173,7 @@ class Results:
     def _table(self, name):
         if not os.path.exists(self._path(name)):
             raise OutputError(f"this run has no {name}")
-        return Table.read(self._path(name))
+        return Table.read(self._path(name), self.units)
 
     @property
     def provenance(self):
@@ -175,7 +185,14 @@ class Results:
             raise OutputError(f"cannot read '{self._path('provenance.json')}': {error}") from None
 
     status = property(lambda self: self.provenance["status"], doc="finished, stopped, failed or running.")
-    units = property(lambda self: self.provenance.get("unit_of", {}), doc="Units of fields and columns by name.")
+    @property
+    def units(self):
+        """Units of fields and columns by name; none if the folder has no record."""
+        if not os.path.exists(self._path("provenance.json")):
+            return {}
+        time = self.provenance.get("model", {}).get("unit of time")
+        return ({"time": time} if time else {}) | self.provenance.get("unit_of", {})
+
     remarks = property(lambda self: self.provenance.get("to_look_at", []), doc="What the run noticed about itself.")
     history = property(lambda self: self._table("history.csv"), doc="Table of the histories.")
     energy = property(lambda self: self._table("energy.csv"), doc="Table of the energy balance.")

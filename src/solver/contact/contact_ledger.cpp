@@ -108,7 +108,8 @@ void ContactLedger<Dim>::record(ContactNodes<Dim>& contacts, double dt, bool rep
     if (replaces && !filtered && !has_start_) nodal_work += node.ownership * extrapolated(contacts, node, dt);
     for (std::size_t p = node.first_pair; p < node.end_pair; ++p) {
       ContactPair& pair = contacts.pairs[p];
-      pair.update_impulse = pair.impulse, pair.update_status = pair.response.status;
+      pair.update_impulse = pair.impulse, pair.update_mass = pair.state.mass;
+      pair.update_status = pair.response.status;
       pair.total_impulse.setZero(), pair.friction_work = 0.0;
       if (!pair.law) continue;  // a joint acts in its place
       if (pair.response.status == ContactStatus::open && !pair.has_impulse()) continue;

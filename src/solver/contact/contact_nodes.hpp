@@ -5,6 +5,7 @@
 #include "grid/nodes.hpp"
 #include "solver/state/contact_pair.hpp"
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -35,7 +36,10 @@ inline ContactResponse response_of(const ContactPair& pair, const ContactState& 
   ContactResponse out = pair.law->response(m);
   const bool holds = pair.law->uses_face() && !pair.law->interface();
   if (pass == ContactPass::held && holds && !pair.update_impulse.isZero(0)) {
-    const Vec3 held = m.mass * (m.velocity - pair.end_velocity);
+    // A node that particles hardly reached in the last update may have had any velocity there. Once more of a body
+    // reaches it, this velocity has the weight of the mass it belonged to.
+    const double mass = std::min(m.mass, 2 * pair.update_mass);
+    const Vec3 held = mass * (m.velocity - pair.end_velocity);
     if (pair.law->liquid() != 0)
       out.impulse += (held - out.impulse).dot(m.normal) * m.normal;
     else

@@ -147,10 +147,12 @@ void ContactSearch<Dim>::list_pairs(ContactNode<Dim>& node, std::int64_t place) 
                           static_cast<std::int64_t>(of_b.field),
                           false,
                           Vec3::Zero(),
-                          Vec3::Zero()};
+                          Vec3::Zero(),
+                          0.0};
       while (kept != kept_.end() && kept->precedes(self)) ++kept;
       if (kept != kept_.end() && !self.precedes(*kept))
-        pair.stuck = kept->stuck, pair.update_impulse = kept->impulse, pair.end_velocity = kept->velocity;
+        pair.stuck = kept->stuck, pair.update_impulse = kept->impulse, pair.end_velocity = kept->velocity,
+        pair.update_mass = kept->mass;
     }
   node.end_pair = next;
 }
@@ -173,7 +175,8 @@ void ContactSearch<Dim>::remember_pairs() {
                    (impulse - impulse.dot(n) * n).norm() > round_off * impulse.norm();
       if (!pair.stuck && impulse.isZero(0)) continue;
       const auto field = [&](std::size_t member) { return static_cast<std::int64_t>(found_.members[member].field); };
-      kept_.push_back({place_of(node.number), field(pair.a), field(pair.b), pair.stuck, impulse, pair.end_velocity});
+      kept_.push_back({place_of(node.number), field(pair.a), field(pair.b), pair.stuck, impulse, pair.end_velocity,
+                       pair.update_mass});
     }
 }
 

@@ -39,18 +39,20 @@ class ContactSearch {
   const ContactNode<Dim>* node_at(const Index<Dim>& index) const;
 
   friend void archive(Archive& a, ContactSearch& search) {
-    a.version(3);
+    a.version(4);
     std::vector<std::int64_t> numbers;
-    std::vector<double> impulses, velocities;
+    std::vector<double> impulses, velocities, masses;
     for (const KeptPair& pair : search.kept_) {
       numbers.insert(numbers.end(), {pair.place, pair.a, pair.b, pair.stuck ? 1 : 0});
       impulses.insert(impulses.end(), pair.impulse.begin(), pair.impulse.end());
       velocities.insert(velocities.end(), pair.velocity.begin(), pair.velocity.end());
+      masses.push_back(pair.mass);
     }
     a.resizable("pairs", numbers), a.resizable("impulses", impulses), a.resizable("velocities", velocities);
+    a.resizable("masses", masses);
     search.kept_.resize(numbers.size() / 4);
     if (numbers.size() != 4 * search.kept_.size() || impulses.size() != 3 * search.kept_.size() ||
-        velocities.size() != impulses.size())
+        velocities.size() != impulses.size() || masses.size() != search.kept_.size())
       refuse_checkpoint("the pairs of contact and their impulses differ in number");
     for (std::size_t k = 0; k < search.kept_.size(); ++k) {
       const std::int64_t* n = numbers.data() + 4 * k;
@@ -59,7 +61,8 @@ class ContactSearch {
                          n[2],
                          n[3] != 0,
                          Eigen::Map<const Vec3>(impulses.data() + 3 * k),
-                         Eigen::Map<const Vec3>(velocities.data() + 3 * k)};
+                         Eigen::Map<const Vec3>(velocities.data() + 3 * k),
+                         masses[k]};
     }
   }
 
@@ -70,6 +73,7 @@ class ContactSearch {
     std::int64_t a, b;   // fields
     bool stuck;
     Vec3 impulse, velocity;
+    double mass;
     bool precedes(const KeptPair& other) const {
       return std::tie(place, a, b) < std::tie(other.place, other.a, other.b);
     }

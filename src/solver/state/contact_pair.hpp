@@ -32,6 +32,7 @@ struct ContactPair {
   Vec3 at_start = Vec3::Zero();     ///< contact impulse on a by which velocities at the start changed [mass velocity]
   ContactResponse response;         ///< last contact response of the law
   Vec3 update_impulse = Vec3::Zero();  ///< impulse on a of the last momentum update      [mass velocity]
+  double update_mass = 0.0;            ///< ContactState::mass of that update                          [mass]
   Vec3 total_impulse = Vec3::Zero();   ///< the same with what the particles keep of at_start   [mass velocity]
   Vec3 strain_velocity =
       Vec3::Zero();                  ///< relative velocity that strains the particles at the start (USAVG) [velocity]

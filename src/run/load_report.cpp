@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#include "run/load_report.hpp"
+
+#include "base/text.hpp"
+#include "solver/loads/face_points.hpp"
+#include "solver/loads/loaded.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tribo {
+namespace {
+
+struct LoadedPoint {
+  Vec3 position;
+  double area = 1.0;
+};
+
+std::string along(LoadDirection direction) {
+  switch (direction) {
+    case LoadDirection::x:
+      return "along x";
+    case LoadDirection::y:
+      return "along y";
+    case LoadDirection::z:
+      return "along z";
+    case LoadDirection::normal:
+      return "along the outward normal";
+    case LoadDirection::tangential:
+      return "along the tangent";
+  }
+  return "";
+}
+
+// The sum of the values at all points at the time at which it is largest, and whether it changes.
+std::pair<double, bool> largest_sum(const ParticleCondition& condition, const std::vector<LoadedPoint>& points,
+                                    double end) {
+  static constexpr int times = 100;
+  double largest = 0.0;
+  bool changes = false;
+  for (int k = 0; k <= times; ++k) {
+    double sum = 0.0;
+    for (const LoadedPoint& p : points) sum += p.area * condition.value.at(end * k / times, p.position);
+    changes = changes || (k > 0 && sum != largest);
+    if (k == 0 || std::abs(sum) > std::abs(largest)) largest = sum;
+  }
+  return {condition.net ? largest / static_cast<double>(points.size()) : largest, changes};
+}
+
+}  // namespace
+
+template <int Dim>
+std::vector<std::string> describe_loads(const Model& model, System<Dim>& system) {
+  std::vector<std::string> lines;
+  const auto& conditions = model.particle_conditions;
+  for (const auto kind : {ParticleCondition::Kind::force, ParticleCondition::Kind::traction}) {
+    const bool traction = kind == ParticleCondition::Kind::traction;
+    std::vector<std::vector<LoadedPoint>> points(conditions.size());
+    each_loaded(model, system, kind, [&](const ParticleCondition& c, Body<Dim>& body, std::size_t i) {
+      LoadedPoint point{Vec3::Zero()};
+      for (std::size_t d = 0; d < Dim; ++d) point.position[static_cast<Eigen::Index>(d)] = body.particles.x()[d][i];
+      if (traction) point.area = ParticleFace<Dim>::of(system, body, i, c.face).area;
+      points[static_cast<std::size_t>(&c - conditions.data())].push_back(point);
+    });
+    for (std::size_t k = 0; k < conditions.size(); ++k) {
+      if (points[k].empty()) continue;
+      const std::size_t count = points[k].size();
+      double area = 0.0;
+      for (const LoadedPoint& p : points[k]) area += p.area;
+      std::string text = std::string(traction ? "traction " : "force ") + along(conditions[k].direction) + ": on " +
+                         std::to_string(count) + " " + plural(count == 1, "particle");
+      if (traction) text += format(", area %.5g", area);
+      if (!conditions[k].value.style->motion) {
+        const auto [sum, changes] = largest_sum(conditions[k], points[k], model.time.end);
+        text += format(", %s%.5g in all", changes ? "up to " : "", sum);
+        if (!traction && !conditions[k].net && count > 1) text += ", the value given is for each of them";
+      }
+      lines.push_back(text);
+    }
+  }
+  return lines;
+}
+
+template std::vector<std::string> describe_loads(const Model&, System<2>&);
+template std::vector<std::string> describe_loads(const Model&, System<3>&);
+
+}  // namespace tribo

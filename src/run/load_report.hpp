@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+/// The forces and tractions on particles, for the summary of a model.
+#pragma once
+
+#include "solver/state/system.hpp"
+
+#include <string>
+#include <vector>
+
+namespace tribo {
+
+/// A line for each condition on particles: how many particles it acts on, and the largest total force until the end of
+/// the run. Values are those at the initial positions; tractions act on the initial areas.
+template <int Dim>
+std::vector<std::string> describe_loads(const Model& model, System<Dim>& system);
+
+}  // namespace tribo
