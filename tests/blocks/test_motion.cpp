@@ -193,3 +193,33 @@ TEST_CASE("a free block keeps its angular momentum and energy", "[blocks]") {
   CHECK(body.ledger().kinetic == Approx(energy).epsilon(1e-3));
   CHECK((momentum() - before).norm() < 5e-3 * before.norm());
 }
+
+TEST_CASE("dashpots of any ratio damp at the critical step", "[blocks]") {
+  for (const char* ratio : {"0.3", "1"}) {
+    INFO(ratio);
+    const auto spec = two_squares(joint_law("SpringNetwork", {{"kn", "1e8"},
+                                                              {"ks", "5e7"},
+                                                              {"sn_ten", "1e12"},
+                                                              {"sn_coh", "1e12"},
+                                                              {"dp_nratio", ratio},
+                                                              {"dp_sratio", ratio}}));
+    for (std::size_t row = 1; row < 5; ++row)
+      for (BlockGroup g : {spec->groups[0], spec->groups[1]}) {
+        g.low[0] += static_cast<double>(row), g.high[0] += static_cast<double>(row);
+        g.velocity = Vec3(row % 2 == 0 ? 0.1 : -0.1, g.low[1] > 0.5 ? 0.1 : -0.2, 0);
+        spec->groups.push_back(g);
+      }
+    spec->corners = true;
+    Assembly body(spec, 2, true, Vec3::Zero(), 1.0);
+    const double begin = body.ledger().kinetic, dt = body.critical_step();
+    double before = begin;
+    for (int k = 0; k < 2000; ++k) {
+      body.advance(dt);
+      const BlockLedger now = body.ledger();
+      if (k % 50 == 0) CHECK(now.kinetic + now.strain < before + 1e-3 * begin), before = now.kinetic + now.strain;
+    }
+    const BlockLedger now = body.ledger();
+    CHECK(now.dashpot > 0);
+    CHECK(std::abs(now.content() - begin) < 1e-6 * begin);
+  }
+}

@@ -516,3 +516,19 @@ TEST_CASE("a healed joint that fails again sends its event again", "[mohr]") {
   big.shear(1e-2).shear(-7e-4).shear(1e-2);
   CHECK(big.count(JointEvent::Kind::bond_break) == 2);
 }
+
+TEST_CASE("faces that separate after they have slipped have no cohesion left", "[mohr]") {
+  const Properties glued =
+      base + Properties{{"cohesion", "5e5"}, {"friction", "30"}, {"friction-residual", "20"}, {"slip-dc", "1"}};
+  const auto strength = [&](bool apart) {
+    auto j = joint(glued);
+    j.move(-1e-4).shear(1e-2, 0).shear(1e-5, 0);  // slips by far less than slip-dc
+    CHECK(j.joint.shear_weak);
+    if (apart) j.move(2e-4).move(-2e-4);
+    j.shear(1e-2, 0);
+    return std::abs(j.joint.Fs.s) / 0.5;
+  };
+  const double pressure = 1e-4 * 2e9;
+  CHECK(strength(false) == Approx(5e5 + pressure * tangent(30)).epsilon(1e-3));
+  CHECK(strength(true) == Approx(pressure * tangent(20)).epsilon(1e-9));
+}

@@ -185,6 +185,31 @@ TEST_CASE("dashpots beside a symmetry plane are those of the whole block", "[joi
   CHECK(half[0].dashpot_normal > 0);
 }
 
+TEST_CASE("dashpots of any ratio damp at the stable step", "[joints]") {
+  for (const char* ratio : {"0.3", "1"})
+    for (const auto transfer : {Transfer::flip, Transfer::apic}) {
+      const auto law = joint(strong + Properties{{"stiffness-normal", "2e8"},
+                                                 {"stiffness-shear", "1e8"},
+                                                 {"dashpot-ratio-normal", ratio},
+                                                 {"dashpot-ratio-shear", ratio}});
+      Model model = jointed<2>(Kernel::quadratic_spline, transfer, law);
+      auto system = build_system<2>(model, lattice_seeds<2>(model, 6, 14));
+      set_velocity<2>(system.bodies[0], [](const Vec<2>& x) -> Vec<2> {
+        return 1e-3 * Vec<2>(std::sin(3 * x[0] + x[1]), std::cos(5 * x[0] - 2 * x[1]));
+      });
+      Stepper<2> stepper(model, system);
+      const double begin = measure(system).kinetic;
+      stepper.advance(1e-9);
+      const double dt = stepper.joints().stable_step();
+      for (int k = 0; k < 400; ++k) stepper.advance(dt);
+      const Measures now = measure(system);
+      const auto energies = stepper.joints().energies();
+      INFO("ratio " << ratio << ", step " << dt);
+      CHECK(now.kinetic + now.stored + energies.stored < begin);
+      CHECK(energies.dashpot > 0);
+    }
+}
+
 TEST_CASE("a joint needs a body to run through", "[joints]") {
   Model model = jointed<2>(Kernel::quadratic_spline, Transfer::apic, joint({{"stiffness-normal", "1"}}));
   for (Vec3& x : model.cracks[0].points) x[1] += 6;
