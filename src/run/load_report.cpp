@@ -7,14 +7,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace tribo {
 namespace {
 
-struct LoadedPoint {
-  Vec3 position;
-  double area = 1.0;
-};
+using LoadedPoint = std::pair<Vec3, double>;  // its position, and the area on which a traction acts, or 1
 
 std::string along(LoadDirection direction) {
   switch (direction) {
@@ -40,7 +38,7 @@ std::pair<double, bool> largest_sum(const ParticleCondition& condition, const st
   bool changes = false;
   for (int k = 0; k <= times; ++k) {
     double sum = 0.0;
-    for (const LoadedPoint& p : points) sum += p.area * condition.value.at(end * k / times, p.position);
+    for (const auto& [position, area] : points) sum += area * condition.value.at(end * k / times, position);
     changes = changes || (k > 0 && sum != largest);
     if (k == 0 || std::abs(sum) > std::abs(largest)) largest = sum;
   }
@@ -57,16 +55,16 @@ std::vector<std::string> describe_loads(const Model& model, System<Dim>& system)
     const bool traction = kind == ParticleCondition::Kind::traction;
     std::vector<std::vector<LoadedPoint>> points(conditions.size());
     each_loaded(model, system, kind, [&](const ParticleCondition& c, Body<Dim>& body, std::size_t i) {
-      LoadedPoint point{Vec3::Zero()};
-      for (std::size_t d = 0; d < Dim; ++d) point.position[static_cast<Eigen::Index>(d)] = body.particles.x()[d][i];
-      if (traction) point.area = ParticleFace<Dim>::of(system, body, i, c.face).area;
+      LoadedPoint point{Vec3::Zero(), 1.0};
+      for (std::size_t d = 0; d < Dim; ++d) point.first[static_cast<Eigen::Index>(d)] = body.particles.x()[d][i];
+      if (traction) point.second = ParticleFace<Dim>::of(system, body, i, c.face).area;
       points[static_cast<std::size_t>(&c - conditions.data())].push_back(point);
     });
     for (std::size_t k = 0; k < conditions.size(); ++k) {
       if (points[k].empty()) continue;
       const std::size_t count = points[k].size();
       double area = 0.0;
-      for (const LoadedPoint& p : points[k]) area += p.area;
+      for (const LoadedPoint& p : points[k]) area += p.second;
       std::string text = std::string(traction ? "traction " : "force ") + along(conditions[k].direction) + ": on " +
                          std::to_string(count) + " " + plural(count == 1, "particle");
       if (traction) text += format(", area %.5g", area);
