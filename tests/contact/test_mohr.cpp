@@ -519,7 +519,7 @@ TEST_CASE("a healed joint that fails again sends its event again", "[mohr]") {
 
 TEST_CASE("faces that separate after they have slipped have no cohesion left", "[mohr]") {
   const Properties glued =
-      base + Properties{{"cohesion", "5e5"}, {"friction", "30"}, {"friction-residual", "20"}, {"slip-dc", "1"}};
+      base + Properties{{"cohesion", "5e5"}, {"friction", "30"}, {"friction-residual", "20"}, {"slip-dc", "100"}};
   const auto strength = [&](bool apart) {
     auto j = joint(glued);
     j.move(-1e-4).shear(1e-2, 0).shear(1e-5, 0);  // slips by far less than slip-dc
