@@ -65,7 +65,7 @@ class Reading(InFolder):
             self.skipTest("matplotlib is not installed")
         matplotlib.use("Agg")
         results = tribo.run("block.fmcmd")
-        self.assertEqual(results.plot("velocity").get_title(), "time 0.02")
+        self.assertEqual(results.plot("velocity").get_title(), "time 0.02 s")
         results.plot("stress", component="yy", time=0.01, range=(-1e4, 0)).figure.savefig("stress.png")
         self.assertGreater(pathlib.Path("stress.png").stat().st_size, 1000)
         with self.assertRaisesRegex(ValueError, "name a component"):
