@@ -201,6 +201,14 @@ TEST_CASE("dashpots of any ratio damp at the stable step", "[joints]") {
       const double begin = measure(system).kinetic;
       stepper.advance(1e-9);
       const double dt = stepper.joints().stable_step();
+      // In the middle of the face c is 2 beta kA/sqrt(S), and the largest S sets the step.
+      const auto& joints = system.joints[0].joints;
+      const double beta = std::stod(ratio), before = joints[8].opening;
+      stepper.advance(dt);
+      const double c = joints[8].dashpot_normal * dt / (joints[8].opening - before), kA = joints[8].kn * joints[8].area;
+      const double least = 2 * beta * kA * dt / (std::sqrt(1 + beta * beta) - beta);
+      CHECK(c > 0.999 * least);
+      CHECK(c < 1.6 * least);
       for (int k = 0; k < 400; ++k) stepper.advance(dt);
       const Measures now = measure(system);
       const auto energies = stepper.joints().energies();
