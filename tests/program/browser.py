@@ -93,6 +93,10 @@ class Browser:
         """Goes to an address."""
         self._call("Page.navigate", url=address)
 
+    def leave(self):
+        """Leaves the page, which asks its server for news as long as it is shown: before the server ends."""
+        self.open("about:blank")
+
     def resize(self, width, height, phone=False):
         """Sets the size of the window in pixels of CSS."""
         self._call("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1, mobile=phone)

@@ -320,6 +320,7 @@ def view_of_plate(b):
             check(of_page(b, "page.settings.field") == "material", "in the colours of its bodies")
             b.run("[...document.querySelectorAll('#layers label')].find(e => e.textContent.includes('cells')).querySelector('input').click()")
             check(of_page(b, "page.scene.layers.list.find(l => l.name === 'cells').actor.getVisibility()"), "a layer is shown")
+            b.leave()
     check(not os.path.exists(state["folder"]) and sorted(os.listdir(".")) == before, "nothing remains")
 
 
@@ -359,12 +360,12 @@ with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
                 b.open(address)
                 check(b.wait("document.body.dataset.shown !== undefined", 60), "the page draws")
                 play_and_scrub(b, last), colours(b), parts_and_sections(b), pick(b), charts_and_help(b)
-                pictures_and_films(b, os.path.join(folder, "downloads")), phone(b)
+                pictures_and_films(b, os.path.join(folder, "downloads")), phone(b), b.leave()
         if b:
             with served("watch", "ball") as address:
-                space(b, address)
+                space(b, address), b.leave()
             with served("watch", "blocks") as address:
-                blocks(b, address)
+                blocks(b, address), b.leave()
         view_of_plate(b), views()
         if b:
             check(not b.problems, "no errors: " + "; ".join(b.problems))
