@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <set>
+#include <sstream>
 
 namespace tribo {
 namespace {
@@ -74,6 +75,29 @@ std::string rows_named(const std::string& wanted) {
   return out;
 }
 
+// Whether a text has each of these words, in any order.
+bool mentions(const std::string& text, const std::string& words) {
+  const std::string all = lower(text);
+  std::istringstream list(words);
+  for (std::string word; list >> word;)
+    if (all.find(word) == std::string::npos) return false;
+  return true;
+}
+
+// One line for each entry, and for each of its rows, that mentions these words.
+std::string entries_about(const std::string& words) {
+  std::string out;
+  for (const auto& e : manual()) {
+    if (mentions(e.name + " " + e.usage + " " + e.meaning, words))
+      out += "  " + e.kind + " " + e.name + ": " + (e.meaning.empty() ? e.usage : e.meaning) + "\n";
+    for (const auto& r : e.rows)
+      if (mentions(r.name + " " + r.meaning, words))
+        out += "  " + e.kind + " " + e.name + ", " + r.name + ": " + (r.meaning.empty() ? r.kind : r.meaning) + "\n";
+  }
+  return out.empty() ? ""
+                     : "nothing has the name '" + words + "'; these mention it ('tribo doc NAME' tells more):\n" + out;
+}
+
 }  // namespace
 
 std::string manual_text(std::string_view name) {
@@ -99,6 +123,7 @@ std::string manual_text(std::string_view name) {
     if (!e.script.empty()) out += "    in a script:\n" + indented(e.script);
   }
   if (out.empty() && !wanted.empty()) out = rows_named(wanted);
+  if (out.empty() && wanted.size() > 2) out = entries_about(wanted);
   if (out.empty())
     throw UsageError(
         "there is no element, attribute, material, law, property, task, command, quantity or field named '" +

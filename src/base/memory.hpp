@@ -7,7 +7,27 @@
 #include <new>
 #include <stdexcept>
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
 namespace tribo {
+
+/// Gives memory that was freed back to the system. The allocator of glibc keeps it otherwise.
+inline void return_freed_memory() {
+#ifdef __GLIBC__
+  ::malloc_trim(0);
+#endif
+}
+
+/// From now on, gives arrays of more bytes than `size` back to the system as soon as they are freed, and of smaller
+/// ones all but `kept` bytes at the end of the memory.
+inline void return_arrays_above([[maybe_unused]] int size, [[maybe_unused]] int kept) {
+#ifdef __GLIBC__
+  ::mallopt(M_MMAP_THRESHOLD, size);
+  ::mallopt(M_TRIM_THRESHOLD, kept);
+#endif
+}
 
 /// Throws the error that there is not enough memory for `what`: an InputError at its place in the command file, or a
 /// FileError if it has none.

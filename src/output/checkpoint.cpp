@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cstring>
 #include <deque>
+#include <fstream>
 #include <string_view>
 #include <vector>
 
@@ -36,10 +37,26 @@ void append(std::string& to, T value) {
   to.append(reinterpret_cast<const char*>(&value), sizeof value);
 }
 
+// What comes before the bytes of an entry.
+std::string head_of(char kind, const std::string& name, std::size_t bytes) {
+  std::string out;
+  append(out, kind);
+  append(out, static_cast<std::uint64_t>(name.size()));
+  append(out, static_cast<std::uint64_t>(bytes));
+  return out + name;
+}
+
 }  // namespace
 
 void CheckpointWriter::entry(const std::string& name, char kind, const void* data, std::size_t bytes) {
-  entries_.push_back({name, kind, std::string(static_cast<const char*>(data), bytes)});
+  const std::string_view content(static_cast<const char*>(data), bytes);
+  if (!file_) {
+    entries_.push_back({name, kind, std::string(content)});
+    return;
+  }
+  std::string end;
+  append(end, checksum(name, content));
+  *file_ << head_of(kind, name, bytes) << content << end;
 }
 
 void CheckpointWriter::put(const std::string& name, std::span<const double> values) {
@@ -66,10 +83,7 @@ void CheckpointWriter::save(const std::filesystem::path& path) const {
   std::deque<std::string> heads;  // what comes before the bytes of an entry, with the check sum of the former one
   std::vector<std::string_view> parts;
   for (const Entry& e : entries_) {
-    append(head, e.kind);
-    append(head, static_cast<std::uint64_t>(e.name.size()));
-    append(head, static_cast<std::uint64_t>(e.bytes.size()));
-    head += e.name;
+    head += head_of(e.kind, e.name, e.bytes.size());
     parts.emplace_back(heads.emplace_back(std::move(head)));
     parts.emplace_back(e.bytes);
     head.clear();
@@ -78,6 +92,18 @@ void CheckpointWriter::save(const std::filesystem::path& path) const {
   head += '\0';
   parts.emplace_back(head);
   write_atomically(path, parts);
+}
+
+void write_checkpoint(const std::filesystem::path& path, const std::function<void(CheckpointWriter&)>& put_all) {
+  write_atomically(path, [&](const std::string& temporary) {
+    std::ofstream file(temporary, std::ios::binary);
+    file << magic;
+    CheckpointWriter to(file);
+    put_all(to);
+    file << '\0';
+    file.close();
+    return file.good();
+  });
 }
 
 Checkpoint::Checkpoint(const std::filesystem::path& path) : path_(path.string()) {

@@ -4,6 +4,8 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
+#include <iosfwd>
 #include <map>
 #include <span>
 #include <string>
@@ -13,6 +15,8 @@ namespace tribo {
 
 class CheckpointWriter {
  public:
+  /// Keeps copies of the entries, until they are saved.
+  CheckpointWriter() = default;
   /// Numbers must be finite: throws SimulationError with the name if one is not.
   void put(const std::string& name, std::span<const double> values);
   void put(const std::string& name, std::span<const std::int64_t> values);
@@ -26,14 +30,22 @@ class CheckpointWriter {
 
  private:
   friend class Checkpoint;
+  friend void write_checkpoint(const std::filesystem::path& path,
+                               const std::function<void(CheckpointWriter&)>& put_all);
   struct Entry {
     std::string name;
     char kind;
     std::string bytes;
   };
+  /// Writes the entries to a file at once, and keeps none.
+  explicit CheckpointWriter(std::ostream& file) : file_(&file) {}
   void entry(const std::string& name, char kind, const void* data, std::size_t bytes);
   std::vector<Entry> entries_;
+  std::ostream* file_ = nullptr;
 };
+
+/// Writes a checkpoint while `put_all` puts its entries, without a copy of them. Throws FileError.
+void write_checkpoint(const std::filesystem::path& path, const std::function<void(CheckpointWriter&)>& put_all);
 
 class Checkpoint {
  public:

@@ -48,19 +48,17 @@ void write_particles(const std::filesystem::path& path, std::size_t count, const
 void write_particles(const std::filesystem::path& path, std::size_t count, const OutputRows& position,
                      std::span<const OutputField> fields, double time, std::span<const std::string> materials = {});
 
-/// Successive particles that ParaView shows and hides together.
+/// Particles that ParaView shows and hides together, in a file of their own.
 struct OutputBlock {
-  std::string name;  ///< which ParaView lists
-  int number = 0;    ///< in the name of its file
-  std::size_t begin = 0, count = 0;
+  std::string name;        ///< which ParaView lists
+  int number = 0;          ///< in the name of its file
   std::string group = {};  ///< name of the block that contains it and its neighbours of the same group; empty: none
   int part = 0;            ///< number within the group, in the name of the file after `number`
 };
-/// Writes the particles of each block to a file `STEM_NUMBER.vtp`, or in a group `STEM_NUMBER_PART.vtp`, beside `path`,
-/// as write_particles, and then `path`, STEM.vtm, which lists them with their names. Throws FileError.
-void write_particle_blocks(const std::filesystem::path& path, std::span<const OutputBlock> blocks,
-                           const OutputRows& position, std::span<const OutputField> fields, double time,
-                           std::span<const std::string> materials);
+/// The file of a block beside `path`, STEM.vtm: `STEM_NUMBER.vtp`, or in a group `STEM_NUMBER_PART.vtp`.
+std::filesystem::path file_of_block(const std::filesystem::path& path, const OutputBlock& block);
+/// Writes `path`, STEM.vtm, which lists the files of the blocks with their names. Throws FileError.
+void write_block_list(const std::filesystem::path& path, std::span<const OutputBlock> blocks);
 
 /// Writes points joined by cells of `corners` points each, lines (2) or triangles (3), as a .vtp. Throws FileError.
 void write_surface(const std::filesystem::path& path, std::size_t count, const std::array<const double*, 3>& position,

@@ -64,23 +64,6 @@ class FileList {
   std::size_t begin_ = 0;
 };
 
-// The same rows from a later one on.
-OutputRows from_row(OutputRows rows, std::size_t begin) {
-  const std::size_t at = begin * static_cast<std::size_t>(rows.width);
-  if (rows.doubles) rows.doubles += at;
-  if (rows.floats) rows.floats += at;
-  return rows;
-}
-
-OutputField from_row(OutputField field, std::size_t begin) {
-  for (const double*& values : field.components)
-    if (values) values += begin;
-  if (field.integers) field.integers += begin;
-  if (field.texts) field.texts += begin;
-  field.rows = from_row(field.rows, begin);
-  return field;
-}
-
 }  // namespace
 
 std::vector<CollectionEntry> read_collection(const std::filesystem::path& path) {
@@ -102,9 +85,12 @@ std::vector<BlockEntry> read_blocks(const std::filesystem::path& path) {
   return entries;
 }
 
-void write_particle_blocks(const std::filesystem::path& path, std::span<const OutputBlock> blocks,
-                           const OutputRows& position, std::span<const OutputField> fields, double time,
-                           std::span<const std::string> materials) {
+std::filesystem::path file_of_block(const std::filesystem::path& path, const OutputBlock& block) {
+  return path.parent_path() / (path.stem().string() + "_" + std::to_string(block.number) +
+                               (block.group.empty() ? "" : "_" + std::to_string(block.part)) + ".vtp");
+}
+
+void write_block_list(const std::filesystem::path& path, std::span<const OutputBlock> blocks) {
   std::string lines, group;
   std::size_t outer = 0, inner = 0;
   const auto close_group = [&] {
@@ -117,13 +103,8 @@ void write_particle_blocks(const std::filesystem::path& path, std::span<const Ou
       if (!group.empty())
         lines += "<Block index=\"" + std::to_string(outer++) + "\" name=\"" + escaped(group) + "\">\n";
     }
-    std::vector<OutputField> own;
-    for (const OutputField& field : fields) own.push_back(from_row(field, block.begin));
-    const std::string file = path.stem().string() + "_" + std::to_string(block.number) +
-                             (group.empty() ? "" : "_" + std::to_string(block.part)) + ".vtp";
-    write_particles(path.parent_path() / file, block.count, from_row(position, block.begin), own, time, materials);
     lines += "<DataSet index=\"" + std::to_string(group.empty() ? outer++ : inner++) + "\" name=\"" +
-             escaped(block.name) + "\" file=\"" + file + "\"/>\n";
+             escaped(block.name) + "\" file=\"" + file_of_block(path, block).filename().string() + "\"/>\n";
   }
   close_group();
   write_atomically(path, list_head +

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <deque>
 #include <initializer_list>
 #include <iterator>
 #include <vector>
@@ -139,7 +140,7 @@ class Seeds {
   Iterator end() const { return {*this, size()}; }
 
  private:
-  std::vector<Vec3> x_;
+  std::deque<Vec3> x_;  // a vector would need room for twice as many while it grows
   Runs<Vec3> v_;
   Runs<Mat3> stress_;
   Runs<Weight> weight_;

@@ -116,12 +116,12 @@ StageReport BlockRun::begin_stage(const Model& former, const std::vector<StageAc
   return report;
 }
 
-CheckpointWriter BlockRun::save(RunState run) {
+void BlockRun::save(RunState run, CheckpointWriter& to) {
   run.monitor = monitor_;
   run.stage_step = restored_.stage_step, run.stage_time = restored_.stage_time;
   run.block_stages = restored_.block_stages;
   if (results_) run.initial_block_energy = results_->initial_energy;
-  return save_state(run, blocks_);
+  save_state(run, blocks_, to);
 }
 
 RunState BlockRun::restore(const Checkpoint& checkpoint) {

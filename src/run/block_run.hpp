@@ -53,7 +53,8 @@ class BlockRun final : public SteppedModel {
   std::vector<std::string> remarks() const override;
   std::vector<std::string> figures() const override { return monitor_.energy_figures(); }
   void check() override;
-  CheckpointWriter save(RunState run) override;
+  using SteppedModel::save;
+  void save(RunState run, CheckpointWriter& to) override;
   RunState restore(const Checkpoint& checkpoint) override;
 
   ResultNames result_names() const override { return BlockResults::names(model_); }

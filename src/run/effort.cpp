@@ -47,7 +47,8 @@ class Effort {
   }
 
  private:
-  // With the copies of a set of files and a checkpoint that wait to be written, and of former ones.
+  // With the copies of a set of files and a checkpoint that wait to be written, and of former ones. Of large models
+  // only parts are copied.
   double bytes() const {
     double sum = 0, saved = 0;
     for (const auto& body : system_.bodies) {
@@ -55,7 +56,8 @@ class Effort {
       const auto columns = static_cast<double>(body.particles.columns().size());
       sum += column * (columns + 3), saved += column * columns;
     }
-    const double waiting = bytes_of_files_ + saved,
+    const auto most = static_cast<double>(OutputQueue::most_copied);
+    const double waiting = saved <= most ? bytes_of_files_ + saved : most,
                  sets = output_times(Schedule(model_.output.archive), model_.time.end);
     sum += waiting + std::min(static_cast<double>(OutputQueue::usual_limit), std::max(0.0, sets - 1) * waiting);
     for (const auto& field : system_.fields) sum += static_cast<double>(field.nodes.size() * sizeof(Node));

@@ -106,12 +106,20 @@ std::vector<std::string> GridRun<Dim>::look() {
 }
 
 template <int Dim>
-CheckpointWriter GridRun<Dim>::save(RunState run) {
+void GridRun<Dim>::save(RunState run, CheckpointWriter& to) {
   run.dt = dt_, run.monitor = monitor_.state;
   run.stage_step = restored_.stage_step, run.stage_time = restored_.stage_time;
   if (results_) run.initial_energy = results_->initial_energy;
   if (results_ && results_->blocks) run.initial_block_energy = results_->blocks->initial_energy;
-  return save_state(run, system_, stepper_);
+  save_state(run, system_, stepper_, to);
+}
+
+template <int Dim>
+std::size_t GridRun<Dim>::particle_bytes() const {
+  std::size_t sum = 0;
+  for (const auto* list : {&system_.bodies, &system_.rigids})
+    for (const auto& body : *list) sum += body.particles.size() * (body.particles.columns().size() + 1);
+  return sum * sizeof(double);
 }
 
 template <int Dim>

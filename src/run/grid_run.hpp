@@ -47,7 +47,9 @@ class GridRun final : public SteppedModel {
   std::vector<std::string> look() override;
   std::vector<std::string> remarks() const override { return monitor_.summary(); }
   std::vector<std::string> figures() const override;
-  CheckpointWriter save(RunState run) override;
+  using SteppedModel::save;
+  void save(RunState run, CheckpointWriter& to) override;
+  std::size_t particle_bytes() const override;
   RunState restore(const Checkpoint& checkpoint) override;
 
   ResultNames result_names() const override { return Results<Dim>::names(model_, system_); }

@@ -115,12 +115,12 @@ bool is_compact(const Mat<Dim>& axes, const Vec<Dim>& cell, bool limits) {
 
 template <int Dim>
 ParticleFields<Dim>::ParticleFields(const Model& model, std::vector<Body<Dim>*> bodies,
-                                    const std::vector<std::string>& names, Precision precision,
-                                    std::span<const PieceNumbers> pieces)
+                                    std::span<const ParticleRange<Dim>> ranges, const std::vector<std::string>& names,
+                                    Precision precision)
     : bodies_(std::move(bodies)),
       limits_(model.scheme.kernel != Kernel::cpdi),
       single_(precision == Precision::single) {
-  add_blocks(model, pieces);
+  for (const auto& range : ranges) count_ += range.count();
   add_positions();
   for (const auto& name : names) {
     const ParticleField* field = find_particle_field(name);
@@ -131,61 +131,39 @@ ParticleFields<Dim>::ParticleFields(const Model& model, std::vector<Body<Dim>*> 
   const auto units = units_of_results(model);
   for (OutputField& field : fields_)
     if (const auto unit = units.find(field.name); unit != units.end()) field.unit = unit->second;
-  fill();
+  fill(ranges);
 }
 
 template <int Dim>
-void ParticleFields<Dim>::add_blocks(const Model& model, std::span<const PieceNumbers> pieces) {
-  static constexpr std::size_t most = 20;  // a folder of thousands of small files is of no use
-  for (const auto* body : bodies_) {
-    const std::string& name = model.materials[static_cast<std::size_t>(body->material)].name;
-    const std::size_t own = body->particles.size();
-    std::vector<std::pair<std::int64_t, std::int64_t>> parts;
-    for (const PieceNumbers& p : pieces)
-      if (model.pieces[static_cast<std::size_t>(p.piece)].material == body->material)
-        parts.emplace_back(p.first, p.last);
-    orders_.emplace_back();
-    if (parts.size() < 2 || parts.size() > most) {
-      blocks_.push_back({name, body->material + 1, count_, own});
-    } else {
-      orders_.back() = order_by_body({body->particles.id.data(), own}, parts);
-      std::size_t at = count_;
-      const auto& counts = orders_.back().counts;
-      for (std::size_t k = 0; k < counts.size(); ++k) {
-        const bool later = k == parts.size();
-        const std::string own_name = name + (later ? ", came later" : " " + std::to_string(k + 1));
-        if (!later || counts[k] > 0 || model.particles_change() || model.splitting)
-          blocks_.push_back({own_name, body->material + 1, at, counts[k], name, static_cast<int>(k) + 1});
-        at += counts[k];
-      }
-    }
-    count_ += own;
-  }
+std::vector<ParticleRange<Dim>> ParticleFields<Dim>::whole(const std::vector<Body<Dim>*>& bodies) {
+  std::vector<ParticleRange<Dim>> out;
+  for (auto* const body : bodies) out.push_back({body, nullptr, 0, body->particles.size()});
+  return out;
 }
 
 // All fields of some particles, then of the next ones, as long as they are in the cache.
 template <int Dim>
-void ParticleFields<Dim>::fill() {
+void ParticleFields<Dim>::fill(std::span<const ParticleRange<Dim>> ranges) {
   static constexpr std::size_t size = 1024;
   std::vector<Part> parts;
   std::size_t at = 0;
-  for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    const std::size_t n = bodies_[b]->particles.size();
-    const std::uint32_t* order = orders_[b].particles.empty() ? nullptr : orders_[b].particles.data();
-    for (std::size_t i = 0; i < n; i += size) parts.push_back({bodies_[b], order, i, std::min(n, i + size), at + i});
-    at += n;
-  }
+  for (const auto& range : ranges)
+    for (std::size_t i = range.begin; i < range.end; i += size) {
+      const std::size_t end = std::min(range.end, i + size);
+      parts.push_back({{range.body, range.order, i, end}, at});
+      at += end - i;
+    }
   std::vector<char> finite(parts.size());
   parallel_for(static_cast<std::ptrdiff_t>(parts.size()), [&](std::ptrdiff_t k) {
     const Part& part = parts[static_cast<std::size_t>(k)];
     for (const auto& fill : fills_) fill(part);
     const auto is_finite = [&](const auto& rows) {
-      return all_finite({rows.numbers.get() + part.at * rows.width, (part.end - part.begin) * rows.width});
+      return all_finite({rows.numbers.get() + part.at * rows.width, part.count() * rows.width});
     };
     finite[static_cast<std::size_t>(k)] = std::all_of(doubles_.begin(), doubles_.end(), is_finite) &&
                                           std::all_of(floats_.begin(), floats_.end(), is_finite);
   });
-  fills_.clear(), orders_.clear();
+  fills_.clear();
   if (std::count(finite.begin(), finite.end(), 0) > 0) check_rows(count_, positions_, fields_);
 }
 

@@ -4,7 +4,7 @@
 
 #include "model/output_fields.hpp"
 #include "output/vtk.hpp"
-#include "run/body_order.hpp"
+#include "run/particle_blocks.hpp"
 #include "solver/state/system.hpp"
 
 #include <functional>
@@ -21,40 +21,40 @@ Mat<Dim> limited(Mat<Dim> axes, const Vec<Dim>& cell);
 /// How the numbers of fields are kept. Positions are always in double precision, domains and sizes in single precision.
 enum class Precision { single, full };
 
-/// Values of all particles of some bodies, one body after the other, as the files need them. Two fields are always
+/// Values of particles, as the files need them. Two fields are always
 /// there: `domain`, the half axes of the domains, one after the other, in the reduced basis of the lattice of particles
 /// and limited(), and `size`, the lengths of their edges (the third is zero in the plane).
 template <int Dim>
 class ParticleFields {
  public:
-  /// `pieces`: the bodies of the materials in the order of their numbers; if given, a material of 2 to 20 bodies has a
-  /// block for each of them. Fields that need what the model does not have (temperature without heat, contact without
-  /// contact) are left out. Throws SimulationError if a number is not finite.
-  ParticleFields(const Model& model, std::vector<Body<Dim>*> bodies, const std::vector<std::string>& names,
-                 Precision precision, std::span<const PieceNumbers> pieces = {});
+  /// `bodies`: all bodies of the model that are written; variables of their laws are fields. `ranges`: the particles,
+  /// one range after the other. Fields that need what the model does not have (temperature without heat, contact
+  /// without contact) are left out. Throws SimulationError if a number is not finite.
+  ParticleFields(const Model& model, std::vector<Body<Dim>*> bodies, std::span<const ParticleRange<Dim>> ranges,
+                 const std::vector<std::string>& names, Precision precision);
+  /// All particles as they are stored, one body after the other.
+  ParticleFields(const Model& model, const std::vector<Body<Dim>*>& bodies, const std::vector<std::string>& names,
+                 Precision precision)
+      : ParticleFields(model, bodies, whole(bodies), names, precision) {}
 
   std::size_t count() const { return count_; }
-  /// The particles of each material, or of each of its bodies.
-  const std::vector<OutputBlock>& blocks() const { return blocks_; }
-  /// Memory that it holds.
-  std::size_t bytes() const {
-    std::size_t sum = 0;
-    for (const auto& rows : doubles_) sum += rows.size() * sizeof(double);
-    for (const auto& rows : floats_) sum += rows.size() * sizeof(float);
-    return sum + integers_.size() * count_ * sizeof(std::int64_t);
+  /// Memory that it holds, and that each particle needs.
+  std::size_t bytes() const { return count_ * bytes_of_particle(); }
+  std::size_t bytes_of_particle() const {
+    std::size_t sum = integers_.size() * sizeof(std::int64_t);
+    for (const auto& rows : doubles_) sum += rows.width * sizeof(double);
+    for (const auto& rows : floats_) sum += rows.width * sizeof(float);
+    return sum;
   }
   const OutputRows& positions() const { return positions_; }
   const std::vector<OutputField>& fields() const { return fields_; }
 
  private:
-  // Successive particles of a material in the order of the file, and the index of the first among all.
-  struct Part {
-    Body<Dim>* body;
-    const std::uint32_t* order;  // null: as they are stored
-    std::size_t begin, end, at;
-    std::size_t particle(std::size_t i) const { return order ? order[i] : i; }
+  // Successive particles, and the index of the first among all.
+  struct Part : ParticleRange<Dim> {
+    std::size_t at;
   };
-  void add_blocks(const Model& model, std::span<const PieceNumbers> pieces);
+  static std::vector<ParticleRange<Dim>> whole(const std::vector<Body<Dim>*>& bodies);
   // Rows of a field, not initialised.
   template <class Number>
   struct Rows {
@@ -66,7 +66,7 @@ class ParticleFields {
           count(row_count) {}
     std::size_t size() const { return count * width; }
   };
-  void fill();
+  void fill(std::span<const ParticleRange<Dim>> ranges);
   void add_positions();
   void add(const Model& model, const ParticleField& field);
   void add_integer(const ParticleField& field);
@@ -92,8 +92,6 @@ class ParticleFields {
   bool limits_;  ///< CPDI: particles interact as far as their domains reach
   bool single_;
   OutputRows positions_;
-  std::vector<OutputBlock> blocks_;
-  std::vector<BodyOrder> orders_;  // of each of bodies_, until the fields are filled
   std::vector<OutputField> fields_;
   std::vector<std::function<void(const Part&)>> fills_;  // until the fields are filled
   std::vector<Rows<double>> doubles_;

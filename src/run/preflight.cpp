@@ -43,6 +43,7 @@ class Report {
         system_(build_system<Dim>(model, seeds_)),
         stepper_(model, system_),
         h_(system_.lattice.smallest_spacing()) {
+    return_arrays_above(4 << 20, 4 << 20);  // a report is made once: nothing is kept for later
     set_threads(sensible_threads(wanted_threads, particle_count(system_)));
     const Tracers<Dim> found(model_, system_);  // throws for a history of a point without particles
   }
@@ -67,6 +68,7 @@ class Report {
     steps();
     exchange();
     stages();
+    seeds_ = {}, return_freed_memory();  // before the steps and files of the trial
     take(describe_effort(model_, system_, stepper_, step_.size));
     for (const auto& warning : model_.warnings) line(warning);
     if (!advice_.empty()) line("\nto look at:");

@@ -51,11 +51,9 @@ void visit(Archive& a, RunState& state, Assembly& blocks) {
 }
 
 template <class... Parts>
-CheckpointWriter save(RunState& state, Parts&... parts) {
-  CheckpointWriter out;
-  SavingArchive a(out);
+void save(CheckpointWriter& to, RunState& state, Parts&... parts) {
+  SavingArchive a(to);
   visit(a, state, parts...);
-  return out;
 }
 
 template <class... Parts>
@@ -71,8 +69,8 @@ RunState load(const Checkpoint& checkpoint, Parts&... parts) {
 }  // namespace
 
 template <int Dim>
-CheckpointWriter save_state(RunState state, System<Dim>& system, Stepper<Dim>& stepper) {
-  return save(state, system, stepper);
+void save_state(RunState state, System<Dim>& system, Stepper<Dim>& stepper, CheckpointWriter& to) {
+  save(to, state, system, stepper);
 }
 
 template <int Dim>
@@ -80,12 +78,12 @@ RunState load_state(const Checkpoint& checkpoint, System<Dim>& system, Stepper<D
   return load(checkpoint, system, stepper);
 }
 
-CheckpointWriter save_state(RunState state, Assembly& blocks) { return save(state, blocks); }
+void save_state(RunState state, Assembly& blocks, CheckpointWriter& to) { save(to, state, blocks); }
 
 RunState load_state(const Checkpoint& checkpoint, Assembly& blocks) { return load(checkpoint, blocks); }
 
-template CheckpointWriter save_state<2>(RunState, System<2>&, Stepper<2>&);
-template CheckpointWriter save_state<3>(RunState, System<3>&, Stepper<3>&);
+template void save_state<2>(RunState, System<2>&, Stepper<2>&, CheckpointWriter&);
+template void save_state<3>(RunState, System<3>&, Stepper<3>&, CheckpointWriter&);
 template RunState load_state<2>(const Checkpoint&, System<2>&, Stepper<2>&);
 template RunState load_state<3>(const Checkpoint&, System<3>&, Stepper<3>&);
 

@@ -38,13 +38,13 @@ inline void archive(Archive& a, RunState& state) {
 
 /// A run in a grid, with the blocks in it.
 template <int Dim>
-CheckpointWriter save_state(RunState state, System<Dim>& system, Stepper<Dim>& stepper);
+void save_state(RunState state, System<Dim>& system, Stepper<Dim>& stepper, CheckpointWriter& to);
 /// Fills a freshly built system. Throws FileError if the checkpoint is of another model.
 template <int Dim>
 RunState load_state(const Checkpoint& checkpoint, System<Dim>& system, Stepper<Dim>& stepper);
 
 /// A run of blocks without a grid.
-CheckpointWriter save_state(RunState state, Assembly& blocks);
+void save_state(RunState state, Assembly& blocks, CheckpointWriter& to);
 /// Fills a freshly built assembly. Throws FileError if the checkpoint is of another model.
 RunState load_state(const Checkpoint& checkpoint, Assembly& blocks);
 

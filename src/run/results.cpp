@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "run/results.hpp"
 
+#include "base/parallel.hpp"
 #include "model/quantities.hpp"
 #include "run/energy_balance.hpp"
 #include "run/grid_file.hpp"
@@ -106,29 +107,57 @@ bool Results<Dim>::has_several_kinds(const System<Dim>& system) {
 }
 
 template <int Dim>
-std::shared_ptr<const ParticleFields<Dim>> Results<Dim>::fields(const std::vector<std::string>& names,
-                                                                Precision precision, bool by_body) {
-  stepper_.contact().fill_view();
-  std::vector<Body<Dim>*> bodies;
+std::vector<Body<Dim>*> Results<Dim>::written_bodies() {
+  std::vector<Body<Dim>*> out;
   for (auto* list : {&system_.bodies, &system_.rigids})
     for (auto& body : *list)
-      if (body.block < 0) bodies.push_back(&body);
-  return std::make_shared<const ParticleFields<Dim>>(
-      model_, bodies, names, precision,
-      by_body ? std::span<const PieceNumbers>(system_.pieces) : std::span<const PieceNumbers>());
+      if (body.block < 0) out.push_back(&body);
+  return out;
 }
 
 template <int Dim>
+std::shared_ptr<const ParticleFields<Dim>> Results<Dim>::fields(const std::vector<std::string>& names,
+                                                                Precision precision) {
+  stepper_.contact().fill_view();
+  return std::make_shared<const ParticleFields<Dim>>(model_, written_bodies(), names, precision);
+}
+
+// Large models are written without a copy of all particles: some blocks at a time, while the run waits.
+template <int Dim>
 void Results<Dim>::write_particles(std::int64_t number) {
+  stepper_.contact().fill_view();
   const auto& wanted = model_.output.particle_fields;
-  const auto all = fields(wanted.empty() ? standard_particle_fields() : wanted,
-                          model_.output.double_precision ? Precision::full : Precision::single, true);
-  const std::string file = "particles/" + numbered(number, ".vtm");
+  const auto names = wanted.empty() ? standard_particle_fields() : wanted;
+  const auto precision = model_.output.double_precision ? Precision::full : Precision::single;
+  const auto bodies = written_bodies();
+  const ParticleBlocks<Dim> blocks(model_, bodies, system_.pieces);
+  const auto& ranges = blocks.ranges();
   std::vector<std::string> materials;
   for (const MaterialSpec& material : model_.materials) materials.push_back(material.name);
-  queue_.add(all->bytes(), [all, materials, path = folder_ / file, time = system_.time] {
-    write_particle_blocks(path, all->blocks(), all->positions(), all->fields(), time, materials);
-  });
+  const std::string file = "particles/" + numbered(number, ".vtm");
+
+  const auto copy = [&](std::size_t first, std::size_t count) {
+    return ParticleFields<Dim>(model_, bodies, std::span(ranges).subspan(first, count), names, precision);
+  };
+  const auto job = [&](std::size_t k) {
+    return [all = std::make_shared<const ParticleFields<Dim>>(copy(k, 1)), materials,
+            path = file_of_block(folder_ / file, blocks.blocks()[k]), time = system_.time] {
+      tribo::write_particles(path, all->count(), all->positions(), all->fields(), time, materials);
+    };
+  };
+  std::size_t count = 0, largest = 1;
+  for (const auto& range : ranges) count += range.count(), largest = std::max(largest, range.count());
+  const std::size_t row = copy(0, 0).bytes_of_particle();
+  if (count * row <= OutputQueue::most_copied) {
+    for (std::size_t k = 0; k < ranges.size(); ++k) queue_.add(ranges[k].count() * row, job(k));
+  } else {
+    queue_.drain();
+    const std::size_t at_once = std::max<std::size_t>(1, OutputQueue::most_copied / (largest * row));
+    for (std::size_t first = 0; first < ranges.size(); first += at_once)
+      parallel_for(static_cast<std::ptrdiff_t>(std::min(at_once, ranges.size() - first)),
+                   [&](std::ptrdiff_t k) { job(first + static_cast<std::size_t>(k))(); });
+  }
+  queue_.add(0, [path = folder_ / file, list = blocks.blocks()] { write_block_list(path, list); });
   particles_.add(system_.time, file, &queue_);
 }
 

@@ -31,10 +31,8 @@ class Results {
   void write_history(double dt);
   /// The last row of the histories: the time and the values.
   const std::vector<double>& last_row() const { return row_; }
-  /// Fields of all particles that are written, at present. `by_body`: a material's particles are in the order of its
-  /// bodies.
-  std::shared_ptr<const ParticleFields<Dim>> fields(const std::vector<std::string>& names, Precision precision,
-                                                    bool by_body = false);
+  /// Fields of all particles that are written, at present.
+  std::shared_ptr<const ParticleFields<Dim>> fields(const std::vector<std::string>& names, Precision precision);
   /// The events at joints and blocks since the last call.
   void write_events();
   /// Content of energy at the start, for the residual [energy]. Found by the constructor for a new run; to be set for
@@ -49,6 +47,7 @@ class Results {
   /// Elastic strain of what history `k` refers to, and its mean of a history variable.
   void add_elastic_strain(std::size_t k, const std::vector<Measures>& bodies, Measures& m) const;
   double mean_variable(std::size_t k) const;
+  std::vector<Body<Dim>*> written_bodies();
   void write_particles(std::int64_t number);
   void write_grid(std::int64_t number);
   void write_cracks(std::int64_t number);

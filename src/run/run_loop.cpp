@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "run/run_loop.hpp"
 
+#include "base/memory.hpp"
 #include "base/parallel.hpp"
 #include "base/stopwatch.hpp"
 #include "base/text.hpp"
@@ -11,8 +12,6 @@
 #include "run/run_record.hpp"
 #include "run/schedule.hpp"
 #include "run/signals.hpp"
-
-#include <malloc.h>
 
 #include <chrono>
 #include <memory>
@@ -29,14 +28,8 @@ Schedule every(double interval, const OutputSpec& output) {
 }
 
 // Copies of the state for output come and go; the pages of their memory are kept for the next ones, as it takes as long
-// to get them from the system as to fill them. Arrays above `large` are given back.
-void keep_pages_of_copies() {
-#ifdef __GLIBC__
-  static constexpr int large = 32 << 20, kept = 256 << 20;
-  ::mallopt(M_MMAP_THRESHOLD, large);
-  ::mallopt(M_TRIM_THRESHOLD, kept);
-#endif
-}
+// to get them from the system as to fill them.
+void keep_pages_of_copies() { return_arrays_above(32 << 20, 256 << 20); }
 
 }  // namespace
 
@@ -224,6 +217,7 @@ class RunLoop::Loop {
     queue_.begin(stepped_.step());
     RunState state;
     state.archive = files_.count(), state.history = histories_.count(), state.checkpoint = checkpoints_.count();
+    if (stepped_.particle_bytes() > OutputQueue::most_copied) return save_now(state, until);
     const auto all = std::make_shared<const CheckpointWriter>(stepped_.save(state));
     queue_.add_checkpoint(all->size(), [all, until, folder = options_.folder, file = checkpoint_, flushed = flushed_] {
       for (const std::filesystem::path& path : *flushed) flush_to_disk(path);
@@ -231,6 +225,14 @@ class RunLoop::Loop {
       if (until == Until::on_disk) flush_to_disk(folder);
     });
     if (until == Until::on_disk) queue_.drain();
+  }
+
+  // Without a copy of the state, while the run waits.
+  void save_now(const RunState& state, Until until) {
+    queue_.drain();
+    for (const std::filesystem::path& path : *flushed_) flush_to_disk(path);
+    write_checkpoint(checkpoint_, [&](CheckpointWriter& to) { stepped_.save(state, to); });
+    if (until == Until::on_disk) flush_to_disk(options_.folder);
   }
 
   void report(const std::string& status, const std::string& reason) {

@@ -58,7 +58,14 @@ class SteppedModel {
   virtual void check() {}
 
   /// The complete state; `run` holds the counters of the loop. Without open results the energies at the start are zero.
-  virtual CheckpointWriter save(RunState run) = 0;
+  virtual void save(RunState run, CheckpointWriter& to) = 0;
+  CheckpointWriter save(const RunState& run) {
+    CheckpointWriter out;
+    save(run, out);
+    return out;
+  }
+  /// Memory of the particles, by far the largest part of the state of a large model.
+  virtual std::size_t particle_bytes() const { return 0; }
   /// Restores a freshly built model. Throws FileError if the checkpoint is of another model.
   virtual RunState restore(const Checkpoint& checkpoint) = 0;
 

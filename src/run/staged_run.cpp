@@ -163,10 +163,10 @@ void StagedRun<Stepped>::write_events() {
 }
 
 template <class Stepped>
-CheckpointWriter StagedRun<Stepped>::save(RunState run) {
+void StagedRun<Stepped>::save(RunState run, CheckpointWriter& to) {
   run.stage = stage_, run.stage_ends = ends_;
   run.reacted = reacted_, run.calm = calm_, run.frames = frames_;
-  return now_->save(run);
+  now_->save(run, to);
 }
 
 template <class Stepped>

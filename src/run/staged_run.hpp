@@ -38,7 +38,9 @@ class StagedRun final : public SteppedModel {
   std::vector<std::string> figures() const override { return now_->figures(); }
   void check() override { now_->check(); }
 
-  CheckpointWriter save(RunState run) override;
+  using SteppedModel::save;
+  void save(RunState run, CheckpointWriter& to) override;
+  std::size_t particle_bytes() const override { return now_->particle_bytes(); }
   RunState restore(const Checkpoint& checkpoint) override;
 
   ResultNames result_names() const override;

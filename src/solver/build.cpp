@@ -250,7 +250,7 @@ void number_pieces(const Seeds& seeds, std::size_t present, std::int64_t next, s
 }  // namespace
 
 template <int Dim>
-System<Dim> build_system(const Model& model, const Seeds& seeds) {
+System<Dim> build_system(const Model& model, Seeds seeds) {
   Vec<Dim> low, high;
   Index<Dim> cells;
   for (std::size_t d = 0; d < Dim; ++d) {
@@ -267,6 +267,8 @@ System<Dim> build_system(const Model& model, const Seeds& seeds) {
   const std::vector<LaterSeed> later = later_seeds(model);
   std::vector<Seeds> of_material(model.materials.size());
   for (const Seed& seed : seeds) of_material[static_cast<std::size_t>(seed.material)].push_back(seed);
+  seeds = {};  // its memory, before that of the bodies
+  return_freed_memory();
   for (int m = 0; m < static_cast<int>(model.materials.size()); ++m) {
     Seeds mine = std::move(of_material[static_cast<std::size_t>(m)]);
     const std::size_t present = mine.size();
@@ -290,9 +292,11 @@ System<Dim> build_system(const Model& model, const Seeds& seeds) {
           body.uniform_half_size[d] > 0.5 * system.lattice.spacing[d] * (1 + 1e-12))
         throw InputError(of.origin, "particles of '" + body.name +
                                         "' are larger than a cell; uGIMP needs at least one per cell and axis");
+    mine = {};
     if (!stages.empty()) set_aside(model, body, present, stages, system);
     (body.law->rigid() ? system.rigids : system.bodies).push_back(std::move(body));
   }
+  return_freed_memory();
   if (model.blocks)
     with_memory_for("the blocks", model.blocks->origin, [&] { add_blocks(model, system, *transfers, next_id); });
   assign_fields(model, system);
@@ -311,7 +315,7 @@ System<Dim> build_system(const Model& model, const Seeds& seeds) {
   return system;
 }
 
-template System<2> build_system<2>(const Model&, const Seeds&);
-template System<3> build_system<3>(const Model&, const Seeds&);
+template System<2> build_system<2>(const Model&, Seeds);
+template System<3> build_system<3>(const Model&, Seeds);
 
 }  // namespace tribo

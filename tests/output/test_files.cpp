@@ -76,12 +76,17 @@ TEST_CASE("a checkpoint returns the same bits, and notices every damage", "[outp
   const auto file = scratch.path / "c.bin";
   const std::vector<double> values{1.5, -0.0, -1.7976931348623157e308, 5e-324};
   const std::vector<std::int64_t> numbers{1, -2, INT64_MAX};
+  const auto put_all = [&](CheckpointWriter& to) {
+    to.put("values", std::span<const double>(values));
+    to.put("numbers", std::span<const std::int64_t>(numbers));
+    to.put("text", std::string("hello"));
+    to.put("empty", std::span<const double>());
+  };
   CheckpointWriter out;
-  out.put("values", std::span<const double>(values));
-  out.put("numbers", std::span<const std::int64_t>(numbers));
-  out.put("text", std::string("hello"));
-  out.put("empty", std::span<const double>());
+  put_all(out);
   out.save(file);
+  write_checkpoint(scratch.path / "at once.bin", put_all);
+  CHECK(content(scratch.path / "at once.bin") == content(file));
 
   const Checkpoint in(file);
   const auto back = in.doubles("values");
@@ -145,6 +150,27 @@ TEST_CASE("domains of particles are written in single precision and read back as
   CHECK(frame.domains[0] == HalfAxes{{{0.5, 1, 1.5}, {2, 2.5, 3}, {3.5, 4, 4.5}}});
 }
 
+namespace {
+
+// Writes each block from its first row on.
+void write_blocks(const std::filesystem::path& file, const std::vector<OutputBlock>& blocks,
+                  const std::vector<std::size_t>& begins, const std::vector<double>& x,
+                  const std::vector<OutputField>& fields, const std::vector<std::string>& materials) {
+  for (std::size_t k = 0; k < blocks.size(); ++k) {
+    const std::size_t end = k + 1 < blocks.size() ? begins[k + 1] : x.size() / 3;
+    auto own = fields;
+    for (OutputField& field : own) {
+      if (field.integers) field.integers += begins[k];
+      if (field.rows.floats) field.rows.floats += begins[k];
+    }
+    write_particles(file_of_block(file, blocks[k]), end - begins[k], {x.data() + 3 * begins[k], nullptr, 3}, own, 0.25,
+                    materials);
+  }
+  write_block_list(file, blocks);
+}
+
+}  // namespace
+
 TEST_CASE("blocks of particles have a file each, and are read as one", "[output]") {
   const ScratchFolder scratch;
   const auto file = scratch.path / "run_000003.vtm";
@@ -153,9 +179,9 @@ TEST_CASE("blocks of particles have a file each, and are read as one", "[output]
   const std::vector<std::int64_t> id{2, 0, 1};
   const std::vector<OutputField> fields{{"speed", {}, nullptr, nullptr, {nullptr, speed.data(), 1}, "m/s"},
                                         {"id", {}, id.data()}};
-  const std::vector<OutputBlock> blocks{{"none yet", 1, 0, 0}, {"soft <& \"wet\">", 2, 0, 1}, {"rock", 4, 1, 2}};
+  const std::vector<OutputBlock> blocks{{"none yet", 1}, {"soft <& \"wet\">", 2}, {"rock", 4}};
   const std::vector<std::string> materials{"none yet", "soft", "contact", "rock"};
-  write_particle_blocks(file, blocks, {x.data(), nullptr, 3}, fields, 0.25, materials);
+  write_blocks(file, blocks, {0, 0, 1}, x, fields, materials);
   CHECK(files_in(scratch.path) == 4);
   const auto read = read_blocks(file);
   REQUIRE(read.size() == 3);
@@ -183,8 +209,8 @@ TEST_CASE("bodies of a material are blocks within its block", "[output]") {
   const auto file = scratch.path / "run_000003.vtm";
   const std::vector<double> x{0, 0, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9};
   const std::vector<OutputBlock> blocks{
-      {"floor", 1, 0, 1}, {"rubber 1", 2, 1, 1, "rubber", 1}, {"rubber 2", 2, 2, 1, "rubber", 2}, {"rock", 4, 3, 1}};
-  write_particle_blocks(file, blocks, {x.data(), nullptr, 3}, {}, 0.25, {});
+      {"floor", 1}, {"rubber 1", 2, "rubber", 1}, {"rubber 2", 2, "rubber", 2}, {"rock", 4}};
+  write_blocks(file, blocks, {0, 1, 2, 3}, x, {}, {});
   const std::string text = content(file);
   const auto at = [&](const char* line) { return text.find(line); };
   const auto floor = at("<DataSet index=\"0\" name=\"floor\" file=\"run_000003_1.vtp\"/>"),

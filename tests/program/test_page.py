@@ -285,6 +285,10 @@ def space(b, address):
     before = drawn(b)
     b.run("document.getElementById('section-z').click()")
     check(b.wait(f"Number(document.body.dataset.drawn) !== {before}") and of_page(b, "page.frame.parts.positions.filter((_, k) => k % 3 === 2).every(z => z <= 0.01)"), "a section in space")
+    of_page(b, "(m => { const draw = m.draw; m.speed = 30; m.draw = most => { const n = draw(most); if (n < m.total) m.fewest = Math.min(n, m.fewest ?? n); return n; }; })(page.scene.motion)")
+    b.drag(500, 350, 540, 370)
+    check(0 < of_page(b, "page.scene.motion.fewest ?? 0") <= 2000 < of_page(b, "page.scene.motion.total"), "fewer particles while the camera moves, if the computer is slow")
+    check(b.wait("import('./main.js').then(({ page }) => page.scene.motion.count === page.scene.motion.total)", 10), "then all again")
     views = "page.scene.renderer.getActiveCamera().getDirectionOfProjection().map(x => Math.round(x)).join()"
     b.run("[...document.querySelectorAll('#cameras button')].find(e => e.textContent === 'x, y').click()")
     check(of_page(b, views) in ("0,0,-1", "-0,-0,-1"), "a view along an axis")

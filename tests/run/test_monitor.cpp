@@ -302,7 +302,8 @@ TEST_CASE("what was seen is part of the checkpoint", "[monitor]") {
   CHECK_FALSE(before.look_at_state().empty());
   RunState state;
   state.monitor = before.monitor.state;
-  save_state(state, before.system, before.stepper).save(scratch.path / "c");
+  write_checkpoint(scratch.path / "c",
+                   [&](CheckpointWriter& to) { save_state(state, before.system, before.stepper, to); });
   after.monitor.state = load_state(Checkpoint(scratch.path / "c"), after.system, after.stepper).monitor;
   CHECK(after.summary() == before.summary());
   CHECK_FALSE(after.summary().empty());

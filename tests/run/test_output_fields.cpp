@@ -125,16 +125,19 @@ TEST_CASE("each body of a material is a block of its own", "[output]") {
   stepper.advance(1e-6);  // sorts the particles
   const std::vector<std::string> names{"id", "velocity", "stress"};
   const ParticleFields<2> stored(model, {&body}, names, Precision::full);
-  CHECK(stored.blocks().size() == 1);
-  const ParticleFields<2> fields(model, {&body}, names, Precision::full, system.pieces);
-  REQUIRE(fields.blocks().size() == 2);
-  CHECK(fields.blocks()[1].name == model.materials[static_cast<std::size_t>(body.material)].name + " 2");
-  CHECK(fields.blocks()[0].count + fields.blocks()[1].count == body.particles.size());
+  const std::vector<Body<2>*> bodies{&body};
+  const std::string material = model.materials[static_cast<std::size_t>(body.material)].name;
+  CHECK(ParticleBlocks<2>(model, bodies, {}).blocks().size() == 1);
+  const ParticleBlocks<2> blocks(model, bodies, system.pieces);
+  REQUIRE(blocks.blocks().size() == 2);
+  CHECK(blocks.blocks()[1].name == material + " 2");
+  CHECK(blocks.ranges()[0].count() + blocks.ranges()[1].count() == body.particles.size());
+  const ParticleFields<2> fields(model, bodies, blocks.ranges(), names, Precision::full);
   std::map<std::int64_t, std::size_t> row_of;
   for (std::size_t i = 0; i < body.particles.size(); ++i) row_of[stored.fields()[0].integers[i]] = i;
   for (std::size_t k = 0; k < 2; ++k)
-    for (std::size_t i = 0; i < fields.blocks()[k].count; ++i) {
-      const std::size_t row = fields.blocks()[k].begin + i;
+    for (std::size_t i = 0; i < blocks.ranges()[k].count(); ++i) {
+      const std::size_t row = blocks.ranges()[k].begin + i;
       const std::int64_t id = fields.fields()[0].integers[row];
       CHECK((id >= system.pieces[k].first && id <= system.pieces[k].last));
       const std::size_t other = row_of.at(id);
@@ -144,6 +147,26 @@ TEST_CASE("each body of a material is a block of its own", "[output]") {
         CHECK(fields.fields().back().rows.floats[4 * row + d] == stored.fields().back().rows.floats[4 * other + d]);
       }
     }
+}
+
+TEST_CASE("blocks with too many particles are divided", "[output]") {
+  const Model model = two_layers();
+  auto system = build_system<2>(model, layers_of(model));
+  const std::vector<Body<2>*> bodies{&system.bodies[0], &system.bodies[1]};
+  const std::size_t count = system.bodies[0].particles.size(), most = count / 3 + 1;
+  REQUIRE(system.bodies[1].particles.size() > 2 * most);
+  const ParticleBlocks<2> blocks(model, bodies, {}, most);
+  const std::string name = model.materials[0].name;
+  REQUIRE(blocks.blocks().size() == 6);
+  CHECK(blocks.blocks()[1].name == name + ", part 2 of 3");
+  std::size_t end = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    CHECK((blocks.blocks()[k].group == name && blocks.blocks()[k].part == static_cast<int>(k) + 1));
+    CHECK((blocks.ranges()[k].begin == end && blocks.ranges()[k].count() <= most));
+    end = blocks.ranges()[k].end;
+  }
+  CHECK(end == count);
+  CHECK((blocks.blocks()[3].part == 1 && blocks.ranges()[3].body == bodies[1]));
 }
 
 TEST_CASE("fields in single precision are the rounded ones, positions are not rounded", "[output]") {

@@ -148,7 +148,7 @@ TEST_CASE("imperfect interfaces: the same bits on any number of threads and afte
   Stepper<2> stepper(blocks.model, blocks.system), resumed(other.model, other.system);
   for (int k = 0; k < 80; ++k) stepper.advance(0.1);
   REQUIRE(!blocks.system.joints[0].joints.empty());
-  save_state({}, blocks.system, stepper).save(file);
+  write_checkpoint(file, [&](CheckpointWriter& to) { save_state({}, blocks.system, stepper, to); });
   load_state(Checkpoint(file), other.system, resumed);
   std::filesystem::remove(file);
   for (int k = 0; k < 40; ++k) stepper.advance(0.1), resumed.advance(0.1);

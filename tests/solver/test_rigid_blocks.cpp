@@ -176,7 +176,7 @@ TEST_CASE("What blocks do to the grid is the same to the bit for any number of t
   set_threads(2);
   again.steps(60, 5e-4);
   const auto file = std::filesystem::temp_directory_path() / "tribo_blocks_in_grid.bin";
-  save_state(RunState{}, again.system, again.stepper).save(file);
+  write_checkpoint(file, [&](CheckpointWriter& to) { save_state(RunState{}, again.system, again.stepper, to); });
   BlockRun<2> third(floating(2, flat_stone));
   load_state(Checkpoint(file), third.system, third.stepper);
   third.steps(40, 5e-4);

@@ -15,7 +15,7 @@ const settings = {
   field: "", map: "viridis", reversed: false, rangeMode: "all", own: [0, 1], arrows: "", arrowLength: 1, hidden: new Set(), bodies: new Set(), groups: new Set(),
   sections: {}, axes: true, triad: true, bar: true, slits: true, outlines: false, most: 250000
 };
-const ranges = new Map(), mostPlaying = 60000, mostStill = 1500000;
+const ranges = new Map(), mostPlaying = [60000, 20000, 6000], mostStill = 1500000;
 let state = {}, scene = null, webgl = typeof vtk !== "undefined", frame = null, shown = -1, filming = false, still = 0, working = null, next = null;
 
 const legendOf = () => ({ materials: state.materials || [], bodies: (state.bodies || []).map(b => b.name), groups: state.block_groups || [], length: state.model?.["unit of length"] || "", time: state.model?.["unit of time"] || "" });
@@ -95,6 +95,9 @@ async function draw(k, most) {
   document.body.dataset.drawn = String(head.count);
 }
 
+// How many particles the computer draws in a seventh of a second.
+const playable = () => mostPlaying.find(n => !scene || n < scene.motion.within(150)) || mostPlaying.at(-1);
+
 // Draws a time. While one is drawn, only the last request waits.
 async function show(k) {
   if (working) { next = k; return working; }
@@ -102,7 +105,7 @@ async function show(k) {
     for (next = k; next !== null;) {
       const now = next;
       next = null;
-      try { await draw(now, player.playing || filming ? Math.min(mostPlaying, settings.most) : settings.most); }
+      try { await draw(now, Math.min(settings.most, filming ? mostPlaying[0] : player.playing ? playable() : Infinity)); }
       catch (error) { $("note").textContent = error.message; console.warn(error); }
     }
   })();
@@ -113,10 +116,10 @@ async function show(k) {
 }
 const redraw = () => { if (player.count) show(player.at); };
 
-// Once the picture is still, all particles if there are not too many.
+// Once the picture is still, all particles if they are not too many to be drawn within a second.
 async function showAll() {
-  const { head } = frame || {};
-  if (working || !head || head.count >= head.visible - head.inside || head.visible - head.inside > mostStill || settings.most < 250000) return;
+  const { head } = frame || {}, most = Math.min(mostStill, scene ? scene.motion.within(1000) : mostStill);
+  if (working || !head || head.count >= head.visible - head.inside || head.visible - head.inside > most || settings.most < 250000) return;
   await draw(shown, mostStill).catch(error => { $("note").textContent = error.message; });
 }
 

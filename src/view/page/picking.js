@@ -37,6 +37,7 @@ export class Picking {
   async pick(clientX, clientY) {
     const { scene, frame, k } = this.current();
     if (!scene || !frame) return;
+    scene.motion.rest();
     const box = scene.canvas().getBoundingClientRect(), size = scene.window.getApiSpecificRenderWindow().getSize();
     const x = Math.round((clientX - box.left) / box.width * size[0]), y = Math.round((box.bottom - clientY) / box.height * size[1]);
     const hit = await under(scene, x, y, frame.head, frame.parts);

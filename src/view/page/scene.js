@@ -4,6 +4,7 @@
 import { ball, arrow, cube, Glyphs, square } from "./glyphs.js";
 import { Furniture } from "./furniture.js";
 import { Layers } from "./layers.js";
+import { Motion, thinned } from "./motion.js";
 import { isCategory, lookupTable } from "./colours.js";
 
 const manipulators = flat => {
@@ -46,6 +47,7 @@ export class Scene {
     this.layers = new Layers(this.renderer);
     this.furniture = new Furniture(this.renderer, this.window.getInteractor());
     this.light();
+    this.motion = new Motion(this.window.getInteractor(), most => this.drawParticles(most));
     this.fresh = true;
     this.sized = new ResizeObserver(() => { this.window.resize(); if (this.untouched) this.fit(); else this.render(); });
     this.sized.observe(parent);
@@ -83,12 +85,23 @@ export class Scene {
       half = Float32Array.from(axes);
       for (let i = 0; i < half.length; i += 9) half[i + 8] = radius;
     }
-    this.particles.show({ positions, axes: half, values, bounds: this.bounds(head), table });
+    this.domains = { head, positions, half, values, table, behind: slits && head.flat && head.domains };
+    this.drawParticles(Infinity);
+  }
+  // Draws at most so many of the particles, the fewer the larger; returns how many.
+  drawParticles(most) {
+    const { head, behind, table, ...all } = this.domains, bounds = this.bounds(head);
+    const { positions, half, values } = 3 * most < all.positions.length ? this.fewer(all, most) : all;
+    this.particles.show({ positions, axes: half, values, bounds, table });
     // Behind domains in the plane, larger ones close the slits where the deformation varies.
-    const behind = slits && head.flat && head.domains;
     this.behind.actor.setPosition(0, 0, -0.2 * this.lift(head));
-    this.behind.show(behind ? { positions, axes: half.map(x => 1.12 * x), values, bounds: this.bounds(head), table }
-      : { positions: new Float32Array(0), axes: half, bounds: this.bounds(head) });
+    this.behind.show(behind ? { positions, axes: half.map(x => 1.12 * x), values, bounds, table } : { positions: new Float32Array(0), axes: half, bounds });
+    return positions.length / 3;
+  }
+  fewer({ positions, half, values }, most) {
+    const { head } = this.domains, { chosen, growth } = thinned(positions, most, head.spacing * head.growth);
+    const of = (numbers, n, factor) => numbers && Float32Array.from({ length: n * chosen.length }, (_, k) => factor * numbers[n * chosen[Math.floor(k / n)] + k % n]);
+    return { positions: of(positions, 3, 1), half: of(half, 9, growth), values: of(values, 1, 1) };
   }
   showBlocks(head, parts, table) {
     const { data, mapper, actor } = this.blocks;
@@ -169,7 +182,7 @@ export class Scene {
     if (moved) this.setStyle();
     if (this.fresh) { this.look(head.flat ? cameras.plane["x, y"] : cameras.space.iso); this.fresh = false; }
     this.renderer.resetCameraClippingRange();
-    this.render();
+    this.motion.drawn(head.count, this.render());
   }
   setStyle() {
     const style = vtk.Interaction.Style.vtkInteractorStyleManipulator.newInstance(), { mouse, gesture } = manipulators(this.flat);
@@ -205,6 +218,12 @@ export class Scene {
     const right = [d[1] * u[2] - d[2] * u[1], d[2] * u[0] - d[0] * u[2], d[0] * u[1] - d[1] * u[0]], size = length / (Math.hypot(...right) || 1);
     for (const name of ["FocalPoint", "Position"]) camera["set" + name](...camera["get" + name]().map((x, k) => x + size * right[k]));
   }
-  render() { this.window.getRenderWindow().render(); }
+  // Draws, and returns how long it took in milliseconds: reading a pixel waits for the graphics.
+  render() {
+    const gl = this.window.getApiSpecificRenderWindow().getContext(), begin = performance.now();
+    this.window.getRenderWindow().render();
+    gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
+    return performance.now() - begin;
+  }
   canvas() { this.render(); return this.window.getApiSpecificRenderWindow().getCanvas(); }
 }

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// While the camera moves, only as many particles are drawn as this computer draws fifteen times a second, and larger.
+
+const wanted = 1000 / 15, patience = 250, least = 2000;  // milliseconds, milliseconds, particles
+
+// At most `most` of the particles, one in each box of a lattice: { chosen: their indices, growth: of their size }.
+export function thinned(positions, most, size) {
+  const count = positions.length / 3, low = [0, 1, 2].map(d => positions[d]), high = [...low];
+  for (let i = 0; i < positions.length; ++i) {
+    if (positions[i] < low[i % 3]) low[i % 3] = positions[i];
+    if (positions[i] > high[i % 3]) high[i % 3] = positions[i];
+  }
+  for (let box = size * Math.sqrt(Math.max(1, count / most)); ; box *= 1.2) {
+    const across = low.map((x, d) => Math.floor((high[d] - x) / box) + 1), full = new Set(), chosen = [];
+    for (let i = 0; i < count && chosen.length <= most; ++i) {
+      const [x, y, z] = [0, 1, 2].map(d => Math.floor((positions[3 * i + d] - low[d]) / box)), key = x + across[0] * (y + across[1] * z);
+      if (!full.has(key)) { full.add(key); chosen.push(i); }
+    }
+    if (chosen.length <= most) return { chosen, growth: Math.max(1, 1.1 * box / size) };
+  }
+}
+
+export class Motion {
+  // `draw` draws at most so many particles and returns how many they are.
+  constructor(interactor, draw) {
+    this.draw = draw;
+    this.speed = Infinity;  // particles per millisecond
+    this.total = this.count = 0;
+    interactor.onStartAnimation(() => { clearTimeout(this.ended); this.before = 0; this.adapt(); });
+    interactor.onAnimation(() => this.frame());
+    interactor.onEndAnimation(() => { clearTimeout(this.ended); this.ended = setTimeout(() => this.rest(), patience); });
+  }
+  // So many particles were drawn, all that there are, within a time.
+  drawn(count, milliseconds) {
+    this.total = this.count = count;
+    if (count > least) this.speed = count / Math.max(1, milliseconds);
+  }
+  // How many particles take a time.
+  within(milliseconds) { return Math.max(least, this.speed * milliseconds); }
+  frame() {
+    const now = performance.now(), interval = now - this.before;
+    if (this.before && (interval > 1.4 * wanted || (this.count < this.total && interval < 0.6 * wanted))) this.speed = this.count / interval;
+    this.before = now;
+    this.adapt();
+  }
+  adapt() {
+    const most = Math.min(this.total, this.within(wanted));
+    if (most < 0.7 * this.count || most > 1.5 * this.count) this.count = this.draw(most);
+  }
+  // All particles again.
+  rest() {
+    clearTimeout(this.ended);
+    if (this.count < this.total) this.count = this.draw(this.total);
+  }
+}
