@@ -11,9 +11,10 @@ export function thinned(positions, most, size) {
     if (positions[i] > high[i % 3]) high[i % 3] = positions[i];
   }
   for (let box = size * Math.sqrt(Math.max(1, count / most)); ; box *= 1.2) {
-    const across = low.map((x, d) => Math.floor((high[d] - x) / box) + 1), full = new Set(), chosen = [];
+    const nx = Math.floor((high[0] - low[0]) / box) + 1, ny = Math.floor((high[1] - low[1]) / box) + 1, full = new Set(), chosen = [];
     for (let i = 0; i < count && chosen.length <= most; ++i) {
-      const [x, y, z] = [0, 1, 2].map(d => Math.floor((positions[3 * i + d] - low[d]) / box)), key = x + across[0] * (y + across[1] * z);
+      const x = Math.floor((positions[3 * i] - low[0]) / box), y = Math.floor((positions[3 * i + 1] - low[1]) / box);
+      const key = x + nx * (y + ny * Math.floor((positions[3 * i + 2] - low[2]) / box));
       if (!full.has(key)) { full.add(key); chosen.push(i); }
     }
     if (chosen.length <= most) return { chosen, growth: Math.max(1, 1.1 * box / size) };
@@ -26,6 +27,7 @@ export class Motion {
     this.draw = draw;
     this.speed = Infinity;  // particles per millisecond
     this.total = this.count = 0;
+    this.tooMany = Infinity;
     interactor.onStartAnimation(() => { clearTimeout(this.ended); this.before = 0; this.adapt(); });
     interactor.onAnimation(() => this.frame());
     interactor.onEndAnimation(() => { clearTimeout(this.ended); this.ended = setTimeout(() => this.rest(), patience); });
@@ -33,19 +35,23 @@ export class Motion {
   // So many particles were drawn, all that there are, within a time.
   drawn(count, milliseconds) {
     this.total = this.count = count;
+    this.tooMany = Infinity;
     if (count > least) this.speed = count / Math.max(1, milliseconds);
   }
   // How many particles take a time.
   within(milliseconds) { return Math.max(least, this.speed * milliseconds); }
   frame() {
     const now = performance.now(), interval = now - this.before;
-    if (this.before && (interval > 1.4 * wanted || (this.count < this.total && interval < 0.6 * wanted))) this.speed = this.count / interval;
+    const slow = interval > 1.4 * wanted, fast = this.count < this.total && interval < 0.6 * wanted;
+    if (this.before && (slow || fast)) this.speed = this.count / interval;
+    if (this.before && slow) this.tooMany = this.count;
     this.before = now;
     this.adapt();
   }
+  // More only step by step, and not as many as were too many before.
   adapt() {
-    const most = Math.min(this.total, this.within(wanted));
-    if (most < 0.7 * this.count || most > 1.5 * this.count) this.count = this.draw(most);
+    const most = Math.min(this.total, this.within(wanted), this.count < this.total ? Math.min(2 * this.count, 0.7 * this.tooMany) : Infinity);
+    if (most < 0.7 * this.count || most > 1.5 * this.count) this.count = this.draw(Math.max(least, most));
   }
   // All particles again.
   rest() {

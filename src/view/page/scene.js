@@ -177,10 +177,10 @@ export class Scene {
     this.layers.place(head.flat ? this.lift(head) : 0);
     const before = String(this.around);
     this.around = this.layers.around(this.bounds({ box }));
-    if (this.untouched && before !== String(this.around)) this.fit();
+    if (this.untouched && before !== String(this.around)) this.aim();
     this.furniture.show(head, table, settings, lengthUnit, this.around);
     if (moved) this.setStyle();
-    if (this.fresh) { this.look(head.flat ? cameras.plane["x, y"] : cameras.space.iso); this.fresh = false; }
+    if (this.fresh) { this.turn(head.flat ? cameras.plane["x, y"] : cameras.space.iso); this.fresh = false; }
     this.renderer.resetCameraClippingRange();
     this.motion.drawn(head.count, this.render());
   }
@@ -191,13 +191,14 @@ export class Scene {
     this.window.getInteractor().setInteractorStyle(style);
     this.renderer.getActiveCamera().setParallelProjection(this.flat);
   }
-  look([from, up]) {
-    const camera = this.renderer.getActiveCamera();
-    camera.set({ position: from, focalPoint: [0, 0, 0], viewUp: up });
-    this.fit();
+  turn([from, up]) {
+    this.renderer.getActiveCamera().set({ position: from, focalPoint: [0, 0, 0], viewUp: up });
+    this.aim();
   }
-  fit() {
-    if (!this.around) return;
+  look(view) { this.turn(view); this.render(); }
+  fit() { if (this.around) { this.aim(); this.render(); } }
+  // Moves the camera so that everything is in view.
+  aim() {
     const camera = this.renderer.getActiveCamera(), [x0, x1, y0, y1] = this.around, [wide, high] = this.window.getApiSpecificRenderWindow().getSize();
     this.renderer.resetCamera(this.around);
     if (this.flat) {  // with space for the labels and the bar
@@ -210,7 +211,6 @@ export class Scene {
     }
     this.untouched = true;
     this.renderer.resetCameraClippingRange();
-    this.render();
   }
   // Moves the camera to its right, and the bodies to the left, away from the colour bar.
   moveRight(length) {
