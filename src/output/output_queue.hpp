@@ -24,8 +24,10 @@ class OutputQueue {
  public:
   using Job = std::function<void()>;
   static constexpr std::size_t usual_limit = std::size_t{16} << 20;
-  /// Output that needs a larger copy of the state is to be written by the run itself, part by part.
-  static constexpr std::size_t most_copied = std::size_t{96} << 20;
+  /// Output that needs a larger copy of the state is to be written by the run itself, from copies of parts that take
+  /// no more than `most_of_parts` together.
+  static constexpr std::size_t most_copied = std::size_t{256} << 20;
+  static constexpr std::size_t most_of_parts = std::size_t{96} << 20;
 
   /// `limit`: bytes of jobs that may wait when the output of another step begins.
   explicit OutputQueue(std::size_t limit = usual_limit) : limit_(limit) {}

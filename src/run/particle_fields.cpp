@@ -45,9 +45,18 @@ class BodyParticle final : public ParticleState {
   double cell_crossings() const override { return value(body_.crossings); }
   double temperature() const override { return value(body_.temperature); }
   double heat_capacity() const override { return body_.heat_capacity; }
-  double contact_state() const override { return value(body_.contact_state); }
-  Vec3 contact_traction() const override { return value(body_.contact_traction); }
-  Vec3 contact_normal() const override { return value(body_.contact_normal); }
+  double contact_state() const override {
+    const auto* const contact = body_.contact_of(i_);
+    return !contact ? 0.0 : contact->slips ? 2.0 : 1.0;
+  }
+  Vec3 contact_traction() const override {
+    const auto* const contact = body_.contact_of(i_);
+    return contact ? in_space(contact->traction) : Vec3(Vec3::Zero());
+  }
+  Vec3 contact_normal() const override {
+    const auto* const contact = body_.contact_of(i_);
+    return contact ? in_space(contact->normal) : Vec3(Vec3::Zero());
+  }
 
  private:
   double value(ScalarColumn c) const { return c ? body_.particles[c][i_] : 0.0; }
@@ -57,8 +66,8 @@ class BodyParticle final : public ParticleState {
     for (std::size_t d = 0; d < Dim; ++d) out[static_cast<Eigen::Index>(d)] = component(d);
     return out;
   }
-  Vec3 value(VectorColumn c) const {
-    return vector([&](std::size_t d) { return c ? body_.particles[c][d][i_] : 0.0; });
+  static Vec3 in_space(const Vec<Dim>& v) {
+    return vector([&](std::size_t d) { return v[static_cast<Eigen::Index>(d)]; });
   }
 
   Body<Dim>& body_;

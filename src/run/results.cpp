@@ -152,7 +152,7 @@ void Results<Dim>::write_particles(std::int64_t number) {
     for (std::size_t k = 0; k < ranges.size(); ++k) queue_.add(ranges[k].count() * row, job(k));
   } else {
     queue_.drain();
-    const std::size_t at_once = std::max<std::size_t>(1, OutputQueue::most_copied / (largest * row));
+    const std::size_t at_once = std::max<std::size_t>(1, OutputQueue::most_of_parts / (largest * row));
     for (std::size_t first = 0; first < ranges.size(); first += at_once)
       parallel_for(static_cast<std::ptrdiff_t>(std::min(at_once, ranges.size() - first)),
                    [&](std::ptrdiff_t k) { job(first + static_cast<std::size_t>(k))(); });

@@ -75,9 +75,6 @@ void add_optional_columns(Body<Dim>& body, const Model& model) {
     body.contact_slip = particles.add("contact_slip", Dimension::length);
     body.contact_bond = particles.add("contact_bond", Dimension::none);
   }
-  body.contact_state = particles.add("contact_state", Dimension::none);
-  body.contact_traction = particles.add_vector("contact_traction", Dimension::stress);
-  body.contact_normal = particles.add_vector("contact_normal", Dimension::none);
 }
 
 template <int Dim>

@@ -73,17 +73,13 @@ TEST_CASE("contact shows on the row of particles that touches, whose tractions s
     for (std::size_t i = 0; i < block.particles.size(); ++i) {
       const double height = (block.particles.position(i) - Vec<2>(20, 20)).dot(up);
       const bool first = height < particle_size;
-      const double state = block.particles[block.contact_state][i];
-      Vec<2> traction, normal;
-      for (std::size_t d = 0; d < 2; ++d) {
-        traction[static_cast<Eigen::Index>(d)] = block.particles[block.contact_traction][d][i];
-        normal[static_cast<Eigen::Index>(d)] = block.particles[block.contact_normal][d][i];
-      }
+      const auto* const contact = block.contact_of(i);
+      const Vec<2> traction = contact ? contact->traction : Vec<2>(Vec<2>::Zero());
       sum += particle_size / steps * traction, touching += first ? 1 : 0;
       if (step > 0) continue;
-      CHECK((state > 0) == first);
+      CHECK((contact != nullptr) == first);
       CHECK((traction.norm() > 0) == first);
-      if (first) CHECK((normal + up).norm() < 1e-3);
+      if (first && contact) CHECK((contact->normal + up).norm() < 1e-3);
     }
     if (step == 0) CHECK(touching == static_cast<int>(block_width / particle_size));
   }
@@ -93,8 +89,7 @@ TEST_CASE("contact shows on the row of particles that touches, whose tractions s
   CHECK((sum - force).norm() < 0.02 * force.norm());
   for (const Body<2>& floor : system.rigids)
     for (std::size_t i = 0; i < floor.particles.size(); ++i)
-      if ((floor.particles.position(i) - Vec<2>(20, 20)).dot(up) < -particle_size)
-        CHECK(floor.particles[floor.contact_state][i] == 0);
+      if ((floor.particles.position(i) - Vec<2>(20, 20)).dot(up) < -particle_size) CHECK(!floor.contact_of(i));
 }
 
 TEST_CASE("particles of a face show whether it slides", "[contact][view]") {
@@ -111,5 +106,5 @@ TEST_CASE("particles of a face show whether it slides", "[contact][view]") {
   stepper.contact().fill_view();
   for (std::size_t i = 0; i < block.particles.size(); ++i)
     if (block.particles.position(i)[1] - 20 < particle_size)
-      CHECK(block.particles[block.contact_state][i] == (slides ? 2.0 : 1.0));
+      CHECK((block.contact_of(i) && block.contact_of(i)->slips == slides));
 }

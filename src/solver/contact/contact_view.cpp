@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace tribo {
 namespace {
@@ -105,19 +106,11 @@ template <int Dim>
 void fill_contact_view(const System<Dim>& system, const ContactSearch<Dim>& search, const ParticleCloud<Dim>& cloud,
                        const std::vector<Body<Dim>*>& bodies) {
   const double h = system.lattice.spacing.maxCoeff();
-  for (auto* body : bodies)
-    if (body->contact_state) {
-      const std::size_t count = body->particles.size();
-      std::fill_n(body->particles[body->contact_state], count, 0.0);
-      for (const auto& vector : {body->contact_traction, body->contact_normal})
-        for (double* component : body->particles[vector]) std::fill_n(component, count, 0.0);
-    }
+  std::vector<std::optional<ContactOfParticle<Dim>>> contacts(cloud.size());
   const FaceRow<Dim> row(system, cloud);
   parallel_for(static_cast<std::ptrdiff_t>(cloud.size()), [&](std::ptrdiff_t at) {
     const auto k = static_cast<std::size_t>(at);
     const ParticleLabel& label = cloud.label(k);
-    auto& body = *bodies[label.body];
-    if (!body.contact_state) return;
     FaceTest<Dim> is_at_face(row, k);
     const auto each_touching_pair = [&](auto&& f) {
       each_pair_near(search, system.lattice, cloud.domain(k), label.field,
@@ -145,14 +138,16 @@ void fill_contact_view(const System<Dim>& system, const ContactSearch<Dim>& sear
       if (pair.update_status != ContactStatus::open && carries)
         (pair.update_status == ContactStatus::slip ? slip : stick) += w;
     });
-    body.particles[body.contact_state][label.particle] = slip > stick ? 2.0 : 1.0;
     if (total > 0) traction /= total;
     if (normal.norm() > 0) normal.normalize();
-    for (std::size_t d = 0; d < Dim; ++d) {
-      body.particles[body.contact_traction][d][label.particle] = traction[static_cast<Eigen::Index>(d)];
-      body.particles[body.contact_normal][d][label.particle] = normal[static_cast<Eigen::Index>(d)];
-    }
+    contacts[k] = {label.particle, slip > stick, traction, normal};
   });
+  for (auto* body : bodies) body->contacts.clear();
+  for (std::size_t k = 0; k < contacts.size(); ++k)
+    if (contacts[k]) bodies[cloud.label(k).body]->contacts.push_back(*contacts[k]);
+  for (auto* body : bodies)
+    std::sort(body->contacts.begin(), body->contacts.end(),
+              [](const auto& a, const auto& b) { return a.particle < b.particle; });
 }
 
 template void fill_contact_view<2>(const System<2>&, const ContactSearch<2>&, const ParticleCloud<2>&,

@@ -62,6 +62,15 @@ struct Field {
   int side = 0;  ///< side of the cracks as in CutBin, 0 to 3
 };
 
+/// What files show of contact at a particle.
+template <int Dim>
+struct ContactOfParticle {
+  std::uint32_t particle = 0;
+  bool slips = false;
+  Vec<Dim> traction = Vec<Dim>::Zero();  ///< on the particle's body [stress]
+  Vec<Dim> normal = Vec<Dim>::Zero();    ///< outward
+};
+
 /// The particles of one material.
 template <int Dim>
 struct Body {
@@ -80,6 +89,12 @@ struct Body {
   /// Per bin: its index in `cut_bins`, or -1 if no crack is near; empty without cracks.
   std::vector<std::int32_t> cut;
   std::vector<CutBin> cut_bins;
+  /// Contact at a particle; null if it is open.
+  const ContactOfParticle<Dim>* contact_of(std::size_t particle) const {
+    const auto found = std::lower_bound(contacts.begin(), contacts.end(), particle,
+                                        [](const auto& contact, std::size_t p) { return contact.particle < p; });
+    return found != contacts.end() && found->particle == particle ? &*found : nullptr;
+  }
   /// Sides of the particles of a bin; null if no crack is near.
   const CutBin* cut_bin(std::size_t bin) const {
     return cut.empty() || cut[bin] < 0 ? nullptr : &cut_bins[static_cast<std::size_t>(cut[bin])];
@@ -98,17 +113,16 @@ struct Body {
   ScalarColumn generation;  ///< splitting: number of times that the particle has been halved
   /// Initial half widths of the particle domains if all are equal [length].
   Vec<Dim> uniform_half_size = Vec<Dim>::Zero();
-  double thickness = 1.0;             ///< out of the plane                                           [length]
-  MatrixColumn domain;                ///< CPDI: F at the start of the step
-  VectorColumn damped;                ///< particle damping: velocity that no condition prescribes    [velocity]
-  VectorColumn load;                  ///< external force                                             [force]
-  VectorColumn origin;                ///< position at the start of the run                           [length]
-  ScalarColumn load_set;              ///< bit k set: particle condition k acts on the particle
-  ScalarColumn contact_slip;          ///< laws with history: distance slid since the faces last stuck  [length]
-  ScalarColumn contact_bond;          ///< laws with history: 1 intact, -1 broken, 0 no bond
-  ScalarColumn contact_state;         ///< for output: 0 open, 1 stick, 2 slip
-  VectorColumn contact_traction;      ///< for output                                                 [stress]
-  VectorColumn contact_normal;        ///< for output
+  double thickness = 1.0;     ///< out of the plane                                           [length]
+  MatrixColumn domain;        ///< CPDI: F at the start of the step
+  VectorColumn damped;        ///< particle damping: velocity that no condition prescribes    [velocity]
+  VectorColumn load;          ///< external force                                             [force]
+  VectorColumn origin;        ///< position at the start of the run                           [length]
+  ScalarColumn load_set;      ///< bit k set: particle condition k acts on the particle
+  ScalarColumn contact_slip;  ///< laws with history: distance slid since the faces last stuck  [length]
+  ScalarColumn contact_bond;  ///< laws with history: 1 intact, -1 broken, 0 no bond
+  /// For output: the particles at a face in contact in ascending order, until the particles are sorted again.
+  std::vector<ContactOfParticle<Dim>> contacts;
   ScalarColumn temperature;           ///< [temperature]
   VectorColumn temperature_gradient;  ///< conduction                                             [temperature/length]
   /// Conduction: particle temperature minus the interpolated nodal temperature [temperature].
@@ -221,10 +235,10 @@ template <int Dim>
 void archive(Archive& a, Body<Dim>& body, const Lattice<Dim>& lattice, bool binned) {
   auto& [name, law, material, field, block, across_fields, cut, cut_bins, particles, bins, history, history_columns,
          affine, filtered, damped, start, half_size, half_axes, generation, uniform_half_size, thickness, domain, load,
-         origin, load_set, contact_slip, contact_bond, contact_state, contact_traction, contact_normal, temperature,
-         temperature_gradient, temperature_residual, heated, expanded, expansion_work, expansion, crossings,
-         cell_number, volumetric, heat_capacity, conductivity, taylor_quinney, reference_temperature, cell,
-         residual_share, volume_of_displacement, particle_damping, total_mass, read_by_scatter, read_by_gather] = body;
+         origin, load_set, contact_slip, contact_bond, contacts, temperature, temperature_gradient,
+         temperature_residual, heated, expanded, expansion_work, expansion, crossings, cell_number, volumetric,
+         heat_capacity, conductivity, taylor_quinney, reference_temperature, cell, residual_share,
+         volume_of_displacement, particle_damping, total_mass, read_by_scatter, read_by_gather] = body;
   a("particles", particles), a("total_mass", total_mass), archive(a, bins, lattice);
   if (!a.reading() || bins.list().empty()) return;  // none before the first step, which sorts
   if (bins.before(bins.list().size()) != particles.size() || (binned && !bins.hold(lattice, particles)))
@@ -267,7 +281,7 @@ void archive(Archive& a, System<Dim>& system) {
   auto& [lattice, analysis, fields, bodies, cracks, joints, rigids, blocks, contact_at_faces, contact_reason, time,
          step, load_clock, load_controller, drift, sorted, pieces, placed, inflow, deleted_failed, deleted_outside,
          entered] = system;
-  a.version(5);
+  a.version(6);
   a("time", time), a("step", step), a("load_clock", load_clock), a("load_controller", load_controller);
   a("drift", drift), a("sorted", sorted);
   for (std::size_t k = 0; k < inflow.size(); ++k) a("travel" + std::to_string(k), inflow[k].travel);
