@@ -29,7 +29,8 @@ struct ManualEntry {
 const std::vector<ManualEntry>& manual();
 
 /// The entries with this name, in any case, as text; if there is none, the attributes and properties with this name;
-/// if there are none, a line for each entry that mentions it; all entries if it is empty. Throws UsageError with the most similar name if there is nothing of this name.
+/// if there are none, a line for each entry that mentions it; all entries if it is empty. Throws UsageError with the
+/// most similar name if there is nothing of this name.
 std::string manual_text(std::string_view name = {});
 /// A list with one line per entry.
 std::string manual_list();

@@ -24,17 +24,20 @@ class OutputQueue {
  public:
   using Job = std::function<void()>;
   static constexpr std::size_t usual_limit = std::size_t{16} << 20;
-  /// Output that needs a larger copy of the state is to be written by the run itself, from copies of parts that take
-  /// no more than `most_of_parts` together.
-  static constexpr std::size_t most_copied = std::size_t{256} << 20;
+  static constexpr std::size_t usual_most_copied = std::size_t{256} << 20;
   static constexpr std::size_t most_of_parts = std::size_t{96} << 20;
 
-  /// `limit`: bytes of jobs that may wait when the output of another step begins.
-  explicit OutputQueue(std::size_t limit = usual_limit) : limit_(limit) {}
+  /// `limit`: bytes of jobs that may wait when the output of another step begins. `most_copied`: output that needs a
+  /// larger copy of the state is to be written by the run itself, from copies of parts that take no more than
+  /// most_of_parts together.
+  explicit OutputQueue(std::size_t limit = usual_limit, std::size_t most_copied = usual_most_copied)
+      : limit_(limit), most_copied_(most_copied) {}
   /// Does the jobs that were given; an error is lost.
   ~OutputQueue();
   OutputQueue(const OutputQueue&) = delete;
   OutputQueue& operator=(const OutputQueue&) = delete;
+
+  std::size_t most_copied() const { return most_copied_; }
 
   /// Begins the output of a step, if it has not begun yet: waits until former jobs hold no more than the limit.
   void begin(std::int64_t step);
@@ -71,7 +74,7 @@ class OutputQueue {
   void work();
   void wait_until_at_most(std::size_t bytes);
 
-  std::size_t limit_, of_step_ = 0, most_ = 0;
+  std::size_t limit_, most_copied_, of_step_ = 0, most_ = 0;
   std::optional<std::int64_t> step_;
   std::thread thread_;
   bool no_thread_ = false;

@@ -56,7 +56,7 @@ class Effort {
       const auto columns = static_cast<double>(body.particles.columns().size());
       sum += column * (columns + 3), saved += column * columns;
     }
-    const bool whole = saved <= static_cast<double>(OutputQueue::most_copied);
+    const bool whole = saved <= static_cast<double>(OutputQueue::usual_most_copied);
     const double waiting = whole ? bytes_of_files_ + saved : static_cast<double>(OutputQueue::most_of_parts),
                  sets = output_times(Schedule(model_.output.archive), model_.time.end);
     sum += waiting + std::min(static_cast<double>(OutputQueue::usual_limit), std::max(0.0, sets - 1) * waiting);

@@ -130,8 +130,8 @@ void Results<Dim>::write_particles(std::int64_t number) {
   const auto names = wanted.empty() ? standard_particle_fields() : wanted;
   const auto precision = model_.output.double_precision ? Precision::full : Precision::single;
   const auto bodies = written_bodies();
-  const ParticleBlocks<Dim> blocks(model_, bodies, system_.pieces);
-  const auto& ranges = blocks.ranges();
+  const ParticleBlocks<Dim> in_files(model_, bodies, system_.pieces);
+  const auto& ranges = in_files.ranges();
   std::vector<std::string> materials;
   for (const MaterialSpec& material : model_.materials) materials.push_back(material.name);
   const std::string file = "particles/" + numbered(number, ".vtm");
@@ -141,14 +141,14 @@ void Results<Dim>::write_particles(std::int64_t number) {
   };
   const auto job = [&](std::size_t k) {
     return [all = std::make_shared<const ParticleFields<Dim>>(copy(k, 1)), materials,
-            path = file_of_block(folder_ / file, blocks.blocks()[k]), time = system_.time] {
+            path = file_of_block(folder_ / file, in_files.blocks()[k]), time = system_.time] {
       tribo::write_particles(path, all->count(), all->positions(), all->fields(), time, materials);
     };
   };
   std::size_t count = 0, largest = 1;
   for (const auto& range : ranges) count += range.count(), largest = std::max(largest, range.count());
   const std::size_t row = copy(0, 0).bytes_of_particle();
-  if (count * row <= OutputQueue::most_copied) {
+  if (count * row <= queue_.most_copied()) {
     for (std::size_t k = 0; k < ranges.size(); ++k) queue_.add(ranges[k].count() * row, job(k));
   } else {
     queue_.drain();
@@ -157,7 +157,7 @@ void Results<Dim>::write_particles(std::int64_t number) {
       parallel_for(static_cast<std::ptrdiff_t>(std::min(at_once, ranges.size() - first)),
                    [&](std::ptrdiff_t k) { job(first + static_cast<std::size_t>(k))(); });
   }
-  queue_.add(0, [path = folder_ / file, list = blocks.blocks()] { write_block_list(path, list); });
+  queue_.add(0, [path = folder_ / file, list = in_files.blocks()] { write_block_list(path, list); });
   particles_.add(system_.time, file, &queue_);
 }
 

@@ -217,7 +217,7 @@ class RunLoop::Loop {
     queue_.begin(stepped_.step());
     RunState state;
     state.archive = files_.count(), state.history = histories_.count(), state.checkpoint = checkpoints_.count();
-    if (stepped_.particle_bytes() > OutputQueue::most_copied) return save_now(state, until);
+    if (stepped_.particle_bytes() > queue_.most_copied()) return save_now(state, until);
     const auto all = std::make_shared<const CheckpointWriter>(stepped_.save(state));
     queue_.add_checkpoint(all->size(), [all, until, folder = options_.folder, file = checkpoint_, flushed = flushed_] {
       for (const std::filesystem::path& path : *flushed) flush_to_disk(path);

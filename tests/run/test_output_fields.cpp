@@ -3,10 +3,13 @@
 
 #include "../solver/cloud.hpp"
 
+#include "base/read_file.hpp"
 #include "contact/contact_cases.hpp"
 #include "run/grid_file.hpp"
 #include "run/particle_fields.hpp"
 #include "run/result_units.hpp"
+#include "run/results.hpp"
+#include "scratch.hpp"
 
 using namespace tribo;
 using namespace tribo::test;
@@ -167,6 +170,28 @@ TEST_CASE("blocks with too many particles are divided", "[output]") {
   }
   CHECK(end == count);
   CHECK((blocks.blocks()[3].part == 1 && blocks.ranges()[3].body == bodies[1]));
+}
+
+TEST_CASE("frames that are too large to be copied have the same files", "[output]") {
+  const Model model = two_layers();
+  auto system = build_system<2>(model, layers_of(model));
+  Stepper<2> stepper(model, system);
+  stepper.advance(1e-6);
+  const auto files = [&](std::size_t most_copied) {
+    const ScratchFolder scratch;
+    std::filesystem::create_directory(scratch.path / "particles");
+    OutputQueue queue(OutputQueue::usual_limit, most_copied);
+    Results<2> results(model, system, stepper, scratch.path, std::nullopt, Tracers<2>(model, system), queue);
+    results.write_files(0);
+    queue.drain();
+    std::map<std::string, std::string> out;
+    for (const auto& entry : std::filesystem::directory_iterator(scratch.path / "particles"))
+      out[entry.path().filename().string()] = read_file(entry.path());
+    return out;
+  };
+  const auto copied = files(OutputQueue::usual_most_copied);
+  CHECK(copied.size() == 3);
+  CHECK(files(1000) == copied);
 }
 
 TEST_CASE("fields in single precision are the rounded ones, positions are not rounded", "[output]") {
