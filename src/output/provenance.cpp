@@ -48,8 +48,9 @@ std::string file_checksum(const std::filesystem::path& path) {
 }
 
 std::string version_text() {
+  const std::string march = TRIBO_MARCH;
   return std::string("tribo ") + TRIBO_VERSION + " (" + TRIBO_COMMIT + ", " + TRIBO_COMPILER +
-         ", -march=" + TRIBO_MARCH + ")";
+         (march.empty() ? "" : ", -march=" + march) + ")";
 }
 
 Provenance::Provenance(std::filesystem::path path, std::string command_line, const std::filesystem::path& input,

@@ -115,7 +115,8 @@ class Filler {
     const Eigen::Index dimension = lattice.flat ? 2 : 3;
     const Vec3 extent = (reach.high - reach.low).cwiseMax(0.0);
     const double sites = extent.cwiseQuotient(lattice.spacing).head(dimension).prod();
-    static constexpr double small = 1e6, bytes_per_particle = 400;  // with those of the run
+    static constexpr double small = 1e6;
+    const double bytes_per_particle = lattice.flat ? 240 : 330;  // with those of the run
     if (sites <= small) return;
     Bounds flat = reach;
     if (lattice.flat) flat.low[2] = flat.high[2] = 0.0;
