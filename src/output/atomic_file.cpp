@@ -80,14 +80,21 @@ std::filesystem::path temporary_of(const std::filesystem::path& path) {
   return temporary;
 }
 
-void write_atomically(const std::filesystem::path& path, const std::function<bool(const std::string&)>& write) {
+std::function<void()> begin_atomically(const std::filesystem::path& path,
+                                       const std::function<bool(const std::string&)>& write) {
   if (is_special(path))
     throw FileError("cannot write '" + printable(path.string()) + "': it is a pipe, a socket or a device, not a file");
   const auto temporary = temporary_of(path);
   errno = 0;
   if (!write(temporary.string())) fail(path, temporary, errno);
-  complete(path, temporary);
-  if (std::rename(temporary.c_str(), path.c_str()) != 0) fail(path, temporary, errno);
+  return [path, temporary] {
+    complete(path, temporary);
+    if (std::rename(temporary.c_str(), path.c_str()) != 0) fail(path, temporary, errno);
+  };
+}
+
+void write_atomically(const std::filesystem::path& path, const std::function<bool(const std::string&)>& write) {
+  begin_atomically(path, write)();
 }
 
 void flush_to_disk(const std::filesystem::path& path) {

@@ -18,6 +18,10 @@ void write_atomically(const std::filesystem::path& path, std::span<const std::st
 
 /// The same for content that a library writes to a file itself: `write(temporary)` returns false on failure.
 void write_atomically(const std::filesystem::path& path, const std::function<bool(const std::string&)>& write);
+/// The same in two parts: the content is written now, and the function that is returned flushes it to the disk, which
+/// takes time, and gives it its name.
+std::function<void()> begin_atomically(const std::filesystem::path& path,
+                                       const std::function<bool(const std::string&)>& write);
 
 /// Writes over an existing file, within the space that it has on the disk: what remains possible on a full disk. False,
 /// and nothing changes, if there is no such file or the content needs more space.

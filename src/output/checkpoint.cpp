@@ -95,7 +95,12 @@ void CheckpointWriter::save(const std::filesystem::path& path) const {
 }
 
 void write_checkpoint(const std::filesystem::path& path, const std::function<void(CheckpointWriter&)>& put_all) {
-  write_atomically(path, [&](const std::string& temporary) {
+  begin_checkpoint(path, put_all)();
+}
+
+std::function<void()> begin_checkpoint(const std::filesystem::path& path,
+                                       const std::function<void(CheckpointWriter&)>& put_all) {
+  return begin_atomically(path, [&](const std::string& temporary) {
     std::ofstream file(temporary, std::ios::binary);
     file << magic;
     CheckpointWriter to(file);

@@ -30,8 +30,8 @@ class CheckpointWriter {
 
  private:
   friend class Checkpoint;
-  friend void write_checkpoint(const std::filesystem::path& path,
-                               const std::function<void(CheckpointWriter&)>& put_all);
+  friend std::function<void()> begin_checkpoint(const std::filesystem::path& path,
+                                                const std::function<void(CheckpointWriter&)>& put_all);
   struct Entry {
     std::string name;
     char kind;
@@ -46,6 +46,9 @@ class CheckpointWriter {
 
 /// Writes a checkpoint while `put_all` puts its entries, without a copy of them. Throws FileError.
 void write_checkpoint(const std::filesystem::path& path, const std::function<void(CheckpointWriter&)>& put_all);
+/// The same, but the checkpoint is flushed to the disk and gets its name by the function that is returned.
+std::function<void()> begin_checkpoint(const std::filesystem::path& path,
+                                       const std::function<void(CheckpointWriter&)>& put_all);
 
 class Checkpoint {
  public:

@@ -227,12 +227,16 @@ class RunLoop::Loop {
     if (until == Until::on_disk) queue_.drain();
   }
 
-  // Without a copy of the state, while the run waits.
+  // Without a copy of the state. The run waits for the writing, but not for the disk.
   void save_now(const RunState& state, Until until) {
     queue_.drain();
-    for (const std::filesystem::path& path : *flushed_) flush_to_disk(path);
-    write_checkpoint(checkpoint_, [&](CheckpointWriter& to) { stepped_.save(state, to); });
-    if (until == Until::on_disk) flush_to_disk(options_.folder);
+    const auto complete = begin_checkpoint(checkpoint_, [&](CheckpointWriter& to) { stepped_.save(state, to); });
+    queue_.add(0, [complete, until, folder = options_.folder, flushed = flushed_] {
+      for (const std::filesystem::path& path : *flushed) flush_to_disk(path);
+      complete();
+      if (until == Until::on_disk) flush_to_disk(folder);
+    });
+    if (until == Until::on_disk) queue_.drain();
   }
 
   void report(const std::string& status, const std::string& reason) {
