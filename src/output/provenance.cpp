@@ -48,9 +48,7 @@ std::string file_checksum(const std::filesystem::path& path) {
 }
 
 std::string version_text() {
-  const std::string march = TRIBO_MARCH;
-  return std::string("tribo ") + TRIBO_VERSION + " (" + TRIBO_COMMIT + ", " + TRIBO_COMPILER +
-         (march.empty() ? "" : ", -march=" + march) + ")";
+  return std::string("tribo ") + TRIBO_VERSION + " (" + TRIBO_COMMIT + ", " + TRIBO_COMPILER + TRIBO_MARCH + ")";
 }
 
 Provenance::Provenance(std::filesystem::path path, std::string command_line, const std::filesystem::path& input,
