@@ -19,6 +19,7 @@ import multiprocessing
 import os
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -167,6 +168,10 @@ def run_case(name, tribo, quick):
             module.run(case)
         except SystemExit as stop:
             return name, str(stop.code), printed.getvalue()
+        if all(r["passed"] for r in case.results):
+            shutil.rmtree(case.scratch)
+        else:
+            print(f"     {name}: its files are in {case.scratch}")
     title = (folder / "README.md").read_text().splitlines()[0].lstrip("# ")
     entry = dict(title=title, date=datetime.date.today().isoformat(), results=case.results, figures=case.figures, tables=case.tables)
     return name, entry, printed.getvalue()

@@ -77,8 +77,13 @@ std::string Document::number_of(const std::string& id, const Origin& origin, Pro
   if (const auto found = ids_.find(id); found != ids_.end()) return std::to_string(found->second);
   std::vector<std::string> known;
   for (const auto& [name, n] : ids_) known.push_back(name);
-  problems.add(origin, "there is no material '" + id + "'" + did_you_mean(id, known) +
-                           (known.empty() ? "" : "; materials: " + join(known)));
+  const bool number = !id.empty() && id.find_first_not_of("0123456789.+-eE") == std::string::npos;
+  problems.add(origin,
+               "there is no material '" + id + "'" + did_you_mean(id, known) +
+                   (known.empty() ? "" : "; materials: " + join(known)) +
+                   (number ? "; a material is named by its id, the first argument of Material (a coefficient of "
+                             "friction without a Material is given by FrictionMM, or Friction for cracks)"
+                           : ""));
   return "1";
 }
 

@@ -34,7 +34,7 @@ function cofactors(m, at, n, to) {
   n[to + 6] = (b * f - e * c) * s; n[to + 7] = (d * c - a * f) * s; n[to + 8] = (a * e - d * b) * s;
 }
 
-// vtk.js builds the matrices of its glyphs one by one, which takes seconds for many: this mapper gets them as they are.
+// Copies in space. vtk.js builds the matrices of its glyphs one by one, which takes seconds for many: this mapper gets them as they are.
 const matrixMapper = typeof vtk !== "undefined" ? vtk.macro.newInstance((api, model) => {
   vtk.Rendering.Core.vtkGlyph3DMapper.extend(api, model, {});
   model.cells = { positions: new Float32Array(0), axes: new Float32Array(0), bounds: [0, 1, 0, 1, 0, 1] };
@@ -59,27 +59,64 @@ const matrixMapper = typeof vtk !== "undefined" ? vtk.macro.newInstance((api, mo
   };
 }, "TriboMatrixMapper") : null;
 
+// Copies as the polygons of one surface: graphics in software draw copies of a shape one by one, many times slower.
+function surfaceOf(shape, { positions, axes, values }) {
+  const corners = shape.getPoints().getData(), faces = shape.getPolys().getData(), count = positions.length / 3;
+  const each = corners.length, points = new Float32Array(each * count), polys = new Uint32Array(faces.length * count);
+  const shades = values && new Float32Array(facesOf(shape) * count);
+  for (let i = 0; i < count; ++i) {
+    for (let c = 0; c < each; c += 3)
+      for (let d = 0; d < 3; ++d)
+        points[each * i + c + d] = positions[3 * i + d] + corners[c] * axes[9 * i + d] + corners[c + 1] * axes[9 * i + 3 + d] + corners[c + 2] * axes[9 * i + 6 + d];
+    for (let f = 0, left = 0; f < faces.length; ++f) {
+      polys[faces.length * i + f] = left ? faces[f] + each / 3 * i : faces[f];
+      left = left ? left - 1 : faces[f];
+    }
+  }
+  if (shades) for (let k = 0, n = facesOf(shape); k < shades.length; ++k) shades[k] = values[Math.floor(k / n)];
+  return { points, polys, shades };
+}
+const facesOf = shape => shape.getPolys().getNumberOfCells();
+const mostFaces = 100000;  // of a surface in space, which takes more memory than copies
+
 // An actor of such copies; `show` takes their centres, three half axes each, values for the lookup table, and bounds.
 export class Glyphs {
   constructor(renderer, shape) {
-    this.mapper = matrixMapper();
-    this.data = vtk.Common.DataModel.vtkPolyData.newInstance();
-    this.mapper.setInputData(this.data, 0);
+    this.copies = { data: vtk.Common.DataModel.vtkPolyData.newInstance(), mapper: matrixMapper() };
+    this.surface = { data: vtk.Common.DataModel.vtkPolyData.newInstance(), mapper: vtk.Rendering.Core.vtkMapper.newInstance() };
+    for (const { data, mapper } of [this.copies, this.surface]) mapper.setInputData(data, 0);
+    this.surface.mapper.setScalarModeToUseCellData();
+    this.surface.mapper.setUseLookupTableScalarRange(true);
     this.actor = vtk.Rendering.Core.vtkActor.newInstance();
-    this.actor.setMapper(this.mapper);
+    this.actor.setMapper(this.surface.mapper);
     this.setShape(shape);
     renderer.addActor(this.actor);
   }
   setShape(shape) {
     this.shape = shape;
-    this.mapper.setInputData(shape, 1);
+    this.flat = shape.getPoints().getData().every((x, k) => k % 3 < 2 || x === 0);
+    this.copies.mapper.setInputData(shape, 1);
   }
   show({ positions, axes, values, bounds, table }) {
-    this.data.getPoints().setData(positions, 3);
-    this.data.modified();
-    if (table) { this.mapper.setLookupTable(table); this.mapper.setColorModeToMapScalars(); }
-    this.mapper.setScalarVisibility(Boolean(values));
-    this.mapper.setCells({ positions, axes, values, bounds });
-    this.actor.setVisibility(positions.length > 0);
+    const count = positions.length / 3;
+    this.isSurface = this.flat || count * facesOf(this.shape) <= mostFaces;
+    const { data, mapper } = this.isSurface ? this.surface : this.copies;
+    if (table) { mapper.setLookupTable(table); mapper.setColorModeToMapScalars(); }
+    mapper.setScalarVisibility(Boolean(values));
+    if (this.isSurface) {
+      const { points, polys, shades } = surfaceOf(this.shape, { positions, axes, values });
+      data.getPoints().setData(points, 3);
+      data.getPolys().setData(polys);
+      data.getCellData().setScalars(shades ? vtk.Common.Core.vtkDataArray.newInstance({ name: "shade", values: shades }) : null);
+    } else {
+      data.getPoints().setData(positions, 3);
+      mapper.setCells({ positions, axes, values, bounds });
+    }
+    data.modified();
+    this.actor.setMapper(mapper);
+    this.actor.getProperty().setInterpolation(this.isSurface && !this.flat ? 0 : 1);  // a surface has no normals: each face has its own
+    this.actor.setVisibility(count > 0);
   }
+  // The copy that a selection has found.
+  copyOf({ compositeID, attributeID }) { return this.isSurface ? Math.floor(attributeID / facesOf(this.shape)) : compositeID; }
 }

@@ -15,14 +15,14 @@ const settings = {
   field: "", map: "viridis", reversed: false, rangeMode: "all", own: [0, 1], arrows: "", arrowLength: 1, hidden: new Set(), bodies: new Set(), groups: new Set(),
   sections: {}, axes: true, triad: true, bar: true, slits: true, outlines: false, most: 250000
 };
-const ranges = new Map(), mostPlaying = [60000, 20000, 6000], mostStill = 1500000;
+const ranges = new Map(), mostPlaying = [60000, 20000, 6000], mostFirst = 30000, mostStill = 1500000;
 let state = {}, scene = null, webgl = typeof vtk !== "undefined", frame = null, shown = -1, filming = false, still = 0, working = null, next = null;
 
 const legendOf = () => ({ materials: state.materials || [], bodies: (state.bodies || []).map(b => b.name), groups: state.block_groups || [], length: state.model?.["unit of length"] || "", time: state.model?.["unit of time"] || "" });
 const modelView = () => state.status === "model";
 
 function query(most) {
-  const out = new URLSearchParams({ most });
+  const out = new URLSearchParams({ most: Math.floor(most) });
   if (settings.field) out.set("field", settings.field);
   if (settings.arrows) out.set("arrows", settings.arrows);
   if (settings.hidden.size) out.set("hidden", [...settings.hidden].join());
@@ -97,6 +97,8 @@ async function draw(k, most) {
 
 // How many particles the computer draws in a seventh of a second.
 const playable = () => mostPlaying.find(n => !scene || n < scene.motion.within(150)) || mostPlaying.at(-1);
+// How many are drawn at first, before the picture is still: what the computer draws in half a second.
+const atFirst = () => Math.max(mostFirst, scene ? scene.motion.within(500) : 0);
 
 // Draws a time. While one is drawn, only the last request waits.
 async function show(k) {
@@ -105,22 +107,25 @@ async function show(k) {
     for (next = k; next !== null;) {
       const now = next;
       next = null;
-      try { await draw(now, Math.min(settings.most, filming ? mostPlaying[0] : player.playing ? playable() : Infinity)); }
+      try { await draw(now, Math.min(settings.most, filming ? mostPlaying[0] : player.playing ? playable() : atFirst())); }
       catch (error) { $("note").textContent = error.message; console.warn(error); }
     }
   })();
   await working;
   working = null;
   clearTimeout(still);
-  if (!player.playing && !filming) still = setTimeout(showAll, 600);
+  if (!player.playing && !filming) still = setTimeout(showMore, 600);
 }
 const redraw = () => { if (player.count) show(player.at); };
 
-// Once the picture is still, all particles if they are not too many to be drawn within a second.
-async function showAll() {
-  const { head } = frame || {}, most = Math.min(mostStill, scene ? scene.motion.within(1000) : mostStill);
-  if (working || !head || head.count >= head.visible - head.inside || head.visible - head.inside > most || settings.most < 250000) return;
-  await draw(shown, mostStill).catch(error => { $("note").textContent = error.message; });
+// Once the picture is still, all particles if they are drawn within a second, or as many as are drawn within four.
+async function showMore() {
+  const { head } = frame || {};
+  if (working || !head) return;
+  const { motion } = scene || {}, all = head.visible - head.inside, fast = all <= Math.min(mostStill, motion ? motion.within(1000) : mostStill);
+  const most = settings.most < 250000 ? settings.most : fast ? mostStill : Math.min(settings.most, Math.max(2 * mostFirst, motion?.within(4000) ?? 0));
+  if (head.count >= Math.min(all, 0.7 * most)) return;
+  await draw(shown, most).catch(error => { $("note").textContent = error.message; });
 }
 
 const panel = new Panel(settings, redraw), player = new Player(show), charts = new Charts(),

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// While the camera moves, only as many particles are drawn as this computer draws fifteen times a second, and larger.
+// While the camera moves, only as many particles are drawn as this computer draws fifteen times a second, and larger. If even
+// a few are too many for it, the picture has fewer pixels, too.
 
 const wanted = 1000 / 15, patience = 250, least = 2000;  // milliseconds, milliseconds, particles
 
@@ -22,13 +23,15 @@ export function thinned(positions, most, size) {
 }
 
 export class Motion {
-  // `draw` draws at most so many particles and returns how many they are.
-  constructor(interactor, draw) {
+  // `draw` draws at most so many particles and returns how many they are; `blur` makes the picture coarse, or fine again.
+  constructor(interactor, draw, blur) {
     this.draw = draw;
+    this.blur = blur;
+    this.coarse = this.blurred = false;  // needed in the last motion, and now
     this.speed = Infinity;  // particles per millisecond
     this.total = this.count = 0;
     this.tooMany = Infinity;
-    interactor.onStartAnimation(() => { clearTimeout(this.ended); this.before = 0; this.adapt(); });
+    interactor.onStartAnimation(() => { clearTimeout(this.ended); this.before = 0; this.setCoarse(this.coarse); this.adapt(); });
     interactor.onAnimation(() => this.frame());
     interactor.onEndAnimation(() => { clearTimeout(this.ended); this.ended = setTimeout(() => this.rest(), patience); });
   }
@@ -45,6 +48,7 @@ export class Motion {
     const slow = interval > 1.4 * wanted, fast = this.count < this.total && interval < 0.6 * wanted;
     if (this.before && (slow || fast)) this.speed = this.count / interval;
     if (this.before && slow) this.tooMany = this.count;
+    if (this.before && slow && this.count <= least) this.setCoarse(this.coarse = true);
     this.before = now;
     this.adapt();
   }
@@ -53,9 +57,13 @@ export class Motion {
     const most = Math.min(this.total, this.within(wanted), this.count < this.total ? Math.min(2 * this.count, 0.7 * this.tooMany) : Infinity);
     if (most < 0.7 * this.count || most > 1.5 * this.count) this.count = this.draw(Math.max(least, most));
   }
-  // All particles again.
+  setCoarse(coarse) {
+    if (coarse !== this.blurred) this.blur(this.blurred = coarse);
+  }
+  // All particles and pixels again.
   rest() {
     clearTimeout(this.ended);
+    this.setCoarse(false);
     if (this.count < this.total) this.count = this.draw(this.total);
   }
 }

@@ -15,7 +15,10 @@ async function under(scene, x, y, head, parts) {
   scene.render();
   for (const node of found) {
     const { prop, compositeID, attributeID, worldPosition } = node.getProperties();
-    if (prop === scene.particles.actor && compositeID < head.count) return { particle: parts.indices[compositeID] };
+    if (prop === scene.particles.actor) {
+      const copy = scene.particles.copyOf({ compositeID, attributeID });
+      if (copy < head.count) return { particle: parts.indices[copy] };
+    }
     if (prop === scene.blocks.actor) return { block: parts.block_names[attributeID], point: worldPosition || [0, 0, 0] };
   }
   return null;

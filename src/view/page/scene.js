@@ -47,7 +47,7 @@ export class Scene {
     this.layers = new Layers(this.renderer);
     this.furniture = new Furniture(this.renderer, this.window.getInteractor());
     this.light();
-    this.motion = new Motion(this.window.getInteractor(), most => this.drawParticles(most));
+    this.motion = new Motion(this.window.getInteractor(), most => this.drawParticles(most), coarse => this.setCoarse(coarse));
     this.fresh = true;
     this.sized = new ResizeObserver(() => { this.window.resize(); if (this.untouched) this.fit(); else this.render(); });
     this.sized.observe(parent);
@@ -91,11 +91,11 @@ export class Scene {
   // Draws at most so many of the particles, the fewer the larger; returns how many.
   drawParticles(most) {
     const { head, behind, table, ...all } = this.domains, bounds = this.bounds(head);
-    const { positions, half, values } = 3 * most < all.positions.length ? this.fewer(all, most) : all;
+    const thinned = 3 * most < all.positions.length, { positions, half, values } = thinned ? this.fewer(all, most) : all;
     this.particles.show({ positions, axes: half, values, bounds, table });
     // Behind domains in the plane, larger ones close the slits where the deformation varies.
     this.behind.actor.setPosition(0, 0, -0.2 * this.lift(head));
-    this.behind.show(behind ? { positions, axes: half.map(x => 1.12 * x), values, bounds, table } : { positions: new Float32Array(0), axes: half, bounds });
+    this.behind.show(behind && !thinned ? { positions, axes: half.map(x => 1.12 * x), values, bounds, table } : { positions: new Float32Array(0), axes: half, bounds });
     return positions.length / 3;
   }
   fewer({ positions, half, values }, most) {
@@ -145,6 +145,13 @@ export class Scene {
     }
     this.arrows.show({ positions, axes, bounds: this.bounds(head) });
     this.arrowScale = scale;
+  }
+  // Half as many pixels along each side and no faces from behind, or as many pixels as the window has.
+  setCoarse(coarse) {
+    this.particles.actor.getProperty().setBackfaceCulling(coarse && !this.flat);
+    const view = this.window.getApiSpecificRenderWindow(), [wide, high] = view.getSize();
+    if (coarse) view.setSize(Math.ceil(wide / 2), Math.ceil(high / 2));
+    else this.window.resize();
   }
   // A small ball at a place, or none.
   mark(place, head) {
