@@ -8,7 +8,7 @@ import tribo
 
 m = tribo.Model("plane strain", title="An avalanche against a wall", units=("m", "kg", "s"), name="avalanche")
 with m.header():
-    m.text("""Units m, kg, s. The slope lies along x and gravity is inclined instead. Dry sand slides down, meets a rigid retaining wall, and comes to rest as a wedge behind it. The force on the wall rises above the one that remains at the end; the static part is that of the deposit.""")
+    m.text("""Units m, kg, s. The x axis runs down the slope: the slope is drawn level, and gravity is inclined by its angle. Dry sand slides down, meets a rigid retaining wall, and comes to rest as a wedge behind the wall. The force on the wall first exceeds the one that remains at the end, which is the static thrust of the deposit.""")
 m.mpm_method("USL-", "B2SPLINE")
 m.transfer("APIC")
 m.time_step(1, 3, 0.4)

@@ -8,7 +8,7 @@ import tribo
 
 m = tribo.Model("axisymmetric", title="A punch through sheet metal", units=("mm", "g", "ms"), name="blanking")
 with m.header():
-    m.text("""Units mm, g, ms (MPa). A rigid punch pushes a disc out of a metal sheet into the opening of a rigid die. A perfectly plastic sheet yields in shear along the edge of the punch: the force is 2 pi r t yield/sqrt(3), r and t being the radius of the punch and the thickness. Forces in axisymmetric models are per radian.""")
+    m.text("""Units mm, g, ms (MPa). A rigid punch pushes a disc out of a metal sheet into the opening of a rigid die. A perfectly plastic sheet yields in shear along the edge of the punch. The force is 2 pi r t yield/sqrt(3), with the radius r of the punch and the thickness t of the sheet. Forces in axisymmetric models are per radian.""")
 m.mpm_method("USL-", "B2SPLINE")
 m.transfer("APIC")
 m.time_step(1, 0.025, 0.4)

@@ -8,7 +8,7 @@ import tribo
 
 m = tribo.Model("plane strain", title="A block on an incline", units=("m", "kg", "s"), name="block_on_incline")
 with m.header():
-    m.text("""Units m, kg, s. Until t = 0.3 the block settles, damped; from 0.5 it slides with g (sin(angle) - mu cos(angle)).""")
+    m.text("""Units m, kg, s. Until t = 0.3 the block settles with damping. From t = 0.5 on it slides with the acceleration g (sin(angle) - mu cos(angle)).""")
 m.mpm_method("USL-", "B2SPLINE")
 m.transfer("APIC")
 m.time_step(1, 1, 0.3)

@@ -9,7 +9,7 @@ import tribo
 m = tribo.Model("plane strain", title="A brick arch that fails under a load", units=("m", "kg", "s"),
                 name="brick_arch")
 with m.header():
-    m.text("""Units m, kg, s. Fifteen rigid bricks form a semicircle on two fixed abutments, held by their weight and by friction alone. The load on one brick at the left grows to 8000 N, and from 5 s on by 500 N/s. The arch fails when four joints have opened alternately inside and outside, so that it is a mechanism of four hinges: limit analysis (Heyman) gives the load for this.""")
+    m.text("""Units m, kg, s. Fifteen rigid bricks form a semicircle on two fixed abutments and are held by their weight and by friction alone. The load on one brick at the left grows to 8000 N at 5 s, and after that by 500 N/s. The arch fails when four joints have opened alternately at the inside and at the outside, so that it is a mechanism of four hinges. Limit analysis (Heyman) gives the load at which this happens.""")
 m.time_step(1e-3, 13.5)
 m.archive_time(0.25)
 m.global_archive_time(0.01)

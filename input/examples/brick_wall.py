@@ -8,7 +8,7 @@ import tribo
 
 m = tribo.Model("3d", title="A wall of bricks", units=("m", "kg", "s"), name="brick_wall")
 with m.header():
-    m.text("""Units m, kg, s. A ball of stone goes through a dry wall. Bricks rest on one another at their corners with friction; those that meet later find each other.""")
+    m.text("""Units m, kg, s. A ball of stone breaks through a dry wall. Neighbouring bricks touch at the corners of their common faces, with friction. Bricks that meet during the run form new contacts.""")
 m.time_step(1e-3, 1.2)
 m.archive_time(0.04)
 m.global_archive_time(0.01)

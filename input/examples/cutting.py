@@ -8,7 +8,7 @@ import tribo
 
 m = tribo.Model("plane strain", title="Orthogonal cutting", units=("mm", "g", "ms"), name="cutting")
 with m.header():
-    m.text("""Units mm, g, ms (MPa). Plane strain, fast: 100 m/s. The block is held at its bottom. APIC keeps the energy within 8 %.""")
+    m.text("""Units mm, g, ms (MPa). The tool moves with 100 m/s, in plane strain. The block is held at its bottom. With APIC the error of the energy balance stays below 8 %.""")
 m.mpm_method("USL-", "uGIMP")
 m.transfer("APIC")
 m.time_step(1, 0.01, 0.3)

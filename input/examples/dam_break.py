@@ -8,8 +8,8 @@ import tribo
 
 m = tribo.Model("plane strain", title="Dam break against a wall", units=("m", "kg", "s"), name="dam_break")
 with m.header():
-    m.text("""Units m, kg, s. The column is twice as high as wide, as in the experiments of Martin & Moyce (1952). The water is made
-more compressible than it is: waves run at 30 m/s, ten times as fast as the water.""")
+    m.text("""Units m, kg, s. The column is twice as high as wide, as in the experiments of Martin & Moyce (1952). The water is modelled as
+more compressible than real water: pressure waves travel at 30 m/s, about ten times the speed of the flow.""")
 m.mpm_method("USL-", "uGIMP")
 m.transfer("APIC")
 m.time_step(1, 0.8, 0.3)

@@ -8,7 +8,7 @@ import tribo
 
 m = tribo.Model("plane strain", title="A double cantilever beam", units=("mm", "g", "ms"), name="dcb")
 with m.header():
-    m.text("""Units mm, g, ms (MPa). The crack is free along the notch; beyond it, it carries a cohesive zone with a cubic traction law. The line of load x = 0 opens with a constant acceleration.""")
+    m.text("""Units mm, g, ms (MPa). The faces of the crack are free along the notch. Beyond the notch they carry a cohesive zone with a cubic traction law. The loads act at x = 0, where the two beams are pulled apart with a constant acceleration.""")
 m.mpm_method("USL-", "B2SPLINE")
 m.transfer("APIC")
 m.time_step(1, 2, 0.5)

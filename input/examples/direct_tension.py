@@ -9,7 +9,7 @@ import tribo
 m = tribo.Model("plane stress", title="Direct tension of bonded blocks", units=("m", "kg", "s"),
                 name="direct_tension")
 with m.header():
-    m.text("""Units m, kg, s. A specimen of 150 random blocks is pulled apart between smooth platens, quasi-statically; its bonds carry 5 MPa.""")
+    m.text("""Units m, kg, s. A specimen of 150 random blocks is pulled apart quasi-statically between smooth platens. The bonds between the blocks have a tensile strength of 5 MPa.""")
 m.time_step(1e-4, 1.2)
 m.archive_time(0.1)
 m.global_archive_time(0.001)

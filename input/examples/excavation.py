@@ -8,7 +8,7 @@ import tribo
 
 m = tribo.Model("plane strain", title="Excavation in stages", units=("m", "kg", "s"), name="excavation")
 with m.header():
-    m.text("""Units m, kg, s. The ground is at rest under its weight with K0 = 0.5. Each lift removes two metres; the floor heaves, the wall leans into the pit.""")
+    m.text("""Units m, kg, s. The ground is at rest under its weight with K0 = 0.5. Two metres of ground are removed at a time. The floor heaves, and the wall leans into the pit.""")
 m.mpm_method("USL-", "uGIMP")
 m.transfer("APIC")
 m.time_step(1, 4, 0.4)

@@ -8,7 +8,7 @@ import tribo
 
 m = tribo.Model("axisymmetric", title="Pull-out of a fibre", units=("mm", "g", "ms"), name="fibre_pull_out")
 with m.header():
-    m.text("""Units mm, g, ms (MPa). The end displacement over the stress is coth(b l)/(b E) with b = sqrt(2 Dt/(E r)).""")
+    m.text("""Units mm, g, ms (MPa). In theory the displacement of the loaded end, divided by the stress there, is coth(b l)/(b E) with b = sqrt(2 Dt/(E r)), where r, l and E are the radius, the length and the modulus of the fibre, and Dt is the shear stiffness of the interface.""")
 m.mpm_method("USL-", "B2SPLINE")
 m.transfer("FMPM", 2)
 m.time_step(1, 0.12, 0.4)

@@ -8,7 +8,7 @@ import tribo
 
 m = tribo.Model("plane strain", title="A ball breaks a glass plate", units=("mm", "g", "ms"), name="glass_plate")
 with m.header():
-    m.text("""Units mm, g, ms (MPa). A steel ball, in the plane a roller, hits a plate of glass between two supports. Glass (IsoSoftening) breaks where its tensile strength is reached, first opposite to the ball. The ball goes on with the velocity that the plate leaves it.""")
+    m.text("""Units mm, g, ms (MPa). A steel ball (in plane strain, a cylinder) hits a plate of glass between two supports. The glass (IsoSoftening) breaks where its tensile strength is reached, first on the side opposite to the ball. The ball breaks through the plate and goes on with a smaller velocity.""")
 m.mpm_method("USL-", "lCPDI")
 m.transfer("APIC")
 m.time_step(1, 0.28, 0.4)

@@ -8,7 +8,7 @@ import tribo
 
 m = tribo.Model("plane strain", title="Collapse of a granular column", units=("m", "kg", "s"), name="granular_column")
 with m.header():
-    m.text("""Units m, kg, s. The run-out is measured in half widths of the column.""")
+    m.text("""Units m, kg, s. The half width of the column is 1, so lengths such as the run-out are in half widths.""")
 m.mpm_method("USL-", "uGIMP")
 m.transfer("APIC")
 m.time_step(1, 1.5, 0.4)

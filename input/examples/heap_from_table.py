@@ -8,8 +8,8 @@ import tribo
 
 m = tribo.Model("plane strain", title="A heap from a table", units=("m", "kg", "s"), name="heap_from_table")
 with m.header():
-    m.text("""Units m, kg, s. Each row of heap_from_table.csv is a particle: its position, its size (0.05 or 0.1) and its stress, which is that of
-the weight above it. The left slope is steeper than the angle of friction and slides.""")
+    m.text("""Units m, kg, s. Each row of heap_from_table.csv is a particle with its position, its size (0.05 or 0.1) and its stress, which is due
+to the weight of the sand above it. The left slope is steeper than the angle of friction and slides.""")
 m.mpm_method("USL-", "uGIMP")
 m.transfer("APIC")
 m.time_step(1, 0.6, 0.4)

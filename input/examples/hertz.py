@@ -8,7 +8,7 @@ import tribo
 
 m = tribo.Model("plane strain", title="Hertz contact of a cylinder", units=("m", "kg", "s"), name="hertz")
 with m.header():
-    m.text("""Units m, kg, s with E = rho = 1. The plane moves up until t = 10, then the waves die out.""")
+    m.text("""Units m, kg, s with E = rho = 1. The model is the right half of the cylinder. The plane moves up until t = 10; then the waves are damped.""")
 m.mpm_method("USL-", "B2SPLINE")
 m.transfer("FMPM", 2)
 m.time_step(10, 25, 0.4)

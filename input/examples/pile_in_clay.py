@@ -8,7 +8,7 @@ import tribo
 
 m = tribo.Model("axisymmetric", title="A pile pressed into clay", units=("m", "kg", "s"), name="pile_in_clay")
 with m.header():
-    m.text("""Units m, kg, s. A smooth rigid pile with a point of 60 degrees goes down at constant speed in weightless clay with the undrained strength cu (Mohr-Coulomb without friction). Teh and Houlsby (1991) give the resistance at the point Nc cu, Nc = 4/3 (1 + ln Ir)(1.25 + Ir/2000), with the rigidity index Ir = G/cu. Forces in axisymmetric models are per radian.""")
+    m.text("""Units m, kg, s. A smooth rigid pile with a point of 60 degrees is pushed down at constant speed into weightless clay with the undrained strength cu (Mohr-Coulomb without friction). According to Teh and Houlsby (1991) the pressure at the point is Nc cu with Nc = 4/3 (1 + ln Ir)(1.25 + Ir/2000) and the rigidity index Ir = G/cu. Forces in axisymmetric models are per radian.""")
 m.mpm_method("USL-", "B2SPLINE")
 m.transfer("APIC")
 m.time_step(1, 0.9, 0.4)

@@ -8,7 +8,7 @@ import tribo
 
 m = tribo.Model("plane strain", title="A plate anchor in sand", units=("m", "kg", "s"), name="plate_anchor")
 with m.header():
-    m.text("""Units m, kg, s. A rigid strip anchor, buried in sand at twice its width, is pulled up slowly. The sand above it is lifted as a wedge whose sides lean outwards by the friction angle (dilation = friction), so that the force is the weight of the wedge: F = g rho B H (1 + H/B tan phi). The force here is that of half the anchor.""")
+    m.text("""Units m, kg, s. A rigid strip anchor of width B, buried in sand at the depth H = 2 B, is pulled up slowly. It lifts the sand above it as a wedge whose sides are inclined outwards by the friction angle phi (dilation = friction). The force per length is the weight of this wedge, F = g rho B H (1 + H/B tan phi). The model is one half of the anchor and has half of this force.""")
 m.mpm_method("USL-", "B2SPLINE")
 m.transfer("FMPM", 4)
 m.time_step(1, 1.5, 0.4)

@@ -8,7 +8,7 @@ import tribo
 
 m = tribo.Model("axisymmetric", title="Press fit of a shaft in a hub", units=("mm", "g", "ms"), name="press_fit")
 with m.header():
-    m.text("""Units mm, g, ms (MPa). The shaft is rigid and wider than the bore of a plastic hub by the interference; the hub rests on a smooth ring. The force grows with the length in contact. For a plane stress ring Lame gives the pressure p = E d/a/((b^2+a^2)/(b^2-a^2)+nu), and the axial force is mu p times the area. Forces in axisymmetric models are per radian.""")
+    m.text("""Units mm, g, ms (MPa). The shaft is rigid, and its radius exceeds that of the bore of an elastic hub by the interference d. The hub rests on a smooth ring. The axial force grows with the length in contact. For a ring in plane stress with the inner radius a and the outer radius b, Lame's solution gives the pressure p = E d/a/((b^2+a^2)/(b^2-a^2)+nu), and the axial force is mu p times the area in contact. Forces in axisymmetric models are per radian.""")
 m.mpm_method("USL-", "B2SPLINE")
 m.transfer("FMPM", 2)
 m.time_step(1, 2.6, 0.4)

@@ -8,7 +8,7 @@ import tribo
 
 m = tribo.Model("plane strain", title="A rockfall barrier", units=("m", "kg", "s"), name="rockfall_barrier")
 with m.header():
-    m.text("""Units m, kg, s. A boulder bounces and rolls down a rigid slope and is caught by a ductile wall that stands in a slot of the floor and is held at its foot. Boulder, slope and floor are rigid blocks, which meet by a joint law; the wall is an elastic-plastic body in the grid, which the boulder meets by contact. The plastic work in the wall and the impact itself take most of the energy of the boulder.""")
+    m.text("""Units m, kg, s. A boulder bounces and rolls down a rigid slope and is caught by a ductile wall, which stands in a slot of the floor and is held at its foot. Boulder, slope and floor are rigid blocks and interact by a joint law. The wall is an elastic-plastic body in the grid and interacts with the boulder by contact. The plastic work in the wall and the impact itself take most of the energy of the boulder.""")
 m.mpm_method("USL-", "B2SPLINE")
 m.transfer("APIC")
 m.cfl_factor(0.4)

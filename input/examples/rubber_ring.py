@@ -8,7 +8,7 @@ import tribo
 
 m = tribo.Model("plane strain", title="A rubber ring through a slot", units=("mm", "g", "ms"), name="rubber_ring")
 with m.header():
-    m.text("""Units mm, g, ms (MPa). A rigid stamp pushes the ring down between two rigid jaws with round shoulders, with friction.""")
+    m.text("""Units mm, g, ms (MPa). A rigid stamp pushes the ring down between two rigid jaws with round shoulders. Friction acts at all contacts.""")
 m.mpm_method("USL-", "lCPDI")
 m.transfer("FMPM", 2)
 m.time_step(1, 23, 0.3)

@@ -8,7 +8,7 @@ import tribo
 
 m = tribo.Model("plane strain", title="Direct shear box of a joint", units=("m", "kg", "s"), name="shear_box")
 with m.header():
-    m.text("""Units m, kg, s. The two halves of a specimen meet along a joint (Mohr) that weakens with slip. The upper half carries the normal stress and is held along the joint, and the lower half is rigid and moves. The shear stress rises to the peak strength c + s tan(phi), and falls to the residual strength s tan(phi_r) over the slip slip-dc.""")
+    m.text("""Units m, kg, s. The two halves of a specimen meet along a joint (Mohr) that weakens with slip. The upper half carries the normal stress s and is held in the direction of the joint. The lower half is rigid and moves. The shear stress rises to the peak strength c + s tan(phi), and falls to the residual strength s tan(phi_r) over the slip slip-dc.""")
 m.mpm_method("USL-", "B2SPLINE")
 m.transfer("FMPM", 2)
 m.time_step(1, 0.06, 0.4)

@@ -8,7 +8,7 @@ import tribo
 
 m = tribo.Model("plane strain", title="A silo that empties", units=("m", "kg", "s"), name="silo_discharge")
 with m.header():
-    m.text("""Units m, kg, s. Sand in a silo with a flat floor flows out through a slot; what has left the grid below it is removed. The flow does not depend on the height of the filling but on the width W of the slot alone, as Beverloo's law says: a mass per time of about rho sqrt(g) W^1.5 for a slot of unit length.""")
+    m.text("""Units m, kg, s. Sand in a silo with a flat floor flows out through a slot. Sand that has left the grid below the slot is removed. According to Beverloo's law the flow depends on the width W of the slot alone, not on the height of the filling: the mass per time is about rho sqrt(g) W^1.5 for a slot of unit length. The model is one half of the silo.""")
 m.mpm_method("USL-", "B2SPLINE")
 m.transfer("APIC")
 m.time_step(1, 1.2, 0.4)

@@ -8,7 +8,7 @@ import tribo
 
 m = tribo.Model("plane strain", title="Failure of a slope", units=("m", "kg", "s"), name="slope_failure")
 with m.header():
-    m.text("""Units m, kg, s. The ground gets its weight at once; cohesion falls to a residual where the soil has sheared by 10 %.""")
+    m.text("""Units m, kg, s. Gravity acts suddenly. Where the soil has sheared by 10 %, the cohesion has fallen to its residual value.""")
 m.mpm_method("USL-", "uGIMP")
 m.transfer("APIC")
 m.time_step(1, 8, 0.4)

@@ -8,7 +8,7 @@ import tribo
 
 m = tribo.Model("axisymmetric", title="Taylor bar", units=("mm", "g", "ms"), name="taylor_bar")
 with m.header():
-    m.text("""Units mm, g, ms (MPa). Published final lengths of this benchmark: 21.4 to 21.5 mm; radii at the foot 7.0 to 7.1 mm.""")
+    m.text("""Units mm, g, ms (MPa). Published results of this benchmark are a final length of 21.4 to 21.5 mm and a radius of 7.0 to 7.1 mm at the foot.""")
 m.mpm_method("USAVG+", "B2SPLINE")
 m.transfer("FMPM", 2)
 m.time_step(1, 0.08, 0.3)

@@ -8,7 +8,7 @@ import tribo
 
 m = tribo.Model("plane strain", title="Toppling", units=("m", "kg", "s"), name="toppling")
 with m.header():
-    m.text("""Units m, kg, s. Columns of rock stand on a floor; the first is given a push, and each topples the next. Blocks that meet later find each other, and slide with friction.""")
+    m.text("""Units m, kg, s. Columns of rock stand on a floor. The first one is given a push, and each column topples the next one. Blocks that meet during the run form new contacts and slide with friction.""")
 m.time_step(1e-3, 3.5)
 m.archive_time(0.05)
 m.global_archive_time(0.01)

@@ -9,7 +9,7 @@ import tribo
 m = tribo.Model("plane strain", title="A tunnel that collapses in clay", units=("m", "kg", "s"),
                 name="tunnel_collapse")
 with m.header():
-    m.text("""Units m, kg, s. The clay is at rest under its weight until the tunnel is excavated at 0.5 s. Its stability number rho g (C + D/2)/cu is about twice that at which tunnels without support collapse (3 for a cover equal to the diameter), so that clay flows into the opening and a trough forms at the surface.""")
+    m.text("""Units m, kg, s. The clay is at rest under its weight until the tunnel is excavated at 0.5 s. The stability number rho g (C + D/2)/cu, with the cover C, the diameter D and the undrained strength cu, is about twice the value at which tunnels without support collapse (3 for a cover equal to the diameter). Clay therefore flows into the opening, and a trough forms at the surface.""")
 m.mpm_method("USL-", "B2SPLINE")
 m.transfer("APIC")
 m.time_step(1, 4, 0.4)

@@ -8,7 +8,7 @@ import tribo
 
 m = tribo.Model("plane strain", title="Contact of two rings", units=("mm", "g", "ms"), name="two_rings")
 with m.header():
-    m.text("""Units mm, g, ms (MPa). Two hollow rubber rings meet head on without friction: contact between two thin bodies that both deform a lot. The contact impulses on the two rings are equal and opposite, so that their momenta remain equal and opposite; part of the kinetic energy becomes vibration of the rings.""")
+    m.text("""Units mm, g, ms (MPa). Two hollow rubber rings meet head on without friction, so that two thin bodies with large deformations are in contact. The contact impulses on the two rings are equal and opposite, so that their momenta remain equal and opposite. A part of the kinetic energy becomes vibration of the rings.""")
 m.mpm_method("USL+", "B2SPLINE")
 m.transfer("APIC")
 m.time_step(1, 8, 0.4)

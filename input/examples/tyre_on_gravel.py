@@ -8,7 +8,7 @@ import tribo
 
 m = tribo.Model("plane strain", title="A tyre on gravel", units=("m", "kg", "s"), name="tyre_on_gravel")
 with m.header():
-    m.text("""Units m, kg, s. A rubber tyre on a heavy rim starts to roll at the speed of its circumference on a bed of gravel without cohesion. It sinks in and pushes gravel out of its way, which takes energy: rolling resistance is the loss of speed. Contact between a soft elastic body and a granular one, with friction.""")
+    m.text("""Units m, kg, s. A rubber tyre on a heavy rim begins to roll without slip on a bed of cohesionless gravel. It sinks in and pushes gravel out of its way, which takes energy. The loss of speed is the rolling resistance. The model shows contact with friction between a soft elastic body and a granular one.""")
 m.mpm_method("USL-", "B2SPLINE")
 m.transfer("APIC")
 m.time_step(1, 0.4, 0.4)

@@ -9,7 +9,7 @@ import tribo
 m = tribo.Model("plane stress", title="Unconfined compression of bonded blocks", units=("m", "kg", "s"),
                 name="unconfined_compression")
 with m.header():
-    m.text("""Units m, kg, s. 600 Voronoi cells between smooth platens, in plane stress; bonds tear (red) and shear (blue), and what is broken slides on with friction.""")
+    m.text("""Units m, kg, s. 600 Voronoi cells are compressed between smooth platens, in plane stress. Bonds fail in tension (red) and in shear (blue). Faces whose bonds are broken slide with friction.""")
 m.time_step(1e-4, 1)
 m.archive_time(0.05)
 m.global_archive_time(0.001)

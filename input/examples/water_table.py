@@ -8,7 +8,7 @@ import tribo
 
 m = tribo.Model("plane strain", title="Rising water table", units=("m", "kg", "s"), name="water_table")
 with m.header():
-    m.text("""Units m, kg, s. The bedding dips by 30 degrees towards the face and has a friction of 40 degrees. Its pore pressure is the weight of the water above it; from 1 s on the water rises by 3 m/s. The block begins to slide when the friction that is left equals its weight along the bedding.""")
+    m.text("""Units m, kg, s. The bedding plane dips by 30 degrees towards the face and has a friction angle of 40 degrees. Its pore pressure is the weight of the water above it. From 1 s on the water rises by 3 m/s. The block begins to slide when the friction under the effective stress has fallen to the weight component along the bedding plane.""")
 m.mpm_method("USL-", "quadratic")
 m.transfer("APIC")
 m.time_step(1, 5, 0.4)
