@@ -52,8 +52,9 @@ const std::vector<CommandInfo>& written_commands() {
       {"PDamping", 1, 3, "rate or function[, 0]",
        "rate of particle damping [1/time], a number or a function of the time t; the second argument is as in Damping"},
       {"FeedbackDamping", 1, 3, "gain[, kinetic energy[, largest rate]]",
-       "grid damping that is controlled so that the kinetic energy approaches the given value (default 0); its rate "
-       "stays below the largest rate [1/time], if there is one"},
+       "grid damping that is controlled so that the kinetic energy approaches the given value (default 0). The gain is "
+       "that of the element of this name; the damping rate does not exceed the largest rate [1/time] (default 0: no "
+       "limit)"},
       {"PFeedbackDamping", 1, 3, "gain[, kinetic energy[, largest rate]]",
        "particle damping that is controlled in the same way as by FeedbackDamping"},
       {"LeaveLimit", 1, 1, "number",
@@ -137,7 +138,7 @@ const std::vector<CommandInfo>& written_commands() {
       {"Hole", 0, 0, "shapes up to EndHole", "shapes in which the bodies after it have no particles"},
       {"BMPRegion", 2, 4, "file, width[, height]; up to EndRegion",
        "a rectangle that a greyscale image (PNG or BMP) fills with bodies. Width and height are those of the rectangle "
-       "(default: one unit of length per pixel); Origin and Intensity belong into it"},
+       "(default of the height: one unit of length per pixel); Origin and Intensity belong into it"},
       {"Intensity", 3, 10, "material, low, high[, attribute, value ...]",
        "material of a range of grey values, from 0 (black) to 255 (white); the attributes are those of the element of "
        "this name"},
