@@ -17,7 +17,9 @@ namespace {
 
 struct AdhesiveFriction final : ContactLaw {
   static constexpr std::string_view name = "AdhesiveFriction";
-  static constexpr std::string_view summary = "Coulomb friction with cohesion, adhesion and speed dependence.";
+  static constexpr std::string_view summary =
+      "Coulomb friction with cohesion and adhesion of a bond, and with a coefficient that depends on the sliding "
+      "speed.";
   static constexpr int number = 63;
   static constexpr std::string_view example = R"(
 <Material Type='AdhesiveFriction' Name='glued'>
@@ -36,12 +38,15 @@ struct AdhesiveFriction final : ContactLaw {
     return std::array{
         P{"coeff", &L::coefficient, Dimension::none, not_negative, "friction coefficient while sliding", 0.0},
         P{"coeffStatic", &L::static_coefficient, Dimension::none, any_value,
-          "coefficient at which sliding begins; not positive: the same", -1.0},
-        P{"kmu", &L::speed_coefficient, Dimension::per_velocity, any_value, "growth of friction with speed", 0.0},
+          "static friction coefficient, at which sliding begins; 0 or negative: it equals coeff", -1.0},
+        P{"kmu", &L::speed_coefficient, Dimension::per_velocity, any_value,
+          "increase of the friction coefficient per sliding speed", 0.0},
         P{"vhalf", &L::half_speed, Dimension::velocity, not_negative,
-          "speed at which friction is half way from static to dynamic; 0: at once", 0.0},
-        P{"Sa", &L::shear_strength, Dimension::stress, not_negative, "shear strength of the bond, cohesion in contact",
+          "sliding speed at which the friction coefficient is half way from static to dynamic; 0: it falls to the "
+          "dynamic one at once",
           0.0},
+        P{"Sa", &L::shear_strength, Dimension::stress, not_negative,
+          "shear strength of the bond, which acts as a cohesion in contact", 0.0},
         P{"Na", &L::normal_strength, Dimension::stress, not_negative, "tensile strength of the bond", 0.0},
         P{"rebond", &L::rebond, Dimension::none, within(0, 1), "1: broken bonds form again in contact", 0.0},
         weakening_parameter(&L::weakening),

@@ -76,42 +76,44 @@ struct CohesiveRows {
                       row("sigmaII", &L::sigmaII, D::stress, "largest traction in sliding")};
   }
   static constexpr auto energies() {
-    return std::array{row("JIc", &L::JIc, D::energy_release, "toughness in opening: area under the curve"),
-                      row("JIIc", &L::JIIc, D::energy_release, "toughness in sliding")};
+    return std::array{row("JIc", &L::JIc, D::energy_release,
+                          "toughness in opening, which is the area under the curve of traction over opening"),
+                      row("JIIc", &L::JIIc, D::energy_release,
+                          "toughness in sliding, which is the area under the curve of traction over slip")};
   }
   static constexpr auto ends() {
     return std::array{row("delIc", &L::delIc, D::length, "opening at which the traction has vanished"),
-                      row("delIIc", &L::delIIc, D::length, "sliding at which the traction has vanished")};
+                      row("delIIc", &L::delIIc, D::length, "slip at which the traction has vanished")};
   }
   static constexpr auto slopes() {
-    return std::array{row("kIe", &L::kIe, D::interface_stiffness, "initial slope in opening"),
-                      row("kIIe", &L::kIIe, D::interface_stiffness, "initial slope in sliding")};
+    return std::array{row("kIe", &L::kIe, D::interface_stiffness, "initial slope of the traction in opening"),
+                      row("kIIe", &L::kIIe, D::interface_stiffness, "initial slope of the traction in sliding")};
   }
   static constexpr auto places() {
-    return std::array{
-        row("delpkI", &L::delpkI, D::none, "opening at the peak divided by delIc", {0, 1, true, false}),
-        row("delpkII", &L::delpkII, D::none, "sliding at the peak divided by delIIc", {0, 1, true, false})};
+    return std::array{row("delpkI", &L::delpkI, D::none, "opening at the peak divided by delIc", {0, 1, true, false}),
+                      row("delpkII", &L::delpkII, D::none, "slip at the peak divided by delIIc", {0, 1, true, false})};
   }
   static constexpr auto second_corners() {
     return std::array{
         row("sigmaI2", &L::sigmaI2, D::stress, "traction at the second corner in opening", not_negative),
         row("sigmaII2", &L::sigmaII2, D::stress, "traction at the second corner in sliding", not_negative),
         row("delpkI2", &L::delpkI2, D::none, "opening at the second corner divided by delIc", {0, 1, true, false}),
-        row("delpkII2", &L::delpkII2, D::none, "sliding at the second corner divided by delIIc", {0, 1, true, false})};
+        row("delpkII2", &L::delpkII2, D::none, "slip at the second corner divided by delIIc", {0, 1, true, false})};
   }
   static constexpr auto decays() {
-    return std::array{row("alphaI", &L::alphaI, D::none, "decay of the traction after the peak in opening"),
-                      row("alphaII", &L::alphaII, D::none, "decay of the traction after the peak in sliding")};
+    return std::array{
+        row("alphaI", &L::alphaI, D::none, "exponent of the decay of the traction after the peak in opening"),
+        row("alphaII", &L::alphaII, D::none, "exponent of the decay of the traction after the peak in sliding")};
   }
   static constexpr auto mixture() {
     return std::array{P{"nmix", &L::nmix, D::none, any_value,
-                        "exponent n of the failure in mixed mode, (GI/JIc)^n + (GII/JIIc)^n = 1; not positive: each "
-                        "mode for itself",
+                        "exponent n of the condition of failure in mixed mode, (GI/JIc)^n + (GII/JIIc)^n = 1 with the "
+                        "released energies GI and GII; 0 or negative: each mode fails on its own",
                         1.0}};
   }
   static constexpr auto closed() {
     return std::array{row("kClosed", &L::kClosed, D::interface_stiffness,
-                          "stiffness of faces that are pressed together (default: the initial slope in opening)",
+                          "normal stiffness of faces that are pressed together (default: the initial slope in opening)",
                           not_negative)};
   }
   /// One table of several.

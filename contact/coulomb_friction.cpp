@@ -16,7 +16,7 @@ namespace {
 
 struct CoulombFriction final : ContactLaw {
   static constexpr std::string_view name = "CoulombFriction";
-  static constexpr std::string_view summary = "Coulomb friction with static and dynamic coefficient.";
+  static constexpr std::string_view summary = "Coulomb friction with a static and a dynamic coefficient.";
   static constexpr int number = 61;
   static constexpr std::string_view example = R"(
 <Material Type='CoulombFriction' Name='friction'>
@@ -31,9 +31,11 @@ struct CoulombFriction final : ContactLaw {
     using L = CoulombFriction;
     using P = Parameter<L>;
     return std::array{
-        P{"coeff", &L::coefficient, Dimension::none, any_value, "friction coefficient; negative: no sliding", 0.0},
+        P{"coeff", &L::coefficient, Dimension::none, any_value,
+          "friction coefficient, during sliding the dynamic one; negative: the faces cannot slide", 0.0},
         P{"coeffStatic", &L::static_coefficient, Dimension::none, any_value,
-          "coefficient at which sliding begins, above coeff; not positive: the same", -1.0},
+          "static friction coefficient, at which sliding begins; it must exceed coeff. 0 or negative: it equals coeff",
+          -1.0},
         weakening_parameter(&L::weakening), displacement_only_parameter(&L::displacement_only),
         contact_stiffness_parameter(&L::contact_stiffness)};
   }

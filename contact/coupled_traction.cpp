@@ -10,7 +10,7 @@ namespace {
 struct CoupledTraction final : CohesiveProperties {
   static constexpr std::string_view name = "CoupledTraction";
   static constexpr std::string_view summary =
-      "Cohesive zone: one triangle for the effective displacement of opening and sliding.";
+      "Cohesive zone with one triangular curve for the effective displacement, which combines opening and sliding.";
   static constexpr int number = 23;
   static constexpr std::string_view needs = "two of sigmaI, JIc and delIc, or one of them with kIe and delpkI";
   static constexpr std::string_view example = R"(
@@ -27,12 +27,15 @@ struct CoupledTraction final : CohesiveProperties {
     return Rows::join(
         std::array{
             Rows::row("sigmaI", &L::sigmaI, D::stress, "largest effective traction"),
-            Rows::row("JIc", &L::JIc, D::energy_release, "toughness: area under the curve"),
+            Rows::row("JIc", &L::JIc, D::energy_release,
+                      "toughness, which is the area under the curve of effective traction over effective displacement"),
             Rows::row("delIc", &L::delIc, D::length, "effective displacement at which the traction has vanished"),
-            Rows::row("kIe", &L::kIe, D::interface_stiffness, "initial slope"),
-            Rows::row("delpkI", &L::delpkI, D::none, "displacement at the peak divided by delIc", {0, 1, true, false}),
+            Rows::row("kIe", &L::kIe, D::interface_stiffness, "initial slope of the effective traction"),
+            Rows::row("delpkI", &L::delpkI, D::none, "effective displacement at the peak divided by delIc",
+                      {0, 1, true, false}),
             Rows::row("alphaI", &L::alphaI, D::none,
-                      "decay of the traction after the peak, which then is exponential (default: linear)")},
+                      "if given, the traction decays exponentially after the peak with this exponent (default: linear "
+                      "decay)")},
         Rows::closed());
   }
   void prepare(const Statement& s, Problems& problems) {

@@ -9,9 +9,11 @@ namespace {
 
 struct CubicTraction final : CohesiveProperties {
   static constexpr std::string_view name = "CubicTraction";
-  static constexpr std::string_view summary = "Cohesive zone: smooth traction, a cubic of the displacement.";
+  static constexpr std::string_view summary =
+      "Cohesive zone whose traction is a smooth cubic function of the displacement jump.";
   static constexpr int number = 14;
-  static constexpr std::string_view needs = "two of sigmaI, JIc and delIc, and two of sigmaII, JIIc and delIIc";
+  static constexpr std::string_view needs =
+      "for opening two of sigmaI, JIc and delIc, for sliding two of sigmaII, JIIc and delIIc";
   static constexpr std::string_view example = R"(
 <Material Type='CubicTraction' Name='glue'>
   <sigmaI>2e6</sigmaI>

@@ -10,11 +10,11 @@ namespace {
 struct ExponentialTraction final : CohesiveProperties {
   static constexpr std::string_view name = "ExponentialTraction";
   static constexpr std::string_view summary =
-      "Cohesive zone: traction up to a peak, then an exponential decay to zero.";
+      "Cohesive zone whose traction rises to a peak and then decays exponentially to zero.";
   static constexpr int number = 34;
   static constexpr std::string_view needs =
-      "alphaI, and two of sigmaI, JIc and delIc with kIe or delpkI, or one of them with both; the same for sliding, of "
-      "alphaII, sigmaII, JIIc, delIIc, kIIe and delpkII";
+      "for opening, alphaI; two of sigmaI, JIc and delIc with kIe or delpkI, or one of these three with both kIe and "
+      "delpkI. For sliding the same of alphaII, sigmaII, JIIc, delIIc, kIIe and delpkII";
   static constexpr std::string_view example = R"(
 <Material Type='ExponentialTraction' Name='glue'>
   <sigmaI>2e6</sigmaI>

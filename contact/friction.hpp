@@ -104,20 +104,20 @@ Parameter<Law> displacement_only_parameter(double Law::*member) {
           member,
           Dimension::stress,
           any_value,
-          "positive: in contact whenever faces overlap; 0: only under compression; negative: up to that tension",
+          "when faces count as closed. Positive: whenever they overlap; 0: only under compression; negative: up to a "
+          "tension of this magnitude",
           0.0};
 }
 /// Table entry of the weakening distance of SlipWeakening.
 template <class Law>
 Parameter<Law> weakening_parameter(double Law::*member) {
-  return {
-      "weakening",
-      member,
-      Dimension::length,
-      any_value,
-      "way of sliding along which friction falls from static to dynamic; 0: at once, whenever faces slide; negative: "
-      "0.01 cells",
-      -1.0};
+  return {"weakening",
+          member,
+          Dimension::length,
+          any_value,
+          "sliding distance over which the friction falls from static to dynamic; 0: it falls at once whenever faces "
+          "slide; negative: 0.01 cells",
+          -1.0};
 }
 /// Table entry of the parameter compliance_stiffness of NormalContactRule.
 template <class Law>
@@ -126,7 +126,7 @@ Parameter<Law> contact_stiffness_parameter(double Law::*member) {
           member,
           Dimension::interface_stiffness,
           any_value,
-          "normal stiffness of faces in contact; negative: they do not penetrate",
+          "normal stiffness of closed faces; negative: the faces do not penetrate each other",
           -1.0};
 }
 

@@ -8,7 +8,8 @@ namespace {
 
 struct IgnoreContact final : ContactLaw {
   static constexpr std::string_view name = "IgnoreContact";
-  static constexpr std::string_view summary = "No contact: materials share one velocity; faces of a crack do not meet.";
+  static constexpr std::string_view summary =
+      "No contact: where materials meet they move with one velocity, and the faces of a crack ignore each other.";
   static constexpr int number = 60;
   static constexpr std::string_view example = R"(
 <Material Type='IgnoreContact' Name='none'/>)";

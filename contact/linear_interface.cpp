@@ -13,7 +13,8 @@ namespace {
 
 struct LinearInterface final : InterfaceLaw {
   static constexpr std::string_view name = "LinearInterface";
-  static constexpr std::string_view summary = "Imperfect interface with stiffnesses; negative: perfect.";
+  static constexpr std::string_view summary =
+      "Imperfect interface with a normal and a tangential stiffness; a negative stiffness means a perfect interface.";
   static constexpr int number = 62;
   static constexpr std::string_view example = R"(
 <Material Type='LinearInterface' Name='interface'>
@@ -28,9 +29,11 @@ struct LinearInterface final : InterfaceLaw {
     using L = LinearInterface;
     using P = Parameter<L>;
     constexpr auto D = Dimension::interface_stiffness;
-    return std::array{P{"Dnt", &L::open, D, any_value, "normal stiffness while open", -1.0, false, "Dn"},
-                      P{"Dnc", &L::closed, D, any_value, "normal stiffness while closed (default: Dnt)", {}, true},
-                      P{"Dt", &L::tangential, D, any_value, "tangential stiffness", -1.0}};
+    return std::array{
+        P{"Dnt", &L::open, D, any_value, "normal stiffness of the open interface; negative: it cannot open", -1.0,
+          false, "Dn"},
+        P{"Dnc", &L::closed, D, any_value, "normal stiffness of the closed interface (default: Dnt)", {}, true},
+        P{"Dt", &L::tangential, D, any_value, "tangential stiffness; negative: it cannot slip", -1.0}};
   }
   void prepare(const Statement& statement, Problems&) {
     if (!statement.child("Dnc")) closed = open;

@@ -9,7 +9,7 @@ namespace {
 struct LinearTraction final : CohesiveProperties {
   static constexpr std::string_view name = "LinearTraction";
   static constexpr std::string_view summary =
-      "Traction proportional to the displacement of the faces, without failure.";
+      "Traction that is proportional to the displacement jump of the faces, without failure.";
   static constexpr int number = 13;
   static constexpr std::string_view example = R"(
 <Material Type='LinearTraction' Name='glue'>

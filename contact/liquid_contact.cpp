@@ -14,7 +14,7 @@ namespace {
 
 struct LiquidContact final : ContactLaw {
   static constexpr std::string_view name = "LiquidContact";
-  static constexpr std::string_view summary = "Viscous drag of a liquid on a wall with a slip length.";
+  static constexpr std::string_view summary = "Viscous drag between a liquid and a wall with a slip length.";
   static constexpr int number = 64;
   static constexpr std::string_view example = R"(
 <Material Type='LiquidContact' Name='drag'>
@@ -30,8 +30,8 @@ struct LiquidContact final : ContactLaw {
     using L = LiquidContact;
     using P = Parameter<L>;
     return std::array{
-        P{"coeff", &L::coefficient, Dimension::per_length, not_negative, "k, the inverse of the slip length", 2.0},
-        P{"LiquidPhase", &L::liquid_phase, Dimension::none, positive, "number of the liquid's material"},
+        P{"coeff", &L::coefficient, Dimension::per_length, not_negative, "inverse k of the slip length", 2.0},
+        P{"LiquidPhase", &L::liquid_phase, Dimension::none, positive, "number of the material that is the liquid"},
         displacement_only_parameter(&L::displacement_only), contact_stiffness_parameter(&L::contact_stiffness)};
   }
   void prepare(const Statement&, Problems&) {}

@@ -11,11 +11,11 @@ namespace {
 struct MixedModeTraction final : CohesiveProperties {
   static constexpr std::string_view name = "MixedModeTraction";
   static constexpr std::string_view summary =
-      "Cohesive zone: a curve of any shape for each mode, with one damage for both.";
+      "Cohesive zone with a curve of any shape for each mode and a common damage variable.";
   static constexpr int number = 33;
   static constexpr std::string_view needs =
-      "the properties of the curves modelI and modelII, such as two of sigmaI, JIc and delIc, and two of sigmaII, JIIc "
-      "and delIIc";
+      "the properties of the curves modelI and modelII; for cubic curves, for example, these are two of sigmaI, JIc "
+      "and delIc, and two of sigmaII, JIIc and delIIc";
   static constexpr std::string_view example = R"(
 <Material Type='MixedModeTraction' Name='glue'>
   <modelI>12</modelI>
@@ -33,8 +33,9 @@ struct MixedModeTraction final : CohesiveProperties {
     constexpr Range types{12, 34};
     return Rows::join(
         std::array{P{"modelI", &L::modelI, Dimension::none, types,
-                     "curve in opening: 12 triangular, 14 cubic, 20 trilinear, 34 exponential", 12.0},
-                   P{"modelII", &L::modelII, Dimension::none, types, "curve in sliding, the same numbers", 12.0}},
+                     "shape of the curve in opening: 12 triangular, 14 cubic, 20 trilinear, 34 exponential", 12.0},
+                   P{"modelII", &L::modelII, Dimension::none, types,
+                     "shape of the curve in sliding, with the same numbers", 12.0}},
         Rows::peaks(), Rows::energies(), Rows::ends(), Rows::slopes(), Rows::places(), Rows::second_corners(),
         Rows::decays(), Rows::closed());
   }

@@ -28,7 +28,7 @@ constexpr int slips_now = 1, tears_now = 2, slipped = 4, torn_before = 8;
 struct Mohr final : JointLaw {
   static constexpr std::string_view name = "Mohr";
   static constexpr std::string_view summary =
-      "Rock joint: Mohr-Coulomb slip with weakening, dilation, pore pressure, healing and dashpots.";
+      "Rock joint with Mohr-Coulomb slip, weakening, dilation, pore pressure, healing and dashpots.";
   static constexpr int number = 0;
   static constexpr std::string_view example = R"(
 <Material Type='Mohr' Name='joint'>
@@ -62,57 +62,71 @@ struct Mohr final : JointLaw {
     return std::array{
         P{"stiffness-normal", &L::kn, D::interface_stiffness, not_negative, "normal stiffness per area", 0.0},
         P{"stiffness-shear", &L::ks, D::interface_stiffness, not_negative, "shear stiffness per area", 0.0},
-        P{"cohesion", &L::c, D::stress, not_negative, "cohesion at the peak", 0.0},
+        P{"cohesion", &L::c, D::stress, not_negative, "peak cohesion", 0.0},
         P{"cohesion-residual", &L::c_residual, D::stress, not_negative, "residual cohesion", 0.0},
-        P{"friction", &L::phi, D::angle, slope, "friction angle at the peak", 0.0},
+        P{"friction", &L::phi, D::angle, slope, "peak friction angle", 0.0},
         P{"friction-residual", &L::phi_residual, D::angle, slope, "residual friction angle", 0.0},
-        P{"tension", &L::tension, D::stress, not_negative, "tensile strength", 0.0},
+        P{"tension", &L::tension, D::stress, not_negative, "peak tensile strength", 0.0},
         P{"tension-residual", &L::tension_residual, D::stress, not_negative, "residual tensile strength", 0.0},
-        P{"dilation", &L::psi, D::angle, slope, "dilation angle at the peak, positive: the joint opens while it slips",
-          0.0},
+        P{"dilation", &L::psi, D::angle, slope,
+          "peak dilation angle; with a positive angle the joint opens while it slips", 0.0},
         P{"dilation-residual", &L::psi_residual, D::angle, slope, "residual dilation angle", 0.0},
         P{"dilation-zero",
           &L::dilation_zero,
           D::length,
           not_negative,
-          "shear displacement beyond which the joint no longer dilates",
+          "shear displacement beyond which the joint no longer dilates (default: no limit)",
           {},
           true},
         P{"slip-dc", &L::slip_length, D::length, not_negative,
-          "slip from the peak to the residual strength; 0: the drop is sudden", 0.0},
-        P{"healing", &L::healing, D::none, within(0, 1), "1: the shear strength is restored when sliding ends", 0.0},
-        P{"pore-pressure", &L::constant_pressure, D::stress, not_negative, "pressure of pore fluid", 0.0},
+          "slip over which the strength falls from peak to residual; 0: it falls at once", 0.0},
+        P{"healing", &L::healing, D::none, within(0, 1),
+          "1: the shear strength is restored when sliding ends; 0: it is not", 0.0},
+        P{"pore-pressure", &L::constant_pressure, D::stress, not_negative, "pressure of the pore fluid", 0.0},
         P{"keep-pressure-when-open", &L::keep_pressure, D::none, within(0, 1),
-          "1: the pore pressure still acts on open faces", 0.0},
+          "1: the pore pressure also acts on open faces; 0: it does not", 0.0},
         P{"pressure-in-equilibrium", &L::in_equilibrium, D::none, within(0, 1),
-          "1: the normal stress or force at the start is the effective one; the joint starts with the pore pressure in "
-          "addition",
+          "1: the normal stress or force at the start is the effective one, to which the pore pressure is added; 0: it "
+          "is the total one",
           0.0},
         P{"rgap", &L::gap_shift, D::length, not_negative, "gap at which the faces count as closed", 0.0},
-        P{"dashpot-ratio-normal", &L::dashpot_normal, D::none, within(0, 1), "fraction of critical damping", 0.0},
-        P{"dashpot-ratio-shear", &L::dashpot_shear, D::none, within(0, 1), "fraction of critical damping", 0.0},
+        P{"dashpot-ratio-normal", &L::dashpot_normal, D::none, within(0, 1),
+          "normal dashpot, as a fraction of critical damping", 0.0},
+        P{"dashpot-ratio-shear", &L::dashpot_shear, D::none, within(0, 1),
+          "shear dashpot, as a fraction of critical damping", 0.0},
         P{"dashpot-mode", &L::dashpot_mode, D::none, within(0, 3),
-          "sum of 1 (no tension by the normal dashpot) and 2 (no shear dashpot while sliding)", 0.0},
-        P{"stress-normal", &L::normal_stress, D::stress, any_value, "normal stress at the start, tension positive",
+          "limits of the dashpots, a sum of 1 (the normal dashpot exerts no tension) and 2 (no shear dashpot acts "
+          "while the joint slides)",
+          0.0},
+        P{"stress-normal", &L::normal_stress, D::stress, any_value, "normal stress at the start, positive in tension",
           0.0},
         P{"force-normal", &L::normal_force, D::force, any_value,
           "normal force of each contact at the start, instead of stress-normal", 0.0},
         P{"disp-normal", &L::opening_at_start, D::length, any_value, "opening at the start", 0.0},
         P{"state", &L::state_at_start, D::none, within(0, 15),
-          "state at the start, a sum of 1 (slips), 2 (tears), 4 (slipped before), 8 (torn before)", 0.0}};
+          "state at the start, a sum of 1 (the joint slips), 2 (it tears, that is, fails in tension), 4 (it slipped "
+          "before) and 8 (it tore before)",
+          0.0}};
   }
   static std::vector<OwnProperty> own_properties() {
     return {
-        {"pore-pressure-function", "pore pressure as a function of x, y, z and t, added to pore-pressure"},
+        {"pore-pressure-function",
+         "pore pressure as a function of x, y, z and t [stress], which is added to pore-pressure"},
         {"user_area",
-         "area used instead of the computed contact area: one, or one for each contact of a crack or interface"},
+         "area of each contact, instead of the computed one: one number, or a list with one number for each contact of "
+         "a crack or interface [length^2]"},
         {"area",
-         "method without a value: the initial area is kept, as is always the case in Tribo; with a value: user_area"},
+         "without a value: the initial area is kept, which Tribo always does; with a value: the same as user_area"},
         {"slip-table",
-         "pairs of multiplier and slip, sorted by slip, instead of slip-dc; multiplier 1: peak, 0: residual strength"},
-        {"stress-shear", "shear traction on body 2 at the start along s and t; one number: along t"},
-        {"force-shear", "shear force on body 2 at the start, instead of stress-shear"},
-        {"disp-shear", "shear displacement at the start along s and t; one number: along t"},
+         "pairs of a multiplier and a slip [length] in increasing order of slip, instead of slip-dc. Multiplier 1 "
+         "means the peak strength, 0 the residual strength"},
+        {"stress-shear",
+         "shear traction on body 2 at the start along s and t [stress]; a single number is that along t (default 0)"},
+        {"force-shear",
+         "shear force on body 2 at the start along s and t [force], instead of stress-shear; a single number is that "
+         "along t"},
+        {"disp-shear",
+         "shear displacement at the start along s and t [length]; a single number is that along t (default 0)"},
         {"table-pos", ""},
         {"slip", ""},
         {"stress-effective", ""},

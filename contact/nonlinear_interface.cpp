@@ -15,11 +15,12 @@ namespace {
 
 struct NonlinearInterface final : InterfaceLaw {
   static constexpr std::string_view name = "NonlinearInterface";
-  static constexpr std::string_view summary = "Imperfect interface, linear, bilinear or of Morse's shape.";
+  static constexpr std::string_view summary =
+      "Imperfect interface whose traction is a linear or bilinear function of the opening, or has Morse's shape.";
   static constexpr int number = 65;
   static constexpr std::string_view needs =
-      "with normal_shape 1 or 2 positive Dnt and Npeak, with 2 also Nbreak; the same for tangential_shape, Dt, Tpeak "
-      "and Tbreak";
+      "if normal_shape is 1 or 2, positive Dnt and Npeak, and if it is 2 also Nbreak; if tangential_shape is 1 or 2, "
+      "positive Dt and Tpeak, and if it is 2 also Tbreak";
   static constexpr std::string_view example = R"(
 <Material Type='NonlinearInterface' Name='interface'>
   <Dnt>1e9</Dnt>
@@ -46,15 +47,31 @@ struct NonlinearInterface final : InterfaceLaw {
     using P = Parameter<L>;
     constexpr auto D = Dimension::interface_stiffness;
     return std::array{
-        P{"Dnt", &L::open, D, any_value, "normal stiffness at the start of opening", -1.0, false, "Dn"},
-        P{"Dnc", &L::closed, D, any_value, "normal stiffness while closed (default: Dnt)", {}, true},
-        P{"Dt", &L::tangential, D, any_value, "tangential stiffness at the start", -1.0},
-        P{"normal_shape", &L::normal_kind, Dimension::none, within(0, 2), "0 linear, 1 Morse, 2 bilinear", 0.0},
-        P{"tangential_shape", &L::tangential_kind, Dimension::none, within(0, 2), "0 linear, 1 Morse, 2 bilinear", 0.0},
+        P{"Dnt", &L::open, D, any_value,
+          "normal stiffness at the start of opening; negative: the interface cannot open", -1.0, false, "Dn"},
+        P{"Dnc", &L::closed, D, any_value, "normal stiffness of the closed interface (default: Dnt)", {}, true},
+        P{"Dt", &L::tangential, D, any_value,
+          "tangential stiffness at the start of slip; negative: the interface cannot slip", -1.0},
+        P{"normal_shape", &L::normal_kind, Dimension::none, within(0, 2),
+          "shape of the normal traction over the opening: 0 linear, 1 Morse, 2 bilinear", 0.0},
+        P{"tangential_shape", &L::tangential_kind, Dimension::none, within(0, 2),
+          "shape of the tangential traction over the slip: 0 linear, 1 Morse, 2 bilinear", 0.0},
         P{"Npeak", &L::normal_peak, Dimension::stress, positive, "largest normal traction", {}, true},
         P{"Tpeak", &L::tangential_peak, Dimension::stress, positive, "largest tangential traction", {}, true},
-        P{"Nbreak", &L::normal_break, Dimension::length, positive, "opening without traction (bilinear)", {}, true},
-        P{"Tbreak", &L::tangential_break, Dimension::length, positive, "slip without traction (bilinear)", {}, true}};
+        P{"Nbreak",
+          &L::normal_break,
+          Dimension::length,
+          positive,
+          "bilinear shape: opening at which the normal traction has vanished",
+          {},
+          true},
+        P{"Tbreak",
+          &L::tangential_break,
+          Dimension::length,
+          positive,
+          "bilinear shape: slip at which the tangential traction has vanished",
+          {},
+          true}};
   }
   void prepare(const Statement& s, Problems& problems) {
     if (!s.child("Dnc")) closed = open;

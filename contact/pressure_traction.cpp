@@ -29,12 +29,12 @@ struct PressureTraction final : JointLaw {
     using L = PressureTraction;
     using P = Parameter<L>;
     return std::array{P{"stress", &L::stress, Dimension::stress, any_value,
-                        "normal traction; negative: a pressure, which opens the crack", 0.0},
+                        "normal traction on the faces; negative: a pressure, which opens the crack", 0.0},
                       P{"kClosed", &L::closed, Dimension::interface_stiffness, not_negative,
-                        "stiffness of faces that are pressed together", 0.0}};
+                        "normal stiffness of faces that are pressed together", 0.0}};
   }
   static std::vector<OwnProperty> own_properties() {
-    return {{"function", "the normal traction as a function of the time t, instead of stress"}};
+    return {{"function", "normal traction as a function of the time t [stress], instead of stress"}};
   }
   void prepare(const Statement& s, const Units& units, Problems& problems) {
     const Statement* f = s.child("function");

@@ -24,7 +24,8 @@ namespace tribo {
 struct SpringNetwork final : JointLaw {
   static constexpr std::string_view name = "SpringNetwork";
   static constexpr std::string_view summary =
-      "Bond of a spring network with moments, softening, friction and a correction for Poisson's ratio.";
+      "Contact of a spring network, bonded or not, with moments, softening, friction and a correction for Poisson's "
+      "ratio.";
   static constexpr int number = 0;
   static constexpr std::string_view example = R"(
 <Material Type='SpringNetwork' Name='bond'>

@@ -26,7 +26,8 @@ namespace {
 
 struct StribeckFriction final : ContactLaw {
   static constexpr std::string_view name = "StribeckFriction";
-  static constexpr std::string_view summary = "Friction that falls exponentially with speed, with a viscous share.";
+  static constexpr std::string_view summary =
+      "Friction that decreases exponentially with the sliding speed and has a viscous part.";
   static constexpr int number = 0;
   static constexpr std::string_view example = R"(
 <Material Type='StribeckFriction' Name='lubricated'>
@@ -42,13 +43,13 @@ struct StribeckFriction final : ContactLaw {
   static auto parameters() {
     using L = StribeckFriction;
     using P = Parameter<L>;
-    return std::array{P{"coeff", &L::coefficient, Dimension::none, not_negative, "dynamic friction coefficient, mu_d"},
+    return std::array{P{"coeff", &L::coefficient, Dimension::none, not_negative, "dynamic friction coefficient mu_d"},
                       P{"coeffStatic", &L::static_coefficient, Dimension::none, not_negative,
-                        "static friction coefficient, mu_s, not less than coeff"},
+                        "static friction coefficient mu_s, not less than coeff"},
                       P{"vs", &L::stribeck_speed, Dimension::velocity, positive,
                         "Stribeck speed, at which the excess of static over dynamic friction has decreased to 1/e"},
                       P{"kmu", &L::viscous_coefficient, Dimension::per_velocity, not_negative,
-                        "increase of the coefficient with speed", 0.0},
+                        "increase of the friction coefficient per sliding speed", 0.0},
                       displacement_only_parameter(&L::displacement_only),
                       contact_stiffness_parameter(&L::contact_stiffness)};
   }

@@ -8,11 +8,12 @@ namespace {
 
 struct TriangularTraction final : CohesiveProperties {
   static constexpr std::string_view name = "TriangularTraction";
-  static constexpr std::string_view summary = "Cohesive zone: traction up to a peak and down again in straight lines.";
+  static constexpr std::string_view summary =
+      "Cohesive zone whose traction rises to a peak and falls to zero in straight lines.";
   static constexpr int number = 12;
   static constexpr std::string_view needs =
-      "two of sigmaI, JIc and delIc, or one of them with kIe and delpkI; the same for sliding, of sigmaII, JIIc, "
-      "delIIc, kIIe and delpkII";
+      "for opening, two of sigmaI, JIc and delIc, or one of them with kIe and delpkI; for sliding, two of sigmaII, "
+      "JIIc and delIIc, or one of them with kIIe and delpkII";
   static constexpr std::string_view example = R"(
 <Material Type='TriangularTraction' Name='glue'>
   <sigmaI>2e6</sigmaI>

@@ -8,11 +8,12 @@ namespace {
 
 struct TrilinearTraction final : CohesiveProperties {
   static constexpr std::string_view name = "TrilinearTraction";
-  static constexpr std::string_view summary = "Cohesive zone: traction in three straight lines between two corners.";
+  static constexpr std::string_view summary =
+      "Cohesive zone whose traction follows three straight lines with two corners between them.";
   static constexpr int number = 20;
   static constexpr std::string_view needs =
-      "five of sigmaI, delpkI, sigmaI2, delpkI2, delIc, JIc and kIe, with kIe one of sigmaI and delpkI; the same of "
-      "sigmaII, delpkII, sigmaII2, delpkII2, delIIc, JIIc and kIIe";
+      "for opening, five of sigmaI, delpkI, sigmaI2, delpkI2, delIc, JIc and kIe; if kIe is among them, exactly one of "
+      "sigmaI and delpkI. For sliding the same of sigmaII, delpkII, sigmaII2, delpkII2, delIIc, JIIc and kIIe";
   static constexpr std::string_view example = R"(
 <Material Type='TrilinearTraction' Name='fibres'>
   <sigmaI>2e6</sigmaI>

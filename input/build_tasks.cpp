@@ -94,10 +94,11 @@ std::string_view needs_of_task(std::string_view task) {
   if (task == "PropertyRamp" || task == "ThermalRamp") return "Delta or DeltaT";
   if (task == "LoadControl") return "material or mat, Load_Function, velocity and Kp";
   if (task == "ReverseLoad")
-    return "quantity, or 'global' with a quantity such as 'global dispx', and maxValue; or maxLength";
+    return "either a quantity and maxValue, or maxLength (length of a crack). The quantity is given by the parameter "
+           "'quantity', or by a parameter whose name is 'global' and the quantity, such as 'global dispx'";
   if (task == "DeleteDamaged") return "material or matname";
   if (task == "FluidSource")
-    return "material or matname; FlowRate or FlowFunction; flow_x, flow_y or flow_z; inlet_width";
+    return "material or matname; FlowRate or FlowFunction; at least one of flow_x, flow_y and flow_z; inlet_width";
   return {};
 }
 

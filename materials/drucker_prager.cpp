@@ -21,7 +21,8 @@ namespace {
 
 struct DruckerPrager {
   static constexpr std::string_view name = "DruckerPrager";
-  static constexpr std::string_view summary = "Drucker-Prager plasticity (frictional solid), matched to Mohr-Coulomb.";
+  static constexpr std::string_view summary =
+      "Frictional elastic-plastic solid of Drucker-Prager type, whose cone is matched to a Mohr-Coulomb pyramid.";
   static constexpr int number = 0;
   static constexpr std::string_view needs = one_elastic_pair;
   static constexpr std::string_view example = R"(
@@ -47,19 +48,22 @@ struct DruckerPrager {
     constexpr auto stress = Dimension::stress, none = Dimension::none, angle = Dimension::angle;
     return std::array{
         P{"rho", &L::density, Dimension::density, positive, "mass density before deformation"},
-        P{"E", &L::young_modulus, stress, positive, "Young's modulus, with nu", {}, true},
-        P{"nu", &L::poisson_ratio, none, between(-1.0, 0.5), "Poisson's ratio, with E", {}, true},
-        P{"K", &L::bulk_modulus, stress, positive, "bulk modulus, with G", {}, true},
-        P{"G", &L::shear_modulus, stress, positive, "shear modulus, with K", {}, true},
+        P{"E", &L::young_modulus, stress, positive, "Young's modulus; with nu", {}, true},
+        P{"nu", &L::poisson_ratio, none, between(-1.0, 0.5), "Poisson's ratio; with E", {}, true},
+        P{"K", &L::bulk_modulus, stress, positive, "bulk modulus; with G, instead of E and nu", {}, true},
+        P{"G", &L::shear_modulus, stress, positive, "shear modulus; with K, instead of E and nu", {}, true},
         P{"cohesion", &L::cohesion, stress, not_negative, "cohesion of the matched Mohr-Coulomb pyramid"},
         P{"friction", &L::friction, angle, {0.0, 90.0, false, true}, "friction angle of the matched pyramid"},
         P{"dilation",
           &L::dilation,
           angle,
           {0.0, 90.0, false, true},
-          "dilation angle; positive: the volume increases under plastic shear",
+          "dilation angle; with a positive angle the volume increases under plastic shear",
           0.0},
-        P{"match", &L::match, none, within(1, 4), "1: compression, 2: extension, 3: inscribed, 4: plane strain", 1.0},
+        P{"match", &L::match, none, within(1, 4),
+          "how the cone is matched to the pyramid: 1 at its edges of triaxial compression, 2 of triaxial extension, 3 "
+          "inscribed, 4 for plane strain",
+          1.0},
     };
   }
 

@@ -17,7 +17,8 @@ namespace {
 
 struct Hencky {
   static constexpr std::string_view name = "Hencky";
-  static constexpr std::string_view summary = "Hencky solid, linear between Kirchhoff stress and logarithmic strain.";
+  static constexpr std::string_view summary =
+      "Hencky solid: the Kirchhoff stress is a linear function of the logarithmic strain.";
   static constexpr int number = 0;
   static constexpr std::string_view needs = one_elastic_pair;
   static constexpr std::string_view example = R"(
@@ -37,10 +38,10 @@ struct Hencky {
     const auto stress = Dimension::stress;
     return std::array{
         P{"rho", &L::density, Dimension::density, positive, "mass density before deformation"},
-        P{"E", &L::young_modulus, stress, positive, "Young's modulus, with nu", {}, true},
-        P{"nu", &L::poisson_ratio, Dimension::none, between(-1.0, 0.5), "Poisson's ratio, with E", {}, true},
-        P{"K", &L::bulk_modulus, stress, positive, "bulk modulus, with G", {}, true},
-        P{"G", &L::shear_modulus, stress, positive, "shear modulus, with K", {}, true},
+        P{"E", &L::young_modulus, stress, positive, "Young's modulus; with nu", {}, true},
+        P{"nu", &L::poisson_ratio, Dimension::none, between(-1.0, 0.5), "Poisson's ratio; with E", {}, true},
+        P{"K", &L::bulk_modulus, stress, positive, "bulk modulus; with G, instead of E and nu", {}, true},
+        P{"G", &L::shear_modulus, stress, positive, "shear modulus; with K, instead of E and nu", {}, true},
     };
   }
 

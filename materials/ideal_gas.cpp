@@ -25,16 +25,18 @@ struct IdealGas {
     using L = IdealGas;
     using P = Parameter<L>;
     return std::array{
-        P{"rho", &L::density, Dimension::density, positive, "mass density at P0"},
+        P{"rho", &L::density, Dimension::density, positive, "mass density at the pressure P0"},
         P{"P0", &L::pressure, Dimension::stress, positive, "absolute pressure before deformation"},
         P{"gamma",
           &L::gamma,
           Dimension::none,
           {1.0, 2.0, false, false},
-          "ratio of heat capacities; 1: isothermal",
+          "ratio of the heat capacities at constant pressure and constant volume; 1: isothermal gas",
           1.4},
         P{"absolute", &L::absolute, Dimension::none, within(0, 1),
-          "1: the stress is the absolute pressure, for gas enclosed by walls; 0: the pressure above P0", 0.0},
+          "1: the particles carry the absolute pressure, for a gas that walls enclose; 0: they carry the pressure "
+          "above P0",
+          0.0},
     };
   }
   void prepare(const Statement& statement, Problems& problems) {

@@ -29,7 +29,8 @@ struct IsoPlasticity {
   static constexpr std::string_view summary =
       "Elastic-plastic solid of von Mises type with linear, power-law or Johnson-Cook hardening.";
   static constexpr int number = 9;
-  static constexpr std::string_view needs = "E and nu, or K and G; yield, with <Hardening> JohnsonCook Ajc";
+  static constexpr std::string_view needs =
+      "E and nu, or K and G; and yield, or with <Hardening> JohnsonCook instead Ajc";
   static constexpr std::string_view example = R"(
 <Material Type='IsoPlasticity' Name='copper'>
   <rho>8930</rho>
@@ -57,36 +58,49 @@ struct IsoPlasticity {
     constexpr auto stress = Dimension::stress, none = Dimension::none;
     return std::array{
         P{"rho", &L::density, Dimension::density, positive, "mass density before deformation"},
-        P{"E", &L::young_modulus, stress, positive, "Young's modulus, with nu", {}, true},
-        P{"nu", &L::poisson_ratio, none, between(-1.0, 0.5), "Poisson's ratio, with E", {}, true},
-        P{"K", &L::bulk_modulus, stress, positive, "bulk modulus, with G", {}, true},
-        P{"G", &L::shear_modulus, stress, positive, "shear modulus, with K", {}, true},
-        P{"yield", &L::yield, stress, positive, "yield stress before hardening", {}, true},
-        P{"yieldMin", &L::least, stress, not_negative, "Linear: least yield stress (default 0)", {}, true},
-        P{"Ep", &L::slope, stress, not_negative, "Linear: slope of stress over strain in tension", {}, true},
+        P{"E", &L::young_modulus, stress, positive, "Young's modulus; with nu", {}, true},
+        P{"nu", &L::poisson_ratio, none, between(-1.0, 0.5), "Poisson's ratio; with E", {}, true},
+        P{"K", &L::bulk_modulus, stress, positive, "bulk modulus; with G, instead of E and nu", {}, true},
+        P{"G", &L::shear_modulus, stress, positive, "shear modulus; with K, instead of E and nu", {}, true},
+        P{"yield", &L::yield, stress, positive, "yield stress before hardening; not with JohnsonCook", {}, true},
+        P{"yieldMin", &L::least, stress, not_negative, "Linear: lower bound of the yield stress (default 0)", {}, true},
+        P{"Ep",
+          &L::slope,
+          stress,
+          not_negative,
+          "Linear: slope of stress over total strain after yield in uniaxial tension, instead of Khard",
+          {},
+          true},
         P{"Khard",
           &L::coefficient,
           none,
           any_value,
-          "Linear: slope of the yield stress over plastic strain [stress]; Nonlinear: the coefficient",
+          "Linear: slope of the yield stress over the plastic strain [stress]; Nonlinear and Nonlinear2: coefficient "
+          "of the plastic strain [-]",
           {},
           true},
-        P{"nhard", &L::power, none, positive, "Nonlinear: the exponent (default 1)", {}, true},
-        P{"Ajc", &L::A, stress, positive, "JohnsonCook: yield stress", {}, true},
-        P{"Bjc", &L::B, stress, not_negative, "JohnsonCook: hardening (default 0)", {}, true},
-        P{"njc", &L::n, none, positive, "JohnsonCook: exponent of the hardening (default 1)", {}, true},
+        P{"nhard",
+          &L::power,
+          none,
+          positive,
+          "Nonlinear and Nonlinear2: exponent of the hardening (default 1)",
+          {},
+          true},
+        P{"Ajc", &L::A, stress, positive, "JohnsonCook: yield stress A before hardening", {}, true},
+        P{"Bjc", &L::B, stress, not_negative, "JohnsonCook: coefficient B of the hardening (default 0)", {}, true},
+        P{"njc", &L::n, none, positive, "JohnsonCook: exponent n of the hardening (default 1)", {}, true},
         P{"Cjc",
           &L::C,
           none,
           not_negative,
-          "JohnsonCook: coefficient of the logarithmic rate dependence (default 0)",
+          "JohnsonCook: coefficient C of the logarithm of the strain rate (default 0)",
           {},
           true},
         P{"Djc",
           &L::D,
           none,
           not_negative,
-          "JohnsonCook: coefficient of a second term of the rate (default 0)",
+          "JohnsonCook: coefficient D of a second term with the logarithm of the strain rate (default 0)",
           {},
           true},
         P{"n2jc",
@@ -107,14 +121,17 @@ struct IsoPlasticity {
           &L::melting,
           Dimension::temperature,
           any_value,
-          "JohnsonCook: temperature at which the strength vanishes (absent: no dependence on temperature)",
+          "JohnsonCook: temperature at which the strength vanishes (default: the strength does not depend on the "
+          "temperature)",
           {},
           true},
         P{"mjc", &L::m, none, positive, "JohnsonCook: exponent of thermal softening (default 1)", {}, true},
     };
   }
   static std::vector<OwnProperty> own_properties() {
-    return {{"Hardening", "Linear (1; default), Nonlinear (2), JohnsonCook (3) or Nonlinear2 (6)"}};
+    return {
+        {"Hardening",
+         "hardening law, by name or number: Linear (1, default), Nonlinear (2), JohnsonCook (3) or Nonlinear2 (6)"}};
   }
 
   void prepare(const Statement& statement, const Units& units, Problems& problems) {

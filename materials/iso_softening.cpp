@@ -46,7 +46,7 @@ namespace {
 struct IsoSoftening {
   static constexpr std::string_view name = "IsoSoftening";
   static constexpr std::string_view summary =
-      "Elastic solid that cracks: softening damage with a fracture energy that does not depend on the cell size.";
+      "Elastic solid that cracks by softening damage, with a fracture energy that does not depend on the cell size.";
   static constexpr int number = 50;
   static constexpr std::string_view needs = one_elastic_pair;
   static constexpr std::string_view example = R"(
@@ -71,16 +71,16 @@ struct IsoSoftening {
     constexpr auto stress = Dimension::stress, none = Dimension::none, energy = Dimension::energy_release;
     return std::array{
         P{"rho", &L::density, Dimension::density, positive, "mass density before deformation"},
-        P{"E", &L::young_modulus, stress, positive, "Young's modulus, with nu", {}, true},
-        P{"nu", &L::poisson_ratio, none, between(-1.0, 0.5), "Poisson's ratio, with E", {}, true},
-        P{"K", &L::bulk_modulus, stress, positive, "bulk modulus, with G", {}, true},
-        P{"G", &L::shear_modulus, stress, positive, "shear modulus, with K", {}, true},
+        P{"E", &L::young_modulus, stress, positive, "Young's modulus; with nu", {}, true},
+        P{"nu", &L::poisson_ratio, none, between(-1.0, 0.5), "Poisson's ratio; with E", {}, true},
+        P{"K", &L::bulk_modulus, stress, positive, "bulk modulus; with G, instead of E and nu", {}, true},
+        P{"G", &L::shear_modulus, stress, positive, "shear modulus; with K, instead of E and nu", {}, true},
         P{"sigmac", &L::tensile_strength, stress, positive, "tensile strength"},
         P{"tauc",
           &L::shear_strength,
           stress,
           positive,
-          "shear strength (absent: cracks start in tension only)",
+          "shear strength (default: cracks start in tension only)",
           {},
           true},
         P{"I-Gc", &L::toughness, energy, positive, "fracture energy per area in mode I (opening)"},
@@ -88,15 +88,17 @@ struct IsoSoftening {
           &L::shear_toughness,
           energy,
           positive,
-          "fracture energy per area in mode II (slip), with tauc (default I-Gc)",
+          "fracture energy per area in mode II (slip); with tauc (default: I-Gc)",
           {},
           true},
     };
   }
   static std::vector<OwnProperty> own_properties() {
-    return {{"Initiation", "MaxPrinciple: cracks start where the largest principal stress reaches the strength"},
-            {"SofteningI", "Linear or Exponential: how the normal traction decreases as a crack opens"},
-            {"SofteningII", "the same for the shear traction as it slips; must equal SofteningI"}};
+    return {{"Initiation",
+             "criterion of the start of a crack; must be MaxPrinciple (default): the largest principal stress reaches "
+             "the strength"},
+            {"SofteningI", "how the normal traction decreases as a crack opens: Linear (default) or Exponential"},
+            {"SofteningII", "how the shear traction decreases as a crack slips; must equal SofteningI"}};
   }
 
   void prepare(const Statement& statement, Problems& problems) {

@@ -15,7 +15,8 @@ namespace {
 
 struct LinearElasticParameters {
   static constexpr std::string_view name = "LinearElastic";
-  static constexpr std::string_view summary = "Isotropic linear elastic solid, Jaumann rate (large rotations).";
+  static constexpr std::string_view summary =
+      "Isotropic linear elastic solid with the Jaumann rate of stress, for large rotations.";
   static constexpr int number = 1;
   static constexpr std::string_view example = R"(
 <Material Type='LinearElastic' Name='steel'>

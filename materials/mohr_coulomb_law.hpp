@@ -18,11 +18,12 @@ struct MohrCoulombState {
 struct MohrCoulombLaw {
   static constexpr std::string_view name = "MohrCoulomb";
   static constexpr std::string_view summary =
-      "Elastic, frictional plastic or viscoplastic solid: Mohr-Coulomb with dilation, tension cut-off and softening.";
+      "Elastic-plastic or viscoplastic frictional solid of Mohr-Coulomb type, with dilation, tension cut-off and "
+      "softening.";
   static constexpr int number = 0;
   static constexpr std::string_view needs =
-      "E and nu, or K and G; softening_end, if there is one of cohesion_residual, friction_residual, dilation_residual "
-      "and tension_residual, and the reverse";
+      "E and nu, or K and G. If one of cohesion_residual, friction_residual, dilation_residual and tension_residual is "
+      "given, also softening_end; with softening_end at least one of these four";
   static constexpr std::string_view example = R"(
 <Material Type='MohrCoulomb' Name='clay'>
   <rho>1900</rho>

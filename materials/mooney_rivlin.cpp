@@ -14,7 +14,7 @@ namespace {
 
 struct MooneyRivlin {
   static constexpr std::string_view name = "MooneyRivlin";
-  static constexpr std::string_view summary = "Compressible Mooney-Rivlin rubber.";
+  static constexpr std::string_view summary = "Compressible Mooney-Rivlin solid, for rubber.";
   static constexpr int number = 8;
   static constexpr std::string_view needs = "G1 and K, or E and nu";
   static constexpr std::string_view example = R"(
@@ -36,13 +36,15 @@ struct MooneyRivlin {
     const auto stress = Dimension::stress;
     return std::array{
         P{"rho", &L::density, Dimension::density, positive, "mass density before deformation"},
-        P{"G1", &L::G1, stress, not_negative, "modulus of the first invariant, with K", {}, true},
+        P{"G1", &L::G1, stress, not_negative, "modulus of the first invariant; with K", {}, true},
         P{"G2", &L::G2, stress, not_negative, "modulus of the second invariant", 0.0},
-        P{"K", &L::bulk_modulus, stress, positive, "bulk modulus, with G1", {}, true},
-        P{"E", &L::young_modulus, stress, positive, "Young's modulus, with nu, instead of G1 and K", {}, true},
-        P{"nu", &L::poisson_ratio, Dimension::none, between(-1.0, 0.5), "Poisson's ratio, with E", {}, true},
+        P{"K", &L::bulk_modulus, stress, positive, "bulk modulus; with G1", {}, true},
+        P{"E", &L::young_modulus, stress, positive, "Young's modulus; with nu, instead of G1 and K", {}, true},
+        P{"nu", &L::poisson_ratio, Dimension::none, between(-1.0, 0.5), "Poisson's ratio; with E", {}, true},
         P{"UJOption", &L::volumetric_option, Dimension::none, within(0, 2),
-          "volumetric energy, 0: k/2 ((J^2 - 1)/2 - ln J), 1: k/2 (J - 1)^2, 2: k/2 (ln J)^2, k the bulk modulus", 0.0},
+          "volumetric energy, with the bulk modulus k and the volume ratio J; 0: k/2 ((J^2 - 1)/2 - ln J), 1: k/2 (J - "
+          "1)^2, 2: k/2 (ln J)^2",
+          0.0},
     };
   }
 

@@ -36,13 +36,14 @@ struct NeoHookean {
     const auto stress = Dimension::stress;
     return std::array{
         P{"rho", &L::density, Dimension::density, positive, "mass density before deformation"},
-        P{"E", &L::young_modulus, stress, positive, "Young's modulus, with nu", {}, true},
-        P{"nu", &L::poisson_ratio, Dimension::none, between(-1.0, 0.5), "Poisson's ratio, with E", {}, true},
-        P{"K", &L::bulk_modulus, stress, positive, "bulk modulus, with G", {}, true},
-        P{"G", &L::shear_modulus, stress, positive, "shear modulus, with K or Lame", {}, true},
-        P{"Lame", &L::lame, stress, any_value, "first Lame constant, with G", {}, true},
+        P{"E", &L::young_modulus, stress, positive, "Young's modulus; with nu", {}, true},
+        P{"nu", &L::poisson_ratio, Dimension::none, between(-1.0, 0.5), "Poisson's ratio; with E", {}, true},
+        P{"K", &L::bulk_modulus, stress, positive, "bulk modulus; with G, instead of E and nu", {}, true},
+        P{"G", &L::shear_modulus, stress, positive, "shear modulus; with K or Lame", {}, true},
+        P{"Lame", &L::lame, stress, any_value, "first Lame constant; with G", {}, true},
         P{"UJOption", &L::volumetric_option, Dimension::none, within(0, 2),
-          "volumetric energy, 0: k/2 ((J^2 - 1)/2 - ln J), 1: k/2 (J - 1)^2, 2: k/2 (ln J)^2, k the Lame constant",
+          "volumetric energy, with the first Lame constant k and the volume ratio J; 0: k/2 ((J^2 - 1)/2 - ln J), 1: "
+          "k/2 (J - 1)^2, 2: k/2 (ln J)^2",
           0.0},
     };
   }

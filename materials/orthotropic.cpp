@@ -95,12 +95,12 @@ struct OrthotropicParameters {
         P{"Gxy", &Law::Gxy, stress, positive, "shear modulus between x and y", {}, false, "Gyx"},
         P{"Gyz", &Law::Gyz, stress, positive, "shear modulus between y and z", {}, false, "Gzy"},
         P{"Gxz", &Law::Gxz, stress, positive, "shear modulus between x and z", {}, false, "Gzx"},
-        ratio("nuxy", &Law::nu_xy, "contraction along y over extension along x; or nuyx"),
-        ratio("nuyz", &Law::nu_yz, "contraction along z over extension along y; or nuzy"),
-        ratio("nuxz", &Law::nu_xz, "contraction along z over extension along x; or nuzx"),
-        ratio("nuyx", &Law::nu_yx, "nuxy Ey/Ex"),
-        ratio("nuzy", &Law::nu_zy, "nuyz Ez/Ey"),
-        ratio("nuzx", &Law::nu_zx, "nuxz Ez/Ex"),
+        ratio("nuxy", &Law::nu_xy, "contraction along y divided by extension along x; or nuyx"),
+        ratio("nuyz", &Law::nu_yz, "contraction along z divided by extension along y; or nuzy"),
+        ratio("nuxz", &Law::nu_xz, "contraction along z divided by extension along x; or nuzx"),
+        ratio("nuyx", &Law::nu_yx, "contraction along x divided by extension along y, nuxy Ey/Ex; instead of nuxy"),
+        ratio("nuzy", &Law::nu_zy, "contraction along y divided by extension along z, nuyz Ez/Ey; instead of nuyz"),
+        ratio("nuzx", &Law::nu_zx, "contraction along x divided by extension along z, nuxz Ez/Ex; instead of nuxz"),
     };
   }
 

@@ -8,7 +8,8 @@ namespace {
 
 struct Rigid {
   static constexpr std::string_view name = "Rigid";
-  static constexpr std::string_view summary = "Rigid particles with prescribed motion, as moving boundary conditions.";
+  static constexpr std::string_view summary =
+      "Rigid particles with a prescribed motion, which act as moving boundary conditions.";
   static constexpr int number = 11;
   static constexpr std::string_view needs = "a direction in SetDirection for each <SettingFunction>";
   static constexpr std::string_view example = R"(
@@ -20,15 +21,15 @@ struct Rigid {
   // Read by the model: see Builder::rigid_functions.
   static std::vector<OwnProperty> own_properties() {
     return {{"SetDirection",
-             "directions whose velocity is prescribed: sum of 1 (x), 2 (y) and 4 (z); default 0: none. 8: the body "
-             "interacts by contact instead, as RigidContact"},
+             "directions in which the velocity is prescribed: sum of 1 (x), 2 (y) and 4 (z); 0 (default): none. 8: the "
+             "body interacts by contact instead, as RigidContact"},
             {"SettingFunction",
-             "velocity in the first direction set, a function of t, x, y, z (default: the velocity of the body)"},
-            {"SettingFunction2", "the same in the second direction set"},
-            {"SettingFunction3", "the same in the third direction set"},
+             "velocity in the first of these directions, a function of t, x, y, z (default: the velocity of the body)"},
+            {"SettingFunction2", "velocity in the second of these directions"},
+            {"SettingFunction3", "velocity in the third of these directions"},
             {"mirrored",
-             "1 or -1: the first node beyond the face at the high or low end of the body has the mirrored velocity; "
-             "needs one direction in SetDirection; default 0"}};
+             "1 or -1: the first node beyond the face of the body at its high (1) or low (-1) end has the mirrored "
+             "velocity. SetDirection must then have a single direction (default 0: none)"}};
   }
   void prepare(const Statement&, Problems&) {}
 };

@@ -9,7 +9,7 @@ namespace {
 struct RigidContact {
   static constexpr std::string_view name = "RigidContact";
   static constexpr std::string_view summary =
-      "Rigid body with prescribed motion, in contact with other materials by contact laws.";
+      "Rigid body with a prescribed motion, which touches other materials by contact laws.";
   static constexpr int number = 35;
   static constexpr std::string_view example = R"(
 <Material Type='RigidContact' Name='tool'>
@@ -22,8 +22,8 @@ struct RigidContact {
     return {{"SettingFunction",
              "velocity along x, a function of t and of the present position x, y, z (default: the velocity of the "
              "body). A rotation about the origin with angular velocity w is -w*y along x and w*x along y"},
-            {"SettingFunction2", "the same along y"},
-            {"SettingFunction3", "the same along z"}};
+            {"SettingFunction2", "velocity along y, in the same way"},
+            {"SettingFunction3", "velocity along z, in the same way"}};
   }
   void prepare(const Statement&, Problems&) {}
 };

@@ -38,8 +38,10 @@ struct TaitLiquid {
     };
   }
   static std::vector<OwnProperty> own_properties() {
-    return {{"viscosity", "viscosity [stress time]; one value, or one for each <logshearrate>; required"},
-            {"logshearrate", "log10 of the shear rate that belongs to each <viscosity>; increasing"}};
+    return {{"viscosity", "viscosity [stress time]: one value, or one value for each <logshearrate>; required"},
+            {"logshearrate",
+             "decimal logarithm of the shear rate to which a <viscosity> belongs; repeated for each <viscosity> in "
+             "increasing order"}};
   }
 
   void prepare(const Statement& statement, const Units& units, Problems& problems) {

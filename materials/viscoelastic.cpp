@@ -21,7 +21,8 @@ struct MaxwellElement {
 
 struct ViscoelasticParameters {
   static constexpr std::string_view name = "Viscoelastic";
-  static constexpr std::string_view summary = "Viscoelastic solid, Prony series of shear moduli, elastic in volume.";
+  static constexpr std::string_view summary =
+      "Viscoelastic solid with a Prony series of shear moduli and an elastic volume.";
   static constexpr int number = 7;
   static constexpr std::string_view example = R"(
 <Material Type='Viscoelastic' Name='polymer'>
@@ -48,9 +49,11 @@ struct ViscoelasticParameters {
     };
   }
   static std::vector<OwnProperty> own_properties() {
-    return {{"Gk", "shear modulus of an element [stress], followed by its <tauk>; repeated for each element"},
-            {"tauk", "relaxation time of the preceding element [time]"},
-            {"ntaus", "number of pairs; optional, checked if given"}};
+    return {{"Gk",
+             "shear modulus of an element of the series [stress], > 0, followed by its <tauk>; both are repeated for "
+             "each element, at most 8 times"},
+            {"tauk", "relaxation time of the preceding <Gk> [time], > 0"},
+            {"ntaus", "number of pairs of <Gk> and <tauk>; checked if given"}};
   }
 
   void prepare(const Statement& statement, const Units& units, Problems& problems) {

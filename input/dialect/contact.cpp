@@ -8,54 +8,57 @@ namespace tribo::keywords {
 void add_contact(Rows& add) {
   add({"MultiMaterialMode",
        "MPMHeader",
-       "each material has its own velocity field; materials interact by contact laws",
+       "each material has its own velocity field, and materials interact by contact laws. Without this element, "
+       "materials that meet stick together",
        T::none,
        {{"Normals", T::choice,
-         "method for contact normals (default margin): 0 larger gradient, 1 larger volume, 2 average gradient, 3 "
-         "gradient of the first body, 4 specified, 5 linear regression, 6 logistic regression, 7 largest margin",
+         "method for contact normals, by number or name: 0 maxgrad, the larger gradient; 1 maxvol, the gradient of the "
+         "larger volume; 2 avggrad, the average gradient; 3 owngrad, the gradient of the first body; 4 specify, given "
+         "by Azimuth and Polar; 5 linreg, linear regression; 6 logreg, logistic regression; 7 margin (default), the "
+         "largest margin",
          "0 1 2 3 4 5 6 7 maxgrad maxvol avggrad owngrad specify linreg logreg margin"},
         {"Separation", T::choice,
-         "method for gaps (default: edges of the particle domains; with gradient normals: positions if ContactPosition "
-         "is "
-         "given, else displacements)",
+         "method for gaps: from the edges of the particle domains (default), from positions or from displacements at "
+         "the nodes. If Normals is 0 to 4, the default is positions with <ContactPosition> and displacements without "
+         "it",
          "edges positions displacements"},
         {"Impulses", T::choice,
-         "where the contact conditions hold: at nodes is robust in any motion; at faces gives the correct stress in "
-         "the cells next to the contact, without numerical damping, at a higher cost. Default: faces if a deformable "
-         "body that touches another one at the start is at most three cells thick there or lies between rigid faces on "
-         "opposite sides, else nodes",
+         "where the contact conditions hold. nodes: robust in any motion. faces: gives the correct stress in the cells "
+         "next to the contact, without numerical damping, at a higher cost. Default: faces if a deformable body that "
+         "touches another one at the start is at most three cells thick there or lies between rigid faces on opposite "
+         "sides, otherwise nodes",
          "nodes faces"},
         number("RigidBias",
-               "weight of the volume gradient of a rigid body (default 1); acts only where no plane separates the body "
-               "from the other one"),
-        number("Azimuth", "azimuth of a specified normal, from x [degrees]"),
-        number("Polar", "polar angle of a specified normal, from z [degrees]"),
-        text("Lumping", "obsolete, without effect: all pairs at a node are solved together"),
-        text("Vmin", "obsolete, without effect"),
-        text("Dcheck", "obsolete, without effect")},
+               "weight, > 0, of the volume gradient of a rigid body (default 1); it acts only where no plane separates "
+               "the body from the other one"),
+        number("Azimuth", "angle of a specified normal from the x axis [degrees]; required with Normals='specify'"),
+        number("Polar", "angle of a specified normal from the z axis [degrees] (default 90)"),
+        text("Lumping", "accepted without effect, since all pairs at a node are solved together"),
+        text("Vmin", "accepted without effect"),
+        text("Dcheck", "accepted without effect")},
        true});
   add({"Friction", "MultiMaterialMode",
-       "the default contact law; or in the old form a number: -10 or less IgnoreContact, negative stick, below 10 "
-       "friction coefficient, else an interface (absent: frictionless)",
+       "the default contact law. In the old form the text is a number: -10 or less means no contact (IgnoreContact), "
+       "another negative number no sliding, a number below 10 is a friction coefficient, and any other number means an "
+       "interface. Without this element contact is frictionless",
        T::number, contact_law(), true});
   add({"Friction", "Material",
-       "law between this material and another: a contact law, or a joint law, which acts where their faces touch at "
-       "the "
-       "start",
+       "law between this material and another one. A contact law acts wherever they meet, a joint law where their "
+       "faces touch at the start",
        T::number,
        contact_law() +
            std::vector<AttributeSpec>{text("mat", "number of the other material; this or matname is required"),
                                       text("matname", "name of the other material; this or mat is required")}});
   add({"ContactPosition",
        "MultiMaterialMode",
-       "for gaps from positions and normals from gradients: distance in cells at which bodies touch, or minus an "
-       "exponent",
+       "for gaps from positions with normals from gradients: distance of the bodies in cells at which they touch, or "
+       "minus the exponent of a power law for this distance",
        T::number,
        {},
        true});
   add({"ContactPosition",
        "Cracks",
-       "accepted without effect: gaps of cracks follow from the displacements of their faces",
+       "accepted without effect, since gaps of cracks follow from the displacements of their faces",
        T::number,
        {},
        true});
@@ -64,7 +67,7 @@ void add_contact(Rows& add) {
 void add_shared_fields(Rows& add) {
   add({"shareMatField",
        "Material",
-       "number of the material whose velocity field this one shares",
+       "number of the material whose velocity field this material shares, so that the two stick together",
        T::integer,
        {},
        true});

@@ -8,9 +8,9 @@ namespace tribo::keywords {
 void add_output(Rows& add) {
   add({"ArchiveTime",
        "MPMHeader",
-       "time between particle files; this or ArchiveGroup is required",
+       "time between particle files; this or <ArchiveGroup> is required",
        T::number,
-       {units(times), {"maxProps", T::integer, "no effect"}},
+       {units(times), {"maxProps", T::integer, "accepted without effect"}},
        false});
   add({"FirstArchiveTime",
        "MPMHeader",
@@ -20,15 +20,15 @@ void add_output(Rows& add) {
        true});
   add({"ArchiveGroup",
        "MPMHeader",
-       "a further interval between particle files, from a later time on",
+       "a further interval between particle files, which holds from a later time on",
        T::none,
-       {number("time", "interval", true),
-        number("start", "time from which on it applies; required where an interval precedes"),
-        {"maxProps", T::integer, "no effect"},
+       {number("time", "time between particle files", true),
+        number("start", "time from which on this interval holds; required if another interval precedes it"),
+        {"maxProps", T::integer, "accepted without effect"},
         units(times)}});
   add({"GlobalArchiveTime",
        "MPMHeader",
-       "time between rows of history.csv (default: that of the particle files)",
+       "time between rows of history.csv (default: the time between particle files)",
        T::number,
        {units(times)},
        true});
@@ -37,42 +37,47 @@ void add_output(Rows& add) {
        "a column of history.csv; 'tribo list' names all quantities",
        T::none,
        {text("type", "name of the quantity", true),
-        text("material", "number of a material, or id of a condition; this, mat or matname is required with 'with'"),
+        text("material",
+             "number of the material, or id (0 or negative) of a condition, to which the quantity belongs; this, mat "
+             "or matname is required with 'with'"),
         text("mat", "the same as material; this, material or matname is required with 'with'"),
-        text("matname", "name of a material; this, material or mat is required with 'with'"),
-        text("pt", "'x,y' or 'x,y,z': value of the particle initially nearest to this point"),
-        text("with", "contact quantities: number of the other material"),
-        text("withname", "name of the other material"), text("platen", "models of blocks: name of a platen"),
-        text("block", "models of blocks: name of a block or group")}});
+        text("matname", "name of the material; this, material or mat is required with 'with'"),
+        text("pt", "'x,y' or 'x,y,z': the value is that of the particle that is nearest to this point at the start"),
+        text("with", "quantities of contact: number of the other material of the pair"),
+        text("withname", "quantities of contact: name of the other material"),
+        text("platen", "models of blocks: name of the platen"),
+        text("block", "models of blocks: name of the block, or of a group of blocks")}});
   add({"ArchiveRoot",
        "MPMHeader",
-       "accepted without effect; results are written to the run folder",
+       "accepted without effect, since results are written to the folder of the run",
        T::text,
-       {{"unique", T::flag, "no effect"}},
+       {{"unique", T::flag, "accepted without effect"}},
        true});
   add({"MPMArchiveOrder",
        "MPMHeader",
-       "letters Y and N that select fields of the particle files, in the order of NairnMPM's particle records",
+       "letters Y and N, one for each field of the particle records of NairnMPM in their order; Y selects the field "
+       "for the particle files",
        T::text,
        {},
        true});
   add({"MPMArchive",
        "MPMHeader",
-       "a field of the particle files; jintegral and stressintensity select tips.csv",
+       "selects a field of the particle files; jintegral and stressintensity select the table tips.csv",
        T::none,
-       {text("result", "name", true), {"setting", T::flag, "whether it is written (default yes)"}}});
+       {text("result", "name of the field", true),
+        {"setting", T::flag, "whether the field is written (default yes)"}}});
   add({"CrackArchiveOrder",
        "MPMHeader",
-       "letters Y and N; with cracks, a Y as third or fourth letter selects tips.csv",
+       "letters Y and N; in models with cracks, a Y as the third or fourth letter selects the table tips.csv",
        T::text,
        {},
        true});
   add({"Output",
        "MPMHeader",
-       "fields of the particle files and grid files, and checkpoints",
+       "fields of the particle files and of the grid files, and the time between checkpoints",
        T::none,
-       {text("fields", "names of fields of the particle files"),
-        text("grid", "names of fields of the grid files: mass velocity"),
+       {text("fields", "names of the fields of the particle files, separated by blanks"),
+        text("grid", "names of the fields of the grid files, separated by blanks: mass, velocity"),
         number("checkpoint", "time between checkpoints (default: with every particle file)")},
        true});
 }

@@ -7,35 +7,54 @@ namespace tribo::keywords {
 
 void add_heat_and_gravity(Rows& add) {
   // Heat
-  add({"Thermal", "JANFEAInput", "temperature", T::none, {}, true});
-  add({"EnergyCoupling", "Thermal", "the work dissipated by the materials becomes heat", T::none, {}, true});
-  add({"Conduction", "Thermal", "heat conduction on the grid", T::none, {}, true});
-  add({"ContactHeating", "Thermal", "the work of friction becomes heat", T::none, {}, true});
+  add({"Thermal", "JANFEAInput", "heat in the model", T::none, {}, true});
+  add({"EnergyCoupling", "Thermal", "the work that the materials dissipate becomes heat", T::none, {}, true});
+  add({"Conduction", "Thermal", "heat is conducted on the grid", T::none, {}, true});
+  add({"ContactHeating",
+       "Thermal",
+       "the work of friction between materials becomes heat; this needs <Conduction/>",
+       T::none,
+       {},
+       true});
 
   // Gravity
   add({"Gravity", "JANFEAInput", "body forces per unit mass", T::none, {}, true});
   for (const auto name : {"BodyXForce", "BodyYForce", "BodyZForce"})
-    add({name, "Gravity", "constant acceleration", T::number, {}, true});
+    add({name,
+         "Gravity",
+         "constant acceleration along the axis that the name contains [length/time^2] (default 0)",
+         T::number,
+         {},
+         true});
   for (const auto name : {"GridBodyXForce", "GridBodyYForce", "GridBodyZForce"})
-    add({name, "Gravity", "acceleration of the nodes as a function of x, y, z, t", T::function, {}, true});
+    add({name,
+         "Gravity",
+         "acceleration of the nodes along the axis that the name contains, as a function of x, y, z, t [length/time^2]",
+         T::function,
+         {},
+         true});
   for (const auto name : {"ParticleBodyXForce", "ParticleBodyYForce", "ParticleBodyZForce"})
     add({name,
          "Gravity",
-         "acceleration of the particles as a function of t, x, y, z and of their initial positions x0, y0, z0",
+         "acceleration of the particles along the axis that the name contains, as a function of t, x, y, z and of "
+         "their initial positions x0, y0, z0 [length/time^2]",
          T::function,
          {},
          true});
 }
 
 void add_tasks(Rows& add) {
-  add({"CustomTasks", "JANFEAInput", "additional tasks", T::none, {}, true});
+  add({"CustomTasks", "JANFEAInput", "additional tasks of the run", T::none, {}, true});
   add({"Schedule",
        "CustomTasks",
-       "a task: PeriodicXPIC, AdjustTimeStep, VTKArchive, HistoryArchive, PropertyRamp (or ThermalRamp), ReverseLoad, "
-       "LoadControl",
+       "a task, whose settings are given by <Parameter> elements; 'tribo list' names all tasks",
        T::none,
-       {text("name", "", true)}});
-  add({"Parameter", "Schedule", "a setting of the task; the text is its value", T::text, {text("name", "", true)}});
+       {text("name", "name of the task, such as PeriodicXPIC", true)}});
+  add({"Parameter",
+       "Schedule",
+       "a setting of the task; the text of the element is its value",
+       T::text,
+       {text("name", "name of the setting", true)}});
 }
 
 }  // namespace tribo::keywords

@@ -52,7 +52,7 @@ const std::vector<CommandInfo>& lines_of_blocks() {
     std::vector<CommandInfo> out;
     for (const ElementSpec& e : dialect()) {
       if (!is_inside(e, "Blocks")) continue;
-      meanings.push_back("line of Blocks: " + std::string(e.meaning));
+      meanings.push_back("a line in Blocks; " + std::string(e.meaning));
       out.push_back({e.name, 0, 99, arguments_of(e), meanings.back()});
     }
     return out;
