@@ -298,6 +298,12 @@ void Builder::point(const Statement& s) {
     must(*p.mass > 0, m->origin, "the mass must be positive");
   }
   if (has(s, "temp")) p.temperature = number(s, "temp", Dimension::temperature);
+  if (has(s, "thick")) {
+    p.thickness = number(s, "thick", Dimension::length);
+    must(*p.thickness > 0, s.origin, "the thickness of a particle must be positive");
+    must(model_.dimension() == 2 && model_.analysis != Analysis::axisymmetric, s.origin,
+         "'thick' belongs to particles of plane models; in others the size of the domain gives the volume");
+  }
   if (has(s, "lpx") || has(s, "lpy") || has(s, "lpz")) {
     Vec3 half = Vec3::Zero();
     constexpr std::array names{"lpx", "lpy", "lpz"};

@@ -69,7 +69,7 @@ void add_bodies(Rows& add) {
         text("mat", "number of the material; this or matname is required"),
         text("matname", "name of the material; this or mat is required"),
         number("angle", "angle by which the material axes are rotated about z [degrees] (default 0)"),
-        number("thick", "accepted without effect"),
+        number("thick", "thickness of the particle, > 0, in plane models (default: that of the grid)"),
         number("temp", "initial temperature (default: that of <StressFreeTemp>)"),
         number("lpx", "edge length of the particle domain along x [cells], > 0 (default 0.5 if another one is given)"),
         number("lpy", "the same along y"),

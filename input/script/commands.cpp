@@ -144,7 +144,7 @@ const std::vector<CommandInfo>& written_commands() {
        "material of a range of grey values, from 0 (black) to 255 (white); the attributes are those of the element of "
        "this name"},
       {"Origin", 2, 2, "x, y", "lower left corner of the image (default 0, 0)"},
-      {"Transform", 5, 9, "angle, Tx, Ty, Ox, Oy[, angle y, angle z, Tz, Oz]",
+      {"Transform", 5, 9, "angle, Tx, Ty, Ox, Oy",
        "rotates the shapes after it by an angle [degrees] about the point (Ox, Oy) and displaces them by (Tx, Ty); the "
        "arguments after Oy are refused"},
       {"Rotate", 2, 6, "axis, angle, ...",

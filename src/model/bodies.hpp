@@ -96,7 +96,8 @@ struct PointSpec {
   Vec3 position = Vec3::Zero(), velocity = Vec3::Zero();
   int material = 0;
   std::optional<double> mass;
-  std::optional<Vec3> half_size;  ///< half edge lengths of its domain
+  std::optional<Vec3> half_size;    ///< half edge lengths of its domain
+  std::optional<double> thickness;  ///< of its domain, in plane models; unset: that of the grid
   std::optional<double> temperature;
   double angle = 0.0;
   Origin origin;

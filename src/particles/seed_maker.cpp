@@ -156,7 +156,7 @@ Seed SeedMaker::at(const PointSpec& point, int per_axis) const {
   seed.material = point.material;
   for (int k = 0; k < 3; ++k) seed.half_size[k] = 0.5 * grid_.cell[k] / (k < model_.dimension() ? per_axis : 1);
   if (point.half_size) seed.half_size = *point.half_size;
-  if (model_.dimension() == 2) seed.half_size[2] = 0.5 * thickness(std::nullopt);
+  if (model_.dimension() == 2) seed.half_size[2] = 0.5 * thickness(point.thickness);
   if (!(seed.half_size.minCoeff() > 0.0)) throw InputError(point.origin, "the domain of the point has no volume");
   seed.volume = 8.0 * seed.half_size.prod();
   seed.mass = material.density();

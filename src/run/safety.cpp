@@ -16,9 +16,10 @@ Model weakened(const Model& model, double factor) {
     if (auto law = material.law->weakened(factor)) material.law = std::move(law), any = true;
   }
   if (!any)
-    throw InputError(model.materials.front().origin,
-                     "no material has a strength that could be reduced; MohrCoulomb, DruckerPrager and IsoPlasticity "
-                     "have one; for joints make friction and cohesion variables of the file and use 'tribo sweep'");
+    throw InputError(
+        model.materials.front().origin,
+        "no material has a strength that could be reduced; MohrCoulomb, DruckerPrager, IsoPlasticity and "
+        "IsoSoftening have one; for joints make friction and cohesion variables of the file and use 'tribo sweep'");
   return weak;
 }
 

@@ -278,6 +278,8 @@ TEST_CASE("single points are placed as given", "[fill]") {
   CHECK(seeds[0].mass == Approx(2.5));
   CHECK(seeds[1].volume == Approx(0.2 * 0.4));
   CHECK(seeds[1].mass == 5.0);
+  model.points[0].thickness = 3.0;
+  CHECK(place_points(model)[0].volume == Approx(0.75));
   model.points[0].position[0] = 4.1;
   CHECK_THROWS_WITH(place_points(model), Catch::Contains("lies outside the grid"));
 }
