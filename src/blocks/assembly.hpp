@@ -209,10 +209,12 @@ class Assembly {
   /// True if all positions and velocities are finite numbers.
   bool is_finite() const;
   /// Throws SimulationError if blocks overlap that have no contact, or carry a force across faces that slid past each
-  /// other: without a law for new contacts none are detected. Checks only after blocks have moved.
+  /// other: without a law for new contacts none are detected. Also if blocks without a bond overlap by more than a
+  /// third of the thinner one. Checks only after blocks have moved.
   void check_contacts();
   double platen_area(std::size_t platen) const { return platen_area_[platen]; }
-  /// Largest force on a free block over the mean force of contacts.
+  /// Largest force on a free block over the mean force of contacts; 1 if there is a force on a block, but none in
+  /// contacts.
   double unbalanced() const;
   /// Cauchy stress of a block, by the forces on its faces; symmetric.
   Mat3 stress_of(std::size_t body) const;
@@ -306,6 +308,7 @@ class Assembly {
                  const std::map<std::pair<std::uint32_t, std::uint32_t>, FormerFaces>& replaced = {});
   std::pair<BlockContact, JointSite> ball_contact(std::uint32_t a, std::uint32_t b) const;
   bool moved(std::span<const Vec3> since, double distance) const;
+  void refuse_deep_overlaps() const;
   std::array<Vec3, 3> marks(std::size_t body) const;
   void store_marks(std::vector<Vec3>& places) const;
   std::vector<Bounds> bounds(double margin) const;

@@ -2,6 +2,8 @@
 /// Detection of new contacts, and the check that no blocks overlap without a contact.
 
 #include "base/error.hpp"
+#include "base/text.hpp"
+#include "blocks/jumps.hpp"
 #include "blocks/kinematics.hpp"
 #include "blocks/near_pairs.hpp"
 #include "contact/joint_parts.hpp"
@@ -330,6 +332,25 @@ void Assembly::check_contacts() {
           " slid past each other at " + place_text(contact_forces[k].at) + ", time " + std::to_string(time) +
           ", and their contact still presses: it does not shrink as its faces part. Contacts are found anew with "
           "'touchname' of <Blocks>");
+    }
+  refuse_deep_overlaps();
+}
+
+// Blocks that sink into each other have too small a stiffness for their load, and would fall through.
+void Assembly::refuse_deep_overlaps() const {
+  constexpr double most = 1.0 / 3;  // of the thinner block
+  for (const ContactGroup& g : groups)
+    for (std::size_t k = g.begin; !g.platen && k < g.end; ++k) {
+      const auto [a, b] = std::pair(contacts[k].a, contacts[k].b);
+      const double depth = -joints[k].gap;
+      if (!(depth > 0) || g.law->is_bonded(joints[k])) continue;
+      const double thin = std::min(thinnest(shapes[a], plane_), thinnest(shapes[b], plane_));
+      if (!(depth > most * thin)) continue;
+      throw SimulationError(
+          format("the blocks %u and %u overlap by %.3g at ", a + 1, b + 1, depth) + place_text(contact_forces[k].at) +
+          format(", time %.6g, more than a third of the thickness of the thinner one, %.3g: the normal "
+                 "stiffness of their contact, %.3g per area, is too small for the forces on them",
+                 time, thin, joints[k].kn));
     }
 }
 

@@ -16,7 +16,14 @@ namespace {
 
 constexpr double most_travel = 0.25;  // of the thinner block, relative to the other one, per step
 
-// The smallest extent of a block normal to one of its faces.
+double reach_of(const BlockShape& shape) {
+  double most = shape.radius;
+  for (const Vec3& x : shape.corners) most = std::max(most, x.norm() + shape.radius);
+  return most;
+}
+
+}  // namespace
+
 double thinnest(const BlockShape& shape, bool plane) {
   if (shape.ball()) return 2 * shape.radius;
   double least = std::numeric_limits<double>::infinity();
@@ -28,14 +35,6 @@ double thinnest(const BlockShape& shape, bool plane) {
   }
   return least;
 }
-
-double reach_of(const BlockShape& shape) {
-  double most = shape.radius;
-  for (const Vec3& x : shape.corners) most = std::max(most, x.norm() + shape.radius);
-  return most;
-}
-
-}  // namespace
 
 void refuse_jumps(const Assembly& blocks, double dt, double harmless) {
   const std::size_t count = blocks.block_count();

@@ -159,7 +159,8 @@ double Assembly::unbalanced() const {
     for (int d = 0; d < 3; ++d)
       if (!(bodies[k].held & (1 << d))) most = std::max(most, std::abs(forces[k].all[d]));
   for (const auto& f : contact_forces) sum += f.all.norm();
-  return sum > 0 ? most / sum * static_cast<double>(contact_forces.size()) : 0.0;
+  if (sum > 0) return most / sum * static_cast<double>(contact_forces.size());
+  return most > 0 ? 1.0 : 0.0;
 }
 
 std::size_t Assembly::bonds() const {

@@ -64,7 +64,7 @@ const std::vector<BlockQuantityInfo>& block_quantities() {
        [](const S& s) { return static_cast<double>(s.broken_in_shear()); }},
       {"contacts", "-", "number of contacts that carry a force", Of::run,
        [](const S& s) { return static_cast<double>(s.active_contacts()); }},
-      {"unbalanced", "-", "largest resultant force on a free block divided by the mean contact force", Of::run,
+      {"unbalanced", "-", "largest resultant force on a free block divided by the mean contact force; 1 if no contact carries a force", Of::run,
        [](const S& s) { return s.unbalanced(); }},
       {"Kinetic Energy", "energy", "", Of::run, [](const S& s) { return s.kinetic_energy(); }},
       {"Strain Energy", "energy", "energy stored in the contacts", Of::run,

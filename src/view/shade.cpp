@@ -89,10 +89,9 @@ void extend(std::optional<Range>& range, const std::vector<double>& values) {
   for (const double v : values)
     if (std::isfinite(v)) finite.push_back(v);
   if (finite.empty()) return;
-  const auto place = [&](double part) {
-    return finite.begin() + static_cast<std::ptrdiff_t>(part * static_cast<double>(finite.size() - 1));
-  };
-  const auto lower = place(0.005), upper = place(0.995);
+  // Outermost values that are left out at each end: none of fewer than 200.
+  const auto left_out = static_cast<std::ptrdiff_t>(0.005 * static_cast<double>(finite.size()));
+  const auto lower = finite.begin() + left_out, upper = finite.end() - 1 - left_out;
   std::nth_element(finite.begin(), lower, finite.end());
   const double low = *lower;
   std::nth_element(lower, upper, finite.end());

@@ -98,6 +98,7 @@ TEST_CASE("the range leaves outliers out and is never empty", "[view]") {
   CHECK(range[1] > 1);
   CHECK(range[1] < 10);
   CHECK(range_of({})[1] > range_of({})[0]);
+  CHECK(range_of({0.0, 1.84}) == Range{0.0, 1.84});  // of few values none is left out
 }
 
 TEST_CASE("a constant field has a range around its value with ticks", "[view]") {
