@@ -143,7 +143,7 @@ void add_blocks(Rows& add) {
                   "distance d from the centre of the block to the face (default: stiffness of the joint law of "
                   "<Blocks>)")} +
            motion});
-  add({"Pressure", "Blocks", "pressure on the free faces of blocks whose centres lie in its shapes", T::none,
+  add({"Pressure", "Blocks", "pressure on the free faces whose centres lie in its shapes", T::none,
        std::vector<AttributeSpec>{
            {"value", T::function, "pressure, a number or a function of the time t", {}, true},
            {"follows", T::flag, "whether the pressure stays normal to the faces when they rotate (default yes)"}}});

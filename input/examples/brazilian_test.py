@@ -8,7 +8,7 @@ import tribo
 
 m = tribo.Model("plane strain", title="Brazilian test", units=("mm", "g", "ms"), name="brazilian_test")
 with m.header():
-    m.text("""Units mm, g, ms (MPa). A disc of a brittle solid (IsoSoftening) between rigid platens splits along the loaded diameter. Under the force P the tension across this diameter is 2 P/(pi D t) in a disc of diameter D, radius R and thickness t. The largest force is therefore P = pi R t times the tensile strength.""")
+    m.text("""Units mm, g, ms (MPa). A disc of a brittle solid (IsoSoftening) between rigid platens splits along the loaded diameter. Under the force P the tension across this diameter is 2 P/(pi D t) in a disc of diameter D, radius R and thickness t. The largest force is therefore P = pi R t f, where f is the tensile strength.""")
 m.mpm_method("USL-", "lCPDI")
 m.transfer("FMPM", 2)
 m.time_step(1, 0.5, 0.4)

@@ -24,8 +24,8 @@ const std::vector<CommandInfo>& written_commands() {
        "B2SPLINE. USAVG- and USL- do without a second extrapolation of the velocities to the grid; USAVG+ and USL+ are "
        "the same as USAVG and USL"},
       {"Transfer", 1, 2, "type[, order or fraction]",
-       "how the velocities of the particles are updated from those of the nodes: FLIP, PIC, APIC, XPIC or FMPM with "
-       "its order (default 2), or blend with the fraction of FLIP (default 0.99)"},
+       "how the velocities of the particles are updated from those of the nodes: FLIP, PIC or APIC; XPIC or FMPM, each "
+       "with its order (default 2); or blend, with the fraction of FLIP (default 0.99)"},
       {"TimeStep", 1, 3, "step[, end[, Courant number]]",
        "largest time step, time at which the run ends, and Courant number (default 0.5)"},
       {"MaximumTime", 1, 1, "time", "time at which the run ends"},
@@ -258,7 +258,7 @@ const std::vector<CommandInfo>& written_commands() {
       {"HeatFlux", 3, 5, "external, face, style[, value[, time]]",
        "heat flux per area into the particles through a face of their domains, with face and style as in Traction"},
       {"BoundaryID", 0, 1, "[id]",
-       "id of the conditions after it, 0 or a negative number, by which histories of reactions refer to them"},
+       "id by which histories of reactions refer to the conditions after it: 0 or a negative number"},
       {"Done", 0, 0, "", "ends Material"},
       {"EndRegion", 0, 0, "", "ends Region and BMPRegion"},
       {"EndHole", 0, 0, "", "ends Hole"},
