@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// One explicit step of the material point method. The algorithm is Stepper::advance in step.cpp.
+/// One explicit step of the material point method. The algorithm is Stepper::advance in step.cpp; its parts are in
+/// step_nodes.cpp, step_particles.cpp and step_records.cpp.
 #pragma once
 
 #include "solver/boundary/nodal_conditions.hpp"
@@ -95,7 +96,26 @@ class Stepper {
   /// Which quantity the nodes store before the momentum update.
   enum class Known { momentum, velocity };
 
+  bool stress_last() const { return model_.scheme.order == UpdateOrder::usl; }
+  // Whether the particles are strained by velocities that are extrapolated again after their update.
+  bool extrapolates_again() const { return model_.scheme.extrapolate_again && model_.scheme.order != UpdateOrder::usf; }
+  // Whether FMPM filters the velocities after the momentum update in this step.
+  bool filters_update() const { return filter_.active() && model_.scheme.transfer == Transfer::fmpm; }
+  double strain_time(double dt) const;
+  double flip_share() const;
+
+  // step.cpp
   void begin_step();
+  void transfer_to_nodes(double dt);
+  void update_stress_first(double dt);
+  void update_from_nodes(double dt);
+  void strain_again(double dt, double strain_dt);
+  void move_rigid_blocks(double dt);
+  void measure_crack_tips(double dt);
+  void grow_cracks();
+  void end_step(double dt);
+
+  // step_nodes.cpp
   void sort();
   void zero_nodes();
   void scatter(Scatter what, bool from_start = false);
@@ -107,19 +127,19 @@ class Stepper {
   void add_joint_forces(double dt);
   void impose(double time, double dt);
   void impose_update(double dt, bool after_impose);
+
+  // step_particles.cpp
   void strain(double dt, bool from_start);
-  void strain_again(double dt, double strain_dt);
-  // Whether FMPM filters the velocities after the momentum update in this step.
-  bool filters_update() const { return filter_.active() && model_.scheme.transfer == Transfer::fmpm; }
-  void record_works(double dt);
-  void record_balance();
-  void record_joints();
-  void measure_crack_tips(double dt);
-  void grow_cracks();
   double damping_of(const Body<Dim>& body) const;
   void damp_particles(double dt);
   void move_particles(double dt, double strain_dt);
   Gather gather_options() const;
+
+  // step_records.cpp
+  void record_update(double dt);
+  void record_changes(double dt);
+  void record_balance();
+  void record_joints();
 
   const Model& model_;
   System<Dim>& system_;

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+/// The parts of a time step that act on nodes.
+#include "solver/step.hpp"
+
+#include "grid/loops.hpp"
+#include "solver/boundary/periodic.hpp"
+
+namespace tribo {
+
+template <int Dim>
+void Stepper<Dim>::zero_nodes() {
+  const auto lap = watches_.grid.lap();
+  loops_.zero_nodes();
+}
+
+template <int Dim>
+void Stepper<Dim>::sort() {
+  const auto lap = watches_.sort.lap();
+  sort_.sort();
+  if (splitting_.apply()) sort_.sort();
+  locate_nodes();
+}
+
+template <int Dim>
+void Stepper<Dim>::locate_nodes() {
+  cracks_.locate();
+  for (std::size_t f = 0; f < system_.fields.size(); ++f) {
+    auto& field = system_.fields[f];
+    std::vector<BlockReach<Dim>> occupied;
+    for (auto* bodies : {&system_.bodies, &system_.rigids})
+      for (const auto& body : *bodies)
+        if (body.field == f || body.field == Body<Dim>::no_field) {
+          const auto reach = body.bins.reach(system_.lattice, transfers_->stencil_width());
+          occupied.insert(occupied.end(), reach.begin(), reach.end());
+        }
+    if (field.side != 0) cracks_.add_blocks(field, occupied);
+    add_periodic_blocks(model_.grid, system_.lattice, occupied);
+    field.map.rebuild(occupied);
+    if (exchanges_[f]->has_images()) field.map.reach_all();
+    const auto nodes = static_cast<std::size_t>(field.map.node_count());
+    field.nodes.resize(nodes);
+    zero(field.nodes);  // later only those that are reached
+    field.rigid.resize(system_.rigids.size());
+    for (std::size_t r = 0; r < system_.rigids.size(); ++r)
+      if (system_.rigids[r].field == Body<Dim>::no_field) field.rigid[r].resize(nodes);
+    exchanges_[f]->locate(field.map);
+    conditions_[f].locate(field.map);
+  }
+  filter_.locate();
+  contact_.locate();
+  heat_.locate();
+  b_bar_.locate();
+  for (auto& body : system_.bodies) body.refresh();
+  loops_.divide();
+}
+
+template <int Dim>
+void Stepper<Dim>::scatter(Scatter what, bool from_start) {
+  const auto lap = watches_.scatter.lap();
+  if (what != Scatter::momentum) b_bar_.average_stress();
+  loops_.each_body([&](std::size_t k) {
+    auto& body = system_.bodies[k];
+    transfers_->scatter(body, Target<Dim>(body, system_.fields, &Field<Dim>::nodes), what, from_start,
+                        system_.analysis == Analysis::axisymmetric);
+  });
+  if (what == Scatter::force) return;
+  for (auto& body : system_.rigids)
+    if (body.field != Body<Dim>::no_field) {
+      auto& field = system_.fields[body.field];
+      transfers_->scatter(body, Target<Dim>(field.map, field.nodes), Scatter::momentum, from_start, false);
+      rigid_blocks_.set_nodal_momentum(body);
+    }
+}
+
+template <int Dim>
+void Stepper<Dim>::sum_images(ImageValues values) {
+  const auto lap = watches_.grid.lap();
+  for (std::size_t f = 0; f < system_.fields.size(); ++f) {
+    exchanges_[f]->add_plane_reactions(system_.fields[f].nodes);
+    exchanges_[f]->sum_images(system_.fields[f].nodes, values);
+  }
+}
+
+template <int Dim>
+void Stepper<Dim>::copy_images() {
+  for (std::size_t f = 0; f < system_.fields.size(); ++f) exchanges_[f]->copy_images(system_.fields[f].nodes);
+}
+
+template <int Dim>
+void Stepper<Dim>::divide_by_mass() {
+  const auto lap = watches_.grid.lap();
+  loops_.each_range([&](std::size_t f, std::size_t first, std::size_t last) {
+    for (std::size_t n = first; n < last; ++n) {
+      Node& node = system_.fields[f].nodes[n];
+      if (!(node.mass > 0)) continue;
+      const double inverse = 1.0 / node.mass;
+      for (int d = 0; d < 3; ++d) node.velocity[d] = node.momentum[d] * inverse;
+    }
+  });
+}
+
+template <int Dim>
+void Stepper<Dim>::find_contact() {
+  contact_.find(exchanges_, joints_);
+}
+
+template <int Dim>
+void Stepper<Dim>::update_momentum(double dt, Known known) {
+  const auto lap = watches_.grid.lap();
+  const bool from_momentum = known == Known::momentum;
+  const auto is_free = [&](std::size_t f) { return !system_.fields[f].rigid_contact; };
+  loops_.each_range([&](std::size_t f, std::size_t first, std::size_t last) {
+    const Vec3 gravity = is_free(f) ? model_.body_force.gravity : Vec3(Vec3::Zero());
+    const double damping = is_free(f) ? damping_.grid : 0.0;
+    for (std::size_t n = first; n < last; ++n) {
+      Node& node = system_.fields[f].nodes[n];
+      if (!(node.mass > 0)) continue;
+      const double inverse = 1.0 / node.mass;
+      for (int d = 0; d < Dim; ++d) {
+        const double v = from_momentum ? node.momentum[d] * inverse : node.velocity[d];
+        const double a = node.force[d] * inverse + gravity[d] - damping * v;
+        node.acceleration[d] = a;
+        node.velocity[d] = v + dt * a;
+      }
+    }
+  });
+  for (std::size_t f = 0; f < system_.fields.size(); ++f) {
+    if (!is_free(f)) continue;
+    body_forces_.apply(f, dt);
+    if (damping_.grid != 0.0) damping_.record_grid(f, dt);
+    exchanges_[f]->hold_planes(system_.fields[f].nodes);
+  }
+  for (const auto& body : system_.bodies) ledger_.impulse += dt * body.total_mass * model_.body_force.gravity;
+}
+
+template <int Dim>
+void Stepper<Dim>::add_joint_forces(double dt) {
+  if (!joints_.active()) return;
+  joints_.add_forces(dt);
+  for (std::size_t f = 0; f < system_.fields.size(); ++f) exchanges_[f]->hold_planes(system_.fields[f].nodes);
+}
+
+template <int Dim>
+void Stepper<Dim>::impose(double time, double dt) {
+  const auto lap = watches_.grid.lap();
+  for (std::size_t f = 0; f < conditions_.size(); ++f)
+    if (!system_.fields[f].rigid_contact) conditions_[f].impose(system_.fields[f].nodes, time, dt);
+  rigid_bodies_.impose();
+}
+
+template <int Dim>
+void Stepper<Dim>::impose_update(double dt, bool after_impose) {
+  const auto lap = watches_.grid.lap();
+  const double replaced = 1.0 - flip_share();
+  for (std::size_t f = 0; f < conditions_.size(); ++f)
+    if (!system_.fields[f].rigid_contact)
+      conditions_[f].impose_update(system_.fields[f].nodes, *exchanges_[f], system_.time, dt, after_impose,
+                                   system_.step == 0 || jump_, replaced);
+  rigid_bodies_.impose_update(dt, after_impose);
+}
+
+template class Stepper<2>;
+template class Stepper<3>;
+
+}  // namespace tribo

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+/// The parts of a time step that act on particles.
+#include "solver/step.hpp"
+
+#include "grid/loops.hpp"
+#include "solver/cell_crossings.hpp"
+#include "solver/diagnose.hpp"
+
+namespace tribo {
+
+// FLIP fraction in the update of the particle velocities.
+template <int Dim>
+double Stepper<Dim>::flip_share() const {
+  const bool filtered = filter_.active();
+  switch (model_.scheme.transfer) {
+    case Transfer::flip:
+      return 1.0;
+    case Transfer::blend:
+      return model_.scheme.flip_fraction;
+    case Transfer::pic:
+    case Transfer::apic:
+      return 0.0;
+    case Transfer::xpic:
+    case Transfer::fmpm:
+      return filtered ? 0.0 : 1.0;
+  }
+  return 1.0;
+}
+
+template <int Dim>
+Gather Stepper<Dim>::gather_options() const {
+  Gather what;
+  what.plane_stress = system_.analysis == Analysis::plane_stress;
+  what.axisymmetric = system_.analysis == Analysis::axisymmetric;
+  what.exponential = model_.scheme.exponential_deformation;
+  return what;
+}
+
+template <int Dim>
+void Stepper<Dim>::strain(double dt, bool from_start) {
+  if (!(dt > 0)) return;
+  const auto lap = watches_.gather.lap();
+  Gather what = gather_options();
+  what.strain_dt = dt;
+  what.from_start = from_start;
+  const auto strain_from = [&](auto layer) {
+    b_bar_.average_rates(what, layer);
+    gathered_.resize(system_.bodies.size());
+    loops_.each_body([&](std::size_t k) {
+      auto& body = system_.bodies[k];
+      gathered_[k] = transfers_->gather(body, Target<Dim>(body, system_.fields, layer), what);
+    });
+    for (const GatherResult& result : gathered_)
+      if (!result.valid) stop_at_bad_particle(system_);
+  };
+  filter_.active() ? strain_from(&Field<Dim>::filter) : strain_from(&Field<Dim>::nodes);
+}
+
+template <int Dim>
+double Stepper<Dim>::damping_of(const Body<Dim>& body) const {
+  return body.particle_damping + damping_.particle;
+}
+
+template <int Dim>
+void Stepper<Dim>::damp_particles(double dt) {
+  const auto is_damped = [&](const Body<Dim>& body) { return damping_of(body) != 0.0; };
+  if (std::none_of(system_.bodies.begin(), system_.bodies.end(), is_damped)) return;
+  const bool part = std::any_of(system_.bodies.begin(), system_.bodies.end(),
+                                [&](const Body<Dim>& body) { return is_damped(body) && body.damped; });
+  for (std::size_t f = 0; f < system_.fields.size() && part; ++f) {
+    Field<Dim>& field = system_.fields[f];
+    field.filter.resize(field.nodes.size());
+    each_index(field.nodes.size(), [&](std::size_t n) {
+      for (int d = 0; d < 3; ++d) field.filter[n].increment[d] = field.nodes[n].velocity[d];
+    });
+    conditions_[f].release(field.filter);
+    exchanges_[f]->copy_images(field.filter);
+  }
+  Gather damped;
+  damped.task = GatherTask::damped_velocity;
+  for (auto& body : system_.bodies) {
+    if (!is_damped(body)) continue;
+    damping_.record_particles(body, damping_of(body), dt, part);
+    if (part) transfers_->gather(body, Target<Dim>(body, system_.fields, &Field<Dim>::filter), damped);
+  }
+}
+
+template <int Dim>
+void Stepper<Dim>::move_particles(double dt, double strain_dt) {
+  const auto lap = watches_.gather.lap();
+  Gather what = gather_options();
+  what.move = true;
+  what.dt = dt;
+  what.strain_dt = strain_dt;
+  what.flip = flip_share();
+  what.record_change = filters_update();
+  b_bar_.average_rates(what, &Field<Dim>::nodes);
+  double travel = 0.0;
+  damp_particles(dt);
+  gathered_.resize(system_.bodies.size());
+  loops_.each_body([&](std::size_t k) {
+    auto& body = system_.bodies[k];
+    Gather of_body = what;
+    of_body.damping = damping_of(body);
+    of_body.damps_part = of_body.damping != 0.0 && body.damped;
+    gathered_[k] = transfers_->gather(body, Target<Dim>(body, system_.fields, &Field<Dim>::nodes), of_body);
+  });
+  for (const GatherResult& result : gathered_) {
+    travel = std::max(travel, result.travel);
+    if (!result.valid) stop_at_bad_particle(system_);
+  }
+  travel = std::max({travel, rigid_blocks_.move_particles(), rigid_bodies_.move(dt)});
+  for (auto& body : system_.bodies) count_crossings(body, system_.lattice);
+  system_.drift += travel;
+  contact_.add_travel(travel);
+  interface_faces_.add_travel(travel);
+}
+
+template class Stepper<2>;
+template class Stepper<3>;
+
+}  // namespace tribo
