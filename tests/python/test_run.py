@@ -27,7 +27,8 @@ class Runs(InFolder):
         tribo.run("block.fmcmd", folder="here")
         with self.assertRaises(tribo.OutputError) as caught:
             tribo.run("block.fmcmd", folder="here")
-        self.assertIn("already holds a run", str(caught.exception))
+        self.assertEqual(str(caught.exception), "'here' already holds a run; overwrite=True replaces it, folder=... names another "
+                                                "folder, and tribo.resume('here') continues a run that was stopped")
         self.assertIsInstance(caught.exception, OSError)
         tribo.run("block.fmcmd", folder="here", overwrite=True)
 
