@@ -86,7 +86,8 @@ class PythonMaterial final : public Material {
   double stored_energy(const MaterialPoints<3>& points) const override { return stored(points); }
   std::string untold_energy() const override {
     if (dissipation_ >= 0) return has_energy_ ? "" : "no method energy(p)";
-    return has_energy_ ? "no state 'dissipation'" : "no method energy(p) and no state 'dissipation'";
+    return has_energy_ ? "no state 'dissipation' (in case it dissipates)"
+                       : "no method energy(p) and no state 'dissipation'";
   }
   int dissipation_index() const override { return dissipation_; }
   const std::vector<HistoryVariable>& history() const override { return history_; }

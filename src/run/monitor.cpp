@@ -152,11 +152,13 @@ std::string Monitor<Dim>::untold_energy() const {
 
 template <int Dim>
 std::string Monitor<Dim>::balance_cure() const {
-  if (const std::string untold = untold_energy(); !untold.empty()) return "; " + untold;
+  const std::string untold = untold_energy();
+  std::string cure = untold.empty() ? untold : "; " + untold;
   const bool once = !model_.scheme.extrapolate_again && model_.scheme.order != UpdateOrder::usf;
-  return once && state.residual < 0
-             ? "; the update without <SkipPostExtrapolation/> (USL+, USAVG+) usually avoids most of this loss"
-             : "";
+  if (once && state.residual < 0)
+    cure += std::string("; the update without <SkipPostExtrapolation/> (USL+, USAVG+) usually avoids most of ") +
+            (untold.empty() ? "this loss" : "a further loss");
+  return cure;
 }
 
 template <int Dim>

@@ -148,12 +148,6 @@ std::string charts_of(const RunFolder& run, const Legend& legend) {
   return out;
 }
 
-// Whether a line of what is to be looked at is only a figure, which need not be wrong.
-bool is_figure(const OrderedJson& record, const OrderedJson& line) {
-  const OrderedJson figures = record.contains("figures") ? record["figures"] : OrderedJson::array();
-  return std::find(figures.begin(), figures.end(), line) != figures.end();
-}
-
 std::string report_of(const RunFolder& run, const OrderedJson& record, const std::vector<ReportPicture>& pictures) {
   const auto text = [&](const char* key) { return record.contains(key) ? plain(record[key]) : std::string(); };
   const OrderedJson model = record.contains("model") ? record["model"] : OrderedJson::object();
@@ -169,10 +163,10 @@ std::string report_of(const RunFolder& run, const OrderedJson& record, const std
          escaped(text("end_time")) + ", " + escaped(text("step")) + " steps</p>\n";
   if (model.contains("contact impulses"))
     out += "<p class='quiet'>contact impulses: " + escaped(plain(model["contact impulses"])) + "</p>\n";
-  if (record.contains("to_look_at"))
-    for (const auto& remark : record["to_look_at"])
-      out += "<p class='" + std::string(is_figure(record, remark) ? "quiet" : "bad") + "'>" + escaped(plain(remark)) +
-             "</p>\n";
+  for (const auto& [key, style] : {std::pair("to_look_at", "bad"), std::pair("figures", "quiet")})
+    if (record.contains(key))
+      for (const auto& line : record[key])
+        out += "<p class='" + std::string(style) + "'>" + escaped(plain(line)) + "</p>\n";
   if (!pictures.empty()) {
     out += "<h2>Particles</h2>\n<div class='charts'>";
     for (const auto& p : pictures)

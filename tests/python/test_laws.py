@@ -195,7 +195,7 @@ class Materials(InFolder):
             results = m.run()
         self.assertEqual(caught.filename, __file__)
         self.assertTrue(any("lacks" in line for line in results.remarks))
-        self.assertEqual(results.remarks, results.provenance["to_look_at"])
+        self.assertTrue(any("lacks" in line for line in results.provenance["to_look_at"]))
         self.assertFalse(any("lacks" in line for line in results.provenance.get("figures", [])))
 
     def test_errors_in_the_law(self):

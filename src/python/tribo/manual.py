@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: MIT
 """The manual of all names, from the tables that the program reads its input with."""
 
+import inspect
+
 from . import _core
 from .laws import MaterialLaw, own_law, registered
 
@@ -33,7 +35,7 @@ def _rows(law):
 def _text_of(name, law):
     """What `doc` tells of a law of Python."""
     rows = "".join(f"\n  {key}  [{unit}]: {meaning}" for key, (unit, meaning) in _rows(law).items())
-    return f"{name}, a {_kind(law)} of Python\n\n{(law.__doc__ or '').strip()}\n\nparameters:{rows or ' none'}\n"
+    return f"{name}, a {_kind(law)} of Python\n\n{inspect.cleandoc(law.__doc__ or '')}\n\nparameters:{rows or ' none'}\n"
 
 
 def doc(name=None):

@@ -196,8 +196,12 @@ class Results:
         time = self.provenance.get("model", {}).get("unit of time")
         return ({"time": time} if time else {}) | self.provenance.get("unit_of", {})
 
-    remarks = property(lambda self: self.provenance.get("to_look_at", []),
-                       doc="What the run noticed about itself: signs that its results are wrong, and figures of its end.")
+    @property
+    def remarks(self):
+        """What the run noticed about itself: signs that its results are wrong, then figures of its end, which need not be."""
+        record = self.provenance
+        return record.get("to_look_at", []) + record.get("figures", [])
+
     history = property(lambda self: self._table("history.csv"), doc="Table of the histories.")
     energy = property(lambda self: self._table("energy.csv"), doc="Table of the energy balance.")
     events = property(lambda self: self._table("events.csv"), doc="Table of the events at joints between bodies.")

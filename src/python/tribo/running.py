@@ -51,11 +51,8 @@ def options_of(call, folder, threads, quiet, **more):
 
 def warn_of(results, before=""):
     """A warning for each sign that results are wrong, as the run has noted them; not for figures that need not be."""
-    record = results.provenance
-    figures = record.get("figures", [])
-    for remark in record.get("to_look_at", []):
-        if remark not in figures:
-            warn(before + remark, RunWarning)
+    for remark in results.provenance.get("to_look_at", []):
+        warn(before + remark, RunWarning)
 
 
 def _finish(loaded, options):
