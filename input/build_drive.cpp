@@ -217,6 +217,10 @@ Drive Builder::build_drive() {
     if (!a || asked != 1) continue;
     std::vector<std::string> names;
     const MaterialSpec* found = nullptr;
+    const bool is_wrong = std::any_of(model_.materials.begin(), model_.materials.end(), [&](const MaterialSpec& spec) {
+      return spec.name == a->text && spec.type.empty();
+    });
+    if (is_wrong) continue;  // its type is not known, as has been told
     for (const auto& spec : model_.materials) {
       if (!kind.fits(spec.type)) continue;
       names.push_back(spec.name);

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "base/catalogue.hpp"
+#include "base/error.hpp"
 #include "base/types.hpp"
 #include "materials/plane_stress.hpp"
 
@@ -82,6 +83,9 @@ class Material {
   };
   /// None for laws without openings that close. The solver averages the openings of a body over cells.
   virtual std::optional<Opening> opening() const { return std::nullopt; }
+  /// What a law has not, if its work is not all in stored_energy() and the dissipated energy: a phrase for the user, or
+  /// nothing.
+  virtual std::string untold_energy() const { return {}; }
   /// Index into history() of the dissipated energy per initial volume, or -1 if the law does not dissipate.
   virtual int dissipation_index() const { return -1; }
 
@@ -102,6 +106,12 @@ class Material {
   /// The same law with its strength divided by `factor`: cohesion, tangent of the friction angle, tensile strength,
   /// yield stress. The dilation angle is kept, but not above the friction angle. Null for laws without strength.
   virtual std::shared_ptr<const Material> weakened([[maybe_unused]] double factor) const { return nullptr; }
+};
+
+/// A law gave a stress that is not finite for a motion that is.
+class StressError : public SimulationError {
+ public:
+  using SimulationError::SimulationError;
 };
 
 /// Whether an initial stress is preserved by a step without motion. It is not if the law computes the stress from the

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace tribo {
 namespace {
@@ -25,6 +26,7 @@ struct Point {
   Mat3 strain = Mat3::Zero();  // of D dt, summed
   std::vector<double> history;
   double temperature = 0.0;
+  std::string failure;  // of the law, which gave no finite stress
 };
 
 /// One step of the law as the solver would call it.
@@ -50,7 +52,13 @@ Point advanced(const MaterialDrive& what, const Point& from, const Mat3& L, doub
   points.temperature = &from.temperature, points.reference_temperature = what.reference_temperature;
   points.cell = Vec3::Constant(what.cell);
   store_symmetric<3>(from.stress, points.stress, 0);
-  law.update(points);
+  try {
+    law.update(points);
+  } catch (const StressError& error) {  // a trial, after which smaller ones may follow
+    to.failure = error.what();
+    to.stress.setConstant(std::numeric_limits<double>::quiet_NaN());
+    return to;
+  }
   if (what.warmed_by_work > 0) {
     const auto work = static_cast<std::size_t>(law.dissipation_index());
     to.temperature += what.warmed_by_work * (to.history[work] - from.history[work]);
@@ -131,7 +139,10 @@ void follow(const MaterialDrive& what, const PathRow& row, const Control& contro
       return std::max(1e-10 * stress, 1e-15 * what.law->wave_modulus());  // round-off in the law
     };
     const double fine = 1e-4 * std::max(control.L.cwiseAbs().maxCoeff(), 1e-3 / row.dt);
-    if (!solve(miss, tolerance, x, fine))
+    const bool solved = solve(miss, tolerance, x, fine);
+    if (!next.failure.empty())
+      throw SimulationError(place(row) + next.failure + ", in step " + std::to_string(step) + " of this row");
+    if (!solved)
       throw SimulationError(place(row) + "no rate leads to the prescribed stress in step " + std::to_string(step) +
                             " of this row: the material may not be able to carry it; prescribe "
                             "a rate instead, or a smaller stress, or take smaller steps");

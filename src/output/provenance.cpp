@@ -82,6 +82,7 @@ void Provenance::write(const std::string& status, const std::string& reason, dou
   for (const auto& [part, seconds] : progress_.seconds_of) record["seconds_of"][part] = seconds;
   if (!progress_.seconds_of.empty()) record["seconds_writing"] = progress_.seconds_writing;
   if (!remarks_.empty()) record["to_look_at"] = remarks_;
+  if (!figures_.empty()) record["figures"] = figures_;
   for (const auto& [name, value] : facts_) record["model"][name] = value;
   for (const auto& [name, unit] : legend_.units) record["unit_of"][name] = unit;
   if (!legend_.materials.empty()) record["materials"] = legend_.materials;

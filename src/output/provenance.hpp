@@ -42,8 +42,10 @@ class Provenance {
 
   /// What pictures and reports write next to numbers.
   void set_legend(RecordedLegend legend) { legend_ = std::move(legend); }
-  /// What the run has noticed about its own results, for the next write().
-  void set_remarks(std::vector<std::string> remarks) { remarks_ = std::move(remarks); }
+  /// What the run has noticed about its own results, and figures that need not be wrong, for the next write().
+  void set_remarks(std::vector<std::string> remarks, std::vector<std::string> figures) {
+    remarks_ = std::move(remarks), figures_ = std::move(figures);
+  }
   /// Progress of the run and its computing time, for the next write().
   struct Progress {
     double end_time = 0.0, step = 0.0;              ///< simulated
@@ -59,7 +61,7 @@ class Provenance {
   int threads_;
   std::map<std::string, std::string> facts_;
   RecordedLegend legend_;
-  std::vector<std::string> remarks_;
+  std::vector<std::string> remarks_, figures_;
   Progress progress_;
 };
 

@@ -3,6 +3,7 @@
 
 #include "contact/contact_law.hpp"
 
+#include "base/error.hpp"
 #include "contact/own_law.hpp"
 #include "python/own_law.hpp"
 
@@ -13,7 +14,7 @@ namespace {
 
 class PythonContact final : public ContactLaw {
  public:
-  explicit PythonContact(Held law) : law_(std::move(law)) {
+  PythonContact(Held law, std::string name) : law_(std::move(law)), name_(std::move(name)) {
     uses_face_ = (*law_).attr("uses_face").cast<bool>();
     uses_area_ = (*law_).attr("uses_area").cast<bool>();
     has_memory_ = (*law_).attr("has_memory").cast<bool>();
@@ -22,17 +23,26 @@ class PythonContact final : public ContactLaw {
   ContactResponse response(const ContactState& state) const override {
     const py::gil_scoped_acquire interpreter;
     const py::object given = (*law_).attr("response")(py::cast(state, py::return_value_policy::copy));
-    if (py::isinstance<ContactResponse>(given)) return given.cast<ContactResponse>();
-    if (given.is_none()) return response_with(state, Vec3::Zero());
-    const py::object fitted = py::module_::import("tribo._arrays").attr("fit")(given, py::make_tuple(3), "response()");
-    return response_with(state, fitted.cast<Vec3>());
+    const ContactResponse response = response_of(state, given);
+    if (!response.impulse.allFinite() && state.velocity.allFinite())
+      throw SimulationError("response() of '" + name_ + "' gave an impulse that is not finite");
+    return response;
   }
   bool uses_face() const override { return uses_face_; }
   bool has_memory() const override { return has_memory_; }
   bool uses_area() const override { return uses_area_; }
 
  private:
+  ContactResponse response_of(const ContactState& state, const py::object& given) const {
+    if (py::isinstance<ContactResponse>(given)) return given.cast<ContactResponse>();
+    if (given.is_none()) return response_with(state, Vec3::Zero());
+    const py::object fitted =
+        py::module_::import("tribo._arrays").attr("fit_impulse")(given, "response() of '" + name_ + "'");
+    return response_with(state, fitted.cast<Vec3>());
+  }
+
   Held law_;
+  std::string name_;
   bool uses_face_ = true, uses_area_ = false, has_memory_ = false;
 };
 

@@ -4,6 +4,7 @@
 #include "base/error.hpp"
 
 #include "python/bindings.hpp"
+#include "run/result_folder.hpp"
 #include "run/signals.hpp"
 
 #include <exception>
@@ -33,6 +34,12 @@ void translate(std::exception_ptr caught) {
     raise("InputError", py::make_tuple(error.what(), problems_of(error)));
   } catch (const SimulationError& error) {
     raise("NumericalError", py::make_tuple(error.what()));
+  } catch (const UsedFolderError& error) {
+    const std::string folder = "'" + error.folder() + "'";
+    raise("OutputError", py::make_tuple(folder +
+                                        " already holds a run; overwrite=True replaces it, folder=... names another "
+                                        "folder, and tribo.resume(" +
+                                        folder + ") continues a run that was stopped"));
   } catch (const FileError& error) {
     raise("OutputError", py::make_tuple(error.what()));
   } catch (const UsageError& error) {

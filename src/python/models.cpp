@@ -88,6 +88,7 @@ RunOptions options_of(const py::dict& given) {
   out.resume = has("resume") && given["resume"].cast<bool>();
   out.max_wall = has("max_wall") ? given["max_wall"].cast<double>() : 0.0;
   out.command_line = given["command_line"].cast<std::string>();
+  out.from_python = true;
   return out;
 }
 

@@ -51,7 +51,7 @@ class BlockRun final : public SteppedModel {
   std::vector<std::string> look() override;
   std::vector<std::string> choices() const override;
   std::vector<std::string> remarks() const override;
-  std::vector<std::string> figures() const override { return monitor_.energy_figures(); }
+  std::vector<Figure> figures() const override { return monitor_.energy_figures(); }
   void check() override;
   using SteppedModel::save;
   void save(RunState run, CheckpointWriter& to) override;

@@ -147,7 +147,7 @@ void GridRun<Dim>::write_history() {
 }
 
 template <int Dim>
-std::vector<std::string> GridRun<Dim>::figures() const {
+std::vector<Figure> GridRun<Dim>::figures() const {
   auto out = monitor_.energy_figures();
   if (!model_.reversal) return out;
   const bool length = model_.reversal->crack.has_value();
@@ -155,9 +155,9 @@ std::vector<std::string> GridRun<Dim>::figures() const {
       length ? "a crack's length" : "'" + model_.output.history[model_.reversal->history].column + "'";
   const LoadClock& clock = system_.load_clock;
   const char* done[] = {"the loads went back", "the loads were held", "the run stopped", "cracks grew no further"};
-  out.push_back(clock.is_turned() ? what + " passed its value at time " + format("%.6g", clock.turned) + ": " +
-                                        done[static_cast<std::size_t>(model_.reversal->style)]
-                                  : what + " has not passed the value of ReverseLoad");
+  out.push_back({clock.is_turned() ? what + " passed its value at time " + format("%.6g", clock.turned) + ": " +
+                                         done[static_cast<std::size_t>(model_.reversal->style)]
+                                   : what + " has not passed the value of ReverseLoad"});
   return out;
 }
 

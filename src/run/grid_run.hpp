@@ -46,7 +46,7 @@ class GridRun final : public SteppedModel {
   double advance() override;
   std::vector<std::string> look() override;
   std::vector<std::string> remarks() const override { return monitor_.summary(); }
-  std::vector<std::string> figures() const override;
+  std::vector<Figure> figures() const override;
   using SteppedModel::save;
   void save(RunState run, CheckpointWriter& to) override;
   std::size_t particle_bytes() const override;

@@ -125,21 +125,40 @@ std::vector<std::string> Monitor<Dim>::summary() const {
 }
 
 template <int Dim>
-std::vector<std::string> Monitor<Dim>::energy_figures() const {
-  std::vector<std::string> out = state.energy_figures();
+std::vector<Figure> Monitor<Dim>::energy_figures() const {
+  std::vector<Figure> out = state.energy_figures();
   if (!(state.supplied > 0)) return out;
-  const bool once = !model_.scheme.extrapolate_again && model_.scheme.order != UpdateOrder::usf;
-  if (once && state.is_notable(-state.residual))
-    out.back() += "; the update without <SkipPostExtrapolation/> (USL+, USAVG+) usually avoids most of this loss";
+  for (Figure& figure : out)
+    if (figure.is_warning) figure.text += balance_cure();
   double released = 0.0;
   for (const auto& crack : system_.cracks)
     for (const CrackTip& tip : crack.tips) released += tip.released;
   if (state.is_notable(released))
     out.push_back(
-        format("energy: the growth of cracks released %.3g %% of what was supplied; it becomes motion at the "
-               "new faces, which transfer and damping dissipate",
-               100 * released / state.supplied));
+        {format("energy: the growth of cracks released %.3g %% of what was supplied; it becomes motion at the "
+                "new faces, which transfer and damping dissipate",
+                100 * released / state.supplied)});
   return out;
+}
+
+// The energy that is not accounted for may be that which a law does not tell.
+template <int Dim>
+std::string Monitor<Dim>::untold_energy() const {
+  for (const auto& body : system_.bodies)
+    if (const std::string untold = body.law->untold_energy(); !untold.empty())
+      return "the law of '" + body.name + "' has " + untold + ", and what it does not tell is missing in the balance";
+  return {};
+}
+
+template <int Dim>
+std::string Monitor<Dim>::balance_cure() const {
+  const std::string untold = untold_energy();
+  std::string cure = untold.empty() ? untold : "; " + untold;
+  const bool once = !model_.scheme.extrapolate_again && model_.scheme.order != UpdateOrder::usf;
+  if (once && state.residual < 0)
+    cure += std::string("; the update without <SkipPostExtrapolation/> (USL+, USAVG+) usually avoids most of ") +
+            (untold.empty() ? "this loss" : "a further loss");
+  return cure;
 }
 
 template <int Dim>
@@ -152,9 +171,12 @@ std::string Monitor<Dim>::text(Sign sign) const {
 template <int Dim>
 std::string Monitor<Dim>::energy_text(const Finding& f) const {
   const Transfer transfer = model_.scheme.transfer;
+  const std::string untold = untold_energy();
+  const std::string cure = transfer == Transfer::apic
+                               ? "a smaller <TimeFactor>, or quadratic splines"
+                               : "<Transfer type='APIC'/> conserves it better, or a smaller <TimeFactor>";
   return format("energy: %.3g %% of what was supplied came from nowhere until time %.4g: ", 100 * f.worst, f.time) +
-         (transfer == Transfer::apic ? "a smaller <TimeFactor>, or quadratic splines"
-                                     : "<Transfer type='APIC'/> conserves it better, or a smaller <TimeFactor>");
+         (untold.empty() ? cure : untold);
 }
 
 template <int Dim>

@@ -31,7 +31,7 @@ class Monitor {
   std::vector<std::string> look(double dt, double initial_energy, bool last);
   /// Lines on the energy that the transfers dissipated, that is missing, and that the growth of cracks released, where
   /// they are more than a trifle.
-  std::vector<std::string> energy_figures() const;
+  std::vector<Figure> energy_figures() const;
   /// One line for each sign that was seen, with the worst it came to, and further remarks on the whole run.
   std::vector<std::string> summary() const;
   MonitorState state;
@@ -46,6 +46,8 @@ class Monitor {
 
   std::string text(Sign sign) const;
   std::string energy_text(const Finding& f) const;
+  std::string untold_energy() const;
+  std::string balance_cure() const;
   std::string particle_text(Sign sign, const Finding& f) const;
   std::string step_text(const Finding& f) const;
   std::string place(const Finding& f) const;

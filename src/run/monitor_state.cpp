@@ -46,17 +46,18 @@ bool MonitorState::record_balance(double supplied_now, double residual_now, doub
   return record(Sign::energy, now, now.worst > of(Sign::energy).worst, at);
 }
 
-std::vector<std::string> MonitorState::energy_figures() const {
-  std::vector<std::string> out;
-  const auto tell = [&](const char* what, double energy) {
+std::vector<Figure> MonitorState::energy_figures() const {
+  std::vector<Figure> out;
+  const auto tell = [&](const char* what, double energy, bool is_warning) {
     if (is_notable(std::abs(energy)))
-      out.push_back(format("energy: %s %.3g %% of what was supplied", what, 100 * std::abs(energy) / supplied));
+      out.push_back(
+          {format("energy: %s %.3g %% of what was supplied", what, 100 * std::abs(energy) / supplied), is_warning});
   };
   if (!(supplied > 0)) return out;
   tell(transfer > 0 ? "the transfer between particles and grid dissipated"
                     : "the transfer between particles and grid created",
-       transfer);
-  tell(residual < 0 ? "the balance lacks" : "the balance exceeds by", residual);
+       transfer, false);
+  tell(residual < 0 ? "the balance lacks" : "the balance exceeds by", residual, true);
   return out;
 }
 

@@ -35,6 +35,12 @@ inline void archive(Archive& a, Finding& finding) {
   a("count", count), a("body", body), a("cause", cause), a("place", place);
 }
 
+/// A figure of the balance of energy, as a line.
+struct Figure {
+  std::string text;
+  bool is_warning = false;  ///< whether energy is not accounted for
+};
+
 struct MonitorState {
   static constexpr double noticed = 0.02;  ///< share of the energy supplied that is worth a line
 
@@ -61,7 +67,7 @@ struct MonitorState {
   /// Whether an energy is more than a trifle of what was supplied, and more than rounding explains.
   bool is_notable(double energy) const { return energy > noticed * supplied && energy > rounding; }
   /// Lines on the energy that the transfers dissipated and on what is missing, where they are more than a trifle.
-  std::vector<std::string> energy_figures() const;
+  std::vector<Figure> energy_figures() const;
 };
 
 inline void archive(Archive& a, MonitorState& state) {

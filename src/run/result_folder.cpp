@@ -126,11 +126,14 @@ void ResultNames::add(const ResultNames& other) {
 }
 
 void refuse_used_folder(const fs::path& folder) {
-  if (made_by_runs(folder))
-    throw FileError("'" + folder.string() +
-                    "' already holds a run; pass --overwrite to replace it, --output DIR for another folder, or use "
-                    "'tribo resume'");
+  if (made_by_runs(folder)) throw UsedFolderError(folder);
 }
+
+UsedFolderError::UsedFolderError(const fs::path& folder)
+    : FileError("'" + folder.string() +
+                "' already holds a run; pass --overwrite to replace it, --output DIR for another folder, or use "
+                "'tribo resume'"),
+      folder_(folder.string()) {}
 
 ResultFolder::ResultFolder(fs::path path) : path_(std::move(path)) {
   std::vector<fs::path> missing;

@@ -2,6 +2,7 @@
 /// The folder of the results of a run.
 #pragma once
 
+#include "base/error.hpp"
 #include "run/folder_lock.hpp"
 
 #include <cstdint>
@@ -51,7 +52,17 @@ class ResultFolder {
   std::optional<FolderLock> lock_;
 };
 
-/// Throws FileError if the folder already holds the results of a run.
+/// The folder already holds the results of a run. The text names options of the program.
+class UsedFolderError : public FileError {
+ public:
+  explicit UsedFolderError(const std::filesystem::path& folder);
+  const std::string& folder() const { return folder_; }
+
+ private:
+  std::string folder_;
+};
+
+/// Throws UsedFolderError if the folder already holds the results of a run.
 void refuse_used_folder(const std::filesystem::path& folder);
 
 }  // namespace tribo

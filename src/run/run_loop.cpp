@@ -137,9 +137,12 @@ class RunLoop::Loop {
 
   // What a user can do after a failure that the model is not to blame for.
   std::string remains() const {
-    return std::filesystem::exists(checkpoint_)
-               ? "\nThe last checkpoint remains; to continue from it: tribo resume " + options_.folder.string()
-               : "\nThere is no checkpoint yet; to start again: tribo run --overwrite";
+    const std::string folder = options_.folder.string();
+    if (!std::filesystem::exists(checkpoint_))
+      return std::string("\nThere is no checkpoint yet; to start again: ") +
+             (options_.from_python ? "tribo.run with overwrite=True" : "tribo run --overwrite");
+    return "\nThe last checkpoint remains; to continue from it: " +
+           (options_.from_python ? "tribo.resume('" + folder + "')" : "tribo resume " + folder);
   }
 
   // What was to be written before a failure is written as far as it can be.
@@ -176,7 +179,7 @@ class RunLoop::Loop {
   void summary() {
     if (const std::string reason = stepped_.end_reason(); !reason.empty())
       progress_.say("the run stopped before its end: " + reason);
-    for (const std::string& figure : stepped_.figures()) progress_.say(figure);
+    for (const Figure& figure : stepped_.figures()) progress_.say(figure.text);
     const auto remarks = stepped_.remarks();
     if (!remarks.empty()) progress_.say("to look at:");
     for (const std::string& remark : remarks) progress_.say("- " + remark);
@@ -248,8 +251,17 @@ class RunLoop::Loop {
     p.seconds_of["output"] = output_.seconds();
     p.seconds_writing = queue_.seconds();
     provenance_.set_progress(p);
-    provenance_.set_remarks(stepped_.remarks());
+    note(status != "running");
     provenance_.write(status, reason, stepped_.time(), static_cast<long>(stepped_.step()));
+  }
+
+  // What the summary tells is in the record, too, whether the run is quiet or not. Figures are those of the end.
+  void note(bool at_end) {
+    std::vector<std::string> remarks = stepped_.remarks(), figures;
+    if (at_end)
+      for (Figure& figure : stepped_.figures())
+        (figure.is_warning ? remarks : figures).push_back(std::move(figure.text));
+    provenance_.set_remarks(std::move(remarks), std::move(figures));
   }
 
   const Model& model_;

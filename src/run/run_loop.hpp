@@ -5,6 +5,7 @@
 #include "output/checkpoint.hpp"
 #include "output/output_queue.hpp"
 #include "output/provenance.hpp"
+#include "run/monitor_state.hpp"
 #include "run/restart.hpp"
 #include "run/result_folder.hpp"
 #include "run/simulation.hpp"
@@ -52,8 +53,8 @@ class SteppedModel {
   virtual std::vector<std::string> choices() const { return {}; }
   /// What has been noticed so far, a line each.
   virtual std::vector<std::string> remarks() const { return {}; }
-  /// Figures of the balance of energy that are told at the end, a line each.
-  virtual std::vector<std::string> figures() const { return {}; }
+  /// Figures of the whole run, of the balance of energy above all, that are told at the end.
+  virtual std::vector<Figure> figures() const { return {}; }
   /// Called after the output of a step. Throws SimulationError if the state has lost its meaning.
   virtual void check() {}
 

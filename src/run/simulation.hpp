@@ -25,6 +25,7 @@ struct RunOptions {
   std::shared_ptr<const Model> former = nullptr;
   double max_wall = 0.0;                        ///< seconds after which the run stops with a checkpoint; 0: none
   std::string command_line;                     ///< for provenance.json
+  bool from_python = false;                     ///< advice names functions of the Python package, not commands
   std::vector<std::string> further_files = {};  ///< that the caller writes into the folder
   ResultFolder* opened = nullptr;               ///< the folder, if the caller has opened it
 };
@@ -37,7 +38,7 @@ enum class Outcome {
 /// The units of the results of a model, for provenance.json.
 std::map<std::string, std::string> unit_facts(const Model& model);
 
-/// Throws FileError if the folder holds results and the options do not allow to replace them.
+/// Throws UsedFolderError if the folder holds results and the options do not allow to replace them.
 void check_folder(const RunOptions& options);
 
 /// Runs the model and writes its results into the folder: run.pvd, particles/, history.csv, energy.csv,

@@ -35,7 +35,7 @@ class StagedRun final : public SteppedModel {
   std::string end_reason() const override { return end_reason_; }
   std::vector<std::string> choices() const override { return now_->choices(); }
   std::vector<std::string> remarks() const override { return now_->remarks(); }
-  std::vector<std::string> figures() const override { return now_->figures(); }
+  std::vector<Figure> figures() const override { return now_->figures(); }
   void check() override { now_->check(); }
 
   using SteppedModel::save;

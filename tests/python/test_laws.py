@@ -98,17 +98,110 @@ class Materials(InFolder):
         with self.assertRaisesRegex(TypeError, "a class of tribo.MaterialLaw or tribo.ContactLaw"):
             tribo.register(int)
 
+    def assert_refused(self, error, text, stress=None, **members):
+        """That a law with this stress ends a run and a drive with an error."""
+        law = type("Broken", (OwnElastic,), {**({"stress": stress} if stress else {}), **members})
+        tribo.register(law, "Broken")  # replaces the former one
+        with self.assertRaisesRegex(error, text):
+            self.model("Broken").run(folder="broken", overwrite=True, threads=2)
+        with self.assertRaisesRegex(error, text):
+            tribo.drive(law="Broken", properties={"rho": 1, "E": 1e6}, test="triaxial_compression", strain=0.01, pressure=1e3)
+
+    def test_what_a_law_returns(self):
+        shape = r"stress\(\) of 'Broken' must give an array of the shape \(\d+, 3, 3\), not"
+        self.assert_refused(ValueError, r"stress\(\) of 'Broken' returned None", lambda self, p: None)
+        self.assert_refused(ValueError, shape, lambda self, p: np.zeros(3))
+        self.assert_refused(ValueError, shape, lambda self, p: np.zeros((3, 3)))
+        self.assert_refused(ValueError, shape, lambda self, p: np.zeros((len(p), 6)))
+        self.assert_refused(ValueError, shape, lambda self, p: "nothing")
+        self.assert_refused(tribo.NumericalError, r"stress\(\) of 'Broken' returned values that are not finite",
+                            lambda self, p: np.nan * p.stress)
+        self.assert_refused(AttributeError, "needs_deformation = True", lambda self, p: p.F)
+
+        def forgetful(self, p):
+            p.state["work"] = p.state["work"] * np.nan
+            return OwnElastic.stress(self, p)
+
+        self.assert_refused(tribo.NumericalError, "'Broken', in the state 'work', returned values that are not finite", forgetful)
+
+    def test_what_an_energy_returns(self):
+        tribo.register(type("Broken", (OwnElastic,), {"energy": lambda self, p: None}), "Broken")
+        with self.assertRaisesRegex(ValueError, r"energy\(\) of 'Broken' returned None"):
+            self.model("Broken").run()
+
+    def test_a_trial_without_a_stress_does_not_end_a_drive(self):
+        class Bounded(OwnElastic):
+            """It has no stress for rates that are too large, which the driver tries."""
+
+            def stress(self, p):
+                return OwnElastic.stress(self, p) * (1 if np.abs(p.D).max() * p.dt < 0.3 else np.nan)
+
+        tribo.register(Bounded)
+        options = {"properties": {"rho": 1, "E": 1e6}, "path": {"dt": 1, "steps": [4], "sxx": 4e5, "Lyy": 0, "Lzz": 0}}
+        one, two = (tribo.drive(law=law, **options) for law in ("OwnElastic", "Bounded"))
+        np.testing.assert_allclose(two["sxx"], one["sxx"], rtol=1e-6)
+
+    def test_the_deformation_gradient_is_there_for_those_who_ask(self):
+        seen = []
+
+        class Deformed(OwnElastic):
+            needs_deformation = True
+
+            def stress(self, p):
+                seen.append(p.F.shape)
+                return OwnElastic.stress(self, p)
+
+        tribo.register(Deformed)
+        self.model("Deformed").run()
+        self.assertEqual(seen[0][1:], (3, 3))
+
+    def test_values_of_parameters(self):
+        self.assertEqual(OwnElastic(E=1e6).nu, 0.3)
+        with self.assertRaisesRegex(TypeError, r"OwnElastic\(\) needs the parameter 'E'"):
+            OwnElastic()
+        with self.assertRaisesRegex(ValueError, r"'nu' of OwnElastic is 0.7 but must be in \(-1, 0.5\)"):
+            OwnElastic(E=1e6, nu=0.7)
+        with self.assertRaisesRegex(ValueError, "'E' of OwnElastic is -1 but must be > 0"):
+            OwnElastic(E=-1)
+        with self.assertRaisesRegex(TypeError, "has no parameter 'Young'; it has: rho, E, nu"):
+            OwnElastic(Young=1)
+        with self.assertRaisesRegex(TypeError, "'E' among the parameters of Wrong must be a tribo.Parameter"):
+            tribo.register(type("Wrong", (tribo.MaterialLaw,), {"parameters": {"E": 1.0}}))
+
+    def test_manual(self):
+        text = tribo.doc("ownelastic")
+        self.assertIn("OwnElastic, a material of Python", text)
+        self.assertIn("Isotropic elasticity as a law of Tribo has it.", text)
+        self.assertIn("nu  [-, in (-1, 0.5)]: nu; default 0.3", text)
+        self.assertEqual(tribo.keywords("material").count("OwnElastic"), 1)
+        self.assertIn("OwnFriction", tribo.keywords("contact law"))
+        self.assertEqual(tribo.parameters("OwnFriction")["coeff"], ("-, >= 0", "friction coefficient; required"))
+
+    def test_a_law_that_was_not_registered(self):
+        with self.assertRaises(tribo.InputError) as caught:
+            tribo.drive(law="Nope", properties={"rho": 1}, test="oedometer", strain=0.1)
+        self.assertEqual([p.message.split(";")[0] for p in caught.exception.problems], ["there is no material type 'Nope'"])
+        self.assertIn("known after tribo.register", str(caught.exception))
+
+    def test_energy_that_a_law_does_not_tell(self):
+        class Silent(OwnElastic):
+            energy = property()  # hides that of the base
+
+        tribo.register(Silent)
+        m = self.model("Silent")
+        m.prescribe(tribo.rect(0, 0.35, 0, 1), x=0, y=0)  # the body runs up against a wall
+        m.time(0.1, step=2e-4, courant=0.4)
+        with self.assertWarnsRegex(tribo.RunWarning, "lacks .* has no method energy.p. and no state 'dissipation'") as caught:
+            results = m.run()
+        self.assertEqual(caught.filename, __file__)
+        self.assertTrue(any("lacks" in line for line in results.remarks))
+        self.assertTrue(any("lacks" in line for line in results.provenance["to_look_at"]))
+        self.assertFalse(any("lacks" in line for line in results.provenance.get("figures", [])))
+
     def test_errors_in_the_law(self):
+
         @tribo.register
         class Broken(OwnElastic):
-            def stress(self, p):
-                return np.zeros((2, 2))
-
-        with self.assertRaisesRegex(ValueError, r"stress\(\) must give an array of the shape"):
-            self.model("Broken").run(folder="broken", threads=2)
-
-        @tribo.register
-        class Broken(OwnElastic):  # replaces the former one
             def stress(self, p):
                 return self.nothing
 
@@ -127,6 +220,12 @@ class Contacts(InFolder):
 
     def test_check(self):
         self.assertEqual(tribo.check_contact_law(OwnFriction(coeff=0.4)), [])
+        with self.assertRaisesRegex(TypeError, r"OwnFriction\(coeff=...\), not the class"):
+            tribo.check_contact_law(OwnFriction)
+        with self.assertRaisesRegex(ValueError, "'coeff' of OwnFriction is -1 but must be >= 0"):
+            OwnFriction(coeff=-1)
+        with self.assertRaisesRegex(TypeError, "needs the parameter 'coeff'"):
+            OwnFriction()
 
         class Engine(tribo.ContactLaw):
             def response(self, s):
@@ -139,6 +238,17 @@ class Contacts(InFolder):
                 return s.mass * s.velocity if s.velocity[0] > 0 else None
 
         self.assertTrue(any("change its sign" in text for text in tribo.check_contact_law(OneSided())))
+
+    def test_what_a_law_returns(self):
+        for given, error, text in ((1.0, ValueError, r"response\(\) of 'Wrong' must give three numbers"),
+                                   ([1, 2], ValueError, "not an array of the shape"),
+                                   ([np.nan] * 3, tribo.NumericalError, "gave an impulse that is not finite")):
+            law = type("Wrong", (tribo.ContactLaw,), {"response": lambda self, s, given=given: given})
+            tribo.register(law, "Wrong")
+            m = tribo.Model("2D plane strain")
+            m._lines = [line.replace('"CoulombFriction"', '"Wrong"') for line in sliding_block()._lines if "coeff" not in line]
+            with self.assertRaisesRegex(error, text):
+                m.run(overwrite=True)
 
     def test_impulses_as_arrays(self):
         @tribo.register

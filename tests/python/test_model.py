@@ -4,6 +4,7 @@
 import inspect
 import pathlib
 import unittest
+import warnings
 
 import tribo
 from common import InFolder, run_program, sliding_block
@@ -42,10 +43,63 @@ class Models(InFolder):
             m.check()
         problem = caught.exception.problems[0]
         self.assertEqual(problem.source, (__file__, line))
-        self.assertIn("must be in (-1, 0.5)", str(caught.exception))
-        self.assertIn(f"{line}", caught.exception.__notes__[0])
+        self.assertIn(f"{__file__}:{line}: error: 'nu' is 0.7 but must be in (-1, 0.5)", str(caught.exception))
+        self.assertIn(f"(in the script: model:{problem.line}:{problem.column})", str(caught.exception))
         with self.assertRaises(ValueError):
             tribo.Model("plain strain")
+        self.assertIn('"3D MPM"', tribo.Model("three-dimensional").script())
+
+    def test_methods_are_described(self):
+        for method, function in ((tribo.Model.run, tribo.run), (tribo.Model.check, tribo.check), (tribo.Model.simulate, tribo.simulate)):
+            self.assertEqual(inspect.getdoc(method), inspect.getdoc(function))
+            own, other = (list(inspect.signature(f).parameters) for f in (method, function))
+            self.assertEqual(own, ["self", *other[1:]])
+        self.assertIn('grid_edge("xmin", "symmetry", 0)', inspect.getdoc(tribo.Model.grid))
+
+    def test_grid(self):
+        m = tribo.Model("plane strain")
+        with self.assertRaisesRegex(ValueError, r"along x, not 'symmetry'.*m.grid_edge\(\"xmin\", \"symmetry\", 0\)"):
+            m.grid(x=(0, 5, "symmetry"), y=(0, 1), cell=0.1)
+        with self.assertRaisesRegex(ValueError, "the size of the cell"):
+            m.grid(x=(0, 5, 10), y=(0, 1))
+        with self.assertWarnsRegex(tribo.ModelWarning, "3 cells of 0.333333 fill 0 to 1 along x, not cells of 0.3") as caught:
+            m.grid(x=(0, 1), y=(0, 0.9), cell=0.3)
+        self.assertEqual(caught.filename, __file__)
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            m.grid(x=(0, 1.6), y=(-0.3, 0.7), cell=0.1)
+
+    def test_times_of_output(self):
+        m = sliding_block()
+        with self.assertRaisesRegex(ValueError, r"output\(every, after=time\)"):
+            m.output(0.01)
+        m.output(0.001, after=0.015)
+        times = m.run().times
+        self.assertEqual(len(times), 9)  # 0, 0.005, ..., 0.015, 0.016, ..., 0.02
+
+    def test_impulses_of_contact(self):
+        m = tribo.Model("plane strain")
+        m.multimaterial_mpm("maxvol", impulses="faces")
+        with self.assertRaisesRegex(ValueError, "not 'edges'"):
+            m.multimaterial_mpm(impulses="edges")
+        self.assertIn("Impulses='faces'", m.script())
+        m = sliding_block()
+        m.multimaterial_mpm(impulses="faces")
+        self.assertIn("Impulses='faces'", m.xml())
+        self.assertIn("faces", inspect.getdoc(tribo.Model.multimaterial_mpm))
+
+    def test_surfaces(self):
+        corners = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]
+        faces = [(0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3)]
+        points = "".join("v %g %g %g\n" % corner for corner in corners)
+        pathlib.Path("tetrahedron.obj").write_text(points + "".join("f %d %d %d\n" % tuple(k + 1 for k in face) for face in faces))
+        m = tribo.Model("3d")
+        m.grid(x=(0, 4), y=(0, 4), z=(0, 4), cell=0.25)
+        m.material("rock", "LinearElastic", rho=1, E=100, nu=0.3)
+        m.body("rock", tribo.surface("tetrahedron.obj", scale=2, x=1, y=1, z=1), velocity=(0, 0, 1))
+        m.time(0.1, courant=0.4)
+        m.output(0.1)
+        self.assertRegex(m.check().lines["body of 'rock'"][0], r"volume 1\.3[23]")  # 8 / 6
 
     def test_shapes_conditions_and_xml(self):
         m = tribo.Model("plane strain", name="plate")

@@ -5,6 +5,7 @@ import contextlib
 import importlib.util
 import inspect
 import io
+import os
 import pathlib
 import re
 import shutil
@@ -76,6 +77,17 @@ class Package(InFolder):
         done = subprocess.run([sys.executable, "-E", "-c", code], capture_output=True, text=True)
         self.assertNotEqual(done.returncode, 0)
         self.assertIn("ImportError: this package was built for a processor with avx9000, which this one lacks", done.stderr)
+
+    def test_threads_wait_briefly(self):
+        """As those of the program do; a choice of the user holds, and child processes do not inherit what nobody chose."""
+        code = "import os, tribo; print(os.environ.get('GOMP_SPINCOUNT'), os.environ.get('OMP_WAIT_POLICY'))"
+        shown = {**{k: v for k, v in os.environ.items() if k not in ("GOMP_SPINCOUNT", "OMP_WAIT_POLICY")},
+                 "OMP_DISPLAY_ENV": "verbose"}
+        for chosen, spins, kept in (({}, "3000", "None None"), ({"GOMP_SPINCOUNT": "777"}, "777", "777 None"),
+                                    ({"OMP_WAIT_POLICY": "passive"}, "0", "None passive")):
+            done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, env={**shown, **chosen})
+            self.assertEqual(done.stdout.strip(), kept)
+            self.assertIn(f"GOMP_SPINCOUNT = '{spins}'", done.stderr)
 
     def test_features_of_the_processor(self):
         from tribo import _processor

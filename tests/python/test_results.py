@@ -3,6 +3,7 @@
 
 import pathlib
 import unittest
+import unittest.mock
 
 import numpy as np
 import tribo
@@ -58,6 +59,14 @@ class Reading(InFolder):
         self.assertIsInstance(frame, pandas.DataFrame)
         self.assertEqual(len(frame), 21)
 
+    def test_packages_that_are_not_there(self):
+        table = tribo.Table({"time": np.array([0.0, 1.0]), "a": np.array([0.0, 1.0])})
+        with unittest.mock.patch.dict("sys.modules", {"pandas": None, "matplotlib": None, "matplotlib.pyplot": None}):
+            with self.assertRaisesRegex(ModuleNotFoundError, "to_pandas.* needs pandas: .* python3-pandas"):
+                table.to_pandas()
+            with self.assertRaisesRegex(ModuleNotFoundError, "pictures need matplotlib: .* python3-matplotlib"):
+                table.plot()
+
     def test_pictures(self):
         try:
             import matplotlib
@@ -78,6 +87,34 @@ class Reading(InFolder):
         self.assertIn(results.status, ("finished", "stopped"))
         self.assertGreater(len(results.blocks), 0)
         self.assertEqual(len(results.frames), 0)
+        with self.assertRaisesRegex(tribo.OutputError, "no files of particles"):
+            results.plot(of="particles")
+        with self.assertRaisesRegex(ValueError, "of 'particles' or of 'blocks', not of 'grid'"):
+            results.plot(of="grid")
+        try:
+            import matplotlib
+        except ImportError:
+            self.skipTest("matplotlib is not installed")
+        matplotlib.use("Agg")
+        for frame in (results.plot(), results.plot("rotation", component="z", time=0, of="blocks")):
+            self.assertEqual(len(frame.collections[0].get_paths()), 8)
+
+    def test_blocks_in_space(self):
+        try:
+            import matplotlib
+        except ImportError:
+            self.skipTest("matplotlib is not installed")
+        matplotlib.use("Agg")
+        m = tribo.Model("3d")
+        m.time(1e-3, step=1e-3)
+        m.output(1e-3)
+        m.material("rub", "SpringNetwork", kn=5e7, ks=5e7, fric=0.6)
+        with m.blocks(lawname="rub", touchname="rub"):
+            m.box_block(name="one", xmin=0, xmax=1, ymin=0, ymax=2, zmin=0, zmax=3, rho=2500)
+            m.hold(blocks="one", vx=0, vy=0, vz=0)
+        axes = m.run().plot()
+        self.assertEqual(len(axes.collections), 1)
+        self.assertGreater(axes.get_zlim()[1], 2.9)
 
 
 if __name__ == "__main__":

@@ -9,6 +9,7 @@ import sys
 import threading
 import time
 import unittest
+import warnings
 
 import numpy as np
 import tribo
@@ -27,7 +28,8 @@ class Runs(InFolder):
         tribo.run("block.fmcmd", folder="here")
         with self.assertRaises(tribo.OutputError) as caught:
             tribo.run("block.fmcmd", folder="here")
-        self.assertIn("already holds a run", str(caught.exception))
+        self.assertEqual(str(caught.exception), "'here' already holds a run; overwrite=True replaces it, folder=... names another "
+                                                "folder, and tribo.resume('here') continues a run that was stopped")
         self.assertIsInstance(caught.exception, OSError)
         tribo.run("block.fmcmd", folder="here", overwrite=True)
 
@@ -67,6 +69,25 @@ class Runs(InFolder):
         self.assertEqual(without_times(check.rstrip("\n")), without_times(program.rstrip("\n")))
         self.assertIn("set by <TimeStep>", check.lines["time step"][0])
         self.assertIsInstance(check.advice, list)
+
+    def test_figures_are_remarks_and_no_warnings(self):
+        m = tribo.Model("plane strain")
+        m.mpm_method("USL", "B2SPLINE")
+        m.transfer("PIC")
+        m.grid(x=(0, 1), y=(0, 1), cell=0.1)
+        m.material("a", "LinearElastic", rho=1000, E=1e6, nu=0.3)
+        m.body("a", tribo.rect(0.3, 0.5, 0.3, 0.7), velocity=(1, 0))
+        m.body("a", tribo.rect(0.5, 0.7, 0.3, 0.7), velocity=(-1, 0))
+        m.time(0.01, courant=0.4)
+        m.output(0.01)
+        with warnings.catch_warnings():
+            warnings.simplefilter("error", tribo.RunWarning)
+            results = m.run()
+        self.assertRegex(results.provenance["figures"][0], "the transfer between particles and grid dissipated")
+        self.assertNotIn("to_look_at", results.provenance)
+        self.assertEqual(results.remarks, results.provenance["figures"])
+        run_program("report", "model.out")
+        self.assertIn("dissipated", pathlib.Path("model.out/report.html").read_text())
 
     def test_warnings(self):
         pathlib.Path("twice.fmcmd").write_text(script + "Gravity 0,-9.8\n")

@@ -73,6 +73,59 @@ class Sweeps(InFolder):
             tribo.sweep("far.fmcmd", w=[1, 2])
         self.assertFalse(os.path.exists("far.sweep"))
 
+    def test_measures_that_fail(self):
+        misspelt = lambda results: {"last": results.history["velx:blok"][-1] if results.history["velx:block"][0] > 1.5 else 1}
+        with self.assertWarnsRegex(tribo.RunWarning, "the measure of v=2 failed: KeyError: there is no column 'velx:blok'"):
+            table = tribo.sweep("block.fmcmd", v=[1, 2], measure=misspelt)
+        self.assertEqual(list(table["outcome"]), ["finished", "finished"])
+        self.assertEqual(table["last"][0], 1)
+        self.assertTrue(np.isnan(table["last"][1]))
+        self.assertIsNone(table.errors[0])
+        self.assertIsInstance(table.errors[1], KeyError)
+        self.assertIn("no column 'velx:blok'", table["measure_error"][1])
+        self.assertIn("no column 'velx:blok'", pathlib.Path("block.sweep/sweep.csv").read_text())
+
+        again = table.measure(lambda results: {"last": results.history["velx:block"][-1]})
+        self.assertNotIn("measure_error", again)
+        self.assertEqual(again.errors, [None, None])
+        np.testing.assert_array_equal(again["last"], again["velx:block"])
+        self.assertNotIn("measure_error", pathlib.Path("block.sweep/sweep.csv").read_text())
+        with self.assertWarnsRegex(tribo.RunWarning, "TypeError"):
+            self.assertIsInstance(table.measure(lambda results: results.history).errors[0], TypeError)
+
+    def test_measures_of_runs_that_were_done_before(self):
+        self.assertEqual(run_program("sweep", "block.fmcmd", "v=1,2", "mu=0", "-o", "done").returncode, 0)
+        table = tribo.open_sweep("done")
+        self.assertEqual(table.parameters, ["v", "mu"])
+        self.assertEqual([results.status for results in table.results], ["finished", "finished"])
+        self.assertEqual(list(table.measure(lambda r: r.history["velx:block"][0])["measure"]), [1, 2])
+        self.assertEqual(list(tribo.open_sweep("done")["measure"]), [1, 2])
+        pathlib.Path("far.fmcmd").write_text(script.replace("TimeStep 2e-4,0.02", "TimeStep 2e-3,0.4"))
+        run_program("sweep", "far.fmcmd", "v=0.1,9", "--set", "mu=0", "-o", "far")
+        far = tribo.open_sweep("far")
+        self.assertIsNone(far.results[1])
+        self.assertIsInstance(far.errors[1], tribo.TriboError)
+        self.assertTrue(np.isnan(far.measure(lambda r: 3)["measure"][1]))
+        with self.assertRaises(tribo.OutputError):
+            tribo.open_sweep("nothing")
+
+    def test_laws_of_python_need_one_process(self):
+        @tribo.register
+        class SweptFriction(tribo.ContactLaw):
+            """Faces without friction."""
+
+            parameters = {"coeff": tribo.Parameter(low=0)}
+
+            def response(self, s):
+                return s.frictional(0.0) if s.normal_contact().closed else None
+
+        pathlib.Path("own.fmcmd").write_text(script.replace("CoulombFriction", "SweptFriction"))
+        with self.assertRaisesRegex(tribo.UsageError, r"the laws SweptFriction are written in Python .* processes=1"):
+            tribo.sweep("own.fmcmd", v=[1, 2], processes=2)
+        self.assertFalse(os.path.exists("own.sweep"))
+        self.assertEqual(list(tribo.sweep("own.fmcmd", v=[1, 2])["outcome"]), ["finished"] * 2)
+        self.assertEqual(list(tribo.sweep("block.fmcmd", v=[1, 2], processes=2)["outcome"]), ["finished"] * 2)
+
     def test_picture(self):
         try:
             import matplotlib  # noqa: F401

@@ -54,6 +54,11 @@ struct Watched {
   std::string look_at_state() { return look(measure(system).kinetic); }
   std::string summary() const { return joined(monitor.summary()); }
   std::string figures() const { return joined(monitor.energy_figures()); }
+  static std::string joined(const std::vector<Figure>& figures) {
+    std::string all;
+    for (const auto& figure : figures) all += figure.text + "\n";
+    return all;
+  }
   static std::string joined(const std::vector<std::string>& lines) {
     std::string all;
     for (const auto& text : lines) all += text + "\n";
@@ -118,6 +123,38 @@ TEST_CASE("a gain of energy that lasts is warned of, a loss is a figure", "[moni
   of_nothing.monitor.state.residual = -1;
   CHECK(of_nothing.figures().empty());
   for (int k = 0; k < 20; ++k) CHECK_FALSE(of_nothing.monitor.state.record_balance(0, 1e-3, 0, 0, 0));
+}
+
+TEST_CASE("a balance that lacks what a law does not tell names the law", "[monitor]") {
+  // A law of a program that stores energy, and does not tell it
+  class Silent final : public Material {
+   public:
+    void update(const MaterialPoints<2>&) const override {}
+    void update(const MaterialPoints<3>&) const override {}
+    double density() const override { return 1.0; }
+    double wave_modulus() const override { return 100.0; }
+    const std::vector<HistoryVariable>& history() const override { return none_; }
+    bool needs_deformation() const override { return false; }
+    std::string untold_energy() const override { return "no method energy(p)"; }
+
+   private:
+    std::vector<HistoryVariable> none_;
+  };
+  const double kinetic = 8;
+  const auto silent = std::make_shared<const Silent>();
+  Watched losing(block());
+  losing.body().law = silent;
+  losing.model.scheme.extrapolate_again = false;
+  losing.look(kinetic / 0.8, 20);
+  const auto figures = losing.monitor.energy_figures();
+  REQUIRE(figures.size() == 1);
+  CHECK(figures[0].is_warning);
+  CHECK_THAT(figures[0].text, Contains("lacks 20 %") && Contains("has no method energy(p), and what it does not tell"));
+  CHECK_THAT(figures[0].text, Contains("missing in the balance; the update without <SkipPostExtrapolation/>") &&
+                                  Contains("avoids most of a further loss"));
+  Watched gaining(block());
+  gaining.body().law = silent;
+  CHECK_THAT(gaining.look(kinetic / 1.1, 5), Contains("came from nowhere") && Contains("has no method energy(p)"));
 }
 
 TEST_CASE("a balance of energies that are no more than rounding is not judged", "[monitor]") {

@@ -8,7 +8,7 @@ from xml.sax.saxutils import escape, quoteattr
 import numpy as np
 
 from . import _core
-from .laws import registered
+from .laws import MaterialLaw, registered
 from .results import Table
 from .running import text_of
 
@@ -34,7 +34,7 @@ def _path_text(path):
 def _kind(law):
     """The attribute of <Drive> for a law; a name that is not known counts as a material, which the reader refuses."""
     kinds = {"contact law": "contact", "joint law": "joint"}
-    own = {name.lower(): kind for name, kind in registered.items()}
+    own = {name.lower(): "material" if issubclass(of, MaterialLaw) else "contact" for name, of in registered.items()}
     known = {entry.lower(): kinds[kind] for kind, entry, *_ in _core.manual() if kind in kinds}
     return {**known, **own}.get(law.lower(), "material")
 

@@ -1,9 +1,23 @@
 # SPDX-License-Identifier: MIT
 """Exceptions. Their texts are those of the program `tribo`."""
 
+import os
 import re
+import sys
+import warnings
 
-__all__ = ["InputError", "ModelWarning", "NumericalError", "OutputError", "Problem", "TriboError", "UsageError"]
+__all__ = ["InputError", "ModelWarning", "NumericalError", "OutputError", "Problem", "RunWarning", "TriboError", "UsageError"]
+
+
+_here = os.path.dirname(__file__)
+
+
+def warn(text, category):
+    """A warning at the line of the program that called the package."""
+    level, frame = 2, sys._getframe(1)
+    while frame.f_back and frame.f_code.co_filename.startswith(_here):
+        level, frame = level + 1, frame.f_back
+    warnings.warn(text, category, stacklevel=level)
 
 
 class TriboError(Exception):
@@ -44,6 +58,21 @@ class InputError(TriboError, ValueError):
         super().__init__(text)
         self.problems = [Problem(*p) for p in problems]
 
+    def __str__(self):
+        """The text of the program. Lines of a model that was built in Python begin with their place in the Python
+        program."""
+        lines = super().__str__().split("\n")
+        for problem in self.problems:
+            place = f"{problem.file}:{problem.line}:{problem.column}: "
+            at = next((k for k, line in enumerate(lines) if line == f"{place}error: {problem.message}"), None)
+            if problem.source and at is not None:
+                file, line = problem.source
+                lines[at] = f"{file}:{line}: error: {problem.message} (in the script: {place[:-2]})"
+        unknown = [p for p in self.problems if p.message.startswith("there is no material type ")]
+        if any("did you mean" not in p.message for p in unknown):
+            lines.append("A law that is written in Python is known after tribo.register(CLASS).")
+        return "\n".join(lines)
+
     @property
     def _first(self):
         return self.problems[0] if self.problems else Problem(None, 0, 0, str(self))
@@ -68,3 +97,7 @@ class OutputError(TriboError, OSError):
 
 class ModelWarning(UserWarning):
     """A possible mistake in a model, which does not prevent the run."""
+
+
+class RunWarning(UserWarning):
+    """A sign that the results of a run are wrong, or a measure of a sweep that failed."""

@@ -6,13 +6,16 @@ import math
 import numpy as np
 
 from . import _core
+from ._arrays import fit_impulse
 from ._core import ContactResponse, ContactState, ContactStatus
 
 __all__ = ["ContactLaw", "ContactResponse", "ContactState", "ContactStatus", "MaterialLaw", "Parameter", "Points",
            "check_contact_law", "register"]
 
 
-registered = {}  # 'material' or 'contact' of each law of Python, by its name
+registered = {}  # the class of each law of Python, by its name
+made = set()  # names of the laws of Python that the reader has made, until somebody clears it
+_by_reader = False  # whether the reader makes a law, whose values it has checked in the units of the input
 
 
 class Parameter:
@@ -23,6 +26,20 @@ class Parameter:
     def __init__(self, dimension="-", default=None, *, low=-math.inf, high=math.inf, open=False, meaning=""):
         self.dimension, self.default, self.meaning = dimension, default, meaning
         self.low, self.high, self.open = low, high, open
+
+    @property
+    def range_text(self):
+        """The admissible values in words, as in messages of the reader."""
+        below, above = ("(", ")") if self.open else ("[", "]")
+        if math.isfinite(self.low) and math.isfinite(self.high):
+            return f"in {below}{self.low:g}, {self.high:g}{above}"
+        if math.isfinite(self.low):
+            return f"{'>' if self.open else '>='} {self.low:g}"
+        return f"{'<' if self.open else '<='} {self.high:g}" if math.isfinite(self.high) else "any number"
+
+    def admits(self, value):
+        """Whether a number is in the range."""
+        return self.low < value < self.high if self.open else self.low <= value <= self.high
 
     def row(self, name):
         return name, self.dimension, self.default, self.low, self.high, self.open, self.open, self.meaning or name
@@ -38,8 +55,15 @@ class Points:
     """
 
     def __init__(self, dt, F, L, stress, volume, temperature, state):
-        self.dt, self.F, self.L, self.stress = dt, F, L, stress
+        self.dt, self._F, self.L, self.stress = dt, F, L, stress
         self.volume, self.temperature, self.state = volume, temperature, state
+
+    @property
+    def F(self):
+        """The deformation gradient at the end of the step, for laws with `needs_deformation`."""
+        if self._F is None:
+            raise AttributeError("F is there only for laws with needs_deformation = True")
+        return self._F
 
     D = property(lambda self: 0.5 * (self.L + self.L.transpose(0, 2, 1)), doc="Rate of deformation.")
     W = property(lambda self: 0.5 * (self.L - self.L.transpose(0, 2, 1)), doc="Spin.")
@@ -61,9 +85,27 @@ class _Law:
     parameters = {}
 
     def __init__(self, **values):
+        own, known = type(self).__name__, self._all_parameters()
         for name, value in values.items():
+            if name not in known:
+                raise TypeError(f"{own} has no parameter '{name}'; it has: {', '.join(known) or 'none'}")
+            if not _by_reader and not known[name].admits(value):
+                raise ValueError(f"'{name}' of {own} is {value} but must be {known[name].range_text}")
             setattr(self, name, value)
+        for name, parameter in self.parameters.items():
+            if name in values:
+                continue
+            if parameter.default is None:
+                raise TypeError(f"{own}() needs the parameter '{name}'")
+            setattr(self, name, parameter.default)
         self.prepare()
+
+    @classmethod
+    def _all_parameters(cls):
+        for name, parameter in cls.parameters.items():
+            if not isinstance(parameter, Parameter):
+                raise TypeError(f"'{name}' among the parameters of {cls.__name__} must be a tribo.Parameter")
+        return dict(cls.parameters)
 
     def prepare(self):
         """Computes constants, once the parameters are set; raises ValueError if they contradict each other."""
@@ -76,8 +118,9 @@ class MaterialLaw(_Law):
     - `state`: {name: (dimension, initial value)}, optional. 'dissipation' is the dissipated energy per initial volume.
     - `stress(self, p)`: the Cauchy stress at the end of the step, of the shape (n, 3, 3), for the Points `p`.
     - `wave_modulus(self)`: the largest rho c^2, from which the time step follows.
-    - `energy(self, p)`, optional: the stored energy per current volume, of the shape (n,).
-    - `needs_deformation`: whether the law uses `F`.
+    - `energy(self, p)`, optional: the stored energy per current volume, of the shape (n,). Without it, and without the
+      state 'dissipation' if the law dissipates, the energy balance of the run does not close, and the run says so.
+    - `needs_deformation`: whether the law uses `p.F`, which is not there otherwise.
 
     `register` makes it known. The solver calls `stress` for up to 64 points at once, hundreds of times slower than a
     law in C++. It works in all analyses but plane stress.
@@ -91,6 +134,11 @@ class MaterialLaw(_Law):
 
     def wave_modulus(self):
         raise NotImplementedError("a material law needs the method wave_modulus(self)")
+
+    @classmethod
+    def _all_parameters(cls):
+        rho = Parameter("mass/length^3", low=0, open=True, meaning="mass density before deformation")
+        return {"rho": rho, **super()._all_parameters()}
 
     @property
     def _has_energy(self):
@@ -125,25 +173,42 @@ def register(law, name=None):
 
     It can be used as a decorator. The name must not be that of a law of Tribo. Returns the class.
     """
-    name = name or law.__name__
+    name = name or getattr(law, "__name__", str(law))
     summary = (law.__doc__ or name).strip().splitlines()[0]
-    if issubclass(law, MaterialLaw):
-        rho = Parameter("mass/length^3", low=0, open=True, meaning="mass density before deformation")
-        rows, add = {"rho": rho, **law.parameters}, _core.add_material
-    elif issubclass(law, ContactLaw):
-        rows, add = law.parameters, _core.add_contact_law
-    else:
+    if not isinstance(law, type) or not issubclass(law, (MaterialLaw, ContactLaw)):
         raise TypeError("a law is a class of tribo.MaterialLaw or tribo.ContactLaw")
-    add(name, summary, [parameter.row(key) for key, parameter in rows.items()], law)
-    registered[name] = "material" if issubclass(law, MaterialLaw) else "contact"
+    add = _core.add_material if issubclass(law, MaterialLaw) else _core.add_contact_law
+    rows = law._all_parameters()
+    add(name, summary, [parameter.row(key) for key, parameter in rows.items()], _maker(name, law))
+    registered[name] = law
     return law
+
+
+def _maker(name, law):
+    """The function by which the reader makes a law of a name."""
+
+    def make(**values):
+        global _by_reader
+        made.add(name)
+        _by_reader = True
+        try:
+            return law(**values)
+        finally:
+            _by_reader = False
+
+    return make
+
+
+def own_law(name):
+    """(name, class) of the law of Python with this name, in capitals or not; (name, None) if there is none."""
+    return next((item for item in registered.items() if item[0].lower() == name.lower()), (name, None))
 
 
 def _impulse(law, state):
     given = law.response(state)
     if given is None:
         return np.zeros(3)
-    return np.asarray(given.impulse if isinstance(given, ContactResponse) else given, dtype=float)
+    return np.asarray(given.impulse) if isinstance(given, ContactResponse) else fit_impulse(given, "response()")
 
 
 def _random_state(random, law):
@@ -161,6 +226,9 @@ def _random_state(random, law):
 def check_contact_law(law, count=1000, seed=0):
     """Tests a contact law for random states: that it creates no energy, and that the impulse changes only its sign if
     the faces are exchanged. Returns the list of what is wrong, a sentence each; it is empty for a sound law."""
+    if isinstance(law, type):
+        values = ", ".join(f"{name}=..." for name in getattr(law, "parameters", {}))
+        raise TypeError(f"check_contact_law() tests a law with values of its parameters, {law.__name__}({values}), not the class")
     random = np.random.default_rng(seed)
     problems = []
     for _ in range(count):

@@ -8,7 +8,7 @@ import re
 import sys
 
 from . import _core
-from .errors import InputError
+from .errors import InputError, ModelWarning, warn
 from .shapes import Expression, arguments, formatted
 
 __all__ = ["Model"]
@@ -17,14 +17,34 @@ _here = os.path.dirname(__file__)
 
 
 _analyses = {"plane strain": "Plane Strain MPM", "plane stress": "Plane Stress MPM", "axisymmetric": "Axisymmetric MPM",
-             "3d": "3D MPM"}
+             "3d": "3D MPM", "three-dimensional": "3D MPM"}
 
 
 def _analysis(name):
-    plain = name.lower().replace("mpm", "").replace("2d", "").strip()
+    plain = name.lower().replace("mpm", "").replace("2d", "").replace("three dim", "three-dim").strip()
     if plain not in _analyses:
         raise ValueError(f"there is no analysis '{name}'; valid: {', '.join(_analyses)}")
     return _analyses[plain]
+
+
+def _cells(name, axis, cell):
+    """The number of cells along an axis of the grid."""
+    if len(axis) not in (2, 3) or (len(axis) == 2 and cell is None):
+        raise ValueError("grid() needs (low, high, cells) for each axis, or (low, high) and the size of the cell")
+    texts = [part for part in axis if isinstance(part, str) and not isinstance(part, Expression)]
+    if texts:
+        raise ValueError(f"grid() needs (low, high, cells) along {name}, not '{texts[0]}'; an edge of another kind is given by "
+                         f"grid_edge(), for example m.grid_edge(\"{name}min\", \"symmetry\", 0)")
+    if len(axis) == 3:
+        return axis[2]
+    if any(isinstance(part, Expression) for part in (*axis, cell)):
+        raise ValueError(f"along {name}, grid() cannot compute the number of cells from variables of the script; give (low, high, cells)")
+    length = axis[1] - axis[0]
+    cells = max(1, round(length / cell))
+    if abs(length / cells - cell) > 1e-6 * cell:
+        warn(f"grid(): {cells} cells of {length / cells:.6g} fill {axis[0]:g} to {axis[1]:g} along {name}, not cells of {cell:g}",
+             ModelWarning)
+    return cells
 
 
 class _Block:
@@ -54,12 +74,16 @@ class Model:
     Every command of scripts is a method with its name in lower case: `m.mpm_method("USL", "B2SPLINE")`. Commands with
     further lines are used with `with`: `with m.grid_bc(): m.rect(0, 1, 0, 0.1); m.velocity("x", "constant", 0)`.
     `script()` and `xml()` show the command file.
+
+    `analysis` is "plane strain", "plane stress", "axisymmetric" or "3d" (also "three-dimensional"). Models in space have
+    z in `grid`, three components of velocities, and the shapes `box`, `sphere`, `cylinder` and `surface`.
     """
 
     def __init__(self, analysis="plane strain", *, title=None, units=("m", "kg", "s"), name="model"):
         self.name = name
         self._lines, self._places = [], []
         self._thickness = 1
+        self._has_output = False
         if title:
             self._add(f"Title {formatted(title)}")
         self._add(f"Analysis {formatted(_analysis(analysis))}")
@@ -79,9 +103,6 @@ class Model:
         for problem in error.problems:
             if problem.file == self.name and problem.line and problem.line <= len(self._places):
                 problem.source = self._places[problem.line - 1]
-        first = error.problems[0].source if error.problems else None
-        if first and hasattr(error, "add_note"):
-            error.add_note(f"written by {first[0]}:{first[1]}")
 
     def script(self):
         """The model as a script, a command file that `tribo run` runs."""
@@ -114,15 +135,18 @@ class Model:
         return Expression(f"#{name}")
 
     def grid(self, x, y, z=None, *, cell=None, thickness=None):
-        """The grid: (low, high, cells) along each axis, or (low, high) with the size of the `cell`."""
+        """The grid: (low, high, cells) along each axis, or (low, high) with the size of the `cell`.
+
+        The edges are exact: a number of cells that is not whole is rounded, and a ModelWarning tells the size that
+        follows. Planes of symmetry, walls and periodic edges are given by `grid_edge`, for example
+        `m.grid_edge("xmin", "symmetry", 0)`.
+        """
         axes = [axis for axis in (x, y, z) if axis is not None]
         if thickness is not None:
             self.command("GridThickness", thickness)
             self._thickness = thickness
-        for command, axis in zip(("GridHoriz", "GridVert", "GridDepth"), axes):
-            if len(axis) < 3 and cell is None:
-                raise ValueError("grid() needs (low, high, cells) for each axis, or the size of the cell")
-            self.command(command, axis[2] if len(axis) > 2 else max(1, round((axis[1] - axis[0]) / cell)))
+        for name, command, axis in zip("xyz", ("GridHoriz", "GridVert", "GridDepth"), axes):
+            self.command(command, _cells(name, axis, cell))
         self.command("GridRect", *(bound for axis in axes for bound in axis[:2]))
 
     def material(self, name, type=None, *, called=None, contact=None, properties=None, **more):
@@ -169,9 +193,16 @@ class Model:
         """The end of the run, its largest time step and the step as a fraction of the stable one."""
         self.command("TimeStep", end if step is None else step, end, *([] if courant is None else [courant]))
 
-    def output(self, every, *, history_every=None, fields=None):
-        """The time between particle files, that between rows of the histories, and the fields of the files."""
-        self.command("ArchiveTime", every)
+    def output(self, every, *, after=None, history_every=None, fields=None):
+        """The time between particle files, that between rows of the histories, and the fields of the files.
+
+        A further call with `after` gives another time between particle files from a time on.
+        """
+        if after is None and self._has_output:
+            raise ValueError("output() has been called before; a further interval of the particle files applies from a time on: "
+                             "output(every, after=time)")
+        self._has_output = True
+        self.command("ArchiveTime", every, *([] if after is None else [after]))
         if history_every is not None:
             self.command("GlobalArchiveTime", history_every)
         if fields:
@@ -182,6 +213,19 @@ class Model:
         of a `platen`."""
         values = ([material] if material is not None else []) + list(point or ())
         self.command("GlobalArchive", quantity, *values, *_pairs(of))
+
+    def multimaterial_mpm(self, *values, impulses=None):
+        """MultimaterialMPM: contact between materials.
+
+        Arguments: [normals[, bias or azimuth[, polar]]], with the normals maxgrad, maxvol, avggrad, owngrad, specify,
+        linreg or logreg. `impulses` is where the conditions of contact hold, "nodes" or "faces"; the program chooses it
+        if it is not given (`tribo.doc("MultiMaterialMode")`).
+        """
+        self.command("MultimaterialMPM", *values)
+        if impulses is not None:
+            if impulses not in ("nodes", "faces"):
+                raise ValueError(f"impulses are on 'nodes' or on 'faces', not '{impulses}'")
+            self.xml_data("MPMHeader", f"<MultiMaterialMode Impulses='{impulses}'/>")
 
     def xml_data(self, section=None, text="", material=None):
         """XML that is added to a section of the file, for what has no command."""

@@ -6,10 +6,23 @@ import numpy as np
 _vector, _tensor = ("x", "y", "z"), ("xx", "yy", "zz", "xy", "yz", "xz")
 
 
-def _axes(ax):
-    import matplotlib.pyplot as plt
+def _pyplot():
+    try:
+        import matplotlib.pyplot as plt
+    except ModuleNotFoundError:
+        raise ModuleNotFoundError("pictures need matplotlib: install Debian's package python3-matplotlib (apt install "
+                                  "python3-matplotlib), or matplotlib with pip", name="matplotlib") from None
+    return plt
 
+
+def _axes(ax):
+    plt = _pyplot()
     return ax if ax is not None else plt.subplots()[1]
+
+
+def _axes_in_space(ax):
+    plt = _pyplot()
+    return ax if ax is not None else plt.figure().add_subplot(projection="3d")
 
 
 def _unit(unit):
@@ -53,20 +66,50 @@ def plot_particles(frame, field, component, limits, ax, units):
     position, domain = frame["position"], frame.particles.get("domain")
     flat = domain is not None and domain.shape[1] == 4
     if flat:
-        from matplotlib.collections import PolyCollection
-
         ax = _axes(ax)
         a, b, c = domain[:, :2], domain[:, 2:], position[:, :2]
         corners = np.stack([c - a - b, c + a - b, c + a + b, c - a + b], axis=1)
-        drawn = PolyCollection(corners, array=values, edgecolors="face", linewidths=0.2)
-        ax.add_collection(drawn)
-        ax.autoscale_view()
-        ax.set_aspect("equal")
+        drawn = _add_polygons(ax, corners, values, "face")
     else:
-        import matplotlib.pyplot as plt
-
-        ax = ax if ax is not None else plt.figure().add_subplot(projection="3d")
+        ax = _axes_in_space(ax)
         drawn = ax.scatter(*position.T, c=values, s=4)
+    _label(ax, drawn, flat, limits, label, frame, units)
+    return ax
+
+
+def plot_blocks(frame, field, component, limits, ax, units):
+    """The blocks of a frame as polygons, in space as their faces."""
+    values, label = scalar(frame[field], field, component)
+    label += _unit(units.get(field))
+    order, ends = frame["connectivity"], frame["offsets"]
+    corners = [frame["position"][part] for part in np.split(order, ends[:-1])]
+    flat = bool((frame["position"][:, 2] == 0).all())
+    if flat:
+        ax = _axes(ax)
+        drawn = _add_polygons(ax, [part[:, :2] for part in corners], values, "black")
+    else:
+        ax = _axes_in_space(ax)
+        from mpl_toolkits.mplot3d.art3d import Poly3DCollection
+
+        drawn = Poly3DCollection(corners, array=values, edgecolors="black", linewidths=0.3)
+        ax.add_collection3d(drawn)
+        ax.auto_scale_xyz(*frame["position"].T)
+    _label(ax, drawn, flat, limits, label, frame, units)
+    return ax
+
+
+def _add_polygons(ax, corners, values, edges):
+    from matplotlib.collections import PolyCollection
+
+    drawn = PolyCollection(corners, array=values, edgecolors=edges, linewidths=0.2)
+    ax.add_collection(drawn)
+    ax.autoscale_view()
+    ax.set_aspect("equal")
+    return drawn
+
+
+def _label(ax, drawn, flat, limits, label, frame, units):
+    """The scale of the colours, and the time above the picture."""
     if limits is not None:
         drawn.set_clim(*limits)
     if flat:  # as high as the picture, which may be a narrow strip
@@ -75,7 +118,6 @@ def plot_particles(frame, field, component, limits, ax, units):
     else:
         ax.figure.colorbar(drawn, ax=ax, label=label)
     ax.set_title(f"time {frame.time:.4g}" + (f" {units['time']}" if units.get("time") else ""))
-    return ax
 
 
 def plot_sweep(table, x, y, ax):

@@ -60,8 +60,11 @@ class Table(Mapping):
 
     def to_pandas(self):
         """The table as a pandas.DataFrame; needs pandas."""
-        import pandas
-
+        try:
+            import pandas
+        except ModuleNotFoundError:
+            raise ModuleNotFoundError("to_pandas() needs pandas: install Debian's package python3-pandas (apt install "
+                                      "python3-pandas), or pandas with pip", name="pandas") from None
         return pandas.DataFrame(self._columns)
 
     def write(self, path):
@@ -193,7 +196,12 @@ class Results:
         time = self.provenance.get("model", {}).get("unit of time")
         return ({"time": time} if time else {}) | self.provenance.get("unit_of", {})
 
-    remarks = property(lambda self: self.provenance.get("to_look_at", []), doc="What the run noticed about itself.")
+    @property
+    def remarks(self):
+        """What the run noticed about itself: signs that its results are wrong, then figures of its end, which need not be."""
+        record = self.provenance
+        return record.get("to_look_at", []) + record.get("figures", [])
+
     history = property(lambda self: self._table("history.csv"), doc="Table of the histories.")
     energy = property(lambda self: self._table("energy.csv"), doc="Table of the energy balance.")
     events = property(lambda self: self._table("events.csv"), doc="Table of the events at joints between bodies.")
@@ -215,18 +223,24 @@ class Results:
         """Any table of the folder by its file name, such as 'block_energy.csv'."""
         return self._table(name)
 
-    def plot(self, field="velocity", *, time=None, component=None, range=None, ax=None):
-        """Draws the particles at a time (by default the last file), coloured by a field; needs matplotlib.
+    def plot(self, field="velocity", *, of=None, time=None, component=None, range=None, ax=None):
+        """Draws the particles or the rigid blocks at a time (by default the last file), coloured by a field; needs
+        matplotlib.
 
-        The magnitude of vectors is shown, or a `component` ('x', 'xy'); `range` is (lowest, highest).
+        `of` is "particles" or "blocks", by default the particles if the run has any. The magnitude of vectors is shown,
+        or a `component` ('x', 'xy'); `range` is (lowest, highest).
         """
-        from .plots import plot_particles
+        from .plots import plot_blocks, plot_particles
 
-        frames = self.frames
+        if of not in (None, "particles", "blocks"):
+            raise ValueError(f"a picture is of 'particles' or of 'blocks', not of '{of}'")
+        particles, blocks = self.frames, self.blocks
+        draws_blocks = of == "blocks" or (of is None and not len(particles) and len(blocks) > 0)
+        frames = blocks if draws_blocks else particles
         if not len(frames):
-            raise OutputError("this run has no files of particles")
+            raise OutputError(f"this run has no files of {'blocks' if draws_blocks else 'particles'}")
         frame = frames[-1] if time is None else frames.at(time)
-        return plot_particles(frame, field, component, range, ax, self.units)
+        return (plot_blocks if draws_blocks else plot_particles)(frame, field, component, range, ax, self.units)
 
     def __repr__(self):
         return f"Results of '{self.folder}': {self.status}, {self.frames!r}"

@@ -1,15 +1,15 @@
 # SPDX-License-Identifier: MIT
 """Runs and checks of models."""
 
+import inspect
 import os
-import warnings
 
 from . import _core
-from .errors import InputError, ModelWarning
+from .errors import InputError, ModelWarning, RunWarning, warn
 from .model import Model
 from .results import open as open_results
 
-__all__ = ["Check", "check", "load", "resume", "run"]
+__all__ = ["Check", "check", "document", "load", "resume", "run", "warn_of"]
 
 
 def text_of(value):
@@ -31,7 +31,7 @@ def load(model, set=None, body_force=None):
     else:
         loaded = _core.read_file(os.fspath(model), values)
     for text in loaded.warnings:
-        warnings.warn(text, ModelWarning, stacklevel=3)
+        warn(text, ModelWarning)
     if body_force is not None:
         loaded.set_body_force(body_force)
     return loaded
@@ -49,11 +49,19 @@ def options_of(call, folder, threads, quiet, **more):
     return {"folder": os.fspath(folder), "threads": threads, "quiet": quiet, "command_line": call, **more}
 
 
+def warn_of(results, before=""):
+    """A warning for each sign that results are wrong, as the run has noted them; not for figures that need not be."""
+    for remark in results.provenance.get("to_look_at", []):
+        warn(before + remark, RunWarning)
+
+
 def _finish(loaded, options):
     outcome = _core.run(loaded, options)
     if outcome == "signal":
         raise KeyboardInterrupt(f"stopped with a checkpoint; tribo.resume({options['folder']!r}) continues the run")
-    return open_results(options["folder"])
+    results = open_results(options["folder"])
+    warn_of(results)
+    return results
 
 
 def run(model, *, set=None, folder=None, threads=None, overwrite=False, quiet=True, max_wall=None, body_force=None):
@@ -65,6 +73,9 @@ def run(model, *, set=None, folder=None, threads=None, overwrite=False, quiet=Tr
     After `max_wall` seconds the run stops with a checkpoint, and the results have the status 'stopped'.
     `body_force(x, t)` is a function that gives the acceleration of all particles, called once per step: `x` has a row
     per particle, and so has what it returns (or one row for all).
+
+    What the run notices about itself is in `results.remarks`; signs that its results are wrong are also warnings of the
+    class RunWarning. With `quiet=False` the run prints its progress.
     """
     loaded = load(model, set, body_force)
     folder = folder or name_of(model) + ".out"
@@ -116,3 +127,15 @@ class Check(str):
 def check(model, *, set=None, threads=None):
     """What `tribo check` tells: places the particles of a model, takes some steps, and writes nothing."""
     return Check(_core.check(load(model, set), threads))
+
+
+def document(method, function):
+    """Gives a method of Model the description and the arguments of the function that it calls."""
+    own = inspect.signature(function)
+    method.__doc__ = function.__doc__
+    method.__signature__ = own.replace(parameters=[next(iter(own.parameters.values())).replace(name="self"),
+                                                   *list(own.parameters.values())[1:]])
+
+
+document(Model.run, run)
+document(Model.check, check)

@@ -1,7 +1,10 @@
 # SPDX-License-Identifier: MIT
 """Shapes of bodies and conditions, and values as a script has them."""
 
-__all__ = ["Expression", "Shape", "arguments", "box", "cut", "cylinder", "formatted", "oval", "polygon", "rect", "sphere"]
+import os
+
+__all__ = ["Expression", "Shape", "arguments", "box", "cut", "cylinder", "formatted", "oval", "polygon", "rect", "sphere",
+           "surface"]
 
 
 class Expression(str):
@@ -74,6 +77,12 @@ def sphere(x0, x1, y0, y1, z0, z1):
 def cylinder(x0, x1, y0, y1, z0, z1, axis):
     """A cylinder in a box, along an axis."""
     return Shape("Cylinder", x0, x1, y0, y1, z0, z1, axis)
+
+
+def surface(file, scale=1, x=0, y=0, z=0, group=None):
+    """The body in a closed surface: an STL, OBJ or PLY file, or a mesh of Gmsh (.msh), of which a physical `group` may be
+    chosen. Its coordinates are multiplied by `scale` and then moved by (x, y, z)."""
+    return Shape("Surface", os.fspath(file), scale, x, y, z, *([] if group is None else [group]))
 
 
 def cut(shape, *holes):

@@ -9,8 +9,9 @@ from collections.abc import Mapping
 import numpy as np
 
 from . import _core
+from .model import Model
 from .results import open as open_results
-from .running import load, name_of, options_of
+from .running import document, load, name_of, options_of, warn_of
 
 __all__ = ["Body", "Simulation", "SimulationFrame", "simulate"]
 
@@ -168,6 +169,8 @@ class Simulation:
         if pause == "signal":
             raise KeyboardInterrupt(f"stopped after step {self._core.step}")
         self._ended = pause == "end"
+        if self._ended:
+            warn_of(self.results)
         return None if self._ended and self._core.step == before else self.frame
 
     def __iter__(self):
@@ -220,3 +223,6 @@ def simulate(model, *, every=None, set=None, folder=None, threads=None, overwrit
     """
     return Simulation(model, every=every, set=set, folder=folder, threads=threads, overwrite=overwrite, quiet=quiet,
                       body_force=body_force)
+
+
+document(Model.simulate, simulate)
