@@ -135,7 +135,7 @@ void add_tasks(std::vector<ManualEntry>& out) {
     entry.example = example_of(task, false);
     for (const auto& name : parameter_names(task))
       if (task != "VTKArchive" || !find_particle_field(name))
-        entry.rows.push_back({"<Parameter name='" + name + "'>", "", ""});
+        entry.rows.push_back({"<Parameter name='" + name + "'>", "", std::string(meaning_of_parameter(task, name))});
     out.push_back(std::move(entry));
   }
 }

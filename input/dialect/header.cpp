@@ -34,9 +34,9 @@ void add_header(Rows& add) {
        "Header",
        "all numbers are in one consistent system of units; if absent, legacy units",
        T::none,
-       {{"length", T::choice, "", "km m dm cm mm um microns nm L"},
-        {"mass", T::choice, "", "kg g mg ug M"},
-        {"time", T::choice, "", "s sec ms msec us T"}},
+       {{"length", T::choice, "unit of length; L is one without a name", "km m dm cm mm um microns nm L"},
+        {"mass", T::choice, "unit of mass; t is the tonne, 1000 kg, and M one without a name", "t kg g mg ug M"},
+        {"time", T::choice, "unit of time; T is one without a name", "s sec ms msec us T"}},
        true});
   add({"RandSeed", "Header", "accepted without effect: Tribo uses no random numbers here", T::integer, {}, true});
 
