@@ -5,9 +5,11 @@
 #include "base/text.hpp"
 #include "contact/contact_law.hpp"
 #include "contact/joint_law.hpp"
+#include "input/common_properties.hpp"
 #include "input/dialect.hpp"
 #include "input/examples.hpp"
 #include "input/script/commands.hpp"
+#include "input/xml.hpp"
 #include "materials/material.hpp"
 #include "model/block_quantities.hpp"
 #include "model/output_fields.hpp"
@@ -113,6 +115,19 @@ void add_laws(std::vector<ManualEntry>& out, const char* kind, const Items& item
   }
 }
 
+// Adds the names of the history variables to the materials, from those of their examples.
+void add_history_variables(std::vector<ManualEntry>& out) {
+  for (ManualEntry& entry : out) {
+    if (entry.kind != "material" || entry.example.empty()) continue;
+    Problems none;
+    const auto law =
+        materials().find(entry.name)->make(read_xml(entry.example, nullptr), common_properties, Units{}, none);
+    std::vector<std::string> names;
+    for (std::size_t k = 0; law && k < law->history().size(); ++k) names.push_back(law->history()[k].name);
+    if (!names.empty()) entry.meaning += " Variables of the history, numbered from 1: " + join(names) + ".";
+  }
+}
+
 std::string_view task_meaning(std::string_view task) {
   if (task == "PeriodicXPIC") return "uses XPIC or FMPM only every few steps, FLIP in between";
   if (task == "AdjustTimeStep") return "adapts the time step to the present stiffness and velocities";
@@ -179,6 +194,7 @@ std::vector<ManualEntry> make() {
   std::vector<ManualEntry> out;
   add_elements(out);
   add_laws(out, "material", materials().items());
+  add_history_variables(out);
   add_laws(out, "contact law", contact_laws().items());
   add_laws(out, "joint law", joint_laws().items());
   add_tasks(out);

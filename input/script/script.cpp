@@ -146,6 +146,10 @@ std::string without_tags(const std::string& text) {
     }
     const std::string name = text.substr(at + 1, end - at - 1);
     out += sections.count(name) ? "the script" : "'" + command_of(name) + "'";
+    constexpr std::string_view type = " type='";  // <GIMP type='uGIMP'/>
+    if (const auto quote = text.find('\'', end + type.size());
+        name == "GIMP" && text.compare(end, type.size(), type) == 0 && quote < close)
+      out += " with " + text.substr(end + type.size(), quote - end - type.size());
     at = close + 1;
   }
   return out;

@@ -6,11 +6,22 @@
 
 #include <limits>
 #include <map>
+#include <set>
 
 namespace tribo {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// The box around a particle.
+struct Box {
+  Vec3 low, high;
+};
+
+Box box_of(const Seed& s) {
+  const Vec3 half = (s.F * s.half_axes.value_or(Mat3(s.half_size.asDiagonal()))).cwiseAbs().rowwise().sum();
+  return {s.x - half, s.x + half};
+}
 
 // The box around the particles of a material, and their mean velocity.
 struct Extent {
@@ -18,8 +29,8 @@ struct Extent {
   double mass = 0.0;
 
   void add(const Seed& s) {
-    const Vec3 half = (s.F * s.half_axes.value_or(Mat3(s.half_size.asDiagonal()))).cwiseAbs().rowwise().sum();
-    low = low.cwiseMin(s.x - half), high = high.cwiseMax(s.x + half);
+    const Box box = box_of(s);
+    low = low.cwiseMin(box.low), high = high.cwiseMax(box.high);
     mass += s.mass, momentum += s.mass * s.v;
   }
   Vec3 velocity() const { return mass > 0 ? Vec3(momentum / mass) : Vec3(Vec3::Zero()); }
@@ -42,6 +53,34 @@ Distance between(const Extent& a, const Extent& b, Eigen::Index dimension) {
   return out;
 }
 
+// The particles of a material that reach into a layer along an axis.
+std::vector<Box> layer(const Seeds& seeds, int material, Eigen::Index axis, double low, double high) {
+  std::vector<Box> out;
+  for (const Seed& s : seeds)
+    if (s.material == material)
+      if (const Box box = box_of(s); box.high[axis] > low && box.low[axis] < high) out.push_back(box);
+  return out;
+}
+
+// The distance along an axis of the particles that lie opposite each other in the layers, of the thickness of a cell,
+// at the faces of two boxes: a round or divided body may have none there. None if there are too many to compare.
+std::optional<double> opposite(const Seeds& seeds, std::pair<int, double> below, std::pair<int, double> above,
+                               Eigen::Index axis, Eigen::Index dimension, double cell) {
+  constexpr std::size_t most = 20'000'000;
+  const auto low = layer(seeds, below.first, axis, below.second - cell, below.second);
+  const auto high = layer(seeds, above.first, axis, above.second, above.second + cell);
+  if (low.size() * high.size() > most) return std::nullopt;
+  double least = infinity;
+  for (const Box& a : low)
+    for (const Box& b : high) {
+      bool meet = true;
+      for (Eigen::Index d = 0; d < dimension; ++d)
+        meet = meet && (d == axis || (a.low[d] < b.high[d] && b.low[d] < a.high[d]));
+      if (meet) least = std::min(least, b.low[axis] - a.high[axis]);
+    }
+  return least < infinity ? std::optional(least) : std::nullopt;
+}
+
 // When two bodies meet along an axis with the velocities that they have at the start.
 std::string meeting(const Extent& a, const Extent& b, const Distance& distance) {
   const double relative = (a.velocity() - b.velocity())[distance.axis];
@@ -51,8 +90,10 @@ std::string meeting(const Extent& a, const Extent& b, const Distance& distance) 
 
 }  // namespace
 
-std::vector<std::string> distant_bodies(const Model& model, const Seeds& seeds, const std::set<int>& near,
-                                        double cell) {
+std::vector<std::string> distant_bodies(const Model& model, const Seeds& seeds, const Gaps& gaps, double cell) {
+  std::set<int> near;
+  for (const auto& [pair, gap] : gaps)
+    if (gap < 1) near.insert({pair.first, pair.second});
   std::map<int, Extent> extents;
   const auto of = [&](int k) -> const MaterialSpec& { return model.materials[static_cast<std::size_t>(k)]; };
   for (const Seed& s : seeds)
@@ -67,11 +108,19 @@ std::vector<std::string> distant_bodies(const Model& model, const Seeds& seeds, 
       if (b != a && found.size < least.size) least = found, neighbour = b;
     }
     if (neighbour < 0) continue;
-    out[std::minmax(a, neighbour)] =
+    const std::pair<int, int> pair = std::minmax(a, neighbour);
+    const Extent& other = extents.at(neighbour);
+    const bool below = extent.high[least.axis] < other.low[least.axis];
+    const std::pair<int, double> lower{below ? a : neighbour, (below ? extent : other).high[least.axis]},
+        upper{below ? neighbour : a, (below ? other : extent).low[least.axis]};
+    const auto found = opposite(seeds, lower, upper, least.axis, model.dimension(), cell);
+    if (!found) continue;
+    least.size = *found;
+    out[pair] =
         "'" + of(std::min(a, neighbour)).name + "' and '" + of(std::max(a, neighbour)).name + "', " +
         counted(least.size / cell, "cell", "%.3g") +
         format(" (%.4g %s) along %c", least.size, model.units.name(Dimension::length).c_str(), "xyz"[least.axis]) +
-        meeting(extent, extents.at(neighbour), least);
+        meeting(extent, other, least);
   }
   std::vector<std::string> texts;
   for (const auto& [pair, text] : out) texts.push_back(text);

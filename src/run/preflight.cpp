@@ -167,9 +167,8 @@ class Report {
     const bool separate = model_.contact.active;
     const auto grips = [&](int k) { return material(k).law->rigid() && !material(k).touches(); };
     std::vector<std::string> touching_pairs, near_pairs;
-    std::set<int> near;
-    for (const auto& [pair, gap] : smallest_gaps<Dim>(seeds_, system_.lattice)) {
-      if (gap < 1) near.insert({pair.first, pair.second});
+    const Gaps gaps = smallest_gaps<Dim>(seeds_, system_.lattice);
+    for (const auto& [pair, gap] : gaps) {
       if (grips(pair.first) || grips(pair.second)) {
         if (separate && gap < touching) sticks(pair, grips(pair.first));
         continue;
@@ -197,7 +196,7 @@ class Report {
     }
     list_pairs("touch: ", touching_pairs);
     if (separate)
-      for (auto& text : distant_bodies(model_, seeds_, near, h_)) near_pairs.push_back(std::move(text));
+      for (auto& text : distant_bodies(model_, seeds_, gaps, h_)) near_pairs.push_back(std::move(text));
     list_pairs("gap: ", near_pairs);
   }
 

@@ -90,9 +90,8 @@ void own_weight(const Model& model, const Seeds& seeds, std::size_t number, std:
   const double share = m.law->density() * gravity.norm() * (high - low) / m.law->wave_modulus();
   if (share > much)
     out.push_back(format(
-        "'%s' is too soft for its own weight: density times gravity times its height is %.2g of its modulus of "
-        "compression, so that it is compressed by about as much; check the units of its density, its moduli and of "
-        "gravity",
+        "'%s' is too soft for its own weight: density times gravity times its height is %.2g times its modulus of "
+        "compression; check the units of its density, its moduli and of gravity",
         m.name.c_str(), share));
 }
 

@@ -69,7 +69,8 @@ TEST_CASE("a body that is too soft for its own weight is remarked", "[check]") {
   const std::string si = "length='m' mass='kg' time='s'", floor = gravity_along_y("-10"), remark = "its own weight";
   // Its particles are 3.5 apart: 2000*10*3.5 = 70000
   CHECK_THAT(block_sheet(elastic("2000", "3e5"), floor, si), !Contains(remark));
-  CHECK_THAT(block_sheet(elastic("2000", "2e5"), floor, si), Contains("gravity times its height is 0.35 of"));
+  CHECK_THAT(block_sheet(elastic("2000", "2e5"), floor, si),
+             Contains("gravity times its height is 0.35 times its modulus"));
   CHECK_THAT(block_sheet(elastic("2000", "20"), floor, si), Contains("'Bar' is too soft for its own weight"));
 }
 
@@ -99,6 +100,8 @@ TEST_CASE("bodies that nothing holds are remarked", "[check]") {
 TEST_CASE("advice on a script names its commands", "[check]") {
   CHECK(in_words_of_scripts("let it grow (<GridBodyYForce> as a function of t), set by <TimeStep>") ==
         "let it grow ('Gravity' as a function of t), set by 'TimeStep'");
+  CHECK(in_words_of_scripts("Use <GIMP type='uGIMP'/> where <GIMP/> is") ==
+        "Use 'MPMMethod' with uGIMP where 'MPMMethod' is");
 }
 
 TEST_CASE("a model of blocks tells gravity and what is missing", "[check]") {
