@@ -4,8 +4,10 @@
 #include "base/text.hpp"
 #include "materials/material.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <map>
+#include <optional>
 #include <set>
 
 namespace tribo {
@@ -14,11 +16,11 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // The box around a particle.
-struct Box {
+struct ParticleBox {
   Vec3 low, high;
 };
 
-Box box_of(const Seed& s) {
+ParticleBox particle_box(const Seed& s) {
   const Vec3 half = (s.F * s.half_axes.value_or(Mat3(s.half_size.asDiagonal()))).cwiseAbs().rowwise().sum();
   return {s.x - half, s.x + half};
 }
@@ -29,7 +31,7 @@ struct Extent {
   double mass = 0.0;
 
   void add(const Seed& s) {
-    const Box box = box_of(s);
+    const ParticleBox box = particle_box(s);
     low = low.cwiseMin(box.low), high = high.cwiseMax(box.high);
     mass += s.mass, momentum += s.mass * s.v;
   }
@@ -54,11 +56,11 @@ Distance between(const Extent& a, const Extent& b, Eigen::Index dimension) {
 }
 
 // The particles of a material that reach into a layer along an axis.
-std::vector<Box> layer(const Seeds& seeds, int material, Eigen::Index axis, double low, double high) {
-  std::vector<Box> out;
+std::vector<ParticleBox> layer(const Seeds& seeds, int material, Eigen::Index axis, double low, double high) {
+  std::vector<ParticleBox> out;
   for (const Seed& s : seeds)
     if (s.material == material)
-      if (const Box box = box_of(s); box.high[axis] > low && box.low[axis] < high) out.push_back(box);
+      if (const ParticleBox box = particle_box(s); box.high[axis] > low && box.low[axis] < high) out.push_back(box);
   return out;
 }
 
@@ -71,14 +73,23 @@ std::optional<double> opposite(const Seeds& seeds, std::pair<int, double> below,
   const auto high = layer(seeds, above.first, axis, above.second, above.second + cell);
   if (low.size() * high.size() > most) return std::nullopt;
   double least = infinity;
-  for (const Box& a : low)
-    for (const Box& b : high) {
+  for (const ParticleBox& a : low)
+    for (const ParticleBox& b : high) {
       bool meet = true;
       for (Eigen::Index d = 0; d < dimension; ++d)
         meet = meet && (d == axis || (a.low[d] < b.high[d] && b.low[d] < a.high[d]));
       if (meet) least = std::min(least, b.low[axis] - a.high[axis]);
     }
   return least < infinity ? std::optional(least) : std::nullopt;
+}
+
+// Whether bodies keep the velocities that they have at the start until they meet others.
+bool fly_freely(const Model& model) {
+  const BodyForce& force = model.body_force;
+  const auto any = [](const auto& functions) { return functions[0] || functions[1] || functions[2]; };
+  return force.gravity.isZero() && !any(force.function) && !force.acts_on_particles() &&
+         std::none_of(model.materials.begin(), model.materials.end(),
+                      [&](const MaterialSpec& m) { return any(m.rigid_velocity); });
 }
 
 // When two bodies meet along an axis with the velocities that they have at the start.
@@ -120,7 +131,7 @@ std::vector<std::string> distant_bodies(const Model& model, const Seeds& seeds, 
         "'" + of(std::min(a, neighbour)).name + "' and '" + of(std::max(a, neighbour)).name + "', " +
         counted(least.size / cell, "cell", "%.3g") +
         format(" (%.4g %s) along %c", least.size, model.units.name(Dimension::length).c_str(), "xyz"[least.axis]) +
-        meeting(extent, other, least);
+        (fly_freely(model) ? meeting(extent, other, least) : std::string());
   }
   std::vector<std::string> texts;
   for (const auto& [pair, text] : out) texts.push_back(text);
