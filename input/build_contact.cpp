@@ -73,7 +73,8 @@ const MaterialSpec* Builder::named_law(const Statement& s) {
   if (law(*found)) return found;
   const bool known_type = !found->type.empty();  // otherwise its type is the problem, which is reported there
   must(!known_type, a->origin,
-       "'" + found->name + "' at " + found->origin.text() + " is a material, not a contact law or a joint law; " + valid);
+       "'" + found->name + "' at " + found->origin.text() + " is a material, not a contact law or a joint law; " +
+           valid);
   return nullptr;
 }
 
