@@ -14,10 +14,11 @@
 namespace tribo {
 namespace {
 
-std::vector<std::string> contact_law_names() {
-  std::vector<std::string> out;
-  for (const auto& item : contact_laws().items()) out.push_back(item.name + " (" + std::to_string(item.number) + ")");
-  return out;
+std::string law_names() {
+  std::vector<std::string> contact, joint;
+  for (const auto& item : contact_laws().items()) contact.push_back(item.name);
+  for (const auto& item : joint_laws().items()) joint.push_back(item.name);
+  return join(contact) + "; or of a joint: " + join(joint);
 }
 
 NormalMethod normal_method(const std::string& word) {
@@ -61,20 +62,20 @@ const MaterialSpec* Builder::named_law(const Statement& s) {
              *number == std::floor(*number)) {
     found = &model_.materials[static_cast<std::size_t>(*number) - 1];
   }
-  const std::string valid = names.empty()
-                                ? "this file defines none: give a <Material> of type " + join(contact_law_names())
-                                : "contact and joint laws: " + join(names);
+  const std::string valid =
+      names.empty() ? "this file defines none: give a <Material> of the type of a contact law: " + law_names()
+                    : "contact and joint laws: " + join(names);
   if (!found) {
     problems_.add(a->origin,
                   "there is no contact or joint law '" + a->text + "'" + did_you_mean(a->text, names) + "; " + valid);
     return nullptr;
   }
-  if (!law(*found)) {
-    problems_.add(a->origin, "'" + a->text + "' is the material '" + found->name + "' at " + found->origin.text() +
-                                 ", not a contact law; " + valid);
-    return nullptr;
-  }
-  return found;
+  if (law(*found)) return found;
+  const bool known_type = !found->type.empty();  // otherwise its type is the problem, which is reported there
+  must(!known_type, a->origin,
+       "'" + found->name + "' at " + found->origin.text() + " is a material, not a contact law or a joint law; " +
+           valid);
+  return nullptr;
 }
 
 // The default law of all pairs. It cannot be a joint law, which acts only between faces that touch at the start.
@@ -146,7 +147,8 @@ void Builder::contact() {
     for (const auto* m : material_statements_)
       if (const auto* f = m->child("Friction"))
         problems_.add(f->origin,
-                      "<Friction> needs <MultiMaterialMode> in <MPMHeader>; without it materials stick together");
+                      "a contact law of two materials needs <MultiMaterialMode> in <MPMHeader>; without it materials "
+                      "stick together");
     return;
   }
   ContactSpec& c = model_.contact;

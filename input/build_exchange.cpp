@@ -10,14 +10,20 @@
 
 namespace tribo {
 
+// The material that a parameter of a task names; -1 after an error.
+int Builder::material_of_parameter(const Statement& schedule, const Statement& p) {
+  Statement reference = schedule;
+  reference.attributes = {{to_number(p.text) ? "mat" : "matname", p.text, p.text_origin}};
+  const std::size_t before = problems_.list().size();
+  const int found = material(reference);
+  return problems_.list().size() > before ? -1 : found;
+}
+
 // The material that the parameters of a task name; -1 after an error.
 int Builder::material_of_task(const Statement& schedule) {
   for (const auto& p : schedule.children) {
     const std::string name = word(p, "name");
-    if (name != "material" && name != "matname") continue;
-    Statement reference = schedule;
-    reference.attributes = {{to_number(p.text) ? "mat" : "matname", p.text, p.text_origin}};
-    return material(reference);
+    if (name == "material" || name == "matname") return material_of_parameter(schedule, p);
   }
   problems_.add(schedule.origin, word(schedule, "name") + " needs 'material' or 'matname'");
   return -1;

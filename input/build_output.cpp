@@ -121,9 +121,7 @@ void Builder::archive(const Statement& h) {
     if (const auto reason = reason_against(refused_outputs(), name); !field && !reason.empty())
       problems_.warn(origin, "the field '" + name + "' is not written: " + std::string(reason));
     else if (!field)
-      problems_.add(origin, "'" + name + "' is no field of the particle files" +
-                                did_you_mean(name, names_of(particle_fields())) +
-                                "; valid: " + join(names_of(particle_fields())));
+      unknown_fields_.emplace_back(name, origin);
     else if (std::find(out.particle_fields.begin(), out.particle_fields.end(), field->name) ==
              out.particle_fields.end())
       out.particle_fields.emplace_back(field->name);
@@ -166,6 +164,22 @@ void Builder::archive(const Statement& h) {
     must(out.checkpoint_interval >= 0, o->origin, "the time between checkpoints must not be negative");
     if (out.checkpoint_interval > 0)
       check_outputs(o->origin, model_.time.end, out.checkpoint_interval, 1e6, "checkpoints");
+  }
+}
+
+// Fields that do not exist may be variables of a law, which are known only with the materials.
+void Builder::report_unknown_fields() {
+  for (const auto& [name, origin] : unknown_fields_) {
+    const auto has_variable = [&wanted = name](const MaterialSpec& m) {
+      return m.law && std::any_of(m.law->history().begin(), m.law->history().end(),
+                                  [&](const auto& variable) { return variable.name == wanted; });
+    };
+    const auto of = std::find_if(model_.materials.begin(), model_.materials.end(), has_variable);
+    problems_.add(origin, "'" + name + "' is no field of the particle files" +
+                              (of != model_.materials.end() ? ", but a variable of the history of '" + of->name +
+                                                                  "'; the field 'history' writes all of them"
+                                                            : did_you_mean(name, names_of(particle_fields()))) +
+                              "; valid: " + join(names_of(particle_fields())));
   }
 }
 
@@ -283,7 +297,8 @@ void Builder::check_histories() {
       const auto& spec = model_.materials[static_cast<std::size_t>(q.material)];
       must(spec.law && spec.law->rigid() && !spec.touches(), q.origin,
            "'" + q.name + "' of a material is the reaction of a Rigid material; '" + spec.name +
-               "' is not a Rigid material (for RigidContact materials use 'contactx')");
+               "' is not a Rigid material (for RigidContact materials use 'contactx'; a condition is named by its id, "
+               "which is at most 0)");
     } else if (q.condition_id < 0) {
       bool known = std::any_of(model_.node_conditions.begin(), model_.node_conditions.end(),
                                [&](const NodeCondition& c) { return c.id == q.condition_id; });

@@ -69,39 +69,6 @@ std::string field_of(const std::string& quantity) {
 
 const std::vector<std::string>& task_names() { return known_tasks; }
 
-std::vector<std::string> parameter_names(const std::string& task) {
-  if (task == "PeriodicXPIC") return {"FMPMOrder", "XPICOrder", "periodicSteps", "periodicTime", "verbose"};
-  if (task == "AdjustTimeStep") return {"adjustTime", "velocityCFL", "maxIncrease", "verbose"};
-  if (task == "PropertyRamp" || task == "ThermalRamp")
-    return {"property", "time", "start", "Delta", "DeltaT", "sigmoidal", "exponential", "stretch", "scale"};
-  if (task == "LoadControl")
-    return {"material", "mat", "direction", "velocity", "MaxVelocity", "Load_Function", "Kp", "Ki", "Kd", "smooth"};
-  if (task == "ReverseLoad")
-    return {"quantity", "material", "mat", "maxValue", "minValue", "maxLength", "crackNumber", "hold", "style"};
-  if (task == "DeleteDamaged")
-    return {"material", "matname", "minCOD", "direction", "deleteTime", "store_x", "store_y", "store_z"};
-  if (task == "FluidSource")
-    return {"material", "matname",  "FlowRate", "FlowFunction", "flow_x",      "flow_y",       "flow_z",
-            "source_x", "source_y", "source_z", "inlet_width",  "inlet_depth", "particle_size"};
-  std::vector<std::string> names{"archiveTime", "firstArchiveTime"};
-  if (task != "VTKArchive") return names;
-  names.emplace_back("selectMaterial");
-  for (const auto& field : particle_fields()) names.emplace_back(field.name);
-  return names;
-}
-
-std::string_view needs_of_task(std::string_view task) {
-  if (task == "PropertyRamp" || task == "ThermalRamp") return "Delta or DeltaT";
-  if (task == "LoadControl") return "material or mat, Load_Function, velocity and Kp";
-  if (task == "ReverseLoad")
-    return "either a quantity and maxValue, or maxLength (length of a crack). The quantity is given by the parameter "
-           "'quantity', or by a parameter whose name is 'global' and the quantity, such as 'global dispx'";
-  if (task == "DeleteDamaged") return "material or matname";
-  if (task == "FluidSource")
-    return "material or matname; FlowRate or FlowFunction; at least one of flow_x, flow_y and flow_z; inlet_width";
-  return {};
-}
-
 bool knows_parameter(const std::string& task, const std::string& name) {
   const auto names = parameter_names(task);
   if (std::find(names.begin(), names.end(), name) != names.end()) return true;
@@ -272,7 +239,8 @@ bool Builder::reversal_by_history(const Statement& schedule, LoadReversal& rever
     if (name == "quantity") column.attributes.push_back({"type", p.text, p.text_origin});
     if (name.starts_with(global))
       column.attributes.push_back({"type", name.substr(global.size()), p.attribute("name")->origin});
-    if (name == "material" || name == "mat") column.attributes.push_back({"material", p.text, p.text_origin});
+    if (name == "material" || name == "mat")
+      column.attributes.push_back({to_number(p.text) ? "material" : "matname", p.text, p.text_origin});
     if (name == "maxValue") value = &p;
   }
   if (!column.attribute("type") || !value) {
@@ -308,20 +276,17 @@ void Builder::load_control(const Statement& schedule) {
   const Units& units = model_.units;
   control.function_time = units.alternative_time(), control.load_unit = units.factor(Dimension::force);
   control.fastest = 5e3 * (units.legacy ? 1.0 : std::numeric_limits<double>::infinity());
-  bool has_load = false;
+  bool has_load = false, has_material = false;
   for (const auto& p : schedule.children) {
     const std::string name = word(p, "name");
     if (name == "Load_Function")
       control.load = function(p.text, p.text_origin, "parameter 'Load_Function'"), has_load = true;
     if (name != "material" && name != "mat") continue;
-    Statement reference = schedule;
-    reference.attributes = {{to_number(p.text) ? "mat" : "matname", p.text, p.text_origin}};
-    control.material = material(reference);
+    control.material = material_of_parameter(schedule, p), has_material = true;
   }
-  if (control.material < 0 || !has_load) {
-    problems_.add(schedule.origin, "LoadControl needs 'material', the number of a rigid material, and 'Load_Function'");
-    return;
-  }
+  must(has_material && has_load, schedule.origin,
+       "LoadControl needs 'material', the number or name of a rigid material, and 'Load_Function'");
+  if (control.material < 0 || !has_load) return;
   const auto& spec = model_.materials.at(static_cast<std::size_t>(control.material));
   must(spec.law && spec.law->rigid(), schedule.origin,
        "LoadControl moves a rigid material; '" + spec.name + "' is none");

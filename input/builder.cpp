@@ -23,6 +23,7 @@ Model Builder::build() {
     time_control(*root_.child("MPMHeader"));
     archive(*root_.child("MPMHeader"));
     materials();
+    report_unknown_fields();
     gravity();
     with_memory_for("the blocks", place_of("Blocks"), [&] { blocks(); });
     stages();
@@ -33,6 +34,7 @@ Model Builder::build() {
   mesh();
   mpm_header();
   materials();
+  report_unknown_fields();
   check_cells();
   check_wave_steps();
   contact();

@@ -61,6 +61,7 @@ class Builder {
   void reverse_load(const Statement& schedule);
   bool reversal_by_length(const Statement& schedule, LoadReversal& reversal);
   bool reversal_by_history(const Statement& schedule, LoadReversal& reversal);
+  int material_of_parameter(const Statement& schedule, const Statement& p);
   int material_of_task(const Statement& schedule);
   void deletion(const Statement& schedule);
   bool has_source() const;
@@ -73,6 +74,7 @@ class Builder {
 
   // build_output.cpp
   void archive(const Statement& header);
+  void report_unknown_fields();
   void check_outputs(const Origin& origin, double time, double interval, double most, const char* what);
   void history(const Statement& header);
   void check_histories();
@@ -250,7 +252,8 @@ class Builder {
   std::vector<std::size_t> order_;
   Model model_;
   Problems problems_;
-  std::optional<Origin> wants_tip_loads_;  ///< place of an output request that needs crack tips
+  std::vector<std::pair<std::string, Origin>> unknown_fields_;  ///< asked for in particle files
+  std::optional<Origin> wants_tip_loads_;                       ///< place of an output request that needs crack tips
   std::vector<const Statement*> material_statements_;
   std::vector<SurfaceProperties> surfaces_;  ///< of blocks, in the order of BlocksSpec::groups
 };

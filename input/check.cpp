@@ -201,7 +201,8 @@ Statement without_incomplete(Statement s) {
     const ElementSpec* of_child = find_element(child.name, s.name);
     if (!of_child && s.name != "Material") continue;
     if (of_child) child = without_incomplete(std::move(child));
-    if (!of_child || of_child->required || complete(child, *of_child)) kept.push_back(std::move(child));
+    const bool named = s.name == "Blocks" && child.attribute("name");  // others may refer to it
+    if (!of_child || of_child->required || named || complete(child, *of_child)) kept.push_back(std::move(child));
   }
   s.children = std::move(kept);
   return s;

@@ -74,6 +74,8 @@ const std::vector<RefusedName>& refused_outputs();
 /// Tasks of <CustomTasks>, and whether a task has a parameter (build_tasks.cpp).
 const std::vector<std::string>& task_names();
 std::vector<std::string> parameter_names(const std::string& task);
+/// What a parameter of a task means; empty for those that are fields.
+std::string_view meaning_of_parameter(std::string_view task, std::string_view name);
 /// Which of its parameters a task needs, for the manual; empty: none.
 std::string_view needs_of_task(std::string_view task);
 bool knows_parameter(const std::string& task, const std::string& name);

@@ -5,9 +5,11 @@
 #include "base/text.hpp"
 #include "contact/contact_law.hpp"
 #include "contact/joint_law.hpp"
+#include "input/common_properties.hpp"
 #include "input/dialect.hpp"
 #include "input/examples.hpp"
 #include "input/script/commands.hpp"
+#include "input/xml.hpp"
 #include "materials/material.hpp"
 #include "model/block_quantities.hpp"
 #include "model/output_fields.hpp"
@@ -113,6 +115,19 @@ void add_laws(std::vector<ManualEntry>& out, const char* kind, const Items& item
   }
 }
 
+// Adds the names of the history variables to the materials, from those of their examples.
+void add_history_variables(std::vector<ManualEntry>& out) {
+  for (ManualEntry& entry : out) {
+    if (entry.kind != "material" || entry.example.empty()) continue;
+    Problems none;
+    const auto law =
+        materials().find(entry.name)->make(read_xml(entry.example, nullptr), common_properties, Units{}, none);
+    std::vector<std::string> names;
+    for (std::size_t k = 0; law && k < law->history().size(); ++k) names.push_back(law->history()[k].name);
+    if (!names.empty()) entry.meaning += " Variables of the history, numbered from 1: " + join(names) + ".";
+  }
+}
+
 std::string_view task_meaning(std::string_view task) {
   if (task == "PeriodicXPIC")
     return "uses XPIC or FMPM only every few steps, and FLIP in between. FMPMOrder or XPICOrder is the order, 1 to "
@@ -173,7 +188,7 @@ void add_tasks(std::vector<ManualEntry>& out) {
     entry.example = example_of(task, false);
     for (const auto& name : parameter_names(task))
       if (task != "VTKArchive" || !find_particle_field(name))
-        entry.rows.push_back({"<Parameter name='" + name + "'>", "", ""});
+        entry.rows.push_back({"<Parameter name='" + name + "'>", "", std::string(meaning_of_parameter(task, name))});
     out.push_back(std::move(entry));
   }
 }
@@ -217,6 +232,7 @@ std::vector<ManualEntry> make() {
   std::vector<ManualEntry> out;
   add_elements(out);
   add_laws(out, "material", materials().items());
+  add_history_variables(out);
   add_laws(out, "contact law", contact_laws().items());
   add_laws(out, "joint law", joint_laws().items());
   add_tasks(out);

@@ -143,12 +143,13 @@ void MohrCoulombLaw::check_softening(const Statement& statement, Problems& probl
   if (!given(friction_residual)) friction_residual = friction;
   if (!given(dilation_residual)) dilation_residual = dilation;
   if (!given(tension_residual)) tension_residual = tension;
-  if (dilation_residual > friction_residual)
+  if (angles_soften_ && dilation_residual > friction_residual)
     problems.add(origin(statement.child("dilation_residual") ? "dilation_residual" : "friction_residual"),
                  "the residual dilation angle must not exceed the residual friction angle");
   if (cohesion_residual == 0 && friction_residual == 0)
     problems.add(origin("cohesion_residual"),
-                 "residual cohesion and friction are both 0: the material would have no strength");
+                 std::string(softens_ ? "residual " : "") +
+                     "cohesion and friction are both 0: the material would have no strength");
 }
 
 Strength MohrCoulombLaw::limit(double c, double phi, double psi, double cut_off) const {

@@ -6,6 +6,7 @@
 #include "input/coverage.hpp"
 #include "input/manual.hpp"
 #include "input/read.hpp"
+#include "input/script/script.hpp"
 #include "input/script/write_xml.hpp"
 #include "output/atomic_file.hpp"
 #include "output/number.hpp"
@@ -138,7 +139,8 @@ int resume_command(const Arguments& a) {
 
 int check_command(const Arguments& a) {
   const Model model = read_model(a.file, settings_of(a));
-  return print(preflight(model, a.thread_count));
+  const std::string text = preflight(model, a.thread_count);
+  return print(is_script(model.source) ? in_words_of_scripts(text) : text);
 }
 
 int drive_command(const Arguments& a) {

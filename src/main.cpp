@@ -48,7 +48,7 @@ int guarded(const std::function<int()>& action) {
   try {
     return action();
   } catch (const UsageError& error) {
-    std::fprintf(stderr, "%s\n", error.what());
+    std::fprintf(stderr, "error: %s\n", error.what());
     return usage_error;
   } catch (const InputError& error) {
     std::fprintf(stderr, "%s\n", error.what());

@@ -36,7 +36,8 @@ void add_header(Rows& add) {
        "numbers are in the legacy units of NairnMPM",
        T::none,
        {{"length", T::choice, "unit of length (default L, a unit without a name)", "km m dm cm mm um microns nm L"},
-        {"mass", T::choice, "unit of mass (default M, a unit without a name)", "kg g mg ug M"},
+        {"mass", T::choice, "unit of mass; t is the tonne, 1000 kg (default M, a unit without a name)",
+         "t kg g mg ug M"},
         {"time", T::choice, "unit of time (default T, a unit without a name)", "s sec ms msec us T"}},
        true});
   add({"RandSeed", "Header", "accepted without effect, since Tribo uses no random numbers here", T::integer, {}, true});

@@ -2,7 +2,7 @@
 #include "input/script/document.hpp"
 
 #include "base/schema.hpp"
-
+#include "base/text.hpp"
 #include "input/dialect.hpp"
 
 #include <array>
@@ -131,6 +131,13 @@ const Statement& Document::material_before(const std::string& id, const Origin& 
   return materials_before_[number - surrounding_ - 1];
 }
 
+std::string Document::name_of(const std::string& id) const {
+  const std::size_t k = ids_.at(id);
+  const bool own = k > surrounding_ && k <= surrounding_ + materials_.size();
+  const Attribute* name = own ? materials_[k - surrounding_ - 1].attribute("Name") : nullptr;
+  return name ? name->text : id;
+}
+
 // In an XML file the numbers of materials may depend on the order of references, so references are made by name, as in
 // attributes that take a name only.
 void Document::resolve(Attribute& a, Problems& problems) const {
@@ -146,14 +153,33 @@ void Document::resolve(Attribute& a, Problems& problems) const {
     const auto found = names.find(a.name);
     a.name = found == names.end() ? "matname" : found->second;
   }
-  const auto k = static_cast<std::size_t>(std::stoul(number));
-  a.text = id;
-  if (k > surrounding_ && k <= surrounding_ + materials_.size())
-    if (const Attribute* name = materials_[k - surrounding_ - 1].attribute("Name")) a.text = name->text;
+  a.text = ids_.contains(id) ? name_of(id) : id;
+}
+
+// What a reaction takes in place of a material.
+std::string Document::hint_of_reaction(const Statement& s) {
+  const Attribute* type = s.name == "GlobalArchive" ? s.attribute("type") : nullptr;
+  return type && lower(type->text).starts_with("reaction")
+             ? "; the reaction of a condition is chosen by its id, which 'BoundaryID' sets and which is at most 0"
+             : "";
+}
+
+// A parameter of a task also takes the name of a material: that of an id in an XML file, or one that is written.
+bool Document::named_by_parameter(Statement& s) const {
+  if (s.name != "Parameter" || s.text.empty() || s.text[0] != reference) return false;
+  const std::string id = s.text.substr(1);
+  const Attribute* parameter = s.attribute("name");
+  const bool known = ids_.contains(id), by_name = parameter && lower(parameter->text) == "matname";
+  if (!(known ? inside_ : by_name)) return false;
+  s.text = known ? name_of(id) : id;
+  return true;
 }
 
 void Document::resolve(Statement& s, Problems& problems) const {
-  for (auto& a : s.attributes) resolve(a, problems);
+  Problems of_attributes;
+  for (auto& a : s.attributes) resolve(a, of_attributes);
+  for (const Problem& p : of_attributes.list()) problems.add(p.origin, p.message + hint_of_reaction(s));
+  if (named_by_parameter(s)) return;
   if (s.text.size() > 1 && s.text[0] == reference && !ids_.contains(s.text.substr(1)) && to_number(s.text.substr(1))) {
     s.text.erase(0, 1);  // the number of a material
   } else if (!s.text.empty() && s.text[0] == reference) {

@@ -78,6 +78,9 @@ class Document {
   void resolve(Statement& s, Problems& problems) const;
   void resolve(Attribute& a, Problems& problems) const;
   std::string number_of(const std::string& id, const Origin& origin, Problems& problems) const;
+  std::string name_of(const std::string& id) const;  ///< the name of the material of a known id
+  bool named_by_parameter(Statement& s) const;
+  static std::string hint_of_reaction(const Statement& s);
 
   Origin origin_;
   std::map<std::string, Statement> sections_;

@@ -34,7 +34,9 @@ class Evaluator {
 
   Value whole() {
     const Value v = joined();
-    if (at_ < piece_.text.size()) fail(at_, "unexpected '" + std::string(1, piece_.text[at_]) + "'");
+    if (at_ < piece_.text.size())
+      fail(at_, "unexpected '" + std::string(1, piece_.text[at_]) + "'" +
+                    (piece_.text[at_] == '#' ? "; a comment begins with '!'" : ""));
     return v;
   }
 

@@ -61,6 +61,7 @@ Interpreter::Flow Interpreter::block(const Block& body) {
 
 Interpreter::Flow Interpreter::node(const Node& n) {
   count(n.origin);
+  const bool unsure = uses_lost(n);
   try {
     switch (n.kind) {
       case NodeKind::command:
@@ -86,14 +87,30 @@ Interpreter::Flow Interpreter::node(const Node& n) {
         return Flow::leave_sub;
     }
   } catch (const InputError& error) {
-    report(error);
+    if (!unsure) report(error);
   }
   return Flow::on;
 }
 
-void Interpreter::assign(const Node& n) {
-  const std::string name = variable_name(n.target, variables_);
-  if (before_assignment) before_assignment(name, n);
+bool Interpreter::uses_lost(const Piece& piece) const {
+  return std::any_of(lost_.begin(), lost_.end(), [&](const std::string& name) {
+    for (auto at = piece.text.find(name); at != std::string::npos; at = piece.text.find(name, at + 1)) {
+      const std::size_t end = at + name.size();
+      const bool begins = name.front() == '#' || at == 0 || !in_name(piece.text[at - 1]);
+      if (begins && (end == piece.text.size() || !in_name(piece.text[end]))) return true;
+    }
+    return false;
+  });
+}
+
+bool Interpreter::uses_lost(const Node& n) const {
+  const auto lost = [&](const Piece& piece) { return uses_lost(piece); };
+  return (!n.word.empty() && lost(n.target)) || std::any_of(n.arguments.begin(), n.arguments.end(), lost) ||
+         std::any_of(n.branches.begin(), n.branches.end(), [&](const Branch& b) { return lost(b.condition); });
+}
+
+// The value that an assignment gives to a variable.
+Value Interpreter::value_of(const Node& n, const std::string& name) const {
   Piece value = n.arguments.front();
   if (value.text.empty()) throw InputError(value.origin, "a value is missing here");
   Value v = evaluate(value, variables_);
@@ -105,7 +122,26 @@ void Interpreter::assign(const Node& n) {
   }
   if (is_text(v) && std::get<std::string>(v).size() > longest_text)
     throw InputError(value.origin, "this text is longer than ten thousand characters");
+  return v;
+}
+
+void Interpreter::assign(const Node& n) {
+  const std::string name = variable_name(n.target, variables_);
+  if (before_assignment) before_assignment(name, n);
+  const bool lost = uses_lost(n);
+  Value v;
+  try {
+    v = value_of(n, name);
+  } catch (const InputError&) {
+    lost_.insert(name), values_lost_ = true;
+    variables_.try_emplace(name, 1.0);
+    throw;
+  }
   if (fixed_.erase(name) > 0) return;
+  if (lost)
+    lost_.insert(name);
+  else
+    lost_.erase(name);
   variables_[name] = std::move(v);
 }
 
@@ -138,6 +174,7 @@ Interpreter::Flow Interpreter::repeat(const Node& n) {
   const double first = counted ? evaluate_number(n.arguments[1], variables_) : 0.0;
   const double last = counted ? evaluate_number(n.arguments[2], variables_) : 0.0;
   const double step = n.arguments.size() > 3 ? evaluate_number(n.arguments[3], variables_) : 1.0;
+  if (counted && uses_lost(n)) lost_.insert(name);
   if (counted && (!(std::abs(step) > 0) || !std::isfinite(step)))
     throw InputError(n.arguments.back().origin, "the step of a loop must not be 0");
   for (long turn = 0;; ++turn) {
@@ -170,7 +207,10 @@ void Interpreter::call(const Node& n) {
   if (stack_.size() >= deepest_calls) throw InputError(n.origin, "more than 100 nested calls and loops");
   std::vector<Value> values;
   for (const Piece& a : n.arguments) values.push_back(evaluate(a, variables_));
-  for (std::size_t k = 0; k < values.size(); ++k) variables_[sub.parameters[k]] = values[k];
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    if (uses_lost(n.arguments[k])) lost_.insert(sub.parameters[k]);
+    variables_[sub.parameters[k]] = values[k];
+  }
   stack_.push_back("called from " + n.origin.text());
   const int outside = std::exchange(loops_, 0);
   block(sub.body);
@@ -213,7 +253,7 @@ void Interpreter::command(const Node& n) {
     output_.clear();
   } else if (word == "stop") {
     const std::string message = joined(n);
-    report({n.origin, message.empty() ? "the script stops here" : message});
+    if (lost_.empty()) report({n.origin, message.empty() ? "the script stops here" : message});
     throw Stopped{};
   } else if (word == "lines" || word == "words") {
     pieces_of_text(n, word == "words");

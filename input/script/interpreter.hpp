@@ -39,6 +39,8 @@ class Interpreter {
   void run();
   /// Whether the script ran to its end: no `Stop`, and no limit on commands or problems was reached.
   bool ran_to_end() const { return ran_to_end_; }
+  /// Whether the definition of a variable had an error, so that its value is not known.
+  bool values_lost() const { return values_lost_; }
   /// The text written by `Write` and `WriteLine`.
   const std::string& output() const { return output_; }
 
@@ -51,6 +53,9 @@ class Interpreter {
   Flow repeat(const Node& n);
   void call(const Node& n);
   void assign(const Node& n);
+  Value value_of(const Node& n, const std::string& name) const;
+  bool uses_lost(const Piece& piece) const;
+  bool uses_lost(const Node& n) const;
   bool holds(const Branch& branch) const;
   void command(const Node& n);
   void pieces_of_text(const Node& n, bool words);
@@ -62,11 +67,14 @@ class Interpreter {
   Receiver receiver_;
   Variables variables_;
   std::set<std::string> fixed_;
+  /// Variables whose definition has an error, or uses such a variable. They have some value, so that their use is no
+  /// further error; errors of commands with them may be consequences and are not reported.
+  std::set<std::string> lost_;
   std::string output_;
   std::vector<std::string> stack_;  ///< calls and loops around the current command, outermost first
   std::set<std::string> known_;     ///< problems that were already reported, since loops repeat them
   std::vector<Problem> problems_;
-  bool ran_to_end_ = false;
+  bool ran_to_end_ = false, values_lost_ = false;
   long commands_ = 0, complaints_ = 0;
   int loops_ = 0;  ///< nested loops in the current subroutine
 };

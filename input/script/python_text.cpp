@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t longest_line = 118;
 
-bool digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
+bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 bool small(char c) { return std::islower(static_cast<unsigned char>(c)) != 0; }
 bool capital(char c) { return std::isupper(static_cast<unsigned char>(c)) != 0; }
 
@@ -37,9 +37,9 @@ std::string joined_lines(const std::string& text) {
 bool is_python_number(const std::string& text) {
   const std::size_t first = text[0] == '-' || text[0] == '+' ? 1 : 0;
   const bool plain = std::all_of(text.begin(), text.end(), [](char c) {
-    return digit(c) || c == '.' || c == 'e' || c == 'E' || c == '+' || c == '-';
+    return is_digit(c) || c == '.' || c == 'e' || c == 'E' || c == '+' || c == '-';
   });
-  const bool leading_zero = text.size() > first + 1 && text[first] == '0' && digit(text[first + 1]);
+  const bool leading_zero = text.size() > first + 1 && text[first] == '0' && is_digit(text[first + 1]);
   return plain && !leading_zero;
 }
 
@@ -69,7 +69,7 @@ bool is_python_name(const std::string& name) {
       "or",    "pass",     "raise", "return", "try",  "while",  "with",   "yield",    "self"};
   const auto letter = [](char c) { return small(c) || capital(c) || c == '_'; };
   return !name.empty() && letter(name[0]) &&
-         std::all_of(name.begin(), name.end(), [&](char c) { return letter(c) || digit(c); }) &&
+         std::all_of(name.begin(), name.end(), [&](char c) { return letter(c) || is_digit(c); }) &&
          std::find(keywords.begin(), keywords.end(), name) == keywords.end();
 }
 
@@ -78,7 +78,7 @@ std::string python_method(std::string_view command) {
   for (std::size_t k = 0; k < command.size(); ++k) {
     const char c = command[k];
     const bool begins_word = k > 0 && capital(c) &&
-                             (small(command[k - 1]) || digit(command[k - 1]) ||
+                             (small(command[k - 1]) || is_digit(command[k - 1]) ||
                               (capital(command[k - 1]) && k + 1 < command.size() && small(command[k + 1])));
     if (begins_word) out += '_';
     out += c;

@@ -45,7 +45,15 @@ std::string interpret(std::string_view text, const Origin& begin, Settings& sett
     if (!interpreter.ran_to_end()) throw;
     problems.add(error);
   }
+  if (interpreter.values_lost()) translator.lose_values();
   return interpreter.output();
+}
+
+// What is made of values that are not known would only give further problems.
+void raise_in_words_of_scripts(const Problems& problems, const script::Translator& translator) {
+  Problems told;
+  for (const Problem& p : in_words_of_scripts(problems.list(), translator.xml_lines())) told.add(p.origin, p.message);
+  told.raise();
 }
 
 }  // namespace
@@ -57,6 +65,7 @@ Script read_script(std::string_view text, const std::shared_ptr<const std::strin
   Problems problems;
   std::string output = interpret(text, begin, settings, translator, problems);
   Statement root = translator.finish(problems);
+  if (translator.values_lost()) raise_in_words_of_scripts(problems, translator);
   return {std::move(root), std::move(output), std::move(problems), translator.warnings(), translator.xml_lines()};
 }
 
@@ -126,7 +135,8 @@ std::string without_tags(const std::string& text) {
   std::string out;
   for (std::size_t at = 0; at < text.size();) {
     std::size_t end = at + 1;
-    while (end < text.size() && std::isalnum(static_cast<unsigned char>(text[end]))) ++end;
+    const auto in_name = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '-' || c == '_'; };
+    while (end < text.size() && in_name(text[end])) ++end;
     const auto close = text.find('>', end);
     const bool tag = text[at] == '<' && end > at + 1 && close != std::string::npos &&
                      (text[end] == '>' || text[end] == ' ' || text[end] == '/') && close < end + 60;
@@ -136,12 +146,18 @@ std::string without_tags(const std::string& text) {
     }
     const std::string name = text.substr(at + 1, end - at - 1);
     out += sections.count(name) ? "the script" : "'" + command_of(name) + "'";
+    constexpr std::string_view type = " type='";  // <GIMP type='uGIMP'/>
+    if (const auto quote = text.find('\'', end + type.size());
+        name == "GIMP" && text.compare(end, type.size(), type) == 0 && quote < close)
+      out += " with " + text.substr(end + type.size(), quote - end - type.size());
     at = close + 1;
   }
   return out;
 }
 
 }  // namespace
+
+std::string in_words_of_scripts(const std::string& text) { return without_tags(text); }
 
 std::vector<Problem> in_words_of_scripts(std::vector<Problem> problems,
                                          const std::vector<std::array<int, 2>>& xml_lines) {
@@ -176,6 +192,7 @@ std::string run_commands(Statement& root, Settings& settings, Problems& problems
     Problems of_commands;
     output += interpret(commands.text, commands.text_origin, settings, translator, of_commands);
     std::vector<Statement> sections = translator.finish_sections(of_commands);
+    if (translator.values_lost()) raise_in_words_of_scripts(of_commands, translator);
     problems.add(of_commands);
     for (Statement& section : sections) {
       const auto same = std::find_if(root.children.begin(), root.children.end(), [&](const Statement& s) {

@@ -29,7 +29,11 @@ struct Script {
 std::vector<Problem> in_words_of_scripts(std::vector<Problem> problems,
                                          const std::vector<std::array<int, 2>>& xml_lines);
 
-/// Runs a script. Variables in `settings` keep their values. Throws InputError if the script cannot be run to its end.
+/// A text about a model in the words of scripts, as above.
+std::string in_words_of_scripts(const std::string& text);
+
+/// Runs a script. Variables in `settings` keep their values. Throws InputError if the script cannot be run to its end
+/// or the value of a variable is not known because its definition has an error.
 Script read_script(std::string_view text, const std::shared_ptr<const std::string>& file_name, Settings& settings);
 
 /// A Python program that builds the model of a script with tribo.Model: the commands in the order in which they run,

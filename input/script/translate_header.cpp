@@ -103,14 +103,9 @@ void Translator::units(const Command& c) {
   Statement& s = document_.set("Header", "ConsistentUnits", c.origin());
   constexpr std::array names{"length", "mass", "time"};
   for (std::size_t k = 0; k < c.size(); ++k) attribute(s, names[k], c.text(k), c.origin(k));
-  static const std::map<std::string, double> lengths{{"km", 1e3},  {"m", 1},     {"dm", 0.1},       {"cm", 1e-2},
-                                                     {"mm", 1e-3}, {"um", 1e-6}, {"microns", 1e-6}, {"nm", 1e-9}};
-  static const std::map<std::string, double> times{{"s", 1}, {"sec", 1}, {"ms", 1e-3}, {"msec", 1e-3}, {"us", 1e-6}};
-  const auto size = [](const auto& table, const std::string& word) {
-    const auto found = table.find(word);
-    return found == table.end() ? 0.0 : found->second;
-  };
-  length_in_m_ = size(lengths, c.text(0)), time_in_s_ = size(times, c.text(2));
+  const Units given{.length = c.text(0), .mass = c.text(1), .time = c.text(2)};
+  length_in_m_ = given.size_in_si(Dimension::length).value_or(0.0);
+  time_in_s_ = given.size_in_si(Dimension::time).value_or(0.0);
 }
 
 void Translator::method(const Command& c) {
@@ -135,7 +130,14 @@ void Translator::transfer(const Command& c) {
   Statement& s = document_.set("MPMHeader", "Transfer", c.origin());
   const std::string type = c.text(0);
   attribute(s, "type", type, c.origin(0));
-  if (c.given(1)) attribute(s, lower(type) == "blend" ? "fraction" : "order", c.text(1), c.origin(1));
+  if (!c.given(1)) return;
+  const std::string word = lower(type);
+  if (word == "flip" || word == "pic" || word == "apic")
+    throw InputError(c.origin(1), "'" + type + "' takes no second argument" +
+                                      (word == "apic" ? ""
+                                                      : "; for a part of FLIP and the rest of PIC write 'Transfer "
+                                                        "blend,0.99', with the fraction of FLIP"));
+  attribute(s, word == "blend" ? "fraction" : "order", c.text(1), c.origin(1));
 }
 
 void Translator::time_step(const Command& c) {
@@ -420,7 +422,7 @@ void Translator::parameter(const Command& c) {
   s.name = "Parameter", s.origin = c.origin(), s.text = c.text(1), s.text_origin = c.origin(1);
   attribute(s, "name", c.text(0), c.origin(0));
   // numbers of materials are known at the end; a number that is not positive is the id of a condition
-  static const std::set<std::string> materials{"material", "mat", "selectmaterial", "volumegradient"};
+  static const std::set<std::string> materials{"material", "matname", "mat", "selectmaterial", "volumegradient"};
   const bool of_files = lower(task_->attribute("name")->text) == "vtkarchive" && lower(c.text(0)) == "material";
   if (materials.count(lower(c.text(0))) && c.given(1) && !of_files && to_number(s.text).value_or(1) > 0)
     Document::refer_text(s, s.text, s.text_origin);

@@ -178,9 +178,7 @@ bool closes_block(const std::string& word) {
 std::string resembled(const std::string& word) {
   std::vector<std::string> names;
   for (const CommandInfo& info : commands()) names.emplace_back(info.name);
-  const std::string near = did_you_mean(word, names);
-  const auto first = near.find('\''), last = near.rfind('\'');
-  return first == last ? "" : lower(near.substr(first + 1, last - first - 1));
+  return lower(similar_word(word, names));
 }
 
 }  // namespace
@@ -250,7 +248,9 @@ void Translator::refused(const Command& c) {
   }
   for (const CommandInfo& info : commands()) known.emplace_back(info.name);
   for (const CommandInfo& info : language()) known.emplace_back(info.name);
-  throw InputError(c.origin(), "there is no command '" + c.node.word + "'" + did_you_mean(c.node.word, known));
+  const bool comment = word.starts_with('#') || word.starts_with("//");
+  throw InputError(c.origin(), "there is no command '" + c.node.word + "'" + did_you_mean(c.node.word, known) +
+                                   (comment ? "; a comment begins with '!'" : ""));
 }
 
 void Translator::open(Open block, const Command& c) {

@@ -23,6 +23,9 @@ class Translator {
   void assigned(const std::string& name, const Node& n) const;
   /// First and last lines of XML in the script.
   const std::vector<std::array<int, 2>>& xml_lines() const { return xml_lines_; }
+  /// States that some values in commands are not known, so that what they name may be missing.
+  void lose_values() { values_lost_ = lost_a_material_ = true; }
+  bool values_lost() const { return values_lost_; }
   /// For a script in an XML file: its analysis (10 to 13), its materials, and whether it has consistent units.
   void surround(int analysis, const std::vector<std::string>& materials, bool consistent);
   /// Possible mistakes that do not stop the program.
@@ -163,7 +166,8 @@ class Translator {
   int analysis_ = 0;
   bool consistent_ = false;
   double length_in_m_ = 1e-3, time_in_s_ = 1.0;
-  bool in_lost_block_ = false;    ///< between a command that did not begin a block and the end of the block
+  bool in_lost_block_ = false;  ///< between a command that did not begin a block and the end of the block
+  bool values_lost_ = false;
   bool lost_a_material_ = false;  ///< a material whose command has an error; references to it are not reported
   Open open_ = Open::nothing;
   std::optional<Origin> stage_;   ///< place of the stage that is open

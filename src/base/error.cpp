@@ -92,6 +92,32 @@ std::size_t distance(std::string_view a, std::string_view b) {
   return row.back();
 }
 
+bool same_letter(char a, char b) {
+  return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
+}
+
+// The longest candidate of some length that stands in a word, ignoring case; empty if there is none.
+std::string part_of(std::string_view word, const std::vector<std::string>& candidates) {
+  constexpr std::size_t shortest = 4;
+  std::string best;
+  for (const auto& candidate : candidates)
+    if (candidate.size() >= std::max(shortest, best.size() + 1) &&
+        std::search(word.begin(), word.end(), candidate.begin(), candidate.end(), same_letter) != word.end())
+      best = candidate;
+  return best;
+}
+
+// The shortest candidate that begins with a word of some length, ignoring case; empty if there is none.
+std::string completion_of(std::string_view word, const std::vector<std::string>& candidates) {
+  constexpr std::size_t shortest = 3;
+  std::string best;
+  for (const auto& candidate : candidates)
+    if (word.size() >= shortest && candidate.size() > word.size() && (best.empty() || candidate.size() < best.size()) &&
+        std::equal(word.begin(), word.end(), candidate.begin(), same_letter))
+      best = candidate;
+  return best;
+}
+
 }  // namespace
 
 InputError::InputError(std::vector<Problem> problems) : InputError(Shortened{shortened(std::move(problems))}) {}
@@ -111,7 +137,7 @@ void Problems::raise() const {
   throw InputError(std::move(sorted));
 }
 
-std::string did_you_mean(std::string_view word, const std::vector<std::string>& candidates) {
+std::string similar_word(std::string_view word, const std::vector<std::string>& candidates) {
   const std::string* best = nullptr;
   if (word.empty()) return {};
   std::size_t least = word.size() == 1 ? 1 : std::max<std::size_t>(1, word.size() / 3) + 1;  // a letter: its case only
@@ -122,7 +148,14 @@ std::string did_you_mean(std::string_view word, const std::vector<std::string>& 
     const std::size_t d = distance(word, candidate);
     if (d < least) least = d, best = &candidate;
   }
-  return best ? " (did you mean '" + *best + "'?)" : std::string();
+  return best ? *best : std::string();
+}
+
+std::string did_you_mean(std::string_view word, const std::vector<std::string>& candidates) {
+  std::string best = similar_word(word, candidates);
+  if (best.empty()) best = part_of(word, candidates);
+  if (best.empty()) best = completion_of(word, candidates);
+  return best.empty() ? best : " (did you mean '" + best + "'?)";
 }
 
 std::string join(const std::vector<std::string>& words, std::string_view separator) {

@@ -80,7 +80,11 @@ class FileError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// ` (did you mean 'x'?)` for the candidate with the smallest edit distance to `word`; empty if none is similar.
+/// The candidate with the smallest edit distance to `word`; empty if none is similar.
+std::string similar_word(std::string_view word, const std::vector<std::string>& candidates);
+
+/// ` (did you mean 'x'?)` for the similar candidate, or else for one that is a part of `word` or begins with it; empty
+/// if there is none.
 std::string did_you_mean(std::string_view word, const std::vector<std::string>& candidates);
 
 /// `a, b, c` for messages that list what is valid.

@@ -47,7 +47,8 @@ struct KnownUnits {
 };
 
 const KnownUnits* known_units(std::string_view length, std::string_view mass, std::string_view time) {
-  static constexpr std::array<KnownUnits, 5> all{{{"m", "kg", "s", "Pa", "N"},
+  static constexpr std::array<KnownUnits, 6> all{{{"m", "kg", "s", "Pa", "N"},
+                                                  {"mm", "t", "s", "MPa", "N"},
                                                   {"mm", "g", "ms", "MPa", "N"},
                                                   {"mm", "g", "s", "Pa", "uN"},
                                                   {"mm", "kg", "ms", "GPa", "kN"},
@@ -58,6 +59,37 @@ const KnownUnits* known_units(std::string_view length, std::string_view mass, st
 }
 
 }  // namespace
+
+std::optional<double> Units::size_in_si(Dimension dimension) const {
+  struct Unit {
+    std::string_view name;
+    Dimension dimension;
+    double size;
+  };
+  using D = Dimension;
+  static constexpr std::array<Unit, 18> all{{{"km", D::length, 1e3},
+                                             {"m", D::length, 1},
+                                             {"dm", D::length, 0.1},
+                                             {"cm", D::length, 1e-2},
+                                             {"mm", D::length, 1e-3},
+                                             {"um", D::length, 1e-6},
+                                             {"microns", D::length, 1e-6},
+                                             {"nm", D::length, 1e-9},
+                                             {"t", D::mass, 1e3},
+                                             {"kg", D::mass, 1},
+                                             {"g", D::mass, 1e-3},
+                                             {"mg", D::mass, 1e-6},
+                                             {"ug", D::mass, 1e-9},
+                                             {"s", D::time, 1},
+                                             {"sec", D::time, 1},
+                                             {"ms", D::time, 1e-3},
+                                             {"msec", D::time, 1e-3},
+                                             {"us", D::time, 1e-6}}};
+  const std::string wanted = name(dimension);
+  for (const Unit& unit : all)
+    if (unit.dimension == dimension && unit.name == wanted) return unit.size;
+  return std::nullopt;
+}
 
 std::string Units::name(Dimension dimension) const {
   const std::string l = legacy ? "mm" : length, m = legacy ? "g" : mass, t = legacy ? "s" : time;

@@ -2,6 +2,7 @@
 /// Units of the input. The solver uses one consistent system of length, mass and time.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -42,6 +43,8 @@ struct Units {
   double factor(Dimension dimension) const;
   /// Factor for times in functions, conditions and ramps (ms in legacy files).
   double alternative_time() const { return legacy ? 1e-3 : 1.0; }
+  /// Size of the consistent unit of a length, mass or time in m, kg or s; none for units without a name.
+  std::optional<double> size_in_si(Dimension dimension) const;
   /// Name of the consistent unit, e.g. `g/(mm s^2)`, for column heads and the manual.
   std::string name(Dimension dimension) const;
 };

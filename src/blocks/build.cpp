@@ -243,9 +243,12 @@ void Assembly::refuse_overlaps(double tolerance) const {
   each_near_pair(bounds(0.0), [&](std::uint32_t a, std::uint32_t b) {
     if (bodies[a].group == bodies[b].group) return;
     const double gap = gap_between(a, b, -tolerance);
-    if (gap < -tolerance)
-      fail(spec_->groups[static_cast<std::size_t>(bodies[b].group)].origin,
-           "this block overlaps the one at " + place_text(motion[a].x) + " by " + short_number(-gap));
+    if (!(gap < -tolerance)) return;
+    const auto& first = spec_->groups[static_cast<std::size_t>(bodies[a].group)];
+    const auto& second = spec_->groups[static_cast<std::size_t>(bodies[b].group)];
+    fail(second.origin, "this block" + (second.name.empty() ? "" : ", '" + second.name + "',") +
+                            " overlaps the one at " + place_text(motion[a].x) +
+                            (first.name.empty() ? "" : ", '" + first.name + "',") + " by " + short_number(-gap));
   });
 }
 

@@ -117,9 +117,16 @@ std::string text_of(const EdgeCut& cut, const Model& model) {
   constexpr std::string_view axes = "xyz";
   const auto k = static_cast<std::size_t>(cut.axis);
   const double edge = cut.side == 0 ? model.grid.low[k] : model.grid.high[k];
+  const std::string share = cut.lost < 0.001   ? "less than 0.1 %"
+                            : cut.lost < 0.995 ? format("%.2g %%", 100 * cut.lost)
+                                               : "almost all";
+  const Bounds body = bounds_of(model.pieces[static_cast<std::size_t>(cut.piece)], GridBox(model));
+  const double lengths = (body.high - body.low)[cut.axis] / (model.grid.high[k] - model.grid.low[k]);
   return format("the edge of the grid at %c%s = %.6g cuts this body: %s of it lies outside", axes[k],
-                cut.side == 0 ? "min" : "max", edge,
-                cut.lost < 0.001 ? "less than 0.1 %" : format("%.2g %%", 100 * cut.lost).c_str());
+                cut.side == 0 ? "min" : "max", edge, share.c_str()) +
+         (lengths > 10 && std::isfinite(lengths)
+              ? format(". It is %.3g times as long as the grid: check its unit, or the scale of its file", lengths)
+              : "");
 }
 
 std::vector<Overlap> overlaps(const Model& model) {

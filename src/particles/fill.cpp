@@ -152,7 +152,7 @@ class Filler {
       const Seed pattern = seeds_.pattern(p, lattice.spacing);
       count =
           model_.whole_particles ? emit_whole(piece, pattern, lattice, reach) : emit_cut(p, pattern, lattice, reach);
-      if (count == 0) throw InputError(piece.origin, no_points(piece));
+      if (count == 0) throw InputError(piece.origin, no_points(piece, own));
     }
     if (!piece.deformation) take_from_others(p, own, reach);
   }
@@ -228,12 +228,17 @@ class Filler {
     }
   }
 
-  std::string no_points(const Piece& piece) const {
+  std::string no_points(const Piece& piece, int own) const {
     const Bounds b = piece.region->bounds();
-    if (!grid_.overlaps(b)) return "this body lies outside the grid";
-    return "this body gets no material point: it is smaller than the distance of the points, or earlier bodies or "
-           "holes "
-           "cover it";
+    if (!grid_.overlaps(b))
+      return "this body lies outside the grid: it extends from " + place(b.low) + " to " + place(b.high) +
+             ", and the grid from " + place(grid_.low) + " to " + place(grid_.high);
+    const Sites& lattice = lattices_[static_cast<std::size_t>(own)];
+    return "this body gets no material point: it measures " + place(b.high - b.low) + ", and points are " +
+           place(lattice.spacing) + " apart; it is smaller than that, or earlier bodies or holes cover it";
+  }
+  std::string place(const Vec3& x) const {
+    return format("(%.4g, %.4g", x[0], x[1]) + (grid_.flat ? ")" : format(", %.4g)", x[2]));
   }
 
   const Model& model_;

@@ -5,6 +5,7 @@
 
 #include "base/parallel.hpp"
 #include "input/read.hpp"
+#include "input/script/script.hpp"
 #include "input/script/write_xml.hpp"
 #include "python/bindings.hpp"
 #include "python/options.hpp"
@@ -112,7 +113,8 @@ void add_models(py::module_& module) {
   module.def("run", [](const Model& model, const py::dict& options) { return run_model(model, options_of(options)); });
   module.def("check", [](const Model& model, std::optional<int> thread_count) {
     const py::gil_scoped_release released;
-    return preflight(model, thread_count.value_or(threads()));
+    const std::string text = preflight(model, thread_count.value_or(threads()));
+    return is_script(model.source) ? in_words_of_scripts(text) : text;
   });
   module.def("threads", &threads);
 }

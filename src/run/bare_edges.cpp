@@ -70,19 +70,23 @@ class Edge {
 
 std::vector<std::string> bare_edges(const Model& model) {
   std::vector<std::string> out;
+  const std::size_t begin = model.source.find_first_not_of(" \t\r\n");
+  const bool script = begin != std::string::npos && model.source[begin] != '<';
   if (model.scheme.kernel != Kernel::quadratic_spline && model.scheme.kernel != Kernel::cubic_spline) return out;
   for (std::size_t axis = 0; axis < (model.analysis == Analysis::solid ? 3U : 2U); ++axis)
     for (const bool high : {false, true}) {
       const Edge edge(model, axis, high);
       if (!edge.bare()) continue;
       const std::string at = format("%.6g", edge.place());
-      const std::string end = high ? "max" : "min";
+      const std::string end = high ? "max" : "min", edge_name = axis_names[axis] + end;
       out.push_back("the velocity along " + std::string(axis_names[axis]) + " is prescribed at the edge of the grid, " +
                     axis_names[axis] + " = " + at +
                     ", but B-splines extend beyond it: bodies stop up to half a cell away from it, or pass it. Make it "
-                    "a wall, <" +
-                    grid_elements[axis] + " ... wall" + end + "='" + at + "'>, or a plane of symmetry, sym" + end +
-                    "='" + at + "'");
+                    "a wall, " +
+                    (script ? "'GridEdge " + edge_name + ",wall," + at + "'"
+                            : "<" + std::string(grid_elements[axis]) + " ... wall" + end + "='" + at + "'>") +
+                    ", or a plane of symmetry, " +
+                    (script ? "'GridEdge " + edge_name + ",symmetry," + at + "'" : "sym" + end + "='" + at + "'"));
     }
   return out;
 }

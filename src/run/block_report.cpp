@@ -7,6 +7,7 @@
 #include "run/pore_pressure.hpp"
 #include "run/stage_report.hpp"
 #include "run/trial_output.hpp"
+#include "run/unit_remarks.hpp"
 
 #include <chrono>
 #include <map>
@@ -79,6 +80,22 @@ double output_seconds(const Model& model, Assembly& blocks, double dt) {
   }
 }
 
+// What may be wrong with gravity, and with what holds and moves the blocks.
+std::vector<std::string> advice_on(const Model& model) {
+  std::vector<std::string> out = remarks_on_gravity(model);
+  const BlocksSpec& blocks = *model.blocks;
+  if (!blocks.holds.empty() || !blocks.platens.empty() || !model.stages.empty()) return out;
+  const bool starts = std::any_of(blocks.groups.begin(), blocks.groups.end(),
+                                  [](const BlockGroup& g) { return !g.velocity.isZero() || !g.spin.isZero(); });
+  if (!model.body_force.gravity.isZero())
+    out.emplace_back("gravity acts, but no block is held (<Hold>, <Platen>): all of them fall freely");
+  else if (blocks.loads.empty() && blocks.pressures.empty() && !starts)
+    out.emplace_back(
+        "nothing moves the blocks: there is no gravity, load, pressure, platen, prescribed motion or "
+        "velocity");
+  return out;
+}
+
 }  // namespace
 
 std::string describe_blocks(const Model& model, int wanted_threads) {
@@ -86,8 +103,8 @@ std::string describe_blocks(const Model& model, int wanted_threads) {
   set_threads(sensible_block_threads(wanted_threads, blocks.contacts.size()));
   std::string out;
   const auto line = [&](const std::string& text) { out += text + "\n"; };
-  line("units: " + model.units.name(Dimension::length) + ", " + model.units.name(Dimension::mass) + ", " +
-       model.units.name(Dimension::time) + "; stress " + model.units.name(Dimension::stress));
+  line(line_of_units(model));
+  line("gravity: " + words_of_gravity(model));
   double volume = 0, smallest = 1e300, largest = 0;
   for (std::size_t k = 0; k < blocks.block_count(); ++k) {
     const double v = blocks.bodies[k].volume;
@@ -105,7 +122,7 @@ std::string describe_blocks(const Model& model, int wanted_threads) {
     line(format("platen '%s': area %.6g", model.blocks->platens[p].name.c_str(), blocks.platen_area(p)));
   if (const std::string torn = torn_by_pressure(blocks); !torn.empty()) line(torn);
   const BlockSteps steps = steps_of(model, blocks);
-  line(format("time step: %.6g, set by %s", steps.size,
+  line(format("time step: %.6g %s, set by %s", steps.size, model.units.name(Dimension::time).c_str(),
               model.blocks->quasi_static                     ? "<TimeStep>, to which masses are fitted"
               : blocks.critical_step() < model.time.max_step ? stiff_block(model, blocks).c_str()
                                                              : "<TimeStep>"));
@@ -119,6 +136,9 @@ std::string describe_blocks(const Model& model, int wanted_threads) {
                 seconds_per_step(blocks, steps) * model.time.end / steps.size + output,
                 counted(threads(), "thread").c_str(), output);
   for (const auto& warning : model.warnings) line(warning);
+  const std::vector<std::string> advice = advice_on(model);
+  if (!advice.empty()) line("\nto look at:");
+  for (const std::string& text : advice) line("- " + text);
   return out;
 }
 

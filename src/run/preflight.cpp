@@ -5,14 +5,15 @@
 #include "base/parallel.hpp"
 #include "base/text.hpp"
 #include "contact/contact_law.hpp"
-#include "grid/select.hpp"
 #include "run/bare_edges.hpp"
 #include "run/block_run.hpp"
 #include "run/body_gaps.hpp"
 #include "run/body_thickness.hpp"
 #include "run/contact_probe.hpp"
 #include "run/crack_report.hpp"
+#include "run/distant_bodies.hpp"
 #include "run/effort.hpp"
+#include "run/held_bodies.hpp"
 #include "run/load_report.hpp"
 #include "run/pore_pressure.hpp"
 #include "run/setup_report.hpp"
@@ -21,6 +22,7 @@
 #include "run/sudden_gravity.hpp"
 #include "run/tracers.hpp"
 #include "run/travel_report.hpp"
+#include "run/unit_remarks.hpp"
 #include "solver/build.hpp"
 #include "solver/measures.hpp"
 #include "solver/state/limited_interface.hpp"
@@ -50,15 +52,15 @@ class Report {
 
   std::string text() {
     step_ = StepSize<Dim>(model_, system_).first();
-    line("units: " + model_.units.name(Dimension::length) + ", " + model_.units.name(Dimension::mass) + ", " +
-         model_.units.name(Dimension::time) + "; stress " + model_.units.name(Dimension::stress));
+    line(line_of_units(model_));
+    for (auto& remark : remarks_on_units(model_, seeds_)) advice_.push_back(std::move(remark));
     take(describe_setup(model_, system_));
     bodies();
     rigid_blocks();
     gaps();
     stiffness();
     interfaces();
-    glued();
+    take(describe_holds(model_, system_, seeds_));
     pressures();
     if (sudden_gravity(model_).slips && has_neighbours(model_, system_)) advice_.push_back(sudden_gravity_advice());
     for (auto& edge : bare_edges(model_)) advice_.push_back(std::move(edge));
@@ -93,7 +95,7 @@ class Report {
           format("body of %-20s %9lld %s, volume %.6g", (name(piece.material) + ":").c_str(),
                  static_cast<long long>(placed.points), plural(placed.points == 1, "particle").c_str(), placed.placed);
       if (placed.exact) {
-        text += format(" (exact %.6g, %+.2f %%)", *placed.exact, 100 * *placed.error());
+        text += format(" (exact %.6g, %s %%)", *placed.exact, percentage(*placed.error()).c_str());
         if (std::abs(*placed.error()) > 0.05)
           advice_.push_back(
               format("the particles of %s hold %+.1f %% of its volume: smaller cells, more particles per "
@@ -107,6 +109,11 @@ class Report {
       advice_.push_back("a body of " + name(model_.pieces[static_cast<std::size_t>(body.pieces.front())].material) +
                         " is " + counted(body.cells, "cell") +
                         " thick: it neither bends nor carries contact stress well below 3");
+  }
+
+  // With a sign, but for what rounds to zero.
+  static std::string percentage(double share) {
+    return std::abs(share) < 5e-5 ? std::string("0.00") : format("%+.2f", 100 * share);
   }
 
   void table(std::size_t number) {
@@ -160,8 +167,12 @@ class Report {
     const bool separate = model_.contact.active;
     const auto grips = [&](int k) { return material(k).law->rigid() && !material(k).touches(); };
     std::vector<std::string> touching_pairs, near_pairs;
-    for (const auto& [pair, gap] : smallest_gaps<Dim>(seeds_, system_.lattice)) {
-      if (grips(pair.first) || grips(pair.second)) continue;
+    const Gaps gaps = smallest_gaps<Dim>(seeds_, system_.lattice);
+    for (const auto& [pair, gap] : gaps) {
+      if (grips(pair.first) || grips(pair.second)) {
+        if (separate && gap < touching) sticks(pair, grips(pair.first));
+        continue;
+      }
       const std::string who = name(pair.first) + " and " + name(pair.second);
       if (gap < -touching && (may_overlap(pair.first) || may_overlap(pair.second))) {
         line("overlap: " + who + " by " + counted(-gap, "cell", "%.3g"));
@@ -184,7 +195,16 @@ class Report {
                           "of the edges of particles, measures it");
     }
     list_pairs("touch: ", touching_pairs);
+    if (separate)
+      for (auto& text : distant_bodies(model_, seeds_, gaps, h_)) near_pairs.push_back(std::move(text));
     list_pairs("gap: ", near_pairs);
+  }
+
+  void sticks(const std::pair<int, int>& pair, bool first_grips) {
+    const int rigid = first_grips ? pair.first : pair.second, other = first_grips ? pair.second : pair.first;
+    if (!material(other).law->rigid())
+      line("stick: " + name(other) + " sticks to " + name(rigid) +
+           ", which is Rigid and sets the velocity of the nodes; RigidContact has contact");
   }
 
   // A line for each pair, or one for all if there are many.
@@ -254,34 +274,6 @@ class Report {
       if (!torn.empty()) advice_.push_back(torn);
   }
 
-  // Bodies that share fully constrained nodes with others that slide by a law.
-  void glued() {
-    if (!model_.contact.active || model_.node_conditions.empty()) return;
-    std::map<Index<Dim>, std::set<int>> fixed;
-    for (const auto& c : model_.node_conditions)
-      each_node_in<Dim>(system_.lattice, *c.where, [&](const Index<Dim>& node) {
-        for (int d = 0; d < Dim; ++d)
-          if (c.direction[d] != 0) fixed[node].insert(d);
-      });
-    std::set<int> stuck;
-    for (const Seed& s : seeds_) {
-      if (material(s.material).law->rigid() || stuck.count(s.material)) continue;
-      Index<Dim> node{};
-      for (std::size_t d = 0; d < Dim; ++d) {
-        const auto k = static_cast<Eigen::Index>(d);
-        node[d] = static_cast<int>(std::lround((s.x[k] - system_.lattice.origin[k]) / system_.lattice.spacing[k]));
-      }
-      const auto found = fixed.find(node);
-      if (found != fixed.end() && found->second.size() == Dim) stuck.insert(s.material);
-    }
-    for (const int k : stuck) {
-      line("glued: " + name(k) + " touches nodes that are fixed in all directions");
-      advice_.push_back(name(k) +
-                        " is glued to the nodes that are fixed in all directions: no law of contact acts there. "
-                        "If it should slide, take a RigidContact body, or fix only the normal direction");
-    }
-  }
-
   void cracks() {
     take(describe_cracks(system_));
     take(describe_interfaces(system_));
@@ -310,7 +302,9 @@ class Report {
   }
 
   void steps() {
-    line(format("time step: %.6g, set by %s (wave speed %.6g)", step_.size, step_.set_by.c_str(), step_.wave_speed));
+    const auto unit = [&](Dimension dimension) { return model_.units.name(dimension); };
+    line(format("time step: %.6g %s, set by %s (wave speed %.6g %s)", step_.size, unit(Dimension::time).c_str(),
+                step_.set_by.c_str(), step_.wave_speed, unit(Dimension::velocity).c_str()));
     line(format("steps: about %.0f to time %.6g", std::ceil(model_.time.end / step_.size), model_.time.end));
   }
 

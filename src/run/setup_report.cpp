@@ -6,6 +6,7 @@
 #include "materials/material.hpp"
 #include "particles/coverage.hpp"
 #include "run/contact_table.hpp"
+#include "run/unit_remarks.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -48,23 +49,9 @@ class SetupReport {
     return side == 0 ? model_.grid.low[k] : model_.grid.high[k];
   }
 
-  // "down 9.81 (along -y)"; in three dimensions there is no word for the direction.
   void gravity() {
     const Vec3& g = model_.body_force.gravity;
-    std::vector<std::string> parts;
-    for (int d = 0; d < 3; ++d) {
-      if (g[d] == 0) continue;
-      const char* word = Dim == 3 ? "" : d == 1 ? (g[d] < 0 ? "down " : "up ") : (g[d] < 0 ? "left " : "right ");
-      parts.push_back(word + format("%.6g (along %c%c)", std::abs(g[d]), g[d] < 0 ? '-' : '+',
-                                    axis_names[static_cast<std::size_t>(d)]));
-    }
-    const auto functions = [&](const auto& list, const char* what) {
-      for (std::size_t d = 0; d < 3; ++d)
-        if (list[d]) parts.push_back(format("a function along %c%s", axis_names[d], what));
-    };
-    functions(model_.body_force.function, "");
-    functions(model_.body_force.on_particles, " on particles");
-    line("gravity: " + (parts.empty() ? "none" : join(parts, ", ")));
+    line("gravity: " + words_of_gravity(model_));
     if (Dim == 2 && g[0] != 0 && g[1] == 0 && !model_.body_force.function[1] && !model_.body_force.on_particles[1])
       out_.advice.push_back(format("gravity acts along %s alone; in the plane y is up, so <BodyYForce> may be meant",
                                    model_.analysis == Analysis::axisymmetric ? "the radius" : "x"));
@@ -201,7 +188,8 @@ class SetupReport {
         line("in its place: " + body(o.first) + ", " + size + ", replaces a part of " + body(o.second));
       else
         out_.advice.push_back(body(o.first) + " and " + body(o.second) + " claim " + size +
-                              " in common: the first of them gets it");
+                              " in common: the first of them gets it. Draw the other one with a hole there, or move "
+                              "one of them");
     }
   }
 

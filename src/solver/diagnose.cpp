@@ -28,8 +28,9 @@ void stop_at_bad_particle(const System<Dim>& system) {
         throw SimulationError(
             particle + (crushed ? " was compressed to no volume" : " has a velocity or strain that is not a number") +
             when +
-            ": usually the step is too large for the present stiffness. Try a smaller <TimeFactor>, adaptive steps "
-            "(custom task AdjustTimeStep), or more particles per cell.");
+            ": usually the step is too large for the present stiffness, or the material too soft for its load. Try a "
+            "smaller <TimeFactor>, adaptive steps (custom task AdjustTimeStep), or more particles per cell, and check "
+            "the units of stiffness, density and loads ('tribo check').");
       }
   throw SimulationError("a value on the grid is not a number" + when + "; try a smaller <TimeFactor>");
 }

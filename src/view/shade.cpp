@@ -18,7 +18,9 @@ Shade shade_in(const Frame& frame, const std::string& wanted) {
   if (!field) {
     std::vector<std::string> names;
     for (const auto& f : frame.fields) names.push_back(f.name);
-    throw UsageError("the run has no field '" + name + "'" + did_you_mean(name, names) + "; it has: " + join(names));
+    throw UsageError("the run has no field '" + name + "'" + did_you_mean(name, names) +
+                     (name == "history" ? "; the variables of the history are fields with their own names" : "") +
+                     "; it has: " + join(names));
   }
   const auto count = static_cast<std::size_t>(field->components);
   int component = -1;

@@ -59,7 +59,9 @@ TEST_CASE("the summary reports gaps, contacts and overlaps", "[preflight]") {
   CHECK_THAT(sheet("0.4", contact), Contains("gap: 'left' and 'right', 0.4 cells"));
   CHECK_THAT(sheet("-0.4", contact),
              Contains("overlap: 'left' and 'right' by 0.4 cells") && Contains("push them apart"));
-  CHECK_THAT(sheet("1.5", contact), !Contains("gap:") && !Contains("to look at"));
+  CHECK_THAT(sheet("1.5", contact),
+             Contains("gap: 'left' and 'right', 1.5 cells (1.5 mm) along x\n") && !Contains("to look at"));
+  CHECK_THAT(sheet("1.5", ""), !Contains("gap:"));
   CHECK_THAT(sheet("0", ""), Contains("share one velocity field"));
   CHECK_THAT(sheet("0.4", ""), Contains("act on each other across the gap"));
   CHECK_THAT(sheet("0.4", "<MultiMaterialMode Normals='2'><ContactPosition>0.8</ContactPosition></MultiMaterialMode>"),
@@ -73,8 +75,8 @@ TEST_CASE("the summary reports thin bodies, contrasts and the limit of the time 
   CHECK_THAT(text,
              Contains("stiffness contrast: 'right' is 1e+04 times as stiff as 'left'") && Contains("could be rigid"));
   // h/c/2 with c = sqrt(1e4/0.001)
-  CHECK_THAT(text, Contains("time step: 0.000158114, set by the waves in 'right' (wave speed 3162.28)"));
-  CHECK_THAT(sheet("0", contact + "<TimeStep>1e-4</TimeStep>"), Contains("time step: 0.0001, set by <TimeStep>"));
+  CHECK_THAT(text, Contains("time step: 0.000158114 ms, set by the waves in 'right' (wave speed 3162.28 mm/ms)"));
+  CHECK_THAT(sheet("0", contact + "<TimeStep>1e-4</TimeStep>"), Contains("time step: 0.0001 ms, set by <TimeStep>"));
   CHECK_THAT(text, Contains("particle files: 5"));
   CHECK_THAT(text, Contains("stress MPa"));
 }
@@ -201,10 +203,13 @@ TEST_CASE("the summary reports bodies that stick to fixed nodes and bodies that 
   const std::string glue =
       "<GridBCs><BCLine x1='0' x2='20' y1='2' y2='2' tolerance='*0.1'><DisBC dir='1' vel='0'/><DisBC dir='2' vel='0'/>"
       "</BCLine></GridBCs>";
-  CHECK_THAT(sheet("2", contact, glue), Contains("glued: 'left'") && Contains("glued: 'right'"));
+  CHECK_THAT(sheet("2", contact, glue),
+             Contains("held: 'left'") && Contains("held: 'right'") && !Contains("to look at"));
+  // no law of contact acts where both are at the fixed nodes
+  CHECK_THAT(sheet("0", contact, glue), Contains("'left' and 'right' meet at nodes that are fixed in all directions"));
   const std::string slides =
       "<GridBCs><BCLine x1='0' x2='20' y1='2' y2='2' tolerance='*0.1'><DisBC dir='2' vel='0'/></BCLine></GridBCs>";
-  CHECK_THAT(sheet("2", contact, slides), !Contains("glued"));
+  CHECK_THAT(sheet("2", contact, slides), !Contains("held:"));
 
   std::string deck = R"(<JANFEAInput version='3'><Header><Analysis>10</Analysis></Header>
  <MPMHeader><MaxTime>1</MaxTime><ArchiveTime>1</ArchiveTime></MPMHeader>
@@ -324,13 +329,31 @@ TEST_CASE("the summary has no contact law between rigid bodies, which contact ca
   CHECK_THAT(text, Contains("contact of all pairs (2): without friction"));
 }
 
+TEST_CASE("the summary tells that bodies stick to Rigid ones, and when distant ones meet", "[preflight]") {
+  const auto with = [](const std::string& other, const std::string& body) {
+    return one_block("<Rect xmin='4' xmax='8' ymin='2' ymax='6'/>", other, "<Horiz nx='20'/><Vert ny='10'/>", contact,
+                     body);
+  };
+  const std::string ground = "<Body matname='ground'><Rect xmin='2' xmax='12' ymin='1' ymax='2'/></Body>";
+  const std::string sticks = "stick: 'm' sticks to 'ground', which is Rigid";
+  CHECK_THAT(with("<Material Type='Rigid' Name='ground'><SetDirection>2</SetDirection></Material>", ground),
+             Contains(sticks));
+  CHECK_THAT(with("<Material Type='RigidContact' Name='ground'/>", ground), !Contains(sticks));
+  const std::string other = "<Material Type='1' Name='n'><rho>1000</rho><E>1e6</E><nu>0</nu></Material>";
+  CHECK_THAT(with(other, "<Body matname='n' vx='-10'><Rect xmin='13' xmax='15' ymin='2' ymax='6'/></Body>"),
+             Contains("gap: 'm' and 'n', 5 cells (5 m) along x, closed at time 0.5\n"));
+  CHECK_THAT(with(other, "<Body matname='n' vx='10'><Rect xmin='13' xmax='15' ymin='2' ymax='6'/></Body>"),
+             Contains("gap: 'm' and 'n', 5 cells (5 m) along x\n"));
+}
+
 TEST_CASE("the summary warns of bodies that claim the same place", "[preflight]") {
   const std::string other = "<Material Type='1' Name='n'><rho>1000</rho><E>1e6</E><nu>0</nu></Material>";
   const auto with = [&](const std::string& first, const std::string& second) {
     return one_block(first, other, "<Horiz nx='20'/><Vert ny='10'/>", "", "<Body matname='n'>" + second + "</Body>");
   };
   CHECK_THAT(with("<Rect xmin='4' xmax='8' ymin='2' ymax='6'/>", "<Rect xmin='6' xmax='12' ymin='2' ymax='6'/>"),
-             Contains("'m' (deck.xml:") && Contains("claim an area of 8 in common: the first of them gets it"));
+             Contains("'m' (deck.xml:") &&
+                 Contains("claim an area of 8 in common: the first of them gets it. Draw the other one with a hole"));
   CHECK_THAT(with("<Rect xmin='4' xmax='8' ymin='2' ymax='6'/>", "<Rect xmin='8' xmax='12' ymin='2' ymax='6'/>"),
              !Contains("claim") && !Contains("in its place"));
   CHECK_THAT(with("<Oval xmin='4' xmax='8' ymin='2' ymax='6'/>", "<Rect xmin='2' xmax='12' ymin='1' ymax='8'/>"),

@@ -288,10 +288,13 @@ TEST_CASE("a body without points is an error at its place in the file", "[fill]"
   auto model = plane();
   model.pieces.push_back(body(rectangle(5, 6, 0, 1)));
   model.pieces.back().origin = {std::make_shared<const std::string>("deck.xml"), 12, 5};
-  CHECK_THROWS_WITH(place_points(model), "deck.xml:12:5: error: this body lies outside the grid");
+  CHECK_THROWS_WITH(place_points(model),
+                    Catch::Contains("deck.xml:12:5: error: this body lies outside the grid: it extends from (5, 0) to "
+                                    "(6, 1), and the grid from (0, 0) to "));
   model.pieces.back().region = rectangle(0.3, 0.4, 0.3, 0.4);
   model.whole_particles = true;
-  CHECK_THROWS_WITH(place_points(model), Catch::Contains("this body gets no material point"));
+  CHECK_THROWS_WITH(place_points(model),
+                    Catch::Contains("this body gets no material point: it measures (0.1, 0.1), and points are "));
   model.whole_particles = false;
   model.pieces.back().region = rectangle(0, 1, 0, 1);
   model.pieces.back().velocity_function[0] = function("log(-x)");

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+#include "run/unit_remarks.hpp"
+
+#include "base/error.hpp"
+#include "base/text.hpp"
+#include "contact/contact_law.hpp"
+#include "contact/joint_law.hpp"
+#include "materials/material.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace tribo {
+namespace {
+
+constexpr double earth = 9.80665;  // m/s^2
+
+// Factor to m, kg and s for these powers of length, mass and time; none if one of the units has no name.
+std::optional<double> factor_to_si(const Units& units, int length, int mass, int time) {
+  const auto l = units.size_in_si(Dimension::length), m = units.size_in_si(Dimension::mass),
+             t = units.size_in_si(Dimension::time);
+  if (!l || !m || !t) return std::nullopt;
+  return std::pow(*l, length) * std::pow(*m, mass) * std::pow(*t, time);
+}
+
+// Gravity at the end of the run, in the middle of the grid where it is a function.
+Vec3 gravity_at_end(const Model& model) {
+  Vec3 out = model.body_force.gravity, middle = Vec3::Zero();
+  for (std::size_t d = 0; d < static_cast<std::size_t>(model.dimension()); ++d)
+    middle[static_cast<Eigen::Index>(d)] = 0.5 * (model.grid.low[d] + model.grid.high[d]);
+  const auto at = Variables::at(middle, model.time.end / model.body_force.function_time);
+  for (std::size_t d = 0; d < 3; ++d) try {
+      if (const auto& f = model.body_force.function[d]) out[static_cast<Eigen::Index>(d)] += (*f)(at);
+    } catch (const SimulationError&) {  // no value there or then: nothing can be said
+    }
+  return out;
+}
+
+// What is said of solids does not hold for liquids and gases.
+bool solid(const MaterialSpec& m) {
+  return m.law && !m.law->rigid() && !m.law->liquid() && m.type != "IdealGas" && m.law->wave_modulus() > 0;
+}
+
+// Dense and slow at once is a density in a wrong unit; models without units often have a density and a modulus of 1.
+void unusual_waves(const Model& model, const MaterialSpec& m, std::vector<std::string>& out) {
+  constexpr double fastest = 2e4, slowest = 8, densest = 1e5;  // m/s and kg/m^3
+  const auto speed_unit = factor_to_si(model.units, 1, 0, -1), density_unit = factor_to_si(model.units, -3, 1, 0);
+  if (!speed_unit || !density_unit) return;
+  const double speed = *speed_unit * std::sqrt(m.law->wave_modulus() / m.law->density());
+  const double density = *density_unit * m.law->density();
+  if (speed > fastest || (speed < slowest && density > densest))
+    out.push_back(
+        format("the wave speed of '%s' is %.3g m/s at a density of %.3g kg/m^3, unusual for a solid: check the units "
+               "of its density and its moduli",
+               m.name.c_str(), speed, density));
+}
+
+template <class Law>
+bool is_friction_angle(const Law* law, const std::string& property) {
+  return law && std::any_of(law->parameters.begin(), law->parameters.end(), [&](const ParameterInfo& p) {
+           return p.name == property && p.dimension == Dimension::angle &&
+                  p.meaning.find("friction") != std::string::npos;
+         });
+}
+
+void small_angles(const MaterialSpec& m, std::vector<std::string>& out) {
+  for (const Statement& child : m.statement.children) {
+    const double value = to_number(child.text).value_or(0.0);
+    const bool angle = is_friction_angle(materials().find(m.type), child.name) ||
+                       is_friction_angle(contact_laws().find(m.type), child.name) ||
+                       is_friction_angle(joint_laws().find(m.type), child.name);
+    if (angle && value > 0 && value < 1)
+      out.push_back("the friction angle of '" + m.name + "', " + child.name + " " + child.text +
+                    ", is below one degree: angles are in degrees, not in radians");
+  }
+}
+
+void own_weight(const Model& model, const Seeds& seeds, std::size_t number, std::vector<std::string>& out) {
+  constexpr double much = 0.3;  // of the stiffness
+  const MaterialSpec& m = model.materials[number];
+  const Vec3 gravity = gravity_at_end(model);
+  if (gravity.isZero()) return;
+  const Vec3 down = gravity.normalized();
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const Seed& seed : seeds)
+    if (seed.material == static_cast<int>(number))
+      low = std::min(low, down.dot(seed.x)), high = std::max(high, down.dot(seed.x));
+  const double share = m.law->density() * gravity.norm() * (high - low) / m.law->wave_modulus();
+  if (share > much)
+    out.push_back(format(
+        "'%s' is too soft for its own weight: density times gravity times its height is %.2g times its modulus of "
+        "compression; check the units of its density, its moduli and of gravity",
+        m.name.c_str(), share));
+}
+
+}  // namespace
+
+std::string line_of_units(const Model& model) {
+  std::string out = "units: " + model.units.name(Dimension::length) + ", " + model.units.name(Dimension::mass) + ", " +
+                    model.units.name(Dimension::time) + "; stress " + model.units.name(Dimension::stress);
+  if (model.units.legacy)
+    out +=
+        "; without <ConsistentUnits> the numbers of the file are in legacy units: mm, g/cm^3, MPa and N, and ms for "
+        "times in functions and scripts";
+  return out;
+}
+
+std::string words_of_gravity(const Model& model) {
+  constexpr std::array axis_names{'x', 'y', 'z'};
+  const BodyForce& force = model.body_force;
+  std::vector<std::string> parts;
+  for (std::size_t d = 0; d < 3; ++d) {
+    const double g = force.gravity[static_cast<Eigen::Index>(d)];
+    if (g == 0) continue;
+    const char* word = model.dimension() == 3 ? "" : d == 1 ? (g < 0 ? "down " : "up ") : (g < 0 ? "left " : "right ");
+    parts.push_back(word + format("%.6g (along %c%c)", std::abs(g), g < 0 ? '-' : '+', axis_names[d]));
+  }
+  const auto functions = [&](const auto& list, const char* what) {
+    for (std::size_t d = 0; d < 3; ++d)
+      if (list[d]) parts.push_back(format("a function along %c%s", axis_names[d], what));
+  };
+  functions(force.function, "");
+  functions(force.on_particles, " on particles");
+  return parts.empty() ? "none" : join(parts, ", ");
+}
+
+std::vector<std::string> remarks_on_gravity(const Model& model) {
+  std::vector<std::string> out;
+  const Vec3 gravity = gravity_at_end(model);
+  if (model.dimension() == 2 && gravity[1] > 0 && gravity[0] == 0)
+    out.push_back(format("gravity acts upwards: it is %.6g along y, and a negative number points down", gravity[1]));
+  const auto unit = factor_to_si(model.units, 1, 0, -2);
+  if (gravity.isZero() || !unit) return out;
+  const double ratio = *unit * gravity.norm() / earth, powers = std::round(std::log10(ratio));
+  const bool digits = std::abs(ratio / std::pow(10, powers) - 1) < 0.004;
+  if (digits && (powers < 0 || powers > 2))  // a centrifuge has up to some hundred times the gravity of the earth
+    out.push_back(format("gravity is %.6g %s, which is %.3g m/s^2: 9.81 m/s^2 are %.6g in these units", gravity.norm(),
+                         model.units.name(Dimension::acceleration).c_str(), *unit * gravity.norm(), 9.81 / *unit));
+  return out;
+}
+
+std::vector<std::string> remarks_on_units(const Model& model, const Seeds& seeds) {
+  std::vector<std::string> out = remarks_on_gravity(model);
+  for (std::size_t k = 0; k < model.materials.size(); ++k) {
+    const MaterialSpec& m = model.materials[k];
+    small_angles(m, out);
+    const bool used =
+        std::any_of(seeds.begin(), seeds.end(), [&](const Seed& s) { return s.material == static_cast<int>(k); });
+    if (!used || !solid(m)) continue;
+    unusual_waves(model, m, out);
+    own_weight(model, seeds, k, out);
+  }
+  return out;
+}
+
+}  // namespace tribo
