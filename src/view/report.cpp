@@ -163,10 +163,10 @@ std::string report_of(const RunFolder& run, const OrderedJson& record, const std
          escaped(text("end_time")) + ", " + escaped(text("step")) + " steps</p>\n";
   if (model.contains("contact impulses"))
     out += "<p class='quiet'>contact impulses: " + escaped(plain(model["contact impulses"])) + "</p>\n";
-  for (const auto& [key, style] : {std::pair("to_look_at", "bad"), std::pair("figures", "quiet")})
+  for (const auto& [key, kind] : {std::pair("to_look_at", "bad"), std::pair("figures", "quiet")})
     if (record.contains(key))
       for (const auto& line : record[key])
-        out += "<p class='" + std::string(style) + "'>" + escaped(plain(line)) + "</p>\n";
+        out += "<p class='" + std::string(kind) + "'>" + escaped(plain(line)) + "</p>\n";
   if (!pictures.empty()) {
     out += "<h2>Particles</h2>\n<div class='charts'>";
     for (const auto& p : pictures)
