@@ -129,55 +129,26 @@ void add_history_variables(std::vector<ManualEntry>& out) {
 }
 
 std::string_view task_meaning(std::string_view task) {
-  if (task == "PeriodicXPIC")
-    return "uses XPIC or FMPM only every few steps, and FLIP in between. FMPMOrder or XPICOrder is the order, 1 to "
-           "100; periodicSteps (>= 1) is the number of steps, or periodicTime the time, from one such step to the "
-           "next; verbose has no effect";
-  if (task == "AdjustTimeStep")
-    return "adapts the time step to the present stiffness and velocities. velocityCFL, > 0, is the largest travel of a "
-           "particle per step in cells (default 0.5); maxIncrease, > 0, is the largest factor by which the step grows "
-           "at once, or if it is at most 1 the largest relative increase (default: factor 1.1); adjustTime and verbose "
-           "have no effect";
+  if (task == "PeriodicXPIC") return "uses XPIC or FMPM only every few steps, and FLIP in between";
+  if (task == "AdjustTimeStep") return "adapts the time step to the present stiffness and velocities";
   if (task == "VTKArchive")
     return "adds the fields that its parameters name to the particle files, and the fields of nodes, mass and "
-           "velocity, to the grid files. archiveTime and firstArchiveTime have no effect, since the files are written "
-           "at the times of <ArchiveTime>; nor has selectMaterial, since they contain all materials";
+           "velocity, to the grid files";
   if (task == "HistoryArchive")
-    return "adds the history variables of the laws to the particle files if the name of a parameter is a number. "
-           "archiveTime and firstArchiveTime have no effect, since the files are written at the times of <ArchiveTime>";
+    return "adds the history variables of the laws to the particle files if the name of a parameter is a number";
   if (task == "PropertyRamp")
-    return "changes the temperature of the particles, as ThermalRamp; ramps of other properties are refused. Delta or "
-           "DeltaT is the change of temperature, start the time at which it begins (default 0) and time its duration "
-           "(default 0: at once). sigmoidal 1 makes start and end smooth. With exponential c > 0 the share of the "
-           "change is 1 - exp(-(c x)^s) while x goes from 0 to 1, with s given by stretch (default 1). scale is a "
-           "factor of the change, a function of x, y, z and t. property is accepted if it is 1, the temperature";
+    return "changes the temperature of the particles, as ThermalRamp; ramps of other properties are refused";
   if (task == "ThermalRamp")
-    return "changes the temperature of the particles. Delta or DeltaT is the change of temperature, start the time at "
-           "which it begins (default 0) and time its duration (default 0: at once). sigmoidal 1 makes start and end "
-           "smooth. With exponential c > 0 the share of the change is 1 - exp(-(c x)^s) while x goes from 0 to 1, with "
-           "s given by stretch (default 1). scale is a factor of the change, a function of x, y, z and t. property is "
-           "accepted if it is 1, the temperature";
+    return "changes the temperature of the particles over a time. With exponential c > 0 the share of the change is "
+           "1 - exp(-(c x)^s) while x goes from 0 to 1, with s given by stretch";
   if (task == "ReverseLoad")
     return "changes the loads and the motion of rigid materials when a quantity passes maxValue, or when a crack "
-           "reaches the length maxLength. style 0 (default): they go back, after the time hold (default 0), until they "
-           "are back or the quantity passes minValue; 1: they are held; 2, with maxLength only: they go on, and the "
-           "growth of cracks ends; 3: the run ends. material or mat is the material of the quantity; crackNumber is "
-           "the number of the crack (default 0: any)";
+           "reaches the length maxLength";
   if (task == "LoadControl")
-    return "moves a rigid material so that its force follows a function of time, Load_Function. It moves along "
-           "direction (1 x, default; 2 y; 3 z), first with velocity until its force is felt, at most with MaxVelocity. "
-           "Kp > 0 [1/time], Ki [1/time^2] and Kd are the gains of the error of the position, of its integral and of "
-           "its rate (Ki and Kd: default 0); smooth, in [0, 1), is the weight of former values in smoothed ones "
-           "(default 0.9)";
-  if (task == "DeleteDamaged")
-    return "deletes the completely damaged particles of a material. minCOD, >= 0, is the least crack opening of the "
-           "particles that are deleted [length]; deleteTime, > 0, is the time from which on all particles of the "
-           "material are deleted; direction must be 1; store_x, store_y and store_z have no effect";
-  return "adds particles of a material that enter the grid at an inlet with the centre source_x, source_y, source_z. "
-         "FlowRate or FlowFunction, a function of t, is the volume per time; flow_x, flow_y, flow_z is the direction "
-         "of the flow, in three dimensions along an axis. inlet_width and in three dimensions inlet_depth (default: "
-         "inlet_width) are the extents of the inlet; particle_size, > 0, is a factor of the usual particle size "
-         "(default 1)";
+    return "moves a rigid material so that its force follows a function of time. It moves first with velocity until "
+           "its force is felt; then a controller with the gains Kp, Ki and Kd determines its velocity";
+  if (task == "DeleteDamaged") return "deletes the completely damaged particles of a material";
+  return "adds particles of a material that enter the grid at an inlet";
 }
 
 void add_tasks(std::vector<ManualEntry>& out) {
