@@ -67,7 +67,7 @@ class Runs(InFolder):
         program = run_program("check", "block.fmcmd").stdout
         without_times = lambda text: [line for line in text.splitlines() if not line.startswith("estimated time")]
         self.assertEqual(without_times(check.rstrip("\n")), without_times(program.rstrip("\n")))
-        self.assertIn("set by <TimeStep>", check.lines["time step"][0])
+        self.assertIn("set by 'TimeStep'", check.lines["time step"][0])
         self.assertIsInstance(check.advice, list)
 
     def test_figures_are_remarks_and_no_warnings(self):
