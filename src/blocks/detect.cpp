@@ -339,8 +339,9 @@ void Assembly::check_contacts() {
 // Blocks that sink into each other have too small a stiffness for their load, and would fall through.
 void Assembly::refuse_deep_overlaps() const {
   constexpr double most = 1.0 / 3;  // of the thinner block
-  for (const ContactGroup& g : groups)
-    for (std::size_t k = g.begin; !g.platen && k < g.end; ++k) {
+  for (const ContactGroup& g : groups) {
+    if (g.platen || g.kind == ContactKind::facet) continue;  // the gap of faces that slid is no depth
+    for (std::size_t k = g.begin; k < g.end; ++k) {
       const auto [a, b] = std::pair(contacts[k].a, contacts[k].b);
       const double depth = -joints[k].gap;
       if (!(depth > 0) || g.law->is_bonded(joints[k])) continue;
@@ -352,6 +353,7 @@ void Assembly::refuse_deep_overlaps() const {
                  "stiffness of their contact, %.3g per area, is too small for the forces on them",
                  time, thin, joints[k].kn));
     }
+  }
 }
 
 }  // namespace tribo
