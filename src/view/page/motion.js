@@ -48,7 +48,7 @@ export class Motion {
     const slow = interval > 1.4 * wanted, fast = this.count < this.total && interval < 0.6 * wanted;
     if (this.before && (slow || fast)) this.speed = this.count / interval;
     if (this.before && slow) this.tooMany = this.count;
-    if (this.before && slow && this.count <= least) this.setCoarse(this.coarse = true);
+    if (this.before && slow && this.speed * wanted < least) this.setCoarse(this.coarse = true);
     this.before = now;
     this.adapt();
   }
