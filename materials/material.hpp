@@ -85,7 +85,7 @@ class Material {
   virtual std::optional<Opening> opening() const { return std::nullopt; }
   /// What a law has not, if its work is not all in stored_energy() and the dissipated energy: a phrase for the user, or
   /// nothing.
-  virtual std::string untold_energy() const { return {}; }
+  virtual std::string unreported_energy() const { return {}; }
   /// Index into history() of the dissipated energy per initial volume, or -1 if the law does not dissipate.
   virtual int dissipation_index() const { return -1; }
 

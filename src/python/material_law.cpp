@@ -84,7 +84,7 @@ class PythonMaterial final : public Material {
   double wave_modulus(const MaterialPoints<3>&) const override { return modulus_; }
   double stored_energy(const MaterialPoints<2>& points) const override { return stored(points); }
   double stored_energy(const MaterialPoints<3>& points) const override { return stored(points); }
-  std::string untold_energy() const override {
+  std::string unreported_energy() const override {
     if (dissipation_ >= 0) return has_energy_ ? "" : "no method energy(p)";
     return has_energy_ ? "no state 'dissipation' (in case it dissipates)"
                        : "no method energy(p) and no state 'dissipation'";

@@ -141,23 +141,23 @@ std::vector<Figure> Monitor<Dim>::energy_figures() const {
   return out;
 }
 
-// The energy that is not accounted for may be that which a law does not tell.
+// The energy that the balance lacks may be that which a law does not report.
 template <int Dim>
-std::string Monitor<Dim>::untold_energy() const {
+std::string Monitor<Dim>::unreported_energy() const {
   for (const auto& body : system_.bodies)
-    if (const std::string untold = body.law->untold_energy(); !untold.empty())
-      return "the law of '" + body.name + "' has " + untold + ", and what it does not tell is missing in the balance";
+    if (const std::string missing = body.law->unreported_energy(); !missing.empty())
+      return "the law of '" + body.name + "' has " + missing + ", so that its energy is missing in the balance";
   return {};
 }
 
 template <int Dim>
 std::string Monitor<Dim>::balance_cure() const {
-  const std::string untold = untold_energy();
-  std::string cure = untold.empty() ? untold : "; " + untold;
+  const std::string missing = unreported_energy();
+  std::string cure = missing.empty() ? missing : "; " + missing;
   const bool once = !model_.scheme.extrapolate_again && model_.scheme.order != UpdateOrder::usf;
   if (once && state.residual < 0)
     cure += std::string("; the update without <SkipPostExtrapolation/> (USL+, USAVG+) usually avoids most of ") +
-            (untold.empty() ? "this loss" : "a further loss");
+            (missing.empty() ? "this loss" : "a further loss");
   return cure;
 }
 
@@ -171,12 +171,12 @@ std::string Monitor<Dim>::text(Sign sign) const {
 template <int Dim>
 std::string Monitor<Dim>::energy_text(const Finding& f) const {
   const Transfer transfer = model_.scheme.transfer;
-  const std::string untold = untold_energy();
+  const std::string missing = unreported_energy();
   const std::string cure = transfer == Transfer::apic
                                ? "a smaller <TimeFactor>, or quadratic splines"
                                : "<Transfer type='APIC'/> conserves it better, or a smaller <TimeFactor>";
   return format("energy: %.3g %% of what was supplied came from nowhere until time %.4g: ", 100 * f.worst, f.time) +
-         (untold.empty() ? cure : untold);
+         (missing.empty() ? cure : missing);
 }
 
 template <int Dim>

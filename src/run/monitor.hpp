@@ -46,7 +46,7 @@ class Monitor {
 
   std::string text(Sign sign) const;
   std::string energy_text(const Finding& f) const;
-  std::string untold_energy() const;
+  std::string unreported_energy() const;
   std::string balance_cure() const;
   std::string particle_text(Sign sign, const Finding& f) const;
   std::string step_text(const Finding& f) const;

@@ -77,17 +77,24 @@ void small_angles(const MaterialSpec& m, std::vector<std::string>& out) {
   }
 }
 
-void own_weight(const Model& model, const Seeds& seeds, std::size_t number, std::vector<std::string>& out) {
+// The extent of the particles of a material along a direction.
+struct HeightRange {
+  double low = std::numeric_limits<double>::infinity(), high = -std::numeric_limits<double>::infinity();
+  bool empty() const { return !(low <= high); }
+};
+
+std::vector<HeightRange> extents_along(const Vec3& direction, const Seeds& seeds, std::size_t materials) {
+  std::vector<HeightRange> out(materials);
+  for (const Seed& seed : seeds) {
+    HeightRange& of = out[static_cast<std::size_t>(seed.material)];
+    of.low = std::min(of.low, direction.dot(seed.x)), of.high = std::max(of.high, direction.dot(seed.x));
+  }
+  return out;
+}
+
+void own_weight(const MaterialSpec& m, double gravity, const HeightRange& height, std::vector<std::string>& out) {
   constexpr double much = 0.3;  // of the stiffness
-  const MaterialSpec& m = model.materials[number];
-  const Vec3 gravity = gravity_at_end(model);
-  if (gravity.isZero()) return;
-  const Vec3 down = gravity.normalized();
-  double low = std::numeric_limits<double>::infinity(), high = -low;
-  for (const Seed& seed : seeds)
-    if (seed.material == static_cast<int>(number))
-      low = std::min(low, down.dot(seed.x)), high = std::max(high, down.dot(seed.x));
-  const double share = m.law->density() * gravity.norm() * (high - low) / m.law->wave_modulus();
+  const double share = m.law->density() * gravity * (height.high - height.low) / m.law->wave_modulus();
   if (share > much)
     out.push_back(format(
         "'%s' is too soft for its own weight: density times gravity times its height is %.2g times its modulus of "
@@ -143,14 +150,14 @@ std::vector<std::string> remarks_on_gravity(const Model& model) {
 
 std::vector<std::string> remarks_on_units(const Model& model, const Seeds& seeds) {
   std::vector<std::string> out = remarks_on_gravity(model);
+  const Vec3 gravity = gravity_at_end(model);
+  const auto heights = extents_along(gravity.normalized(), seeds, model.materials.size());
   for (std::size_t k = 0; k < model.materials.size(); ++k) {
     const MaterialSpec& m = model.materials[k];
     small_angles(m, out);
-    const bool used =
-        std::any_of(seeds.begin(), seeds.end(), [&](const Seed& s) { return s.material == static_cast<int>(k); });
-    if (!used || !solid(m)) continue;
+    if (heights[k].empty() || !solid(m)) continue;
     unusual_waves(model, m, out);
-    own_weight(model, seeds, k, out);
+    own_weight(m, gravity.norm(), heights[k], out);
   }
   return out;
 }

@@ -125,8 +125,8 @@ TEST_CASE("a gain of energy that lasts is warned of, a loss is a figure", "[moni
   for (int k = 0; k < 20; ++k) CHECK_FALSE(of_nothing.monitor.state.record_balance(0, 1e-3, 0, 0, 0));
 }
 
-TEST_CASE("a balance that lacks what a law does not tell names the law", "[monitor]") {
-  // A law of a program that stores energy, and does not tell it
+TEST_CASE("a balance that lacks what a law does not report names the law", "[monitor]") {
+  // A law of a program that stores energy and does not report it
   class Silent final : public Material {
    public:
     void update(const MaterialPoints<2>&) const override {}
@@ -135,7 +135,7 @@ TEST_CASE("a balance that lacks what a law does not tell names the law", "[monit
     double wave_modulus() const override { return 100.0; }
     const std::vector<HistoryVariable>& history() const override { return none_; }
     bool needs_deformation() const override { return false; }
-    std::string untold_energy() const override { return "no method energy(p)"; }
+    std::string unreported_energy() const override { return "no method energy(p)"; }
 
    private:
     std::vector<HistoryVariable> none_;
@@ -149,7 +149,7 @@ TEST_CASE("a balance that lacks what a law does not tell names the law", "[monit
   const auto figures = losing.monitor.energy_figures();
   REQUIRE(figures.size() == 1);
   CHECK(figures[0].is_warning);
-  CHECK_THAT(figures[0].text, Contains("lacks 20 %") && Contains("has no method energy(p), and what it does not tell"));
+  CHECK_THAT(figures[0].text, Contains("lacks 20 %") && Contains("has no method energy(p), so that its energy is missing"));
   CHECK_THAT(figures[0].text, Contains("missing in the balance; the update without <SkipPostExtrapolation/>") &&
                                   Contains("avoids most of a further loss"));
   Watched gaining(block());
