@@ -5,6 +5,7 @@
 #include "base/memory.hpp"
 #include "base/read_file.hpp"
 #include "output/atomic_file.hpp"
+#include "output/deflate_compressor.hpp"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -144,9 +145,6 @@ void add_names(vtkDataObject* object, const char* name, std::span<const std::str
 [[maybe_unused]] const bool sequential =
     ::setenv("VTK_SMP_BACKEND_IN_USE", "Sequential", 0) == 0;  // NOLINT(concurrency-mt-unsafe)
 
-// Higher levels take several times as long, and the mantissas of computed numbers are as good as random to all.
-constexpr int compression_level = 1;
-
 // Throws a FileError if there is not as much memory for a file as this, and some for VTK itself, which ends the program
 // if its memory is too small or it can start no thread.
 void probe_memory(const std::filesystem::path& path, std::size_t bytes) {
@@ -173,8 +171,7 @@ void write(const std::filesystem::path& path, Data* data) {
     writer->SetInputData(data);
     writer->SetDataModeToAppended();
     writer->EncodeAppendedDataOff();
-    writer->SetCompressorTypeToZLib();
-    writer->SetCompressionLevel(compression_level);
+    writer->SetCompressor(vtkNew<DeflateCompressor>());
     return writer->Write() == 1 && writer->GetErrorCode() == 0;
   });
 }
