@@ -23,10 +23,11 @@ void add_contact(Rows& add) {
          "it",
          "edges positions displacements"},
         {"Impulses", T::choice,
-         "where the contact conditions hold. nodes: robust in any motion. faces: gives the correct stress in the cells "
-         "next to the contact, without numerical damping, at a higher cost. Default: faces if a deformable body that "
-         "touches another one at the start is at most three cells thick there or lies between rigid faces on opposite "
-         "sides, otherwise nodes",
+         "where the contact conditions hold. faces: gives the correct stress in the cells next to the contact, without "
+         "numerical damping, at a higher cost. nodes: faster, with damping. Default: faces if a body in contact is "
+         "thin, "
+         "curved or inelastic or lies between rigid faces; nodes otherwise, with more than 16 deformable materials, "
+         "and in models with cracks, joints, rigid blocks, interface laws, Normals or Separation",
          "nodes faces"},
         number("RigidBias",
                "weight, > 0, of the volume gradient of a rigid body (default 1); it acts only where no plane separates "

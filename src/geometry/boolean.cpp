@@ -36,6 +36,9 @@ class Union final : public Region {
     }
     return sum;
   }
+  bool curved() const override {
+    return std::any_of(parts_.begin(), parts_.end(), [](const auto& part) { return part->curved(); });
+  }
 
  private:
   std::vector<RegionPtr> parts_;
@@ -51,6 +54,7 @@ class Intersection final : public Region {
     const Vec3 low = a.low.cwiseMax(b.low);
     return {low, a.high.cwiseMin(b.high).cwiseMax(low)};
   }
+  bool curved() const override { return a_->curved() || b_->curved(); }
 
  private:
   RegionPtr a_, b_;
@@ -64,6 +68,7 @@ class Difference final : public Region {
   std::optional<double> measure() const override {
     return apart(a_->bounds(), b_->bounds()) ? a_->measure() : std::nullopt;
   }
+  bool curved() const override { return a_->curved() || b_->curved(); }
 
  private:
   RegionPtr a_, b_;
@@ -92,6 +97,7 @@ class Moved final : public Region {
     return out;
   }
   std::optional<double> measure() const override { return part_->measure(); }
+  bool curved() const override { return part_->curved(); }
 
  private:
   RegionPtr part_;

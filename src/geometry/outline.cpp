@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "base/text.hpp"
+#include "geometry/directions.hpp"
 #include "geometry/gmsh.hpp"
 #include "geometry/interval.hpp"
 #include "geometry/region.hpp"
@@ -46,6 +47,11 @@ class Outline final : public Region {
   }
   Bounds bounds() const override { return flat_bounds({low_[0], high_[0]}, {low_[1], high_[1]}); }
   std::optional<double> measure() const override { return area_; }
+  bool curved() const override {
+    Directions directions;
+    for (const auto& [a, b] : edges_) directions.add({b[0] - a[0], b[1] - a[1], 0.0});
+    return directions.curved();
+  }
 
  private:
   static double distance2(const PlanePoint& p, const PlanePoint& a, const PlanePoint& b) {

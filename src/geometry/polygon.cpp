@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "geometry/directions.hpp"
 #include "geometry/interval.hpp"
 #include "geometry/region.hpp"
 
@@ -52,6 +53,12 @@ class Polygon final : public Region {
   }
   Bounds bounds() const override { return flat_bounds({low_[0], high_[0]}, {low_[1], high_[1]}); }
   std::optional<double> measure() const override { return area_; }
+  bool curved() const override {
+    Directions edges;
+    for (std::size_t i = 0, j = corners_.size() - 1; i < corners_.size(); j = i++)
+      edges.add({corners_[i][0] - corners_[j][0], corners_[i][1] - corners_[j][1], 0.0});
+    return edges.curved();
+  }
 
  private:
   double signed_area() const {

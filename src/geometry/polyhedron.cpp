@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "geometry/directions.hpp"
 #include "geometry/interval.hpp"
 #include "geometry/region.hpp"
 #include "geometry/surface.hpp"
@@ -65,6 +66,11 @@ class Polyhedron final : public Region {
   }
   Bounds bounds() const override { return {surface_.low, surface_.high}; }
   std::optional<double> measure() const override { return volume_; }
+  bool curved() const override {
+    Directions normals;
+    for (const auto& f : surface_.facets) normals.add((at(f[1]) - at(f[0])).cross(at(f[2]) - at(f[0])));
+    return normals.curved();
+  }
 
  private:
   const Vec3& at(std::int32_t corner) const { return surface_.corners[static_cast<std::size_t>(corner)]; }

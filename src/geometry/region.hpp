@@ -28,6 +28,9 @@ class Region {
   virtual Bounds bounds() const = 0;
   /// Exact area (2D, per unit thickness) or volume, if a closed form is implemented; used by `tribo check`.
   virtual std::optional<double> measure() const { return std::nullopt; }
+  /// Whether a part of the surface is curved, or approximates a curved one by many facets. Not known for pictures:
+  /// false.
+  virtual bool curved() const { return false; }
 };
 
 using RegionPtr = std::shared_ptr<const Region>;

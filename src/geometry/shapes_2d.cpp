@@ -35,6 +35,7 @@ class Oval final : public Region {
     const Ellipse ellipse{x_.half(), y_.half()};
     return angles_.full() ? std::numbers::pi * ellipse.a * ellipse.b : ellipse.sector(angles_.start(), angles_.span());
   }
+  bool curved() const override { return true; }
 
  private:
   Interval x_, y_;

@@ -51,6 +51,7 @@ class Ellipsoid final : public Region {
   }
   Bounds bounds() const override { return bounds_of(s_); }
   std::optional<double> measure() const override { return 4.0 / 3.0 * pi * s_[0].half() * s_[1].half() * s_[2].half(); }
+  bool curved() const override { return true; }
 
  private:
   std::array<Interval, 3> s_;
@@ -68,6 +69,7 @@ class AxialShape : public Region {
         along_(side(axis)),
         u_(side(first_)),
         v_(side(second_)) {}
+  bool curved() const override { return true; }
 
  protected:
   // Coordinates relative to the centre of the box: first and second transverse, then axial.

@@ -14,7 +14,9 @@
 namespace tribo {
 namespace {
 
-constexpr double thin = 3.0;        // cells
+constexpr double thin = 3.0;  // cells
+constexpr std::ptrdiff_t many =
+    16;  // deformable bodies, beyond which the iteration over all faces takes most of the time
 constexpr double tolerance = 0.25;  // of the thickness measured, for plates at an angle to the grid [cells]
 
 const MaterialSpec& spec(const Model& model, int material) {
@@ -123,6 +125,43 @@ bool touches_rigid_body(const Model& model, const std::map<int, std::set<int>>& 
   });
 }
 
+// Whether an initial deformation is not the same everywhere, so that it may bend flat faces.
+bool bends(const std::optional<InitialDeformation>& deformation) {
+  if (!deformation) return false;
+  return std::any_of(deformation->F.begin(), deformation->F.end(), [](const auto& row) {
+    return std::any_of(row.begin(), row.end(), [](const auto& f) { return f && !f->is_constant(); });
+  });
+}
+
+// What is to be said of stresses next to rigid faces with impulses on nodes; empty: nothing.
+std::string warning_of_splines(const Model& model, const std::map<int, std::set<int>>& near) {
+  const bool splines = model.scheme.kernel == Kernel::quadratic_spline || model.scheme.kernel == Kernel::cubic_spline;
+  if (!splines || !touches_rigid_body(model, near)) return "";
+  return ". With splines, stresses within two cells of a rigid face are then wrong by up to their own size: "
+         "Impulses='faces' or <GIMP type='uGIMP'/> where they matter";
+}
+
+// What makes faces more accurate, if they do not take too long: friction on a curved surface acts at the surface, and
+// material that has opened is pressed again. Inelastic materials damp themselves; elastic blocks that slide vibrate
+// less with impulses on nodes. Empty: nothing.
+template <int Dim>
+std::string advantage(const Model& model, const std::set<int>& materials, const std::map<int, Voxels<Dim>>& bodies) {
+  const auto in_contact = [&](int material) { return material >= 0 && bodies.contains(owner(model, material)); };
+  for (const Piece& piece : model.pieces)
+    if (in_contact(piece.material) && (piece.region->curved() || bends(piece.deformation)))
+      return "'" + spec(model, piece.material).name + "' is curved";
+  for (const int k : materials)
+    if (in_contact(k) && spec(model, k).law->dissipation_index() >= 0)
+      return "'" + spec(model, k).name + "' is inelastic";
+  return "";
+}
+
+template <int Dim>
+std::ptrdiff_t count_deformable(const Model& model, const std::map<int, Voxels<Dim>>& bodies) {
+  return std::count_if(bodies.begin(), bodies.end(),
+                       [&](const auto& body) { return !spec(model, body.first).law->rigid(); });
+}
+
 }  // namespace
 
 template <int Dim>
@@ -137,20 +176,25 @@ ImpulseChoice choose_impulses(const Model& model, const Seeds& seeds, const Latt
     if (!material.law->rigid() || material.touches()) materials.insert(seed.material);
   }
   const auto bodies = bodies_in_contact(model, seeds, lattice, materials);
+  if (bodies.empty()) return {false, "on nodes, because no contact law acts between faces"};
   const auto near = near_bodies(bodies);
   const std::string against = objection(model, materials), wanted = need(model, lattice, bodies, near);
-  if (wanted.empty()) {
-    const std::string reason = "on nodes, because no body that touches another one is as thin as " +
-                               counted(thin, "cell") + " or lies between rigid faces";
-    const bool splines = model.scheme.kernel == Kernel::quadratic_spline || model.scheme.kernel == Kernel::cubic_spline;
-    if (!splines || !touches_rigid_body(model, near)) return {false, reason};
-    return {false, reason +
-                       ". With splines, stresses within two cells of a rigid face are then wrong by up to their own "
-                       "size: Impulses='faces' or <GIMP type='uGIMP'/> where they matter"};
-  }
-  if (against.empty()) return {true, "on faces, because " + wanted};
-  return {false, "on nodes, because " + against + ", although " + wanted +
-                     ", so that its contact is too stiff; Impulses='faces' may be better"};
+  const std::string splines = warning_of_splines(model, near);
+  if (!against.empty() && wanted.empty()) return {false, "on nodes, because " + against + splines};
+  if (!against.empty())
+    return {false, "on nodes, because " + against + ", although " + wanted +
+                       ", so that its contact is too stiff; Impulses='faces' may be better"};
+  if (!wanted.empty()) return {true, "on faces, because " + wanted};
+  const std::string better = advantage(model, materials, bodies);
+  if (better.empty())
+    return {false,
+            "on nodes, because no body in contact is thin, curved or inelastic, or lies between rigid faces" + splines};
+  const std::ptrdiff_t deformable = count_deformable(model, bodies);
+  if (deformable <= many) return {true, "on faces, because " + better};
+  return {false, "on nodes, because with " + counted(deformable, "deformable material") +
+                     " in contact the iteration over faces would take most of the time; Impulses='faces' is more "
+                     "accurate" +
+                     splines};
 }
 
 template ImpulseChoice choose_impulses<2>(const Model&, const Seeds&, const Lattice<2>&);

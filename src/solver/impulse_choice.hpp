@@ -13,16 +13,18 @@ namespace tribo {
 /// Whether contact impulses act on faces or on nodes, and why.
 ///
 /// With impulses on nodes, the cells next to a face move as one: a body of few cells, or one between rigid bodies, is
-/// far too stiff. With impulses on faces the stress there is right, at a higher cost and without the numerical damping.
+/// far too stiff, and friction acts within a body, so that it turns a ball too little. With impulses on faces all this
+/// is right, at a higher cost and without the numerical damping.
 struct ImpulseChoice {
   bool at_faces = false;
   std::string reason;  ///< "on faces, because 'plate' is 1 cell thick"; empty without contact
 };
 
-/// The choice of the command file; without one, faces if a deformable body that touches another one at the start is at
-/// most three cells thick behind its faces there, or lies between faces of rigid bodies on opposite sides, and nodes
-/// otherwise. Models with cracks, joints, rigid blocks,
-/// interface laws, or normals and gaps that are not found from the particle domains keep nodes.
+/// The choice of the command file. Without one, faces if a deformable body touches another one at the start and is at
+/// most three cells thick behind its face there, or lies between faces of rigid bodies on opposite sides. Faces, too,
+/// if a body in contact is curved or inelastic, unless more than 16 deformable bodies are in contact. Nodes otherwise,
+/// and in models with cracks, joints, rigid blocks or interface laws, or with normals and gaps that are not found from
+/// the particle domains.
 template <int Dim>
 ImpulseChoice choose_impulses(const Model& model, const Seeds& seeds, const Lattice<Dim>& lattice);
 

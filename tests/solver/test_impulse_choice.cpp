@@ -7,6 +7,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <cmath>
+
 using namespace tribo;
 using Catch::Contains;
 
@@ -55,26 +57,29 @@ void check_choice(const ImpulseDeck& deck, bool faces, const std::string& reason
 }
 
 const std::string why_nodes =
-    "on nodes, because no body that touches another one is as thin as 3 cells or lies between rigid faces";
+    "on nodes, because no body in contact is thin, curved or inelastic, or lies between rigid faces";
 const std::string why_faces = "'plate' is 1 cell thick";
 const std::string but_thin =
     ", although " + why_faces + ", so that its contact is too stiff; Impulses='faces' may be better";
 
-}  // namespace
-
-TEST_CASE("an ordinary block takes impulses on nodes", "[impulses]") {
-  check_choice({.bodies = thick_block + one_platen}, false, why_nodes);
+// Discs of two cells that do not touch each other, each of a material of its own.
+ImpulseDeck discs(int number) {
+  ImpulseDeck deck;
+  for (int k = 0; k < number; ++k) {
+    const std::string name = "disc " + std::to_string(k);
+    const int x = 4 * (k % 5) + 1, y = 4 * (k / 5) + 1;
+    deck.bodies += "<Body matname='" + name + "'><Oval xmin='" + std::to_string(x) + "' xmax='" +
+                   std::to_string(x + 2) + "' ymin='" + std::to_string(y) + "' ymax='" + std::to_string(y + 2) +
+                   "'/></Body>";
+    deck.more += "<Material Type='1' Name='" + name + "'><rho>1</rho><E>1</E><nu>0</nu></Material>";
+  }
+  return deck;
 }
 
-TEST_CASE("with splines on a rigid face the choice tells that stresses there are wrong", "[impulses]") {
-  const auto reason = [](const std::string& bodies, const std::string& shape) {
-    return deck_system({.bodies = bodies, .shape = shape}).contact_reason;
-  };
-  for (const char* spline : {"<GIMP type='quadratic'/>", "<GIMP type='B3SPLINE'/>"}) {
-    CHECK_THAT(reason(thick_block + one_platen, spline), Contains("stresses within two cells of a rigid face"));
-    CHECK(reason(thick_block, spline) == why_nodes);
-  }
-  CHECK(reason(thick_block + one_platen, "<GIMP type='lCPDI'/>") == why_nodes);
+}  // namespace
+
+TEST_CASE("an elastic block takes impulses on nodes", "[impulses]") {
+  check_choice({.bodies = thick_block + one_platen}, false, why_nodes);
 }
 
 TEST_CASE("a thin body in contact takes impulses on faces", "[impulses]") {
@@ -85,6 +90,54 @@ TEST_CASE("a thin body in contact takes impulses on faces", "[impulses]") {
                false, why_nodes);
 }
 
+TEST_CASE("curved and inelastic bodies take impulses on faces", "[impulses]") {
+  const std::string round = "<Body matname='block'><Oval xmin='4' xmax='14' ymin='9' ymax='19'/></Body>";
+  check_choice({.bodies = round + one_platen}, true, "on faces, because 'block' is curved");
+  std::string corners;  // of a polygon with as many directions
+  for (int k = 0; k < 14; ++k)
+    corners += "<pt x='" + std::to_string(9 + 5 * std::cos(k * 6.2831853 / 14)) + "' y='" +
+               std::to_string(14 + 5 * std::sin(k * 6.2831853 / 14)) + "'/>";
+  check_choice({.bodies = "<Body matname='block'><Polygon>" + corners + "</Polygon></Body>" + one_platen}, true,
+               "on faces, because 'block' is curved");
+  const std::string wheel = "<Body matname='platen'><Oval xmin='4' xmax='8' ymin='5' ymax='9'/></Body>";
+  check_choice({.bodies = thick_block + wheel}, true, "on faces, because 'platen' is curved");
+  const auto deformed = [](const std::string& F11) {
+    return "<Body matname='block'><Deform F11='" + F11 + "'/><Rect xmin='4' xmax='14' ymin='9' ymax='17'/></Body>";
+  };
+  check_choice({.bodies = deformed("1+0.001*y") + one_platen}, true, "on faces, because 'block' is curved");
+  check_choice({.bodies = deformed("1.01") + one_platen}, false, why_nodes);
+  const std::string soil =
+      "<Material Type='MohrCoulomb' Name='soil'><rho>1</rho><E>1</E><nu>0</nu><cohesion>1</cohesion>"
+      "<friction>30</friction></Material>";
+  check_choice({.bodies = "<Body matname='soil'><Rect xmin='4' xmax='14' ymin='9' ymax='17'/></Body>" + one_platen,
+                .more = soil},
+               true, "on faces, because 'soil' is inelastic");
+}
+
+TEST_CASE("many bodies take impulses on nodes, unless one of them is thin", "[impulses]") {
+  check_choice(discs(16), true, "on faces, because 'disc 0' is curved");
+  check_choice(discs(17), false,
+               "on nodes, because with 17 deformable materials in contact the iteration over faces would take most of "
+               "the time; Impulses='faces' is more accurate");
+  ImpulseDeck more = discs(17);
+  more.bodies +=
+      "<Body matname='plate'><Rect xmin='12' xmax='18' ymin='17' ymax='18'/></Body>"
+      "<Body matname='block'><Rect xmin='12' xmax='18' ymin='18' ymax='19'/></Body>";
+  check_choice(more, true, "on faces, because " + why_faces);
+}
+
+TEST_CASE("with splines on a rigid face the choice of nodes tells that stresses there are wrong", "[impulses]") {
+  const auto reason = [](const char* shape) {
+    return deck_system(
+               {.mode = "<MultiMaterialMode Normals='avggrad'/>", .bodies = thick_block + one_platen, .shape = shape})
+        .contact_reason;
+  };
+  const std::string why = "on nodes, because the command file sets the method for normals";
+  for (const char* spline : {"<GIMP type='quadratic'/>", "<GIMP type='B3SPLINE'/>"})
+    CHECK_THAT(reason(spline), Contains(why) && Contains("stresses within two cells of a rigid face"));
+  CHECK(reason("<GIMP type='lCPDI'/>") == why);
+}
+
 TEST_CASE("a body between rigid platens takes impulses on faces", "[impulses]") {
   check_choice({.bodies = thick_block + two_platens}, true,
                "on faces, because 'block' lies between rigid faces on opposite sides");
@@ -93,7 +146,8 @@ TEST_CASE("a body between rigid platens takes impulses on faces", "[impulses]") 
 TEST_CASE("a thin body that touches nothing does not count", "[impulses]") {
   const std::string friend_law = "<Friction law='4' matname='block'/>";
   const std::string ignore = "<Material Type='IgnoreContact' Name='none'/>";
-  check_choice({.bodies = thin_plate + thick_block, .materials = friend_law, .more = ignore}, false, why_nodes);
+  check_choice({.bodies = thin_plate + thick_block, .materials = friend_law, .more = ignore}, false,
+               "on nodes, because no contact law acts between faces");
   Model model = deck_model({.bodies = thin_plate + thick_block});
   model.contact.active = false;
   CHECK(build_system<2>(model, place_points(model)).contact_reason.empty());
