@@ -139,10 +139,10 @@ def landslide(p):
         out = p.run("landslide.fmcmd", phi=phi)
         force = np.convolve(p.column(out, "contactx:Wall"), np.full(50, 0.02), "valid") / 1e3
         curves.append((p.column(out, "time")[25:-24], force, "-", f"friction {phi} degrees"))
-    p.plot("landslide_force", "time [s]", "force on the wall, mean over 0.1 s [kN/m]", curves, xlim=(1.5, 4), ylim=(0, 50))
+    p.plot("landslide_force", "time [s]", "force on the wall, mean over 0.1 s [kN/m]", curves, xlim=(1.5, 5), ylim=(0, 50))
     p.render(p.run("landslide.fmcmd", phi=30), "landslide", "velocity", 2)
-    p.render(p.run("landslide.fmcmd", phi=30), "landslide_at_rest", "displacement", 4)
-    p.render(p.run("landslide.fmcmd", wall=0), "landslide_without_wall", "displacement", 4)
+    p.render(p.run("landslide.fmcmd", phi=30), "landslide_at_rest", "displacement", 5)
+    p.render(p.run("landslide.fmcmd", wall=0), "landslide_without_wall", "displacement", 5)
 
 
 def draw(name, tribo, run, column, folder):
