@@ -27,7 +27,7 @@ void add_contact(Rows& add) {
          "numerical damping, at a higher cost. nodes: faster, with damping. Default: faces if a body in contact is "
          "thin, "
          "curved or inelastic or lies between rigid faces; nodes otherwise, with more than 16 deformable materials, "
-         "and in models with cracks, joints, rigid blocks, interface laws, Normals or Separation",
+         "with films of liquid, and in models with cracks, joints, rigid blocks, interface laws, Normals or Separation",
          "nodes faces"},
         number("RigidBias",
                "weight, > 0, of the volume gradient of a rigid body (default 1); it acts only where no plane separates "

@@ -185,6 +185,11 @@ ImpulseChoice choose_impulses(const Model& model, const Seeds& seeds, const Latt
     return {false, "on nodes, because " + against + ", although " + wanted +
                        ", so that its contact is too stiff; Impulses='faces' may be better"};
   if (!wanted.empty()) return {true, "on faces, because " + wanted};
+  // Films between faces that are apart: only impulses on nodes conserve the angular momentum exactly.
+  bool films = false;
+  for (const int k : materials)
+    each_law(model, materials, k, [&](const ContactLaw& law) { films |= law.liquid() != 0; });
+  if (films) return {false, "on nodes, because the model has films of liquid" + splines};
   const std::string better = advantage(model, materials, bodies);
   if (better.empty())
     return {false,

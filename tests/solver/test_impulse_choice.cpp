@@ -99,6 +99,11 @@ TEST_CASE("curved and inelastic bodies take impulses on faces", "[impulses]") {
                std::to_string(14 + 5 * std::sin(k * 6.2831853 / 14)) + "'/>";
   check_choice({.bodies = "<Body matname='block'><Polygon>" + corners + "</Polygon></Body>" + one_platen}, true,
                "on faces, because 'block' is curved");
+  check_choice({.mode = "<MultiMaterialMode><Friction lawname='film'/></MultiMaterialMode>",
+                .bodies = round + one_platen,
+                .more = "<Material Type='TaitLiquid' Name='oil'><rho>1</rho><K>1</K><viscosity>1</viscosity></Material>"
+                        "<Material Type='LiquidContact' Name='film'><LiquidPhase>4</LiquidPhase></Material>"},
+               false, "on nodes, because the model has films of liquid");
   const std::string wheel = "<Body matname='platen'><Oval xmin='4' xmax='8' ymin='5' ymax='9'/></Body>";
   check_choice({.bodies = thick_block + wheel}, true, "on faces, because 'platen' is curved");
   const auto deformed = [](const std::string& F11) {
