@@ -149,7 +149,8 @@ TEST_CASE("a balance that lacks what a law does not report names the law", "[mon
   const auto figures = losing.monitor.energy_figures();
   REQUIRE(figures.size() == 1);
   CHECK(figures[0].is_warning);
-  CHECK_THAT(figures[0].text, Contains("lacks 20 %") && Contains("has no method energy(p), so that its energy is missing"));
+  CHECK_THAT(figures[0].text,
+             Contains("lacks 20 %") && Contains("has no method energy(p), so that its energy is missing"));
   CHECK_THAT(figures[0].text, Contains("missing in the balance; the update without <SkipPostExtrapolation/>") &&
                                   Contains("avoids most of a further loss"));
   Watched gaining(block());
