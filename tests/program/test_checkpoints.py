@@ -78,8 +78,11 @@ with tempfile.TemporaryDirectory() as folder:
                 print(f"FAILED: {path} has no entry {name}: {[n for n in entries(sound) if n.startswith(name[:18])][:40]}")
                 failed += 1
                 continue
-            for value in values:
+            # A position is checked in another way if the next step sorts the particles into bins
+            for value, unsorted in [(value, False) for value in values] + [(value, True) for value in values if "position" in name]:
                 parts = entries(sound)
+                if unsorted:
+                    struct.pack_into("<q", parts["stepper.system.sorted"][1], 0, 0)
                 struct.pack_into("<q" if kind == b"i" else "<d", parts[name][1], 0, value)
                 checkpoint.write_bytes(written(parts))
                 done = subprocess.run([tribo, "resume", "--quiet", "--max-wall", "0.5", out], env=environment, check=False, capture_output=True, text=True, timeout=60)

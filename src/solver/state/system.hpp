@@ -250,7 +250,8 @@ void archive(Archive& a, Body<Dim>& body, const Lattice<Dim>& lattice, bool binn
     refuse_checkpoint("a particle of '" + name + "' has a negative mass or volume");
 }
 
-/// Refuses a system, restored from a checkpoint, with points far outside of the grid.
+/// Refuses a system, restored from a checkpoint, with points or particles far outside of the grid. Particles that lie in
+/// their bins are inside; those that the next step sorts may have left the grid, but not by many sizes of it.
 template <int Dim>
 void check(const System<Dim>& system) {
   static constexpr double farthest = 100;  // sizes of the grid
@@ -271,6 +272,11 @@ void check(const System<Dim>& system) {
     for (const auto& sample : surface.samples)
       if (!(sample.local.norm() < most)) refuse_checkpoint("a part of a joint lies far outside of the grid");
   }
+  for (const auto* list : {&system.bodies, &system.rigids})
+    for (const Body<Dim>& body : *list)
+      for (std::size_t i = 0; i < body.particles.size(); ++i)
+        if (!((body.particles.position(i) - lattice.low).norm() < most))
+          refuse_checkpoint("a particle of '" + body.name + "' lies far outside of the grid");
   if (system.step < 0 || system.time < 0) refuse_checkpoint("its time or its number of steps is negative");
 }
 
