@@ -66,6 +66,10 @@ struct Piece {
   std::optional<double> K0;  ///< adds the geostatic stress under gravity with this ratio of horizontal to vertical
   double angle = 0.0;        ///< rotation of the material axes about z
   Origin origin;
+
+  /// Whether its surface is curved: its region is, or its initial deformation is not the same everywhere, so that it may
+  /// bend flat faces.
+  bool curved() const;
 };
 
 /// A body that is given by its particles. Lists have an entry for each particle, or none where it says so.

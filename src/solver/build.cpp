@@ -244,6 +244,27 @@ void number_pieces(const Seeds& seeds, std::size_t present, std::int64_t next, s
   }
 }
 
+// Marks the fields of bodies whose surfaces are curved, and remain so: they are rigid or elastic.
+template <int Dim>
+void mark_curved_fields(const Model& model, System<Dim>& system) {
+  std::vector<bool> curved(model.materials.size(), false);
+  for (const Piece& piece : model.pieces)
+    if (piece.material >= 0 && piece.region && piece.region->curved())
+      curved[static_cast<std::size_t>(piece.material)] = true;
+  const auto is_ball = [&](const Body<Dim>& body) {
+    const int group = system.blocks->bodies[static_cast<std::size_t>(body.block)].group;
+    return model.blocks->groups[static_cast<std::size_t>(group)].shape == BlockGroup::Shape::ball;
+  };
+  for (const auto* list : {&system.bodies, &system.rigids})
+    for (const Body<Dim>& body : *list) {
+      if (body.field == Body<Dim>::no_field) continue;
+      const bool keeps_shape = body.law->rigid() || (body.law->dissipation_index() < 0 && !body.law->liquid());
+      if ((body.block >= 0 && is_ball(body)) || (keeps_shape && curved[static_cast<std::size_t>(body.material)]))
+        system.fields[body.field].curved = true;
+    }
+  for (auto& field : system.fields) field.curved = system.fields[field.base_field].curved;
+}
+
 }  // namespace
 
 template <int Dim>
@@ -302,6 +323,7 @@ System<Dim> build_system(const Model& model, Seeds seeds) {
                     [&] { add_cracks(model, system, transfers->stencil_width()); });
   add_interfaces(model, system);
   add_sides(system);
+  mark_curved_fields(model, system);
   if (system.bodies.empty())
     throw InputError(Origin{}, "the model has no deformable particle; give a <Body> with a material");
   const auto& periodic = model.grid.periodic;

@@ -15,8 +15,8 @@ namespace tribo {
 namespace {
 
 constexpr double thin = 3.0;  // cells
-constexpr std::ptrdiff_t many =
-    16;  // deformable bodies, beyond which the iteration over all faces takes most of the time
+// With more deformable bodies than this, the iteration over all faces takes most of the time.
+constexpr std::ptrdiff_t many = 16;
 constexpr double tolerance = 0.25;  // of the thickness measured, for plates at an angle to the grid [cells]
 
 const MaterialSpec& spec(const Model& model, int material) {
@@ -125,14 +125,6 @@ bool touches_rigid_body(const Model& model, const std::map<int, std::set<int>>& 
   });
 }
 
-// Whether an initial deformation is not the same everywhere, so that it may bend flat faces.
-bool bends(const std::optional<InitialDeformation>& deformation) {
-  if (!deformation) return false;
-  return std::any_of(deformation->F.begin(), deformation->F.end(), [](const auto& row) {
-    return std::any_of(row.begin(), row.end(), [](const auto& f) { return f && !f->is_constant(); });
-  });
-}
-
 // What is to be said of stresses next to rigid faces with impulses on nodes; empty: nothing.
 std::string warning_of_splines(const Model& model, const std::map<int, std::set<int>>& near) {
   const bool splines = model.scheme.kernel == Kernel::quadratic_spline || model.scheme.kernel == Kernel::cubic_spline;
@@ -148,12 +140,19 @@ template <int Dim>
 std::string advantage(const Model& model, const std::set<int>& materials, const std::map<int, Voxels<Dim>>& bodies) {
   const auto in_contact = [&](int material) { return material >= 0 && bodies.contains(owner(model, material)); };
   for (const Piece& piece : model.pieces)
-    if (in_contact(piece.material) && (piece.region->curved() || bends(piece.deformation)))
-      return "'" + spec(model, piece.material).name + "' is curved";
+    if (in_contact(piece.material) && piece.curved()) return "'" + spec(model, piece.material).name + "' is curved";
   for (const int k : materials)
     if (in_contact(k) && spec(model, k).law->dissipation_index() >= 0)
       return "'" + spec(model, k).name + "' is inelastic";
   return "";
+}
+
+// Whether a disc or a ball among the blocks may touch bodies in the grid.
+bool has_curved_block(const Model& model) {
+  const auto& groups = model.blocks->groups;
+  return std::any_of(groups.begin(), groups.end(), [](const BlockGroup& group) {
+    return group.shape == BlockGroup::Shape::ball && group.material >= 0;
+  });
 }
 
 template <int Dim>
@@ -169,11 +168,16 @@ ImpulseChoice choose_impulses(const Model& model, const Seeds& seeds, const Latt
   if (!model.contact.active) return {};
   if (const auto given = model.contact.at_faces)
     return {*given, *given ? "on faces, as the command file says" : "on nodes, as the command file says"};
-  if (model.blocks) return {false, "on nodes, because the model has rigid blocks"};
   std::set<int> materials;  // that have a velocity field
   for (const Seed& seed : seeds) {
     const MaterialSpec& material = spec(model, seed.material);
     if (!material.law->rigid() || material.touches()) materials.insert(seed.material);
+  }
+  if (model.blocks) {
+    const std::string against = objection(model, materials);
+    if (!against.empty()) return {false, "on nodes, because " + against};
+    if (has_curved_block(model)) return {true, "on faces, because a block is curved"};
+    return {false, "on nodes, because no rigid block is curved"};
   }
   const auto bodies = bodies_in_contact(model, seeds, lattice, materials);
   if (bodies.empty()) return {false, "on nodes, because no contact law acts between faces"};

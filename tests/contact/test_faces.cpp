@@ -206,6 +206,81 @@ TEST_CASE("round faces that lie in each other have the gap between their curves"
   }
 }
 
+namespace {
+
+// Particles of size h/2 along an arc of a body below it. The arc has its highest point at (`top`, 0).
+ParticleSet<2> crown(double radius, double top) {
+  ParticleSet<2> side;
+  for (double r = radius - 0.25; r > radius - 2; r -= 0.5)
+    for (int k = -8; k < 8; ++k) {
+      const double angle = 0.5 * (k + 0.5) / radius;
+      const Mat<2> turn = Eigen::Rotation2Dd(-angle).toRotationMatrix();
+      side.add(Vec<2>(top + r * std::sin(angle), r * std::cos(angle) - radius), turn * (0.25 * Mat<2>::Identity()));
+    }
+  return side;
+}
+
+Vec<2> meeting_place(ParticleSet<2> below, ParticleSet<2> above, bool curved_below, bool curved_above) {
+  return foremost_offset<2>({&below, &above}, {curved_below, curved_above}, Vec<2>(0, 1), 0.75, 1.0);
+}
+
+}  // namespace
+
+TEST_CASE("a round body meets a plane at its foremost point", "[contact]") {
+  const auto floor = block(0, {-3, 0.01}, {3, 3});
+  for (const double radius : {10.0, 20.0})
+    for (const double top : {-0.5, -0.2, 0.0, 0.3, 0.6}) {
+      CAPTURE(radius, top);
+      const Vec<2> at = meeting_place(crown(radius, top), floor, true, false);
+      CHECK(at[0] == Approx(top).margin(0.02));
+      CHECK(at[1] == 0);
+      CHECK(meeting_place(crown(radius, top), floor, false, false).norm() == 0);
+      auto same = crown(radius, top);  // two equal bodies meet in the middle between them
+      ParticleSet<2> mirrored;
+      for (std::size_t i = 0; i < same.size(); ++i) {
+        const Vec<2> x = same.centre(i);
+        const Mat<2> half = Vec<2>(1, -1).asDiagonal() * same.half_axes(i);
+        mirrored.add(Vec<2>(x[0], 0.01 - x[1]), half);
+      }
+      CHECK(meeting_place(same, mirrored, true, true)[0] == Approx(top).margin(0.02));
+    }
+}
+
+TEST_CASE("faces that are plane or lie in each other meet everywhere", "[contact]") {
+  for (const double end : {-0.3, 0.0, 0.4, 3.0}) {
+    CAPTURE(end);
+    CHECK(meeting_place(block(0, {-3, -3}, {end, 0}), block(0, {-2.9, 0.1}, {3, 3}), true, true).norm() < 1e-12);
+  }
+  for (const double radius : {10.0, 40.0}) {
+    ParticleSet<2> bearing;  // around the shaft
+    for (double r = radius + 0.26; r < radius + 2; r += 0.5)
+      for (int k = -8; k < 8; ++k) {
+        const double angle = 0.5 * (k + 0.5) / radius;
+        bearing.add(Vec<2>(0.4 + r * std::sin(angle), r * std::cos(angle) - radius),
+                    Eigen::Rotation2Dd(-angle).toRotationMatrix() * (0.25 * Mat<2>::Identity()));
+      }
+    CHECK(meeting_place(crown(radius, 0.4), bearing, true, true).norm() < 1e-12);
+  }
+}
+
+TEST_CASE("a cylinder meets a plane along a line", "[contact]") {
+  constexpr double radius = 10, top = 0.4;
+  ParticleSet<3> cylinder;
+  for (double r = radius - 0.25; r > radius - 1.5; r -= 0.5)
+    for (int k = -6; k < 6; ++k)
+      for (double z = -2.25; z < 0.6; z += 0.5) {  // it ends near the node
+        const double angle = 0.5 * (k + 0.5) / radius;
+        const Mat<3> turn = Eigen::AngleAxisd(-angle, Vec<3>::UnitZ()).toRotationMatrix();
+        cylinder.add(Vec<3>(top + r * std::sin(angle), r * std::cos(angle) - radius, z),
+                     turn * (0.25 * Mat<3>::Identity()));
+      }
+  auto floor = box(Mat<3>::Identity(), {-2.5, 0.01, -2.5}, {2.5, 2, 2.5});
+  const Vec<3> at = foremost_offset<3>({&cylinder, &floor}, {true, false}, Vec<3>::UnitY(), 0.75, 1.0);
+  CHECK(at[0] == Approx(top).margin(0.03));
+  CHECK(std::abs(at[1]) < 1e-12);
+  CHECK(std::abs(at[2]) < 1e-3);  // the end on one side turns the axes of curvature a little
+}
+
 TEST_CASE("flat faces and stairs have no gap correction", "[contact]") {
   const Vec<2> up(0, 1);
   for (const double end : {0.0, 0.4, 3.0}) {

@@ -202,3 +202,20 @@ TEST_CASE("the summary says where the impulses act", "[impulses][preflight]") {
   CHECK_THAT(preflight(deck_model({.bodies = thick_block + one_platen}), 1),
              Contains("contact impulses: " + why_nodes));
 }
+
+TEST_CASE("impulses of round blocks act on faces", "[contact]") {
+  const std::string ball = "<Ball matname='platen' x='9' y='12' radius='3' rho='1'/>",
+                    box = "<BoxBlock matname='platen' xmin='6' xmax='12' ymin='9' ymax='12' rho='1'/>";
+  const auto deck = [](const std::string& block) {
+    ImpulseDeck out;
+    out.bodies = "<Body matname='plate'><Rect xmin='2' xmax='18' ymin='2' ymax='9'/></Body>";
+    out.more = "<Material Type='SpringNetwork' Name='law'><kn>1</kn><ks>1</ks></Material><Blocks lawname='law'>" +
+               block + "</Blocks>";
+    return out;
+  };
+  check_choice(deck(ball), true, "on faces, because a block is curved");
+  check_choice(deck(box), false, "on nodes, because no rigid block is curved");
+  ImpulseDeck given = deck(ball);
+  given.mode = "<MultiMaterialMode Normals='maxgrad'/>";
+  check_choice(given, false, "on nodes, because the command file sets the method for normals");
+}

@@ -59,10 +59,24 @@ def slide(case, degrees, mu):
                np.abs(out["residual"]).max() / np.abs(out["potential"]).max(), 0, 1e-6, "at most")
 
 
+def roll(case, cells, E, tolerance):
+    """A disc on the bed. It sinks by less than a hundredth of its radius."""
+    folder = case.run(f"disc{cells}_{E}", "disc.xml", dict(h=repr(0.5 / cells), E=E))
+    got = verify.history(folder)
+    t, speed = got["time"], got["velx:boulder"]
+    late = t > 0.55
+    case.check(f"disc with a radius of {cells} cells on a bed of {float(E) / 1e6:g} MPa: acceleration [m/s^2]",
+               np.polyfit(t[late], speed[late], 1)[0], g * math.sin(slope) / 1.5, tolerance)
+
+
 def run(case):
     slide(case, 0, 0.3)
+    roll(case, 5, "1e8", 2e-2)
     if case.quick:
         return
     slide(case, 0, 0.7)
+    roll(case, 5, "1e7", 2e-2)
+    roll(case, 10, "1e8", 2e-2)
+    roll(case, 10, "1e7", 2e-2)
     slide(case, 17, 0.3)
     slide(case, 17, 0.7)

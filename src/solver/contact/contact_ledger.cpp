@@ -186,7 +186,8 @@ auto ContactLedger<Dim>::rigid_point(const ContactNode<Dim>& node, const Contact
                                      double sign) const -> RigidPoint {
   Vec3 x = Vec3::Zero();
   x.head<Dim>() = system_.lattice.position(node.index);
-  if (node.solved_on_faces) return {x + pair.face_position * pair.state.normal, sign * pair.rigid_velocity};
+  if (node.solved_on_faces)
+    return {x + pair.face_position * pair.state.normal + pair.foremost_offset, sign * pair.rigid_velocity};
   return {x, Eigen::Map<const Vec3>(system_.fields[rigid.field].nodes[static_cast<std::size_t>(rigid.node)].velocity)};
 }
 

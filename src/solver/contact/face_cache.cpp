@@ -110,7 +110,7 @@ bool FaceCache<Dim>::update_pair(const ContactNode<Dim>& node, const ContactNode
   if (period(travel_) > period(face.found_travel)) return false;
   if (face.missing) return true;
   if (face.count[0] > ContactFace::max_particles || face.count[1] > ContactFace::max_particles) return false;
-  pair.state.normal = face.normal, pair.state.area = face.area;
+  pair.state.normal = face.normal, pair.state.area = face.area, pair.foremost_offset = face.foremost_offset;
   const Vec<Dim> centre = system_.lattice.position(node.index), n = face.normal.template head<Dim>();
   std::array<double, 2> positions;
   for (std::size_t side = 0; side < 2; ++side) {

@@ -17,12 +17,13 @@ namespace tribo {
 struct ContactFace {
   static constexpr std::size_t max_particles = 32;  ///< per side; a face with more is not cached
 
-  std::int64_t node = -1;          ///< ContactNode::number
-  std::size_t a = 0, b = 0;        ///< fields
-  bool missing = false;            ///< the pair has no common face at this node
-  Vec3 normal = Vec3::Zero();      ///< unit normal from a to b
-  double area = 0.0;               ///< share of the node in the contact area                             [length^2]
-  double gap_correction = 0.0;     ///< added to the gap between the foremost particles, see gap_correction()  [length]
+  std::int64_t node = -1;       ///< ContactNode::number
+  std::size_t a = 0, b = 0;     ///< fields
+  bool missing = false;         ///< the pair has no common face at this node
+  Vec3 normal = Vec3::Zero();   ///< unit normal from a to b
+  double area = 0.0;            ///< share of the node in the contact area                             [length^2]
+  double gap_correction = 0.0;  ///< added to the gap between the foremost particles, see gap_correction()  [length]
+  Vec3 foremost_offset = Vec3::Zero();  ///< see ContactPair::foremost_offset
   double offset_along_face = 0.0;  ///< distance along the face from the node to the nearest particles at it   [length]
 
   bool just_found = false;              ///< in this step
@@ -48,12 +49,13 @@ struct ContactFace {
 
 /// Saves and restores a face. The numbers of its particles are saved by FaceCache.
 inline void archive(Archive& a, ContactFace& face) {
-  auto& [node, field_a, field_b, missing, normal, area, gap_correction, offset_along_face, just_found, found_travel,
-         valid_travel, flat, depth_range, count, particles] = face;
-  a.version(1);
+  auto& [node, field_a, field_b, missing, normal, area, gap_correction, foremost_offset, offset_along_face, just_found,
+         found_travel, valid_travel, flat, depth_range, count, particles] = face;
+  a.version(2);
   a("node", node), a("a", field_a), a("b", field_b), a("missing", missing);
   a("normal", normal), a("area", area), a("gap_correction", gap_correction);
-  a("offset_along_face", offset_along_face), a("found_travel", found_travel), a("valid_travel", valid_travel);
+  a("foremost_offset", foremost_offset), a("offset_along_face", offset_along_face), a("found_travel", found_travel),
+      a("valid_travel", valid_travel);
   a("flat", flat), a("depth_range", depth_range), a("count_a", count[0]), a("count_b", count[1]);
 }
 

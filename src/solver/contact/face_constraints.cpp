@@ -23,6 +23,11 @@ Eigen::Map<const Vec3> velocity_of(const System<Dim>& system, std::size_t field,
   return Eigen::Map<const Vec3>(system.fields[field].nodes[static_cast<std::size_t>(node)].velocity);
 }
 
+template <int Dim>
+double mass_of(const System<Dim>& system, const FaceTerm& t) {
+  return system.fields[t.field].nodes[static_cast<std::size_t>(t.node)].mass;
+}
+
 // Reduction of the weight of a light node. A body that reaches over a node by d has there a mass of the order d^3 and
 // an internal force of the order d^2, if its stress is uniform, with splines of second order. `ratio`: mass of the node
 // over the one from which on the weight is full.
@@ -78,14 +83,27 @@ void FaceConstraints<Dim>::list_constraints(ContactNodes<Dim>& contacts) {
     if (g + 1 == groups_.size() || groups_[g + 1].colour != groups_[g].colour) colour_ends_.push_back(g + 1);
 }
 
+// The terms of a point: nodes of the cell that contains it.
+template <int Dim>
+struct FaceConstraints<Dim>::Point {
+  std::span<FaceTerm> terms;
+  std::array<double, 1 << Dim> distances{};  // of the nodes from the contact node, along the normal
+  double mean_mass = 0.0;
+  double weight = 0.0;    // sum of those of the terms
+  double distance = 0.0;  // mean
+};
+
 template <int Dim>
 void FaceConstraints<Dim>::find_terms(Constraint& c, std::span<const ContactMember> members) const {
   ContactPair& pair = *c.pair;
   for (const auto& [member, sign] : {std::pair{&members[pair.a], -1.0}, std::pair{&members[pair.b], 1.0}}) {
     const std::size_t first = c.term_count;
-    c.all_terms[c.term_count++] = {static_cast<std::uint32_t>(member->field), 0, member->node, sign};
     double& mean_mass = c.mean_mass[sign < 0 ? 0 : 1];
-    mean_mass = c.has_face ? add_face_terms(c, *member, sign) : member->mass;
+    mean_mass = c.has_face ? add_face_terms(c, *member, sign) : 0.0;
+    if (c.term_count == first) {
+      c.all_terms[c.term_count++] = {static_cast<std::uint32_t>(member->field), 0, member->node, sign};
+      mean_mass = member->mass;
+    }
     if (member->inverse_mass > 0.0) continue;
     pair.rigid_velocity.setZero();
     for (std::size_t t = first; t < c.term_count; ++t)
@@ -94,57 +112,53 @@ void FaceConstraints<Dim>::find_terms(Constraint& c, std::span<const ContactMemb
   }
 }
 
-// Moves a part of the weight of the last term to the mirror image of its node in the face. The velocity at the image is
-// that of the nodes of the cell that contains it, which the body may reach in part only. Returns the mean mass of the
-// nodes.
+// Adds the terms of the velocity of a body at the face, if it reaches a node around each of two points at the same
+// distance from the face, on either side of it. Returns the mean mass of the nodes.
 template <int Dim>
 double FaceConstraints<Dim>::add_face_terms(Constraint& c, const ContactMember& member, double sign) const {
-  const std::size_t own = c.term_count - 1;
-  const FaceTerm first = c.all_terms[own];
-  std::array<double, 1 << Dim> distances;  // of the nodes around the image from the node, along the normal
-  if (!add_image_terms(c, first, distances)) return member.mass;
-  const std::span<FaceTerm> image(&c.all_terms[own + 1], c.term_count - own - 1);
-  const auto mass = [&](const FaceTerm& t) {
-    return system_.fields[t.field].nodes[static_cast<std::size_t>(t.node)].mass;
-  };
-
-  double mean_mass = 0.0, total = 0.0, distance = 0.0;
-  for (const FaceTerm& t : image) mean_mass += t.weight * mass(t), total += t.weight;
-  mean_mass = 0.5 * (mass(first) + mean_mass / total);
-  total = 0.0;
-  for (std::size_t k = 0; k < image.size(); ++k) {
-    image[k].weight *= reduction(mass(image[k]) / (light_node * mean_mass));
-    total += image[k].weight, distance += image[k].weight * distances[k];
+  const ContactPair& pair = *c.pair;
+  const std::size_t first = c.term_count;
+  const Vec3 across = 2 * pair.face_position * pair.state.normal;
+  Point near = add_point(c, member.field, pair.foremost_offset);
+  Point image = add_point(c, member.field, pair.foremost_offset + across);
+  if ((near.terms.empty() || image.terms.empty()) && !pair.foremost_offset.isZero(0)) {
+    c.term_count = first;
+    near = add_point(c, member.field, Vec3::Zero()), image = add_point(c, member.field, across);
   }
-  const double share = image_share(c.pair->face_position, distance / total);
-  c.all_terms[own].weight = (1 - share) * sign;
-  mean_mass = (1 - share) * mass(first);
-  for (FaceTerm& t : image) {
-    t.weight *= share / total;
-    mean_mass += t.weight * mass(t);
-    t.weight *= sign;
+  if (near.terms.empty() || image.terms.empty()) {
+    c.term_count = first;
+    return 0.0;
   }
-  return mean_mass;
+  const double mean_mass = 0.5 * (near.mean_mass + image.mean_mass);
+  scale_weights(near, mean_mass), scale_weights(image, mean_mass);
+  const double share = image_share(pair.face_position - near.distance, image.distance - near.distance);
+  double weighted_mass = 0.0;
+  for (const auto& [point, part] : {std::pair{&near, 1 - share}, std::pair{&image, share}})
+    for (FaceTerm& t : point->terms) {
+      t.weight *= part / point->weight;
+      weighted_mass += t.weight * mass_of(system_, t);
+      t.weight *= sign;
+    }
+  return weighted_mass;
 }
 
-// Adds the nodes of the cell that contains the image of a node in the face, with the weights of linear interpolation,
-// so far as the body reaches them. Returns whether there are any.
+// Adds the nodes of the cell that contains the point at `offset` from the contact node, with the weights of linear
+// interpolation, so far as the body reaches them.
 template <int Dim>
-bool FaceConstraints<Dim>::add_image_terms(Constraint& c, const FaceTerm& of, std::span<double> distances) const {
-  const auto& field = system_.fields[of.field];
-  const auto& spacing = field.map.lattice().spacing;
-  const Vec3& normal = c.pair->state.normal;
+auto FaceConstraints<Dim>::add_point(Constraint& c, std::size_t field, const Vec3& offset) const -> Point {
+  const auto& map = system_.fields[field].map;
+  const auto& spacing = map.lattice().spacing;
+  const std::size_t first = c.term_count;
+  Point point;
   Index<Dim> low;
   Vec<Dim> fraction;
   for (int d = 0; d < Dim; ++d) {
-    double offset = 2 * c.pair->face_position * normal[d] / spacing[d];
-    if (!(std::abs(offset) < max_image_distance)) return false;
-    if (std::abs(offset - std::round(offset)) < 1e-9) offset = std::round(offset);  // on a grid line, but for round-off
-    low[static_cast<std::size_t>(d)] =
-        c.node->index[static_cast<std::size_t>(d)] + static_cast<int>(std::floor(offset));
-    fraction[d] = offset - std::floor(offset);
+    double cells = offset[d] / spacing[d];
+    if (!(std::abs(cells) < max_image_distance)) return point;
+    if (std::abs(cells - std::round(cells)) < 1e-9) cells = std::round(cells);  // on a grid line, but for round-off
+    low[static_cast<std::size_t>(d)] = c.node->index[static_cast<std::size_t>(d)] + static_cast<int>(std::floor(cells));
+    fraction[d] = cells - std::floor(cells);
   }
-  std::size_t count = 0;
   for (int corner = 0; corner < 1 << Dim; ++corner) {
     Index<Dim> n = low;
     double w = 1.0, along = 0.0;
@@ -153,14 +167,32 @@ bool FaceConstraints<Dim>::add_image_terms(Constraint& c, const FaceTerm& of, st
       const int up = corner >> d & 1;
       n[k] += up;
       w *= up != 0 ? fraction[d] : 1.0 - fraction[d];
-      along += (n[k] - c.node->index[k]) * spacing[d] * normal[d];
+      along += (n[k] - c.node->index[k]) * spacing[d] * c.pair->state.normal[d];
     }
-    const std::int64_t at = w > 0 ? field.map.node(n) : -1;
-    if (at < 0 || !(field.nodes[static_cast<std::size_t>(at)].mass > 0)) continue;
-    distances[count++] = along;
-    c.all_terms[c.term_count++] = {of.field, 0, at, w};
+    const std::int64_t at = w > 0 ? map.node(n) : -1;
+    if (at < 0) continue;
+    const FaceTerm term{static_cast<std::uint32_t>(field), 0, at, w};
+    const double mass = mass_of(system_, term);
+    if (!(mass > 0)) continue;
+    point.distances[c.term_count - first] = along;
+    point.mean_mass += w * mass, point.weight += w;
+    c.all_terms[c.term_count++] = term;
   }
-  return count > 0;
+  point.terms = {&c.all_terms[first], c.term_count - first};
+  if (point.weight > 0) point.mean_mass /= point.weight;
+  return point;
+}
+
+// Reduces the weights of light nodes.
+template <int Dim>
+void FaceConstraints<Dim>::scale_weights(Point& point, double mean_mass) const {
+  point.weight = point.distance = 0.0;
+  for (std::size_t k = 0; k < point.terms.size(); ++k) {
+    FaceTerm& t = point.terms[k];
+    t.weight *= reduction(mass_of(system_, t) / (light_node * mean_mass));
+    point.weight += t.weight, point.distance += t.weight * point.distances[k];
+  }
+  point.distance /= point.weight;
 }
 
 // Lists the nodal velocities of all terms.

@@ -33,8 +33,8 @@ struct FaceTerm {
 /// A pair and its relative velocity at the face as a weighted sum of nodal velocities.
 template <int Dim>
 struct FaceConstraint {
-  /// Of each side the velocity of the node, and those of the nodes of the cell that contains its image.
-  static constexpr std::size_t max_terms = 2 * (1 + (1 << Dim));
+  /// Of each side the nodes of the cells that contain two points.
+  static constexpr std::size_t max_terms = 4 * (1 << Dim);
 
   ContactPair* pair = nullptr;
   const ContactNode<Dim>* node = nullptr;
@@ -61,9 +61,11 @@ struct FaceGroup {
 };
 
 /// Finds the constraints of a step. The contact law acts on the velocity of each body at the face: the mean of the
-/// velocity of the node and of that at its mirror image in the face. Where a body reaches only some of the nodes around
-/// the image, the weights are such that their mean position is on the face all the same, or else the stress next to the
-/// face would be wrong by up to its own size.
+/// velocity of the node and of that at its mirror image in the face. At a curved face, both points are moved along the
+/// face to where the bodies meet first, as the gap is that of this place: otherwise nodes ahead of a body that rolls
+/// stop it before it touches. Where a body reaches only some of the nodes around such a point, the weights are such
+/// that their mean position is on the face all the same, or else the stress next to the face would be wrong by up to
+/// its own size.
 template <int Dim>
 class FaceConstraints {
  public:
@@ -87,7 +89,9 @@ class FaceConstraints {
   void list_constraints(ContactNodes<Dim>& contacts);
   void find_terms(Constraint& c, std::span<const ContactMember> members) const;
   double add_face_terms(Constraint& c, const ContactMember& member, double sign) const;
-  bool add_image_terms(Constraint& c, const FaceTerm& of, std::span<double> distances) const;
+  struct Point;
+  Point add_point(Constraint& c, std::size_t field, const Vec3& offset) const;
+  void scale_weights(Point& point, double mean_mass) const;
   void number_velocities();
   void find_masses(Constraint& c) const;
   template <class F>

@@ -51,6 +51,12 @@ bool FaceFinder<Dim>::find(const ContactNode<Dim>& node, std::span<const Contact
                  of_b = -face_position<Dim>(near.sides[1], -*n, band * h_);
     pair.face_position = common_face_position(a, b, of_a, of_b);
   }
+  face.foremost_offset.setZero();
+  if (system_.contact_at_faces && model_.contact.separation == Separation::edges)
+    face.foremost_offset.template head<Dim>() =
+        foremost_offset<Dim>({&near.sides[0], &near.sides[1]},
+                             {system_.fields[a.field].curved, system_.fields[b.field].curved}, *n, band * h_, h_);
+  pair.foremost_offset = face.foremost_offset;
   face.normal = pair.state.normal, face.area = pair.state.area;
   if (!model_.contact.joints.empty()) face.offset_along_face = offset_along_face(near, *n);
   return true;

@@ -100,6 +100,15 @@ double face_position(ParticleSet<Dim>& side, const Vec<Dim>& n, double band);
 template <int Dim>
 double gap_correction(ParticleSet<Dim>& a, ParticleSet<Dim>& b, const Vec<Dim>& n, double band, double max);
 
+/// Where two faces meet first: the offset, normal to n, of the foremost points of the sides within a cell from the line
+/// through the node along n [length]. `n` points from the first to the second of the `sides`. It is zero along
+/// directions in which the faces are plane, or have the same curvature, as a shaft and its bearing. `curves`: whether
+/// the body of the side has a curved surface; others are taken for plane or concave. `band`: as for face_position();
+/// `length`: cell size.
+template <int Dim>
+Vec<Dim> foremost_offset(const std::array<ParticleSet<Dim>*, 2>& sides, const std::array<bool, 2>& curves,
+                         const Vec<Dim>& n, double band, double length);
+
 /// Calls f(i) for the particles whose reach along n is at most `depth` less than the face position, in the band widened
 /// by `margin` [length].
 template <int Dim, class F>

@@ -105,7 +105,7 @@ void HeatConduction<Dim>::add_friction_heat(double dt, const Contact<Dim>& conta
       if (!(part > 0)) continue;
       auto& field = system_.fields[side->field];
       const Vec<Dim> face = system_.lattice.position(field.map.node_at(side->node)) +
-                            pair.face_position * pair.state.normal.template head<Dim>();
+                            (pair.face_position * pair.state.normal + pair.foremost_offset).template head<Dim>();
       const PointShares<Dim> to(model_.scheme.kernel, system_.fields, exchanges, face,
                                 [&](const Index<Dim>&) { return side->field; });
       for (std::size_t k = 0; k < static_cast<std::size_t>(to.count); ++k)

@@ -47,6 +47,9 @@ struct ContactPair {
   bool has_no_face = false;        ///< no common face was found at this node, so no impulse acts
   bool replaced_by_joint = false;  ///< a joint acts here in place of the contact law
   double face_position = 0.0;      ///< signed distance of the common face from the node along the normal      [length]
+  /// Offset along the face, from the line through the node along the normal, of the points that determine the gap. The
+  /// velocity at a curved face is that at this place, and the impulse acts there [length].
+  Vec3 foremost_offset = Vec3::Zero();
   Vec3 final_velocity = Vec3::Zero();  ///< relative velocity after contact; set only by FaceSolver  [velocity]
   /// Contribution of a field with prescribed velocity to the relative velocity at the face; set only by FaceSolver
   /// [velocity].
