@@ -251,8 +251,8 @@ void archive(Archive& a, Body<Dim>& body, const Lattice<Dim>& lattice, bool binn
     refuse_checkpoint("a particle of '" + name + "' has a negative mass or volume");
 }
 
-/// Refuses a system, restored from a checkpoint, with points or particles far outside of the grid. Particles that lie in
-/// their bins are inside; those that the next step sorts may have left the grid, but not by many sizes of it.
+/// Refuses a system, restored from a checkpoint, with points or particles far outside of the grid. Particles that lie
+/// in their bins are inside; those that the next step sorts may have left the grid, but not by many sizes of it.
 template <int Dim>
 void check(const System<Dim>& system) {
   static constexpr double farthest = 100;  // sizes of the grid
