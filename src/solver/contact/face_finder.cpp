@@ -52,7 +52,9 @@ bool FaceFinder<Dim>::find(const ContactNode<Dim>& node, std::span<const Contact
     pair.face_position = common_face_position(a, b, of_a, of_b);
   }
   face.foremost_offset.setZero();
-  if (system_.contact_at_faces && model_.contact.separation == Separation::edges)
+  // Faces farther apart do not meet before the face is found anew.
+  const bool near_each_other = pair.state.gap < 0.2 * h_;
+  if (near_each_other && system_.contact_at_faces && model_.contact.separation == Separation::edges)
     face.foremost_offset.template head<Dim>() =
         foremost_offset<Dim>({&near.sides[0], &near.sides[1]},
                              {system_.fields[a.field].curved, system_.fields[b.field].curved}, *n, band * h_, h_);
