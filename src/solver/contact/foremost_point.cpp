@@ -18,8 +18,10 @@ namespace {
 // [cells].
 constexpr double window = 1.0;
 // Heights of the face are taken on a grid with so many intervals of this length on each side of the node [cells].
-constexpr int intervals = 4;
-constexpr double interval = 0.22;
+template <int Dim>
+constexpr int intervals = Dim == 2 ? 4 : 2;
+template <int Dim>
+constexpr double interval = Dim == 2 ? 0.22 : 0.44;
 // The face is what lies at most this far behind its foremost corner [cells].
 constexpr double face_depth = 0.2;
 // Corners that lie behind the foremost one by this, times the curvature of the face, have the weight 1/e. A much
@@ -141,11 +143,12 @@ class Face {
   // [1/cells]
   Square<Dim> curvature() const {
     HeightFit<Dim> fit;
-    constexpr int per_axis = 2 * intervals + 1;
+    constexpr int per_axis = 2 * intervals<Dim> + 1;
     constexpr int count = Dim == 2 ? per_axis : per_axis * per_axis;
     for (int k = 0; k < count; ++k) {
       Along<Dim> t;
-      for (int d = 0, rest = k; d < Dim - 1; ++d, rest /= per_axis) t[d] = interval * (rest % per_axis - intervals);
+      for (int d = 0, rest = k; d < Dim - 1; ++d, rest /= per_axis)
+        t[d] = interval<Dim> * (rest % per_axis - intervals<Dim>);
       const double w = weight_at<Dim>(t);
       if (!(w > 0)) continue;
       double z = -infinity;
