@@ -67,8 +67,8 @@ struct Piece {
   double angle = 0.0;        ///< rotation of the material axes about z
   Origin origin;
 
-  /// Whether its surface is curved: its region is, or its initial deformation is not the same everywhere, so that it may
-  /// bend flat faces.
+  /// Whether its surface is curved: its region is, or its initial deformation is not the same everywhere, so that it
+  /// may bend flat faces.
   bool curved() const;
 };
 
