@@ -48,10 +48,12 @@ struct SlipWeakening {
 
 /// The normal impulse of a pair, and its tangential motion.
 struct NormalContact {
-  double normal;   ///< J . n; 0 if open                                                      [mass velocity]
-  bool closed;     ///< the faces are in contact
-  Vec3 direction;  ///< unit vector along the tangential relative velocity; zero if that is zero
-  double stick;    ///< impulse along `direction` that stops the sliding, >= 0                [mass velocity]
+  double normal;  ///< J . n; 0 if open                                                       [mass velocity]
+  bool closed;    ///< the faces are in contact
+  Vec3 stop;      ///< tangential impulse that stops the sliding                              [mass velocity]
+  double stick;   ///< its magnitude                                                          [mass velocity]
+  /// Unit vector along the tangential relative velocity; zero if that is zero.
+  Vec3 direction() const { return stick > 0 ? Vec3(stop / stick) : Vec3(Vec3::Zero()); }
   /// Compressive impulse N A dt >= 0, where N is the pressure [mass velocity].
   double pressure() const { return normal < 0 ? -normal : 0.0; }
 };
@@ -79,10 +81,8 @@ inline NormalContact resolve_contact(const ContactState& m, const NormalContactR
   c.normal = normal_impulse(m, rule);
   c.closed = c.normal != 0.0;
   if (!c.closed && only_closed) return c;
-  const Vec3 slide = m.velocity - m.velocity.dot(m.normal) * m.normal;
-  const double speed = slide.norm();
-  c.direction = speed > 0 ? Vec3(slide / speed) : Vec3(Vec3::Zero());
-  c.stick = m.mass * speed;
+  c.stop = m.mass * (m.velocity - m.velocity.dot(m.normal) * m.normal);
+  c.stick = c.stop.norm();
   return c;
 }
 
@@ -92,7 +92,11 @@ inline ContactResponse frictional_response(const ContactState& m, const NormalCo
   ContactResponse out;
   const bool sticks = hold || c.stick <= slide;
   out.status = sticks ? ContactStatus::stick : ContactStatus::slip;
-  out.impulse = c.normal * m.normal + (sticks ? c.stick : std::max(0.0, slide)) * c.direction;
+  out.impulse = c.normal * m.normal;
+  if (sticks)
+    out.impulse += c.stop;
+  else if (slide > 0)
+    out.impulse += slide / c.stick * c.stop;
   out.bond = m.bond;
   return out;
 }

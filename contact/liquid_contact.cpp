@@ -65,7 +65,7 @@ struct LiquidContact final : ContactLaw {
     const NormalContact c = resolve_contact(m, {displacement_only, contact_stiffness});
     if (!c.closed) return {Vec3::Zero(), ContactStatus::open, m.bond};
     const double slip = slip_share(m, c.stick / m.mass);
-    return {c.normal * m.normal + (1 - slip) * c.stick * c.direction, ContactStatus::slip, m.bond};
+    return {c.normal * m.normal + (1 - slip) * c.stop, ContactStatus::slip, m.bond};
   }
   bool uses_area() const override { return true; }
   int liquid() const override { return static_cast<int>(liquid_phase); }

@@ -55,7 +55,7 @@ void add_state(py::module_& module) {
   py::class_<NormalContact>(module, "NormalContact", "The normal impulse of a pair, and its tangential motion.")
       .def_readonly("normal", &NormalContact::normal, "J . n [mass velocity]; 0 if open")
       .def_readonly("closed", &NormalContact::closed, "whether the faces are in contact")
-      .def_readonly("direction", &NormalContact::direction, "unit vector of the sliding; zero without sliding")
+      .def_property_readonly("direction", &NormalContact::direction, "unit vector of the sliding; zero without sliding")
       .def_readonly("stick", &NormalContact::stick, "impulse along `direction` that stops the sliding")
       .def_property_readonly("pressure", &NormalContact::pressure, "compressive impulse N A dt >= 0");
   py::class_<ContactResponse>(module, "ContactResponse", "The impulse on a, and what the faces do.")

@@ -34,8 +34,9 @@ enum class ContactPass {
 /// one (IgnoreContact), they stick in every pass, to the last digit like one field.
 inline ContactResponse response_of(const ContactPair& pair, const ContactState& m, ContactPass pass) {
   ContactResponse out = pair.law->response(m);
-  const bool holds = pair.law->uses_face() && !pair.law->interface();
-  if (pass == ContactPass::held && holds && !pair.update_impulse.isZero(0)) {
+  if (pass == ContactPass::corrector) return out;
+  const auto holds = [&] { return pair.law->uses_face() && !pair.law->interface(); };
+  if (pass == ContactPass::held && !pair.update_impulse.isZero(0) && holds()) {
     // A node that particles hardly reached in the last update may have had any velocity there. Once more of a body
     // reaches it, this velocity has the weight of the mass it belonged to.
     const double mass = std::min(m.mass, 2 * pair.update_mass);
@@ -44,7 +45,7 @@ inline ContactResponse response_of(const ContactPair& pair, const ContactState& 
       out.impulse += (held - out.impulse).dot(m.normal) * m.normal;
     else
       out.impulse = held;
-  } else if (pass != ContactPass::corrector && pair.stuck) {
+  } else if (pair.stuck) {
     const Vec3 slide = m.velocity - m.velocity.dot(m.normal) * m.normal;
     out.impulse = out.impulse.dot(m.normal) * m.normal + m.mass * slide;
   }

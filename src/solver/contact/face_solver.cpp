@@ -77,20 +77,22 @@ void FaceSolver<Dim>::each_row(F&& f) {
 // Calls f(node, change of its velocity) for all nodal velocities in parallel.
 template <int Dim>
 template <class F>
-void FaceSolver<Dim>::each_velocity(const std::vector<Vec3>& changes, F&& f) {
+void FaceSolver<Dim>::each_velocity(const Changes& changes, F&& f) {
   const auto& velocities = constraints_.velocities();
   parallel_for(
       static_cast<std::ptrdiff_t>(velocities.size()),
       [&](std::ptrdiff_t k) {
         const auto number = static_cast<std::size_t>(k);
-        f(velocities[number], changes[number]);
+        f(velocities[number], Vec3(changes[number].template head<3>()));
       },
       FaceConstraints<Dim>::serial_below);
 }
 
 template <int Dim>
 Vec3 FaceSolver<Dim>::velocity_at_face(const Row& row) const {
-  return row.trial_velocity + weighted_sum(row, [&](std::uint32_t v) -> const Vec3& { return changes_[v]; });
+  Eigen::Vector4d change = Eigen::Vector4d::Zero();
+  for (std::uint32_t t = row.first; t < row.end; ++t) change += weights_[t].weight * changes_[weights_[t].velocity];
+  return row.trial_velocity + change.template head<3>();
 }
 
 // Computes the impulse of a pair by its law from the velocity without that impulse. `mass`: impulse over the change of
@@ -99,7 +101,8 @@ template <int Dim>
 void FaceSolver<Dim>::update_impulse(Row& row, double mass, ContactPass pass) {
   row.state.mass = mass;
   row.state.velocity = velocity_at_face(row) + row.impulse / mass;
-  row.response = response_of(*row.pair, row.state, pass);
+  row.response =
+      pass == ContactPass::corrector ? row.law->response(row.state) : response_of(*row.pair, row.state, pass);
   row.impulse_change = row.response.impulse - row.impulse;
   row.impulse = row.response.impulse;
 }
@@ -108,7 +111,8 @@ void FaceSolver<Dim>::update_impulse(Row& row, double mass, ContactPass pass) {
 // the weights of one side sum to one, momentum is conserved.
 template <int Dim>
 void FaceSolver<Dim>::distribute(const Row& row, const Vec3& impulse) {
-  for (std::uint32_t t = row.first; t < row.end; ++t) changes_[weights_[t].velocity] -= weights_[t].over_mass * impulse;
+  const Eigen::Vector4d padded(impulse[0], impulse[1], impulse[2], 0.0);
+  for (std::uint32_t t = row.first; t < row.end; ++t) changes_[weights_[t].velocity] -= weights_[t].over_mass * padded;
 }
 
 // Applies an impulse at the start of the step. Light nodes take a share of it, see FaceVelocity::start_share, and so do
@@ -126,7 +130,8 @@ void FaceSolver<Dim>::distribute_at_start(const Row& row) {
   const double both = moves[0] && moves[1] ? std::min(taken[0], taken[1]) : std::max(taken[0], taken[1]);
   for (std::uint32_t t = row.first; t < row.end; ++t) {
     const Weight& w = weights_[t];
-    start_changes_[w.velocity] -= w.over_mass * share_of(w) * (both / taken[side_of(w)]) * row.impulse;
+    start_changes_[w.velocity].template head<3>() -=
+        w.over_mass * share_of(w) * (both / taken[side_of(w)]) * row.impulse;
   }
   row.pair->at_start = both * row.impulse;
 }
@@ -206,7 +211,7 @@ void FaceSolver<Dim>::begin_row(Row& row, double dt, ContactPass pass) {
 template <int Dim>
 void FaceSolver<Dim>::apply(double dt, ContactPass pass) {
   const auto& groups = constraints_.groups();
-  std::fill(changes_.begin(), changes_.end(), Vec3::Zero());
+  std::fill(changes_.begin(), changes_.end(), Eigen::Vector4d::Zero());
   each_row([&](Row& row) { begin_row(row, dt, pass); });
   each_group(false, [&](std::size_t g) {
     for (std::size_t k = groups[g].first; k < groups[g].end; ++k) distribute(rows_[k], rows_[k].impulse);
@@ -215,7 +220,7 @@ void FaceSolver<Dim>::apply(double dt, ContactPass pass) {
   if (pass == ContactPass::corrector) each_row([](Row& row) { row.pair->applied = row.impulse; });
   given_ = pass != ContactPass::corrector ? &start_changes_ : &changes_;
   if (pass != ContactPass::corrector) {
-    std::fill(start_changes_.begin(), start_changes_.end(), Vec3::Zero());
+    std::fill(start_changes_.begin(), start_changes_.end(), Eigen::Vector4d::Zero());
     each_group(false, [&](std::size_t g) {
       for (std::size_t k = groups[g].first; k < groups[g].end; ++k) distribute_at_start(rows_[k]);
     });

@@ -63,6 +63,8 @@ class FaceSolver {
     ContactState state;
     ContactResponse response;
   };
+  // Changes of nodal velocities. With a fourth component, which is zero, they are one vector of the processor.
+  using Changes = std::vector<Eigen::Vector4d>;
   // Squared sums of the impulses of a group in a sweep.
   struct Change {
     double change = 0.0, size = 0.0;
@@ -75,7 +77,7 @@ class FaceSolver {
   template <class F>
   void each_row(F&& f);
   template <class F>
-  void each_velocity(const std::vector<Vec3>& changes, F&& f);
+  void each_velocity(const Changes& changes, F&& f);
   Vec3 velocity_at_face(const Row& row) const;
   void update_impulse(Row& row, double mass, ContactPass pass);
   void distribute(const Row& row, const Vec3& impulse);
@@ -89,10 +91,10 @@ class FaceSolver {
   FaceConstraints<Dim> constraints_;
   std::vector<Row> rows_;  // of the constraints, in the same order
   std::vector<Weight> weights_;
-  std::vector<Vec3> start_changes_;             // of the nodal velocities at the start of the step
-  std::vector<Vec3> changes_;                   // of the nodal velocities, by contact
-  const std::vector<Vec3>* given_ = &changes_;  // which of them nodes and filter contain already
-  std::vector<Change> group_changes_;           // per group
+  Changes start_changes_;              // of the nodal velocities at the start of the step
+  Changes changes_;                    // of the nodal velocities, by contact
+  const Changes* given_ = &changes_;   // which of them nodes and filter contain already
+  std::vector<Change> group_changes_;  // per group
 };
 
 }  // namespace tribo
