@@ -38,6 +38,18 @@ void Builder::reference_temperature(const Statement& header) {
   if (const auto* t = header.child("StressFreeTemp")) model_.heat.reference = text_number(*t, Dimension::temperature);
 }
 
+// See Scheme::strains_follow_update().
+void Builder::unstable_with_linear_functions(const Statement& header) {
+  const Scheme& scheme = model_.scheme;
+  if (scheme.kernel != Kernel::linear || !scheme.strains_follow_update()) return;
+  const bool apic = scheme.transfer == Transfer::apic;
+  warn(header.child(apic ? "Transfer" : "SkipPostExtrapolation")->origin,
+       std::string("the shape functions are linear") + (header.child("GIMP") ? "" : ", as there is no <GIMP>") +
+           ". With " + (apic ? "APIC" : "stresses from velocities that are not extrapolated again") +
+           ", bodies then fall apart even in free flight. Add <GIMP type='uGIMP'/> or <GIMP type='quadratic'/>, or " +
+           (apic ? "use another <Transfer>" : "leave <SkipPostExtrapolation> out"));
+}
+
 void Builder::mpm_header() {
   const Statement& h = *root_.child("MPMHeader");
   Scheme& scheme = model_.scheme;
@@ -65,6 +77,7 @@ void Builder::mpm_header() {
     must(scheme.filter_order >= 1 && scheme.filter_order <= 100, t->origin, "the order must be in 1 ... 100");
     must(!has(*t, "order") || type == "XPIC" || type == "FMPM", t->origin, "'order' belongs to types XPIC and FMPM");
   }
+  unstable_with_linear_functions(h);
   if (const auto* d = h.child("DefGradTerms")) {
     const auto terms = text_number(*d, Dimension::none, 1);
     must(terms == 1 || terms == 2, d->origin,

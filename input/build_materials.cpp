@@ -292,6 +292,10 @@ void Builder::rigid_functions(const Statement& s, MaterialSpec& spec, bool conta
     return set_functions(spec, functions, {true, true, model_.dimension() == 3});
   }
   for (std::size_t d = 0; d < 3; ++d) spec.sets_velocity[d] = directions >> d & 1;
+  if (directions == 0)
+    warn(s.origin, "the Rigid material '" + spec.name +
+                       "' has no effect, as <SetDirection> gives no direction in which it prescribes the velocity. Use "
+                       "RigidContact for a body that others touch, or <SetDirection>, for example 3 for x and y");
   set_functions(spec, functions, spec.sets_velocity);
 }
 

@@ -41,6 +41,7 @@ class Builder {
   // build_header.cpp
   void header();
   void mpm_header();
+  void unstable_with_linear_functions(const Statement& header);
   void time_control(const Statement& header);
   void check_steps(const Origin& origin, double step, const std::string& why);
   void check_wave_steps();

@@ -27,6 +27,12 @@ struct Scheme {
   bool exponential_deformation = false;  ///< true: F <- exp(L dt) F (second order); false: F <- (1 + L dt) F
   bool b_bar = false;                    ///< B-bar: volumetric strain and pressure are averaged around each particle
   double cpdi_limit = 1.0;  ///< largest distance of a CPDI corner from the centre in cells; larger domains are scaled
+  /// Strains, or the velocity gradients that APIC keeps, are taken from the nodal velocities of the momentum update.
+  /// With linear shape functions this is unstable: a node that particles hardly reach has an acceleration without
+  /// bound.
+  bool strains_follow_update() const {
+    return transfer == Transfer::apic || (order != UpdateOrder::usf && !extrapolate_again);
+  }
 };
 
 struct TimeControl {

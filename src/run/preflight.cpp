@@ -165,7 +165,10 @@ class Report {
   void gaps() {
     static constexpr double touching = 1e-3;  // cells
     const bool separate = model_.contact.active;
-    const auto grips = [&](int k) { return material(k).law->rigid() && !material(k).touches(); };
+    const auto grips = [&](int k) {
+      const auto& sets = material(k).sets_velocity;
+      return std::find(sets.begin(), sets.end(), true) != sets.end();
+    };
     std::vector<std::string> touching_pairs, near_pairs;
     const Gaps gaps = smallest_gaps<Dim>(seeds_, system_.lattice);
     for (const auto& [pair, gap] : gaps) {

@@ -23,6 +23,7 @@ class SetupReport {
   SetupReport(const Model& model, const System<Dim>& system) : model_(model), system_(system) {}
 
   Remarks remarks() {
+    scheme();
     gravity();
     cells();
     edges();
@@ -47,6 +48,40 @@ class SetupReport {
   double edge_at(int axis, int side) const {
     const auto k = static_cast<std::size_t>(axis);
     return side == 0 ? model_.grid.low[k] : model_.grid.high[k];
+  }
+
+  void scheme() {
+    const Scheme& s = model_.scheme;
+    line("scheme: " + (s.kernel == Kernel::linear ? "linear" : words_of(s.kernel).front()) + " shape functions, " +
+         words_of_transfer(s) + ", stress update " + words_of_order(s));
+    if (s.kernel == Kernel::linear && !s.b_bar && !s.strains_follow_update() && !system_.bodies.empty())
+      out_.advice.push_back(
+          "the shape functions are linear: stresses jump when particles cross from cell to cell; "
+          "<GIMP type='uGIMP'/>, <GIMP type='lCPDI'/> or <GIMP type='quadratic'/> avoid this");
+  }
+
+  static std::string words_of_transfer(const Scheme& s) {
+    const std::string order = "(" + std::to_string(s.filter_order) + ")";
+    switch (s.transfer) {
+      case Transfer::flip:
+        return "FLIP";
+      case Transfer::pic:
+        return "PIC";
+      case Transfer::blend:
+        return format("FLIP %.6g", s.flip_fraction);
+      case Transfer::xpic:
+        return "XPIC" + order;
+      case Transfer::fmpm:
+        return "FMPM" + order;
+      case Transfer::apic:
+        return "APIC";
+    }
+    return "";
+  }
+
+  static std::string words_of_order(const Scheme& s) {
+    if (s.order == UpdateOrder::usf) return "USF";
+    return std::string(s.order == UpdateOrder::usl ? "USL" : "USAVG") + (s.extrapolate_again ? "+" : "-");
   }
 
   void gravity() {

@@ -225,6 +225,29 @@ TEST_CASE("the summary reports bodies that stick to fixed nodes and bodies that 
   CHECK_THAT(preflight(read_model_text(deck, "deck.xml"), 1), !Contains("leaves the grid"));
 }
 
+TEST_CASE("the summary tells the scheme and what linear shape functions do", "[preflight]") {
+  const auto with = [](const std::string& tools) {
+    const std::string text = R"(<JANFEAInput version='3'><Header><Analysis>10</Analysis></Header>
+ <MPMHeader><MaxTime>1</MaxTime><ArchiveTime>1</ArchiveTime>)" +
+                             tools + R"(</MPMHeader>
+ <Mesh><Grid xmin='0' xmax='20' ymin='0' ymax='10'><Horiz nx='20'/><Vert ny='10'/></Grid></Mesh>
+ <MaterialPoints><Body matname='m'><Rect xmin='2' xmax='8' ymin='2' ymax='6'/></Body></MaterialPoints>
+ <Material Type='1' Name='m'><rho>1</rho><E>1</E><nu>0</nu></Material></JANFEAInput>)";
+    return preflight(read_model_text(text, "deck.xml"), 1);
+  };
+  const std::string jumps = "stresses jump when particles cross", falls = "fall apart even in free flight";
+  CHECK_THAT(with(""), Contains("scheme: linear shape functions, FLIP, stress update USAVG+\n") && Contains(jumps) &&
+                           !Contains(falls));
+  CHECK_THAT(
+      with("<GIMP/><MPMMethod>USL</MPMMethod><Transfer type='FMPM' order='3'/>"),
+      Contains("scheme: uGIMP shape functions, FMPM(3), stress update USL+\n") && !Contains(jumps) && !Contains(falls));
+  CHECK_THAT(with("<Transfer type='APIC'/>"), Contains("With APIC, bodies then " + falls) && !Contains(jumps));
+  CHECK_THAT(with("<Transfer type='APIC'/><GIMP type='quadratic'/>"), !Contains(falls));
+  CHECK_THAT(with("<MPMMethod>USL</MPMMethod><SkipPostExtrapolation/>"), Contains(falls));
+  CHECK_THAT(with("<MPMMethod>USF</MPMMethod><SkipPostExtrapolation/>"),
+             Contains("stress update USF\n") && !Contains(falls));
+}
+
 TEST_CASE("the summary tells gravity in words and warns of gravity along x", "[preflight]") {
   const auto with = [](const std::string& forces) {
     return one_block("<Rect xmin='4' xmax='8' ymin='2' ymax='6'/>", "<Gravity>" + forces + "</Gravity>");
@@ -339,6 +362,8 @@ TEST_CASE("the summary tells that bodies stick to Rigid ones, and when distant o
   CHECK_THAT(with("<Material Type='Rigid' Name='ground'><SetDirection>2</SetDirection></Material>", ground),
              Contains(sticks));
   CHECK_THAT(with("<Material Type='RigidContact' Name='ground'/>", ground), !Contains(sticks));
+  CHECK_THAT(with("<Material Type='Rigid' Name='ground'/>", ground),
+             Contains("the Rigid material 'ground' has no effect") && !Contains(sticks));
   const std::string other = "<Material Type='1' Name='n'><rho>1000</rho><E>1e6</E><nu>0</nu></Material>";
   CHECK_THAT(with(other, "<Body matname='n' vx='-10'><Rect xmin='13' xmax='15' ymin='2' ymax='6'/></Body>"),
              Contains("gap: 'm' and 'n', 5 cells (5 m) along x, closed at time 0.5\n"));
