@@ -84,7 +84,7 @@ void Contact<Dim>::find(const Exchanges<Dim>& exchanges, const Joints<Dim>& join
 template <int Dim>
 void Contact<Dim>::find_crack_faces() {
   if (!cracks_.active()) return;
-  cracks_.find_face_weights();
+  cracks_.integrate_faces();
   auto& contacts = search_.found();
   parallel_for(static_cast<std::ptrdiff_t>(contacts.nodes.size()), [&](std::ptrdiff_t k) {
     const ContactNode<Dim>& node = contacts.nodes[static_cast<std::size_t>(k)];

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace tribo {
 namespace {
@@ -35,17 +36,29 @@ std::array<double, 3> nearest_share(const std::array<Vec3, 3>& c, const Vec3& x)
   return {va / sum, vb / sum, vc / sum};
 }
 
-// Quadrature points of a piece in barycentric coordinates; all have the same weight.
+// Integration points of a piece in barycentric coordinates; all have the same weight.
 constexpr std::array<std::array<double, 2>, 2> gauss2{
     {{0.7886751345948129, 0.2113248654051871}, {0.2113248654051871, 0.7886751345948129}}};
+constexpr std::array<std::array<double, 2>, 1> middle2{{{0.5, 0.5}}};
 constexpr std::array<std::array<double, 3>, 3> gauss3{
     {{2.0 / 3, 1.0 / 6, 1.0 / 6}, {1.0 / 6, 2.0 / 3, 1.0 / 6}, {1.0 / 6, 1.0 / 6, 2.0 / 3}}};
-template <int Dim>
-constexpr const auto& gauss() {
-  if constexpr (Dim == 2)
-    return gauss2;
-  else
-    return gauss3;
+constexpr std::array<std::array<double, 3>, 1> middle3{{{1.0 / 3, 1.0 / 3, 1.0 / 3}}};
+
+// The mean of a shape function over a piece this short deviates from that in its middle by at most 3e-4: one
+// integration point is enough [cells].
+constexpr double short_piece = 1.0 / 16;
+
+std::span<const std::array<double, 2>> integration_points(const std::array<Vec<2>, 2>& c, double cell) {
+  const double short_length = short_piece * cell;
+  if ((c[1] - c[0]).squaredNorm() < short_length * short_length) return middle2;
+  return gauss2;
+}
+std::span<const std::array<double, 3>> integration_points(const std::array<Vec3, 3>& c, double cell) {
+  const double longest =
+      std::max({(c[1] - c[0]).squaredNorm(), (c[2] - c[0]).squaredNorm(), (c[2] - c[1]).squaredNorm()});
+  const double short_length = short_piece * cell;
+  if (longest < short_length * short_length) return middle3;
+  return gauss3;
 }
 
 }  // namespace
@@ -121,51 +134,6 @@ auto Cracks<Dim>::average_faces(std::uint32_t surface, const Index<Dim>& node, c
   return out;
 }
 
-// The integrals of the faces at the nodes around the integration points of all pieces.
-template <int Dim>
-void Cracks<Dim>::integrate_faces() {
-  for (std::size_t list = 0; list < listed_.size(); ++list)
-    block_faces_[list].integrals.assign(lists_[list].size() * block_nodes<Dim>, FaceAverages{});
-  constexpr std::size_t points = gauss<Dim>().size();
-  for (std::uint32_t c = 0; c < system_.cracks.size(); ++c) {
-    const Crack<Dim>& crack = system_.cracks[c];
-    for (std::size_t p = 0; p < crack.pieces.size(); ++p) {
-      const auto corners = crack.corners(p);
-      const double part = crack.inside[p] * Crack<Dim>::area(corners).norm() / static_cast<double>(points);
-      for (std::size_t g = 0; g < points; ++g) {
-        double whole = part * weight_factor_[c][p * points + g];
-        if (!(whole > 0)) continue;
-        FaceAverages here;
-        Vec<Dim> x = Vec<Dim>::Zero();
-        for (std::size_t k = 0; k < corners.size(); ++k) {
-          const double share = gauss<Dim>()[g][k];
-          const auto point = crack.pieces[p][k];
-          x += share * corners[k];
-          here.gap += share * crack.gap[point], here.slip += share * crack.slip[point];
-          here.bond += share * crack.bond[point];
-        }
-        if (system_.analysis == Analysis::axisymmetric)
-          whole *= x[0];
-        else if constexpr (Dim == 2)
-          whole *= model_.grid.thickness;
-        nodes_around_.each(x, [&](double w, Index<Dim> n) {
-          nodes_around_.fold(n);
-          const auto [list, local] = place_of(n);
-          if (list < 0) return;
-          const List& surfaces = lists_[static_cast<std::size_t>(list)];
-          const auto found = std::find(surfaces.begin(), surfaces.end(), crack.surface);
-          if (found == surfaces.end()) return;
-          FaceAverages& sum =
-              block_faces_[static_cast<std::size_t>(list)]
-                  .integrals[static_cast<std::size_t>(found - surfaces.begin()) * block_nodes<Dim> + local];
-          w *= whole;
-          sum.area += w, sum.gap += w * here.gap, sum.slip += w * here.slip, sum.bond += w * here.bond;
-        });
-      }
-    }
-  }
-}
-
 // Whether a node has mass in the fields on both sides of a surface.
 template <int Dim>
 bool Cracks<Dim>::both_sides(std::uint32_t surface, const Index<Dim>& n) const {
@@ -182,7 +150,7 @@ bool Cracks<Dim>::both_sides(std::uint32_t surface, const Index<Dim>& n) const {
   return (is(0) && is(bit)) || (is(3 - bit) && is(3));
 }
 
-// both_sides() for the nodes of all listed blocks is known once find_face_weights() has begun.
+// both_sides() for the nodes of all listed blocks is known once integrate_faces() has begun.
 template <int Dim>
 bool Cracks<Dim>::has_both_sides(std::uint32_t surface, const Index<Dim>& n) const {
   const auto [list, local] = place_of(n);
@@ -191,13 +159,86 @@ bool Cracks<Dim>::has_both_sides(std::uint32_t surface, const Index<Dim>& n) con
   return (block_faces_[at].both[local] & bit_of(surface, lists_[at])) != 0;
 }
 
+// The integrals over successive points of a crack that have the same nodes around them. A finely divided crack has many
+// such points, and what belongs to the nodes is found once for all of them.
+template <int Dim>
+struct Cracks<Dim>::FaceSums {
+  std::vector<NodeIntegral>* out;  // where the sums go in the end
+  bool begun = false;
+  Stencil nodes;
+  std::array<bool, Stencil::size> both;         // whether a node has mass on both sides
+  std::array<FaceAverages, Stencil::size> sum;  // per node
+};
+
+template <int Dim>
+void Cracks<Dim>::begin_sums(const Crack<Dim>& crack, const Stencil& nodes, FaceSums& sums) const {
+  sums.begun = true, sums.nodes = nodes;
+  nodes.each([&](std::size_t k, double, const Index<Dim>& n) {
+    sums.both[k] = has_both_sides(crack.surface, n), sums.sum[k] = {};
+  });
+}
+
+template <int Dim>
+void Cracks<Dim>::end_sums(const Crack<Dim>& crack, FaceSums& sums) const {
+  if (!sums.begun) return;
+  sums.nodes.each([&](std::size_t k, double, Index<Dim> n) {
+    if (!(sums.sum[k].area > 0)) return;
+    nodes_around_.fold(n);
+    const auto [list, local] = place_of(n);
+    if (list < 0) return;
+    const List& surfaces = lists_[static_cast<std::size_t>(list)];
+    const auto found = std::find(surfaces.begin(), surfaces.end(), crack.surface);
+    if (found == surfaces.end()) return;
+    const auto position = static_cast<std::size_t>(found - surfaces.begin());
+    sums.out->push_back({static_cast<std::size_t>(list), position * block_nodes<Dim> + local, sums.sum[k]});
+  });
+}
+
 // The fraction of the tractions at nodes with mass on one side only is transferred to the other nodes, so that the
 // resultant of the tractions is exact.
 template <int Dim>
-void Cracks<Dim>::find_face_weights() {
+void Cracks<Dim>::add_to_sums(const Crack<Dim>& crack, std::size_t piece, FaceSums& sums) const {
+  const auto corners = crack.corners(piece);
+  const auto points = integration_points(corners, system_.lattice.spacing.minCoeff());
+  const double part = crack.inside[piece] * Crack<Dim>::area(corners).norm() / static_cast<double>(points.size());
+  if (!(part > 0)) return;
+  for (const auto& shares : points) {
+    FaceAverages here;
+    Vec<Dim> x = Vec<Dim>::Zero();
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      const double share = shares[k];
+      const auto point = crack.pieces[piece][k];
+      x += share * corners[k];
+      here.gap += share * crack.gap[point], here.slip += share * crack.slip[point];
+      here.bond += share * crack.bond[point];
+    }
+    Stencil nodes;
+    if (!nodes_around_.find(x, nodes)) continue;
+    if (!sums.begun || !nodes.has_nodes_of(sums.nodes)) end_sums(crack, sums), begin_sums(crack, nodes, sums);
+    double all = 0.0, both = 0.0;
+    nodes.each([&](std::size_t k, double w, const Index<Dim>&) { all += w, both += sums.both[k] ? w : 0.0; });
+    // otherwise the point lies at an end or outside of the bodies, or the crack is wide open
+    constexpr double enough = 0.25;
+    if (!(both > enough * all)) continue;
+    double whole = part * all / both;
+    if (system_.analysis == Analysis::axisymmetric)
+      whole *= x[0];
+    else if constexpr (Dim == 2)
+      whole *= model_.grid.thickness;
+    nodes.each([&](std::size_t k, double w, const Index<Dim>&) {
+      FaceAverages& sum = sums.sum[k];
+      w *= whole;
+      sum.area += w, sum.gap += w * here.gap, sum.slip += w * here.slip, sum.bond += w * here.bond;
+    });
+  }
+}
+
+template <int Dim>
+void Cracks<Dim>::integrate_faces() {
   if (block_faces_.size() < listed_.size()) block_faces_.resize(listed_.size());
   parallel_for(static_cast<std::ptrdiff_t>(listed_.size()), [&](std::ptrdiff_t k) {
     const auto list = static_cast<std::size_t>(k);
+    block_faces_[list].integrals.assign(lists_[list].size() * block_nodes<Dim>, FaceAverages{});
     each_node(list, [&](std::size_t local, const Index<Dim>& n) {
       std::uint64_t& both = block_faces_[list].both[local];
       both = 0;
@@ -205,29 +246,24 @@ void Cracks<Dim>::find_face_weights() {
         both |= static_cast<std::uint64_t>(both_sides(lists_[list][s], n)) << s;
     });
   });
-  weight_factor_.resize(system_.cracks.size());
-  constexpr std::size_t points = gauss<Dim>().size();
-  for (std::uint32_t c = 0; c < system_.cracks.size(); ++c) {
-    const Crack<Dim>& crack = system_.cracks[c];
-    weight_factor_[c].assign(crack.pieces.size() * points, 0.0);
-    parallel_for(static_cast<std::ptrdiff_t>(crack.pieces.size()), [&](std::ptrdiff_t piece) {
-      const auto p = static_cast<std::size_t>(piece);
-      const auto corners = crack.corners(p);
-      for (std::size_t g = 0; g < points; ++g) {
-        Vec<Dim> x = Vec<Dim>::Zero();
-        for (std::size_t k = 0; k < corners.size(); ++k) x += gauss<Dim>()[g][k] * corners[k];
-        double all = 0.0, both = 0.0;
-        nodes_around_.each(x, [&](double w, const Index<Dim>& n) {
-          all += w;
-          if (has_both_sides(crack.surface, n)) both += w;
-        });
-        // otherwise the point lies at an end or outside of the bodies, or the crack is wide open
-        constexpr double enough = 0.25;
-        if (both > enough * all) weight_factor_[c][p * points + g] = all / both;
-      }
+  for (const Crack<Dim>& crack : system_.cracks) {
+    const std::size_t count = crack.pieces.size(), parts = (count + part_of_crack - 1) / part_of_crack;
+    if (integrals_of_parts_.size() < parts) integrals_of_parts_.resize(parts);
+    parallel_for(static_cast<std::ptrdiff_t>(parts), [&](std::ptrdiff_t part) {
+      const auto p = static_cast<std::size_t>(part);
+      FaceSums sums;
+      sums.out = &integrals_of_parts_[p];
+      sums.out->clear();
+      for (std::size_t k = p * part_of_crack; k < std::min(count, (p + 1) * part_of_crack); ++k)
+        add_to_sums(crack, k, sums);
+      end_sums(crack, sums);
     });
+    for (std::size_t p = 0; p < parts; ++p)
+      for (const auto& [list, at, sum] : integrals_of_parts_[p]) {
+        FaceAverages& all = block_faces_[list].integrals[at];
+        all.area += sum.area, all.gap += sum.gap, all.slip += sum.slip, all.bond += sum.bond;
+      }
   }
-  integrate_faces();
 }
 
 template <int Dim>
@@ -300,38 +336,69 @@ void Cracks<Dim>::record(const ContactPair& pair, const Index<Dim>& node) {
   last = static_cast<int>(records_.size()) - 1;
 }
 
+namespace {
+
+// The record of a node around a point, as seen from that node, which may be an image.
+template <int Dim, class Record>
+struct RecordAround {
+  std::size_t position;  // of the node in the stencil
+  const Record* of;
+  Vec<Dim> mirror;
+};
+
+}  // namespace
+
 // The state of a point follows from the records of the nodes around it, weighted by their shape functions.
 template <int Dim>
 void Cracks<Dim>::end_record() {
   for (std::size_t c = 0; c < system_.cracks.size(); ++c) {
     Crack<Dim>& crack = system_.cracks[c];
     const auto normals = crack.normals();
-    parallel_for(static_cast<std::ptrdiff_t>(crack.x.size()), [&](std::ptrdiff_t point) {
-      const auto k = static_cast<std::size_t>(point);
-      double area = 0.0, open = 0.0, slip = 0.0, stick = 0.0, length = 0.0, bonded = 0.0, broken = 0.0;
-      Vec<Dim> force = Vec<Dim>::Zero();
-      nodes_around_.each(crack.x[k], [&](double w, Index<Dim> n) {
-        const Vec<Dim> mirror = nodes_around_.fold(n);
-        const auto [list, local] = place_of(n);
-        if (list < 0) return;
-        for (int r = block_faces_[static_cast<std::size_t>(list)].record[local]; r >= 0;) {
-          const NodeRecord& record = records_[static_cast<std::size_t>(r)];
-          r = record.next;
-          if (record.crack != static_cast<int>(c)) continue;
-          const double face_sign = mirror.cwiseProduct(record.normal).dot(normals[k]) > 0 ? 1.0 : -1.0;
-          area += w * record.area, force += w * face_sign * mirror.cwiseProduct(record.force);
-          const bool slides = record.status == ContactStatus::slip;
-          (record.status == ContactStatus::open ? open : slides ? slip : stick) += w;
-          if (slides) length += w * record.slip;
-          if (record.bond == Bond::whole) bonded += w;
-          if (record.bond == Bond::broken) broken += w;
+    const std::size_t count = crack.x.size(), parts = (count + part_of_crack - 1) / part_of_crack;
+    parallel_for(static_cast<std::ptrdiff_t>(parts), [&](std::ptrdiff_t part) {
+      const auto p = static_cast<std::size_t>(part);
+      thread_local std::vector<RecordAround<Dim, NodeRecord>> records;
+      Stencil last;
+      bool found = false;
+      for (std::size_t k = p * part_of_crack; k < std::min(count, (p + 1) * part_of_crack); ++k) {
+        Stencil nodes;
+        const bool inside = nodes_around_.find(crack.x[k], nodes);
+        if (!inside) records.clear();
+        if (inside && !(found && nodes.has_nodes_of(last))) {
+          records.clear();
+          nodes.each([&](std::size_t position, double, Index<Dim> n) {
+            const Vec<Dim> mirror = nodes_around_.fold(n);
+            const auto [list, local] = place_of(n);
+            if (list < 0) return;
+            for (int r = block_faces_[static_cast<std::size_t>(list)].record[local]; r >= 0;) {
+              const NodeRecord& of = records_[static_cast<std::size_t>(r)];
+              r = of.next;
+              if (of.crack == static_cast<int>(c)) records.push_back({position, &of, mirror});
+            }
+          });
+          last = nodes;
         }
-      });
-      const bool touches = slip + stick > open, slides = touches && slip > stick;
-      crack.status[k] = slides ? 2.0 : touches ? 1.0 : 0.0;
-      crack.slip[k] = slides ? crack.slip[k] + length / slip : 0.0;
-      if (bonded + broken > 0) crack.bond[k] = broken > bonded ? -1.0 : 1.0;
-      crack.traction[k] = area > 0 ? Vec<Dim>(force / area) : Vec<Dim>(Vec<Dim>::Zero());
+        found = inside;
+        std::array<double, Stencil::size> weight;
+        if (!records.empty()) nodes.each([&](std::size_t at, double w, const Index<Dim>&) { weight[at] = w; });
+        double area = 0.0, open = 0.0, slip = 0.0, stick = 0.0, length = 0.0, bonded = 0.0, broken = 0.0;
+        Vec<Dim> force = Vec<Dim>::Zero();
+        for (const auto& [position, of, mirror] : records) {
+          const double w = weight[position];
+          const double face_sign = mirror.cwiseProduct(of->normal).dot(normals[k]) > 0 ? 1.0 : -1.0;
+          area += w * of->area, force += w * face_sign * mirror.cwiseProduct(of->force);
+          const bool slides = of->status == ContactStatus::slip;
+          (of->status == ContactStatus::open ? open : slides ? slip : stick) += w;
+          if (slides) length += w * of->slip;
+          if (of->bond == Bond::whole) bonded += w;
+          if (of->bond == Bond::broken) broken += w;
+        }
+        const bool touches = slip + stick > open, slides = touches && slip > stick;
+        crack.status[k] = slides ? 2.0 : touches ? 1.0 : 0.0;
+        crack.slip[k] = slides ? crack.slip[k] + length / slip : 0.0;
+        if (bonded + broken > 0) crack.bond[k] = broken > bonded ? -1.0 : 1.0;
+        crack.traction[k] = area > 0 ? Vec<Dim>(force / area) : Vec<Dim>(Vec<Dim>::Zero());
+      }
     });
   }
 }

@@ -61,41 +61,75 @@ auto Cracks<Dim>::sides_of_faces(const Crack<Dim>& crack, std::size_t k, const V
   return {lower, upper};
 }
 
+// The nodes around a point of a crack with their masses and velocities on the sides of its two faces.
+template <int Dim>
+struct Cracks<Dim>::FaceNodes {
+  struct OfNode {
+    double all, both;     // the larger and the smaller one of the shares of its two sides
+    Vec<Dim> mean, jump;  // of the velocities of its sides, times `all` and `both`
+  };
+  bool known = false;
+  Stencil nodes;
+  std::array<std::uint64_t, 2> crossed{};  // PointSides::crossed of the two faces
+  double heaviest = 0.0;                   // largest mass
+  std::array<OfNode, Stencil::size> of;
+
+  // The velocities of nodes with very little mass are inaccurate, so their weights are reduced.
+  double share(double mass) const {
+    constexpr double light = 1e-3;
+    return mass > 0 ? std::min(1.0, mass / (light * heaviest)) : 0.0;
+  }
+};
+
+// Does nothing if they are known already, from a point that crosses the same surfaces to the same nodes.
+template <int Dim>
+void Cracks<Dim>::find_face_nodes(const std::array<PointSides, 2>& sides, const Stencil& nodes,
+                                  FaceNodes& of_faces) const {
+  const bool by_segment = sides[0].by_segment || sides[1].by_segment;
+  const std::array<std::uint64_t, 2> crossed{sides[0].crossed, sides[1].crossed};
+  if (of_faces.known && !by_segment && nodes.has_nodes_of(of_faces.nodes) && crossed == of_faces.crossed) return;
+  of_faces.known = !by_segment, of_faces.nodes = nodes, of_faces.crossed = crossed;
+  of_faces.heaviest = 0.0;
+  std::array<std::array<double, 2>, Stencil::size> masses;
+  std::array<std::array<Vec<Dim>, 2>, Stencil::size> velocities;
+  nodes.each([&](std::size_t k, double w, const Index<Dim>& n) {
+    masses[k] = {}, velocities[k].fill(Vec<Dim>::Zero());
+    if (!(w > 0)) return;
+    for (std::size_t f = 0; f < 2; ++f) {
+      masses[k][f] = velocity_on_side(n, side_of_node(sides[f], n), velocities[k][f]);
+      of_faces.heaviest = std::max(of_faces.heaviest, masses[k][f]);
+    }
+  });
+  nodes.each([&](std::size_t k, double, const Index<Dim>&) {
+    const double lower = of_faces.share(masses[k][0]), upper = of_faces.share(masses[k][1]);
+    const auto& v = velocities[k];
+    auto& [all, both, mean, jump] = of_faces.of[k];
+    all = std::max(lower, upper), both = std::min(lower, upper);
+    mean.setZero();
+    if (all > 0) mean = all * (lower * v[0] + upper * v[1]) / (lower + upper);
+    jump = both * (v[1] - v[0]);
+  });
+}
+
 // Velocities of the two faces at a point. While the faces are close, their velocity jump is interpolated from the
 // nodes with mass on both sides, where contact acts as well. Their mean velocity is interpolated from all nodes, which
 // is exact for linear velocities. Once the faces are farther apart, the velocity of each face is interpolated from the
 // nodes around it.
 template <int Dim>
 bool Cracks<Dim>::face_velocities(const Crack<Dim>& crack, std::size_t k, const std::array<PointSides, 2>& sides,
-                                  std::array<Vec<Dim>, 2>& v) const {
-  struct OfNode {
-    double weight;
-    std::array<double, 2> mass;
-    std::array<Vec<Dim>, 2> velocity;
-  };
-  thread_local std::vector<OfNode> nodes;
-  nodes.clear();
-  double heaviest = 0.0;
-  nodes_around_.each(crack.x[k], [&](double w, const Index<Dim>& n) {
-    OfNode& of = nodes.emplace_back();
-    of.weight = w;
-    for (std::size_t f = 0; f < 2; ++f) {
-      of.velocity[f].setZero();
-      of.mass[f] = velocity_on_side(n, side_of_node(sides[f], n), of.velocity[f]);
-      heaviest = std::max(heaviest, of.mass[f]);
-    }
-  });
-  // the velocities of nodes with very little mass are inaccurate, so their weights are reduced
-  constexpr double light = 1e-3;
-  const auto share = [&](double mass) { return mass > 0 ? std::min(1.0, mass / (light * heaviest)) : 0.0; };
+                                  FaceNodes& of_faces, std::array<Vec<Dim>, 2>& v) const {
+  Stencil nodes;
   double all = 0.0, both = 0.0;
   Vec<Dim> mean = Vec<Dim>::Zero(), jump = mean;
-  for (const auto& [w, mass, of] : nodes) {
-    const std::array<double, 2> part{share(mass[0]), share(mass[1])};
-    const auto [less, more] = std::minmax(part[0], part[1]);
-    if (!(more > 0)) continue;
-    all += w * more, mean += w * more * (part[0] * of[0] + part[1] * of[1]) / (part[0] + part[1]);
-    both += w * less, jump += w * less * (of[1] - of[0]);
+  if (nodes_around_.find(crack.x[k], nodes)) {
+    find_face_nodes(sides, nodes, of_faces);
+    nodes.each([&](std::size_t at, double w, const Index<Dim>&) {
+      const auto& of = of_faces.of[at];
+      all += w * of.all, both += w * of.both;
+      mean += w * of.mean, jump += w * of.jump;
+    });
+  } else {
+    of_faces.known = false, of_faces.heaviest = 0.0;
   }
   constexpr double enough = 0.25;
   if (both > enough * all) {
@@ -111,7 +145,7 @@ bool Cracks<Dim>::face_velocities(const Crack<Dim>& crack, std::size_t k, const 
     find_nodes(crack.face[f][k], around_face);
     const PointSides of_face = sides_of(around_face, sides[f].x);
     nodes_around_.each(crack.face[f][k], [&](double w, const Index<Dim>& n) {
-      if (const double part = share(velocity_on_side(n, side_of_node(of_face, n), here)); part > 0)
+      if (const double part = of_faces.share(velocity_on_side(n, side_of_node(of_face, n), here)); part > 0)
         sum += w * part, v[f] += w * part * here;
     });
     found[f] = sum > 0;
@@ -173,10 +207,11 @@ void Cracks<Dim>::move(double dt) {
     const std::size_t count = crack.x.size();
     std::vector<std::array<Vec<Dim>, 2>> v(count);
     std::vector<char> carried(count, 0);
-    constexpr std::size_t part = 256;  // points that a thread visits in turn
-    parallel_for(static_cast<std::ptrdiff_t>((count + part - 1) / part), [&](std::ptrdiff_t of_part) {
-      const std::size_t first = part * static_cast<std::size_t>(of_part), end = std::min(count, first + part);
+    parallel_for(static_cast<std::ptrdiff_t>((count + part_of_crack - 1) / part_of_crack), [&](std::ptrdiff_t part) {
+      const std::size_t first = part_of_crack * static_cast<std::size_t>(part);
+      const std::size_t end = std::min(count, first + part_of_crack);
       thread_local NodeBox around;
+      FaceNodes of_faces;
       PointSides before;
       bool follows = false;
       for (std::size_t k = first; k < end; ++k) {
@@ -185,10 +220,11 @@ void Cracks<Dim>::move(double dt) {
           continue;
         }
         const bool same = find_nodes(crack.x[k], around);
+        of_faces.known = of_faces.known && same;
         const bool connected = Dim == 2 && k > 0 && k < crack.main_points;
         const auto sides =
             sides_of_faces(crack, k, normals[k], around, same && follows && connected ? &before : nullptr);
-        carried[k] = face_velocities(crack, k, sides, v[k]);
+        carried[k] = face_velocities(crack, k, sides, of_faces, v[k]);
         before = sides[1], follows = true;
       }
     });

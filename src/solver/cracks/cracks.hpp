@@ -22,6 +22,7 @@ namespace tribo {
 template <int Dim>
 class Cracks {
   using Points = typename Crack<Dim>::Piece;
+  using Stencil = typename NodesAround<Dim>::Stencil;
   using Corners = std::array<Vec<Dim>, static_cast<std::size_t>(Dim)>;
   /// A piece of a crack, or its image in a symmetry plane.
   struct PlacedPiece {
@@ -53,9 +54,9 @@ class Cracks {
   void add_blocks(const Field<Dim>& field, std::vector<BlockReach<Dim>>& blocks) const;
   /// Finds the sides of all particles near cracks at the nodes of their stencils. To be called at the start of a step.
   void find();
-  /// Finds which nodes have mass on both sides of a crack and thus carry its tractions. To be called once the nodal
-  /// masses of a step are known and before find_faces().
-  void find_face_weights();
+  /// Integrates the faces for the nodes that have mass on both sides of a crack and thus carry its tractions. To be
+  /// called once the nodal masses of a step are known and before find_faces().
+  void integrate_faces();
   /// Sets the contact law, normal, gap, area, slip and bond of a pair of fields with the given sides at a node.
   /// Returns false if no crack with a contact law separates these fields at the node.
   bool find_faces(ContactPair& pair, const Index<Dim>& node, int side_a, int side_b) const;
@@ -135,7 +136,10 @@ class Cracks {
   std::pair<int, std::size_t> place_of(const Index<Dim>& node) const;
   Nearest nearest(std::uint32_t surface, const Vec<Dim>& x) const;
   FaceAverages average_faces(std::uint32_t surface, const Index<Dim>& node, const Nearest& nearest) const;
-  void integrate_faces();
+  struct FaceSums;
+  void begin_sums(const Crack<Dim>& crack, const Stencil& nodes, FaceSums& sums) const;
+  void add_to_sums(const Crack<Dim>& crack, std::size_t piece, FaceSums& sums) const;
+  void end_sums(const Crack<Dim>& crack, FaceSums& sums) const;
   double sum_side(Index<Dim> n, int side, Vec<Dim>& v) const;
   double velocity_on_side(const Index<Dim>& n, int side, Vec<Dim>& v) const;
   void find_side_velocities();
@@ -143,8 +147,10 @@ class Cracks {
   bool has_both_sides(std::uint32_t surface, const Index<Dim>& n) const;
   std::array<PointSides, 2> sides_of_faces(const Crack<Dim>& crack, std::size_t point, const Vec<Dim>& normal,
                                            const NodeBox& around, const PointSides* before) const;
+  struct FaceNodes;
+  void find_face_nodes(const std::array<PointSides, 2>& sides, const Stencil& nodes, FaceNodes& of_faces) const;
   bool face_velocities(const Crack<Dim>& crack, std::size_t point, const std::array<PointSides, 2>& sides,
-                       std::array<Vec<Dim>, 2>& v) const;
+                       FaceNodes& of_faces, std::array<Vec<Dim>, 2>& v) const;
   /// Calls f(local, node) for the nodes of a listed block.
   template <class F>
   void each_node(std::size_t list, F&& f) const {
@@ -154,14 +160,14 @@ class Cracks {
     each_in_box<Dim>(low, high, [&](const Index<Dim>& n) { f(local++, n); });
   }
 
+  /// Points or pieces of a crack that a thread visits in turn.
+  static constexpr std::size_t part_of_crack = 256;
+
   const Model& model_;
   System<Dim>& system_;
   const Transfers<Dim>& transfers_;
   int width_;
   NodesAround<Dim> nodes_around_;
-  /// Per crack and integration point of its pieces: the sum of all shape functions divided by their sum over the nodes
-  /// with mass on both sides; 0 if the latter is too small.
-  std::vector<std::vector<double>> weight_factor_;
   /// What the nodes of a listed block know of the surfaces in its list. Bits and offsets are positions in that list.
   struct BlockFaces {
     std::array<std::uint64_t, block_nodes<Dim>> both{};  ///< the surfaces with mass on both sides at each node
@@ -172,8 +178,14 @@ class Cracks {
     std::array<int, block_nodes<Dim>> record;  ///< per node: the number of its last record, or -1
   };
   std::vector<BlockFaces> block_faces_;  ///< per list
-  std::vector<PlacedPiece> pieces_;      ///< of all cracks, then their images
-  BoxTree<Dim> tree_;                    ///< of their boxes
+  /// A share of BlockFaces::integrals.
+  struct NodeIntegral {
+    std::size_t list, at;
+    FaceAverages sum;
+  };
+  std::vector<std::vector<NodeIntegral>> integrals_of_parts_;  ///< per part of the pieces of a crack
+  std::vector<PlacedPiece> pieces_;                            ///< of all cracks, then their images
+  BoxTree<Dim> tree_;                                          ///< of their boxes
   /// Per crack: the edges of its surface, which belong to one piece only (points in two dimensions).
   std::vector<std::vector<std::array<std::uint32_t, static_cast<std::size_t>(Dim - 1)>>> ends_;
   std::vector<std::size_t> pieces_of_ends_;  ///< per crack: the number of pieces for which these were found

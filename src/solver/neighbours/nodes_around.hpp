@@ -25,6 +25,7 @@ class NodesAround {
   NodesAround(const Model& model, const Lattice<Dim>& lattice)
       : reach_(reach_of(model.scheme.kernel)),
         value_(with_kernel(model.scheme.kernel, [](auto k) { return &decltype(k)::Point::value; })),
+        values_(with_kernel(model.scheme.kernel, [](auto k) { return &values_along<typename decltype(k)::Point>; })),
         lattice_(lattice) {
     for (int axis = 0; axis < Dim; ++axis)
       for (std::size_t end = 0; end < 2; ++end)
@@ -42,29 +43,48 @@ class NodesAround {
     return w;
   }
 
+  /// The nodes around a point and their shape functions, which are products of functions along the axes.
+  struct Stencil {
+    static constexpr std::size_t most = 6;  ///< nodes along an axis
+    static constexpr std::size_t size = Dim == 2 ? most * most : most * most * most;
+
+    Index<Dim> low{}, high{};  ///< lowest and highest node
+    std::array<std::array<double, most>, static_cast<std::size_t>(Dim)> along;
+
+    bool has_nodes_of(const Stencil& other) const { return low == other.low && high == other.high; }
+    /// Calls f(position, weight, node) for all nodes; the position in the stencil is less than `size`. Weights may be
+    /// 0.
+    template <class F>
+    void each(F&& f) const {
+      std::size_t position = 0;
+      each_in_box<Dim>(low, high, [&](const Index<Dim>& n) {
+        double w = 1.0;
+        for (std::size_t d = 0; d < Dim; ++d) w *= along[d][static_cast<std::size_t>(n[d] - low[d])];
+        f(position++, w, n);
+      });
+    }
+  };
+
+  /// Finds the stencil of the point x [length]. Returns false if one of its nodes lies outside of the lattice.
+  bool find(const Vec<Dim>& x, Stencil& stencil) const {
+    for (std::size_t d = 0; d < Dim; ++d) {
+      const auto axis = static_cast<Eigen::Index>(d);
+      const double s = (x[axis] - lattice_.origin[axis]) / lattice_.spacing[axis];
+      stencil.low[d] = static_cast<int>(std::ceil(s - reach_));
+      stencil.high[d] = static_cast<int>(std::floor(s + reach_));
+      if (stencil.low[d] < 0 || stencil.high[d] >= lattice_.blocks[d] * block_edge<Dim>) return false;
+      values_(s, stencil.low[d], stencil.high[d], stencil.along[d].data());
+    }
+    return true;
+  }
+
   /// Calls f(weight, node) for all nodes with a positive shape function at the point x [length]. Returns false,
   /// without a call, if one of them lies outside of the lattice.
   template <class F>
   bool each(const Vec<Dim>& x, F&& f) const {
-    Index<Dim> low, high;
-    for (std::size_t d = 0; d < Dim; ++d) {
-      const auto axis = static_cast<Eigen::Index>(d);
-      const double s = (x[axis] - lattice_.origin[axis]) / lattice_.spacing[axis];
-      low[d] = static_cast<int>(std::ceil(s - reach_)), high[d] = static_cast<int>(std::floor(s + reach_));
-      if (low[d] < 0 || high[d] >= lattice_.blocks[d] * block_edge<Dim>) return false;
-    }
-    constexpr std::size_t most = 6;  // nodes along an axis
-    std::array<std::array<double, most>, static_cast<std::size_t>(Dim)> along;
-    for (std::size_t d = 0; d < Dim; ++d) {
-      const auto axis = static_cast<Eigen::Index>(d);
-      for (int n = low[d]; n <= high[d]; ++n) {
-        const double distance = x[axis] - (lattice_.origin[axis] + lattice_.spacing[axis] * n);
-        along[d][static_cast<std::size_t>(n - low[d])] = value_(std::abs(distance) / lattice_.spacing[axis]);
-      }
-    }
-    each_in_box<Dim>(low, high, [&](const Index<Dim>& n) {
-      double w = 1.0;
-      for (std::size_t d = 0; d < Dim; ++d) w *= along[d][static_cast<std::size_t>(n[d] - low[d])];
+    Stencil stencil;
+    if (!find(x, stencil)) return false;
+    stencil.each([&](std::size_t, double w, const Index<Dim>& n) {
       if (w > 0) f(w, n);
     });
     return true;
@@ -95,8 +115,15 @@ class NodesAround {
   }
 
  private:
+  template <class Point>
+  static void values_along(double s, int low, int high, double* out) {
+    for (int n = low; n <= high; ++n) *out++ = Point::value(std::abs(s - n));
+  }
+
   double reach_;             // radius of the support of the shape function [cells]
   double (*value_)(double);  // one-dimensional shape function of the distance [cells]
+  // Those of the nodes low ... high at the coordinate s [cells].
+  void (*values_)(double s, int low, int high, double* out);
   const Lattice<Dim>& lattice_;
   std::vector<SymmetryPlane> planes_;
 };
