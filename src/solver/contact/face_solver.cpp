@@ -14,6 +14,7 @@ namespace {
 constexpr int jacobi_sweeps = 5;
 constexpr int max_sweeps_from_rest = 50;  // Gauss-Seidel sweeps if no impulses of the last step are known
 constexpr int max_sweeps = 10;            // if they are
+constexpr int max_predictor_sweeps = 4;   // in the predictor, whose remaining errors the corrector removes
 constexpr double tolerance = 1e-8;        // of the impulses, relative
 
 }  // namespace
@@ -177,7 +178,10 @@ template <int Dim>
 void FaceSolver<Dim>::solve(ContactPass pass) {
   for (int sweep = 0; sweep < jacobi_sweeps; ++sweep) sweep_all_at_once(pass);
   const bool from_rest = std::all_of(rows_.begin(), rows_.end(), [](const Row& row) { return row.size_before == 0.0; });
-  for (int sweep = 0; sweep < (from_rest ? max_sweeps_from_rest : max_sweeps); ++sweep)
+  const int most = from_rest                        ? max_sweeps_from_rest
+                   : pass == ContactPass::predictor ? max_predictor_sweeps
+                                                    : max_sweeps;
+  for (int sweep = 0; sweep < most; ++sweep)
     if (sweep_one_by_one(sweep % 2 != 0, pass)) break;
   each_row([&](Row& row) {
     ContactPair& pair = *row.pair;
