@@ -24,6 +24,7 @@ class SetupReport {
 
   Remarks remarks() {
     scheme();
+    equilibrium();
     gravity();
     cells();
     edges();
@@ -58,6 +59,22 @@ class SetupReport {
       out_.advice.push_back(
           "the shape functions are linear: stresses jump when particles cross from cell to cell; "
           "<GIMP type='uGIMP'/>, <GIMP type='lCPDI'/> or <GIMP type='quadratic'/> avoid this");
+  }
+
+  // In equilibrium, strains from extrapolated velocities do not see the motion of nodes that particles hardly reach.
+  // Where these lie along a curved face under stress, the out-of-balance force remains: FMPM and XPIC, which remove the
+  // velocity of such nodes in each step, move the particles on and on; with FLIP the face vibrates.
+  void equilibrium() {
+    const Scheme& s = model_.scheme;
+    const Damping& d = model_.damping;
+    const bool damped = d.grid || d.particle || d.grid_gain || d.particle_gain;
+    const bool creeps = s.transfer == Transfer::fmpm || s.transfer == Transfer::xpic;
+    if ((!damped && model_.stages.empty()) || s.strains_follow_update() || s.kernel == Kernel::linear) return;
+    if (!creeps && s.transfer != Transfer::flip) return;
+    out_.advice.push_back("with " + words_of_transfer(s) + " and " + words_of_order(s) +
+                          ", curved or inclined free faces of a body in equilibrium " +
+                          (creeps ? "creep, and their displacement becomes too large" : "vibrate in spite of damping") +
+                          "; USL- and USAVG-, in XML with <SkipPostExtrapolation/>, avoid this");
   }
 
   static std::string words_of_transfer(const Scheme& s) {

@@ -77,6 +77,18 @@ void small_angles(const MaterialSpec& m, std::vector<std::string>& out) {
   }
 }
 
+void angles_as_coefficients(const MaterialSpec& m, std::vector<std::string>& out) {
+  constexpr double rough = 3;  // no faces have a larger coefficient of friction
+  if (!contact_laws().find(m.type)) return;
+  for (const Statement& child : m.statement.children) {
+    const double value = to_number(child.text).value_or(0.0);
+    if ((child.name == "coeff" || child.name == "coeffStatic") && value > rough && value < 90)
+      out.push_back("the friction coefficient of '" + m.name + "', " + child.name + " " + child.text +
+                    format(", looks like an angle: the coefficient of %.6g degrees is %.3g", value,
+                           std::tan(value * std::acos(-1.0) / 180)));
+  }
+}
+
 // The extent of the particles of a material along a direction.
 struct HeightRange {
   double low = std::numeric_limits<double>::infinity(), high = -std::numeric_limits<double>::infinity();
@@ -154,7 +166,7 @@ std::vector<std::string> remarks_on_units(const Model& model, const Seeds& seeds
   const auto heights = extents_along(gravity.normalized(), seeds, model.materials.size());
   for (std::size_t k = 0; k < model.materials.size(); ++k) {
     const MaterialSpec& m = model.materials[k];
-    small_angles(m, out);
+    small_angles(m, out), angles_as_coefficients(m, out);
     if (heights[k].empty() || !solid(m)) continue;
     unusual_waves(model, m, out);
     own_weight(m, gravity.norm(), heights[k], out);

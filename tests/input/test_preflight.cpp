@@ -248,6 +248,25 @@ TEST_CASE("the summary tells the scheme and what linear shape functions do", "[p
              Contains("stress update USF\n") && !Contains(falls));
 }
 
+TEST_CASE("the summary warns of schemes that do not come to rest", "[preflight]") {
+  const auto with = [](const std::string& tools) {
+    const std::string text = R"(<JANFEAInput version='3'><Header><Analysis>10</Analysis></Header>
+ <MPMHeader><MaxTime>1</MaxTime><ArchiveTime>1</ArchiveTime>)" +
+                             tools + R"(</MPMHeader>
+ <Mesh><Grid xmin='0' xmax='20' ymin='0' ymax='10'><Horiz nx='20'/><Vert ny='10'/></Grid></Mesh>
+ <MaterialPoints><Body matname='m'><Oval xmin='2' xmax='8' ymin='2' ymax='6'/></Body></MaterialPoints>
+ <Material Type='1' Name='m'><rho>1</rho><E>1</E><nu>0</nu></Material></JANFEAInput>)";
+    return preflight(read_model_text(text, "deck.xml"), 1);
+  };
+  const std::string creep = "creep, and their displacement", vibrate = "vibrate in spite of damping";
+  const std::string filter = "<Transfer type='FMPM' order='2'/>", damping = "<Damping>3</Damping>";
+  CHECK_THAT(with("<GIMP/>" + filter), !Contains(creep));
+  CHECK_THAT(with("<GIMP/>" + filter + damping), Contains("with FMPM(2) and USAVG+, curved") && Contains(creep));
+  CHECK_THAT(with("<GIMP/><SkipPostExtrapolation/>" + filter + damping), !Contains(creep));
+  CHECK_THAT(with("<GIMP/>" + damping), Contains(vibrate));
+  CHECK_THAT(with("<GIMP/><Transfer type='APIC'/>" + damping), !Contains(vibrate));
+}
+
 TEST_CASE("the summary tells gravity in words and warns of gravity along x", "[preflight]") {
   const auto with = [](const std::string& forces) {
     return one_block("<Rect xmin='4' xmax='8' ymin='2' ymax='6'/>", "<Gravity>" + forces + "</Gravity>");

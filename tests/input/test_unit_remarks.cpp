@@ -84,6 +84,13 @@ TEST_CASE("legacy units and angles in radians are told", "[check]") {
   CHECK_THAT(sand("0.52"), Contains("the friction angle of 'Sand', friction 0.52, is below one degree"));
   CHECK_THAT(sand("30"), !Contains("below one degree"));
   CHECK_THAT(sand("0"), !Contains("below one degree"));
+  const auto rough = [](const std::string& coefficient) {
+    return block_sheet(elastic("1", "100"),
+                       "<Material Type='CoulombFriction' Name='Rough'><coeff>" + coefficient + "</coeff></Material>");
+  };
+  CHECK_THAT(rough("30"), Contains("the friction coefficient of 'Rough', coeff 30, looks like an angle: the "
+                                   "coefficient of 30 degrees is 0.577"));
+  CHECK_THAT(rough("1.2"), !Contains("looks like an angle"));
 }
 
 TEST_CASE("bodies that nothing holds are remarked", "[check]") {
