@@ -93,7 +93,9 @@ struct Mohr final : JointLaw {
         P{"dashpot-ratio-normal", &L::dashpot_normal, D::none, within(0, 1),
           "normal dashpot, as a fraction of critical damping", 0.0},
         P{"dashpot-ratio-shear", &L::dashpot_shear, D::none, within(0, 1),
-          "shear dashpot, as a fraction of critical damping", 0.0},
+          "shear dashpot, as a fraction of critical damping. It also acts while the joint slides, and limits the speed "
+          "of sliding, unless dashpot-mode contains 2",
+          0.0},
         P{"dashpot-mode", &L::dashpot_mode, D::none, within(0, 3),
           "limits of the dashpots, a sum of 1 (the normal dashpot exerts no tension) and 2 (no shear dashpot acts "
           "while the joint slides)",

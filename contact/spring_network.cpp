@@ -62,7 +62,10 @@ auto SpringNetwork::parameters() {
         0.0},
       P{"dp_nratio", &L::dashpot_normal, D::none, within(0, 1), "normal dashpot, as a fraction of critical damping",
         0.0},
-      P{"dp_sratio", &L::dashpot_shear, D::none, within(0, 1), "shear dashpot, as a fraction of critical damping", 0.0},
+      P{"dp_sratio", &L::dashpot_shear, D::none, within(0, 1),
+        "shear dashpot, as a fraction of critical damping. It also acts while the contact slides, unless dp_mode "
+        "contains 2",
+        0.0},
       P{"dp_mode", &L::dashpot_mode, D::none, within(0, 3),
         "limits of the dashpots, a sum of 1 (the normal dashpot exerts no tension) and 2 (no shear dashpot acts while "
         "the contact slides)",
