@@ -67,10 +67,17 @@ bool is_coordinate(std::string_view text) {
   return to_number(text).has_value();
 }
 
-void check_value(std::string_view what, ValueType type, std::string_view choices, const std::string& text,
-                 const Origin& origin, Problems& problems) {
-  const auto wrong = [&](const std::string& wanted) {
-    problems.add(origin, std::string(what) + " needs " + wanted + ", not '" + text + "'");
+// What choices mean that are numbers only.
+std::string meaning_of_numbers(const std::vector<std::string>& choices, std::string_view meaning) {
+  const bool numbers =
+      std::all_of(choices.begin(), choices.end(), [](const auto& c) { return to_number(c).has_value(); });
+  return numbers ? " (" + std::string(meaning) + ")" : "";
+}
+
+void check_value(std::string_view what, ValueType type, std::string_view choices, std::string_view meaning,
+                 const std::string& text, const Origin& origin, Problems& problems) {
+  const auto wrong = [&](const std::string& wanted, const std::string& more = "") {
+    problems.add(origin, std::string(what) + " needs " + wanted + ", not '" + text + "'" + more);
   };
   switch (type) {
     case ValueType::none:
@@ -104,7 +111,9 @@ void check_value(std::string_view what, ValueType type, std::string_view choices
       if (!lists("yes no 1 0 true false", text)) wrong("yes or no");
       break;
     case ValueType::choice:
-      if (!lists(choices, text)) wrong("one of " + join(words_of(choices)) + did_you_mean(text, words_of(choices)));
+      if (!lists(choices, text))
+        wrong("one of " + join(words_of(choices)) + did_you_mean(text, words_of(choices)),
+              meaning_of_numbers(words_of(choices), meaning));
       break;
     case ValueType::version:
       if (const std::string problem = problem_of_format_version(text); !problem.empty())
@@ -130,7 +139,8 @@ void check_element(const Statement& s, const ElementSpec& spec, Problems& proble
                known->type == ValueType::choice && !against.empty()) {
       problems.add(a.origin, tag + " with '" + a.text + "' is not supported by Tribo: " + std::string(against));
     } else {
-      check_value("attribute '" + a.name + "' of " + tag, known->type, known->choices, a.text, a.origin, problems);
+      check_value("attribute '" + a.name + "' of " + tag, known->type, known->choices, known->meaning, a.text, a.origin,
+                  problems);
     }
   }
   for (const auto& a : spec.attributes)
@@ -140,7 +150,8 @@ void check_element(const Statement& s, const ElementSpec& spec, Problems& proble
   const bool said_otherwise = s.attribute("function") || s.attribute("law") || s.attribute("lawname");
   const bool optional_text = spec.content == ValueType::number && s.text.empty() && said_otherwise;
   if (!optional_text)
-    check_value(tag, spec.content, spec.choices, s.text, s.text.empty() ? s.origin : s.text_origin, problems);
+    check_value(tag, spec.content, spec.choices, spec.meaning, s.text, s.text.empty() ? s.origin : s.text_origin,
+                problems);
 
   for (const auto* e : children_of(s.name))
     if (whole && e->required && !s.child(e->name) && (e->unless.empty() || !s.child(e->unless)))
