@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "solver/loads/damping.hpp"
 
+#include "solver/measures.hpp"
+
+#include <algorithm>
+
 namespace tribo {
 
 template <int Dim>
@@ -19,7 +23,7 @@ void VelocityDamping<Dim>::record_grid(std::size_t f, double dt) {
 }
 
 template <int Dim>
-void VelocityDamping<Dim>::record_particles(const Body<Dim>& body, double rate, double dt, bool part) {
+void VelocityDamping<Dim>::record_particles(Body<Dim>& body, double rate, double dt, bool part) {
   double field_mass = 0.0;
   for (const auto& other : system_.bodies)
     if (other.field == body.field) field_mass += other.total_mass;
@@ -34,7 +38,10 @@ void VelocityDamping<Dim>::record_particles(const Body<Dim>& body, double rate, 
     }
     return momentum;
   });
-  const double share = rate * dt * body.total_mass / field_mass, work = share * (1 - 0.5 * rate * dt) * sum[0];
+  // The velocity that particles lose is interpolated from the nodes and cannot have more energy than they have. The
+  // nodal velocities may have: those of nodes that few particles reach, with forces out of balance.
+  const double of_body = body.total_mass / field_mass, squares = std::min(of_body * sum[0], 2 * measure(body).kinetic);
+  const double share = rate * dt * of_body, work = rate * dt * (1 - 0.5 * rate * dt) * squares;
   ledger_.damping_work += work, ledger_.particle_loss += work;
   ledger_.impulse -= share * sum.tail<3>();
 }
