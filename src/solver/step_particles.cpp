@@ -5,6 +5,7 @@
 #include "grid/loops.hpp"
 #include "solver/cell_crossings.hpp"
 #include "solver/diagnose.hpp"
+#include "solver/measures.hpp"
 
 namespace tribo {
 
@@ -80,7 +81,7 @@ void Stepper<Dim>::damp_particles(double dt) {
   damped.task = GatherTask::damped_velocity;
   for (auto& body : system_.bodies) {
     if (!is_damped(body)) continue;
-    damping_.record_particles(body, damping_of(body), dt, part);
+    damping_.record_particles(body, measure(body).kinetic, damping_of(body), dt, part);
     if (part) transfers_->gather(body, Target<Dim>(body, system_.fields, &Field<Dim>::filter), damped);
   }
 }

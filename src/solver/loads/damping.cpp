@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "solver/loads/damping.hpp"
 
-#include "solver/measures.hpp"
-
 #include <algorithm>
 
 namespace tribo {
@@ -23,7 +21,7 @@ void VelocityDamping<Dim>::record_grid(std::size_t f, double dt) {
 }
 
 template <int Dim>
-void VelocityDamping<Dim>::record_particles(Body<Dim>& body, double rate, double dt, bool part) {
+void VelocityDamping<Dim>::record_particles(const Body<Dim>& body, double kinetic, double rate, double dt, bool part) {
   double field_mass = 0.0;
   for (const auto& other : system_.bodies)
     if (other.field == body.field) field_mass += other.total_mass;
@@ -40,7 +38,7 @@ void VelocityDamping<Dim>::record_particles(Body<Dim>& body, double rate, double
   });
   // The velocity that particles lose is interpolated from the nodes and cannot have more energy than they have. The
   // nodal velocities may have: those of nodes that few particles reach, with forces out of balance.
-  const double of_body = body.total_mass / field_mass, squares = std::min(of_body * sum[0], 2 * measure(body).kinetic);
+  const double of_body = body.total_mass / field_mass, squares = std::min(of_body * sum[0], 2 * kinetic);
   const double share = rate * dt * of_body, work = rate * dt * (1 - 0.5 * rate * dt) * squares;
   ledger_.damping_work += work, ledger_.particle_loss += work;
   ledger_.impulse -= share * sum.tail<3>();

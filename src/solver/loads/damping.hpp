@@ -36,9 +36,9 @@ class VelocityDamping {
   void record_grid(std::size_t f, double dt);
   /// Adds the work and impulse of particle damping with the coefficient `rate` [1/time] on a body to the ledger. It is
   /// computed as the mass fraction of the body in those on its field, which is exact if all bodies of the field have
-  /// the same coefficient. The work is at most that on the velocities which the particles have. `part`: the damped
-  /// velocities are the increments of the filter layer, not all velocities.
-  void record_particles(Body<Dim>& body, double rate, double dt, bool part);
+  /// the same coefficient. The work is at most that on the velocities of the particles, whose energy is `kinetic`
+  /// [energy]. `part`: the damped velocities are the increments of the filter layer, not all velocities.
+  void record_particles(const Body<Dim>& body, double kinetic, double rate, double dt, bool part);
 
   double grid = 0.0, particle = 0.0;                    ///< current coefficients                     [1/time]
   double grid_feedback = 0.0, particle_feedback = 0.0;  ///< contributions of the feedback    [1/time]
