@@ -21,7 +21,8 @@ const std::vector<CommandInfo>& written_commands() {
        "units of all numbers, such as mm,g,ms. Without this command numbers are in mm, g and MPa, and times in ms"},
       {"MPMMethod", 1, 2, "order[, shape functions]",
        "order of the stress update, USF, USAVG or USL, and shape functions, such as uGIMP (default), lCPDI, Classic or "
-       "B2SPLINE. USAVG- and USL- do without a second extrapolation of the velocities to the grid; USAVG+ and USL+ are "
+       "B2SPLINE; in a script without this command they are linear. USAVG- and USL- do without a second extrapolation "
+       "of the velocities to the grid; USAVG+ and USL+ are "
        "the same as USAVG and USL"},
       {"Transfer", 1, 2, "type[, order or fraction]",
        "how the velocities of the particles are updated from those of the nodes: FLIP, PIC or APIC; XPIC or FMPM, each "

@@ -225,46 +225,44 @@ TEST_CASE("the summary reports bodies that stick to fixed nodes and bodies that 
   CHECK_THAT(preflight(read_model_text(deck, "deck.xml"), 1), !Contains("leaves the grid"));
 }
 
-TEST_CASE("the summary tells the scheme and what linear shape functions do", "[preflight]") {
-  const auto with = [](const std::string& tools) {
-    const std::string text = R"(<JANFEAInput version='3'><Header><Analysis>10</Analysis></Header>
+namespace {
+
+// The summary of a disc, with more elements in the header.
+std::string disc_with(const std::string& tools) {
+  const std::string text = R"(<JANFEAInput version='3'><Header><Analysis>10</Analysis></Header>
  <MPMHeader><MaxTime>1</MaxTime><ArchiveTime>1</ArchiveTime>)" +
-                             tools + R"(</MPMHeader>
+                           tools + R"(</MPMHeader>
  <Mesh><Grid xmin='0' xmax='20' ymin='0' ymax='10'><Horiz nx='20'/><Vert ny='10'/></Grid></Mesh>
- <MaterialPoints><Body matname='m'><Rect xmin='2' xmax='8' ymin='2' ymax='6'/></Body></MaterialPoints>
+ <MaterialPoints><Body matname='m'><Oval xmin='2' xmax='8' ymin='2' ymax='6'/></Body></MaterialPoints>
  <Material Type='1' Name='m'><rho>1</rho><E>1</E><nu>0</nu></Material></JANFEAInput>)";
-    return preflight(read_model_text(text, "deck.xml"), 1);
-  };
+  return preflight(read_model_text(text, "deck.xml"), 1);
+}
+
+}  // namespace
+
+TEST_CASE("the summary tells the scheme and what linear shape functions do", "[preflight]") {
   const std::string jumps = "stresses jump when particles cross", falls = "fall apart even in free flight";
-  CHECK_THAT(with(""), Contains("scheme: linear shape functions, FLIP, stress update USAVG+\n") && Contains(jumps) &&
-                           !Contains(falls));
+  CHECK_THAT(disc_with(""), Contains("scheme: linear shape functions, FLIP, stress update USAVG+\n") &&
+                                Contains(jumps) && !Contains(falls));
   CHECK_THAT(
-      with("<GIMP/><MPMMethod>USL</MPMMethod><Transfer type='FMPM' order='3'/>"),
+      disc_with("<GIMP/><MPMMethod>USL</MPMMethod><Transfer type='FMPM' order='3'/>"),
       Contains("scheme: uGIMP shape functions, FMPM(3), stress update USL+\n") && !Contains(jumps) && !Contains(falls));
-  CHECK_THAT(with("<Transfer type='APIC'/>"), Contains("With APIC, bodies then " + falls) && !Contains(jumps));
-  CHECK_THAT(with("<Transfer type='APIC'/><GIMP type='quadratic'/>"), !Contains(falls));
-  CHECK_THAT(with("<MPMMethod>USL</MPMMethod><SkipPostExtrapolation/>"), Contains(falls));
-  CHECK_THAT(with("<MPMMethod>USF</MPMMethod><SkipPostExtrapolation/>"),
+  CHECK_THAT(disc_with("<Transfer type='APIC'/>"), Contains("With APIC, bodies then " + falls) && !Contains(jumps));
+  CHECK_THAT(disc_with("<Transfer type='APIC'/><GIMP type='quadratic'/>"), !Contains(falls));
+  CHECK_THAT(disc_with("<MPMMethod>USL</MPMMethod><SkipPostExtrapolation/>"), Contains(falls));
+  CHECK_THAT(disc_with("<MPMMethod>USF</MPMMethod><SkipPostExtrapolation/>"),
              Contains("stress update USF\n") && !Contains(falls));
 }
 
 TEST_CASE("the summary warns of schemes that do not come to rest", "[preflight]") {
-  const auto with = [](const std::string& tools) {
-    const std::string text = R"(<JANFEAInput version='3'><Header><Analysis>10</Analysis></Header>
- <MPMHeader><MaxTime>1</MaxTime><ArchiveTime>1</ArchiveTime>)" +
-                             tools + R"(</MPMHeader>
- <Mesh><Grid xmin='0' xmax='20' ymin='0' ymax='10'><Horiz nx='20'/><Vert ny='10'/></Grid></Mesh>
- <MaterialPoints><Body matname='m'><Oval xmin='2' xmax='8' ymin='2' ymax='6'/></Body></MaterialPoints>
- <Material Type='1' Name='m'><rho>1</rho><E>1</E><nu>0</nu></Material></JANFEAInput>)";
-    return preflight(read_model_text(text, "deck.xml"), 1);
-  };
   const std::string creep = "creep, and their displacement", vibrate = "vibrate in spite of damping";
   const std::string filter = "<Transfer type='FMPM' order='2'/>", damping = "<Damping>3</Damping>";
-  CHECK_THAT(with("<GIMP/>" + filter), !Contains(creep));
-  CHECK_THAT(with("<GIMP/>" + filter + damping), Contains("with FMPM(2) and USAVG+, curved") && Contains(creep));
-  CHECK_THAT(with("<GIMP/><SkipPostExtrapolation/>" + filter + damping), !Contains(creep));
-  CHECK_THAT(with("<GIMP/>" + damping), Contains(vibrate));
-  CHECK_THAT(with("<GIMP/><Transfer type='APIC'/>" + damping), !Contains(vibrate));
+  CHECK_THAT(disc_with("<GIMP/>" + filter), !Contains(creep));
+  CHECK_THAT(disc_with("<GIMP/>" + filter + damping),
+             Contains("with FMPM(2) and USAVG+, faces of a body") && Contains(creep));
+  CHECK_THAT(disc_with("<GIMP/><SkipPostExtrapolation/>" + filter + damping), !Contains(creep));
+  CHECK_THAT(disc_with("<GIMP/>" + damping), Contains(vibrate));
+  CHECK_THAT(disc_with("<GIMP/><Transfer type='APIC'/>" + damping), !Contains(vibrate));
 }
 
 TEST_CASE("the summary tells gravity in words and warns of gravity along x", "[preflight]") {
