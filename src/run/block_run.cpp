@@ -71,9 +71,8 @@ std::vector<std::string> BlockRun::look() {
                        energy.damping, std::abs(energy.outer_work), std::abs(energy.boundary_work)});
   // The fictitious stress is no elastic force where bonds have broken or vibrations grow: what it releases may become
   // negative.
-  if (!monitor_.record_balance(supplied, residual + gained(-energy.released) - of_pressure, 0.0, rounding,
-                               blocks_.time))
-    return {};
+  const double unexplained = residual + gained(-energy.released) - of_pressure;
+  if (!monitor_.record_balance({supplied, unexplained, 0.0, 0.0, rounding}, blocks_.time)) return {};
   return remarks();
 }
 

@@ -76,8 +76,8 @@ void Monitor<Dim>::balance(double initial_energy, Warnings& warnings) {
   const double supplied = initial_energy + gained(run.external_work) + gained(run.boundary_work) + gained(run.stages) +
                           gained(-run.potential) + gained(-all.expansion);
   const double residual = energy_residual(all, run, initial_energy);
-  if (state.record_balance(supplied, residual, run.transfer, rounding_error(model_, system_, all, run), system_.time))
-    warnings.push_back(text(Sign::energy));
+  const EnergyFigures now{supplied, residual, run.transfer, run.contact, rounding_error(model_, system_, all, run)};
+  if (state.record_balance(now, system_.time)) warnings.push_back(text(Sign::energy));
 }
 
 template <int Dim>

@@ -35,15 +35,15 @@ bool MonitorState::record(Sign sign, const Finding& now, bool worse, double at) 
   return fresh;
 }
 
-bool MonitorState::record_balance(double supplied_now, double residual_now, double transfer_now, double rounding_now,
-                                  double at) {
-  supplied = std::max(supplied, supplied_now), rounding = std::max(rounding, rounding_now);
-  residual = residual_now, transfer = transfer_now, gain = residual - transfer;
+bool MonitorState::record_balance(const EnergyFigures& now, double at) {
+  supplied = std::max(supplied, now.supplied), rounding = std::max(rounding, now.rounding);
+  residual = now.residual, transfer = now.transfer, contact = now.contact;
+  gain = residual - transfer + std::max(0.0, -contact);
   gains = supplied > 0 && is_notable(gain) ? gains + 1 : 0;
   if (gains < lasting) return false;
-  Finding now;
-  now.worst = gain / supplied;
-  return record(Sign::energy, now, now.worst > of(Sign::energy).worst, at);
+  Finding found;
+  found.worst = gain / supplied;
+  return record(Sign::energy, found, found.worst > of(Sign::energy).worst, at);
 }
 
 std::vector<Figure> MonitorState::energy_figures() const {
@@ -57,6 +57,7 @@ std::vector<Figure> MonitorState::energy_figures() const {
   tell(transfer > 0 ? "the transfer between particles and grid dissipated"
                     : "the transfer between particles and grid created",
        transfer, false);
+  if (contact < 0) tell("contact created", contact, false);
   tell(residual < 0 ? "the balance lacks" : "the balance exceeds by", residual, true);
   return out;
 }

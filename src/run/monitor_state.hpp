@@ -41,15 +41,25 @@ struct Figure {
   bool is_warning = false;  ///< whether energy is not accounted for
 };
 
+/// The balance of energy of a run at one time [energy].
+struct EnergyFigures {
+  double supplied = 0.0;  ///< so far
+  double residual = 0.0;  ///< what is not accounted for
+  double transfer = 0.0;  ///< dissipated by the transfers between particles and grid; negative: created
+  double contact = 0.0;   ///< dissipated by contact without interface laws; negative: created
+  double rounding = 0.0;  ///< error of these figures that rounding explains
+};
+
 struct MonitorState {
   static constexpr double noticed = 0.02;  ///< share of the energy supplied that is worth a line
 
   std::int64_t stride = 0;  ///< steps between two looks; 0: not yet known
   double first_step = 0.0;  ///< size of the first step                        [time]
   double supplied = 0.0;    ///< energy that was supplied so far               [energy]
-  double gain = 0.0;        ///< energy from nowhere at the last look: residual minus transfer [energy]
+  double gain = 0.0;        ///< energy from nowhere at the last look: residual and what was created [energy]
   double residual = 0.0;    ///< of the energy balance at the last look        [energy]
   double transfer = 0.0;    ///< dissipated by the transfers until then; negative: created [energy]
+  double contact = 0.0;     ///< dissipated by contact until then; negative: created [energy]
   double rounding = 0.0;    ///< error of the balance that rounding explains, the largest so far [energy]
   std::int64_t gains = 0;   ///< looks in a row with a gain
   std::array<Finding, sign_count> findings{};
@@ -60,21 +70,20 @@ struct MonitorState {
   bool is_due(std::int64_t step, double dt, double end);
   /// Notes a sign, with its figures where it is worst so far. True if it is seen for the first time.
   bool record(Sign sign, const Finding& now, bool worse, double time);
-  /// Notes the balance of energy at a time: what was supplied so far, what is not accounted for, and what the transfers
-  /// dissipated; and the error of these figures that rounding explains [energy]. True if it is seen for the first time
-  /// that energy comes from nowhere.
-  bool record_balance(double supplied_now, double residual_now, double transfer_now, double rounding_now, double time);
+  /// Notes the balance of energy at a time. True if it is seen for the first time that energy comes from nowhere.
+  bool record_balance(const EnergyFigures& now, double time);
   /// Whether an energy is more than a trifle of what was supplied, and more than rounding explains.
   bool is_notable(double energy) const { return energy > noticed * supplied && energy > rounding; }
-  /// Lines on the energy that the transfers dissipated and on what is missing, where they are more than a trifle.
+  /// Lines on the energy that transfers and contact dissipated or created and on what is missing, where they are more
+  /// than a trifle.
   std::vector<Figure> energy_figures() const;
 };
 
 inline void archive(Archive& a, MonitorState& state) {
-  auto& [stride, first_step, supplied, gain, residual, transfer, rounding, gains, findings] = state;
-  a.version(3);
+  auto& [stride, first_step, supplied, gain, residual, transfer, contact, rounding, gains, findings] = state;
+  a.version(4);
   a("stride", stride), a("first_step", first_step), a("supplied", supplied), a("gain", gain), a("gains", gains);
-  a("residual", residual), a("transfer", transfer), a("rounding", rounding);
+  a("residual", residual), a("transfer", transfer), a("contact", contact), a("rounding", rounding);
   a.each("finding", findings);
 }
 

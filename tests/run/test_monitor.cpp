@@ -122,7 +122,7 @@ TEST_CASE("a gain of energy that lasts is warned of, a loss is a figure", "[moni
   of_nothing.model.scheme.extrapolate_again = false;
   of_nothing.monitor.state.residual = -1;
   CHECK(of_nothing.figures().empty());
-  for (int k = 0; k < 20; ++k) CHECK_FALSE(of_nothing.monitor.state.record_balance(0, 1e-3, 0, 0, 0));
+  for (int k = 0; k < 20; ++k) CHECK_FALSE(of_nothing.monitor.state.record_balance({0, 1e-3, 0, 0, 0}, 0));
 }
 
 TEST_CASE("a balance that lacks what a law does not report names the law", "[monitor]") {
@@ -158,6 +158,17 @@ TEST_CASE("a balance that lacks what a law does not report names the law", "[mon
   CHECK_THAT(gaining.look(kinetic / 1.1, 5), Contains("came from nowhere") && Contains("has no method energy(p)"));
 }
 
+TEST_CASE("energy that contact creates comes from nowhere, and what it dissipates makes up for nothing", "[monitor]") {
+  MonitorState creates, dissipates;
+  for (int k = 0; k < 5; ++k) CHECK(creates.record_balance({1, 0, 0, -0.1, 0}, 0) == (k == 4));
+  CHECK(creates.of(Sign::energy).worst == Approx(0.1));
+  REQUIRE(creates.energy_figures().size() == 1);
+  CHECK(creates.energy_figures()[0].text == "energy: contact created 10 % of what was supplied");
+  for (int k = 0; k < 20; ++k) CHECK_FALSE(dissipates.record_balance({1, 0, 0, 0.5, 0}, 0));
+  CHECK(dissipates.energy_figures().empty());
+  for (int k = 0; k < 5; ++k) CHECK(dissipates.record_balance({1, 0.1, 0, 0.5, 0}, 0) == (k == 4));
+}
+
 TEST_CASE("a balance of energies that are no more than rounding is not judged", "[monitor]") {
   const std::string rubber = "<Material Type='NeoHookean' Name='m'><rho>1</rho><E>1e8</E><nu>0.3</nu></Material>";
   // The stored energy of a law of the deformation gradient has errors of the last digit of modulus times volume
@@ -170,14 +181,14 @@ TEST_CASE("a balance of energies that are no more than rounding is not judged", 
   CHECK_THAT(Watched(block(elastic, "", "vx='1e-13'")).look(0.5 * 8e-26, 20), Contains("came from nowhere"));
   // Small differences of large energies
   MonitorState state;
-  for (int k = 0; k < 20; ++k) CHECK_FALSE(state.record_balance(1e-26, 1e-20, 0, 1e-9, 0));
+  for (int k = 0; k < 20; ++k) CHECK_FALSE(state.record_balance({1e-26, 1e-20, 0, 0, 1e-9}, 0));
   CHECK(state.energy_figures().empty());
-  state.record_balance(1e-26, 1e-8, 0, 1e-9, 0);
+  state.record_balance({1e-26, 1e-8, 0, 0, 1e-9}, 0);
   CHECK(state.energy_figures().size() == 1);
   // What was supplied is compared with 2 % as before, however small it is
   MonitorState small;
-  for (int k = 0; k < 4; ++k) CHECK_FALSE(small.record_balance(1e-26, 1e-27, 0, 0, 0));
-  CHECK(small.record_balance(1e-26, 1e-27, 0, 0, 0));
+  for (int k = 0; k < 4; ++k) CHECK_FALSE(small.record_balance({1e-26, 1e-27, 0, 0, 0}, 0));
+  CHECK(small.record_balance({1e-26, 1e-27, 0, 0, 0}, 0));
 }
 
 TEST_CASE("the energy that the growth of cracks releases is a figure", "[monitor]") {
