@@ -15,8 +15,6 @@ constexpr int max_image_distance = 4;
 // weight. Of values from 0.001 to 3, those from 0.03 to 0.1 make the stress next to faces most uniform (splines, uGIMP
 // and CPDI, at 0 to 45 degrees to the grid).
 constexpr double light_node = 0.03;
-// At the start of the step contact changes nodes with less than this fraction of the mean mass in part only
-constexpr double light_at_start = 0.3;
 
 // A point within this distance of a grid line or plane counts as on it [cells]. The nodes on its other sides, whose
 // weights would be at most as large, then have none. Where a face is nearly parallel to the grid, this more than halves
@@ -29,8 +27,13 @@ Eigen::Map<const Vec3> velocity_of(const System<Dim>& system, std::size_t field,
 }
 
 template <int Dim>
+double mass_of(const System<Dim>& system, std::uint32_t field, std::int64_t node) {
+  return system.fields[field].nodes[static_cast<std::size_t>(node)].mass;
+}
+
+template <int Dim>
 double mass_of(const System<Dim>& system, const FaceTerm& t) {
-  return system.fields[t.field].nodes[static_cast<std::size_t>(t.node)].mass;
+  return mass_of(system, t.field, t.node);
 }
 
 // Reduction of the weight of a light node. A body that reaches over a node by d has there a mass of the order d^3 and
@@ -55,7 +58,8 @@ double towards_grid_lines(double cells) {
 }  // namespace
 
 template <int Dim>
-void FaceConstraints<Dim>::find(ContactNodes<Dim>& contacts) {
+void FaceConstraints<Dim>::find(ContactNodes<Dim>& contacts, const Exchanges<Dim>& exchanges) {
+  exchanges_ = &exchanges;
   list_constraints(contacts);
   each_constraint([&](Constraint& c) { find_terms(c, contacts.members); });
   number_velocities();
@@ -113,13 +117,16 @@ void FaceConstraints<Dim>::find_terms(Constraint& c, std::span<const ContactMemb
     double& mean_mass = c.mean_mass[sign < 0 ? 0 : 1];
     mean_mass = c.has_face ? add_face_terms(c, *member, sign) : 0.0;
     if (c.term_count == first) {
-      c.all_terms[c.term_count++] = {static_cast<std::uint32_t>(member->field), 0, member->node, sign};
+      c.all_terms[c.term_count++] = {static_cast<std::uint32_t>(member->field), 0, member->node, sign,
+                                     ComponentSigns(0, c.node->mirrored_axes)};
       mean_mass = member->mass;
     }
     if (member->inverse_mass > 0.0) continue;
     pair.rigid_velocity.setZero();
     for (std::size_t t = first; t < c.term_count; ++t)
-      pair.rigid_velocity += c.all_terms[t].weight * velocity_of(system_, c.all_terms[t].field, c.all_terms[t].node);
+      pair.rigid_velocity +=
+          c.all_terms[t].weight *
+          c.all_terms[t].signs.of(Vec3(velocity_of(system_, c.all_terms[t].field, c.all_terms[t].node)));
     c.term_count = first;
   }
 }
@@ -154,6 +161,15 @@ double FaceConstraints<Dim>::add_face_terms(Constraint& c, const ContactMember& 
   return weighted_mass;
 }
 
+// Replaces a node beyond symmetry planes by its mirror image, and returns the signs of its velocity.
+template <int Dim>
+ComponentSigns FaceConstraints<Dim>::fold(std::size_t field, Index<Dim>& node) const {
+  const Exchange<Dim>& exchange = *(*exchanges_)[field];
+  if (!exchange.has_images()) return {};
+  const int reflected = exchange.reflect(node);
+  return {reflected, exchange.mirrored_axes(node)};
+}
+
 // Adds the nodes of the cell that contains the point at `offset` from the contact node, with the weights of linear
 // interpolation, so far as the body reaches them.
 template <int Dim>
@@ -181,9 +197,10 @@ auto FaceConstraints<Dim>::add_point(Constraint& c, std::size_t field, const Vec
       n[k] += corner >> d & 1;
       along += (n[k] - c.node->index[k]) * spacing[d] * c.pair->state.normal[d];
     }
+    const ComponentSigns signs = fold(field, n);
     const std::int64_t at = map.node(n);
     if (at < 0) continue;
-    const FaceTerm term{static_cast<std::uint32_t>(field), 0, at, w};
+    const FaceTerm term{static_cast<std::uint32_t>(field), 0, at, w, signs};
     const double mass = mass_of(system_, term);
     if (!(mass > 0)) continue;
     point.distances[c.term_count - first] = along;
@@ -222,23 +239,23 @@ void FaceConstraints<Dim>::number_velocities() {
       std::int32_t& number = number_of_[term.field][static_cast<std::size_t>(term.node)];
       if (number < 0) {
         number = static_cast<std::int32_t>(velocities_.size());
-        const double mass = system_.fields[term.field].nodes[static_cast<std::size_t>(term.node)].mass;
         FaceVelocity& added = velocities_.emplace_back();
-        added.field = term.field, added.node = term.node, added.inverse_mass = 1.0 / mass;
+        added.field = term.field, added.node = term.node;
+        added.inverse_mass = 1.0 / ((*exchanges_)[term.field]->ownership(term.node) * mass_of(system_, term));
       }
       term.velocity = static_cast<std::uint32_t>(number);
       FaceVelocity& p = velocities_[term.velocity];
       p.mean_mass = std::max(p.mean_mass, c.mean_mass[term.weight < 0 ? 0 : 1]);
     }
   for (FaceVelocity& p : velocities_)
-    p.start_share = std::min(1.0, 1 / (p.inverse_mass * light_at_start * p.mean_mass));
+    p.start_share = std::min(1.0, mass_of(system_, p.field, p.node) / (light_at_start_ * p.mean_mass));
 }
 
 template <int Dim>
 void FaceConstraints<Dim>::find_masses(Constraint& c) const {
   double effective = 0.0, lumped = 0.0;  // inverse masses
   for (std::size_t t = 0; t < c.term_count; ++t) {
-    const double inverse_mass = velocities_[c.all_terms[t].velocity].inverse_mass;
+    const double inverse_mass = c.node->ownership * velocities_[c.all_terms[t].velocity].inverse_mass;
     lumped += std::abs(c.all_terms[t].weight) * inverse_mass;
     for (std::size_t u = 0; u < c.term_count; ++u)  // a node may be among the nodes of its own image
       if (c.all_terms[u].velocity == c.all_terms[t].velocity)

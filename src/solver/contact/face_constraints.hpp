@@ -4,6 +4,7 @@
 
 #include "grid/nodes.hpp"
 #include "solver/contact/contact_nodes.hpp"
+#include "solver/exchange/exchange.hpp"
 #include "solver/state/system.hpp"
 
 #include <array>
@@ -17,9 +18,31 @@ namespace tribo {
 struct FaceVelocity {
   std::uint32_t field;
   std::int64_t node;
-  double inverse_mass;
+  double inverse_mass;       ///< of the part of the nodal mass that is inside the symmetry planes
   double mean_mass = 0.0;    ///< the largest mean of the nodes of a constraint with this one       [mass]
   double start_share = 1.0;  ///< of the change of velocity that is made at the start of the step
+};
+
+/// The signs with which the components of a nodal velocity enter the velocity at a face. All are one, except next to
+/// symmetry planes: those of a mirror image are -1 normal to the plane, and those of a node on the plane are 0.
+class ComponentSigns {
+ public:
+  ComponentSigns() = default;
+  /// Bit d of `reflected` and `held`: component d has the sign -1 or 0.
+  ComponentSigns(int reflected, int held)
+      : bits_(static_cast<std::uint32_t>(reflected & ~held) | static_cast<std::uint32_t>(held) << 3) {}
+
+  bool all_one() const { return bits_ == 0; }
+  double operator[](int d) const { return (bits_ >> (d + 3) & 1) != 0 ? 0.0 : (bits_ >> d & 1) != 0 ? -1.0 : 1.0; }
+  /// A vector of three or four components with these signs.
+  template <class Vector>
+  Vector of(Vector v) const {
+    for (int d = 0; d < 3; ++d) v[d] *= (*this)[d];
+    return v;
+  }
+
+ private:
+  std::uint32_t bits_ = 0;
 };
 
 /// A nodal velocity with its weight in the relative velocity of a pair.
@@ -28,6 +51,7 @@ struct FaceTerm {
   std::uint32_t velocity;  ///< position in FaceConstraints::velocities()
   std::int64_t node;
   double weight;
+  ComponentSigns signs;
 };
 
 /// A pair and its relative velocity at the face as a weighted sum of nodal velocities.
@@ -66,14 +90,19 @@ struct FaceGroup {
 /// stop it before it touches. Where a body reaches only some of the nodes around such a point, the weights are such
 /// that their mean position is on the face all the same, or else the stress next to the face would be wrong by up to
 /// its own size.
+///
+/// Nodes beyond a symmetry plane are replaced by their mirror images, so that the constraints are those of the whole
+/// body. The impulse of a pair counts with the ownership of its node, as the nodal masses do.
 template <int Dim>
 class FaceConstraints {
  public:
-  explicit FaceConstraints(System<Dim>& system) : system_(system) {}
+  /// `light_at_start`: at the start of the step contact changes nodes with less than this fraction of the mean mass of
+  /// the nodes of a constraint in part only, see FaceVelocity::start_share.
+  FaceConstraints(System<Dim>& system, double light_at_start) : system_(system), light_at_start_(light_at_start) {}
 
   /// Takes over all pairs of the nodes at which some pair has a face, and sets ContactNode::solved_on_faces. The pairs
   /// must stay where they are in memory as long as the constraints are used.
-  void find(ContactNodes<Dim>& contacts);
+  void find(ContactNodes<Dim>& contacts, const Exchanges<Dim>& exchanges);
 
   const std::vector<FaceConstraint<Dim>>& list() const { return constraints_; }
   const std::vector<FaceVelocity>& velocities() const { return velocities_; }
@@ -88,6 +117,7 @@ class FaceConstraints {
 
   void list_constraints(ContactNodes<Dim>& contacts);
   void find_terms(Constraint& c, std::span<const ContactMember> members) const;
+  ComponentSigns fold(std::size_t field, Index<Dim>& node) const;
   double add_face_terms(Constraint& c, const ContactMember& member, double sign) const;
   struct Point;
   Point add_point(Constraint& c, std::size_t field, const Vec3& offset) const;
@@ -98,6 +128,8 @@ class FaceConstraints {
   void each_constraint(F&& f);
 
   System<Dim>& system_;
+  double light_at_start_;
+  const Exchanges<Dim>* exchanges_ = nullptr;  // of this step
   std::vector<Constraint> constraints_;
   std::vector<FaceGroup> groups_;
   std::vector<std::size_t> colour_ends_;

@@ -58,6 +58,8 @@ bool FaceFinder<Dim>::find(const ContactNode<Dim>& node, std::span<const Contact
     face.foremost_offset.template head<Dim>() =
         foremost_offset<Dim>({&near.sides[0], &near.sides[1]},
                              {system_.fields[a.field].curved, system_.fields[b.field].curved}, *n, band * h_, h_);
+  for (int d = 0; d < Dim; ++d)
+    if (node.mirrored_axes >> d & 1) face.foremost_offset[d] = 0.0;
   pair.foremost_offset = face.foremost_offset;
   face.normal = pair.state.normal, face.area = pair.state.area;
   if (!model_.contact.joints.empty()) face.offset_along_face = offset_along_face(near, *n);

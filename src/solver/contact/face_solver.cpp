@@ -20,8 +20,8 @@ constexpr double tolerance = 1e-8;        // of the impulses, relative
 }  // namespace
 
 template <int Dim>
-void FaceSolver<Dim>::set_up(ContactNodes<Dim>& contacts) {
-  constraints_.find(contacts);
+void FaceSolver<Dim>::set_up(ContactNodes<Dim>& contacts, const Exchanges<Dim>& exchanges) {
+  constraints_.find(contacts, exchanges);
   const auto& list = constraints_.list();
   const auto& velocities = constraints_.velocities();
   rows_.resize(list.size());
@@ -34,8 +34,12 @@ void FaceSolver<Dim>::set_up(ContactNodes<Dim>& contacts) {
     row.active = !c.pair->has_no_face && !c.pair->replaced_by_joint;
     row.effective_mass = c.effective_mass, row.lumped_mass = c.lumped_mass;
     row.first = static_cast<std::uint32_t>(weights_.size());
-    for (const FaceTerm& t : c.terms())
-      weights_.push_back({t.weight, t.weight * velocities[t.velocity].inverse_mass, t.velocity});
+    row.next_to_plane = false;
+    for (const FaceTerm& t : c.terms()) {
+      const double over_mass = c.node->ownership * t.weight * velocities[t.velocity].inverse_mass;
+      weights_.push_back({t.weight, over_mass, t.velocity, t.signs});
+      row.next_to_plane = row.next_to_plane || !t.signs.all_one();
+    }
     row.end = static_cast<std::uint32_t>(weights_.size());
   }
   changes_.resize(velocities.size()), start_changes_.resize(velocities.size());
@@ -46,7 +50,8 @@ template <int Dim>
 template <class Value>
 Vec3 FaceSolver<Dim>::weighted_sum(const Row& row, Value&& value) const {
   Vec3 out = Vec3::Zero();
-  for (std::uint32_t t = row.first; t < row.end; ++t) out += weights_[t].weight * value(weights_[t].velocity);
+  for (std::uint32_t t = row.first; t < row.end; ++t)
+    out += weights_[t].weight * weights_[t].signs.of(value(weights_[t].velocity));
   return out;
 }
 
@@ -92,6 +97,8 @@ void FaceSolver<Dim>::each_velocity(const Changes& changes, F&& f) {
 template <int Dim>
 Vec3 FaceSolver<Dim>::velocity_at_face(const Row& row) const {
   Eigen::Vector4d change = Eigen::Vector4d::Zero();
+  if (row.next_to_plane)
+    return row.trial_velocity + weighted_sum(row, [&](std::uint32_t v) { return Vec3(changes_[v].head<3>()); });
   for (std::uint32_t t = row.first; t < row.end; ++t) change += weights_[t].weight * changes_[weights_[t].velocity];
   return row.trial_velocity + change.template head<3>();
 }
@@ -108,12 +115,15 @@ void FaceSolver<Dim>::update_impulse(Row& row, double mass, ContactPass pass) {
   row.impulse = row.response.impulse;
 }
 
-// Applies an impulse of a pair to the nodes, with the weights that their velocities have in its relative velocity. As
-// the weights of one side sum to one, momentum is conserved.
+// Applies an impulse of a pair to the nodes, with the weights and signs that their velocities have in its relative
+// velocity. As the weights of one side sum to one, momentum is conserved.
 template <int Dim>
 void FaceSolver<Dim>::distribute(const Row& row, const Vec3& impulse) {
   const Eigen::Vector4d padded(impulse[0], impulse[1], impulse[2], 0.0);
-  for (std::uint32_t t = row.first; t < row.end; ++t) changes_[weights_[t].velocity] -= weights_[t].over_mass * padded;
+  for (std::uint32_t t = row.first; t < row.end; ++t) {
+    const Weight& w = weights_[t];
+    changes_[w.velocity] -= w.over_mass * (row.next_to_plane ? w.signs.of(padded) : padded);
+  }
 }
 
 // Applies an impulse at the start of the step. Light nodes take a share of it, see FaceVelocity::start_share, and so do
@@ -132,7 +142,7 @@ void FaceSolver<Dim>::distribute_at_start(const Row& row) {
   for (std::uint32_t t = row.first; t < row.end; ++t) {
     const Weight& w = weights_[t];
     start_changes_[w.velocity].template head<3>() -=
-        w.over_mass * share_of(w) * (both / taken[side_of(w)]) * row.impulse;
+        w.over_mass * share_of(w) * (both / taken[side_of(w)]) * w.signs.of(row.impulse);
   }
   row.pair->at_start = both * row.impulse;
 }

@@ -26,11 +26,12 @@ namespace tribo {
 template <int Dim>
 class FaceSolver {
  public:
-  explicit FaceSolver(System<Dim>& system) : system_(system), constraints_(system) {}
+  /// `light_at_start`: see FaceConstraints.
+  FaceSolver(System<Dim>& system, double light_at_start) : system_(system), constraints_(system, light_at_start) {}
 
   /// Takes over all pairs of the nodes at which some pair has a face, and sets ContactNode::solved_on_faces. The pairs
   /// must stay where they are in memory until the next set_up().
-  void set_up(ContactNodes<Dim>& contacts);
+  void set_up(ContactNodes<Dim>& contacts, const Exchanges<Dim>& exchanges);
 
   /// Applies the laws to the present velocities. In the corrector the accelerations change accordingly. `dt`: step.
   void apply(double dt, ContactPass pass);
@@ -46,8 +47,9 @@ class FaceSolver {
   // What the sweeps read of a term: they pass over all of them many times, so it is small.
   struct Weight {
     double weight;
-    double over_mass;  // weight times the inverse mass of the node
+    double over_mass;  // weight times the inverse mass of the node, times the ownership of the node of the pair
     std::uint32_t velocity;
+    ComponentSigns signs;
   };
   // What the sweeps read and write of a constraint, apart from its pair for the same reason.
   struct Row {
@@ -56,6 +58,7 @@ class FaceSolver {
     double size_before;        // squared impulse of the last step
     std::uint32_t first, end;  // in weights_
     bool active;
+    bool next_to_plane;  // some weights have signs
     double effective_mass, lumped_mass;
     Vec3 trial_velocity;  // relative velocity without contact
     Vec3 impulse;

@@ -162,6 +162,18 @@ int EdgeExchange<Dim>::mirrored_axes(const Index<Dim>& node) const {
 }
 
 template <int Dim>
+int EdgeExchange<Dim>::reflect(Index<Dim>& node) const {
+  int axes = 0;
+  for (const Plane& plane : planes_) {
+    int& n = node[static_cast<std::size_t>(plane.axis)];
+    if (plane.kind != Edge::symmetry || (n - plane.node) * plane.inward >= 0) continue;
+    n = 2 * plane.node - n;
+    axes |= 1 << plane.axis;
+  }
+  return axes;
+}
+
+template <int Dim>
 void EdgeExchange<Dim>::begin_step() {
   std::fill(reactions_.begin(), reactions_.end(), 0.0);
 }

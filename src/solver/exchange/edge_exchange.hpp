@@ -20,6 +20,7 @@ class OpenExchange final : public Exchange<Dim> {
   bool has_images() const override { return false; }
   bool is_image(const Index<Dim>&) const override { return false; }
   int mirrored_axes(const Index<Dim>&) const override { return 0; }
+  int reflect(Index<Dim>&) const override { return 0; }
   void begin_step() override {}
   void add_plane_reactions(const NodeLayer&) override {}
   void hold_planes(NodeLayer&) override {}
@@ -49,6 +50,7 @@ class EdgeExchange final : public Exchange<Dim> {
   bool has_images() const override { return any(); }
   bool is_image(const Index<Dim>& node) const override;
   int mirrored_axes(const Index<Dim>& node) const override;
+  int reflect(Index<Dim>& node) const override;
   void begin_step() override;
   void add_plane_reactions(const NodeLayer& nodes) override;
   void hold_planes(NodeLayer& nodes) override;

@@ -46,6 +46,9 @@ class Exchange {
   virtual bool is_image(const Index<Dim>& node) const = 0;
   /// Bit d is set if a symmetry plane normal to axis d passes through this node.
   virtual int mirrored_axes(const Index<Dim>& node) const = 0;
+  /// Replaces a node beyond symmetry planes by its mirror image inside. Bit d of the result is set if the image is that
+  /// in a plane normal to axis d, so that component d of a vector has the opposite sign there.
+  virtual int reflect(Index<Dim>& node) const = 0;
 
   /// Sets the reactions of the symmetry planes to zero at the start of a step.
   virtual void begin_step() = 0;
