@@ -20,7 +20,7 @@ bool keeps_start_impulses(Transfer transfer) {
 
 // The fraction of the mean mass below which nodes are light at the start of a step, see FaceConstraints. FLIP keeps the
 // velocities of particles that the grid does not see. With 0.3, a stiff disc that touches a soft body along two cells
-// gains energy without limit with GIMP. With CPDI it does not, and 1 adds up to 4 per cent to the energy of thin plates.
+// gains energy without limit with GIMP. With CPDI it does not, and thin plates gain up to 4 per cent with 1.
 double light_at_start(const Scheme& scheme) {
   return keeps_start_impulses(scheme.transfer) && scheme.kernel != Kernel::cpdi ? 1.0 : 0.3;
 }
