@@ -199,11 +199,12 @@ TEST_CASE("impulses on faces next to a symmetry plane are those of the whole bod
         const auto index = field.map.node_at(k);
         Node& node = field.nodes[static_cast<std::size_t>(k)];
         const int beyond = index[0] - pad - plane;
-        const Node& other = field.nodes[static_cast<std::size_t>(field.map.node({pad + plane - beyond, index[1]}))];
         if (beyond == 0) node.velocity[0] = 0.0;
-        if (beyond < 0) {
-          node = other, node.velocity[0] *= -1;
-          if (half || plane - beyond > last) node = Node{};
+        if (beyond < 0 && (half || plane - beyond > last)) {
+          node = Node{};
+        } else if (beyond < 0) {
+          node = field.nodes[static_cast<std::size_t>(field.map.node({pad + plane - beyond, index[1]}))];
+          node.velocity[0] *= -1;
         }
       }
     auto& nodes = shared.contacts.nodes;
