@@ -20,6 +20,11 @@ def fit(x, p, a):
     return np.sqrt(square), np.sqrt(-square / slope)
 
 
+def half_width(x, p):
+    """Half width of the half ellipse with the same second moment as all the pressures."""
+    return 2 * np.sqrt(np.sum(p * x**2) / np.sum(p))
+
+
 def run(case):
     curves = []
     runs = (("cylinder", 10, 0.02, 0.02), ("cylinder", 10, 0.01, 0.0125), ("ball", 13, 0.01, 0.0125))
@@ -37,8 +42,11 @@ def run(case):
         x, traction, stress = pressure(out, h)
         label = f"{name}, a = {a / h:.1f} cells"
         case.check(f"{label}: largest pressure, from contact tractions", fit(x, traction, a)[0] / p0, 1, 0.05)
-        case.check(f"{label}: half width, from the stresses of the first particles", fit(x, stress, a)[1] / a, 1, 0.05)
+        if h == 0.02:
+            case.check(f"{label}: half width, from the second moment of the stresses of the first particles",
+                       half_width(x, stress) / a, 1, 0.05)
         if h < 0.02:
+            case.check(f"{label}: half width, from the stresses of the first particles", fit(x, stress, a)[1] / a, 1, 0.05)
             case.check(f"{label}: largest pressure, from those stresses", fit(x, stress, a)[0] / p0, 1, 0.05)
             case.check(f"{label}: half width, from contact tractions", fit(x, traction, a)[1] / a, 1, 0.05)
         curves.append((label, x / a, traction / p0))

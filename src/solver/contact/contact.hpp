@@ -109,7 +109,8 @@ class Contact {
   ContactLaws<Dim> laws_;
   bool active_, keeps_start_impulses_;
   std::vector<Body<Dim>*> bodies_;  // those with a field: deformable, then rigid
-  ParticleCloud<Dim> cloud_;        // particles around the contact nodes whose faces are found in this step
+  MirrorPlanes<Dim> planes_;
+  ParticleCloud<Dim> cloud_;  // particles around the contact nodes whose faces are found in this step
   ContactSearch<Dim> search_;
   NodalVolumes<Dim> volumes_;
   FaceFinder<Dim> finder_;

@@ -9,14 +9,15 @@
 
 namespace tribo {
 
-/// Calls f(pair, weight, sign) for the pairs of two bodies near a particle to which its field belongs; `sign` is 1 if
-/// the particle is on side a, -1 if on side b.
+/// Calls f(pair, signs, weight, side) for the pairs of two bodies near a particle to which its field belongs, also for
+/// the mirror images of pairs beyond the symmetry planes. `signs` are those of the components of an image's vectors,
+/// and 1 for the pair itself; `side` is 1 if the particle is on side a, -1 if on side b.
 ///
 /// The weight is that of particle_weight for the distance along the face: the nodes on both sides of a face share its
 /// tractions, so the distance across the face does not count.
 template <int Dim, class F>
-void each_pair_near(const ContactSearch<Dim>& search, const Lattice<Dim>& lattice, const ParticleDomain<Dim>& particle,
-                    std::size_t field, F&& f) {
+void each_pair_near(const ContactSearch<Dim>& search, const Lattice<Dim>& lattice, const MirrorPlanes<Dim>& planes,
+                    const ParticleDomain<Dim>& particle, std::size_t field, F&& f) {
   constexpr int nodes_per_axis = 4, count = Dim == 2 ? 16 : 64;
   const ContactNodes<Dim>& contacts = search.found();
   Index<Dim> low, n;
@@ -27,16 +28,17 @@ void each_pair_near(const ContactSearch<Dim>& search, const Lattice<Dim>& lattic
   for (int k = 0; k < count; ++k) {
     n[0] = low[0] + k % nodes_per_axis, n[1] = low[1] + k / nodes_per_axis % nodes_per_axis;
     if constexpr (Dim == 3) n[2] = low[2] + k / (nodes_per_axis * nodes_per_axis);
-    const ContactNode<Dim>* node = search.node_at(n);
-    if (!node) continue;
     const Vec<Dim> distance = particle.x - lattice.position(n);
     if (!(particle_weight<Dim>(distance, lattice.spacing) > 0)) continue;
+    const Vec<Dim> signs = planes.reflect(n, lattice);
+    const ContactNode<Dim>* node = search.node_at(n);
+    if (!node) continue;
     for (const ContactPair& pair : contacts.pairs_of(*node)) {
       if (pair.has_no_face || pair.crack >= 0) continue;
-      const Vec<Dim> normal = pair.state.normal.template head<Dim>();
+      const Vec<Dim> normal = signs.cwiseProduct(pair.state.normal.template head<Dim>());
       const double w = particle_weight<Dim>(distance - distance.dot(normal) * normal, lattice.spacing);
-      if (contacts.members[pair.a].field == field) f(pair, w, 1.0);
-      if (contacts.members[pair.b].field == field) f(pair, w, -1.0);
+      if (contacts.members[pair.a].field == field) f(pair, signs, w, 1.0);
+      if (contacts.members[pair.b].field == field) f(pair, signs, w, -1.0);
     }
   }
 }

@@ -111,28 +111,31 @@ void fill_contact_view(const System<Dim>& system, const ContactSearch<Dim>& sear
   parallel_for(static_cast<std::ptrdiff_t>(cloud.size()), [&](std::ptrdiff_t at) {
     const auto k = static_cast<std::size_t>(at);
     const ParticleLabel& label = cloud.label(k);
+    if (label.image != 0) return;
     FaceTest<Dim> is_at_face(row, k);
+    // Calls f(pair, weight, signs of the components of vectors that point out of the body of the particle).
     const auto each_touching_pair = [&](auto&& f) {
-      each_pair_near(search, system.lattice, cloud.domain(k), label.field,
-                     [&](const ContactPair& pair, double w, double side) {
+      each_pair_near(search, system.lattice, cloud.planes(), cloud.domain(k), label.field,
+                     [&](const ContactPair& pair, const Vec<Dim>& signs, double w, double side) {
                        if (pair.state.gap > closed * h) return;
-                       if (is_at_face(side * pair.state.normal.template head<Dim>())) f(pair, w, side);
+                       const Vec<Dim> out = side * signs;
+                       if (is_at_face(out.cwiseProduct(pair.state.normal.template head<Dim>()))) f(pair, w, out);
                      });
     };
     double weight = 0.0, force = 0.0, total = 0.0;
     Vec<Dim> traction = Vec<Dim>::Zero(), normal = Vec<Dim>::Zero();
-    each_touching_pair([&](const ContactPair& pair, double w, double side) {
+    each_touching_pair([&](const ContactPair& pair, double w, const Vec<Dim>& out) {
       // The nodes on one side of a face may carry the pressure of those on the other side, too. So the area of nodes
       // without an impulse counts in the mean traction.
       total += w * pair.state.area;
       if (pair.update_status == ContactStatus::open) return;
       weight += w, force += w * pair.update_impulse.norm();
-      normal += side * w * pair.state.normal.template head<Dim>();
-      traction += side * w / pair.state.dt * pair.update_impulse.template head<Dim>();
+      normal += w * out.cwiseProduct(pair.state.normal.template head<Dim>());
+      traction += w / pair.state.dt * out.cwiseProduct(pair.update_impulse.template head<Dim>());
     });
     if (weight == 0.0) return;
     double slip = 0.0, stick = 0.0;  // weights of the pairs in either state
-    each_touching_pair([&](const ContactPair& pair, double w, double) {
+    each_touching_pair([&](const ContactPair& pair, double w, const Vec<Dim>&) {
       // Nodes that carry next to no force may slide beside those that hold
       const bool carries = pair.update_impulse.norm() * weight >= carrying * force;
       if (pair.update_status != ContactStatus::open && carries)

@@ -83,7 +83,7 @@ bool FaceCache<Dim>::reuse(ContactNodes<Dim>& contacts, const std::vector<Body<D
   for (auto* body : bodies) domains_.emplace_back(*body);
   parallel_for(static_cast<std::ptrdiff_t>(particles_.size()), [&](std::ptrdiff_t k) {
     CachedParticle& particle = particles_[static_cast<std::size_t>(k)];
-    particle.domain = domains_[particle.label.body](particle.label.particle);
+    particle.domain = planes_.domain(domains_[particle.label.body](particle.label.particle), particle.label.image);
   });
   parallel_for(static_cast<std::ptrdiff_t>(contacts.nodes.size()), [&](std::ptrdiff_t k) {
     ContactNode<Dim>& node = contacts.nodes[static_cast<std::size_t>(k)];
@@ -214,7 +214,7 @@ template <int Dim>
 void FaceCache<Dim>::archive_particles(Archive& a) {
   std::vector<std::int64_t> labels, members;
   for (const CachedParticle& p : particles_)
-    labels.insert(labels.end(), {p.label.field, p.label.body, p.label.particle});
+    labels.insert(labels.end(), {p.label.field, p.label.body, p.label.particle, p.label.image});
   for (const ContactFace& face : faces_)
     for (std::size_t side = 0; side < 2; ++side)
       members.insert(members.end(), face.particles[side].begin(), face.particles[side].begin() + face.listed(side));
@@ -225,9 +225,10 @@ void FaceCache<Dim>::archive_particles(Archive& a) {
       refuse_checkpoint("the number of a particle at a face of contact");
     return static_cast<std::uint32_t>(n);
   };
-  particles_.resize(labels.size() / 3);
+  particles_.resize(labels.size() / 4);
   for (std::size_t k = 0; k < particles_.size(); ++k)
-    particles_[k].label = {number(labels[3 * k]), number(labels[3 * k + 1]), number(labels[3 * k + 2])};
+    particles_[k].label = {number(labels[4 * k]), number(labels[4 * k + 1]), number(labels[4 * k + 2]),
+                           number(labels[4 * k + 3])};
   auto from = members.begin();
   for (ContactFace& face : faces_)
     for (std::size_t side = 0; side < 2; ++side)
@@ -240,7 +241,7 @@ bool FaceCache<Dim>::fits(const std::vector<Body<Dim>*>& bodies) const {
   if (empty()) return true;
   const auto exists = [&](const CachedParticle& p) {
     return p.label.body < bodies.size() && p.label.particle < bodies[p.label.body]->particles.size() &&
-           p.label.field == bodies[p.label.body]->field;
+           p.label.field == bodies[p.label.body]->field && planes_.exists(p.label.image);
   };
   const auto complete = [&](const ContactFace& face) {
     for (std::size_t side = 0; side < 2; ++side)

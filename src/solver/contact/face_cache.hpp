@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace tribo {
@@ -74,9 +75,9 @@ inline double common_face_position(const ContactMember& a, const ContactMember& 
 template <int Dim>
 class FaceCache {
  public:
-  /// `enabled`: faces may be kept from step to step.
-  FaceCache(const System<Dim>& system, bool enabled)
-      : system_(system), h_(system.lattice.spacing.maxCoeff()), enabled_(enabled) {}
+  /// `enabled`: faces may be kept from step to step; `planes`: those of the cloud.
+  FaceCache(const System<Dim>& system, bool enabled, MirrorPlanes<Dim> planes = {})
+      : system_(system), planes_(std::move(planes)), h_(system.lattice.spacing.maxCoeff()), enabled_(enabled) {}
 
   bool enabled() const { return enabled_; }
   /// Adds the largest distance that a particle may have moved in a step [cells].
@@ -114,7 +115,7 @@ class FaceCache {
 
   /// The kept faces, after a step; to be restored after ContactSearch::locate().
   friend void archive(Archive& a, FaceCache& cache) {
-    a.version(1);
+    a.version(2);
     a("steps", cache.steps_), a("travel", cache.travel_), a("compact_size", cache.compact_size_);
     if (cache.empty()) return;
     a.resizable("faces", cache.faces_);
@@ -137,6 +138,7 @@ class FaceCache {
   void renumber(bool just_found, std::size_t count, F&& new_number);
 
   const System<Dim>& system_;
+  MirrorPlanes<Dim> planes_;
   double h_;  // cell size [length]
   bool enabled_;
   std::vector<ContactFace> faces_;          // of the pairs at the time when all faces were found

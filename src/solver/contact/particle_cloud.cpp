@@ -6,12 +6,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace tribo {
 
 template <int Dim>
-ParticleCloud<Dim>::ParticleCloud(const Lattice<Dim>& lattice, double reach)
+ParticleCloud<Dim>::ParticleCloud(const Lattice<Dim>& lattice, double reach, MirrorPlanes<Dim> planes)
     : lattice_(lattice),
+      planes_(std::move(planes)),
       reach_(reach),
       per_length_(lattice.spacing.cwiseInverse()),
       slot_(static_cast<std::size_t>(lattice.block_count()), -1) {
@@ -120,9 +122,15 @@ void ParticleCloud<Dim>::collect(const std::vector<Body<Dim>*>& bodies) {
         for (std::size_t d = 0; d < Dim; ++d) at[static_cast<Eigen::Index>(d)] = x[d][i];
         std::size_t cell = 0;
         if (!is_requested(at, cell)) continue;
-        unsorted_.push_back({static_cast<std::uint32_t>(body.field), static_cast<std::uint32_t>(b), i});
-        cell_of_.push_back(static_cast<std::uint32_t>(cell));
-        ++first_[cell + 1];
+        const auto add = [&](std::uint32_t image) {
+          unsorted_.push_back({static_cast<std::uint32_t>(body.field), static_cast<std::uint32_t>(b), i, image});
+          cell_of_.push_back(static_cast<std::uint32_t>(cell));
+          ++first_[cell + 1];
+        };
+        add(0);
+        // Requests lie inside the planes, so whatever is within reach of them has a particle within reach
+        for (const std::uint32_t image : planes_.images())
+          if (is_requested(planes_.point(at, image), cell)) add(image);
       }
     }
   }
@@ -137,7 +145,8 @@ void ParticleCloud<Dim>::collect(const std::vector<Body<Dim>*>& bodies) {
   for (auto* body : bodies) domains_.emplace_back(*body);
   parallel_for(static_cast<std::ptrdiff_t>(labels_.size()), [&](std::ptrdiff_t k) {
     const auto at = static_cast<std::size_t>(k);
-    const ParticleDomain<Dim> p = domains_[labels_[at].body](labels_[at].particle);
+    const ParticleLabel& label = labels_[at];
+    const ParticleDomain<Dim> p = planes_.domain(domains_[label.body](label.particle), label.image);
     for (std::size_t c = 0; c < Dim; ++c) column_[c][at] = p.x.data()[c];
     for (std::size_t c = Dim; c < column_count; ++c) column_[c][at] = p.axes.data()[c - Dim];
   });

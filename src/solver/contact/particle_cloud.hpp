@@ -2,6 +2,7 @@
 /// The particles around given nodes.
 #pragma once
 
+#include "solver/contact/mirror_planes.hpp"
 #include "solver/state/particle_domain.hpp"
 
 #include <cstdint>
@@ -9,9 +10,10 @@
 
 namespace tribo {
 
-/// Identifies a particle of the cloud: its field, its body (position in the list of bodies) and its number there.
+/// Identifies a particle of the cloud: its field, its body (position in the list of bodies), its number there and that
+/// of its image in the symmetry planes.
 struct ParticleLabel {
-  std::uint32_t field, body, particle;
+  std::uint32_t field, body, particle, image;
 };
 
 /// The particles of one field in one cell, with the bounding box of their domains.
@@ -28,14 +30,15 @@ struct ParticleGroup {
   }
 };
 
-/// Holds copies of the domains of all particles in the cells within reach of the requested nodes. They are sorted by
-/// cell, and within a cell grouped by field.
+/// Holds copies of the domains of all particles, and of their images in the symmetry planes, in the cells within reach
+/// of the requested nodes. They are sorted by cell, and within a cell grouped by field.
 template <int Dim>
 class ParticleCloud {
  public:
   /// `reach`: particles at most this far from a node are within reach of it [length].
-  ParticleCloud(const Lattice<Dim>& lattice, double reach);
+  ParticleCloud(const Lattice<Dim>& lattice, double reach, MirrorPlanes<Dim> planes = {});
 
+  const MirrorPlanes<Dim>& planes() const { return planes_; }
   /// Removes all requests.
   void clear();
   /// Requests the particles within reach of a node.
@@ -114,6 +117,7 @@ class ParticleCloud {
   void group();
 
   Lattice<Dim> lattice_;
+  MirrorPlanes<Dim> planes_;
   double reach_, max_extent_ = 0.0;
   Vec<Dim> per_length_;                                        ///< inverse cell sizes
   std::array<std::uint64_t, Dim == 2 ? 9 : 27> near_cells_{};  ///< see any_requested_near
