@@ -117,14 +117,23 @@ void PointShares<Dim>::spread(const Lattice<Dim>& lattice, const Vec<Dim>& x) {
   }
 }
 
-// A point of a surface may have nodes at which the shape functions of the particles are very small. A force on such a
-// node strains the particles in proportion to share/mass times the shape function. For quadratic splines this shape
-// function is proportional to the square root of the mass, so the strain stays bounded if the share is proportional to
-// that root. The bound is low enough to leave nodes unchanged if the surface lies on a grid line, where the exact
-// share balances a uniform stress.
+// The fraction of the mean mass below which nodes are light.
+//
+// A point of a surface may have nodes at which the shape functions of the particles are very small. With uGIMP and CPDI
+// its shape functions are the mean gradients of those of the particles over their domains, so that the exact share
+// balances a uniform stress. Any other share strains the particles at the surface until their stress fits it.
+//
+// With splines the two differ. A force on a light node strains the particles in proportion to share/mass times the
+// shape function, which is proportional to the square root of the mass. So the strain stays bounded if the share is
+// proportional to that root. The bound is low enough to leave nodes unchanged if the surface lies on a grid line, where
+// the exact share balances a uniform stress, too.
 template <int Dim>
-void PointShares<Dim>::reduce_light_nodes(const std::vector<Field<Dim>>& fields, const Exchanges<Dim>& exchanges) {
-  constexpr double light = 1e-3;  // fraction of the mean mass
+double PointShares<Dim>::light_fraction(Kernel kernel) {
+  return kernel == Kernel::gimp || kernel == Kernel::cpdi ? 0.0 : 1e-3;
+}
+
+template <int Dim>
+void PointShares<Dim>::normalise(const std::vector<Field<Dim>>& fields, const Exchanges<Dim>& exchanges, double light) {
   const int around = std::exchange(count, 0);
   std::array<double, most> masses;
   std::array<bool, most> folds;

@@ -23,7 +23,8 @@ struct ParticleFace {
 };
 
 /// The nodes around a point and the fractions of a force at the point that they receive. The fractions are the shape
-/// functions, reduced at nodes with little mass and zero at nodes without mass, and normalised to the sum one.
+/// functions, zero at nodes without mass, with splines and linear shape functions reduced at nodes with little mass,
+/// and normalised to the sum one.
 template <int Dim>
 struct PointShares {
   static constexpr int most = Dim == 2 ? 16 : 64;
@@ -39,14 +40,15 @@ struct PointShares {
               FieldAt&& field_at) {
     spread(kernel, fields.front().map.lattice(), x);
     for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k) field[k] = field_at(index_[k]);
-    reduce_light_nodes(fields, exchanges);
+    normalise(fields, exchanges, light_fraction(kernel));
   }
 
  private:
   void spread(Kernel kernel, const Lattice<Dim>& lattice, const Vec<Dim>& x);
   template <class K>
   void spread(const Lattice<Dim>& lattice, const Vec<Dim>& x);
-  void reduce_light_nodes(const std::vector<Field<Dim>>& fields, const Exchanges<Dim>& exchanges);
+  static double light_fraction(Kernel kernel);
+  void normalise(const std::vector<Field<Dim>>& fields, const Exchanges<Dim>& exchanges, double light);
 
   std::array<Index<Dim>, most> index_;
 };
