@@ -88,7 +88,9 @@ void add_header(Rows& add) {
   add({"MaxTime", "MPMHeader", "time at which the run ends, > 0", T::number, {units(times)}, true});
   add({"TimeFactor",
        "MPMHeader Stage",
-       "Courant number: number of cells that the fastest wave may travel in a time step; in (0, 1], default 0.5",
+       "Courant number: number of cells that the fastest wave may travel in a time step; in (0, 1], default 0.5. Some "
+       "schemes "
+       "need smaller steps, and the summary says what determines the step",
        T::number,
        {},
        true});

@@ -209,6 +209,7 @@ std::string Monitor<Dim>::step_text(const Finding& f) const {
   const auto cure = [&]() -> const char* {
     switch (limit.cause) {
       case Cause::waves:
+      case Cause::faces:
         return "where it is squeezed it gets stiffer; more particles per cell, or larger cells";
       case Cause::speed:
         return "a few particles may have been thrown out; see field 'velocity' of the particle files";

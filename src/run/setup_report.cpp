@@ -72,7 +72,7 @@ class SetupReport {
     if ((!damped && model_.stages.empty()) || s.strains_follow_update() || s.kernel == Kernel::linear) return;
     if (!creeps && s.transfer != Transfer::flip) return;
     out_.advice.push_back("with " + words_of_transfer(s) + " and " + words_of_order(s) +
-                          ", faces of a body in equilibrium that are curved, inclined or pulled " +
+                          ", faces of a body in equilibrium that are curved or inclined " +
                           (creeps ? "creep, and their displacement becomes too large" : "vibrate in spite of damping") +
                           "; USL- and USAVG-, in XML with <SkipPostExtrapolation/>, avoid this");
   }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace tribo {
 namespace {
@@ -22,6 +23,52 @@ double support_limit(const Model& model, Body<Dim>& body) {
     for (const double* half : body.particles[body.half_size])
       thickness = std::min(thickness, 2 * *std::min_element(half, half + body.particles.size()));
   return model.time.courant * std::sqrt(body.law->density() * thickness / stiffness);
+}
+
+// Mean edge of the particles of a body along an axis, before deformation [length].
+template <int Dim>
+double particle_edge(Body<Dim>& body, int axis) {
+  if (!body.half_size || body.particles.size() == 0) return 2 * body.uniform_half_size[axis];
+  const double* half = body.particles[body.half_size][static_cast<std::size_t>(axis)];
+  const auto count = body.particles.size();
+  return 2 * std::accumulate(half, half + count, 0.0) / static_cast<double>(count);
+}
+
+// A node that a body hardly reaches has a small mass m and strains the particle that reaches it by its acceleration. If
+// strains follow the momentum update, the stress of the particle changes in a step by -g times its excess, where
+//
+//   g = k (c dt)^2 V |grad S|^2 rho/m,
+//
+// c is the speed of waves and k the order of FMPM, which multiplies the velocity of such nodes by k. With uGIMP
+// V |grad S|^2 rho/m = 2/(h l) for a particle of edge l however small the mass is; with quadratic splines it is 2/h^2.
+// Beyond g = 2 the stress grows from step to step while a face of the body moves across a grid line. The factors are
+// below the limits of blocks in free flight, which were measured; other nodes and the corners add to g.
+template <int Dim>
+double face_limit(const Model& model, const Lattice<Dim>& lattice, Body<Dim>& body, double wave_speed) {
+  const Scheme& scheme = model.scheme;
+  double length = 0.0;  // [length]
+  switch (scheme.kernel) {
+    case Kernel::linear:
+      break;
+    case Kernel::gimp:
+    case Kernel::cpdi: {
+      const bool cut = body.half_size || body.half_axes;
+      double area = std::numeric_limits<double>::infinity();
+      for (int d = 0; d < Dim; ++d) area = std::min(area, lattice.spacing[d] * particle_edge(body, d));
+      length = (scheme.kernel == Kernel::cpdi ? 1.0 : cut ? 0.8 : 0.88) * std::sqrt(area);
+      break;
+    }
+    case Kernel::quadratic_spline:
+      length = 0.75 * lattice.smallest_spacing();
+      break;
+    case Kernel::cubic_spline:
+      length = lattice.smallest_spacing();
+  }
+  const bool follows = scheme.order != UpdateOrder::usf && !scheme.extrapolate_again;
+  if (length == 0.0 || !follows) return std::numeric_limits<double>::infinity();
+  const double order = scheme.transfer == Transfer::fmpm ? scheme.filter_order : 1.0;
+  const double halves = scheme.order == UpdateOrder::usavg ? 1.2 : 1.0;  // half of the strain precedes the update
+  return halves * length / (std::sqrt(order) * wave_speed);
 }
 
 // A body whose first particles still have to come from a source is represented by the row that will enter.
@@ -61,6 +108,8 @@ void StepSize<Dim>::each_limit(F&& f) {
     const auto of = static_cast<std::int64_t>(b);
     const Measures m = measure(body);
     if (m.largest_wave_speed > 0) f(model_.time.courant * h / m.largest_wave_speed, StepLimit{Cause::waves, of}, m);
+    if (m.largest_wave_speed > 0)
+      f(face_limit(model_, system_.lattice, body, m.largest_wave_speed), StepLimit{Cause::faces, of}, m);
     f(viscous_limit(body), StepLimit{Cause::viscosity, of}, m);
     f(conduction_limit(body), StepLimit{Cause::conduction, of}, m);
     f(support_limit(model_, body), StepLimit{Cause::supports, of}, m);
@@ -105,6 +154,8 @@ std::string StepSize<Dim>::words(const StepLimit& limit) const {
       return "<TimeStep>";
     case Cause::waves:
       return "the waves in " + of;
+    case Cause::faces:
+      return "the faces of " + of + " for this scheme";
     case Cause::viscosity:
       return "the viscosity of " + of;
     case Cause::conduction:
@@ -144,7 +195,8 @@ double StepSize<Dim>::next(double size) {
   const double h = system_.lattice.smallest_spacing();
   double wanted = std::min(model_.time.max_step, model_.time.courant * h / all.largest_wave_speed);
   for (auto& body : system_.bodies)
-    wanted = std::min({wanted, viscous_limit(body), conduction_limit(body), support_limit(model_, body)});
+    wanted = std::min({wanted, viscous_limit(body), conduction_limit(body), support_limit(model_, body),
+                       face_limit(model_, system_.lattice, body, all.largest_wave_speed)});
   if (all.largest_speed > 0) wanted = std::min(wanted, model_.time.velocity_courant * h / all.largest_speed);
   return std::min(wanted, model_.time.max_increase * size);
 }

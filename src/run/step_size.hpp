@@ -11,7 +11,7 @@ namespace tribo {
 
 /// What limits the time step.
 struct StepLimit {
-  enum class Cause { time_step, waves, viscosity, conduction, supports, speed, joints };
+  enum class Cause { time_step, waves, viscosity, conduction, supports, speed, joints, faces };
   Cause cause = Cause::time_step;
   std::int64_t body = -1;  ///< index into System::bodies; -1: none in particular
 };
