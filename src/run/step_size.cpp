@@ -55,7 +55,7 @@ double face_limit(const Model& model, const Lattice<Dim>& lattice, Body<Dim>& bo
       const bool cut = body.half_size || body.half_axes;
       double area = std::numeric_limits<double>::infinity();
       for (int d = 0; d < Dim; ++d) area = std::min(area, lattice.spacing[d] * particle_edge(body, d));
-      length = (scheme.kernel == Kernel::cpdi ? 1.0 : cut ? 0.8 : 0.88) * std::sqrt(area);
+      length = (scheme.kernel == Kernel::gimp ? (cut ? 0.8 : 0.88) : (cut ? 0.6 : 0.8)) * std::sqrt(area);
       break;
     }
     case Kernel::quadratic_spline:
