@@ -120,7 +120,8 @@ Remarks describe_interfaces(const System<Dim>& system) {
   Remarks out;
   for (std::size_t s = 0; s < system.joints.size(); ++s) {
     const JointSurface<Dim>& surface = system.joints[s];
-    if (surface.crack != JointSurface<Dim>::none) continue;
+    // The points of imperfect interfaces are found in the first step
+    if (surface.crack != JointSurface<Dim>::none || surface.interface) continue;
     double area = 0.0;
     std::size_t steps = 0;
     for (std::size_t k = 0; k < surface.joints.size(); ++k) {

@@ -6,8 +6,12 @@
 #include "solver/loads/loaded.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace tribo {
 namespace {
@@ -54,11 +58,85 @@ std::pair<double, bool> largest_sum(const ParticleCondition& condition, const st
   return {condition.net ? largest / static_cast<double>(points.size()) : largest, changes};
 }
 
+// The particles of a body by the cells in which they lie.
+template <int Dim>
+class ParticlesOfCells {
+ public:
+  ParticlesOfCells(const Lattice<Dim>& lattice, Body<Dim>& body) : lattice_(lattice), body_(body) {
+    for (std::size_t i = 0; i < body.particles.size(); ++i)
+      particles_.push_back({cell_of(body.particles.position(i)), i});
+    std::sort(particles_.begin(), particles_.end());
+  }
+
+  // Whether another particle lies in front of a face: along its normal nearer than one and a half edges, beside it
+  // nearer than half an edge.
+  bool covers(std::size_t i, DomainFace face) const {
+    const int axis = face == DomainFace::low_x || face == DomainFace::high_x   ? 0
+                     : face == DomainFace::low_y || face == DomainFace::high_y ? 1
+                                                                               : 2;
+    const bool low = face == DomainFace::low_x || face == DomainFace::low_y || face == DomainFace::low_z;
+    const double sign = low ? -1.0 : 1.0;
+    Vec<Dim> edge = 2 * body_.uniform_half_size;
+    if (body_.half_size)
+      for (int d = 0; d < Dim; ++d) edge[d] = 2 * body_.particles[body_.half_size][static_cast<std::size_t>(d)][i];
+    const Vec<Dim> x = body_.particles.position(i);
+    for (const double ahead : {0.5, 1.0, 1.5}) {
+      Vec<Dim> at = x;
+      at[axis] += sign * ahead * edge[axis];
+      const std::pair<Cell, std::size_t> from{cell_of(at), 0};
+      for (auto p = std::lower_bound(particles_.begin(), particles_.end(), from);
+           p != particles_.end() && p->first == from.first; ++p) {
+        Vec<Dim> offset = body_.particles.position(p->second) - x;
+        const double distance = sign * offset[axis] / edge[axis];
+        offset[axis] = 0.0;
+        if (distance > 0.25 && distance < 1.5 && (offset.array().abs() < 0.5 * edge.array()).all()) return true;
+      }
+    }
+    return false;
+  }
+
+ private:
+  using Cell = std::array<int, Dim>;
+  Cell cell_of(const Vec<Dim>& x) const {
+    Cell cell;
+    for (int d = 0; d < Dim; ++d)
+      cell[static_cast<std::size_t>(d)] =
+          static_cast<int>(std::floor((x[d] - lattice_.origin[d]) / lattice_.spacing[d]));
+    return cell;
+  }
+
+  const Lattice<Dim>& lattice_;
+  Body<Dim>& body_;
+  std::vector<std::pair<Cell, std::size_t>> particles_;
+};
+
+// For each traction, on how many particles it acts whose face lies inside their body. Bodies that are drawn by a
+// deformation do not count: their faces are turned.
+template <int Dim>
+std::vector<std::size_t> inner_faces(const Model& model, System<Dim>& system) {
+  std::vector<std::size_t> count(model.particle_conditions.size(), 0);
+  std::optional<ParticlesOfCells<Dim>> particles;
+  const Body<Dim>* of = nullptr;
+  const auto is_deformed = [&](const Body<Dim>& body) {
+    return std::any_of(model.pieces.begin(), model.pieces.end(),
+                       [&](const Piece& p) { return p.material == body.material && p.deformation; });
+  };
+  bool deformed = false;
+  each_loaded(model, system, ParticleCondition::Kind::traction,
+              [&](const ParticleCondition& c, Body<Dim>& body, std::size_t i) {
+                if (&body != of) particles.emplace(system.lattice, body), of = &body, deformed = is_deformed(body);
+                if (!deformed && particles->covers(i, c.face))
+                  ++count[static_cast<std::size_t>(&c - model.particle_conditions.data())];
+              });
+  return count;
+}
+
 }  // namespace
 
 template <int Dim>
-std::vector<std::string> describe_loads(const Model& model, System<Dim>& system) {
-  std::vector<std::string> lines;
+Remarks describe_loads(const Model& model, System<Dim>& system) {
+  Remarks out;
+  const std::vector<std::size_t> inner = inner_faces(model, system);
   const auto& conditions = model.particle_conditions;
   for (const auto kind : {ParticleCondition::Kind::force, ParticleCondition::Kind::traction}) {
     const bool traction = kind == ParticleCondition::Kind::traction;
@@ -82,13 +160,20 @@ std::vector<std::string> describe_loads(const Model& model, System<Dim>& system)
         text += format(", %s%.5g in all", changes ? "up to " : "", sum);
         if (!traction && !conditions[k].net && count > 1) text += ", the value given is for each of them";
       }
-      lines.push_back(text);
+      out.lines.push_back(text);
+      const std::string where = conditions[k].origin.file ? " of " + conditions[k].origin.text() : "";
+      if (traction && inner[k] > 0)
+        out.advice.push_back(
+            format("the traction%s acts inside its body: %zu of its %zu particles have another one in front of the "
+                   "loaded face; select only the outermost layer, with two particles per cell and axis a strip of "
+                   "half a cell",
+                   where.c_str(), inner[k], count));
     }
   }
-  return lines;
+  return out;
 }
 
-template std::vector<std::string> describe_loads(const Model&, System<2>&);
-template std::vector<std::string> describe_loads(const Model&, System<3>&);
+template Remarks describe_loads(const Model&, System<2>&);
+template Remarks describe_loads(const Model&, System<3>&);
 
 }  // namespace tribo

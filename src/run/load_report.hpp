@@ -2,16 +2,15 @@
 /// The forces and tractions on particles, for the summary of a model.
 #pragma once
 
+#include "run/remarks.hpp"
 #include "solver/state/system.hpp"
-
-#include <string>
-#include <vector>
 
 namespace tribo {
 
 /// A line for each condition on particles: how many particles it acts on, and the largest total force until the end of
-/// the run. Values are those at the initial positions; tractions act on the initial areas.
+/// the run. Values are those at the initial positions; tractions act on the initial areas. Advice on tractions that act
+/// inside a body.
 template <int Dim>
-std::vector<std::string> describe_loads(const Model& model, System<Dim>& system);
+Remarks describe_loads(const Model& model, System<Dim>& system);
 
 }  // namespace tribo

@@ -64,7 +64,7 @@ class Report {
     pressures();
     if (sudden_gravity(model_).slips && has_neighbours(model_, system_)) advice_.push_back(sudden_gravity_advice());
     for (auto& edge : bare_edges(model_)) advice_.push_back(std::move(edge));
-    for (const auto& load : describe_loads(model_, system_)) line(load);
+    take(describe_loads(model_, system_));
     cracks();
     travel();
     steps();
@@ -284,7 +284,9 @@ class Report {
     // known only with the nodal masses of a first step
     stepper_.advance(0.1 * step_.size);
     const double stable = stepper_.joints().stable_step();
-    if (stable < 1e300) line(format("joints: stable up to steps of %.6g", stable));
+    const bool joints = std::any_of(system_.joints.begin(), system_.joints.end(),
+                                    [](const auto& surface) { return !surface.interface; });
+    if (stable < 1e300) line(format("%s: stable up to steps of %.6g", joints ? "joints" : "interfaces", stable));
     if (stable < 0.2 * step_.size)
       advice_.push_back(
           format("the joints shorten the step by a factor of %.2g; stiffnesses of a few times modulus over "

@@ -176,6 +176,17 @@ TEST_CASE("the summary reports points, area and time step of a joint between mat
   CHECK_THAT(with("1000"), Contains("the joints shorten the step"));
 }
 
+TEST_CASE("the summary warns of tractions on faces inside a body", "[preflight]") {
+  const auto with = [](const std::string& from) {
+    return one_block(
+        "<Rect xmin='4' xmax='8' ymin='2' ymax='6'/>",
+        "<ParticleBCs><BCShape><Rect xmin='" + from +
+            "' xmax='8' ymin='2' ymax='6'/><TractionBC dir='1' face='2' stress='1'/></BCShape></ParticleBCs>");
+  };
+  CHECK_THAT(with("7.5"), Contains("traction along x: on 8 particles") && !Contains("inside its body"));
+  CHECK_THAT(with("7"), Contains("acts inside its body: 8 of its 16 particles"));
+}
+
 TEST_CASE("the summary reports the time step that joints allow", "[preflight]") {
   const auto with = [](const std::string& stiffness) {
     return sheet("2", "",

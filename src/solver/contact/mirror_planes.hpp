@@ -2,7 +2,6 @@
 /// Mirror images of particles in the symmetry planes of the grid.
 #pragma once
 
-#include "model/scheme.hpp"
 #include "solver/state/particle_domain.hpp"
 
 #include <array>
