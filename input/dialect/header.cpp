@@ -89,8 +89,7 @@ void add_header(Rows& add) {
   add({"TimeFactor",
        "MPMHeader Stage",
        "Courant number: number of cells that the fastest wave may travel in a time step; in (0, 1], default 0.5. Some "
-       "schemes "
-       "need smaller steps, and the summary says what determines the step",
+       "schemes need smaller steps, and the summary says what determines the step",
        T::number,
        {},
        true});

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -68,14 +68,12 @@ class ParticlesOfCells {
     std::sort(particles_.begin(), particles_.end());
   }
 
-  // Whether another particle lies in front of a face: along its normal nearer than one and a half edges, beside it
-  // nearer than half an edge.
-  bool covers(std::size_t i, DomainFace face) const {
-    const int axis = face == DomainFace::low_x || face == DomainFace::high_x   ? 0
-                     : face == DomainFace::low_y || face == DomainFace::high_y ? 1
-                                                                               : 2;
-    const bool low = face == DomainFace::low_x || face == DomainFace::low_y || face == DomainFace::low_z;
-    const double sign = low ? -1.0 : 1.0;
+  // Whether another particle lies in front of a face with this outward normal: along it nearer than one and a half
+  // edges, beside it nearer than half an edge.
+  bool covers(std::size_t i, const Vec3& normal) const {
+    Eigen::Index axis;
+    normal.cwiseAbs().maxCoeff(&axis);
+    const double sign = normal[axis] < 0 ? -1.0 : 1.0;
     Vec<Dim> edge = 2 * body_.uniform_half_size;
     if (body_.half_size)
       for (int d = 0; d < Dim; ++d) edge[d] = 2 * body_.particles[body_.half_size][static_cast<std::size_t>(d)][i];
@@ -115,7 +113,7 @@ class ParticlesOfCells {
 template <int Dim>
 std::vector<std::size_t> inner_faces(const Model& model, System<Dim>& system) {
   std::vector<std::size_t> count(model.particle_conditions.size(), 0);
-  std::optional<ParticlesOfCells<Dim>> particles;
+  std::unique_ptr<ParticlesOfCells<Dim>> particles;
   const Body<Dim>* of = nullptr;
   const auto is_deformed = [&](const Body<Dim>& body) {
     return std::any_of(model.pieces.begin(), model.pieces.end(),
@@ -124,8 +122,11 @@ std::vector<std::size_t> inner_faces(const Model& model, System<Dim>& system) {
   bool deformed = false;
   each_loaded(model, system, ParticleCondition::Kind::traction,
               [&](const ParticleCondition& c, Body<Dim>& body, std::size_t i) {
-                if (&body != of) particles.emplace(system.lattice, body), of = &body, deformed = is_deformed(body);
-                if (!deformed && particles->covers(i, c.face))
+                if (&body != of) {
+                  particles = std::make_unique<ParticlesOfCells<Dim>>(system.lattice, body);
+                  of = &body, deformed = is_deformed(body);
+                }
+                if (!deformed && particles->covers(i, ParticleFace<Dim>::of(system, body, i, c.face).normal))
                   ++count[static_cast<std::size_t>(&c - model.particle_conditions.data())];
               });
   return count;
@@ -161,13 +162,13 @@ Remarks describe_loads(const Model& model, System<Dim>& system) {
         if (!traction && !conditions[k].net && count > 1) text += ", the value given is for each of them";
       }
       out.lines.push_back(text);
+      if (!traction || inner[k] == 0) continue;
       const std::string where = conditions[k].origin.file ? " of " + conditions[k].origin.text() : "";
-      if (traction && inner[k] > 0)
-        out.advice.push_back(
-            format("the traction%s acts inside its body: %zu of its %zu particles have another one in front of the "
-                   "loaded face; select only the outermost layer, with two particles per cell and axis a strip of "
-                   "half a cell",
-                   where.c_str(), inner[k], count));
+      out.advice.push_back(
+          format("the traction%s acts inside its body: %zu of its %zu particles have another one in front of the "
+                 "loaded face; select only the outermost layer, with two particles per cell and axis a strip of "
+                 "half a cell",
+                 where.c_str(), inner[k], count));
     }
   }
   return out;

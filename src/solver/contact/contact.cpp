@@ -51,7 +51,7 @@ Contact<Dim>::Contact(const Model& model, System<Dim>& system, const Transfers<D
       active_(system.fields.size() > 1),
       keeps_start_impulses_(active_ && tribo::keeps_start_impulses(model.scheme.transfer)),
       bodies_(bodies_with_field(system)),
-      planes_(model.grid),
+      planes_(model.grid, system.lattice),
       cloud_(system.lattice, particle_reach(model.scheme.kernel) * system.lattice.spacing.maxCoeff(), planes_),
       search_(system, laws_),
       volumes_(system, transfers),

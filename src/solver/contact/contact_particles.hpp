@@ -30,7 +30,7 @@ void each_pair_near(const ContactSearch<Dim>& search, const Lattice<Dim>& lattic
     if constexpr (Dim == 3) n[2] = low[2] + k / (nodes_per_axis * nodes_per_axis);
     const Vec<Dim> distance = particle.x - lattice.position(n);
     if (!(particle_weight<Dim>(distance, lattice.spacing) > 0)) continue;
-    const Vec<Dim> signs = planes.reflect(n, lattice);
+    const Vec<Dim> signs = planes.reflect(n);
     const ContactNode<Dim>* node = search.node_at(n);
     if (!node) continue;
     for (const ContactPair& pair : contacts.pairs_of(*node)) {

@@ -23,8 +23,14 @@ class MirrorPlanes {
   static constexpr std::uint32_t image_count = Dim == 2 ? 9 : 27;
 
   MirrorPlanes() = default;
-  explicit MirrorPlanes(const GridSpec& grid) {
-    for (std::size_t d = 0; d < Dim; ++d) at_[d] = grid.symmetry[d];
+  MirrorPlanes(const GridSpec& grid, const Lattice<Dim>& lattice) {
+    for (std::size_t d = 0; d < Dim; ++d) {
+      at_[d] = grid.symmetry[d];
+      const auto axis = static_cast<Eigen::Index>(d);
+      for (std::size_t end = 0; end < 2; ++end)
+        if (at_[d][end])
+          node_[d][end] = static_cast<int>(std::lround((*at_[d][end] - lattice.origin[axis]) / lattice.spacing[axis]));
+    }
     for (std::uint32_t image = 1; image < image_count; ++image)
       if (exists(image)) images_.push_back(image);
   }
@@ -54,22 +60,22 @@ class MirrorPlanes {
   }
   /// Replaces a node beyond the planes by the node whose image it is. Returns the signs of the components of vectors of
   /// the one at the other.
-  Vec<Dim> reflect(Index<Dim>& node, const Lattice<Dim>& lattice) const {
+  Vec<Dim> reflect(Index<Dim>& node) const {
     Vec<Dim> signs = Vec<Dim>::Ones();
+    if (images_.empty()) return signs;
     for (std::size_t d = 0; d < Dim; ++d)
       for (std::size_t end = 0; end < 2; ++end) {
-        if (!at_[d][end]) continue;
-        const auto axis = static_cast<Eigen::Index>(d);
-        const auto plane = static_cast<int>(std::lround((*at_[d][end] - lattice.origin[axis]) / lattice.spacing[axis]));
-        if (end == 0 ? node[d] >= plane : node[d] <= plane) continue;
+        const int plane = node_[d][end];
+        if (!at_[d][end] || (end == 0 ? node[d] >= plane : node[d] <= plane)) continue;
         node[d] = 2 * plane - node[d];
-        signs[axis] = -1.0;
+        signs[static_cast<Eigen::Index>(d)] = -1.0;
       }
     return signs;
   }
 
  private:
   std::array<std::array<std::optional<double>, 2>, Dim> at_{};  // coordinates, by axis and end [length]
+  std::array<std::array<int, 2>, Dim> node_{};                  // their nodes along the axis
   std::vector<std::uint32_t> images_;
 };
 
