@@ -25,7 +25,7 @@ void Stepper<Dim>::advance(double dt) {
   } else if (contact_.keeps_start_impulses()) {
     divide_by_mass();
     find_contact();
-    contact_.apply(dt, ContactPass::predictor);
+    contact_.apply(dt, contact_.start_pass());
     update_momentum(dt, Known::velocity);
   } else {
     update_momentum(dt, Known::momentum);
@@ -123,7 +123,7 @@ void Stepper<Dim>::update_stress_first(double dt) {
   const double part = half ? 0.5 * dt : dt;
   divide_by_mass();
   find_contact();
-  contact_.apply(dt, contact_.strain_pass());
+  contact_.apply(dt, contact_.start_pass());
   impose(system_.time, dt);
   copy_images();
   if (filter_.active()) filter_.filter(0.0, false);
@@ -162,7 +162,7 @@ void Stepper<Dim>::strain_again(double dt, double strain_dt) {
   scatter(Scatter::momentum, true);
   sum_images(ImageValues::vectors);
   divide_by_mass();
-  contact_.apply(dt, contact_.strain_pass());
+  contact_.apply(dt, contact_.start_pass());
   impose(system_.time + dt, dt);
   copy_images();
   if (filter_.active()) filter_.filter(0.0, true);

@@ -72,7 +72,7 @@ void VelocityFilter<Dim>::filter(double dt, bool from_start) {
         for (int d = 0; d < 3; ++d) filter.increment[d] -= scattered.momentum[d] / node.mass;
       });
     });
-    contact_.constrain_increments(dt > 0 ? ContactPass::corrector : contact_.strain_pass());
+    contact_.constrain_increments(dt > 0 ? ContactPass::corrector : contact_.start_pass());
     each_field([&](std::size_t f, Field<Dim>& field) {
       if (dt > 0)
         conditions_[f].release(field.filter, *exchanges_[f]);

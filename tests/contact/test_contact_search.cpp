@@ -206,13 +206,14 @@ TEST_CASE("the search knows the pairs that friction held in the last step", "[co
   fields.set_mass(0, 7, 8, 1.0), fields.set_mass(1, 7, 8, 1.0);
   search.locate();
   search.find(fields.exchanges);
-  std::vector<std::array<std::int64_t, 3>> stuck;
+  std::vector<std::array<std::int64_t, 3>> stuck_pairs;
   for (const auto& node : search.found().nodes)
     for (const auto& pair : search.found().pairs_of(node)) {
       const auto field = [&](std::size_t m) { return static_cast<std::int64_t>(search.found().members[m].field); };
-      if (pair.stuck) stuck.push_back({node.index[0] - Lattice<2>::padding, field(pair.a), field(pair.b)});
+      if (tribo::stuck(pair, Vec3(0.6, 0.8, 0)))
+        stuck_pairs.push_back({node.index[0] - Lattice<2>::padding, field(pair.a), field(pair.b)});
     }
-  CHECK(stuck == std::vector<std::array<std::int64_t, 3>>{{9, 1, 2}});
+  CHECK(stuck_pairs == std::vector<std::array<std::int64_t, 3>>{{9, 1, 2}});
 }
 
 TEST_CASE("two deformable bodies at a node form a pair also where a rigid body is at it", "[contact][search]") {

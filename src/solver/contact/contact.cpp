@@ -18,13 +18,6 @@ bool keeps_start_impulses(Transfer transfer) {
   return transfer == Transfer::flip || transfer == Transfer::blend || transfer == Transfer::xpic;
 }
 
-// The fraction of the mean mass below which nodes are light at the start of a step, see FaceConstraints. FLIP keeps the
-// velocities of particles that the grid does not see. With 0.3, a stiff disc that touches a soft body along two cells
-// gains energy without limit with GIMP. With CPDI it does not, and thin plates gain up to 4 per cent with 1.
-double light_at_start(const Scheme& scheme) {
-  return keeps_start_impulses(scheme.transfer) && scheme.kernel != Kernel::cpdi ? 1.0 : 0.3;
-}
-
 template <int Dim>
 std::vector<Body<Dim>*> bodies_with_field(System<Dim>& system) {
   std::vector<Body<Dim>*> bodies;
@@ -50,6 +43,7 @@ Contact<Dim>::Contact(const Model& model, System<Dim>& system, const Transfers<D
       laws_(model, system),
       active_(system.fields.size() > 1),
       keeps_start_impulses_(active_ && tribo::keeps_start_impulses(model.scheme.transfer)),
+      start_pass_(model.scheme.transfer == Transfer::xpic ? Pass::predictor : Pass::held),
       bodies_(bodies_with_field(system)),
       planes_(model.grid, system.lattice),
       cloud_(system.lattice, particle_reach(model.scheme.kernel) * system.lattice.spacing.maxCoeff(), planes_),
@@ -58,7 +52,7 @@ Contact<Dim>::Contact(const Model& model, System<Dim>& system, const Transfers<D
       finder_(model, system, cloud_, laws_),
       cache_(system, active_ && can_keep_faces(model, laws_), planes_),
       node_impulses_(system, search_.found()),
-      face_solver_(system, light_at_start(model.scheme)),
+      face_solver_(system),
       memory_(system, search_, cloud_, bodies_),
       ledger_(system),
       h_(system.lattice.spacing.maxCoeff()) {}

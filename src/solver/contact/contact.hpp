@@ -37,10 +37,9 @@ class Contact {
   /// Transfers that replace the particle velocities use the predictor for strains only, and the corrector gives the
   /// whole impulse of the step.
   bool keeps_start_impulses() const { return keeps_start_impulses_; }
-  /// How contact acts on the velocities that strain the particles: `held` if the particles take over the nodal
-  /// velocities. Velocities extrapolated from those of FLIP and XPIC differ from the nodal ones by more than the
-  /// smoothing near a face, so the laws act on them.
-  Pass strain_pass() const { return keeps_start_impulses_ ? Pass::predictor : Pass::held; }
+  /// How contact acts before the momentum update. The particle velocities of XPIC take over the changes of the
+  /// predictor.
+  Pass start_pass() const { return start_pass_; }
 
   /// Finds the blocks that fields share; to be called after every change of the fields' maps.
   void locate();
@@ -108,6 +107,7 @@ class Contact {
   Cracks<Dim>& cracks_;
   ContactLaws<Dim> laws_;
   bool active_, keeps_start_impulses_;
+  Pass start_pass_;
   std::vector<Body<Dim>*> bodies_;  // those with a field: deformable, then rigid
   MirrorPlanes<Dim> planes_;
   ParticleCloud<Dim> cloud_;  // particles around the contact nodes whose faces are found in this step

@@ -13,42 +13,44 @@ namespace tribo {
 
 /// The ways in which contact acts on the nodal velocities in a step.
 enum class ContactPass {
-  predictor,  ///< on extrapolated velocities, by the laws, before a strain update
-  held,       ///< the same, but faces on which an impulse acted keep the relative velocity of the last momentum update
+  predictor,  ///< on extrapolated velocities, before a strain update; the particles take over the changes
+  held,       ///< the same, but the changes only strain the particles: they are the adjoint of the last corrector
   corrector   ///< after the momentum update; its impulse is the contact impulse of the step
 };
 
+/// Whether friction held the faces of a pair in the last momentum update. Without friction a pair without tangential
+/// motion has the status stick, too, but no tangential impulse.
+inline bool stuck(const ContactPair& pair, const Vec3& normal) {
+  constexpr double round_off = 1e-12;
+  const Vec3& impulse = pair.update_impulse;
+  return pair.update_status == ContactStatus::stick &&
+         (impulse - impulse.dot(normal) * normal).norm() > round_off * impulse.norm();
+}
+
 /// The response of the law of a pair in a state.
 ///
-/// In the predictor, faces that friction held in the last momentum update (ContactPair::stuck) do not slide. The
-/// extrapolated velocities of two bodies that stick differ, since the particles keep motions that the nodes do not see.
-/// The impulse that removes this difference has nothing to do with the pressure between the bodies, so the frictional
-/// limit of the law does not apply to it. With the limit most nodes would slide in the predictor, with two
-/// consequences. The strains of USF, USAVG and the "+" variants would belong to faces that slide, the forces to faces
-/// that stick, which adds energy in every step. And FLIP would give the difference to the corrector as a shear impulse.
+/// Before the momentum update, faces that an impulse held in the last update keep the relative velocity of that update:
+/// along the face if friction held them, and, in the pass `held`, along the normal. Everything else follows from the
+/// law. The changes of velocity in `held` are thereby the adjoint of what the impulses of the corrector do to the
+/// particles: impulses and strains do the same work with opposite signs, and contact creates no energy. By the law
+/// alone, faces under pressure would be held while the extrapolated velocities approach, in loading, but not while they
+/// separate, in unloading, and each such cycle would add energy. Similarly, the frictional limit of the law does not
+/// apply to the impulse that holds faces which stick, as it removes motions of the particles that the nodes do not see
+/// and has nothing to do with the pressure between the bodies.
 ///
-/// `held` does the same for the normal direction, too. The work of an impulse is its product with the velocity that
-/// strains the bodies. By the law, faces under pressure would be held while the extrapolation makes them approach, in
-/// loading, but not while it makes them separate, in unloading: contact would create energy. A film of liquid holds
-/// faces in the normal direction only; its drag follows from the extrapolated velocities. Where a law makes two fields
-/// one (IgnoreContact), they stick in every pass, to the last digit like one field.
+/// A film of liquid holds faces in the normal direction only; its drag follows from the extrapolated velocities. Where
+/// a law makes two fields one (IgnoreContact), they stick in every pass, to the last digit like one field.
 inline ContactResponse response_of(const ContactPair& pair, const ContactState& m, ContactPass pass) {
   ContactResponse out = pair.law->response(m);
-  if (pass == ContactPass::corrector) return out;
-  const auto holds = [&] { return pair.law->uses_face() && !pair.law->interface(); };
-  if (pass == ContactPass::held && !pair.update_impulse.isZero(0) && holds()) {
-    // A node that particles hardly reached in the last update may have had any velocity there. Once more of a body
-    // reaches it, this velocity has the weight of the mass it belonged to.
-    const double mass = std::min(m.mass, 2 * pair.update_mass);
-    const Vec3 held = mass * (m.velocity - pair.end_velocity);
-    if (pair.law->liquid() != 0)
-      out.impulse += (held - out.impulse).dot(m.normal) * m.normal;
-    else
-      out.impulse = held;
-  } else if (pair.stuck) {
-    const Vec3 slide = m.velocity - m.velocity.dot(m.normal) * m.normal;
-    out.impulse = out.impulse.dot(m.normal) * m.normal + m.mass * slide;
-  }
+  const bool holds = pair.law->uses_face() && !pair.law->interface() && !pair.update_impulse.isZero(0);
+  if (pass == ContactPass::corrector || !holds) return out;
+  // A node that particles hardly reached in the last update may have had any velocity there. Once more of a body
+  // reaches it, this velocity has the weight of the mass it belonged to.
+  const double mass = std::min(m.mass, 2 * pair.update_mass);
+  const Vec3 change = mass * (m.velocity - pair.end_velocity) - out.impulse;
+  const Vec3 normal = change.dot(m.normal) * m.normal;
+  if (pass == ContactPass::held) out.impulse += normal;
+  if (pair.law->liquid() == 0 && stuck(pair, m.normal)) out.impulse += change - normal;
   return out;
 }
 

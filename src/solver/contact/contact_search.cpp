@@ -145,13 +145,13 @@ void ContactSearch<Dim>::list_pairs(ContactNode<Dim>& node, std::int64_t place) 
       const KeptPair self{place,
                           static_cast<std::int64_t>(of_a.field),
                           static_cast<std::int64_t>(of_b.field),
-                          false,
+                          ContactStatus::open,
                           Vec3::Zero(),
                           Vec3::Zero(),
                           0.0};
       while (kept != kept_.end() && kept->precedes(self)) ++kept;
       if (kept != kept_.end() && !self.precedes(*kept))
-        pair.stuck = kept->stuck, pair.update_impulse = kept->impulse, pair.end_velocity = kept->velocity,
+        pair.update_status = kept->status, pair.update_impulse = kept->impulse, pair.end_velocity = kept->velocity,
         pair.update_mass = kept->mass;
     }
   node.end_pair = next;
@@ -163,20 +163,15 @@ std::int64_t ContactSearch<Dim>::place_of(std::int64_t number) const {
          number % block_nodes<Dim>;
 }
 
-// Without friction a pair without tangential motion has the status stick, too, but no tangential impulse.
 template <int Dim>
 void ContactSearch<Dim>::remember_pairs() {
-  constexpr double round_off = 1e-12;
   kept_.clear();
   for (const ContactNode<Dim>& node : found_.nodes)
-    for (ContactPair& pair : found_.pairs_of(node)) {
-      const Vec3 &impulse = pair.update_impulse, &n = pair.state.normal;
-      pair.stuck = pair.update_status == ContactStatus::stick &&
-                   (impulse - impulse.dot(n) * n).norm() > round_off * impulse.norm();
-      if (!pair.stuck && impulse.isZero(0)) continue;
+    for (const ContactPair& pair : found_.pairs_of(node)) {
+      if (pair.update_impulse.isZero(0)) continue;
       const auto field = [&](std::size_t member) { return static_cast<std::int64_t>(found_.members[member].field); };
-      kept_.push_back({place_of(node.number), field(pair.a), field(pair.b), pair.stuck, impulse, pair.end_velocity,
-                       pair.update_mass});
+      kept_.push_back({place_of(node.number), field(pair.a), field(pair.b), pair.update_status, pair.update_impulse,
+                       pair.end_velocity, pair.update_mass});
     }
 }
 

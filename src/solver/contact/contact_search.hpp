@@ -28,8 +28,7 @@ class ContactSearch {
   /// crack 0 and no law; Cracks then finds which crack it is. `exchanges`: one for each field.
   void find(const Exchanges<Dim>& exchanges);
 
-  /// Sets ContactPair::stuck after a momentum update, and keeps it, the impulses and the velocities for the next
-  /// find().
+  /// Keeps the impulses and velocities of a momentum update for the next find().
   void remember_pairs();
 
   /// What was found.
@@ -39,11 +38,11 @@ class ContactSearch {
   const ContactNode<Dim>* node_at(const Index<Dim>& index) const;
 
   friend void archive(Archive& a, ContactSearch& search) {
-    a.version(4);
+    a.version(5);
     std::vector<std::int64_t> numbers;
     std::vector<double> impulses, velocities, masses;
     for (const KeptPair& pair : search.kept_) {
-      numbers.insert(numbers.end(), {pair.place, pair.a, pair.b, pair.stuck ? 1 : 0});
+      numbers.insert(numbers.end(), {pair.place, pair.a, pair.b, static_cast<std::int64_t>(pair.status)});
       impulses.insert(impulses.end(), pair.impulse.begin(), pair.impulse.end());
       velocities.insert(velocities.end(), pair.velocity.begin(), pair.velocity.end());
       masses.push_back(pair.mass);
@@ -59,7 +58,7 @@ class ContactSearch {
       search.kept_[k] = {n[0],
                          n[1],
                          n[2],
-                         n[3] != 0,
+                         static_cast<ContactStatus>(n[3]),
                          Eigen::Map<const Vec3>(impulses.data() + 3 * k),
                          Eigen::Map<const Vec3>(velocities.data() + 3 * k),
                          masses[k]};
@@ -71,7 +70,7 @@ class ContactSearch {
   struct KeptPair {
     std::int64_t place;  // position of the node among those of all blocks of the lattice
     std::int64_t a, b;   // fields
-    bool stuck;
+    ContactStatus status;
     Vec3 impulse, velocity;
     double mass;
     bool precedes(const KeptPair& other) const {

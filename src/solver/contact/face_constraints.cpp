@@ -114,13 +114,10 @@ void FaceConstraints<Dim>::find_terms(Constraint& c, std::span<const ContactMemb
   ContactPair& pair = *c.pair;
   for (const auto& [member, sign] : {std::pair{&members[pair.a], -1.0}, std::pair{&members[pair.b], 1.0}}) {
     const std::size_t first = c.term_count;
-    double& mean_mass = c.mean_mass[sign < 0 ? 0 : 1];
-    mean_mass = c.has_face ? add_face_terms(c, *member, sign) : 0.0;
-    if (c.term_count == first) {
+    if (c.has_face) add_face_terms(c, *member, sign);
+    if (c.term_count == first)
       c.all_terms[c.term_count++] = {static_cast<std::uint32_t>(member->field), 0, member->node, sign,
                                      ComponentSigns(0, c.node->mirrored_axes)};
-      mean_mass = member->mass;
-    }
     if (member->inverse_mass > 0.0) continue;
     pair.rigid_velocity.setZero();
     for (std::size_t t = first; t < c.term_count; ++t)
@@ -132,9 +129,9 @@ void FaceConstraints<Dim>::find_terms(Constraint& c, std::span<const ContactMemb
 }
 
 // Adds the terms of the velocity of a body at the face, if it reaches a node around each of two points at the same
-// distance from the face, on either side of it. Returns the mean mass of the nodes.
+// distance from the face, on either side of it.
 template <int Dim>
-double FaceConstraints<Dim>::add_face_terms(Constraint& c, const ContactMember& member, double sign) const {
+void FaceConstraints<Dim>::add_face_terms(Constraint& c, const ContactMember& member, double sign) const {
   const ContactPair& pair = *c.pair;
   const std::size_t first = c.term_count;
   const Vec3 across = 2 * pair.face_position * pair.state.normal;
@@ -146,19 +143,13 @@ double FaceConstraints<Dim>::add_face_terms(Constraint& c, const ContactMember& 
   }
   if (near.terms.empty() || image.terms.empty()) {
     c.term_count = first;
-    return 0.0;
+    return;
   }
   const double mean_mass = 0.5 * (near.mean_mass + image.mean_mass);
   scale_weights(near, mean_mass), scale_weights(image, mean_mass);
   const double share = image_share(pair.face_position - near.distance, image.distance - near.distance);
-  double weighted_mass = 0.0;
   for (const auto& [point, part] : {std::pair{&near, 1 - share}, std::pair{&image, share}})
-    for (FaceTerm& t : point->terms) {
-      t.weight *= part / point->weight;
-      weighted_mass += t.weight * mass_of(system_, t);
-      t.weight *= sign;
-    }
-  return weighted_mass;
+    for (FaceTerm& t : point->terms) t.weight *= sign * part / point->weight;
 }
 
 // Replaces a node beyond symmetry planes by its mirror image, and returns the signs of its velocity.
@@ -244,11 +235,7 @@ void FaceConstraints<Dim>::number_velocities() {
         added.inverse_mass = 1.0 / ((*exchanges_)[term.field]->ownership(term.node) * mass_of(system_, term));
       }
       term.velocity = static_cast<std::uint32_t>(number);
-      FaceVelocity& p = velocities_[term.velocity];
-      p.mean_mass = std::max(p.mean_mass, c.mean_mass[term.weight < 0 ? 0 : 1]);
     }
-  for (FaceVelocity& p : velocities_)
-    p.start_share = std::min(1.0, mass_of(system_, p.field, p.node) / (light_at_start_ * p.mean_mass));
 }
 
 template <int Dim>

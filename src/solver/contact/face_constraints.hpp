@@ -18,9 +18,7 @@ namespace tribo {
 struct FaceVelocity {
   std::uint32_t field;
   std::int64_t node;
-  double inverse_mass;       ///< of the part of the nodal mass that is inside the symmetry planes
-  double mean_mass = 0.0;    ///< the largest mean of the nodes of a constraint with this one       [mass]
-  double start_share = 1.0;  ///< of the change of velocity that is made at the start of the step
+  double inverse_mass;  ///< of the part of the nodal mass that is inside the symmetry planes
 };
 
 /// The signs with which the components of a nodal velocity enter the velocity at a face. All are one, except next to
@@ -65,14 +63,13 @@ struct FaceConstraint {
   bool has_face = false;  ///< else the law acts on the velocities of the node itself
   std::size_t term_count = 0;
   std::array<FaceTerm, max_terms> all_terms;
-  std::array<double, 2> mean_mass{};  ///< of the nodes of each body, weighted                           [mass]
-  double effective_mass = 0.0;        ///< impulse over change of relative velocity if no other pair acts [mass]
-  double lumped_mass = 0.0;           ///< smaller: also stable if all pairs that share nodes act at once [mass]
+  double effective_mass = 0.0;  ///< impulse over change of relative velocity if no other pair acts [mass]
+  double lumped_mass = 0.0;     ///< smaller: also stable if all pairs that share nodes act at once [mass]
 
   /// Starts anew without terms, which a constraint of the step before may have.
   void begin(ContactPair& its_pair, const ContactNode<Dim>& its_node, bool face) {
     pair = &its_pair, node = &its_node, has_face = face;
-    term_count = 0, mean_mass = {};
+    term_count = 0;
   }
   std::span<const FaceTerm> terms() const { return {all_terms.data(), term_count}; }
 };
@@ -96,9 +93,7 @@ struct FaceGroup {
 template <int Dim>
 class FaceConstraints {
  public:
-  /// `light_at_start`: at the start of the step contact changes nodes with less than this fraction of the mean mass of
-  /// the nodes of a constraint in part only, see FaceVelocity::start_share.
-  FaceConstraints(System<Dim>& system, double light_at_start) : system_(system), light_at_start_(light_at_start) {}
+  explicit FaceConstraints(System<Dim>& system) : system_(system) {}
 
   /// Takes over all pairs of the nodes at which some pair has a face, and sets ContactNode::solved_on_faces. The pairs
   /// must stay where they are in memory as long as the constraints are used.
@@ -118,7 +113,7 @@ class FaceConstraints {
   void list_constraints(ContactNodes<Dim>& contacts);
   void find_terms(Constraint& c, std::span<const ContactMember> members) const;
   ComponentSigns fold(std::size_t field, Index<Dim>& node) const;
-  double add_face_terms(Constraint& c, const ContactMember& member, double sign) const;
+  void add_face_terms(Constraint& c, const ContactMember& member, double sign) const;
   struct Point;
   Point add_point(Constraint& c, std::size_t field, const Vec3& offset) const;
   void scale_weights(Point& point, double mean_mass) const;
@@ -128,7 +123,6 @@ class FaceConstraints {
   void each_constraint(F&& f);
 
   System<Dim>& system_;
-  double light_at_start_;
   const Exchanges<Dim>* exchanges_ = nullptr;  // of this step
   std::vector<Constraint> constraints_;
   std::vector<FaceGroup> groups_;

@@ -14,7 +14,6 @@ namespace {
 constexpr int jacobi_sweeps = 5;
 constexpr int max_sweeps_from_rest = 50;  // Gauss-Seidel sweeps if no impulses of the last step are known
 constexpr int max_sweeps = 10;            // if they are
-constexpr int max_predictor_sweeps = 4;   // in the predictor, whose remaining errors the corrector removes
 constexpr double tolerance = 1e-8;        // of the impulses, relative
 
 }  // namespace
@@ -42,7 +41,7 @@ void FaceSolver<Dim>::set_up(ContactNodes<Dim>& contacts, const Exchanges<Dim>& 
     }
     row.end = static_cast<std::uint32_t>(weights_.size());
   }
-  changes_.resize(velocities.size()), start_changes_.resize(velocities.size());
+  changes_.resize(velocities.size());
   group_changes_.resize(constraints_.groups().size());
 }
 
@@ -126,27 +125,6 @@ void FaceSolver<Dim>::distribute(const Row& row, const Vec3& impulse) {
   }
 }
 
-// Applies an impulse at the start of the step. Light nodes take a share of it, see FaceVelocity::start_share, and so do
-// the others of the side whose nodes are heavier, so that both sides receive equally much: momentum is conserved.
-template <int Dim>
-void FaceSolver<Dim>::distribute_at_start(const Row& row) {
-  std::array<double, 2> taken{};  // by each side
-  std::array<bool, 2> moves{};    // false: a rigid body
-  const auto side_of = [](const Weight& t) -> std::size_t { return t.weight < 0 ? 0 : 1; };
-  const auto share_of = [&](const Weight& t) { return constraints_.velocities()[t.velocity].start_share; };
-  for (std::uint32_t t = row.first; t < row.end; ++t) {
-    moves[side_of(weights_[t])] = true;
-    taken[side_of(weights_[t])] += std::abs(weights_[t].weight) * share_of(weights_[t]);
-  }
-  const double both = moves[0] && moves[1] ? std::min(taken[0], taken[1]) : std::max(taken[0], taken[1]);
-  for (std::uint32_t t = row.first; t < row.end; ++t) {
-    const Weight& w = weights_[t];
-    start_changes_[w.velocity].template head<3>() -=
-        w.over_mass * share_of(w) * (both / taken[side_of(w)]) * w.signs.of(row.impulse);
-  }
-  row.pair->at_start = both * row.impulse;
-}
-
 // All pairs read the same velocities.
 template <int Dim>
 void FaceSolver<Dim>::sweep_all_at_once(ContactPass pass) {
@@ -188,9 +166,7 @@ template <int Dim>
 void FaceSolver<Dim>::solve(ContactPass pass) {
   for (int sweep = 0; sweep < jacobi_sweeps; ++sweep) sweep_all_at_once(pass);
   const bool from_rest = std::all_of(rows_.begin(), rows_.end(), [](const Row& row) { return row.size_before == 0.0; });
-  const int most = from_rest                        ? max_sweeps_from_rest
-                   : pass == ContactPass::predictor ? max_predictor_sweeps
-                                                    : max_sweeps;
+  const int most = from_rest ? max_sweeps_from_rest : max_sweeps;
   for (int sweep = 0; sweep < most; ++sweep)
     if (sweep_one_by_one(sweep % 2 != 0, pass)) break;
   each_row([&](Row& row) {
@@ -231,21 +207,13 @@ void FaceSolver<Dim>::apply(double dt, ContactPass pass) {
     for (std::size_t k = groups[g].first; k < groups[g].end; ++k) distribute(rows_[k], rows_[k].impulse);
   });
   solve(pass);
-  if (pass == ContactPass::corrector) each_row([](Row& row) { row.pair->applied = row.impulse; });
-  given_ = pass != ContactPass::corrector ? &start_changes_ : &changes_;
-  if (pass != ContactPass::corrector) {
-    std::fill(start_changes_.begin(), start_changes_.end(), Eigen::Vector4d::Zero());
-    each_group(false, [&](std::size_t g) {
-      for (std::size_t k = groups[g].first; k < groups[g].end; ++k) distribute_at_start(rows_[k]);
-    });
-    return each_velocity(start_changes_, [&](const FaceVelocity& of, const Vec3& change) {
-      Eigen::Map<Vec3>(system_.fields[of.field].nodes[static_cast<std::size_t>(of.node)].velocity) += change;
-    });
-  }
+  const bool corrects = pass == ContactPass::corrector;
+  if (!corrects) start_changes_ = changes_;
+  each_row([&](Row& row) { (corrects ? row.pair->applied : row.pair->at_start) = row.impulse; });
   each_velocity(changes_, [&](const FaceVelocity& of, const Vec3& change) {
     Node& node = system_.fields[of.field].nodes[static_cast<std::size_t>(of.node)];
     Eigen::Map<Vec3>(node.velocity) += change;
-    Eigen::Map<Vec3>(node.acceleration) += change / dt;
+    if (corrects) Eigen::Map<Vec3>(node.acceleration) += change / dt;
   });
 }
 
@@ -265,9 +233,8 @@ void FaceSolver<Dim>::constrain_increments(ContactPass pass) {
     row.trial_velocity +=
         weighted_sum(row, [&](std::uint32_t v) { return Vec3(increment(constraints_.velocities()[v])); });
   });
-  each_velocity(*given_, [&](const FaceVelocity& of, const Vec3& change) { increment(of) -= change; });
+  each_velocity(changes_, [&](const FaceVelocity& of, const Vec3& change) { increment(of) -= change; });
   solve(pass);
-  given_ = &changes_;
   each_velocity(changes_, [&](const FaceVelocity& of, const Vec3& change) { increment(of) += change; });
 }
 

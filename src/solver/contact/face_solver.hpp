@@ -26,8 +26,7 @@ namespace tribo {
 template <int Dim>
 class FaceSolver {
  public:
-  /// `light_at_start`: see FaceConstraints.
-  FaceSolver(System<Dim>& system, double light_at_start) : system_(system), constraints_(system, light_at_start) {}
+  explicit FaceSolver(System<Dim>& system) : system_(system), constraints_(system) {}
 
   /// Takes over all pairs of the nodes at which some pair has a face, and sets ContactNode::solved_on_faces. The pairs
   /// must stay where they are in memory until the next set_up().
@@ -35,7 +34,7 @@ class FaceSolver {
 
   /// Applies the laws to the present velocities. In the corrector the accelerations change accordingly. `dt`: step.
   void apply(double dt, ContactPass pass);
-  /// Subtracts the velocity changes of the last apply().
+  /// Subtracts the velocity changes of the last predictor.
   void remove();
   /// Applies the laws to the velocities that follow from the increments in Field::filter; an increment becomes the
   /// change of velocity that contact then makes: see Contact::constrain_increments.
@@ -84,7 +83,6 @@ class FaceSolver {
   Vec3 velocity_at_face(const Row& row) const;
   void update_impulse(Row& row, double mass, ContactPass pass);
   void distribute(const Row& row, const Vec3& impulse);
-  void distribute_at_start(const Row& row);
   void begin_row(Row& row, double dt, ContactPass pass);
   void sweep_all_at_once(ContactPass pass);
   bool sweep_one_by_one(bool backward, ContactPass pass);
@@ -94,9 +92,8 @@ class FaceSolver {
   FaceConstraints<Dim> constraints_;
   std::vector<Row> rows_;  // of the constraints, in the same order
   std::vector<Weight> weights_;
-  Changes start_changes_;              // of the nodal velocities at the start of the step
   Changes changes_;                    // of the nodal velocities, by contact
-  const Changes* given_ = &changes_;   // which of them nodes and filter contain already
+  Changes start_changes_;              // those of the last predictor
   std::vector<Change> group_changes_;  // per group
 };
 

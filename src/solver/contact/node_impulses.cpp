@@ -31,7 +31,7 @@ void NodeImpulses<Dim>::apply(double dt, ContactPass pass) {
     if (std::none_of(of_node.begin(), of_node.end(), [](const ContactPair& pair) { return pair.has_impulse(); }))
       return;
     if (pass != ContactPass::corrector) {
-      find_start_impulses(node);
+      for (ContactPair& pair : of_node) pair.at_start = pair.impulse;
       return change_at_start(node, 1.0);
     }
     for (std::size_t p = node.first_pair; p < node.end_pair; ++p)
@@ -42,26 +42,6 @@ void NodeImpulses<Dim>::apply(double dt, ContactPass pass) {
         Eigen::Map<Vec3>(at.acceleration) += change / dt;
       }
   });
-}
-
-// The velocity of a field at a node that its body hardly reaches is that of its outermost particles. With the velocity
-// of the other body there it would strain them, but the force at the node, which belongs to this strain, changes the
-// momentum by the velocity without contact: with FLIP this adds energy in every step. The other body takes the same
-// share of the impulse. Fields that are bonded at the node share its velocity, however light they are.
-template <int Dim>
-void NodeImpulses<Dim>::find_start_impulses(const ContactNode<Dim>& node) {
-  constexpr double light = 0.03;  // of the mass of the heaviest deformable field at the node
-  const auto& members = contacts_.members;
-  double heaviest = 0.0;
-  for (std::size_t i = node.first_member; i < node.end_member; ++i)
-    if (members[i].inverse_mass > 0.0) heaviest = std::max(heaviest, members[i].mass);
-  for (ContactPair& pair : contacts_.pairs_of(node)) {
-    const bool bonded = pair.crack >= 0 || !pair.law || !pair.law->uses_face() || pair.law->interface();
-    double share = 1.0;  // the same for both, so that momentum is conserved
-    for (const std::size_t i : {std::size_t{pair.a}, std::size_t{pair.b}})
-      if (!bonded && members[i].inverse_mass > 0.0) share = std::min(share, members[i].mass / (light * heaviest));
-    pair.at_start = share * pair.impulse;
-  }
 }
 
 template <int Dim>

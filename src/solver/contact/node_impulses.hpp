@@ -23,7 +23,6 @@ class NodeImpulses {
   void constrain_increments(ContactPass pass);
 
  private:
-  void find_start_impulses(const ContactNode<Dim>& node);
   void change_at_start(const ContactNode<Dim>& node, double sign);
 
   System<Dim>& system_;

@@ -41,7 +41,6 @@ struct ContactPair {
   /// [velocity].
   Vec3 update_velocity = Vec3::Zero();
   ContactStatus update_status = ContactStatus::open;  ///< contact status in the last momentum update
-  bool stuck = false;                                 ///< friction held the faces in the last momentum update
   double friction_work = 0.0;      ///< energy dissipated by sliding in the last momentum update       [energy]
   bool needs_face = true;          ///< its face must be found from the particles in this step
   bool has_no_face = false;        ///< no common face was found at this node, so no impulse acts
