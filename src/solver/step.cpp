@@ -25,7 +25,7 @@ void Stepper<Dim>::advance(double dt) {
   } else if (contact_.keeps_start_impulses()) {
     divide_by_mass();
     find_contact();
-    contact_.apply(dt, contact_.start_pass());
+    contact_.apply(dt, Contact<Dim>::Pass::predictor);
     update_momentum(dt, Known::velocity);
   } else {
     update_momentum(dt, Known::momentum);

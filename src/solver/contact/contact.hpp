@@ -37,8 +37,8 @@ class Contact {
   /// Transfers that replace the particle velocities use the predictor for strains only, and the corrector gives the
   /// whole impulse of the step.
   bool keeps_start_impulses() const { return keeps_start_impulses_; }
-  /// How contact acts before the momentum update. The particle velocities of XPIC take over the changes of the
-  /// predictor.
+  /// How contact acts on the velocities from which the strains follow. The particle velocities of XPIC take over the
+  /// changes of the predictor.
   Pass start_pass() const { return start_pass_; }
 
   /// Finds the blocks that fields share; to be called after every change of the fields' maps.
