@@ -9,12 +9,10 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <optional>
 
 namespace tribo {
 namespace {
 
-constexpr double closed = 0.1;        // a larger gap counts as open [cells]
 constexpr double depth = 0.5;         // of the face of a particle behind the face of its body [particles]
 constexpr double in_front = 0.9;      // a particle this much smaller than its domain covers those behind it
 constexpr double carrying = 0.1;      // a node with less force than this has no state [mean force of the nodes around]
@@ -100,54 +98,93 @@ class FaceTest {
   std::array<bool, 4> answers_{};
 };
 
+// A pair of faces at a node near a particle of one of them.
+template <int Dim>
+struct Touch {
+  const ContactPair* pair;
+  std::size_t face;  // position of the face among those of all pairs
+  double weight;
+  Vec<Dim> out;  // signs of the components of vectors of the pair that point out of the body of the particle
+};
+
+// The touches of a particle at the face of its body, with the area of this face.
+template <int Dim>
+struct FaceParticle {
+  std::vector<Touch<Dim>> touches;
+  Vec<Dim> normal;    // out of its body
+  double area = 0.0;  // of the particle as seen along the normal [length^2]
+};
+
+template <int Dim>
+FaceParticle<Dim> find_touches(const System<Dim>& system, const ContactSearch<Dim>& search,
+                               const ParticleCloud<Dim>& cloud, const std::vector<Body<Dim>*>& bodies, std::size_t k) {
+  FaceParticle<Dim> found;
+  const ParticleLabel& label = cloud.label(k);
+  if (label.image != 0) return found;
+  const FaceRow<Dim> row(system, cloud);
+  FaceTest<Dim> is_at_face(row, k);
+  const ContactPair* const first = search.found().pairs.data();
+  Vec<Dim> normal = Vec<Dim>::Zero();
+  each_pair_near(search, system.lattice, cloud.planes(), cloud.domain(k), label.field,
+                 [&](const ContactPair& pair, const Vec<Dim>& signs, double w, double side) {
+                   if (pair.update_status == ContactStatus::open || !(w > 0)) return;
+                   const Vec<Dim> out = side * signs;
+                   const Vec<Dim> n = out.cwiseProduct(pair.state.normal.template head<Dim>());
+                   if (!is_at_face(n)) return;
+                   const auto face = 2 * static_cast<std::size_t>(&pair - first) + (side > 0 ? 0 : 1);
+                   found.touches.push_back({&pair, face, w, out});
+                   normal += w * n;
+                 });
+  if (found.touches.empty()) return found;
+  if (normal.norm() > 0) normal.normalize();
+  const double volume = bodies[label.body]->particles.volume()[label.particle];
+  found.normal = normal;
+  found.area = 0.5 * volume * (cloud.domain(k).axes.inverse() * normal).cwiseAbs().sum();
+  return found;
+}
+
+// Whether the pairs that carry the force on a particle slide. Those that carry next to no force may slide beside others
+// that hold.
+template <int Dim>
+bool slides(const FaceParticle<Dim>& particle) {
+  double weight = 0.0, force = 0.0, slip = 0.0, stick = 0.0;
+  for (const Touch<Dim>& t : particle.touches) weight += t.weight, force += t.weight * t.pair->update_impulse.norm();
+  for (const Touch<Dim>& t : particle.touches)
+    if (t.pair->update_impulse.norm() * weight >= carrying * force)
+      (t.pair->update_status == ContactStatus::slip ? slip : stick) += t.weight;
+  return slip > stick;
+}
+
 }  // namespace
 
+// The force of a pair acts on the particles at each of its faces as a traction in proportion to their weights, so that
+// these tractions times the areas of the particles have the contact force as sum.
 template <int Dim>
 void fill_contact_view(const System<Dim>& system, const ContactSearch<Dim>& search, const ParticleCloud<Dim>& cloud,
                        const std::vector<Body<Dim>*>& bodies) {
-  const double h = system.lattice.spacing.maxCoeff();
-  std::vector<std::optional<ContactOfParticle<Dim>>> contacts(cloud.size());
-  const FaceRow<Dim> row(system, cloud);
-  parallel_for(static_cast<std::ptrdiff_t>(cloud.size()), [&](std::ptrdiff_t at) {
-    const auto k = static_cast<std::size_t>(at);
-    const ParticleLabel& label = cloud.label(k);
-    if (label.image != 0) return;
-    FaceTest<Dim> is_at_face(row, k);
-    // Calls f(pair, weight, signs of the components of vectors that point out of the body of the particle).
-    const auto each_touching_pair = [&](auto&& f) {
-      each_pair_near(search, system.lattice, cloud.planes(), cloud.domain(k), label.field,
-                     [&](const ContactPair& pair, const Vec<Dim>& signs, double w, double side) {
-                       if (pair.state.gap > closed * h) return;
-                       const Vec<Dim> out = side * signs;
-                       if (is_at_face(out.cwiseProduct(pair.state.normal.template head<Dim>()))) f(pair, w, out);
-                     });
-    };
-    double weight = 0.0, force = 0.0, total = 0.0;
-    Vec<Dim> traction = Vec<Dim>::Zero(), normal = Vec<Dim>::Zero();
-    each_touching_pair([&](const ContactPair& pair, double w, const Vec<Dim>& out) {
-      // The nodes on one side of a face may carry the pressure of those on the other side, too. So the area of nodes
-      // without an impulse counts in the mean traction.
-      total += w * pair.state.area;
-      if (pair.update_status == ContactStatus::open) return;
-      weight += w, force += w * pair.update_impulse.norm();
-      normal += w * out.cwiseProduct(pair.state.normal.template head<Dim>());
-      traction += w / pair.state.dt * out.cwiseProduct(pair.update_impulse.template head<Dim>());
-    });
-    if (weight == 0.0) return;
-    double slip = 0.0, stick = 0.0;  // weights of the pairs in either state
-    each_touching_pair([&](const ContactPair& pair, double w, const Vec<Dim>&) {
-      // Nodes that carry next to no force may slide beside those that hold
-      const bool carries = pair.update_impulse.norm() * weight >= carrying * force;
-      if (pair.update_status != ContactStatus::open && carries)
-        (pair.update_status == ContactStatus::slip ? slip : stick) += w;
-    });
-    if (total > 0) traction /= total;
-    if (normal.norm() > 0) normal.normalize();
-    contacts[k] = {label.particle, slip > stick, traction, normal};
+  std::vector<FaceParticle<Dim>> particles(cloud.size());
+  parallel_for(static_cast<std::ptrdiff_t>(cloud.size()), [&](std::ptrdiff_t k) {
+    const auto at = static_cast<std::size_t>(k);
+    particles[at] = find_touches(system, search, cloud, bodies, at);
   });
+  const ContactNodes<Dim>& found = search.found();
+  std::vector<double> area(2 * found.pairs.size()), share(found.pairs.size());
+  for (const FaceParticle<Dim>& particle : particles)
+    for (const Touch<Dim>& t : particle.touches) area[t.face] += t.weight * particle.area;
+  for (const ContactNode<Dim>& node : found.nodes)
+    for (std::size_t p = node.first_pair; p < node.end_pair; ++p) share[p] = node.ownership;
   for (auto* body : bodies) body->contacts.clear();
-  for (std::size_t k = 0; k < contacts.size(); ++k)
-    if (contacts[k]) bodies[cloud.label(k).body]->contacts.push_back(*contacts[k]);
+  for (std::size_t k = 0; k < particles.size(); ++k) {
+    const FaceParticle<Dim>& particle = particles[k];
+    if (particle.touches.empty()) continue;
+    Vec<Dim> traction = Vec<Dim>::Zero();
+    for (const Touch<Dim>& t : particle.touches)
+      if (area[t.face] > 0)
+        traction += share[t.face / 2] * t.weight / (area[t.face] * t.pair->state.dt) *
+                    t.out.cwiseProduct(t.pair->update_impulse.template head<Dim>());
+    const ParticleLabel& label = cloud.label(k);
+    bodies[label.body]->contacts.push_back({label.particle, slides(particle), traction, particle.normal});
+  }
   for (auto* body : bodies)
     std::sort(body->contacts.begin(), body->contacts.end(),
               [](const auto& a, const auto& b) { return a.particle < b.particle; });
