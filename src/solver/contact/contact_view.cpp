@@ -13,11 +13,13 @@
 namespace tribo {
 namespace {
 
+constexpr double reach_of_nodes = 2;  // from particles at a face to the nodes that carry its impulses [cells]
 constexpr double depth = 0.5;         // of the face of a particle behind the face of its body [particles]
 constexpr double in_front = 0.9;      // a particle this much smaller than its domain covers those behind it
 constexpr double carrying = 0.1;      // a node with less force than this has no state [mean force of the nodes around]
 constexpr double same_normal = 0.99;  // cosine
 constexpr double near = 1.25;         // centres of the particles that may cover one [cells]
+constexpr double beyond = 1.2;        // a side with a particle this far from the centre has no free face [half axes]
 
 // Finds the particles that form the faces of their bodies.
 template <int Dim>
@@ -28,33 +30,66 @@ class FaceRow {
   // Whether a particle of the cloud lies at the face of its body along the unit vector n: no other particle of its
   // field lies in front of its centre, and its domain reaches the face of those beside it but for half a particle.
   bool contains(std::size_t k, const Vec<Dim>& n) const {
-    const double h = lattice_.spacing.maxCoeff();
     const ParticleDomain<Dim> particle = cloud_.domain(k);
     const double thickness = 2 * (particle.axes.transpose() * n).cwiseAbs().sum();
-    const double beside = std::max(0.5 * thickness, 0.25 * h);
-    Index<Dim> node;
-    for (std::size_t d = 0; d < Dim; ++d) {
-      const auto axis = static_cast<Eigen::Index>(d);
-      node[d] = static_cast<int>(std::lround((particle.x[axis] - lattice_.origin[axis]) / lattice_.spacing[axis]));
-    }
+    const double beside = std::max(0.5 * thickness, 0.25 * lattice_.spacing.maxCoeff());
     double face = particle.reach(particle.x, n);
-    bool covered = false;
-    cloud_.each_group(node, [&](const ParticleGroup<Dim>& group) {
-      if (covered || group.field != cloud_.label(k).field || is_far(group, particle.x, near * h)) return;
-      for (std::uint32_t q = group.begin; q < group.end && !covered; ++q) {
-        if (q == k || (cloud_.centre(q) - particle.x).squaredNorm() > near * near * h * h) continue;
-        const ParticleDomain<Dim> other = cloud_.domain(q);
-        const Vec<Dim> offset = other.x - particle.x;
-        covered = covers(other, particle.x, n);
-        if ((offset - offset.dot(n) * n).norm() <= beside) face = std::max(face, other.reach(particle.x, n));
-      }
+    const bool covered = any_near(k, [&](const ParticleDomain<Dim>& other) {
+      const Vec<Dim> offset = other.x - particle.x;
+      if ((offset - offset.dot(n) * n).norm() <= beside) face = std::max(face, other.reach(particle.x, n));
+      return covers(other, particle.x, n);
     });
     return !covered && face - particle.reach(particle.x, n) <= depth * thickness;
   }
 
+  // Area of the sides of a particle that no other particle of its field covers, projected along the unit vector n, as a
+  // multiple of its volume.
+  double area_per_volume(std::size_t k, const Vec<Dim>& n) const {
+    constexpr int count = Dim == 2 ? 4 : 16;  // points on a side
+    const ParticleDomain<Dim> particle = cloud_.domain(k);
+    const Vec<Dim> projected = 0.5 * (particle.axes.inverse() * n);
+    double area = 0.0;
+    for (int axis = 0; axis < Dim; ++axis) {
+      int exposed = 0;
+      for (int q = 0; q < count; ++q) {
+        Vec<Dim> at;
+        for (int d = 0, rest = q; d < Dim; ++d) {
+          if (d == axis) continue;
+          at[d] = -0.75 + 0.5 * (rest % 4), rest /= 4;
+        }
+        at[axis] = std::copysign(beyond, projected[axis]);
+        const Vec<Dim> x = particle.x + particle.axes * at;
+        exposed += any_near(k, [&](const ParticleDomain<Dim>& other) { return contains(other, x); }) ? 0 : 1;
+      }
+      area += std::abs(projected[axis]) * exposed / count;
+    }
+    return area;
+  }
+
  private:
+  // Whether f(domain) is true for any other particle of the same field near particle k.
+  template <class F>
+  bool any_near(std::size_t k, F&& f) const {
+    const double distance = near * lattice_.spacing.maxCoeff();
+    const Vec<Dim> x = cloud_.centre(k);
+    Index<Dim> node;
+    for (std::size_t d = 0; d < Dim; ++d) {
+      const auto axis = static_cast<Eigen::Index>(d);
+      node[d] = static_cast<int>(std::lround((x[axis] - lattice_.origin[axis]) / lattice_.spacing[axis]));
+    }
+    bool found = false;
+    cloud_.each_group(node, [&](const ParticleGroup<Dim>& group) {
+      if (found || group.field != cloud_.label(k).field || is_far(group, x, distance)) return;
+      for (std::uint32_t q = group.begin; q < group.end && !found; ++q)
+        found = q != k && (cloud_.centre(q) - x).squaredNorm() <= distance * distance && f(cloud_.domain(q));
+    });
+    return found;
+  }
   static bool is_far(const ParticleGroup<Dim>& group, const Vec<Dim>& x, double distance) {
     return (group.low - x).maxCoeff() > distance || (x - group.high).maxCoeff() > distance;
+  }
+  static bool contains(const ParticleDomain<Dim>& domain, const Vec<Dim>& x) {
+    return (domain.axes.inverse() * (x - domain.x)).cwiseAbs().maxCoeff() < 1;
   }
   // Whether the ray from x along n meets the domain.
   static bool covers(const ParticleDomain<Dim>& domain, const Vec<Dim>& x, const Vec<Dim>& n) {
@@ -112,7 +147,7 @@ template <int Dim>
 struct FaceParticle {
   std::vector<Touch<Dim>> touches;
   Vec<Dim> normal;    // out of its body
-  double area = 0.0;  // of the particle as seen along the normal [length^2]
+  double area = 0.0;  // of the sides of the particle that face along the normal [length^2]
 };
 
 template <int Dim>
@@ -125,7 +160,7 @@ FaceParticle<Dim> find_touches(const System<Dim>& system, const ContactSearch<Di
   FaceTest<Dim> is_at_face(row, k);
   const ContactPair* const first = search.found().pairs.data();
   Vec<Dim> normal = Vec<Dim>::Zero();
-  each_pair_near(search, system.lattice, cloud.planes(), cloud.domain(k), label.field,
+  each_pair_near(search, system.lattice, cloud.planes(), cloud.domain(k), label.field, reach_of_nodes,
                  [&](const ContactPair& pair, const Vec<Dim>& signs, double w, double side) {
                    if (pair.update_status == ContactStatus::open || !(w > 0)) return;
                    const Vec<Dim> out = side * signs;
@@ -137,9 +172,8 @@ FaceParticle<Dim> find_touches(const System<Dim>& system, const ContactSearch<Di
                  });
   if (found.touches.empty()) return found;
   if (normal.norm() > 0) normal.normalize();
-  const double volume = bodies[label.body]->particles.volume()[label.particle];
   found.normal = normal;
-  found.area = 0.5 * volume * (cloud.domain(k).axes.inverse() * normal).cwiseAbs().sum();
+  found.area = bodies[label.body]->particles.volume()[label.particle] * row.area_per_volume(k, normal);
   return found;
 }
 

@@ -8,7 +8,7 @@ namespace tribo {
 
 /// Fills Body::contacts of all bodies from the last momentum update. Only the particles at the face are there: those
 /// whose domains reach it within half a particle, and with no other particle of the body in front. The sum of their
-/// tractions times their areas, as seen along the normal, is the contact force.
+/// tractions times the areas of their free sides, projected along the normal, is the contact force.
 ///
 /// `cloud`: the particles around all contact nodes, of `bodies`, now.
 template <int Dim>
