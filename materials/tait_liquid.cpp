@@ -46,16 +46,19 @@ struct TaitLiquid {
 
   void prepare(const Statement& statement, const Units& units, Problems& problems) {
     std::vector<double> values, rates;
+    bool refused = false;
     for (const auto& child : statement.children) {
       const bool rate = child.name == "logshearrate";
       if (!rate && child.name != "viscosity") continue;
       const auto number_read = to_number(child.text);
-      if (!number_read || (!rate && *number_read < 0))
+      if (!number_read || (!rate && *number_read < 0)) {
         problems.add(child.text_origin, "<" + child.name + "> needs one number" + (rate ? "" : ", not negative") +
                                             ", not '" + child.text + "'");
-      else
+        refused = true;
+      } else
         (rate ? rates : values).push_back(rate ? *number_read : *number_read * units.factor(Dimension::viscosity));
     }
+    if (refused) return;
     if (values.empty()) problems.add(statement.origin, "<viscosity> is missing");
     const bool constant = values.size() == 1 && rates.empty();
     if (!constant && values.size() != rates.size())

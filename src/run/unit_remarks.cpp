@@ -57,6 +57,43 @@ void unusual_waves(const Model& model, const MaterialSpec& m, std::vector<std::s
                m.name.c_str(), speed, density));
 }
 
+// Densities of solids in g/cm^3 where kg/m^3 are expected. Models with moduli of the order of 1 have no real material.
+void low_density(const Model& model, const MaterialSpec& m, std::vector<std::string>& out) {
+  constexpr double lightest = 20, real = 1e4;  // kg/m^3 and Pa
+  const auto density_unit = factor_to_si(model.units, -3, 1, 0), stress_unit = factor_to_si(model.units, -1, 1, -2);
+  if (!density_unit || !stress_unit || *stress_unit * m.law->wave_modulus() < real) return;
+  const double density = *density_unit * m.law->density();
+  if (density < lightest)
+    out.push_back(format("the density of '%s' is %.3g kg/m^3, less than that of the lightest foams: check its unit",
+                         m.name.c_str(), density));
+}
+
+// The number that a statement of a material gives for a property; none if it gives none.
+std::optional<double> property(const MaterialSpec& m, std::string_view name) {
+  for (const Statement& child : m.statement.children)
+    if (child.name == name) return to_number(child.text);
+  return std::nullopt;
+}
+
+void unusual_properties(const MaterialSpec& m, std::vector<std::string>& out) {
+  constexpr double least_expansion = 0.01;  // 10^-6/K; silica glass has 0.5
+  constexpr double strongest = 0.3;         // of Young's modulus; ideal crystals have 0.1
+  constexpr double incompressible = 0.499;  // the longitudinal waves are then 13 times as fast as the shear waves
+  for (const char* name : {"alpha", "alphaA", "alphaT", "alphax", "alphay", "alphaz"})
+    if (const auto alpha = property(m, name); alpha && *alpha > 0 && *alpha < least_expansion)
+      out.push_back(format("the thermal expansion of '%s', %s %g, is in 10^-6 per kelvin: %g per kelvin would be %g",
+                           m.name.c_str(), name, *alpha, *alpha, *alpha * 1e6));
+  const auto young = property(m, "E"), yield = property(m, "yield"), poisson = property(m, "nu");
+  if (young && yield && *young > 0 && *yield > strongest * *young)
+    out.push_back(format("the yield stress of '%s' is %.3g times its Young's modulus: check their units",
+                         m.name.c_str(), *yield / *young));
+  if (poisson && *poisson > incompressible && *poisson < 0.5)
+    out.push_back(format(
+        "'%s' is nearly incompressible (nu %g): its pressure waves are %.3g times as fast as its shear "
+        "waves and determine the time step, and its cells become too stiff without the B-bar method (tribo doc BBar)",
+        m.name.c_str(), *poisson, std::sqrt((2 - 2 * *poisson) / (1 - 2 * *poisson))));
+}
+
 template <class Law>
 bool is_friction_angle(const Law* law, const std::string& property) {
   return law && std::any_of(law->parameters.begin(), law->parameters.end(), [&](const ParameterInfo& p) {
@@ -168,7 +205,7 @@ std::vector<std::string> remarks_on_units(const Model& model, const Seeds& seeds
     const MaterialSpec& m = model.materials[k];
     small_angles(m, out), angles_as_coefficients(m, out);
     if (heights[k].empty() || !solid(m)) continue;
-    unusual_waves(model, m, out);
+    unusual_waves(model, m, out), low_density(model, m, out), unusual_properties(m, out);
     own_weight(m, gravity.norm(), heights[k], out);
   }
   return out;

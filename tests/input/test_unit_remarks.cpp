@@ -49,6 +49,22 @@ TEST_CASE("densities and moduli in other units are remarked", "[check]") {
              !Contains(remark) && Contains("units: mm, t, s; stress MPa"));
 }
 
+TEST_CASE("properties in other units and nearly incompressible solids are remarked", "[check]") {
+  const std::string si = "length='m' mass='kg' time='s'", density = "less than that of the lightest foams";
+  CHECK_THAT(block_sheet(elastic("1.6", "1e7"), "", si), Contains("the density of 'Bar' is 1.6 kg/m^3, " + density));
+  CHECK_THAT(block_sheet(elastic("1600", "1e7"), "", si), !Contains(density));
+  CHECK_THAT(block_sheet(elastic("1.6", "1"), "", si), !Contains(density));  // no real material
+  const auto with = [&](const std::string& more) { return block_sheet(elastic("7800", "2e11") + more, "", si); };
+  CHECK_THAT(with("<alpha>1.2e-5</alpha>"),
+             Contains("alpha 1.2e-05, is in 10^-6 per kelvin: 1.2e-05 per kelvin would be 12"));
+  CHECK_THAT(with("<alpha>12</alpha>"), !Contains("thermal expansion"));
+  const auto of_ratio = [&](const std::string& nu) {
+    return block_sheet("<rho>1000</rho><E>1e6</E><nu>" + nu + "</nu>", "", si);
+  };
+  CHECK_THAT(of_ratio("0.49999"), Contains("'Bar' is nearly incompressible (nu 0.49999)") && Contains("224 times"));
+  CHECK_THAT(of_ratio("0.49"), !Contains("incompressible"));
+}
+
 TEST_CASE("a gravity of another unit or direction is remarked", "[check]") {
   const auto with = [](const std::string& value, const std::string& units) {
     return block_sheet(elastic("1", "1e9"), gravity_along_y(value), units);

@@ -50,7 +50,7 @@ void ContactMemory<Dim>::update() const {
     if (!body.contact_slip || label.image != 0) return;
     double touching = 0.0, sliding = 0.0, way = 0.0, whole = 0.0, broken = 0.0;
     each_pair_near(search_, system_.lattice, cloud_.planes(), cloud_.domain(static_cast<std::size_t>(k)), label.field,
-                   1.5, [&](const ContactPair& pair, const Vec<Dim>&, double w, double) {
+                   1.5, [&](const ContactPair& pair, const Vec<Dim>&, double w, double, double) {
                      if (!pair.law->has_memory()) return;
                      // Nodes on the two sides of a face share its pressure, often unevenly; those with little of it
                      // slide in the vibrations of bodies that stick.

@@ -9,9 +9,10 @@
 
 namespace tribo {
 
-/// Calls f(pair, signs, weight, side) for the pairs of two bodies near a particle to which its field belongs, also for
-/// the mirror images of pairs beyond the symmetry planes. `signs` are those of the components of an image's vectors,
-/// and 1 for the pair itself; `side` is 1 if the particle is on side a, -1 if on side b.
+/// Calls f(pair, signs, weight, side, distance) for the pairs of two bodies near a particle to which its field belongs,
+/// also for the mirror images of pairs beyond the symmetry planes. `signs` are those of the components of an image's
+/// vectors, and 1 for the pair itself; `side` is 1 if the particle is on side a, -1 if on side b. `distance`: the
+/// largest component of that of the node [cells].
 ///
 /// `max_distance`: of the nodes along each axis, at most 2 [cells]. The weight is that of particle_weight for the
 /// distance along the face: the nodes on both sides of a face share its tractions, so the distance across the face does
@@ -30,7 +31,8 @@ void each_pair_near(const ContactSearch<Dim>& search, const Lattice<Dim>& lattic
     n[0] = low[0] + k % nodes_per_axis, n[1] = low[1] + k / nodes_per_axis % nodes_per_axis;
     if constexpr (Dim == 3) n[2] = low[2] + k / (nodes_per_axis * nodes_per_axis);
     const Vec<Dim> distance = particle.x - lattice.position(n);
-    if (distance.cwiseQuotient(lattice.spacing).cwiseAbs().maxCoeff() > max_distance) continue;
+    const double cells = distance.cwiseQuotient(lattice.spacing).cwiseAbs().maxCoeff();
+    if (cells > max_distance) continue;
     const Vec<Dim> signs = planes.reflect(n);
     const ContactNode<Dim>* node = search.node_at(n);
     if (!node) continue;
@@ -39,8 +41,8 @@ void each_pair_near(const ContactSearch<Dim>& search, const Lattice<Dim>& lattic
       const Vec<Dim> normal = signs.cwiseProduct(pair.state.normal.template head<Dim>());
       const double w = particle_weight<Dim>(distance - distance.dot(normal) * normal, lattice.spacing);
       if (!(w > 0)) continue;
-      if (contacts.members[pair.a].field == field) f(pair, signs, w, 1.0);
-      if (contacts.members[pair.b].field == field) f(pair, signs, w, -1.0);
+      if (contacts.members[pair.a].field == field) f(pair, signs, w, 1.0, cells);
+      if (contacts.members[pair.b].field == field) f(pair, signs, w, -1.0, cells);
     }
   }
 }

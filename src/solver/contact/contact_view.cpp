@@ -13,9 +13,10 @@
 namespace tribo {
 namespace {
 
-constexpr double reach_of_nodes = 2;  // from particles at a face to the nodes that carry its impulses [cells]
-constexpr double depth = 0.5;         // of the face of a particle behind the face of its body [particles]
-constexpr double in_front = 0.9;      // a particle this much smaller than its domain covers those behind it
+constexpr double reach_of_states = 1.5;  // from particles to the nodes whose state they show [cells]
+constexpr double reach_of_nodes = 2;     // from particles at a face to the nodes that carry its impulses [cells]
+constexpr double depth = 0.5;            // of the face of a particle behind the face of its body [particles]
+constexpr double in_front = 0.9;         // a particle this much smaller than its domain covers those behind it
 constexpr double carrying = 0.1;      // a node with less force than this has no state [mean force of the nodes around]
 constexpr double same_normal = 0.99;  // cosine
 constexpr double near = 1.25;         // centres of the particles that may cover one [cells]
@@ -140,6 +141,7 @@ struct Touch {
   std::size_t face;  // position of the face among those of all pairs
   double weight;
   Vec<Dim> out;  // signs of the components of vectors of the pair that point out of the body of the particle
+  bool shows_state;
 };
 
 // The touches of a particle at the face of its body, with the area of this face.
@@ -161,16 +163,18 @@ FaceParticle<Dim> find_touches(const System<Dim>& system, const ContactSearch<Di
   const ContactPair* const first = search.found().pairs.data();
   Vec<Dim> normal = Vec<Dim>::Zero();
   each_pair_near(search, system.lattice, cloud.planes(), cloud.domain(k), label.field, reach_of_nodes,
-                 [&](const ContactPair& pair, const Vec<Dim>& signs, double w, double side) {
+                 [&](const ContactPair& pair, const Vec<Dim>& signs, double w, double side, double distance) {
                    if (pair.update_status == ContactStatus::open || !(w > 0)) return;
                    const Vec<Dim> out = side * signs;
                    const Vec<Dim> n = out.cwiseProduct(pair.state.normal.template head<Dim>());
                    if (!is_at_face(n)) return;
                    const auto face = 2 * static_cast<std::size_t>(&pair - first) + (side > 0 ? 0 : 1);
-                   found.touches.push_back({&pair, face, w, out});
+                   found.touches.push_back({&pair, face, w, out, distance < reach_of_states});
                    normal += w * n;
                  });
-  if (found.touches.empty()) return found;
+  const bool touches =
+      std::any_of(found.touches.begin(), found.touches.end(), [](const auto& touch) { return touch.shows_state; });
+  if (!touches) return {};
   if (normal.norm() > 0) normal.normalize();
   found.normal = normal;
   found.area = bodies[label.body]->particles.volume()[label.particle] * row.area_per_volume(k, normal);
@@ -182,9 +186,10 @@ FaceParticle<Dim> find_touches(const System<Dim>& system, const ContactSearch<Di
 template <int Dim>
 bool slides(const FaceParticle<Dim>& particle) {
   double weight = 0.0, force = 0.0, slip = 0.0, stick = 0.0;
-  for (const Touch<Dim>& t : particle.touches) weight += t.weight, force += t.weight * t.pair->update_impulse.norm();
   for (const Touch<Dim>& t : particle.touches)
-    if (t.pair->update_impulse.norm() * weight >= carrying * force)
+    if (t.shows_state) weight += t.weight, force += t.weight * t.pair->update_impulse.norm();
+  for (const Touch<Dim>& t : particle.touches)
+    if (t.shows_state && t.pair->update_impulse.norm() * weight >= carrying * force)
       (t.pair->update_status == ContactStatus::slip ? slip : stick) += t.weight;
   return slip > stick;
 }
