@@ -8,6 +8,7 @@
 A case is a folder with README.md (source, what is compared, why the tolerance) and check.py with `run(case)`.
 """
 
+import argparse
 import concurrent.futures
 import contextlib
 import csv
@@ -178,11 +179,16 @@ def run_case(name, tribo, quick):
 
 
 def main():
-    arguments = sys.argv[1:]
-    quick = "--quick" in arguments
-    tribo = os.environ["TRIBO"]
     folder = root / "verification"
-    names = [a for a in arguments if not a.startswith("-")] or sorted(p.parent.name for p in folder.glob("*/check.py"))
+    known = sorted(p.parent.name for p in folder.glob("*/check.py"))
+    parser = argparse.ArgumentParser(description="Runs cases of the verification with the program that TRIBO names.")
+    parser.add_argument("cases", nargs="*", metavar="case", help="all if none is given: " + ", ".join(known))
+    parser.add_argument("--quick", action="store_true", help="only the fast checks of each case; nothing is recorded")
+    arguments = parser.parse_args()
+    for name in arguments.cases:
+        if name not in known:
+            parser.error(f"there is no case '{name}'; valid: {', '.join(known)}")
+    quick, names, tribo = arguments.quick, arguments.cases or known, os.environ["TRIBO"]
     record = root / "docs/verification.json"
     store = json.loads(record.read_text()) if record.exists() else {}
     store = {name: entry for name, entry in store.items() if (folder / name).exists()}

@@ -129,6 +129,30 @@ std::string text_of(const EdgeCut& cut, const Model& model) {
               : "");
 }
 
+std::optional<std::string> part_beyond_plane(const Model& model, std::size_t p) {
+  const GridBox grid(model);
+  const Piece& piece = model.pieces[p];
+  if (piece.material < 0 || !grid.overlaps(bounds_of(piece, grid))) return std::nullopt;
+  const Bounds body = grid.clip(bounds_of(piece, grid));
+  for (int axis = 0; axis < model.dimension(); ++axis)
+    for (std::size_t side = 0; side < 2; ++side) {
+      const auto& plane = model.grid.symmetry[static_cast<std::size_t>(axis)][side];
+      if (!plane) continue;
+      const double slack = 1e-6 * grid.cell[axis];
+      Bounds slab = body;
+      (side == 0 ? slab.high : slab.low)[axis] = *plane;
+      if (!(slab.high[axis] - slab.low[axis] > slack)) continue;
+      bool found = false;
+      sample(slab, grid, 4,
+             [&](const Vec3& x) { found = found || (piece.region->contains(x) && !covered(model, p, x)); });
+      const char name = "xyz"[axis];
+      if (found)
+        return format("this body has parts beyond the symmetry plane at %c%s = %.6g, up to %c = %.6g", name,
+                      side == 0 ? "min" : "max", *plane, name, (side == 0 ? body.low : body.high)[axis]);
+    }
+  return std::nullopt;
+}
+
 std::vector<Overlap> overlaps(const Model& model) {
   constexpr double least = 0.1, whole = 0.99;
   const GridBox grid(model);

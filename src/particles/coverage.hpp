@@ -4,6 +4,8 @@
 
 #include "model/model.hpp"
 
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace tribo {
@@ -24,6 +26,11 @@ std::vector<EdgeCut> edge_cuts(const Model& model);
 std::vector<EdgeCut> edge_cuts(const Model& model, std::size_t piece);
 /// A sentence on a cut: "the edge of the grid at xmax = 4 cuts this body: 40 % of it lies outside".
 std::string text_of(const EdgeCut& cut, const Model& model);
+
+/// A sentence on a body that has particles beyond a symmetry plane, where only mirror images may be: "this body has
+/// parts beyond the symmetry plane at xmax = 1, up to x = 4"; none if it has not. The part of the grid beyond a plane
+/// is sampled at points.
+std::optional<std::string> part_beyond_plane(const Model& model, std::size_t piece);
 
 /// Two bodies that claim the same place, which the first one gets.
 struct Overlap {

@@ -140,10 +140,15 @@ class Filler {
     const bool hole = piece.material < 0;
     if (piece.deformation && hole) throw InputError(piece.origin, "a hole cannot be deformed");
     if (!hole) seeds_.check_stress(piece);
-    if (!hole && !seeds_.law(piece.material, piece.origin).rigid())
+    if (!hole && !seeds_.law(piece.material, piece.origin).rigid()) {
       for (const EdgeCut& cut : edge_cuts(model_, p))
         throw InputError(piece.origin, text_of(cut, model_) +
                                            "; enlarge <Grid>, or make this edge a symmetry plane (symmin, symmax)");
+      if (const auto part = part_beyond_plane(model_, p))
+        throw InputError(piece.origin, *part +
+                                           ", where only the mirror image of the model is; draw the part inside, or "
+                                           "move the plane (symmin, symmax) to its end");
+    }
     const int own = lattice_of_[p];
     long count = 0;
     const Bounds reach = grid_.clip(piece.region->bounds());

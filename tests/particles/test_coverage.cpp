@@ -116,3 +116,17 @@ TEST_CASE("a body that the grid cuts is an error with the place of the body", "[
   const auto text = text_of(edge_cuts(model).at(0), model);
   CHECK(text.find("the edge of the grid at xmax = 10 cuts this body: 60 % of it lies outside") != std::string::npos);
 }
+
+TEST_CASE("a body that has parts beyond a symmetry plane is known", "[particles]") {
+  const auto part = [](double low, double high, double x, double radius) {
+    Model model = with_pieces({{oval(x - radius, x + radius, 3, 3 + 2 * radius), 0}});
+    model.grid.symmetry[0] = {low, high};
+    return part_beyond_plane(model, 0);
+  };
+  const double low = 0.0, high = 10.0;
+  CHECK(!part(low, high, 5, 2));
+  CHECK(!part(low, high, 0, 2));  // the plane is the edge of the grid
+  CHECK(part(low, 6, 5, 2) == "this body has parts beyond the symmetry plane at xmax = 6, up to x = 7");
+  CHECK(part(4, high, 5, 2) == "this body has parts beyond the symmetry plane at xmin = 4, up to x = 3");
+  CHECK(!part(low, 7, 5, 2));
+}
