@@ -140,8 +140,8 @@ struct Touch {
   const ContactPair* pair;
   std::size_t face;  // position of the face among those of all pairs
   double weight;
-  Vec<Dim> out;  // signs of the components of vectors of the pair that point out of the body of the particle
-  bool shows_state;
+  Vec<Dim> out;      // signs of the components of vectors of the pair that point out of the body of the particle
+  bool shows_state;  // the particle is so near that it shows the state of the pair
 };
 
 // The touches of a particle at the face of its body, with the area of this face.
@@ -164,7 +164,7 @@ FaceParticle<Dim> find_touches(const System<Dim>& system, const ContactSearch<Di
   Vec<Dim> normal = Vec<Dim>::Zero();
   each_pair_near(search, system.lattice, cloud.planes(), cloud.domain(k), label.field, reach_of_nodes,
                  [&](const ContactPair& pair, const Vec<Dim>& signs, double w, double side, double distance) {
-                   if (pair.update_status == ContactStatus::open || !(w > 0)) return;
+                   if (pair.update_status == ContactStatus::open) return;
                    const Vec<Dim> out = side * signs;
                    const Vec<Dim> n = out.cwiseProduct(pair.state.normal.template head<Dim>());
                    if (!is_at_face(n)) return;
@@ -177,7 +177,8 @@ FaceParticle<Dim> find_touches(const System<Dim>& system, const ContactSearch<Di
   if (!touches) return {};
   if (normal.norm() > 0) normal.normalize();
   found.normal = normal;
-  found.area = bodies[label.body]->particles.volume()[label.particle] * row.area_per_volume(k, normal);
+  const double area = bodies[label.body]->particles.volume()[label.particle] * row.area_per_volume(k, normal);
+  found.area = std::isfinite(area) ? area : 0.0;  // not of a domain that is pressed flat
   return found;
 }
 
