@@ -18,25 +18,32 @@ enum class ContactPass {
   corrector   ///< after the momentum update; its impulse is the contact impulse of the step
 };
 
+/// Whether the last momentum update gave the faces of a pair a shear impulse. Faces without friction have none.
+inline bool sheared(const ContactPair& pair, const Vec3& normal) {
+  constexpr double round_off = 1e-12;
+  const Vec3& impulse = pair.update_impulse;
+  return (impulse - impulse.dot(normal) * normal).norm() > round_off * impulse.norm();
+}
+
 /// Whether friction held the faces of a pair in the last momentum update. Without friction a pair without tangential
 /// motion has the status stick, too, but no tangential impulse.
 inline bool stuck(const ContactPair& pair, const Vec3& normal) {
-  constexpr double round_off = 1e-12;
-  const Vec3& impulse = pair.update_impulse;
-  return pair.update_status == ContactStatus::stick &&
-         (impulse - impulse.dot(normal) * normal).norm() > round_off * impulse.norm();
+  return pair.update_status == ContactStatus::stick && sheared(pair, normal);
 }
 
 /// The response of the law of a pair in a state.
 ///
-/// Before the momentum update, faces that an impulse held in the last update keep the relative velocity of that update:
-/// along the face if friction held them, and, in the pass `held`, along the normal. Everything else follows from the
-/// law. The changes of velocity in `held` are thereby the adjoint of what the impulses of the corrector do to the
-/// particles: impulses and strains do the same work with opposite signs, and contact creates no energy. By the law
-/// alone, faces under pressure would be held while the extrapolated velocities approach, in loading, but not while they
-/// separate, in unloading, and each such cycle would add energy. Similarly, the frictional limit of the law does not
-/// apply to the impulse that holds faces which stick, as it removes motions of the particles that the nodes do not see
-/// and has nothing to do with the pressure between the bodies.
+/// Before the momentum update, faces that friction held in the last update do not slide. In the pass `held`, all faces
+/// on which an impulse acted keep the relative velocity of that update, along the face only if there was a shear
+/// impulse: faces that slide go on sliding with the velocity at which friction and strains are in equilibrium. By a law
+/// with cohesion, whose limit does not depend on pressure, the extrapolated velocities would stick where the faces
+/// slide, and the strains would not follow the sliding. Everything else follows from the law. The changes of velocity
+/// in `held` are thereby the adjoint of what the impulses of the corrector do to the particles: impulses and strains do
+/// the same work with opposite signs, and contact creates no energy. By the law alone, faces under pressure would be
+/// held while the extrapolated velocities approach, in loading, but not while they separate, in unloading, and each
+/// such cycle would add energy. Similarly, the frictional limit of the law does not apply to the impulse that holds
+/// faces which stick, as it removes motions of the particles that the nodes do not see and has nothing to do with the
+/// pressure between the bodies.
 ///
 /// A film of liquid holds faces in the normal direction only; its drag follows from the extrapolated velocities. Where
 /// a law makes two fields one (IgnoreContact), they stick in every pass, to the last digit like one field.
@@ -50,7 +57,8 @@ inline ContactResponse response_of(const ContactPair& pair, const ContactState& 
   const Vec3 change = mass * (m.velocity - pair.end_velocity) - out.impulse;
   const Vec3 normal = change.dot(m.normal) * m.normal;
   if (pass == ContactPass::held) out.impulse += normal;
-  if (pair.law->liquid() == 0 && stuck(pair, m.normal)) out.impulse += change - normal;
+  const bool along_face = pass == ContactPass::held ? sheared(pair, m.normal) : stuck(pair, m.normal);
+  if (pair.law->liquid() == 0 && along_face) out.impulse += change - normal;
   return out;
 }
 
