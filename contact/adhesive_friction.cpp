@@ -46,8 +46,11 @@ struct AdhesiveFriction final : ContactLaw {
           "dynamic one at once",
           0.0},
         P{"Sa", &L::shear_strength, Dimension::stress, not_negative,
-          "shear strength of the bond, which acts as a cohesion in contact", 0.0},
-        P{"Na", &L::normal_strength, Dimension::stress, not_negative, "tensile strength of the bond", 0.0},
+          "shear strength of the bond, which acts as a cohesion in contact; faces are bonded only if Na is positive, "
+          "too",
+          0.0},
+        P{"Na", &L::normal_strength, Dimension::stress, not_negative,
+          "tensile strength of the bond; without effect if Sa is 0", 0.0},
         P{"rebond", &L::rebond, Dimension::none, within(0, 1), "1: broken bonds form again in contact", 0.0},
         weakening_parameter(&L::weakening),
         displacement_only_parameter(&L::displacement_only),
