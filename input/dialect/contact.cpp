@@ -25,9 +25,9 @@ void add_contact(Rows& add) {
         {"Impulses", T::choice,
          "where the contact conditions hold. faces: gives the correct stress in the cells next to the contact, without "
          "numerical damping, at a higher cost. nodes: faster, with damping. Default: faces if a body in contact is "
-         "thin, "
-         "curved or inelastic or lies between rigid faces; nodes otherwise, with more than 16 deformable materials, "
-         "with films of liquid, and in models with cracks, joints, rigid blocks, interface laws, Normals or Separation",
+         "thin, curved or inelastic or lies between rigid faces, or with splines; nodes otherwise, with more than 16 "
+         "deformable materials, with films of liquid, and in models with cracks, joints, rigid blocks, interface laws, "
+         "Normals or Separation",
          "nodes faces"},
         number("RigidBias",
                "weight, > 0, of the volume gradient of a rigid body (default 1); it acts only where no plane separates "

@@ -125,17 +125,21 @@ bool touches_rigid_body(const Model& model, const std::map<int, std::set<int>>& 
   });
 }
 
+bool has_splines(const Model& model) {
+  return model.scheme.kernel == Kernel::quadratic_spline || model.scheme.kernel == Kernel::cubic_spline;
+}
+
 // What is to be said of stresses next to rigid faces with impulses on nodes; empty: nothing.
 std::string warning_of_splines(const Model& model, const std::map<int, std::set<int>>& near) {
-  const bool splines = model.scheme.kernel == Kernel::quadratic_spline || model.scheme.kernel == Kernel::cubic_spline;
-  if (!splines || !touches_rigid_body(model, near)) return "";
+  if (!has_splines(model) || !touches_rigid_body(model, near)) return "";
   return ". With splines, stresses within two cells of a rigid face are then wrong by up to their own size: "
          "Impulses='faces' or <GIMP type='uGIMP'/> where they matter";
 }
 
 // What makes faces more accurate, if they do not take too long: friction on a curved surface acts at the surface, and
-// material that has opened is pressed again. Inelastic materials damp themselves; elastic blocks that slide vibrate
-// less with impulses on nodes. Empty: nothing.
+// material that has opened is pressed again. With splines, impulses on nodes would act on a layer of three rows of
+// nodes, so that a body that tips over turns about a point far inside. Inelastic materials damp themselves; elastic
+// blocks that slide vibrate less with impulses on nodes. Empty: nothing.
 template <int Dim>
 std::string advantage(const Model& model, const std::set<int>& materials, const std::map<int, Voxels<Dim>>& bodies) {
   const auto in_contact = [&](int material) { return material >= 0 && bodies.contains(owner(model, material)); };
@@ -144,7 +148,7 @@ std::string advantage(const Model& model, const std::set<int>& materials, const 
   for (const int k : materials)
     if (in_contact(k) && spec(model, k).law->dissipation_index() >= 0)
       return "'" + spec(model, k).name + "' is inelastic";
-  return "";
+  return has_splines(model) ? "splines would spread impulses on nodes over three rows of nodes" : "";
 }
 
 // Whether a disc or a ball among the blocks may touch bodies in the grid.
@@ -184,7 +188,9 @@ ImpulseChoice choose_impulses(const Model& model, const Seeds& seeds, const Latt
   const auto near = near_bodies(bodies);
   const std::string against = objection(model, materials), wanted = need(model, lattice, bodies, near);
   const std::string splines = warning_of_splines(model, near);
-  if (!against.empty() && wanted.empty()) return {false, "on nodes, because " + against + splines};
+  // Where a joint acts, it replaces contact.
+  if (!against.empty() && (wanted.empty() || !model.contact.joints.empty()))
+    return {false, "on nodes, because " + against + splines};
   if (!against.empty())
     return {false, "on nodes, because " + against + ", although " + wanted +
                        ", so that its contact is too stiff; Impulses='faces' may be better"};

@@ -22,10 +22,10 @@ struct ImpulseChoice {
 
 /// The choice of the command file. Without one, faces if a deformable body touches another one at the start and is at
 /// most three cells thick behind its face there, or lies between faces of rigid bodies on opposite sides. Faces, too,
-/// if a body in contact is curved or inelastic, unless more than 16 deformable bodies are in contact or there is a film
-/// of liquid. Of models with rigid blocks, those in which a disc or a ball may touch bodies in the grid. Nodes
-/// otherwise, and in models with cracks, joints or interface laws, or with normals and gaps that are not found from the
-/// particle domains.
+/// if a body in contact is curved or inelastic or the shape functions are splines, unless more than 16 deformable
+/// bodies are in contact or there is a film of liquid. Of models with rigid blocks, those in which a disc or a ball may
+/// touch bodies in the grid. Nodes otherwise, and in models with cracks, joints or interface laws, or with normals and
+/// gaps that are not found from the particle domains.
 template <int Dim>
 ImpulseChoice choose_impulses(const Model& model, const Seeds& seeds, const Lattice<Dim>& lattice);
 

@@ -148,6 +148,17 @@ TEST_CASE("a body between rigid platens takes impulses on faces", "[impulses]") 
                "on faces, because 'block' lies between rigid faces on opposite sides");
 }
 
+TEST_CASE("with splines, impulses act on faces unless something speaks against it", "[impulses]") {
+  for (const char* spline : {"<GIMP type='quadratic'/>", "<GIMP type='B3SPLINE'/>"}) {
+    ImpulseDeck deck{.bodies = thick_block + one_platen};
+    deck.shape = spline;
+    check_choice(deck, true, "on faces, because splines would spread impulses on nodes over three rows of nodes");
+  }
+  ImpulseDeck other{.bodies = thick_block + one_platen};
+  other.shape = "<GIMP type='uGIMP'/>";
+  check_choice(other, false, why_nodes);
+}
+
 TEST_CASE("a thin body that touches nothing does not count", "[impulses]") {
   const std::string friend_law = "<Friction law='4' matname='block'/>";
   const std::string ignore = "<Material Type='IgnoreContact' Name='none'/>";
@@ -193,7 +204,7 @@ TEST_CASE("cracks, joints, interfaces and other normals keep impulses on nodes",
        .materials = "<Friction law='4' matname='block'/>",
        .more = "<Material Type='Mohr' "
                "Name='glue'><stiffness-normal>1</stiffness-normal><stiffness-shear>1</stiffness-shear></Material>"},
-      false, because("the model has joints"));
+      false, "on nodes, because the model has joints");
 }
 
 TEST_CASE("the summary says where the impulses act", "[impulses][preflight]") {
