@@ -64,6 +64,11 @@ struct AdhesiveFriction final : ContactLaw {
                    "the first and go on sliding with the second");
     if (half_speed > 0 && !(static_coefficient > 0))
       problems.add(statement.child("vhalf")->origin, "<vhalf> needs <coeffStatic>, the friction at rest");
+    if (normal_strength > 0 && !(shear_strength > 0))
+      problems.warn(statement.child("Na")->origin, "<Na> has no effect without <Sa>: a bond needs both strengths");
+    if (shear_strength > 0 && !(normal_strength > 0))
+      problems.warn(statement.child("Sa")->origin,
+                    "without <Na> there is no bond: <Sa> is the cohesion of faces that are pressed together");
   }
 
   // The tangential impulse S A dt of sliding faces for the compressive impulse N, or a value above `stick` if they

@@ -211,6 +211,8 @@ void Builder::damping(const Statement& h) {
       to = function(*s, "function");
     else
       to = Expression(text_number(*s, Dimension::rate));
+    if (to->is_constant() && (*to)(Variables{}) < 0)
+      problems_.warn(s->origin, std::string("a negative <") + name + "> adds energy in every step");
   };
   constant("Damping", d.grid);
   constant("PDamping", d.particle);

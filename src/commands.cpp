@@ -20,6 +20,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <functional>
 #include <optional>
 #include <sstream>
 
@@ -27,6 +28,12 @@ namespace tribo {
 namespace {
 
 std::filesystem::path default_folder(const std::filesystem::path& file) { return file.stem().string() + ".out"; }
+
+// Messages of a run of a script name its commands.
+std::function<std::string(const std::string&)> wording_of(const Model& model) {
+  if (!is_script(model.source)) return {};
+  return [](const std::string& text) { return in_words_of_scripts(text); };
+}
 
 void print_warnings(const Model& model) {
   for (const auto& warning : model.warnings) std::fprintf(stderr, "%s\n", warning.c_str());
@@ -106,6 +113,7 @@ int run_command(const Arguments& a) {
   options.threads = a.thread_count, options.quiet = a.quiet, options.overwrite = a.overwrite,
   options.max_wall = a.max_wall;
   options.command_line = a.command_line;
+  options.wording = wording_of(model);
   const auto outcome = tribo::run(model, options);
   if (!a.quiet)
     std::printf("open %s in ParaView; histories in %s\n",
@@ -134,6 +142,7 @@ int resume_command(const Arguments& a) {
   options.changed = !changed.empty(), options.changes = join(changed, "; ");
   options.folder = a.folder, options.threads = a.thread_count, options.quiet = a.quiet, options.max_wall = a.max_wall;
   options.resume = true, options.command_line = a.command_line;
+  options.wording = wording_of(model);
   return tribo::run(model, options) == Outcome::finished ? done : stopped_early;
 }
 

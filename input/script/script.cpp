@@ -145,7 +145,9 @@ std::string without_tags(const std::string& text) {
       continue;
     }
     const std::string name = text.substr(at + 1, end - at - 1);
-    out += sections.count(name) ? "the script" : "'" + command_of(name) + "'";
+    const std::string_view attributes = std::string_view(text).substr(end, close - end);
+    const bool of_pair = name == "Friction" && attributes.find("matname") != std::string_view::npos;
+    out += sections.count(name) ? "the script" : "'" + (of_pair ? "Contact" : command_of(name)) + "'";
     constexpr std::string_view type = " type='";  // <GIMP type='uGIMP'/>
     if (const auto quote = text.find('\'', end + type.size());
         name == "GIMP" && text.compare(end, type.size(), type) == 0 && quote < close)

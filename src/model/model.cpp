@@ -34,6 +34,10 @@ bool Model::damps_particles() const {
   return damping.particle || damping.particle_gain || std::any_of(materials.begin(), materials.end(), damped);
 }
 
+bool Model::seeks_equilibrium() const {
+  return damping.grid || damping.particle || damping.grid_gain || damping.particle_gain || !stages.empty();
+}
+
 bool OutputSpec::wants_strain() const { return has_history(*this, is_strain); }
 bool OutputSpec::wants_elastic_strain() const { return has_history(*this, is_elastic_strain); }
 

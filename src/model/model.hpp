@@ -74,6 +74,8 @@ struct Model {
   bool particles_change() const { return stage.count > 0 || delete_leaving || !deletions.empty() || !sources.empty(); }
   /// Whether the velocities of particles are damped, by a constant or a feedback of the model or of a material.
   bool damps_particles() const;
+  /// Whether the bodies shall come to rest: with damping of the whole model, or in stages.
+  bool seeks_equilibrium() const;
   /// Whether the model consists of rigid blocks only, without grid and particles.
   bool only_blocks() const { return blocks && !blocks->in_grid; }
   std::vector<std::string> warnings;  ///< each `file:line:col: warning: ...`

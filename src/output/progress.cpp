@@ -57,12 +57,12 @@ void Progress::finish(double time, std::int64_t step) {
 }
 
 void Progress::say(const std::string& text) const {
-  if (!quiet_) std::fprintf(stderr, "%s\n", text.c_str());
+  if (!quiet_) std::fprintf(stderr, "%s\n", (wording ? wording(text) : text).c_str());
 }
 
 // Blanks cover the line of progress.
 void Progress::warn(const std::string& text) const {
-  std::fprintf(stderr, "%swarning: %s%s\n", terminal_ && !quiet_ ? "\r" : "", text.c_str(),
+  std::fprintf(stderr, "%swarning: %s%s\n", terminal_ && !quiet_ ? "\r" : "", (wording ? wording(text) : text).c_str(),
                terminal_ && !quiet_ ? std::string(40, ' ').c_str() : "");
 }
 

@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <string>
 
 namespace tribo {
@@ -20,6 +21,8 @@ class Progress {
   void say(const std::string& text) const;
   /// A warning, also if quiet.
   void warn(const std::string& text) const;
+  /// Applied to the text of every line of the summary and every warning; empty: they are printed as they are.
+  std::function<std::string(const std::string&)> wording;
 
  private:
   using Clock = std::chrono::steady_clock;

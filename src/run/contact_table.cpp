@@ -17,7 +17,9 @@ std::string words_of_law(const MaterialSpec& law) {
   std::string properties;
   for (const auto& child : law.statement.children)
     if (child.children.empty() && !child.text.empty())
-      properties += (properties.empty() ? "" : ", ") + child.name + " " + child.text;
+      properties +=
+          (properties.empty() ? "" : ", ") + child.name + " " + child.text +
+          (child.name == "coeff" && child.text.front() == '-' ? ", so that faces in contact do not slide" : "");
   return law.type + " '" + law.name + "'" + (properties.empty() ? "" : " (" + properties + ")");
 }
 
@@ -45,6 +47,7 @@ class ContactTable {
     }
     const LawsOfPairs laws = pairs();
     add_lines(laws);
+    add_shared_fields();
     if (!laws.empty()) lines_.push_back("contact impulses: " + system_.contact_reason);
     return std::move(lines_);
   }
@@ -102,6 +105,13 @@ class ContactTable {
     if (most == laws.end() || most->second.size() == 1) return;
     const std::string count = " (" + std::to_string(most->second.size()) + "): ";
     lines_.push_back((laws.size() == 1 ? "contact of all pairs" : "contact of all other pairs") + count + most->first);
+  }
+
+  void add_shared_fields() {
+    for (const Body<Dim>& body : system_.bodies)
+      if (const int with = model_.materials[static_cast<std::size_t>(body.material)].share_field_with; with >= 0)
+        lines_.push_back("no contact of " + name(body.material) + " and " + name(with) +
+                         ": they share one velocity field and stick where they touch");
   }
 
   // "'a' and 'b'", "'a' with 'b', 'c'; 'b' with 'c'"

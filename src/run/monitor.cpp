@@ -2,6 +2,7 @@
 #include "run/monitor.hpp"
 
 #include "base/text.hpp"
+#include "run/energy_advice.hpp"
 #include "run/energy_balance.hpp"
 #include "run/expanded_matter.hpp"
 #include "run/sudden_gravity.hpp"
@@ -154,10 +155,8 @@ template <int Dim>
 std::string Monitor<Dim>::balance_cure() const {
   const std::string missing = unreported_energy();
   std::string cure = missing.empty() ? missing : "; " + missing;
-  const bool once = !model_.scheme.extrapolate_again && model_.scheme.order != UpdateOrder::usf;
-  if (once && state.residual < 0)
-    cure += std::string("; the update without <SkipPostExtrapolation/> (USL+, USAVG+) usually avoids most of ") +
-            (missing.empty() ? "this loss" : "a further loss");
+  if (const std::string update = cure_of_loss(model_); !update.empty() && state.residual < 0)
+    cure += "; " + update + (missing.empty() ? "this loss" : "a further loss");
   return cure;
 }
 
@@ -170,13 +169,9 @@ std::string Monitor<Dim>::text(Sign sign) const {
 
 template <int Dim>
 std::string Monitor<Dim>::energy_text(const Finding& f) const {
-  const Transfer transfer = model_.scheme.transfer;
   const std::string missing = unreported_energy();
-  const std::string cure = transfer == Transfer::apic
-                               ? "a smaller <TimeFactor>, or quadratic splines"
-                               : "<Transfer type='APIC'/> conserves it better, or a smaller <TimeFactor>";
   return format("energy: %.3g %% of what was supplied came from nowhere until time %.4g: ", 100 * f.worst, f.time) +
-         (missing.empty() ? cure : missing);
+         (missing.empty() ? cure_of_gain(model_.scheme) : missing);
 }
 
 template <int Dim>

@@ -14,6 +14,7 @@
 #include "run/distant_bodies.hpp"
 #include "run/effort.hpp"
 #include "run/held_bodies.hpp"
+#include "run/law_remarks.hpp"
 #include "run/load_report.hpp"
 #include "run/pore_pressure.hpp"
 #include "run/setup_report.hpp"
@@ -55,6 +56,7 @@ class Report {
     line(line_of_units(model_));
     for (auto& remark : remarks_on_units(model_, seeds_)) advice_.push_back(std::move(remark));
     take(describe_setup(model_, system_));
+    for (auto& remark : remarks_on_contact_laws(model_)) advice_.push_back(std::move(remark));
     bodies();
     rigid_blocks();
     gaps();
@@ -310,7 +312,22 @@ class Report {
     const auto unit = [&](Dimension dimension) { return model_.units.name(dimension); };
     line(format("time step: %.6g %s, set by %s (wave speed %.6g %s)", step_.size, unit(Dimension::time).c_str(),
                 step_.set_by.c_str(), step_.wave_speed, unit(Dimension::velocity).c_str()));
+    damping();
     line(format("steps: about %.0f to time %.6g", std::ceil(model_.time.end / step_.size), model_.time.end));
+  }
+
+  // Damping is explicit in time: each step takes its rate times the step of the velocity.
+  void damping() {
+    const auto check = [&](const std::optional<Expression>& rate, const char* name) {
+      if (!rate || !rate->is_constant()) return;
+      if (const double part = (*rate)(Variables{}) * step_.size; part > 0.5)
+        advice_.push_back(
+            format("%s takes %.3g times the velocity in each step: rates far below 1 over the step, "
+                   "which is %.3g, are stable and accurate",
+                   name, part, 1 / step_.size));
+    };
+    check(model_.damping.grid, "<Damping>");
+    check(model_.damping.particle, "<PDamping>");
   }
 
   // The models of the stages are built, too, which throws for conditions that select nothing.

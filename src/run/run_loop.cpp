@@ -45,6 +45,7 @@ class RunLoop::Loop {
         provenance_(options.folder / "provenance.json", options.command_line, model.file, threads(),
                     facts_of(model, stepped, options.changes)),
         progress_(options.quiet, stepped.time(), model.time.end, stepped.moving().first, stepped.moving().second) {
+    progress_.wording = options.wording;
     ResultNames names = names_of_every_run();
     names.add(stepped.result_names());
     std::vector<std::filesystem::path> flushed;

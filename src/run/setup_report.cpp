@@ -66,10 +66,8 @@ class SetupReport {
   // velocity of such nodes in each step, move the particles on and on; with FLIP the face vibrates.
   void equilibrium() {
     const Scheme& s = model_.scheme;
-    const Damping& d = model_.damping;
-    const bool damped = d.grid || d.particle || d.grid_gain || d.particle_gain;
     const bool creeps = s.transfer == Transfer::fmpm || s.transfer == Transfer::xpic;
-    if ((!damped && model_.stages.empty()) || s.strains_follow_update() || s.kernel == Kernel::linear) return;
+    if (!model_.seeks_equilibrium() || s.strains_follow_update() || s.kernel == Kernel::linear) return;
     if (!creeps && s.transfer != Transfer::flip) return;
     out_.advice.push_back("with " + words_of_transfer(s) + " and " + words_of_order(s) +
                           ", faces of a body in equilibrium that are curved or inclined " +

@@ -8,6 +8,8 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <vector>
 
 namespace tribo {
 namespace {
@@ -59,14 +61,71 @@ double leaves(const Model& model, const Seeds& seeds, int material) {
   return first;
 }
 
+// The particles of a material that lie farthest out along each axis.
+std::vector<Seed> outermost(const Model& model, const Seeds& seeds, int material) {
+  std::vector<Seed> out;
+  for (int d = 0; d < model.dimension(); ++d)
+    for (const double side : {-1.0, 1.0}) {
+      std::optional<Seed> most;
+      for (const Seed& s : seeds)
+        if (s.material == material && (!most || side * s.x[d] > side * most->x[d])) most = s;
+      if (most) out.push_back(*most);
+    }
+  return out;
+}
+
+// When a rigid body leaves the grid: its outermost particles are moved along by steps of the midpoint rule. Infinite if
+// they stay inside.
+double rigid_leaves(const Model& model, const Seeds& seeds, int number) {
+  constexpr int steps = 500;
+  const MaterialSpec& material = model.materials[static_cast<std::size_t>(number)];
+  const double dt = model.time.end / steps, unit = model.units.alternative_time();
+  double first = std::numeric_limits<double>::infinity();
+  for (const Seed& seed : outermost(model, seeds, number)) {
+    const auto velocity = [&](const Vec3& x, double time) {
+      Vec3 v = seed.v;
+      for (std::size_t d = 0; d < 3; ++d)
+        if (material.rigid_velocity[d])
+          v[static_cast<Eigen::Index>(d)] = (*material.rigid_velocity[d])(Variables::at(x, time / unit));
+      return v;
+    };
+    Vec3 x = seed.x;
+    for (int k = 0; k < steps && k * dt < first; ++k) {
+      const double time = k * dt;
+      x += dt * velocity(x + 0.5 * dt * velocity(x, time), time + 0.5 * dt);
+      for (int d = 0; d < model.dimension(); ++d) {
+        const auto axis = static_cast<std::size_t>(d);
+        if (!model.grid.periodic[axis] && (x[d] < model.grid.low[axis] || x[d] > model.grid.high[axis]))
+          first = std::min(first, time + dt);
+      }
+    }
+  }
+  return first;
+}
+
+// Whether the model prescribes the motion of a rigid body from its start to its end.
+bool is_known(const Model& model, int material) {
+  return model.stages.empty() && !model.reversal && !(model.load_control && model.load_control->material == material);
+}
+
 }  // namespace
 
 Remarks describe_travel(const Model& model, const Seeds& seeds) {
   Remarks out;
   for (std::size_t m = 0; m < model.materials.size(); ++m) {
     const MaterialSpec& material = model.materials[m];
-    if (!material.law || material.law->rigid()) continue;
-    if (const double time = leaves(model, seeds, static_cast<int>(m)); time < model.time.end)
+    if (!material.law) continue;
+    const auto number = static_cast<int>(m);
+    if (material.law->rigid()) {
+      if (!is_known(model, number)) continue;
+      if (const double time = rigid_leaves(model, seeds, number); time < model.time.end)
+        out.advice.push_back(
+            format("the rigid body '%s' leaves the grid at time %.3g, at which the run will stop: a larger grid, or an "
+                   "earlier end",
+                   material.name.c_str(), time));
+      continue;
+    }
+    if (const double time = leaves(model, seeds, number); time < model.time.end)
       out.advice.push_back(
           format("'%s' leaves the grid at time %.4g unless something stops it", material.name.c_str(), time));
   }

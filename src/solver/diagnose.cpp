@@ -20,6 +20,9 @@ void stop_at_bad_particle(const System<Dim>& system) {
         for (int d = 0; d < Dim; ++d) at += (d ? ", " : "") + std::to_string(x[d]);
         const std::string particle =
             "particle " + std::to_string(body.particles.id[i]) + " of '" + body.name + "' at (" + at + ")";
+        if (finite && volume > 0 && bodies == &system.rigids)
+          throw SimulationError(particle + " left the grid" + when +
+                                ": a rigid body must stay inside. Enlarge <Grid>, or end its motion earlier.");
         if (finite && volume > 0)
           throw SimulationError(
               particle + " left the grid" + when +

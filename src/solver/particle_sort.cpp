@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "solver/particle_sort.hpp"
 
+#include "materials/material.hpp"
 #include "solver/boundary/periodic.hpp"
 #include "solver/diagnose.hpp"
 
@@ -23,10 +24,12 @@ void ParticleSort<Dim>::sort() {
   system_.sorted = true;
 }
 
-// Moves particles that left the grid to its edge and sets the velocity component in this direction to zero.
+// Moves particles that left the grid to its edge and sets the velocity component in this direction to zero. Those of a
+// rigid body would no longer have its shape.
 template <int Dim>
 void ParticleSort<Dim>::return_to_grid(Body<Dim>& body) {
-  if (!model_.leave_limit) stop_at_bad_particle(system_);
+  const bool rigid = model_.materials[static_cast<std::size_t>(body.material)].law->rigid();
+  if (!model_.leave_limit || (rigid && !model_.delete_leaving)) stop_at_bad_particle(system_);
   const auto x = body.particles.x(), v = body.particles.v();
   for (std::size_t i = 0; i < body.particles.size(); ++i)
     for (std::size_t d = 0; d < Dim; ++d) {

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#include "run/energy_advice.hpp"
+
+#include "model/model.hpp"
+
+namespace tribo {
+
+std::string cure_of_gain(const Scheme& s) {
+  const bool apic = s.transfer == Transfer::apic;
+  const bool splines = s.kernel == Kernel::quadratic_spline || s.kernel == Kernel::cubic_spline;
+  std::string often;
+  const auto add = [&](bool wanted, const char* what) {
+    if (wanted) often += (often.empty() ? "" : ", ") + std::string(what);
+  };
+  add(!apic, "<Transfer type='APIC'/>");
+  add(s.extrapolate_again || s.order == UpdateOrder::usf, "<SkipPostExtrapolation/> (USL-, USAVG-)");
+  add(!splines, "<GIMP type='quadratic'/>");
+  return often.empty() ? "a smaller <TimeFactor>" : "often avoided by " + often + " or a smaller <TimeFactor>";
+}
+
+std::string cure_of_loss(const Model& model) {
+  const Scheme& s = model.scheme;
+  const bool filtered = s.transfer == Transfer::fmpm || s.transfer == Transfer::xpic;
+  if (s.extrapolate_again || s.order == UpdateOrder::usf || filtered || model.seeks_equilibrium()) return "";
+  return "the update without <SkipPostExtrapolation/> (USL+, USAVG+) usually avoids most of ";
+}
+
+}  // namespace tribo

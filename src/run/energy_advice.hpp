@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+/// What to change in a model whose energy balance is off.
+#pragma once
+
+#include "model/scheme.hpp"
+
+#include <string>
+
+namespace tribo {
+
+struct Model;
+
+/// What usually avoids that energy comes from nowhere, without what the scheme already has.
+std::string cure_of_gain(const Scheme& scheme);
+
+/// What usually avoids most of the energy that the balance lacks; empty if nothing is known. The updates without a
+/// second extrapolation lose energy at nodes with little mass. In equilibrium, and with XPIC and FMPM, those with it
+/// lose more.
+std::string cure_of_loss(const Model& model);
+
+}  // namespace tribo
