@@ -71,3 +71,12 @@ def run(case):
                 case.check(f"glued, {transfer}: elongation with {update} over that with USL-", dy / first, 1.0, 0.01)
             _, dy = last(f"{name}_{update}", transfer, update, law=glue(0.2), **pull)
             case.check(f"glued, {transfer}, {update}, 82 % of the strength: elongation over that without limit", dy / first, 1.0, 0.12)
+
+    # 2 mm high and sheared without pressure: u = rho a (h y - y^2/2)/G, with the mean rho a h^2/(3 G)
+    shear = dict(ax="5", ay="0", height="2", law=glue(100))
+    mean = 1.2e-3 * 5 * END * 2.0**2 / (3 * 600 / 2.6)
+    for kernel, label in (("uGIMP", "uGIMP"),) if case.quick else (("uGIMP", "uGIMP"), ("quadratic", "splines")):
+        for transfer in ("FLIP",) if case.quick else ("FLIP", "APIC", "FMPM(4)"):
+            for update in ("USL-", "USL+"):
+                dx, _ = last(f"sheared_{label}_{transfer[:4]}_{update}", transfer, update, kernel=kernel, **shear)
+                case.check(f"glued and sheared, {label}, {transfer}, {update}: mean displacement", dx, mean, 0.15)

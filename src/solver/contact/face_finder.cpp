@@ -12,6 +12,9 @@ namespace {
 
 using namespace face_tolerance;
 
+// A body with less than this fraction of the other one's volume at a node just reaches over the face.
+constexpr double little_volume = 0.03;
+
 }  // namespace
 
 template <int Dim>
@@ -67,7 +70,10 @@ bool FaceFinder<Dim>::find(const ContactNode<Dim>& node, std::span<const Contact
 }
 
 // The share of the node in the area of the face, |sum_p V_p grad w_Ip . n|, the smaller one of both sides: where one
-// face ends before the other, they are in contact only along the shorter one.
+// face ends before the other, they are in contact only along the shorter one. A body that just reaches over the face
+// has little volume at a node inside the other body, whose gradient is zero there. The force of its stress on that node
+// is proportional to its own gradient, so the area is that of this gradient: bonds and friction with cohesion would
+// otherwise have no strength there, and the node would strain the body without limit.
 template <int Dim>
 double FaceFinder<Dim>::area(const ContactNode<Dim>& node, const ContactMember& a, const ContactMember& b,
                              NearParticles<Dim>& near, const Vec<Dim>& n) const {
@@ -82,7 +88,14 @@ double FaceFinder<Dim>::area(const ContactNode<Dim>& node, const ContactMember& 
     if (thin_a && thin_b) return std::max(of_a, of_b);
     if (thin_a || thin_b) return thin_a ? of_b : of_a;
   }
-  return std::min(of_a, of_b);
+  const double least = std::min(of_a, of_b);
+  const auto volume = [&](const ContactMember& m) {
+    return system_.fields[m.field].volumes[static_cast<std::size_t>(m.node)].volume;
+  };
+  const double volume_a = volume(a), volume_b = volume(b);
+  const double ratio = std::min(volume_a, volume_b) / (little_volume * std::max(volume_a, volume_b));
+  const double of_light = volume_a < volume_b ? of_a : of_b;
+  return ratio < 1 ? of_light + ratio * (least - of_light) : least;
 }
 
 // Whether the back face of a side, opposite to `out`, lies within the support of the shape function of the node.
