@@ -176,7 +176,7 @@ class Scanner {
         if (c == quote) quote = 0, value = 0;
         if (++value > longest_value)
           fail(place.tag, "an attribute of this tag is longer than " + std::to_string(longest_value) + " characters");
-        character();
+        in_value_ = true, character(), in_value_ = false;
         continue;
       }
       if (c == '<') fail(here(), "'<' inside a tag; the tag at " + place.tag.text() + " is not closed");
@@ -237,6 +237,17 @@ class Scanner {
     expand(name, begin, 0);
   }
 
+  static bool begins_name(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_'; }
+
+  // Copies a comment that begins at `k` but for its last character. Returns the place of this character.
+  std::size_t copy_comment(const std::string& value, std::size_t k) {
+    const auto end = value.find("-->", k);
+    const std::size_t last = end == std::string::npos ? value.size() - 1 : end + 2;
+    expanded += value.substr(k, last - k), added_ += last - k;
+    return last;
+  }
+
+  // Appends the value of an entity. Its elements have the place where the entity is used.
   void expand(const std::string& name, const Origin& use, int depth) {
     static constexpr std::array<std::string_view, 5> standard{"amp", "lt", "gt", "quot", "apos"};
     if ((!name.empty() && name[0] == '#') || std::find(standard.begin(), standard.end(), name) != standard.end()) {
@@ -253,6 +264,9 @@ class Scanner {
     const std::string& value = found->second;
     for (std::size_t k = 0; k < value.size(); ++k) {
       if (++added_ > largest_expansion) fail(use, "entities expand to more than a million characters");
+      if (value.compare(k, 4, "<!--") == 0) k = copy_comment(value, k);
+      if (!in_value_ && value[k] == '<' && k + 1 < value.size() && begins_name(value[k + 1]))
+        places.push_back({use, use, {}});
       const auto end = value[k] == '&' ? value.find(';', k) : std::string::npos;
       if (end == std::string::npos) {
         expanded += value[k];
@@ -268,6 +282,7 @@ class Scanner {
   Settings& settings_;
   std::size_t at_ = 0, added_ = 0;
   int line_ = 1, column_ = 1;
+  bool in_value_ = false;  // of an attribute
   struct Open {
     std::string name;
     Origin origin;
