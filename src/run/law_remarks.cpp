@@ -3,7 +3,6 @@
 
 #include "contact/contact_law.hpp"
 
-#include <algorithm>
 #include <set>
 
 namespace tribo {
