@@ -136,6 +136,14 @@ std::string warning_of_splines(const Model& model, const std::map<int, std::set<
          "Impulses='faces' or <GIMP type='uGIMP'/> where they matter";
 }
 
+// What is to be said of elastic bodies that slide with friction, which impulses on nodes damp; empty: nothing.
+std::string remark_on_vibrations(const Model& model) {
+  const Transfer transfer = model.scheme.transfer;
+  if (model.seeks_equilibrium() || (transfer != Transfer::flip && transfer != Transfer::apic)) return "";
+  return ". Without damping, elastic bodies vibrate while they slide with friction: <Transfer type='FMPM' order='2'/> "
+         "or Impulses='nodes' prevents that";
+}
+
 // What makes faces more accurate, if they do not take too long: friction on a curved surface acts at the surface, and
 // material that has opened is pressed again. With splines, impulses on nodes would act on a layer of three rows of
 // nodes, so that a body that tips over turns about a point far inside. Inelastic materials damp themselves; elastic
@@ -148,7 +156,9 @@ std::string advantage(const Model& model, const std::set<int>& materials, const 
   for (const int k : materials)
     if (in_contact(k) && spec(model, k).law->dissipation_index() >= 0)
       return "'" + spec(model, k).name + "' is inelastic";
-  return has_splines(model) ? "splines would spread impulses on nodes over three rows of nodes" : "";
+  return has_splines(model)
+             ? "splines would spread impulses on nodes over three rows of nodes" + remark_on_vibrations(model)
+             : "";
 }
 
 // Whether a disc or a ball among the blocks may touch bodies in the grid.

@@ -157,6 +157,13 @@ def run(case):
 
     laws.append(("AdhesiveFriction, mu = 0.3 + 0.5 s/m v", t, v, lambda v: (0.3 + 0.5 * v) * g * c30))
 
+    # On faces, which the program chooses for splines, with a transfer that damps the vibrations of a sliding block
+    damped = dict(impulses="faces", transfer="<Transfer type='FMPM' order='2'/>")
+    t, v, x, _, _ = slide(case, "faces", **damped, **friction("<coeff>0.3</coeff>"))
+    case.check("impulses on faces, FMPM(2), mu = 0.3: acceleration", acceleration(t, v, 0.6), coulomb(0.3), 5e-4)
+    t, v, x, _, _ = slide(case, "faces_cohesion", **damped, **friction("<coeff>0.3</coeff><Sa>100</Sa>", "AdhesiveFriction"))
+    case.check("impulses on faces, FMPM(2), mu = 0.3, Sa = 100: acceleration", acceleration(t, v, 0.6), coulomb(0.3) - 100 / 200, 5e-3)
+
     oil = "<Material Type='TaitLiquid' Name='oil'><rho>1000</rho><K>1e6</K><viscosity>0.981</viscosity></Material>"
     for order in (0, 1):
         wet = f"<Material Type='LiquidContact' Name='law'><coeff>2000</coeff><LiquidPhase>{4 if order == 0 else 3}</LiquidPhase></Material>"

@@ -31,34 +31,45 @@ inline bool stuck(const ContactPair& pair, const Vec3& normal) {
   return pair.update_status == ContactStatus::stick && sheared(pair, normal);
 }
 
-/// The response of the law of a pair in a state.
+/// What the faces of a pair keep of the relative velocity of the last momentum update when contact acts on extrapolated
+/// velocities. The rest follows from the contact law.
+enum class Hold { nothing, along_face, normal, all };
+
+/// What the faces of a pair keep in a pass.
 ///
 /// Before the momentum update, faces that friction held in the last update do not slide. In the pass `held`, all faces
 /// on which an impulse acted keep the relative velocity of that update, along the face only if there was a shear
 /// impulse: faces that slide go on sliding with the velocity at which friction and strains are in equilibrium. By a law
 /// with cohesion, whose limit does not depend on pressure, the extrapolated velocities would stick where the faces
-/// slide, and the strains would not follow the sliding. Everything else follows from the law. The changes of velocity
-/// in `held` are thereby the adjoint of what the impulses of the corrector do to the particles: impulses and strains do
-/// the same work with opposite signs, and contact creates no energy. By the law alone, faces under pressure would be
-/// held while the extrapolated velocities approach, in loading, but not while they separate, in unloading, and each
-/// such cycle would add energy. Similarly, the frictional limit of the law does not apply to the impulse that holds
-/// faces which stick, as it removes motions of the particles that the nodes do not see and has nothing to do with the
-/// pressure between the bodies.
+/// slide, and the strains would not follow the sliding. The changes of velocity in `held` are thereby the adjoint of
+/// what the impulses of the corrector do to the particles: impulses and strains do the same work with opposite signs,
+/// and contact creates no energy. By the law alone, faces under pressure would be held while the extrapolated
+/// velocities approach, in loading, but not while they separate, in unloading, and each such cycle would add energy.
 ///
 /// A film of liquid holds faces in the normal direction only; its drag follows from the extrapolated velocities. Where
 /// a law makes two fields one (IgnoreContact), they stick in every pass, to the last digit like one field.
-inline ContactResponse response_of(const ContactPair& pair, const ContactState& m, ContactPass pass) {
-  ContactResponse out = pair.law->response(m);
+inline Hold hold_of(const ContactPair& pair, ContactPass pass) {
   const bool holds = pair.law->uses_face() && !pair.law->interface() && !pair.update_impulse.isZero(0);
-  if (pass == ContactPass::corrector || !holds) return out;
+  if (pass == ContactPass::corrector || !holds) return Hold::nothing;
+  const bool film = pair.law->liquid() != 0;
+  if (pass == ContactPass::predictor) return !film && stuck(pair, pair.state.normal) ? Hold::along_face : Hold::nothing;
+  return !film && sheared(pair, pair.state.normal) ? Hold::all : Hold::normal;
+}
+
+/// The response of a pair in a state: that of its law, except for what its faces keep, see hold_of. The frictional
+/// limit of the law does not apply to the impulse that holds faces, as it removes motions of the particles that the
+/// nodes do not see and has nothing to do with the pressure between the bodies.
+inline ContactResponse response_of(const ContactPair& pair, const ContactState& m, Hold hold) {
+  if (hold == Hold::nothing) return pair.law->response(m);
   // A node that particles hardly reached in the last update may have had any velocity there. Once more of a body
   // reaches it, this velocity has the weight of the mass it belonged to.
   const double mass = std::min(m.mass, 2 * pair.update_mass);
-  const Vec3 change = mass * (m.velocity - pair.end_velocity) - out.impulse;
+  const Vec3 kept = mass * (m.velocity - pair.end_velocity);
+  if (hold == Hold::all) return {kept, ContactStatus::stick, m.bond};
+  ContactResponse out = pair.law->response(m);
+  const Vec3 change = kept - out.impulse;
   const Vec3 normal = change.dot(m.normal) * m.normal;
-  if (pass == ContactPass::held) out.impulse += normal;
-  const bool along_face = pass == ContactPass::held ? sheared(pair, m.normal) : stuck(pair, m.normal);
-  if (pair.law->liquid() == 0 && along_face) out.impulse += change - normal;
+  out.impulse += hold == Hold::normal ? normal : Vec3(change - normal);
   return out;
 }
 

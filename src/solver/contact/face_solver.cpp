@@ -105,11 +105,10 @@ Vec3 FaceSolver<Dim>::velocity_at_face(const Row& row) const {
 // Computes the impulse of a pair by its law from the velocity without that impulse. `mass`: impulse over the change of
 // relative velocity that the law shall assume.
 template <int Dim>
-void FaceSolver<Dim>::update_impulse(Row& row, double mass, ContactPass pass) {
+void FaceSolver<Dim>::update_impulse(Row& row, double mass) {
   row.state.mass = mass;
   row.state.velocity = velocity_at_face(row) + row.impulse / mass;
-  row.response =
-      pass == ContactPass::corrector ? row.law->response(row.state) : response_of(*row.pair, row.state, pass);
+  row.response = row.hold == Hold::nothing ? row.law->response(row.state) : response_of(*row.pair, row.state, row.hold);
   row.impulse_change = row.response.impulse - row.impulse;
   row.impulse = row.response.impulse;
 }
@@ -127,11 +126,11 @@ void FaceSolver<Dim>::distribute(const Row& row, const Vec3& impulse) {
 
 // All pairs read the same velocities.
 template <int Dim>
-void FaceSolver<Dim>::sweep_all_at_once(ContactPass pass) {
+void FaceSolver<Dim>::sweep_all_at_once() {
   const auto& groups = constraints_.groups();
   each_group(false, [&](std::size_t g) {
     for (std::size_t k = groups[g].first; k < groups[g].end; ++k)
-      if (rows_[k].active) update_impulse(rows_[k], rows_[k].lumped_mass, pass);
+      if (rows_[k].active) update_impulse(rows_[k], rows_[k].lumped_mass);
   });
   each_group(false, [&](std::size_t g) {
     for (std::size_t k = groups[g].first; k < groups[g].end; ++k)
@@ -141,7 +140,7 @@ void FaceSolver<Dim>::sweep_all_at_once(ContactPass pass) {
 
 // Each pair reads the velocities after the impulses of those before it. Returns whether the impulses hardly changed.
 template <int Dim>
-bool FaceSolver<Dim>::sweep_one_by_one(bool backward, ContactPass pass) {
+bool FaceSolver<Dim>::sweep_one_by_one(bool backward) {
   const auto& groups = constraints_.groups();
   each_group(backward, [&](std::size_t g) {
     Change sum;
@@ -149,7 +148,7 @@ bool FaceSolver<Dim>::sweep_one_by_one(bool backward, ContactPass pass) {
     for (std::size_t k = first; k < end; ++k) {
       Row& row = rows_[backward ? end - 1 - (k - first) : k];
       if (!row.active) continue;
-      update_impulse(row, row.effective_mass, pass);
+      update_impulse(row, row.effective_mass);
       distribute(row, row.impulse_change);
       sum.change += row.impulse_change.squaredNorm();
       sum.size += std::max(row.impulse.squaredNorm(), row.size_before);
@@ -164,11 +163,12 @@ bool FaceSolver<Dim>::sweep_one_by_one(bool backward, ContactPass pass) {
 // Projected Jacobi sweeps, then projected Gauss-Seidel sweeps, forward and backward in turn.
 template <int Dim>
 void FaceSolver<Dim>::solve(ContactPass pass) {
-  for (int sweep = 0; sweep < jacobi_sweeps; ++sweep) sweep_all_at_once(pass);
+  each_row([&](Row& row) { row.hold = hold_of(*row.pair, pass); });
+  for (int sweep = 0; sweep < jacobi_sweeps; ++sweep) sweep_all_at_once();
   const bool from_rest = std::all_of(rows_.begin(), rows_.end(), [](const Row& row) { return row.size_before == 0.0; });
   const int most = from_rest ? max_sweeps_from_rest : max_sweeps;
   for (int sweep = 0; sweep < most; ++sweep)
-    if (sweep_one_by_one(sweep % 2 != 0, pass)) break;
+    if (sweep_one_by_one(sweep % 2 != 0)) break;
   each_row([&](Row& row) {
     ContactPair& pair = *row.pair;
     pair.state = row.state, pair.impulse = row.impulse, pair.response = row.response;

@@ -58,6 +58,7 @@ class FaceSolver {
     std::uint32_t first, end;  // in weights_
     bool active;
     bool next_to_plane;  // some weights have signs
+    Hold hold;           // what its faces keep in the present pass
     double effective_mass, lumped_mass;
     Vec3 trial_velocity;  // relative velocity without contact
     Vec3 impulse;
@@ -81,11 +82,11 @@ class FaceSolver {
   template <class F>
   void each_velocity(const Changes& changes, F&& f);
   Vec3 velocity_at_face(const Row& row) const;
-  void update_impulse(Row& row, double mass, ContactPass pass);
+  void update_impulse(Row& row, double mass);
   void distribute(const Row& row, const Vec3& impulse);
   void begin_row(Row& row, double dt, ContactPass pass);
-  void sweep_all_at_once(ContactPass pass);
-  bool sweep_one_by_one(bool backward, ContactPass pass);
+  void sweep_all_at_once();
+  bool sweep_one_by_one(bool backward);
   void solve(ContactPass pass);
 
   System<Dim>& system_;

@@ -25,9 +25,11 @@ struct Change {
   bool is_small() const { return change <= tolerance * tolerance * size; }
 };
 
-// A pair on which an impulse may act, its impulse before the present pass, and the changes in the last two passes.
+// A pair on which an impulse may act, what its faces keep, its impulse before the present iteration, and the changes in
+// the last two iterations.
 struct ActivePair {
   ContactPair* pair;
+  Hold hold;
   Vec3 old = Vec3::Zero(), change = Vec3::Zero(), before = Vec3::Zero();
 };
 
@@ -38,20 +40,21 @@ void add_impulse(std::span<ContactMember> members, ContactPair& pair, const Vec3
 }
 
 // The law reads the relative velocity without the impulse of its own pair.
-void solve_pair(std::span<ContactMember> members, ContactPair& pair, ContactPass pass) {
+void solve_pair(std::span<ContactMember> members, const ActivePair& active) {
+  ContactPair& pair = *active.pair;
   ContactState& m = pair.state;
   ContactMember &a = members[pair.a], &b = members[pair.b];
   m.velocity = b.velocity - a.velocity + (a.inverse_mass + b.inverse_mass) * pair.impulse;
-  pair.response = response_of(pair, m, pass);
+  pair.response = response_of(pair, m, active.hold);
   const Vec3 change = pair.response.impulse - pair.impulse;
   pair.impulse = pair.response.impulse;
   a.velocity += a.inverse_mass * change, b.velocity -= b.inverse_mass * change;
 }
 
 // All pairs, forward and backward.
-Change pass_over(std::span<ContactMember> members, std::span<ActivePair> pairs, ContactPass pass) {
-  for (ActivePair& p : pairs) p.old = p.pair->impulse, solve_pair(members, *p.pair, pass);
-  for (std::size_t k = pairs.size() - 1; k-- > 0;) solve_pair(members, *pairs[k].pair, pass);
+Change pass_over(std::span<ContactMember> members, std::span<ActivePair> pairs) {
+  for (ActivePair& p : pairs) p.old = p.pair->impulse, solve_pair(members, p);
+  for (std::size_t k = pairs.size() - 1; k-- > 0;) solve_pair(members, pairs[k]);
   Change all;
   for (ActivePair& p : pairs) {
     const ContactState& m = p.pair->state;
@@ -103,18 +106,18 @@ void solve_node(std::span<ContactMember> members, std::span<ContactPair> pairs, 
   active.clear();
   for (ContactPair& pair : pairs) {
     if (!warm_start) pair.impulse.setZero(), pair.response = {};
-    if (!pair.has_no_face && !pair.replaced_by_joint) active.push_back({&pair});
+    if (!pair.has_no_face && !pair.replaced_by_joint) active.push_back({&pair, hold_of(pair, pass)});
   }
   if (active.empty()) return;
   begin_velocities(members, active);
   if (active.size() == 1) {
-    solve_pair(members, *active[0].pair, pass);
+    solve_pair(members, active[0]);
     return;
   }
   double least = std::numeric_limits<double>::infinity();
   int waited = 0, steady = 0;  // passes since the change decreased, and since the last extrapolation
   for (int k = 0; k < max_passes; ++k) {
-    const Change change = pass_over(members, active, pass);
+    const Change change = pass_over(members, active);
     if (change.is_small()) break;
     if (change.change < 0.25 * least)
       least = change.change, waited = 0;

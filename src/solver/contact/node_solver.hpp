@@ -23,7 +23,7 @@ Vec3 velocity_after(std::span<const ContactMember> members, std::span<const Cont
 /// gap closes further.
 ///
 /// `members`: their trial and start velocities, masses. `pairs`: in, ContactState without velocities; out, impulse and
-/// response. `pass`: imperfect interfaces act in the corrector only, see also response_of. `warm_start`: begin with the
+/// response. `pass`: imperfect interfaces act in the corrector only, see also hold_of. `warm_start`: begin with the
 /// present impulses, not with zero.
 void solve_node(std::span<ContactMember> members, std::span<ContactPair> pairs, ContactPass pass, bool warm_start);
 
