@@ -10,7 +10,7 @@ m = tribo.Model("plane strain", title="A block on an incline", units=("m", "kg",
 with m.header():
     m.text("""Units m, kg, s. Until t = 0.3 the block settles with damping. From t = 0.5 on it slides with the acceleration g (sin(angle) - mu cos(angle)).""")
 m.mpm_method("USL-", "B2SPLINE")
-m.transfer("APIC")
+m.transfer("FMPM", 2)
 m.time_step(1, 1, 0.3)
 m.archive_time(0.1)
 m.global_archive_time(0.005)
