@@ -196,9 +196,11 @@ void Builder::history(const Statement& h) {
       continue;
     }
     if (!info) {
-      problems_.add(s.attribute("type")->origin, "'" + q.name + "' is no quantity of the histories" +
-                                                     did_you_mean(q.name, names_of(global_quantities())) +
-                                                     "; valid: " + join(names_of(global_quantities())));
+      const auto names = names_of(global_quantities());
+      const std::string meant = did_you_mean(q.name, names);
+      problems_.add(s.attribute("type")->origin,
+                    "'" + q.name + "' is no quantity of the histories" + meant +
+                        (meant.empty() ? "; valid: " + join(names) : "; 'tribo list' names all"));
       continue;
     }
     q.name = info->name;

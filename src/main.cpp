@@ -148,7 +148,8 @@ class CommandLine {
         add("list", "list all elements, materials, laws, commands and quantities, or describe one", list_command);
     list->add_option("NAME", a.keyword, "name to describe");
     list->add_flag("--names", a.names, "print the names only");
-    auto* doc = add("doc", "describe an element, material, law, command or quantity, or all", doc_command);
+    auto* doc = add("doc", "describe an element, material, law, command or quantity, or all",
+                    [this](const Arguments&) { return describe(); });
     doc->add_option("NAME", a.keyword, "name to describe");
     doc->add_flag("--markdown", a.markdown, "print all as Markdown");
     doc->add_flag("--coverage", a.coverage, "print what is known of the dialect of NairnMPM, as Markdown");
@@ -166,6 +167,17 @@ class CommandLine {
   std::function<int(const Arguments&)> action;
 
  private:
+  // A name of the command files, otherwise a command of the program.
+  int describe() const {
+    try {
+      return doc_command(a);
+    } catch (const UsageError&) {
+      for (const auto* command : app.get_subcommands({}))
+        if (command->get_name() == a.keyword) return print(command->help("tribo"));
+      throw;
+    }
+  }
+
   template <class Action>
   CLI::App* add(const std::string& name, const std::string& meaning, Action act) {
     auto* command = app.add_subcommand(name, meaning);

@@ -34,7 +34,8 @@ std::optional<double> to_number(std::string_view text) {
 }
 
 std::string not_a_property(const std::string& name, const std::vector<std::string>& valid) {
-  return "<" + name + "> is not a property of this material" + did_you_mean(name, valid) + "; valid: " + join(valid);
+  return "<" + name + "> is not a property of this material" +
+         (valid.empty() ? ", which has none" : did_you_mean(name, valid) + "; valid: " + join(valid));
 }
 
 namespace {

@@ -130,7 +130,7 @@ std::string describe_blocks(const Model& model, int wanted_threads) {
   for (const std::string& text : describe_stages(model, {})) line(text);
   for (const StageSpec& stage : model.stages) (void)assemble(*stage.model);
   line(format("memory: about %.3g MB", 1e-6 * blocks.bytes()));
-  line(format("files of blocks and contacts: %.0f each", output_times(Schedule(model.output.archive), model.time.end)));
+  line(format("files of blocks and contacts: %.0f each", file_times(Schedule(model.output.archive), model.time.end)));
   const double output = output_seconds(model, blocks, steps.size);
   out += format("estimated time: %.3g s on %s, of which output %.2g s\n",
                 seconds_per_step(blocks, steps) * model.time.end / steps.size + output,

@@ -26,7 +26,7 @@ class Effort {
       : model_(model), system_(system), stepper_(stepper), dt_(dt) {}
 
   Remarks remarks() {
-    const double files = output_times(Schedule(model_.output.archive), model_.time.end);
+    const double files = file_times(Schedule(model_.output.archive), model_.time.end);
     const double steps = std::ceil(model_.time.end / dt_), output = output_seconds();
     std::string time;
     try {
@@ -58,7 +58,7 @@ class Effort {
     }
     const bool whole = saved <= static_cast<double>(OutputQueue::usual_most_copied);
     const double waiting = whole ? bytes_of_files_ + saved : static_cast<double>(OutputQueue::most_of_parts),
-                 sets = output_times(Schedule(model_.output.archive), model_.time.end);
+                 sets = file_times(Schedule(model_.output.archive), model_.time.end);
     sum += waiting + std::min(static_cast<double>(OutputQueue::usual_limit), std::max(0.0, sets - 1) * waiting);
     for (const auto& field : system_.fields) sum += static_cast<double>(field.nodes.size() * sizeof(Node));
     return sum;

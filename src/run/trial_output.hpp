@@ -36,6 +36,13 @@ inline double output_times(Schedule schedule, double end) {
   return static_cast<double>(schedule.count());
 }
 
+/// Number of times at which a run writes files: the output times, and the end if it is none of them.
+inline double file_times(const Schedule& schedule, double end) {
+  constexpr double round_off = 1e-9;
+  const double all = output_times(schedule, end * (1 + round_off));
+  return all + (output_times(schedule, end * (1 - round_off)) == all ? 1.0 : 0.0);
+}
+
 /// Seconds that all output of a run will take, from one set of files and one row of the histories. `end`: of the run.
 template <class Files, class Row>
 double seconds_of_output(const OutputSpec& output, double end, Files&& write_files, Row&& write_row) {
@@ -45,7 +52,7 @@ double seconds_of_output(const OutputSpec& output, double end, Files&& write_fil
   const auto middle = Clock::now();
   write_row();
   const std::chrono::duration<double> files = middle - begin, row = Clock::now() - middle;
-  const double times = output_times(Schedule(output.archive), end);
+  const double times = file_times(Schedule(output.archive), end);
   const double rows = output.history_interval > 0 ? output_times(Schedule::every(output.history_interval), end) : times;
   return times * files.count() + rows * row.count();
 }
