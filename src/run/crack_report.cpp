@@ -41,6 +41,17 @@ std::vector<CrackGroup<Dim>> groups_of(const System<Dim>& system) {
   return out;
 }
 
+/// How far a group was moved onto the edges of particles, for example ", moved by 0.002 along y to edges of particles";
+/// empty: not at all.
+template <int Dim>
+std::string displacement_of(const Model& model, const System<Dim>& system, const CrackGroup<Dim>& group) {
+  const std::size_t c = group.members.front();
+  const Vec<Dim> way = system.cracks[c].x.front() - model.cracks[c].points.front().template head<Dim>();
+  for (Eigen::Index axis = 0; axis < Dim; ++axis)
+    if (way[axis] != 0.0) return format(", moved by %.4g along %c to the edges of particles", way[axis], "xyz"[axis]);
+  return "";
+}
+
 template <int Dim>
 std::string name_of(const CrackGroup<Dim>& group) {
   if (group.members.size() == 1) return format("crack %zu", group.members.front() + 1);
@@ -72,7 +83,7 @@ bool has_tips(const CrackGroup<Dim>& group) {
 }  // namespace
 
 template <int Dim>
-Remarks describe_cracks(const System<Dim>& system) {
+Remarks describe_cracks(const Model& model, const System<Dim>& system) {
   constexpr double few = 6, near = 3, coarse = 1.01, common = 1e-6;  // cells
   const double h = system.lattice.spacing.maxCoeff();
   Remarks out;
@@ -84,7 +95,7 @@ Remarks describe_cracks(const System<Dim>& system) {
     out.lines.push_back(
         who + ": " + counted(group.pieces, "piece") +
         format(", %s %.6g, %.6g of it in bodies: ", Dim == 2 ? "length" : "area", group.whole, group.inside) +
-        counted(across, "cell", "%.3g") + (Dim == 2 ? " long" : " across"));
+        counted(across, "cell", "%.3g") + (Dim == 2 ? " long" : " across") + displacement_of(model, system, group));
     if (group.inside == 0)
       out.advice.push_back(who + " lies in no body and does nothing");
     else if (across < few && has_tips(group))
@@ -143,9 +154,9 @@ Remarks describe_interfaces(const System<Dim>& system) {
   return out;
 }
 
-template Remarks describe_cracks(const System<2>&);
+template Remarks describe_cracks(const Model&, const System<2>&);
 template Remarks describe_interfaces(const System<2>&);
 template Remarks describe_interfaces(const System<3>&);
-template Remarks describe_cracks(const System<3>&);
+template Remarks describe_cracks(const Model&, const System<3>&);
 
 }  // namespace tribo

@@ -10,7 +10,7 @@ namespace tribo {
 /// One line per crack or pair: pieces, size, cells; and what the grid cannot resolve. Of a system before the first
 /// step.
 template <int Dim>
-Remarks describe_cracks(const System<Dim>& system);
+Remarks describe_cracks(const Model& model, const System<Dim>& system);
 /// The same of joints between materials: points, size, cells.
 template <int Dim>
 Remarks describe_interfaces(const System<Dim>& system);

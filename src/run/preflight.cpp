@@ -280,7 +280,7 @@ class Report {
   }
 
   void cracks() {
-    take(describe_cracks(system_));
+    take(describe_cracks(model_, system_));
     take(describe_interfaces(system_));
     if (system_.joints.empty()) return;
     // known only with the nodal masses of a first step

@@ -55,6 +55,12 @@ def run(case):
         check(case, what, out, a, stress, 10 / math.cos(a), 1 if kernel == "quadratic" else 3)
         if angle == 0 and kernel == "quadratic":
             case.check(f"{what}: largest error of the stress of a row beside the joint", beside(out, stress), 0, 0.02, "at most")
+    # Through centres of particles, and between centres and edges: the joint is at the nearest edge, which is in the check.
+    for height in (9.75, 9.9, 10.2) if not case.quick else (9.75,):
+        out = case.run(f"row_{height}", entities=dict(y1=str(height), y2=str(height)))
+        check(case, f"along a row of particles, y = {height}", out, 0.0, -0.1, 10, 1)
+        case.check(f"along a row of particles, y = {height}: largest error of the stress of a row beside the joint", beside(out, -0.1), 0, 0.02, "at most")
+        case.check(f"along a row of particles, y = {height}: height of the joint", joint(out)["points"][:, 1].mean(), round(2 * height + 1e-9) / 2, 5e-4)  # the column is pressed, by 1e-3 mm there
     for angle in (0, 20) if not case.quick else ():
         a = math.radians(angle)
         rise = 6 * math.tan(a)

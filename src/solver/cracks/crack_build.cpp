@@ -5,6 +5,7 @@
 
 #include "base/text.hpp"
 #include "contact/interface_joint.hpp"
+#include "solver/cracks/particle_edges.hpp"
 #include "solver/neighbours/body_occupancy.hpp"
 #include "solver/state/limited_interface.hpp"
 
@@ -192,6 +193,39 @@ std::shared_ptr<const InterfaceLaw> imperfect_interface(const Model& model, cons
   return limited_interface(model, system.lattice, *spec.law->interface(), materials);
 }
 
+/// The displacements that put surfaces of cracks with joints onto edges of particles, per crack. Surfaces that other
+/// cracks approach stay where they are. `surface`: per crack, as in CommonEnds.
+template <int Dim>
+std::vector<Vec<Dim>> ways_to_edges(const Model& model, System<Dim>& system,
+                                    const std::vector<std::uint32_t>& surface) {
+  const auto has_joint = [](const CrackSpec& crack) { return crack.joint || (crack.law && crack.law->interface()); };
+  const double near = system.lattice.spacing.maxCoeff();
+  std::vector<Vec<Dim>> ways(model.cracks.size(), Vec<Dim>::Zero());
+  for (std::size_t first = 0; first < surface.size(); ++first) {
+    if (surface[first] != first) continue;
+    std::vector<Vec<Dim>> points;
+    bool joint = false;
+    for (std::size_t k = first; k < surface.size(); ++k) {
+      if (surface[k] != first) continue;
+      joint = joint || has_joint(model.cracks[k]);
+      for (const Vec3& x : model.cracks[k].points) points.push_back(x.template head<Dim>());
+    }
+    if (!joint) continue;
+    Vec<Dim> low = points.front(), high = low;
+    for (const Vec<Dim>& x : points) low = low.cwiseMin(x), high = high.cwiseMax(x);
+    bool alone = true;
+    for (std::size_t k = 0; k < surface.size(); ++k)
+      for (const Vec3& x : model.cracks[k].points)
+        alone = alone && (surface[k] == first || ((x.template head<Dim>() - low).array() < -near).any() ||
+                          ((x.template head<Dim>() - high).array() > near).any());
+    if (!alone) continue;
+    const Vec<Dim> way = way_to_particle_edges(system, points);
+    for (std::size_t k = first; k < surface.size(); ++k)
+      if (surface[k] == first) ways[k] = way;
+  }
+  return ways;
+}
+
 }  // namespace
 
 void extend_straight(Crack<2>& crack, const CrackTip& tip, double cell, int cells) {
@@ -222,6 +256,7 @@ template <int Dim>
 void add_cracks(const Model& model, System<Dim>& system, int width) {
   const BodyOccupancy<Dim> occupancy = around_cracks(model, system);
   const CommonEnds ends(model.cracks, Dim == 2, system.lattice.spacing.maxCoeff());
+  const auto ways = ways_to_edges(model, system, ends.surface);
   for (std::size_t number = 0; number < model.cracks.size(); ++number) {
     const CrackSpec& spec = model.cracks[number];
     Crack<Dim> crack;
@@ -231,7 +266,7 @@ void add_cracks(const Model& model, System<Dim>& system, int width) {
     if (interface) crack.law = interface->is_bonded() ? interface : nullptr;
     // closed faces are bonded at the start if their contact law has bonds
     crack.initial_bond = crack.law && crack.law->has_memory() ? 1.0 : 0.0;
-    for (const Vec3& x : spec.points) crack.add_point(crack.x.size(), x.template head<Dim>());
+    for (const Vec3& x : spec.points) crack.add_point(crack.x.size(), x.template head<Dim>() + ways[number]);
     for (const auto& piece : spec.pieces) {
       typename Crack<Dim>::Piece corners;
       std::copy_n(piece.begin(), corners.size(), corners.begin());
