@@ -16,6 +16,18 @@ void add_heat_and_gravity(Rows& add) {
        T::none,
        {},
        true});
+  const std::vector<std::pair<const char*, const char*>> of_materials{
+      {"Cv",
+       "heat capacity per unit mass, > 0; required with <Conduction/> and <EnergyCoupling/> [energy/(mass "
+       "temperature); J/(kg K) in legacy files]"},
+      {"Cp", "the same as Cv"},
+      {"kCond", "thermal conductivity, >= 0 (default 0) [power/(length temperature); W/(m K) in legacy files]"},
+      {"alpha",
+       "coefficient of linear thermal expansion, in parts per million per unit of temperature: 12 for steel, in every "
+       "system of units (default 0)"},
+      {"TaylorQuinney",
+       "fraction of the dissipated work that becomes heat with <EnergyCoupling/>; in [0, 1] (default 1)"}};
+  for (const auto& [name, meaning] : of_materials) add({name, "Material", meaning, T::number, {}, true});
 
   // Gravity
   add({"Gravity", "JANFEAInput", "body forces per unit mass", T::none, {}, true});

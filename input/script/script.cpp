@@ -129,6 +129,15 @@ std::string command_of(const std::string& element) {
   return found == all.end() ? element : found->second;
 }
 
+// The value of an attribute in the text of a tag; empty if it is not there.
+std::string value_of(std::string_view attributes, const std::string& name) {
+  const std::string begin = " " + name + "='";
+  const auto at = attributes.find(begin);
+  if (at == std::string_view::npos) return {};
+  const auto from = at + begin.size();
+  return std::string(attributes.substr(from, attributes.find('\'', from) - from));
+}
+
 // '<Name attributes/>' becomes 'Name'; sections of the file are the script.
 std::string without_tags(const std::string& text) {
   static const std::set<std::string> sections{"JANFEAInput", "MPMHeader", "Header", "Mesh", "MaterialPoints"};
@@ -147,11 +156,13 @@ std::string without_tags(const std::string& text) {
     const std::string name = text.substr(at + 1, end - at - 1);
     const std::string_view attributes = std::string_view(text).substr(end, close - end);
     const bool of_pair = name == "Friction" && attributes.find("matname") != std::string_view::npos;
-    out += sections.count(name) ? "the script" : "'" + (of_pair ? "Contact" : command_of(name)) + "'";
-    constexpr std::string_view type = " type='";  // <GIMP type='uGIMP'/>
-    if (const auto quote = text.find('\'', end + type.size());
-        name == "GIMP" && text.compare(end, type.size(), type) == 0 && quote < close)
-      out += " with " + text.substr(end + type.size(), quote - end - type.size());
+    const std::string type = value_of(attributes, "type"), order = value_of(attributes, "order");
+    if (name == "Transfer" && !type.empty()) {
+      out += "'Transfer " + type + (order.empty() ? "" : "," + order) + "'";
+    } else {
+      out += sections.count(name) ? "the script" : "'" + (of_pair ? "Contact" : command_of(name)) + "'";
+      if (name == "GIMP" && !type.empty()) out += " with " + (type == "quadratic" ? "B2SPLINE" : type);
+    }
     at = close + 1;
   }
   return out;

@@ -132,11 +132,24 @@ std::vector<std::size_t> inner_faces(const Model& model, System<Dim>& system) {
   return count;
 }
 
+// Thermal properties without effect.
+std::vector<std::string> remarks_on_heat(const Model& model) {
+  std::vector<std::string> out;
+  const HeatSpec& heat = model.heat;
+  if (!heat.ramps.empty() && !heat.expansion)
+    out.emplace_back("the temperature changes, but no material has <alpha>: no body expands");
+  const auto conducts = [](const MaterialSpec& material) { return material.conductivity > 0; };
+  if (!heat.conduction && std::any_of(model.materials.begin(), model.materials.end(), conducts))
+    out.emplace_back("<kCond> has no effect: heat is conducted only with <Conduction/> in <Thermal>");
+  return out;
+}
+
 }  // namespace
 
 template <int Dim>
 Remarks describe_loads(const Model& model, System<Dim>& system) {
   Remarks out;
+  out.advice = remarks_on_heat(model);
   const std::vector<std::size_t> inner = inner_faces(model, system);
   const auto& conditions = model.particle_conditions;
   for (const auto kind : {ParticleCondition::Kind::force, ParticleCondition::Kind::traction}) {

@@ -182,7 +182,8 @@ double StepSize<Dim>::viscous_limit(const Body<Dim>& body) const {
 template <int Dim>
 double StepSize<Dim>::conduction_limit(const Body<Dim>& body) const {
   const double h = system_.lattice.smallest_spacing();
-  if (!body.temperature || !(body.conductivity > 0)) return std::numeric_limits<double>::infinity();
+  if (!model_.heat.conduction || !body.temperature || !(body.conductivity > 0))
+    return std::numeric_limits<double>::infinity();
   return model_.time.transport_courant * h * h * body.law->density() * body.heat_capacity /
          (2 * Dim * body.conductivity);
 }

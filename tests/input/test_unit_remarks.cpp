@@ -125,6 +125,10 @@ TEST_CASE("advice on a script names its commands", "[check]") {
         "let it grow ('Gravity' as a function of t), set by 'TimeStep'");
   CHECK(in_words_of_scripts("Use <GIMP type='uGIMP'/> where <GIMP/> is") ==
         "Use 'MPMMethod' with uGIMP where 'MPMMethod' is");
+  CHECK(in_words_of_scripts("often avoided by <Transfer type='APIC'/>, <GIMP type='quadratic'/>") ==
+        "often avoided by 'Transfer APIC', 'MPMMethod' with B2SPLINE");
+  CHECK(in_words_of_scripts("<Transfer type='FMPM' order='2'/> or Impulses='nodes'") ==
+        "'Transfer FMPM,2' or Impulses='nodes'");
 }
 
 TEST_CASE("a model of blocks tells gravity and what is missing", "[check]") {

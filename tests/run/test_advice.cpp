@@ -110,3 +110,20 @@ TEST_CASE("materials that share a velocity field are listed as without contact",
   CHECK_THAT(preflight(read_model_text(text, "deck.xml"), 1),
              Contains("no contact of 'b' and 'a': they share one velocity field"));
 }
+
+TEST_CASE("thermal properties without effect are remarked", "[preflight]") {
+  const std::string ramp =
+      "<CustomTasks><Schedule name='ThermalRamp'><Parameter name='time'>0.5</Parameter>"
+      "<Parameter name='DeltaT'>20</Parameter></Schedule></CustomTasks>";
+  const auto sheet = [&](const std::string& of_material, const std::string& more) {
+    std::string text = deck("", more);
+    const std::string end = "</nu>";
+    for (auto at = text.find(end); at != std::string::npos; at = text.find(end, at + 1))
+      text.insert(at + end.size(), of_material);
+    return preflight(read_model_text(text, "deck.xml"), 1);
+  };
+  CHECK_THAT(sheet("", ramp), Contains("no material has <alpha>"));
+  CHECK_THAT(sheet("<alpha>12</alpha>", ramp), !Contains("<alpha>"));
+  CHECK_THAT(sheet("<Cv>400</Cv><kCond>50</kCond>", ""), Contains("<kCond> has no effect"));
+  CHECK_THAT(sheet("<Cv>400</Cv><kCond>50</kCond>", "<Thermal><Conduction/></Thermal>"), !Contains("has no effect"));
+}
