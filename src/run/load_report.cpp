@@ -138,6 +138,17 @@ std::vector<std::string> remarks_on_heat(const Model& model) {
   const HeatSpec& heat = model.heat;
   if (!heat.ramps.empty() && !heat.expansion)
     out.emplace_back("the temperature changes, but no material has <alpha>: no body expands");
+  for (const Piece& piece : model.pieces) {
+    if (piece.material < 0) continue;  // a hole
+    const MaterialSpec& material = model.materials[static_cast<std::size_t>(piece.material)];
+    const double excess = piece.temperature.value_or(heat.reference) - heat.reference;
+    if (excess == 0.0 || material.expansion == 0.0) continue;
+    out.push_back(
+        format("a body of '%s' starts %.5g %s <StressFreeTemp>: it expands in the first step, which acts like "
+               "an impact; a ThermalRamp changes the temperature gradually",
+               material.name.c_str(), std::abs(excess), excess > 0 ? "above" : "below"));
+    break;
+  }
   const auto conducts = [](const MaterialSpec& material) { return material.conductivity > 0; };
   if (!heat.conduction && std::any_of(model.materials.begin(), model.materials.end(), conducts))
     out.emplace_back("<kCond> has no effect: heat is conducted only with <Conduction/> in <Thermal>");

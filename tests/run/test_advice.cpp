@@ -115,8 +115,10 @@ TEST_CASE("thermal properties without effect are remarked", "[preflight]") {
   const std::string ramp =
       "<CustomTasks><Schedule name='ThermalRamp'><Parameter name='time'>0.5</Parameter>"
       "<Parameter name='DeltaT'>20</Parameter></Schedule></CustomTasks>";
-  const auto sheet = [&](const std::string& of_material, const std::string& more) {
+  const auto sheet = [&](const std::string& of_material, const std::string& more, const std::string& of_body = "") {
     std::string text = deck("", more);
+    const std::string body = "<Body matname='a'";
+    text.insert(text.find(body) + body.size(), of_body);
     const std::string end = "</nu>";
     for (auto at = text.find(end); at != std::string::npos; at = text.find(end, at + 1))
       text.insert(at + end.size(), of_material);
@@ -126,4 +128,6 @@ TEST_CASE("thermal properties without effect are remarked", "[preflight]") {
   CHECK_THAT(sheet("<alpha>12</alpha>", ramp), !Contains("<alpha>"));
   CHECK_THAT(sheet("<Cv>400</Cv><kCond>50</kCond>", ""), Contains("<kCond> has no effect"));
   CHECK_THAT(sheet("<Cv>400</Cv><kCond>50</kCond>", "<Thermal><Conduction/></Thermal>"), !Contains("has no effect"));
+  CHECK_THAT(sheet("<alpha>12</alpha>", "", " temp='100'"), Contains("starts 100 above <StressFreeTemp>"));
+  CHECK_THAT(sheet("", "", " temp='100'"), !Contains("StressFreeTemp"));
 }
