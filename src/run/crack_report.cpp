@@ -46,9 +46,10 @@ std::vector<CrackGroup<Dim>> groups_of(const System<Dim>& system) {
 template <int Dim>
 std::string displacement_of(const Model& model, const System<Dim>& system, const CrackGroup<Dim>& group) {
   const std::size_t c = group.members.front();
-  const Vec<Dim> way = system.cracks[c].x.front() - model.cracks[c].points.front().template head<Dim>();
+  const Vec<Dim> shift = system.cracks[c].x.front() - model.cracks[c].points.front().template head<Dim>();
   for (Eigen::Index axis = 0; axis < Dim; ++axis)
-    if (way[axis] != 0.0) return format(", moved by %.4g along %c to the edges of particles", way[axis], "xyz"[axis]);
+    if (shift[axis] != 0.0)
+      return format(", moved by %.4g along %c to the edges of particles", shift[axis], "xyz"[axis]);
   return "";
 }
 

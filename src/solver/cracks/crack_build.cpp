@@ -196,11 +196,11 @@ std::shared_ptr<const InterfaceLaw> imperfect_interface(const Model& model, cons
 /// The displacements that put surfaces of cracks with joints onto edges of particles, per crack. Surfaces that other
 /// cracks approach stay where they are. `surface`: per crack, as in CommonEnds.
 template <int Dim>
-std::vector<Vec<Dim>> ways_to_edges(const Model& model, System<Dim>& system,
-                                    const std::vector<std::uint32_t>& surface) {
+std::vector<Vec<Dim>> shifts_to_edges(const Model& model, System<Dim>& system,
+                                      const std::vector<std::uint32_t>& surface) {
   const auto has_joint = [](const CrackSpec& crack) { return crack.joint || (crack.law && crack.law->interface()); };
   const double near = system.lattice.spacing.maxCoeff();
-  std::vector<Vec<Dim>> ways(model.cracks.size(), Vec<Dim>::Zero());
+  std::vector<Vec<Dim>> shifts(model.cracks.size(), Vec<Dim>::Zero());
   for (std::size_t first = 0; first < surface.size(); ++first) {
     if (surface[first] != first) continue;
     std::vector<Vec<Dim>> points;
@@ -219,11 +219,11 @@ std::vector<Vec<Dim>> ways_to_edges(const Model& model, System<Dim>& system,
         alone = alone && (surface[k] == first || ((x.template head<Dim>() - low).array() < -near).any() ||
                           ((x.template head<Dim>() - high).array() > near).any());
     if (!alone) continue;
-    const Vec<Dim> way = way_to_particle_edges(system, points);
+    const Vec<Dim> shift = shift_to_particle_edges(system, points);
     for (std::size_t k = first; k < surface.size(); ++k)
-      if (surface[k] == first) ways[k] = way;
+      if (surface[k] == first) shifts[k] = shift;
   }
-  return ways;
+  return shifts;
 }
 
 }  // namespace
@@ -256,7 +256,7 @@ template <int Dim>
 void add_cracks(const Model& model, System<Dim>& system, int width) {
   const BodyOccupancy<Dim> occupancy = around_cracks(model, system);
   const CommonEnds ends(model.cracks, Dim == 2, system.lattice.spacing.maxCoeff());
-  const auto ways = ways_to_edges(model, system, ends.surface);
+  const auto shifts = shifts_to_edges(model, system, ends.surface);
   for (std::size_t number = 0; number < model.cracks.size(); ++number) {
     const CrackSpec& spec = model.cracks[number];
     Crack<Dim> crack;
@@ -266,7 +266,7 @@ void add_cracks(const Model& model, System<Dim>& system, int width) {
     if (interface) crack.law = interface->is_bonded() ? interface : nullptr;
     // closed faces are bonded at the start if their contact law has bonds
     crack.initial_bond = crack.law && crack.law->has_memory() ? 1.0 : 0.0;
-    for (const Vec3& x : spec.points) crack.add_point(crack.x.size(), x.template head<Dim>() + ways[number]);
+    for (const Vec3& x : spec.points) crack.add_point(crack.x.size(), x.template head<Dim>() + shifts[number]);
     for (const auto& piece : spec.pieces) {
       typename Crack<Dim>::Piece corners;
       std::copy_n(piece.begin(), corners.size(), corners.begin());

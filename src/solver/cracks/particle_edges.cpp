@@ -34,7 +34,7 @@ bool is_aligned(const ParticleDomain<Dim>& domain) {
 }  // namespace
 
 template <int Dim>
-Vec<Dim> way_to_particle_edges(System<Dim>& system, const std::vector<Vec<Dim>>& points) {
+Vec<Dim> shift_to_particle_edges(System<Dim>& system, const std::vector<Vec<Dim>>& points) {
   const Vec<Dim> stays = Vec<Dim>::Zero();
   Vec<Dim> low = points.front(), high = low;
   for (const Vec<Dim>& x : points) low = low.cwiseMin(x), high = high.cwiseMax(x);
@@ -68,12 +68,12 @@ Vec<Dim> way_to_particle_edges(System<Dim>& system, const std::vector<Vec<Dim>>&
   }
   if (touches || !(below[0] <= below[1]) || below[1] - below[0] > slack || above[1] - above[0] > slack) return stays;
   const double down = below[0] - at, up = above[0] - at;
-  Vec<Dim> way = stays;
-  way[*axis] = up <= -down + slack ? up : down;
-  return way;
+  Vec<Dim> shift = stays;
+  shift[*axis] = up <= -down + slack ? up : down;
+  return shift;
 }
 
-template Vec<2> way_to_particle_edges(System<2>&, const std::vector<Vec<2>>&);
-template Vec<3> way_to_particle_edges(System<3>&, const std::vector<Vec<3>>&);
+template Vec<2> shift_to_particle_edges(System<2>&, const std::vector<Vec<2>>&);
+template Vec<3> shift_to_particle_edges(System<3>&, const std::vector<Vec<3>>&);
 
 }  // namespace tribo

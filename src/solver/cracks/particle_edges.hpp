@@ -18,6 +18,6 @@ namespace tribo {
 /// that it cuts, at most half a particle [length]. Zero if the surface is not normal to a grid axis, or if the
 /// particles that it cuts do not form one row with edges along the grid.
 template <int Dim>
-Vec<Dim> way_to_particle_edges(System<Dim>& system, const std::vector<Vec<Dim>>& points);
+Vec<Dim> shift_to_particle_edges(System<Dim>& system, const std::vector<Vec<Dim>>& points);
 
 }  // namespace tribo
