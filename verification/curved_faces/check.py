@@ -18,7 +18,7 @@ def impact(case):
         # The force acts at the flattened face, 0.5 m/s times the square root of mass over stiffness behind the circle; the mean
         # over half a period of a sine, weighted with the sine
         flattened = 0.5 * np.sqrt(mass / (np.pi / 4 * 1e6 / 0.91)) * np.pi / 4
-        case.check(f"{name}: oblique impact, spin over tangential impulse", -own[-1] / along, R - flattened, 0.03)
+        case.check(f"{name}: oblique impact, spin over tangential impulse", -own[-1] / along, R - flattened, 0.015)
 
 
 def ball(case):

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 namespace tribo {
 namespace {
@@ -14,7 +15,6 @@ namespace {
 constexpr int jacobi_sweeps = 5;
 constexpr int max_sweeps_from_rest = 50;  // Gauss-Seidel sweeps if no impulses of the last step are known
 constexpr int max_sweeps = 10;            // if they are
-constexpr double tolerance = 1e-8;        // of the impulses, relative
 
 }  // namespace
 
@@ -43,6 +43,67 @@ void FaceSolver<Dim>::set_up(ContactNodes<Dim>& contacts, const Exchanges<Dim>& 
   }
   changes_.resize(velocities.size());
   group_changes_.resize(constraints_.groups().size());
+  find_islands();
+}
+
+// Joins rows that share a nodal velocity, and lists the small sets of joined rows. A set is named by its first row.
+template <int Dim>
+void FaceSolver<Dim>::find_islands() {
+  constexpr auto none = std::numeric_limits<std::uint32_t>::max();
+  const auto count = static_cast<std::uint32_t>(rows_.size());
+  first_row_.resize(count);
+  const auto first_row = [&](std::uint32_t k) {
+    while (first_row_[k] != k) k = first_row_[k] = first_row_[first_row_[k]];
+    return k;
+  };
+  row_of_velocity_.assign(constraints_.velocities().size(), none);
+  for (std::uint32_t k = 0; k < count; ++k) {
+    first_row_[k] = k;
+    for (std::uint32_t t = rows_[k].first; t < rows_[k].end; ++t) {
+      std::uint32_t& other = row_of_velocity_[weights_[t].velocity];
+      if (other == none) other = k;
+      const std::uint32_t a = first_row(other), b = first_row(k);
+      first_row_[std::max(a, b)] = std::min(a, b);
+    }
+  }
+  row_counts_.assign(count, 0);
+  for (std::uint32_t k = 0; k < count; ++k) ++row_counts_[first_row_[k] = first_row(k)];
+  islands_.clear();
+  island_of_.resize(count);
+  has_swept_rows_ = false;
+  std::uint32_t end = 0;
+  std::size_t coupling = 0;
+  for (std::uint32_t k = 0; k < count; ++k) {
+    const std::uint32_t n = row_counts_[first_row_[k]];
+    rows_[k].in_island = n <= largest_island;
+    has_swept_rows_ = has_swept_rows_ || rows_[k].is_swept();
+    if (!rows_[k].in_island || first_row_[k] != k) continue;
+    island_of_[k] = static_cast<std::uint32_t>(islands_.size());
+    islands_.push_back({end, end, coupling});
+    end += n, coupling += n * n;
+  }
+  island_rows_.resize(end), couplings_.resize(coupling);
+  for (std::uint32_t k = 0; k < count; ++k)
+    if (rows_[k].in_island) island_rows_[islands_[island_of_[first_row_[k]]].end++] = k;
+  parallel_for(
+      static_cast<std::ptrdiff_t>(islands_.size()),
+      [&](std::ptrdiff_t k) { find_couplings(islands_[static_cast<std::size_t>(k)]); },
+      FaceConstraints<Dim>::serial_below);
+}
+
+template <int Dim>
+void FaceSolver<Dim>::find_couplings(const Island& island) {
+  Vec3* coupling = &couplings_[island.first_coupling];
+  for (std::uint32_t k = island.first; k < island.end; ++k)
+    for (std::uint32_t l = island.first; l < island.end; ++l, ++coupling) {
+      const Row &of = rows_[island_rows_[k]], &by = rows_[island_rows_[l]];
+      coupling->setZero();
+      for (std::uint32_t t = of.first; t < of.end; ++t)
+        for (std::uint32_t u = by.first; u < by.end; ++u)
+          if (weights_[t].velocity == weights_[u].velocity)
+            *coupling += weights_[t].weight * weights_[u].over_mass *
+                         weights_[t].signs.of(weights_[u].signs.of(Vec3(Vec3::Ones())));
+    }
 }
 
 template <int Dim>
@@ -102,12 +163,12 @@ Vec3 FaceSolver<Dim>::velocity_at_face(const Row& row) const {
   return row.trial_velocity + change.template head<3>();
 }
 
-// Computes the impulse of a pair by its law from the velocity without that impulse. `mass`: impulse over the change of
-// relative velocity that the law shall assume.
+// Computes the impulse of a pair by its law from its relative velocity. `mass`: impulse over the change of relative
+// velocity that the law shall assume.
 template <int Dim>
-void FaceSolver<Dim>::update_impulse(Row& row, double mass) {
+void FaceSolver<Dim>::update_impulse(Row& row, const Vec3& velocity, double mass) {
   row.state.mass = mass;
-  row.state.velocity = velocity_at_face(row) + row.impulse / mass;
+  row.state.velocity = velocity + row.impulse / mass;
   row.response = row.hold == Hold::nothing ? row.law->response(row.state) : response_of(*row.pair, row.state, row.hold);
   row.impulse_change = row.response.impulse - row.impulse;
   row.impulse = row.response.impulse;
@@ -130,11 +191,11 @@ void FaceSolver<Dim>::sweep_all_at_once() {
   const auto& groups = constraints_.groups();
   each_group(false, [&](std::size_t g) {
     for (std::size_t k = groups[g].first; k < groups[g].end; ++k)
-      if (rows_[k].active) update_impulse(rows_[k], rows_[k].lumped_mass);
+      if (rows_[k].is_swept()) update_impulse(rows_[k], velocity_at_face(rows_[k]), rows_[k].lumped_mass);
   });
   each_group(false, [&](std::size_t g) {
     for (std::size_t k = groups[g].first; k < groups[g].end; ++k)
-      if (rows_[k].active) distribute(rows_[k], rows_[k].impulse_change);
+      if (rows_[k].is_swept()) distribute(rows_[k], rows_[k].impulse_change);
   });
 }
 
@@ -147,28 +208,77 @@ bool FaceSolver<Dim>::sweep_one_by_one(bool backward) {
     const auto [first, end, colour] = groups[g];
     for (std::size_t k = first; k < end; ++k) {
       Row& row = rows_[backward ? end - 1 - (k - first) : k];
-      if (!row.active) continue;
-      update_impulse(row, row.effective_mass);
+      if (!row.is_swept()) continue;
+      update_impulse(row, velocity_at_face(row), row.effective_mass);
       distribute(row, row.impulse_change);
-      sum.change += row.impulse_change.squaredNorm();
-      sum.size += std::max(row.impulse.squaredNorm(), row.size_before);
+      sum.add(row);
     }
     group_changes_[g] = sum;
   });
   Change all;
   for (const Change& of : group_changes_) all.change += of.change, all.size += of.size;
-  return all.change <= tolerance * tolerance * all.size;
+  return all.is_small();
 }
 
-// Projected Jacobi sweeps, then projected Gauss-Seidel sweeps, forward and backward in turn.
+// Projected Jacobi sweeps, then projected Gauss-Seidel sweeps, forward and backward in turn, over the rows that are in
+// no island.
 template <int Dim>
-void FaceSolver<Dim>::solve(ContactPass pass) {
-  each_row([&](Row& row) { row.hold = hold_of(*row.pair, pass); });
+void FaceSolver<Dim>::sweep() {
+  if (!has_swept_rows_) return;
   for (int sweep = 0; sweep < jacobi_sweeps; ++sweep) sweep_all_at_once();
   const bool from_rest = std::all_of(rows_.begin(), rows_.end(), [](const Row& row) { return row.size_before == 0.0; });
   const int most = from_rest ? max_sweeps_from_rest : max_sweeps;
   for (int sweep = 0; sweep < most; ++sweep)
     if (sweep_one_by_one(sweep % 2 != 0)) break;
+}
+
+// The same sweeps over the rows of an island. Their relative velocities change with the impulses by the couplings.
+template <int Dim>
+void FaceSolver<Dim>::solve_island(const Island& island) {
+  std::array<Row*, largest_island> all;
+  std::size_t count = 0;
+  for (std::uint32_t k = island.first; k < island.end; ++k) all[count++] = &rows_[island_rows_[k]];
+  const std::span<Row*> rows(all.data(), count);
+  if (std::none_of(rows.begin(), rows.end(), [](const Row* row) { return row->active; })) return;
+  std::array<Vec3, largest_island> velocities, before;
+  for (std::size_t k = 0; k < count; ++k) velocities[k] = velocity_at_face(*rows[k]), before[k] = rows[k]->impulse;
+  const auto apply_change = [&](std::size_t l) {
+    const Vec3* coupling = &couplings_[island.first_coupling + l];
+    for (std::size_t k = 0; k < count; ++k, coupling += count)
+      velocities[k] -= coupling->cwiseProduct(rows[l]->impulse_change);
+  };
+  for (int sweep = 0; sweep < jacobi_sweeps; ++sweep) {
+    for (std::size_t k = 0; k < count; ++k)
+      if (rows[k]->active) update_impulse(*rows[k], velocities[k], rows[k]->lumped_mass);
+    for (std::size_t k = 0; k < count; ++k)
+      if (rows[k]->active) apply_change(k);
+  }
+  const bool from_rest = std::all_of(rows.begin(), rows.end(), [](const Row* row) { return row->size_before == 0.0; });
+  const int most = from_rest ? max_sweeps_from_rest : max_sweeps;
+  for (int sweep = 0; sweep < most; ++sweep) {
+    Change sum;
+    for (std::size_t j = 0; j < count; ++j) {
+      const std::size_t k = sweep % 2 != 0 ? count - 1 - j : j;
+      Row& row = *rows[k];
+      if (!row.active) continue;
+      update_impulse(row, velocities[k], row.effective_mass);
+      apply_change(k);
+      sum.add(row);
+    }
+    if (sum.is_small()) break;
+  }
+  for (std::size_t k = 0; k < count; ++k)
+    if (rows[k]->active) distribute(*rows[k], rows[k]->impulse - before[k]);
+}
+
+template <int Dim>
+void FaceSolver<Dim>::solve(ContactPass pass) {
+  each_row([&](Row& row) { row.hold = hold_of(*row.pair, pass); });
+  sweep();
+  parallel_for(
+      static_cast<std::ptrdiff_t>(islands_.size()),
+      [&](std::ptrdiff_t k) { solve_island(islands_[static_cast<std::size_t>(k)]); },
+      FaceConstraints<Dim>::serial_below);
   each_row([&](Row& row) {
     ContactPair& pair = *row.pair;
     pair.state = row.state, pair.impulse = row.impulse, pair.response = row.response;

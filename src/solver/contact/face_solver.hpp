@@ -20,9 +20,11 @@ namespace tribo {
 /// Finds the impulses of all pairs with faces so that each obeys its law at its face.
 ///
 /// The iteration starts with the impulses of the last step. Jacobi sweeps spread the pressure evenly over pairs that
-/// share nodes, Gauss-Seidel sweeps converge. The pairs of a block of nodes are solved one after the other; blocks so
-/// far apart that their pairs share no nodes have the same colour and are solved in parallel. The order of the sums
-/// does not depend on the number of threads.
+/// share nodes, Gauss-Seidel sweeps converge. The few pairs that share nodes with each other and with no others, as
+/// those on a grid line normal to a plane face, form an island: it is solved by itself with the matrix of its masses,
+/// so that the sweeps do not pass over nodal velocities. The other pairs of a block of nodes are solved one after the
+/// other; blocks so far apart that their pairs share no nodes have the same colour and are solved in parallel. The
+/// order of the sums does not depend on the number of threads.
 template <int Dim>
 class FaceSolver {
  public:
@@ -58,19 +60,38 @@ class FaceSolver {
     std::uint32_t first, end;  // in weights_
     bool active;
     bool next_to_plane;  // some weights have signs
-    Hold hold;           // what its faces keep in the present pass
+    bool in_island;
+    Hold hold;  // what its faces keep in the present pass
     double effective_mass, lumped_mass;
     Vec3 trial_velocity;  // relative velocity without contact
     Vec3 impulse;
     Vec3 impulse_change;  // of this sweep
     ContactState state;
     ContactResponse response;
+    bool is_swept() const { return active && !in_island; }
   };
   // Changes of nodal velocities. With a fourth component, which is zero, they are one vector of the processor.
   using Changes = std::vector<Eigen::Vector4d>;
+  // Rows that share nodal velocities with each other only: the range [first, end) of island_rows_. The relative
+  // velocity of row k decreases by couplings_[first_coupling + k n + l], per component, times the impulse of row l of
+  // n.
+  struct Island {
+    std::uint32_t first, end;
+    std::size_t first_coupling;
+  };
+  static constexpr std::size_t largest_island = 8;
   // Squared sums of the impulses of a group in a sweep.
   struct Change {
     double change = 0.0, size = 0.0;
+    void add(const Row& row) {
+      change += row.impulse_change.squaredNorm();
+      size += std::max(row.impulse.squaredNorm(), row.size_before);
+    }
+    // Whether the impulses have hardly changed.
+    bool is_small() const {
+      constexpr double tolerance = 1e-8;  // relative
+      return change <= tolerance * tolerance * size;
+    }
   };
 
   template <class Value>
@@ -82,17 +103,28 @@ class FaceSolver {
   template <class F>
   void each_velocity(const Changes& changes, F&& f);
   Vec3 velocity_at_face(const Row& row) const;
-  void update_impulse(Row& row, double mass);
+  void find_islands();
+  void find_couplings(const Island& island);
+  void solve_island(const Island& island);
+  void update_impulse(Row& row, const Vec3& velocity, double mass);
   void distribute(const Row& row, const Vec3& impulse);
   void begin_row(Row& row, double dt, ContactPass pass);
   void sweep_all_at_once();
   bool sweep_one_by_one(bool backward);
+  void sweep();
   void solve(ContactPass pass);
 
   System<Dim>& system_;
   FaceConstraints<Dim> constraints_;
   std::vector<Row> rows_;  // of the constraints, in the same order
   std::vector<Weight> weights_;
+  std::vector<Island> islands_;
+  std::vector<std::uint32_t> island_rows_;  // positions in rows_
+  std::vector<Vec3> couplings_;
+  bool has_swept_rows_ = false;  // some active rows are in no island
+  // Scratch of find_islands(): per row the first one that is joined with it, or one before it that leads there; per
+  // first row the number of rows and of the island; per nodal velocity the first row with it.
+  std::vector<std::uint32_t> first_row_, row_counts_, island_of_, row_of_velocity_;
   Changes changes_;                    // of the nodal velocities, by contact
   Changes start_changes_;              // those of the last predictor
   std::vector<Change> group_changes_;  // per group
