@@ -17,7 +17,7 @@ namespace {
 
 constexpr double zone_area = 0.5;
 
-Contact zone(const char* type, const Properties& properties, double gap = 0.0) {
+test::Contact zone(const char* type, const Properties& properties, double gap = 0.0) {
   JointSite site;
   site.area = zone_area, site.gap = gap;
   return {type, properties, site};
@@ -99,14 +99,14 @@ std::vector<TractionCase> traction_cases() {
 }
 
 /// Moves the zone in one mode: opening, or sliding along (0.6, 0.8).
-void step(Contact& j, int mode, double by) {
+void step(test::Contact& j, int mode, double by) {
   if (mode == 0)
     j.move(by);
   else
     j.shear(0.6 * by, 0.8 * by);
 }
-double traction(const Contact& j, int mode) { return (mode == 0 ? j.joint.Fn : j.joint.Fs.norm()) / zone_area; }
-double energy(const Contact& j) { return j.joint.decohesion[0] + j.joint.decohesion[1]; }
+double traction(const test::Contact& j, int mode) { return (mode == 0 ? j.joint.Fn : j.joint.Fs.norm()) / zone_area; }
+double energy(const test::Contact& j) { return j.joint.decohesion[0] + j.joint.decohesion[1]; }
 
 }  // namespace
 

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 
 namespace tribo {
 namespace {
@@ -46,63 +45,40 @@ void FaceSolver<Dim>::set_up(ContactNodes<Dim>& contacts, const Exchanges<Dim>& 
   find_islands();
 }
 
-// Joins rows that share a nodal velocity, and lists the small sets of joined rows. A set is named by its first row.
 template <int Dim>
 void FaceSolver<Dim>::find_islands() {
-  constexpr auto none = std::numeric_limits<std::uint32_t>::max();
-  const auto count = static_cast<std::uint32_t>(rows_.size());
-  first_row_.resize(count);
-  const auto first_row = [&](std::uint32_t k) {
-    while (first_row_[k] != k) k = first_row_[k] = first_row_[first_row_[k]];
-    return k;
-  };
-  row_of_velocity_.assign(constraints_.velocities().size(), none);
-  for (std::uint32_t k = 0; k < count; ++k) {
-    first_row_[k] = k;
-    for (std::uint32_t t = rows_[k].first; t < rows_[k].end; ++t) {
-      std::uint32_t& other = row_of_velocity_[weights_[t].velocity];
-      if (other == none) other = k;
-      const std::uint32_t a = first_row(other), b = first_row(k);
-      first_row_[std::max(a, b)] = std::min(a, b);
-    }
-  }
-  row_counts_.assign(count, 0);
-  for (std::uint32_t k = 0; k < count; ++k) ++row_counts_[first_row_[k] = first_row(k)];
-  islands_.clear();
-  island_of_.resize(count);
+  islands_.find(rows_.size(), constraints_.velocities().size(), [&](std::size_t k, auto&& unknown) {
+    for (std::uint32_t t = rows_[k].first; t < rows_[k].end; ++t) unknown(weights_[t].velocity);
+  });
   has_swept_rows_ = false;
-  std::uint32_t end = 0;
-  std::size_t coupling = 0;
-  for (std::uint32_t k = 0; k < count; ++k) {
-    const std::uint32_t n = row_counts_[first_row_[k]];
-    rows_[k].in_island = n <= largest_island;
+  for (std::size_t k = 0; k < rows_.size(); ++k) {
+    rows_[k].in_island = islands_.contain(k);
     has_swept_rows_ = has_swept_rows_ || rows_[k].is_swept();
-    if (!rows_[k].in_island || first_row_[k] != k) continue;
-    island_of_[k] = static_cast<std::uint32_t>(islands_.size());
-    islands_.push_back({end, end, coupling});
-    end += n, coupling += n * n;
   }
-  island_rows_.resize(end), couplings_.resize(coupling);
-  for (std::uint32_t k = 0; k < count; ++k)
-    if (rows_[k].in_island) island_rows_[islands_[island_of_[first_row_[k]]].end++] = k;
-  parallel_for(
-      static_cast<std::ptrdiff_t>(islands_.size()),
-      [&](std::ptrdiff_t k) { find_couplings(islands_[static_cast<std::size_t>(k)]); },
-      FaceConstraints<Dim>::serial_below);
+  first_coupling_.resize(islands_.count());
+  std::size_t count = 0;
+  for (std::size_t island = 0; island < islands_.count(); ++island) {
+    const std::size_t n = islands_.rows(island).size();
+    first_coupling_[island] = count, count += n * n;
+  }
+  couplings_.resize(count);
+  each_island([&](std::size_t island) { find_couplings(island); });
 }
 
 template <int Dim>
-void FaceSolver<Dim>::find_couplings(const Island& island) {
-  Vec3* coupling = &couplings_[island.first_coupling];
-  for (std::uint32_t k = island.first; k < island.end; ++k)
-    for (std::uint32_t l = island.first; l < island.end; ++l, ++coupling) {
-      const Row &of = rows_[island_rows_[k]], &by = rows_[island_rows_[l]];
+void FaceSolver<Dim>::find_couplings(std::size_t island) {
+  Vec3* coupling = &couplings_[first_coupling_[island]];
+  const auto rows = islands_.rows(island);
+  for (const std::uint32_t k : rows)
+    for (const std::uint32_t l : rows) {
+      const Row &of = rows_[k], &by = rows_[l];
       coupling->setZero();
       for (std::uint32_t t = of.first; t < of.end; ++t)
         for (std::uint32_t u = by.first; u < by.end; ++u)
           if (weights_[t].velocity == weights_[u].velocity)
             *coupling += weights_[t].weight * weights_[u].over_mass *
                          weights_[t].signs.of(weights_[u].signs.of(Vec3(Vec3::Ones())));
+      ++coupling;
     }
 }
 
@@ -129,6 +105,15 @@ void FaceSolver<Dim>::each_group(bool backward, F&& f) {
     parallel_for(
         count, [&](std::ptrdiff_t g) { f(first + static_cast<std::size_t>(g)); }, in_parallel ? 2 : count + 1);
   }
+}
+
+// Calls f(number of the island) for all islands in parallel.
+template <int Dim>
+template <class F>
+void FaceSolver<Dim>::each_island(F&& f) {
+  parallel_for(
+      static_cast<std::ptrdiff_t>(islands_.count()), [&](std::ptrdiff_t k) { f(static_cast<std::size_t>(k)); },
+      FaceConstraints<Dim>::serial_below);
 }
 
 // Calls f(row) for all rows in parallel.
@@ -234,16 +219,16 @@ void FaceSolver<Dim>::sweep() {
 
 // The same sweeps over the rows of an island. Their relative velocities change with the impulses by the couplings.
 template <int Dim>
-void FaceSolver<Dim>::solve_island(const Island& island) {
-  std::array<Row*, largest_island> all;
+void FaceSolver<Dim>::solve_island(std::size_t island) {
+  std::array<Row*, RowIslands::largest> all;
   std::size_t count = 0;
-  for (std::uint32_t k = island.first; k < island.end; ++k) all[count++] = &rows_[island_rows_[k]];
+  for (const std::uint32_t k : islands_.rows(island)) all[count++] = &rows_[k];
   const std::span<Row*> rows(all.data(), count);
   if (std::none_of(rows.begin(), rows.end(), [](const Row* row) { return row->active; })) return;
-  std::array<Vec3, largest_island> velocities, before;
+  std::array<Vec3, RowIslands::largest> velocities, before;
   for (std::size_t k = 0; k < count; ++k) velocities[k] = velocity_at_face(*rows[k]), before[k] = rows[k]->impulse;
   const auto apply_change = [&](std::size_t l) {
-    const Vec3* coupling = &couplings_[island.first_coupling + l];
+    const Vec3* coupling = &couplings_[first_coupling_[island] + l];
     for (std::size_t k = 0; k < count; ++k, coupling += count)
       velocities[k] -= coupling->cwiseProduct(rows[l]->impulse_change);
   };
@@ -275,10 +260,7 @@ template <int Dim>
 void FaceSolver<Dim>::solve(ContactPass pass) {
   each_row([&](Row& row) { row.hold = hold_of(*row.pair, pass); });
   sweep();
-  parallel_for(
-      static_cast<std::ptrdiff_t>(islands_.size()),
-      [&](std::ptrdiff_t k) { solve_island(islands_[static_cast<std::size_t>(k)]); },
-      FaceConstraints<Dim>::serial_below);
+  each_island([&](std::size_t island) { solve_island(island); });
   each_row([&](Row& row) {
     ContactPair& pair = *row.pair;
     pair.state = row.state, pair.impulse = row.impulse, pair.response = row.response;

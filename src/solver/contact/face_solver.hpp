@@ -10,6 +10,7 @@
 #pragma once
 
 #include "solver/contact/face_constraints.hpp"
+#include "solver/contact/row_islands.hpp"
 
 #include <cstdint>
 #include <span>
@@ -72,14 +73,6 @@ class FaceSolver {
   };
   // Changes of nodal velocities. With a fourth component, which is zero, they are one vector of the processor.
   using Changes = std::vector<Eigen::Vector4d>;
-  // Rows that share nodal velocities with each other only: the range [first, end) of island_rows_. The relative
-  // velocity of row k decreases by couplings_[first_coupling + k n + l], per component, times the impulse of row l of
-  // n.
-  struct Island {
-    std::uint32_t first, end;
-    std::size_t first_coupling;
-  };
-  static constexpr std::size_t largest_island = 8;
   // Squared sums of the impulses of a group in a sweep.
   struct Change {
     double change = 0.0, size = 0.0;
@@ -99,13 +92,15 @@ class FaceSolver {
   template <class F>
   void each_group(bool backward, F&& f);
   template <class F>
+  void each_island(F&& f);
+  template <class F>
   void each_row(F&& f);
   template <class F>
   void each_velocity(const Changes& changes, F&& f);
   Vec3 velocity_at_face(const Row& row) const;
   void find_islands();
-  void find_couplings(const Island& island);
-  void solve_island(const Island& island);
+  void find_couplings(std::size_t island);
+  void solve_island(std::size_t island);
   void update_impulse(Row& row, const Vec3& velocity, double mass);
   void distribute(const Row& row, const Vec3& impulse);
   void begin_row(Row& row, double dt, ContactPass pass);
@@ -118,13 +113,12 @@ class FaceSolver {
   FaceConstraints<Dim> constraints_;
   std::vector<Row> rows_;  // of the constraints, in the same order
   std::vector<Weight> weights_;
-  std::vector<Island> islands_;
-  std::vector<std::uint32_t> island_rows_;  // positions in rows_
+  RowIslands islands_;  // of the rows, with the nodal velocities as unknowns
+  // Per island of n rows, from first_coupling_ on, n x n: by how much the relative velocity of a row decreases, per
+  // component, with the impulse of another one.
   std::vector<Vec3> couplings_;
-  bool has_swept_rows_ = false;  // some active rows are in no island
-  // Scratch of find_islands(): per row the first one that is joined with it, or one before it that leads there; per
-  // first row the number of rows and of the island; per nodal velocity the first row with it.
-  std::vector<std::uint32_t> first_row_, row_counts_, island_of_, row_of_velocity_;
+  std::vector<std::size_t> first_coupling_;
+  bool has_swept_rows_ = false;        // some active rows are in no island
   Changes changes_;                    // of the nodal velocities, by contact
   Changes start_changes_;              // those of the last predictor
   std::vector<Change> group_changes_;  // per group
