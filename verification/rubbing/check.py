@@ -49,6 +49,16 @@ def check_plate(case):
     case.figure("rubbing", draw)
 
 
+def check_floor(case):
+    """The work of friction is right for each update of the stress."""
+    plus = "<MPMMethod>{}</MPMMethod>"
+    updates = {"USL+": plus.format("USL"), "USF": plus.format("USF"), "USAVG+": plus.format("USAVG")}
+    for name, update in updates.items():
+        ledger = verify.energy(case.run("floor" + name, "floor.xml", dict(update=update)))
+        case.check(f"FLIP, {name}: energy that is not accounted for over the work of friction", abs(ledger["residual"][-1]) / ledger["contact"][-1], 0, 5e-3, "at most")
+
+
 def run(case):
     check_blocks(case)
+    check_floor(case)
     check_plate(case)

@@ -146,8 +146,13 @@ void ContactLedger<Dim>::record_end(ContactNodes<Dim>& contacts, bool filtered, 
     for (ContactPair& pair : contacts.pairs_of(node)) {
       if (!pair.law || (pair.update_impulse.isZero(0) && pair.applied.isZero(0))) continue;
       const Vec3 change = velocity_of(contacts, node, pair, false, strain_filtered) - pair.update_velocity;
-      const Part part{share * node.ownership * pair.update_impulse, change};
-      nodal_work += share * node.ownership * (pair.applied - pair.update_impulse).dot(change);
+      const Vec3 along_normal = change.dot(pair.state.normal) * pair.state.normal, along_face = change - along_normal;
+      // The friction of faces that slide is in equilibrium with the stress next to them, so that its work is that at
+      // the velocities which strain the bodies.
+      const bool slides = pair.update_status == ContactStatus::slip;
+      const Vec3 mean_change = share * along_normal + (slides ? 1.0 : share) * along_face;
+      const Part part{node.ownership * pair.update_impulse, mean_change};
+      nodal_work += node.ownership * (pair.applied - pair.update_impulse).dot(mean_change);
       add_work(node, pair, pairs[key(contacts, pair)], part.work(), part.along(pair.state.normal).work());
     }
 }
