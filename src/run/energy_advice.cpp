@@ -18,11 +18,21 @@ std::string cure_of_gain(const Scheme& s) {
   return often.empty() ? "a smaller <TimeFactor>" : "often avoided by " + often + " or a smaller <TimeFactor>";
 }
 
-std::string cure_of_loss(const Model& model) {
+std::string cure_of_loss(const Model& model, const std::string& loss) {
   const Scheme& s = model.scheme;
   const bool filtered = s.transfer == Transfer::fmpm || s.transfer == Transfer::xpic;
-  if (s.extrapolate_again || s.order == UpdateOrder::usf || filtered || model.seeks_equilibrium()) return "";
-  return "the update without <SkipPostExtrapolation/> (USL+, USAVG+) usually avoids most of ";
+  if (s.order == UpdateOrder::usf && s.transfer != Transfer::flip)
+    return "with USF " + loss +
+           " is what the transfer dissipates, which USL and USAVG give apart; the motion is the same";
+  if (s.extrapolate_again || s.order == UpdateOrder::usf || filtered) return "";
+  if (!model.seeks_equilibrium())
+    return "the update without <SkipPostExtrapolation/> (USL+, USAVG+) usually avoids most of " + loss;
+  if (s.order == UpdateOrder::usl && s.transfer == Transfer::flip)
+    return "<MPMMethod>USAVG</MPMMethod> with <SkipPostExtrapolation/>, or <Transfer type='APIC'/>, usually avoids "
+           "most "
+           "of " +
+           loss;
+  return "";
 }
 
 }  // namespace tribo

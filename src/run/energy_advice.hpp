@@ -13,9 +13,10 @@ struct Model;
 /// What usually avoids that energy comes from nowhere, without what the scheme already has.
 std::string cure_of_gain(const Scheme& scheme);
 
-/// What usually avoids most of the energy that the balance lacks; empty if nothing is known. The updates without a
-/// second extrapolation lose energy at nodes with little mass. In equilibrium, and with XPIC and FMPM, those with it
-/// lose more.
-std::string cure_of_loss(const Model& model);
+/// What usually avoids most of the energy that the balance lacks, or where it is; empty if nothing is known. The
+/// updates without a second extrapolation lose energy at nodes with little mass. In equilibrium, and with XPIC and
+/// FMPM, those with it lose more. With USF the ledger does not see the dissipation of a transfer. `loss`: how the text
+/// names it.
+std::string cure_of_loss(const Model& model, const std::string& loss = "this loss");
 
 }  // namespace tribo

@@ -155,8 +155,9 @@ template <int Dim>
 std::string Monitor<Dim>::balance_cure() const {
   const std::string missing = unreported_energy();
   std::string cure = missing.empty() ? missing : "; " + missing;
-  if (const std::string update = cure_of_loss(model_); !update.empty() && state.residual < 0)
-    cure += "; " + update + (missing.empty() ? "this loss" : "a further loss");
+  if (const std::string update = cure_of_loss(model_, missing.empty() ? "this loss" : "a further loss");
+      !update.empty() && state.residual < 0)
+    cure += "; " + update;
   return cure;
 }
 

@@ -53,7 +53,7 @@ TEST_CASE("a gain of energy is cured by what the scheme does not have", "[monito
   CHECK(cure_of_gain(s) == "a smaller <TimeFactor>");
 }
 
-TEST_CASE("the second extrapolation is advised against losses only where it avoids them", "[monitor]") {
+TEST_CASE("what avoids losses of energy, or where they are, depends on the scheme", "[monitor]") {
   Model model;
   model.scheme.order = UpdateOrder::usl, model.scheme.extrapolate_again = false;
   model.scheme.transfer = Transfer::flip;
@@ -61,7 +61,13 @@ TEST_CASE("the second extrapolation is advised against losses only where it avoi
   model.scheme.transfer = Transfer::fmpm;
   CHECK(cure_of_loss(model).empty());
   model.scheme.transfer = Transfer::flip, model.damping.particle = Expression(3.0);
+  CHECK_THAT(cure_of_loss(model), Contains("USAVG") && Contains("'APIC'"));
+  model.scheme.order = UpdateOrder::usavg;
   CHECK(cure_of_loss(model).empty());
+  model.scheme.order = UpdateOrder::usf;
+  CHECK(cure_of_loss(model).empty());
+  model.scheme.transfer = Transfer::apic;
+  CHECK_THAT(cure_of_loss(model), Contains("with USF this loss is what the transfer dissipates"));
 }
 
 TEST_CASE("a contact law that nothing uses is told", "[preflight]") {
