@@ -44,13 +44,16 @@ bool solid(const MaterialSpec& m) {
 }
 
 // Dense and slow at once is a density in a wrong unit; models without units often have a density and a modulus of 1.
+// Solids as dense as metals have moduli of GPa: less is a modulus in GPa where MPa are expected.
 void unusual_waves(const Model& model, const MaterialSpec& m, std::vector<std::string>& out) {
   constexpr double fastest = 2e4, slowest = 8, densest = 1e5;  // m/s and kg/m^3
+  constexpr double metal = 3000, slowest_metal = 500;
   const auto speed_unit = factor_to_si(model.units, 1, 0, -1), density_unit = factor_to_si(model.units, -3, 1, 0);
   if (!speed_unit || !density_unit) return;
   const double speed = *speed_unit * std::sqrt(m.law->wave_modulus() / m.law->density());
   const double density = *density_unit * m.law->density();
-  if (speed > fastest || (speed < slowest && density > densest))
+  const bool soft_metal = density > metal && density < densest && speed > slowest && speed < slowest_metal;
+  if (speed > fastest || (speed < slowest && density > densest) || soft_metal)
     out.push_back(
         format("the wave speed of '%s' is %.3g m/s at a density of %.3g kg/m^3, unusual for a solid: check the units "
                "of its density and its moduli",

@@ -42,6 +42,10 @@ TEST_CASE("densities and moduli in other units are remarked", "[check]") {
   CHECK_THAT(block_sheet(elastic("2400", "33000")),
              Contains("the wave speed of 'Bar' is 3.71 m/s at a density of 2.4e+09 kg/m^3, unusual for a solid"));
   CHECK_THAT(block_sheet(elastic("1e-3", "1e10")), Contains("is 3.16e+06 m/s") && Contains(remark));
+  // gigapascals where megapascals are expected
+  CHECK_THAT(block_sheet(elastic("7.8e-3", "210")), Contains("the wave speed of 'Bar' is 164 m/s") && Contains(remark));
+  CHECK_THAT(block_sheet(elastic("7.8e-3", "210000")), !Contains(remark));
+  CHECK_THAT(block_sheet(elastic("2e-3", "50")), !Contains(remark));  // soil
   // models without units in m, kg and s
   CHECK_THAT(block_sheet(elastic("1", "1"), "", "length='m' mass='kg' time='s'"), !Contains(remark));
   CHECK_THAT(block_sheet(elastic("2400", "33000"), "", "length='L' mass='M' time='T'"), !Contains(remark));
