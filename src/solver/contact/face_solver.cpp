@@ -208,7 +208,7 @@ bool FaceSolver<Dim>::sweep_one_by_one(bool backward) {
 // Projected Jacobi sweeps, then projected Gauss-Seidel sweeps, forward and backward in turn, over the rows that are in
 // no island.
 template <int Dim>
-void FaceSolver<Dim>::sweep() {
+void FaceSolver<Dim>::sweep_rows() {
   if (!has_swept_rows_) return;
   for (int sweep = 0; sweep < jacobi_sweeps; ++sweep) sweep_all_at_once();
   const bool from_rest = std::all_of(rows_.begin(), rows_.end(), [](const Row& row) { return row.size_before == 0.0; });
@@ -259,7 +259,7 @@ void FaceSolver<Dim>::solve_island(std::size_t island) {
 template <int Dim>
 void FaceSolver<Dim>::solve(ContactPass pass) {
   each_row([&](Row& row) { row.hold = hold_of(*row.pair, pass); });
-  sweep();
+  sweep_rows();
   each_island([&](std::size_t island) { solve_island(island); });
   each_row([&](Row& row) {
     ContactPair& pair = *row.pair;

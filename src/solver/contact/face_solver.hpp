@@ -106,7 +106,7 @@ class FaceSolver {
   void begin_row(Row& row, double dt, ContactPass pass);
   void sweep_all_at_once();
   bool sweep_one_by_one(bool backward);
-  void sweep();
+  void sweep_rows();
   void solve(ContactPass pass);
 
   System<Dim>& system_;
