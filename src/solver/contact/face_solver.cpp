@@ -292,14 +292,15 @@ void FaceSolver<Dim>::begin_row(Row& row, double dt, ContactPass pass) {
 
 template <int Dim>
 void FaceSolver<Dim>::apply(double dt, ContactPass pass) {
+  const bool corrects = pass == ContactPass::corrector;
   const auto& groups = constraints_.groups();
   std::fill(changes_.begin(), changes_.end(), Eigen::Vector4d::Zero());
   each_row([&](Row& row) { begin_row(row, dt, pass); });
-  each_group(false, [&](std::size_t g) {
-    for (std::size_t k = groups[g].first; k < groups[g].end; ++k) distribute(rows_[k], rows_[k].impulse);
-  });
+  if (corrects)  // else the iteration starts without impulses
+    each_group(false, [&](std::size_t g) {
+      for (std::size_t k = groups[g].first; k < groups[g].end; ++k) distribute(rows_[k], rows_[k].impulse);
+    });
   solve(pass);
-  const bool corrects = pass == ContactPass::corrector;
   if (!corrects) start_changes_ = changes_;
   each_row([&](Row& row) { (corrects ? row.pair->applied : row.pair->at_start) = row.impulse; });
   each_velocity(changes_, [&](const FaceVelocity& of, const Vec3& change) {
