@@ -82,6 +82,7 @@ Stepper<Dim>::Stepper(const Model& model, System<Dim>& system)
       rigid_blocks_(system),
       heat_(model, system, *transfers_),
       ramps_(model, system),
+      affine_at_walls_(model, system.lattice),
       b_bar_(model.scheme, system, *transfers_, exchanges_),
       openings_(model, system),
       filter_(model, system, *transfers_, exchanges_, conditions_, contact_) {

@@ -22,6 +22,7 @@
 #include "solver/rigid/rigid_blocks.hpp"
 #include "solver/rigid/rigid_bodies.hpp"
 #include "solver/system_loops.hpp"
+#include "solver/transfer/affine_at_walls.hpp"
 #include "solver/transfer/b_bar.hpp"
 #include "solver/velocity_filter.hpp"
 
@@ -82,7 +83,8 @@ class Stepper {
   friend void archive(Archive& a, Stepper& stepper) {
     auto& [model, system, loops, ledger, watches, transfers, sort, splitting, exchanges, conditions, cracks, crack_tips,
            interface_faces, joints, contact, loads, tractions, body_forces, nodal_work, damping, rigid_bodies,
-           rigid_blocks, heat, ramps, b_bar, openings, filter, jump, measures, ratio, gathered] = stepper;
+           rigid_blocks, heat, ramps, affine_at_walls, b_bar, openings, filter, jump, measures, ratio, gathered] =
+        stepper;
     a.version(5);
     a("system", system);
     a("ledger", ledger), a("sort", sort), a("splitting", splitting), a.each("conditions", conditions),
@@ -165,6 +167,7 @@ class Stepper {
   RigidBlocks<Dim> rigid_blocks_;
   HeatConduction<Dim> heat_;
   TemperatureRamps<Dim> ramps_;
+  AffineAtWalls<Dim> affine_at_walls_;
   BBar<Dim> b_bar_;
   OpeningAverage<Dim> openings_;
   VelocityFilter<Dim> filter_;

@@ -64,6 +64,10 @@ void Stepper<Dim>::scatter(Scatter what, bool from_start) {
                         system_.analysis == Analysis::axisymmetric);
   });
   if (what == Scatter::force) return;
+  for (auto& body : system_.bodies) {
+    auto& field = system_.fields[body.field];
+    affine_at_walls_.add(body, field.map, field.nodes, from_start);
+  }
   for (auto& body : system_.rigids)
     if (body.field != Body<Dim>::no_field) {
       auto& field = system_.fields[body.field];

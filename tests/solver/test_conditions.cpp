@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cloud.hpp"
+#include "solver/step_start.hpp"
+#include "solver/transfer/affine_at_walls.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -103,6 +105,62 @@ TEST_CASE("linear fields pass a wall unchanged", "[conditions]") {
   make_transfers<2>(model.scheme)->gather(system.bodies[0], {field.map, field.nodes}, what);
   CHECK(system.bodies[0].particles.velocity(0)[0] == Approx(1 + 0.6 - 23.8).epsilon(1e-12));
   CHECK(system.bodies[0].particles.velocity(0)[1] == Approx(2.7).epsilon(1e-12));
+}
+
+TEST_CASE("with APIC a linear velocity of the particles is that of the nodes at walls, too", "[conditions]") {
+  const Kernel kernel = GENERATE(Kernel::quadratic_spline, Kernel::cubic_spline);
+  const bool from_start = GENERATE(false, true);
+  Model model = grid_model<2>(kernel, Transfer::apic);
+  model.scheme.order = UpdateOrder::usl, model.scheme.extrapolate_again = from_start;
+  model.grid.wall[0][0] = 4.0, model.grid.wall[0][1] = 20.0, model.grid.wall[1][1] = 24.0;
+  std::vector<Seed> seeds;
+  for (int i = 0; i < 32; ++i)
+    for (int j = 0; j < 8; ++j) {
+      Seed s;
+      s.x = Vec3(4.25 + 0.5 * i, 20.25 + 0.5 * j, 0), s.half_size = Vec3(0.25, 0.25, 0), s.volume = 0.25, s.mass = 1;
+      seeds.push_back(s);
+    }
+  auto system = build_system<2>(model, seeds);
+  settle(system);
+  auto& body = system.bodies[0];
+  Eigen::Matrix2d C;
+  C << 0.3, -0.7, 1.1, 0.4;
+  const Vec<2> v0(2, -1);
+  const double moment = kernel == Kernel::quadratic_spline ? 0.25 : 1.0 / 3;  // of the shape functions
+  for (std::size_t p = 0; p < body.particles.size(); ++p) {
+    const Vec<2> x = body.particles.position(p), v = v0 + C * x;
+    for (std::size_t d = 0; d < 2; ++d) {
+      body.particles.v()[d][p] = v[static_cast<Eigen::Index>(d)];
+      for (std::size_t c = 0; c < 2; ++c)
+        body.particles[body.affine][d * 2 + c][p] =
+            moment * C(static_cast<Eigen::Index>(d), static_cast<Eigen::Index>(c));
+    }
+  }
+  if (from_start) {
+    keep_start_positions(system);
+    for (std::size_t p = 0; p < body.particles.size(); ++p) body.particles.x()[0][p] += 0.1;
+  }
+  auto& field = system.fields[0];
+  std::fill(field.nodes.begin(), field.nodes.end(), Node{});
+  make_transfers<2>(model.scheme)
+      ->scatter(body, Target<2>(field.map, field.nodes), Scatter::momentum, from_start, false);
+  const auto total = [&] {
+    Vec<2> sum = Vec<2>::Zero();
+    for (const Node& node : field.nodes) sum += Eigen::Map<const Vec<2>>(node.momentum);
+    return sum;
+  };
+  const Vec<2> before = total();
+  AffineAtWalls<2>(model, system.lattice).add(body, field.map, field.nodes, from_start);
+  CHECK((total() - before).norm() < 1e-12 * before.norm());
+  const auto exchange = make_exchange<2>(model.grid, system.lattice);
+  exchange->locate(field.map);
+  exchange->sum_images(field.nodes);
+  for (std::int64_t n = 0; n < field.map.node_count(); ++n) {
+    const Vec<2> x = system.lattice.position(field.map.node_at(n));
+    const Node& node = field.nodes[static_cast<std::size_t>(n)];
+    if (exchange->is_image(field.map.node_at(n)) || !(node.mass > 1e-6)) continue;
+    CHECK((Eigen::Map<const Vec<2>>(node.momentum) / node.mass - v0 - C * x).norm() < 1e-11);
+  }
 }
 
 TEST_CASE("a block against a symmetry plane moves like half of the whole block", "[conditions]") {
