@@ -178,7 +178,13 @@ void Translator::archive(const Command& c) {
 void Translator::global_archive(const Command& c) {
   Statement& s = document_.add("MPMHeader", "GlobalArchive", c.origin());
   attribute(s, "type", c.text(0), c.origin(0));
-  if (c.size() > 2 && !to_number(c.text(1))) return pairs(s, *find_element("GlobalArchive", "MPMHeader"), c, 1);
+  const ElementSpec& element = *find_element("GlobalArchive", "MPMHeader");
+  const auto is_attribute = [&](const AttributeSpec& a) { return lower(a.name) == lower(c.text(0)); };
+  if (std::any_of(element.attributes.begin(), element.attributes.end(), is_attribute))
+    throw InputError(c.origin(0),
+                     "the first argument of 'GlobalArchive' is a quantity ('tribo list'), not the attribute '" +
+                         c.text(0) + "'; for example: GlobalArchive contacty,material,\"a\",with,\"b\"");
+  if (c.size() > 2 && !to_number(c.text(1))) return pairs(s, element, c, 1);
   if (c.size() > 2) {
     std::string point;
     for (std::size_t k = 1; k < c.size(); ++k) point += (k > 1 ? "," : "") + written(c.number(k));

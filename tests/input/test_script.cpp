@@ -128,6 +128,8 @@ TEST_CASE("all problems of a script are reported together with their places", "[
   CHECK_THAT(complaint("Repeat\nEndRepeat"), Contains("does not end"));
   CHECK_THAT(complaint("#a=(1"), Contains("s:1:6: error: ')' is missing"));
   CHECK_THAT(complaint("#a=\"x"), Contains("never closed"));
+  CHECK_THAT(complaint("GlobalArchive material,\"m\",with,\"m\",type,contacty"),
+             Contains("the first argument of 'GlobalArchive' is a quantity"));
   CHECK_THAT(complaint("GlobalArchive velx,\"ma\""), Contains("there is no material 'ma' (did you mean 'm'?)"));
   CHECK_THAT(complaint("Gosub nothing"), Contains("there is no subroutine 'nothing'"));
 }
