@@ -81,7 +81,8 @@ TEST_CASE("faces that friction held do not slide in the predictor, whatever pres
   }
 }
 
-TEST_CASE("pairs that carried an impulse keep the relative velocity of the update, along the face if they stuck", "[contact]") {
+TEST_CASE("pairs that carried an impulse keep the relative velocity of the update, along the face if they stuck",
+          "[contact]") {
   const auto rough = make_law("61", {{"coeff", "0.3"}}), interface = make_law("62", {{"Dn", "10"}, {"Dt", "10"}});
   const auto film = make_law("64", {{"coeff", "2"}, {"LiquidPhase", "1"}});
   film->set_viscosity([](double) { return 1000.0; });
