@@ -28,10 +28,7 @@ std::string cure_of_loss(const Model& model, const std::string& loss) {
   if (!model.seeks_equilibrium())
     return "the update without <SkipPostExtrapolation/> (USL+, USAVG+) usually avoids most of " + loss;
   if (s.order == UpdateOrder::usl && s.transfer == Transfer::flip)
-    return "<MPMMethod>USAVG</MPMMethod> with <SkipPostExtrapolation/>, or <Transfer type='APIC'/>, usually avoids "
-           "most "
-           "of " +
-           loss;
+    return "USAVG- or <Transfer type='APIC'/> usually avoids most of " + loss;
   return "";
 }
 

@@ -31,7 +31,7 @@ bool AffineAtWalls<Dim>::near(const Bin& bin, const Wall& wall) const {
   return wall.node >= low - reach && wall.node <= low + block_edge<Dim> + reach;
 }
 
-// `momentum`: m times the column of C along the axis of the wall, and the cell size.
+// `momentum`: the affine momentum over one cell along the axis d of the wall, m h C e_d.
 template <int Dim>
 template <class Spline>
 void AffineAtWalls<Dim>::add_particle(const Wall& wall, const Vec<Dim>& x, const Vec<Dim>& momentum,
@@ -56,7 +56,8 @@ void AffineAtWalls<Dim>::add_particle(const Wall& wall, const Vec<Dim>& x, const
     double w = beyond;
     for (std::size_t d = 0; d < Dim; ++d)
       if (d != wall.axis) w *= Spline::value(std::abs(cells[static_cast<Eigen::Index>(d)] - node[d]));
-    // The affine part at the nodes on and next to the wall, one and two cells from the node beyond it.
+    // The node beyond the wall has the weights 2 and -1 for the nodes on the wall and next to it, which are one and two
+    // cells away from it.
     const Vec<Dim> change = 2 * w * wall.inward * momentum;
     for (const int layer : {0, 1}) {
       node[wall.axis] = wall.node + layer * wall.inward;
