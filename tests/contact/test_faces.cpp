@@ -263,6 +263,38 @@ TEST_CASE("faces that are plane or lie in each other meet everywhere", "[contact
   }
 }
 
+TEST_CASE("a shaft meets the end of a pad of the same radius everywhere, also across the gaps between its domains",
+          "[contact]") {
+  for (const double radius : {10.0, 20.0})
+    for (const double end : {-0.6, -0.2, 0.3, 0.9}) {
+      CAPTURE(radius, end);
+      ParticleSet<2> pad;  // its domains do not fill the space
+      for (int row = 0; row < 4; ++row)
+        for (int k = 0; k < 6; ++k) {
+          const double angle = (end - 0.25 - 0.56 * k) / radius, r = radius + 0.26 + 0.5 * row;
+          pad.add(Vec<2>(r * std::sin(angle), r * std::cos(angle) - radius),
+                  Eigen::Rotation2Dd(-angle).toRotationMatrix() * (0.25 * Mat<2>::Identity()));
+        }
+      CHECK(meeting_place(crown(radius, 0.0), pad, true, true).norm() < 1e-12);
+    }
+}
+
+TEST_CASE("two sides of a curved face are no plane", "[contact]") {
+  const Vec<2> up(0, 1);
+  for (const double radius : {10.0, 20.0, 40.0}) {
+    ParticleSet<2> side;
+    for (int k = 0; k < 2; ++k) {
+      const double angle = (0.1 + 0.6 * k) / radius;
+      side.add(Vec<2>((radius - 0.25) * std::sin(angle), (radius - 0.25) * std::cos(angle) - radius),
+               Eigen::Rotation2Dd(-angle).toRotationMatrix() * (0.3 * Mat<2>::Identity()));
+    }
+    CHECK_FALSE(plane_face_normal<2>(side, up, 1.0));
+    CHECK((smooth_face_normal<2>(side, up, 0.75, 1.0).value() - up).norm() < 1e-3);
+  }
+  auto plane = block(0.02, {-1, -2}, {1, 0});
+  CHECK((plane_face_normal<2>(plane, up, 1.0).value() - Vec<2>(-std::sin(0.02), std::cos(0.02))).norm() < 1e-12);
+}
+
 TEST_CASE("a cylinder meets a plane along a line", "[contact]") {
   constexpr double radius = 10, top = 0.4;
   ParticleSet<3> cylinder;

@@ -136,7 +136,9 @@ double collect_sides(ParticleSet<Dim>& side, const Vec<Dim>& n) {
 
 template <int Dim>
 std::optional<Vec<Dim>> plane_face_normal(ParticleSet<Dim>& side, const Vec<Dim>& out, double length) {
-  constexpr double same_direction = 0.99985;  // cosine of one degree
+  // The sides of a curved face differ the more, the farther they are apart. Of a plane they deviate from their mean by
+  // less than 0.7 degrees per cell of its width, and than one degree.
+  constexpr double most_bent = 0.012, same_direction = 0.0175;
   // The first guess tilts, so that a part of the plane lies behind its foremost corner.
   constexpr std::array depths{0.15, 0.05, 0.02};  // cells
   Vec<Dim> n = out;
@@ -150,15 +152,17 @@ std::optional<Vec<Dim>> plane_face_normal(ParticleSet<Dim>& side, const Vec<Dim>
   }
   double highest = -std::numeric_limits<double>::infinity();
   for (const Facet<Dim>& facet : side.facets) highest = std::max(highest, facet.middle.dot(n));
+  double deviation = 0.0;
   std::vector<Vec<Dim>>& face = side.corners;
   face.clear();
   for (const Facet<Dim>& facet : side.facets) {
     if (facet.middle.dot(n) < highest - depths.back() * length) continue;
-    if (facet.normal.dot(n) < same_direction) return std::nullopt;
+    deviation = std::max(deviation, (facet.normal - n).norm());
     face.push_back(facet.middle);
   }
-  for (const Vec<Dim>& t : directions_around<Dim>(n))
-    if (extent<Dim>(face, t, corner_width * length).length() < corner_width * length) return std::nullopt;
+  double width = same_direction / most_bent * length;
+  for (const Vec<Dim>& t : directions_around<Dim>(n)) width = std::min(width, extent<Dim>(face, t, width).length());
+  if (width < corner_width * length || deviation > most_bent * width / length) return std::nullopt;
   return n;
 }
 

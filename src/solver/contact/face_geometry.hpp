@@ -51,8 +51,8 @@ template <int Dim>
 bool are_wide_faces(ParticleSet<Dim>& a, ParticleSet<Dim>& b, const Vec<Dim>& n, double length);
 
 /// Outward unit normal of a plane face near the unit vector `out`: the mean normal of the sides of the foremost
-/// domains, if these sides lie in one plane, deviate from it by less than a degree and are together at least half a
-/// cell wide in every direction; std::nullopt otherwise. `length`: cell size.
+/// domains, if these sides lie in one plane, deviate from it by less than a degree (less where the face is narrow)
+/// and are together at least half a cell wide in every direction; std::nullopt otherwise. `length`: cell size.
 template <int Dim>
 std::optional<Vec<Dim>> plane_face_normal(ParticleSet<Dim>& side, const Vec<Dim>& out, double length);
 

@@ -60,6 +60,19 @@ double weight_at(const Along<Dim>& t) {
   return rest > 0 ? rest * rest : 0.0;
 }
 
+// The places of the grid on which the heights of a face are taken [cells].
+template <int Dim>
+constexpr std::size_t places_per_axis = 2 * intervals<Dim> + 1;
+template <int Dim>
+using Heights = std::array<double, Dim == 2 ? places_per_axis<2> : places_per_axis<3> * places_per_axis<3>>;
+template <int Dim>
+Along<Dim> place(std::size_t number) {
+  Along<Dim> t;
+  for (int d = 0; d < Dim - 1; ++d, number /= places_per_axis<Dim>)
+    t[d] = interval<Dim> * (static_cast<double>(number % places_per_axis<Dim>) - intervals<Dim>);
+  return t;
+}
+
 // Replaces the eigenvalues of a symmetric matrix by f of them.
 template <class Matrix, class F>
 Matrix map_eigenvalues(const Matrix& m, F&& f) {
@@ -103,6 +116,44 @@ class HeightFit {
   double weight_ = 0.0;
 };
 
+// Removes the heights in the gaps between domains, where the line meets a domain of the next row: they lie behind their
+// neighbours on both sides, or at the end of the face behind the line through the next two.
+template <int Dim>
+void remove_holes(Heights<Dim>& z) {
+  constexpr double depth = 0.04;  // cells
+  constexpr auto per_axis = static_cast<std::ptrdiff_t>(places_per_axis<Dim>);
+  const Heights<Dim> all = z;
+  std::ptrdiff_t step = 1;
+  for (int axis = 0; axis < Dim - 1; ++axis, step *= per_axis)
+    for (std::ptrdiff_t k = 0; k < static_cast<std::ptrdiff_t>(all.size()); ++k) {
+      const std::ptrdiff_t at = k / step % per_axis;
+      const auto height = [&](std::ptrdiff_t steps) {
+        return at + steps < 0 || at + steps >= per_axis ? -infinity : all[static_cast<std::size_t>(k + steps * step)];
+      };
+      const double low = height(-1), high = height(1);
+      double expected = std::min(low, high);
+      if (low == -infinity) expected = 2 * high - height(2);
+      if (high == -infinity) expected = 2 * low - height(-2);
+      if (std::isfinite(expected) && height(0) < expected - depth) z[static_cast<std::size_t>(k)] = -infinity;
+    }
+}
+
+// The curvature of a face [1/cells], from its heights at the places where the other one has a height, too. At the end
+// of a face both are thus fitted to the same places, so that faces which lie in each other have no relative curvature.
+// Too few places show no curvature.
+template <int Dim>
+Square<Dim> curvature_of(const Heights<Dim>& face, const Heights<Dim>& other) {
+  constexpr int least = Dim == 2 ? 4 : 9;
+  HeightFit<Dim> fit;
+  int count = 0;
+  for (std::size_t k = 0; k < face.size(); ++k) {
+    const Along<Dim> t = place<Dim>(k);
+    const double w = weight_at<Dim>(t);
+    if (w > 0 && face[k] > -infinity && other[k] > -infinity) fit.add(t, face[k], w), ++count;
+  }
+  return count >= least ? fit.curvature() : Square<Dim>(Square<Dim>::Zero());
+}
+
 // A domain at the face; all lengths in cells.
 template <int Dim>
 struct Domain {
@@ -140,22 +191,16 @@ class Face {
     }
   }
 
-  // [1/cells]
-  Square<Dim> curvature() const {
-    HeightFit<Dim> fit;
-    constexpr int per_axis = 2 * intervals<Dim> + 1;
-    constexpr int count = Dim == 2 ? per_axis : per_axis * per_axis;
-    for (int k = 0; k < count; ++k) {
-      Along<Dim> t;
-      for (int d = 0, rest = k; d < Dim - 1; ++d, rest /= per_axis)
-        t[d] = interval<Dim> * (rest % per_axis - intervals<Dim>);
-      const double w = weight_at<Dim>(t);
-      if (!(w > 0)) continue;
-      double z = -infinity;
-      for (const Domain<Dim>& domain : domains_) z = std::max(z, domain.height(n_, tangents_ * t));
-      if (z > top_ - face_depth) fit.add(t, z, w);
+  // Heights along the normal at the places of the grid; -infinity where the body has no face [cells].
+  Heights<Dim> heights() const {
+    Heights<Dim> out;
+    for (std::size_t k = 0; k < out.size(); ++k) {
+      double& z = out[k] = -infinity;
+      for (const Domain<Dim>& domain : domains_) z = std::max(z, domain.height(n_, tangents_ * place<Dim>(k)));
+      if (!(z > top_ - face_depth)) z = -infinity;
     }
-    return fit.curvature();
+    remove_holes<Dim>(out);
+    return out;
   }
 
   // The mean place of the foremost corners [cells].
@@ -191,12 +236,14 @@ Vec<Dim> foremost_offset(const std::array<ParticleSet<Dim>*, 2>& sides, const st
   // The more curved side decides where they meet. A face that is not curved counts only if it has become concave.
   Square<Dim> relative = Square<Dim>::Zero(), convex = relative;
   Along<Dim> moment = Along<Dim>::Zero();
+  const std::array<Face<Dim>, 2> faces{Face<Dim>(*sides[0], n, tangents, band, length),
+                                       Face<Dim>(*sides[1], -n, tangents, band, length)};
+  const std::array<Heights<Dim>, 2> heights{faces[0].heights(), faces[1].heights()};
   for (std::size_t k = 0; k < 2; ++k) {
-    const Face<Dim> face(*sides[k], k == 0 ? n : Vec<Dim>(-n), tangents, band, length);
-    const Square<Dim> curvature = face.curvature();
+    const Square<Dim> curvature = curvature_of<Dim>(heights[k], heights[1 - k]);
     const Square<Dim> outward = map_eigenvalues(curvature, [](double c) { return std::max(c, 0.0); });
     relative += curves[k] ? curvature : Square<Dim>(curvature - outward);
-    if (curves[k]) convex += outward, moment += outward * face.foremost(curvature);
+    if (curves[k]) convex += outward, moment += outward * faces[k].foremost(curvature);
   }
   if (!(relative.trace() > plane)) return Vec<Dim>::Zero();
   const auto inverse = [](double c) { return c > 1e-6 ? 1 / c : 0.0; };
