@@ -289,10 +289,33 @@ TEST_CASE("two sides of a curved face are no plane", "[contact]") {
                Eigen::Rotation2Dd(-angle).toRotationMatrix() * (0.3 * Mat<2>::Identity()));
     }
     CHECK_FALSE(plane_face_normal<2>(side, up, 1.0));
-    CHECK((smooth_face_normal<2>(side, up, 0.75, 1.0).value() - up).norm() < 1e-3);
+    CHECK((smooth_face_normal<2>(side, up, 0.75, 1.0).value().normal - up).norm() < 1e-3);
   }
   auto plane = block(0.02, {-1, -2}, {1, 0});
   CHECK((plane_face_normal<2>(plane, up, 1.0).value() - Vec<2>(-std::sin(0.02), std::cos(0.02))).norm() < 1e-12);
+}
+
+TEST_CASE(
+    "the normal of a cylinder with a radius of few cells is exact beside the node, with a domain that is out of line",
+    "[contact]") {
+  constexpr double radius = 5.0;
+  for (const bool out_of_line : {false, true}) {
+    ParticleSet<3> side;
+    for (int k = -3; k <= 3; ++k)
+      for (int j = -3; j <= 3; ++j) {
+        const double angle = (0.5 * k + 0.1) / radius;
+        const double tilt = out_of_line && k == 1 && j == 0 ? 0.2 : 0.0;
+        const Mat<3> turn = Eigen::AngleAxisd(-angle - tilt, Vec<3>::UnitZ()).toRotationMatrix();
+        side.add(Vec<3>((radius - 0.25) * std::sin(angle), (radius - 0.25) * std::cos(angle) - radius, 0.5 * j + 0.2),
+                 turn * (0.25 * Mat<3>::Identity()));
+      }
+    const Vec<3> inclined = Vec<3>(0.05, 1, 0.02).normalized();
+    const auto found = smooth_face_normal<3>(side, inclined, 0.75, 1.0);
+    REQUIRE(found);
+    // The slopes of a circle are linear in the offsets up to their third power.
+    CHECK((found->normal - Vec<3>::UnitY()).norm() < 2e-3);
+    CHECK(found->beside < 0.3);
+  }
 }
 
 TEST_CASE("a cylinder meets a plane along a line", "[contact]") {
@@ -346,7 +369,7 @@ TEST_CASE("next to a blunt edge the normal is that of the face at the node, not 
       }
     if (const auto n = plane_normal_at_node<2>(side, level, 0.75, 1.0)) return *n;
     CHECK(edge < 1.6);
-    return smooth_face_normal<2>(side, level, 0.75, 1.0, true).value();
+    return smooth_face_normal<2>(side, level, 0.75, 1.0, true).value().normal;
   };
   CHECK((at_node(1.5) - inclined).norm() < 1e-9);  // the level face begins 1.5 cells beside the node
   CHECK((at_node(-1.5) - level).norm() < 1e-9);
@@ -364,6 +387,6 @@ TEST_CASE("a tilted domain at the end of a rigid face does not tilt the normal",
       side.add(Vec<2>(x, y), half);
     }
   const Vec<2> up(0, 1);
-  CHECK_FALSE(smooth_face_normal<2>(side, up, 0.75, 1.0, true).value_or(up)[0] != 0.0);
-  CHECK(smooth_face_normal<2>(side, up, 0.75, 1.0, false).value()[0] < -0.01);
+  CHECK_FALSE(smooth_face_normal<2>(side, up, 0.75, 1.0, true).value_or(SmoothNormal<2>{up, 0.0}).normal[0] != 0.0);
+  CHECK(smooth_face_normal<2>(side, up, 0.75, 1.0, false).value().normal[0] < -0.01);
 }

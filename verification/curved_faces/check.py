@@ -83,8 +83,17 @@ def brake(case):
         case.check(f"pads on a spinning ring, {name}: lost spin as a coefficient of friction", lost / supplied, 0, 2e-3, "absolute")
 
 
+def socket(case):
+    got = verify.history(case.run("socket", "socket.xml"))
+    case.check("ball in a socket, 6 cells: spin after a fifth of a radian", got["Lpx:ball"][-1] / got["Lpx:ball"][0], 1, 0.01)
+    shift = np.hypot(got["posy:ball"][-1], got["posz:ball"][-1])
+    case.check("ball in a socket, 6 cells: displacement over the way of its surface", shift / 0.2, 0, 0.03, "absolute")
+
+
 def run(case):
     brake(case)
+    if not case.quick:
+        socket(case)
     impact(case)
     if not case.quick:
         ball(case)

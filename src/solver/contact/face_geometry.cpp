@@ -200,12 +200,48 @@ void remove_ends(std::vector<Facet<Dim>>& facets, const Vec<Dim>& n, double leng
 
 }  // namespace
 
+namespace {
+
+// Linear regression of the slopes of facets, with respect to the plane normal to `out`, on their offsets.
 template <int Dim>
-std::optional<Vec<Dim>> smooth_face_normal(ParticleSet<Dim>& side, const Vec<Dim>& out, double band, double length,
-                                           bool rigid) {
+struct SlopeFit {
+  SlopeFit(const std::vector<Facet<Dim>>& facets, const Vec<Dim>& normal_guess, double length) : out(normal_guess) {
+    constexpr double ridge = 1e-3;  // for directions in which the facets have the same place
+    const auto count = static_cast<double>(facets.size());
+    for (const Facet<Dim>& f : facets) place += f.offset / count, slope += slope_of(f) / count;
+    Mat<Dim> with = Mat<Dim>::Zero(), squares = ridge * length * length * count * Mat<Dim>::Identity();
+    for (const Facet<Dim>& f : facets) {
+      const Vec<Dim> x = f.offset - place;
+      with += (slope_of(f) - slope) * x.transpose(), squares += x * x.transpose();
+    }
+    curvature = with * squares.inverse();
+  }
+  Vec<Dim> slope_of(const Facet<Dim>& f) const { return f.normal / f.normal.dot(out) - out; }
+  // The facet with the largest deviation from the regression, and this deviation.
+  std::pair<std::size_t, double> worst(const std::vector<Facet<Dim>>& facets) const {
+    std::pair<std::size_t, double> most{0, 0.0};
+    for (std::size_t k = 0; k < facets.size(); ++k) {
+      const double error = (slope_of(facets[k]) - slope - curvature * (facets[k].offset - place)).norm();
+      if (error > most.second) most = {k, error};
+    }
+    return most;
+  }
+  // The normal on the line through the node.
+  Vec<Dim> normal() const { return (out + slope - curvature * place).normalized(); }
+
+  Vec<Dim> out, place = Vec<Dim>::Zero(), slope = Vec<Dim>::Zero();
+  Mat<Dim> curvature;
+};
+
+}  // namespace
+
+template <int Dim>
+std::optional<SmoothNormal<Dim>> smooth_face_normal(ParticleSet<Dim>& side, const Vec<Dim>& out, double band,
+                                                    double length, bool rigid) {
   constexpr double depth = 0.15;  // cells; the sagitta of the faces of a disc of five cells within two cells
   // Slopes deviate from a line by less than two degrees at a smooth face. Rigid faces may have blunt edges.
   const double largest_error = rigid ? 0.1 : 0.035;
+  constexpr double curved_error = 0.15;
   constexpr double cover = 0.3;  // cells; a side is inside the body if another one is this near and in front of it
   collect_sides<Dim>(side, out);
   std::vector<Facet<Dim>>& facets = side.facets;
@@ -224,20 +260,15 @@ std::optional<Vec<Dim>> smooth_face_normal(ParticleSet<Dim>& side, const Vec<Dim
   std::erase_if(facets, is_covered);
   if (rigid) remove_ends<Dim>(facets, out, length);
   std::erase_if(facets, [&](const Facet<Dim>& f) { return !is_near(f); });
-  if (facets.size() < 2) return std::nullopt;
-  Vec<Dim> place = Vec<Dim>::Zero(), slope = Vec<Dim>::Zero();
-  const auto slope_of = [&](const Facet<Dim>& f) { return Vec<Dim>(f.normal / f.normal.dot(out) - out); };
-  const auto count = static_cast<double>(facets.size());
-  for (const Facet<Dim>& f : facets) place += f.offset / count, slope += slope_of(f) / count;
-  double with = 0.0, square = 0.0;
-  for (const Facet<Dim>& f : facets) {
-    with += (f.offset - place).dot(slope_of(f) - slope);
-    square += (f.offset - place).squaredNorm();
+  const std::size_t least = std::max<std::size_t>(2, facets.size() / 2);
+  while (facets.size() >= least) {
+    const SlopeFit<Dim> fit(facets, out, length);
+    const auto [worst, error] = fit.worst(facets);
+    if (error <= largest_error + curved_error * fit.curvature.norm() * length)
+      return SmoothNormal<Dim>{fit.normal(), fit.place.norm()};
+    facets.erase(facets.begin() + static_cast<std::ptrdiff_t>(worst));
   }
-  const double curvature = square > 0 ? with / square : 0.0;
-  for (const Facet<Dim>& f : facets)
-    if ((slope_of(f) - slope - curvature * (f.offset - place)).norm() > largest_error) return std::nullopt;
-  return Vec<Dim>(out + slope - curvature * place).normalized();
+  return std::nullopt;
 }
 
 template <int Dim>
@@ -364,7 +395,7 @@ double face_position(ParticleSet<Dim>& side, const Vec<Dim>& n, double band) {
 template std::optional<Vec<2>> margin_normal<2>(ParticleSet<2>&, ParticleSet<2>&, const Vec<2>&, double);
 template std::optional<Vec<2>> plane_face_normal<2>(ParticleSet<2>&, const Vec<2>&, double);
 template std::optional<Vec<2>> plane_normal_at_node<2>(ParticleSet<2>&, const Vec<2>&, double, double);
-template std::optional<Vec<2>> smooth_face_normal<2>(ParticleSet<2>&, const Vec<2>&, double, double, bool);
+template std::optional<SmoothNormal<2>> smooth_face_normal<2>(ParticleSet<2>&, const Vec<2>&, double, double, bool);
 template bool is_flat_face<2>(ParticleSet<2>&, const Vec<2>&, double);
 template bool surrounds_line<2>(ParticleSet<2>&, const Vec<2>&, double, double);
 template bool are_wide_faces<2>(ParticleSet<2>&, ParticleSet<2>&, const Vec<2>&, double);
@@ -374,7 +405,7 @@ template double face_position<2>(ParticleSet<2>&, const Vec<2>&, double);
 template std::optional<Vec<3>> margin_normal<3>(ParticleSet<3>&, ParticleSet<3>&, const Vec<3>&, double);
 template std::optional<Vec<3>> plane_face_normal<3>(ParticleSet<3>&, const Vec<3>&, double);
 template std::optional<Vec<3>> plane_normal_at_node<3>(ParticleSet<3>&, const Vec<3>&, double, double);
-template std::optional<Vec<3>> smooth_face_normal<3>(ParticleSet<3>&, const Vec<3>&, double, double, bool);
+template std::optional<SmoothNormal<3>> smooth_face_normal<3>(ParticleSet<3>&, const Vec<3>&, double, double, bool);
 template bool is_flat_face<3>(ParticleSet<3>&, const Vec<3>&, double);
 template bool surrounds_line<3>(ParticleSet<3>&, const Vec<3>&, double, double);
 template bool are_wide_faces<3>(ParticleSet<3>&, ParticleSet<3>&, const Vec<3>&, double);

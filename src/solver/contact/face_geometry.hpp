@@ -61,13 +61,21 @@ std::optional<Vec<Dim>> plane_face_normal(ParticleSet<Dim>& side, const Vec<Dim>
 template <int Dim>
 std::optional<Vec<Dim>> plane_normal_at_node(ParticleSet<Dim>& side, const Vec<Dim>& out, double band, double length);
 
-/// Outward unit normal of a smooth face on the line through the node along `out`, by linear regression of the normals
-/// of the foremost domains within `band` of this line [length] on their offsets; std::nullopt if one of them deviates
-/// from the regression by more than two degrees, or if there are fewer than two. `length`: cell size. A `rigid` face
-/// may have blunt edges, where the deviation is up to six degrees, and the domains at its ends do not count.
+/// The normal of a smooth face on a line.
 template <int Dim>
-std::optional<Vec<Dim>> smooth_face_normal(ParticleSet<Dim>& side, const Vec<Dim>& out, double band, double length,
-                                           bool rigid = false);
+struct SmoothNormal {
+  Vec<Dim> normal;  ///< outward unit vector
+  double beside;    ///< distance from the line to the mean place of the facets from which it follows [length]
+};
+
+/// The normal of a smooth face on the line through the node along the unit vector `out`, by linear regression of the
+/// normals of the foremost domains within `band` of this line [length] on their offsets; std::nullopt if there are
+/// fewer than two domains, or if more than half of them deviate from the regression, by over two degrees and 15 % of
+/// the change of the normal within a cell. `length`: cell size. A `rigid` face may have blunt edges, where the
+/// deviation is up to six degrees, and the domains at its ends do not count.
+template <int Dim>
+std::optional<SmoothNormal<Dim>> smooth_face_normal(ParticleSet<Dim>& side, const Vec<Dim>& out, double band,
+                                                    double length, bool rigid = false);
 
 /// Whether the foremost particles along the unit vector `out` form a plane face normal to `out`, up to deviations of
 /// `flatness` [length]. The face may end within the set.

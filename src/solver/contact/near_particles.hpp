@@ -20,6 +20,7 @@ struct NearParticles {
   std::array<Groups, 2> groups;           ///< per side: all groups with particles within reach of the node
   std::array<ParticleSet<Dim>, 2> sides;  ///< per side: the particles that determine the face
   Vec<Dim> direction;                     ///< from the mean position of the first side to that of the second [length]
+  std::array<Vec<Dim>, 2> mean;           ///< per side: mean position of its particles, from the node          [length]
   std::array<Vec<Dim>, 2> low, high;      ///< per side: corners of the box around the domains of its groups   [length]
   double apart;                           ///< see apart_beside_corner()                                       [length]
   std::array<bool, 2> rigid;              ///< per side: the body is rigid

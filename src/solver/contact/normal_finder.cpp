@@ -75,6 +75,9 @@ void NormalFinder<Dim>::collect_groups(const ContactNode<Dim>& node, NearParticl
     sum[side] += group.sum, count[side] += group.end - group.begin;
     near.low[side] = near.low[side].cwiseMin(group.low), near.high[side] = near.high[side].cwiseMax(group.high);
   });
+  const Vec<Dim> centre = system_.lattice.position(node.index);
+  for (std::size_t side = 0; side < 2; ++side)
+    near.mean[side] = count[side] > 0 ? Vec<Dim>(sum[side] / count[side] - centre) : Vec<Dim>(Vec<Dim>::Zero());
   near.direction.setZero();
   if (count[0] > 0 && count[1] > 0) near.direction = sum[1] / count[1] - sum[0] / count[0];
 }
@@ -207,22 +210,29 @@ auto NormalFinder<Dim>::front_normal(const Vec<Dim>& centre, NearParticles<Dim>&
   return front;
 }
 
-// The mean normal of the smooth faces at the node, near the normal `n` of largest margin; `n` if there are none.
-// Opposite the end of a face, which is not smooth, the other face alone determines the normal. The normals are those on
-// the line through the node along the result, which is found in two passes.
+// The mean normal of the smooth faces at the node, near `n`; std::nullopt if there are none. The normals are those on
+// the line through the node along the result, which is found in a few passes. Opposite the end of a face, where its
+// facets lie beside the line or are not smooth, the other face alone determines the normal.
 template <int Dim>
-Vec<Dim> NormalFinder<Dim>::normal_of_smooth_faces(NearParticles<Dim>& near, const Vec<Dim>& n) const {
-  constexpr double turned = 0.01;  // a smaller change of the normal displaces the line by less than 0.02 cells
-  auto& [side_a, side_b] = near.sides;
-  Vec<Dim> normal = n;
-  for (int pass = 0; pass < 2; ++pass) {
+std::optional<Vec<Dim>> NormalFinder<Dim>::normal_of_smooth_faces(NearParticles<Dim>& near, const Vec<Dim>& n) const {
+  constexpr double turned = 0.01;      // a smaller change of the normal displaces the line by less than 0.02 cells
+  constexpr double much_nearer = 0.3;  // cells
+  constexpr int passes = 3;
+  std::optional<Vec<Dim>> normal;
+  for (int pass = 0; pass < passes; ++pass) {
+    const Vec<Dim> before = normal.value_or(n);
+    std::array<std::optional<SmoothNormal<Dim>>, 2> of;
+    for (std::size_t side = 0; side < 2; ++side)
+      of[side] = smooth_face_normal<Dim>(near.sides[side], side == 0 ? before : Vec<Dim>(-before), band * h_, h_);
+    if (of[0] && of[1] && std::abs(of[0]->beside - of[1]->beside) > much_nearer * h_)
+      of[of[0]->beside > of[1]->beside ? 0 : 1].reset();
     Vec<Dim> sum = Vec<Dim>::Zero();
-    if (const auto out = smooth_face_normal<Dim>(side_a, normal, band * h_, h_)) sum += *out;
-    if (const auto out = smooth_face_normal<Dim>(side_b, -normal, band * h_, h_)) sum -= *out;
-    const Vec<Dim> mean = unit<Dim>(sum).value_or(normal);
-    const double change = (mean - normal).norm();
+    if (of[0]) sum += of[0]->normal;
+    if (of[1]) sum -= of[1]->normal;
+    const auto mean = unit<Dim>(sum);
+    if (!mean) break;
     normal = mean;
-    if (change < turned) break;
+    if ((*mean - before).norm() < turned) break;
   }
   return normal;
 }
@@ -234,20 +244,33 @@ Vec<Dim> NormalFinder<Dim>::normal_of_smooth_faces(NearParticles<Dim>& near, con
 // determines it, or two of them together, and without plane faces the smooth ones.
 template <int Dim>
 Vec<Dim> NormalFinder<Dim>::normal_of_faces(NearParticles<Dim>& near, const Vec<Dim>& n) const {
+  constexpr double beside_end = 0.4;  // cells; beside the end of a rigid face its regression is extrapolated
   if (!has_cut_cells_) return n;
   auto& [side_a, side_b] = near.sides;
   for (std::size_t side = 0; side < 2; ++side) {
     if (!near.rigid[side]) continue;
     const double sign = side == 0 ? 1.0 : -1.0;
     auto out = plane_normal_at_node<Dim>(near.sides[side], sign * n, band * h_, h_);
-    if (!out) out = smooth_face_normal<Dim>(near.sides[side], sign * n, band * h_, h_, true);
+    if (!out)
+      if (const auto smooth = smooth_face_normal<Dim>(near.sides[side], sign * n, band * h_, h_, true);
+          smooth && smooth->beside <= beside_end * h_)
+        out = smooth->normal;
     if (out) return sign * *out;
   }
   Vec<Dim> sum = Vec<Dim>::Zero();
   if (const auto out = plane_face_normal<Dim>(side_a, n, h_)) sum += *out;
   if (const auto out = plane_face_normal<Dim>(side_b, -n, h_)) sum -= *out;
   if (!sum.isZero()) return sum.normalized();
-  return normal_of_smooth_faces(near, n);
+  if (const auto smooth = normal_of_smooth_faces(near, n)) return *smooth;
+  // Beside the end of a face that surrounds the other body, as a socket does, the normal of largest margin is far from
+  // that of the other body's surface, which is nearly the direction from the mean place of its particles to the node.
+  // The side on which a face ends is farther from it.
+  constexpr double not_beside = 0.75;  // cosine of 41 degrees
+  for (std::size_t side = 0; side < 2; ++side)
+    if (const auto guess = unit<Dim>(side == 0 ? Vec<Dim>(-near.mean[0]) : near.mean[1]))
+      if (const auto smooth = normal_of_smooth_faces(near, *guess); smooth && smooth->dot(n) > not_beside)
+        return *smooth;
+  return n;
 }
 
 // The normal of largest margin between all particles, found from the foremost ones where they suffice. Where corners or
@@ -277,8 +300,38 @@ std::optional<Vec<Dim>> NormalFinder<Dim>::largest_margin(const Vec<Dim>& centre
     const auto of_corner = near.wide ? n : corner_normal<Dim>(side_a, side_b, *n, h_);
     return of_corner == n ? normal_of_faces(near, *n) : of_corner;
   }
+  if (const auto n = normal_within_reach(centre, near, guess)) return n;
   if (auto n = regression_normal<Dim>(side_a, side_b, false, h_)) return n;
   return unit<Dim>(gradient);
+}
+
+// The normal where no plane separates the sides, since one surrounds the other, as a socket with a radius of few cells
+// does: that of largest margin between the particles near the line through the node along the normal.
+template <int Dim>
+std::optional<Vec<Dim>> NormalFinder<Dim>::normal_within_reach(const Vec<Dim>& centre, NearParticles<Dim>& near,
+                                                               const Vec<Dim>& guess) const {
+  constexpr int passes = 2;
+  for (const double radius : {1.5, 1.0}) {  // cells
+    std::optional<Vec<Dim>> n = guess;
+    for (int pass = 0; n && pass < passes; ++pass) {
+      for (std::size_t side = 0; side < 2; ++side) {
+        near.numbers.clear();
+        for (const auto* group : near.groups[side])
+          cloud_.each_point(*group, centre, [&](std::uint32_t k) {
+            const Vec<Dim> x = cloud_.centre(k) - centre;
+            if ((x - x.dot(*n) * *n).squaredNorm() <= radius * radius * h_ * h_) near.numbers.push_back(k);
+          });
+        near.sides[side].assign(near.numbers, cloud_.columns(), centre);
+      }
+      n = near.sides[0].empty() || near.sides[1].empty() ? std::nullopt
+                                                         : margin_normal<Dim>(near.sides[0], near.sides[1], *n, h_);
+    }
+    if (!n) continue;
+    fill_sides(centre, near);
+    return normal_of_faces(near, *n);
+  }
+  fill_sides(centre, near);
+  return std::nullopt;
 }
 
 template <int Dim>

@@ -44,10 +44,12 @@ class NormalFinder {
   bool is_complete(const Vec<Dim>& centre, NearParticles<Dim>& near, std::size_t side, const Vec<Dim>& guess,
                    const Vec<Dim>& out, double limit) const;
   FrontNormal front_normal(const Vec<Dim>& centre, NearParticles<Dim>& near, const Vec<Dim>& guess) const;
-  Vec<Dim> normal_of_smooth_faces(NearParticles<Dim>& near, const Vec<Dim>& n) const;
+  std::optional<Vec<Dim>> normal_of_smooth_faces(NearParticles<Dim>& near, const Vec<Dim>& n) const;
   Vec<Dim> normal_of_faces(NearParticles<Dim>& near, const Vec<Dim>& n) const;
   std::optional<Vec<Dim>> largest_margin(const Vec<Dim>& centre, NearParticles<Dim>& near,
                                          const Vec<Dim>& gradient) const;
+  std::optional<Vec<Dim>> normal_within_reach(const Vec<Dim>& centre, NearParticles<Dim>& near,
+                                              const Vec<Dim>& guess) const;
   std::optional<Vec<Dim>> chosen_normal(const ContactNode<Dim>& node, NearParticles<Dim>& near, const ContactMember& a,
                                         const ContactMember& b) const;
 
