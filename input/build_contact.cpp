@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 namespace tribo {
 namespace {
@@ -204,12 +205,56 @@ void Builder::pair_laws() {
         continue;
       }
       const int self = static_cast<int>(k), other = material(f);
-      must(self != other, f.origin, "a pair needs two materials; this names the material itself");
+      if (self == other) separate(self, f);
       const std::pair pair{std::min(self, other), std::max(self, other)};
       const auto [entry, fresh] = given.try_emplace(pair, f.origin);
       if (!fresh) problems_.add(f.origin, "this pair of materials already has a law, at " + entry->second.text());
       pair_law(f, self, other);
     }
+}
+
+// A law of a material with itself acts between its bodies, each of which then has a velocity field of its own.
+void Builder::separate(int material, const Statement& f) {
+  MaterialSpec& spec = model_.materials[static_cast<std::size_t>(material)];
+  if (!spec.law) return;  // its type is reported as unknown
+  must(!spec.law->rigid(), f.origin,
+       "contact does not change the motion of rigid bodies, so '" + spec.name + "' needs no law with itself");
+  must(!material_statements_[static_cast<std::size_t>(material)]->child("shareMatField"), f.origin,
+       "a law between the bodies of '" + spec.name + "' contradicts its <shareMatField>");
+  spec.separate = true;
+}
+
+// Gives each body of a separate material an entry of its own in the list of materials. Particles without a body would
+// all have the same velocity field.
+void Builder::separate_bodies() {
+  const auto count = static_cast<int>(model_.materials.size());
+  std::vector<int> bodies(model_.materials.size(), 0);
+  std::vector<int> kinds(model_.materials.size());
+  std::iota(kinds.begin(), kinds.end(), 0);
+  for (Piece& piece : model_.pieces) {
+    if (piece.material < 0 || piece.material >= count) continue;
+    const int kind = piece.material;
+    if (!model_.materials[static_cast<std::size_t>(kind)].separate) continue;
+    MaterialSpec own = model_.materials[static_cast<std::size_t>(kind)];
+    own.name += " " + std::to_string(++bodies[static_cast<std::size_t>(kind)]);
+    piece.material = static_cast<int>(model_.materials.size());
+    model_.materials.push_back(std::move(own));
+    kinds.push_back(kind);
+  }
+  if (kinds.size() > static_cast<std::size_t>(count)) model_.contact.kinds = std::move(kinds);
+  const auto refuse = [&](int material, const std::string& what) {
+    if (material < 0 || material >= count) return;
+    const MaterialSpec& spec = model_.materials[static_cast<std::size_t>(material)];
+    must(!spec.separate, spec.origin,
+         "'" + spec.name + "' has a contact law with itself, which is not implemented for " + what);
+  };
+  for (const ParticleTable& table : model_.tables) refuse(table.material, "tables of particles");
+  for (const PointSpec& point : model_.points) refuse(point.material, "single particles");
+  for (const SourceSpec& source : model_.sources) refuse(source.material, "inlets");
+  for (const auto& placement : model_.placements)
+    for (const Piece& piece : placement.pieces) refuse(piece.material, "bodies that a stage places");
+  for (const auto& [pair, joint] : model_.contact.joints)
+    for (const int material : joint.materials) refuse(material, "materials with a joint");
 }
 
 // Body 1 of a joint is the material that contains <Friction>.
@@ -223,6 +268,8 @@ void Builder::pair_law(const Statement& f, int self, int other) {
   const MaterialSpec* law = named_law(f);
   if (!law) return;
   must_suit_grid(*law, f.origin);
+  must(!law->joint || self != other, f.origin,
+       "joint laws between the bodies of one material are not implemented: give these bodies materials of their own");
   if (law->joint)
     c.joints[pair] = {law->joint, {self, other}, f.origin};
   else if (law->contact)

@@ -48,6 +48,7 @@ Model Builder::build() {
   if (root_.child("Blocks")) with_memory_for("the blocks", place_of("Blocks"), [&] { blocks(); });
   check_histories();
   stages();
+  separate_bodies();
   problems_.raise();
   for (const auto& w : problems_.warnings()) warn(w.origin, w.message);
   return std::move(model_);

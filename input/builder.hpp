@@ -103,6 +103,8 @@ class Builder {
   std::shared_ptr<const JointLaw> traction_law(const Statement& s, const char* by_number, const char* by_name);
   void add_crack(const CrackSpec& all, const std::vector<std::shared_ptr<const JointLaw>>& tractions);
   void pair_laws();
+  void separate(int material, const Statement& f);
+  void separate_bodies();
   void shared_fields();
   void liquid_of(const MaterialSpec& law);
   const MaterialSpec* named_law(const Statement& s);

@@ -45,7 +45,8 @@ void add_contact(Rows& add) {
        T::number, contact_law(), true});
   add({"Friction", "Material",
        "law between this material and another one. A contact law acts wherever they meet, a joint law where their "
-       "faces touch at the start",
+       "faces touch at the start. If the other material is the material itself, the contact law acts between its "
+       "bodies: each shape of a Body then has a velocity field of its own",
        T::number,
        contact_law() +
            std::vector<AttributeSpec>{text("mat", "number of the other material; this or matname is required"),

@@ -40,6 +40,7 @@ struct MaterialSpec {
   double taylor_quinney = 1.0;            ///< fraction of the dissipated work that becomes heat
   double expansion = 0.0;                 ///< coefficient of linear thermal expansion [1/temperature]
   int share_field_with = -1;              ///< index of the material whose velocity field is shared; -1: none
+  bool separate = false;  ///< a contact law acts between its bodies, so that each has a velocity field of its own
   Toughness toughness{};
   Growth growth{};  ///< of cracks in this material
 };

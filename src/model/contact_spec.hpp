@@ -11,6 +11,7 @@
 #include <memory>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace tribo {
 
@@ -43,7 +44,7 @@ struct ContactSpec {
   std::optional<bool> at_faces;
   std::shared_ptr<const ContactLaw> default_law;
   std::map<std::pair<int, int>, std::shared_ptr<const ContactLaw>>
-      pair_laws;  ///< by pair of materials, smaller index first
+      pair_laws;  ///< by pair of materials, smaller index first; the same twice: between the bodies of a material
   /// A joint law that is assigned to a pair of materials.
   struct Joint {
     std::shared_ptr<const JointLaw> law;
@@ -52,9 +53,14 @@ struct ContactSpec {
   };
   /// Joint laws by pair of materials, smaller index first. They act where the faces touch at the start.
   std::map<std::pair<int, int>, Joint> joints;
+  /// By entry of Model::materials: the material whose laws act. Each body of a material whose bodies touch each other
+  /// has an entry of its own, after all others. Empty: there are none.
+  std::vector<int> kinds;
+  int kind(int material) const { return kinds.empty() ? material : kinds[static_cast<std::size_t>(material)]; }
   bool keeps_memory = false;  ///< a law of some stage of the run has a memory, so particles have columns for it
-  /// The contact law of a pair, which acts where there is no joint.
+  /// The contact law of a pair, which acts where there is no joint. Of a material with itself: between its bodies.
   const ContactLaw* law(int a, int b) const {
+    a = kind(a), b = kind(b);
     const auto found = pair_laws.find({std::min(a, b), std::max(a, b)});
     return (found == pair_laws.end() ? default_law : found->second).get();
   }

@@ -85,11 +85,13 @@ class ContactTable {
       for (const auto& body : *list)
         if (body.field != Body<Dim>::no_field) bodies.push_back(&body);
     LawsOfPairs laws;
+    std::set<std::pair<int, int>> known;
     for (std::size_t i = 0; i < bodies.size(); ++i)
       for (std::size_t j = i + 1; j < bodies.size(); ++j) {
         const int a = bodies[i]->material, b = bodies[j]->material;
         const bool blocks = bodies[i]->block >= 0 && bodies[j]->block >= 0;  // their joint laws are no contact laws
-        if (!blocks && !both_prescribed(*bodies[i], *bodies[j]) && bodies[i]->field != bodies[j]->field)
+        if (!blocks && !both_prescribed(*bodies[i], *bodies[j]) && bodies[i]->field != bodies[j]->field &&
+            known.insert({a, b}).second)
           laws[law_of(a, b)].insert({a, b});
       }
     return laws;
@@ -116,13 +118,16 @@ class ContactTable {
 
   // "'a' and 'b'", "'a' with 'b', 'c'; 'b' with 'c'"
   std::string words_of_pairs(const std::set<std::pair<int, int>>& pairs) const {
-    if (pairs.size() == 1) return name(pairs.begin()->first) + " and " + name(pairs.begin()->second);
+    if (pairs.size() == 1) {
+      const auto [a, b] = *pairs.begin();
+      return a == b ? "the bodies of " + name(a) + " with each other" : name(a) + " and " + name(b);
+    }
     std::map<int, std::size_t> uses;
     for (const auto& [a, b] : pairs) ++uses[a], ++uses[b];
     std::map<int, std::vector<std::string>> partners;  // by the body of each pair that has more of them
     for (const auto& [a, b] : pairs) {
       const bool second = uses[b] > uses[a];
-      partners[second ? b : a].push_back(name(second ? a : b));
+      partners[second ? b : a].push_back(a == b ? "each other" : name(second ? a : b));
     }
     std::string out;
     for (const auto& [body, others] : partners)

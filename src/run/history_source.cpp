@@ -44,10 +44,10 @@ ContactSums RunHistorySource<Dim>::contact() const {
   for (const auto& [pair, entry] : ledger.pairs) {
     double sign = 1.0;
     if (q.material >= 0) {
-      const bool first = has_material(pair.first, q.material);
-      if (!first && !has_material(pair.second, q.material)) continue;
+      const bool first = has_material(pair.first, q.material), second = has_material(pair.second, q.material);
+      if (!first && !second) continue;
       if (q.other >= 0 && !has_material(first ? pair.second : pair.first, q.other)) continue;
-      sign = first ? 1.0 : -1.0;
+      sign = first && second ? 0.0 : first ? 1.0 : -1.0;  // forces between bodies of one material cancel
     }
     sum.force += sign * ledger.mean_force(entry), sum.last_force += sign * entry.force;
     sum.friction += entry.friction, sum.impact += entry.impact, sum.stored += entry.stored, sum.area += entry.area;

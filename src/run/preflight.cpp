@@ -251,11 +251,12 @@ class Report {
                           " is stiffer than 30 times the wave modulus over the cell size in a direction, which is "
                           "therefore bonded; smaller cells resolve it");
     };
+    std::set<std::pair<int, int>> known;
     for (std::size_t i = 0; i < system_.bodies.size(); ++i)
       for (std::size_t j = i + 1; j < system_.bodies.size(); ++j) {
         const int a = system_.bodies[i].material, b = system_.bodies[j].material;
         const ContactLaw* law = model_.contact.law(a, b);
-        if (law && law->interface()) tell(*law->interface(), a, b);
+        if (law && law->interface() && known.insert({a, b}).second) tell(*law->interface(), a, b);
       }
   }
 

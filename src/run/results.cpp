@@ -131,30 +131,32 @@ void Results<Dim>::write_particles(std::int64_t number) {
   const auto precision = model_.output.double_precision ? Precision::full : Precision::single;
   const auto bodies = written_bodies();
   const ParticleBlocks<Dim> in_files(model_, bodies, system_.pieces);
-  const auto& ranges = in_files.ranges();
   std::vector<std::string> materials;
-  for (const MaterialSpec& material : model_.materials) materials.push_back(material.name);
+  for (std::size_t m = 0; m < model_.materials.size(); ++m)
+    if (model_.contact.kind(static_cast<int>(m)) == static_cast<int>(m)) materials.push_back(model_.materials[m].name);
   const std::string file = "particles/" + numbered(number, ".vtm");
 
-  const auto copy = [&](std::size_t first, std::size_t count) {
-    return ParticleFields<Dim>(model_, bodies, std::span(ranges).subspan(first, count), names, precision);
+  const auto copy = [&](std::span<const ParticleRange<Dim>> ranges) {
+    return ParticleFields<Dim>(model_, bodies, ranges, names, precision);
   };
   const auto job = [&](std::size_t k) {
-    return [all = std::make_shared<const ParticleFields<Dim>>(copy(k, 1)), materials,
+    return [all = std::make_shared<const ParticleFields<Dim>>(copy(in_files.ranges(k))), materials,
             path = file_of_block(folder_ / file, in_files.blocks()[k]), time = system_.time] {
       tribo::write_particles(path, all->count(), all->positions(), all->fields(), time, materials);
     };
   };
+  const std::size_t block_count = in_files.blocks().size();
   std::size_t count = 0, largest = 1;
-  for (const auto& range : ranges) count += range.count(), largest = std::max(largest, range.count());
-  const std::size_t row = copy(0, 0).bytes_of_particle();
+  for (std::size_t k = 0; k < block_count; ++k)
+    count += in_files.count(k), largest = std::max(largest, in_files.count(k));
+  const std::size_t row = copy({}).bytes_of_particle();
   if (count * row <= queue_.most_copied()) {
-    for (std::size_t k = 0; k < ranges.size(); ++k) queue_.add(ranges[k].count() * row, job(k));
+    for (std::size_t k = 0; k < block_count; ++k) queue_.add(in_files.count(k) * row, job(k));
   } else {
     queue_.drain();
     const std::size_t at_once = std::max<std::size_t>(1, OutputQueue::most_of_parts / (largest * row));
-    for (std::size_t first = 0; first < ranges.size(); first += at_once)
-      parallel_for(static_cast<std::ptrdiff_t>(std::min(at_once, ranges.size() - first)),
+    for (std::size_t first = 0; first < block_count; first += at_once)
+      parallel_for(static_cast<std::ptrdiff_t>(std::min(at_once, block_count - first)),
                    [&](std::ptrdiff_t k) { job(first + static_cast<std::size_t>(k))(); });
   }
   queue_.add(0, [path = folder_ / file, list = in_files.blocks()] { write_block_list(path, list); });
@@ -234,6 +236,8 @@ Measures Results<Dim>::measures_of(std::size_t k, const Measures& all, const std
   const HistoryQuantity& q = model_.output.history[k];
   if (q.point) return tracers_.measure(system_, k, model_.output.wants_strain());
   if (q.material < 0) return all;
+  if (model_.materials[static_cast<std::size_t>(q.material)].separate)
+    return measure(system_, model_.output.wants_strain(), q.material);
   for (std::size_t b = 0; b < system_.bodies.size(); ++b)
     if (system_.bodies[b].material == q.material) return bodies[b];
   for (auto& body : system_.rigids)
@@ -263,19 +267,25 @@ template <int Dim>
 double Results<Dim>::mean_variable(std::size_t k) const {
   const HistoryQuantity& q = model_.output.history[k];
   const auto column = static_cast<std::size_t>(q.variable);
-  for (auto& body : system_.bodies) {
-    if (body.material != q.material || column >= body.law->history().size()) continue;
-    const double* values = body.particles.column(body.history + column);
-    if (q.point) {
-      const std::size_t particle = tracers_.particle(system_, k);
-      return particle < body.particles.size() ? values[particle] : 0.0;
-    }
-    const double* volumes = body.particles.volume();
-    double sum = 0.0, volume = 0.0;
-    for (std::size_t i = 0; i < body.particles.size(); ++i) sum += volumes[i] * values[i], volume += volumes[i];
-    return volume > 0 ? sum / volume : 0.0;
+  const auto values_of = [&](const Body<Dim>& body) { return body.particles.column(body.history + column); };
+  const auto has_variable = [&](const Body<Dim>& body) {
+    return body.material == q.material && column < body.law->history().size();
+  };
+  if (q.point) {
+    const auto found = tracers_.deformable_body(k);
+    if (!found || !has_variable(system_.bodies[*found])) return 0.0;
+    const Body<Dim>& body = system_.bodies[*found];
+    const std::size_t particle = tracers_.particle(system_, k);
+    return particle < body.particles.size() ? values_of(body)[particle] : 0.0;
   }
-  return 0.0;
+  double sum = 0.0, volume = 0.0;
+  for (auto& body : system_.bodies) {
+    if (!has_variable(body)) continue;
+    const double* values = values_of(body);
+    const double* volumes = body.particles.volume();
+    for (std::size_t i = 0; i < body.particles.size(); ++i) sum += volumes[i] * values[i], volume += volumes[i];
+  }
+  return volume > 0 ? sum / volume : 0.0;
 }
 
 template class Results<2>;

@@ -136,7 +136,7 @@ Body<Dim> make_body(const Model& model, int material, const Seeds& seeds, std::i
   Body<Dim> body(seeds.size(), keep_deformation, transfers.shift(), transfers.colours_per_axis());
   body.name = spec.name;
   body.law = spec.law;
-  body.material = material;
+  body.material = model.contact.kind(material), body.own_material = material;
   body.particle_damping = spec.particle_damping.value_or(0.0);
 
   const Seed first = seeds.front();
@@ -201,7 +201,7 @@ void add_sides(System<Dim>& system) {
 }
 
 // Assigns velocity fields to bodies: one field for all without contact, else one per material or per group of
-// materials that share a field.
+// materials that share a field, or per body of a material whose bodies touch each other.
 template <int Dim>
 void assign_fields(const Model& model, System<Dim>& system) {
   if (!model.contact.active) {
@@ -223,7 +223,7 @@ void assign_fields(const Model& model, System<Dim>& system) {
         body.field = Body<Dim>::no_field;
         continue;
       }
-      const int owner = spec.share_field_with >= 0 ? spec.share_field_with : body.material;
+      const int owner = spec.share_field_with >= 0 ? spec.share_field_with : body.own_material;
       const auto [entry, fresh] = field_of.try_emplace(owner, system.fields.size());
       if (fresh) system.fields.emplace_back(system.lattice);
       body.field = entry->second;
@@ -259,7 +259,7 @@ void mark_curved_fields(const Model& model, System<Dim>& system) {
     for (const Body<Dim>& body : *list) {
       if (body.field == Body<Dim>::no_field) continue;
       const bool keeps_shape = body.law->rigid() || (body.law->dissipation_index() < 0 && !body.law->liquid());
-      if ((body.block >= 0 && is_ball(body)) || (keeps_shape && curved[static_cast<std::size_t>(body.material)]))
+      if ((body.block >= 0 && is_ball(body)) || (keeps_shape && curved[static_cast<std::size_t>(body.own_material)]))
         system.fields[body.field].curved = true;
     }
   for (auto& field : system.fields) field.curved = system.fields[field.base_field].curved;

@@ -124,10 +124,11 @@ Measures measure_particle(Body<Dim>& body, std::size_t particle, bool strain) {
 }
 
 template <int Dim>
-Measures measure(System<Dim>& system, bool strain) {
+Measures measure(System<Dim>& system, bool strain, std::optional<int> material) {
   Measures all;
   all.least_volume_ratio = 1e300;
-  for (auto& body : system.bodies) add(all, sum(body, strain));
+  for (auto& body : system.bodies)
+    if (!material || body.material == *material) add(all, sum(body, strain));
   average(all);
   return all;
 }
@@ -136,7 +137,7 @@ template Measures measure<2>(Body<2>&, bool);
 template Measures measure<3>(Body<3>&, bool);
 template Measures measure_particle<2>(Body<2>&, std::size_t, bool);
 template Measures measure_particle<3>(Body<3>&, std::size_t, bool);
-template Measures measure<2>(System<2>&, bool);
-template Measures measure<3>(System<3>&, bool);
+template Measures measure<2>(System<2>&, bool, std::optional<int>);
+template Measures measure<3>(System<3>&, bool, std::optional<int>);
 
 }  // namespace tribo

@@ -6,6 +6,8 @@
 #include "model/measures.hpp"
 #include "solver/state/system.hpp"
 
+#include <optional>
+
 namespace tribo {
 
 /// Measures of one body. `strain`: include the mean Biot strain, which requires F.
@@ -14,8 +16,9 @@ Measures measure(Body<Dim>& body, bool strain = false);
 /// Measures of one particle.
 template <int Dim>
 Measures measure_particle(Body<Dim>& body, std::size_t particle, bool strain);
-/// Measures of all deformable bodies together; means are weighted by mass or volume.
+/// Measures of all deformable bodies together, or only of those of a material (index into Model::materials); means are
+/// weighted by mass or volume.
 template <int Dim>
-Measures measure(System<Dim>& system, bool strain = false);
+Measures measure(System<Dim>& system, bool strain = false, std::optional<int> material = std::nullopt);
 
 }  // namespace tribo

@@ -72,7 +72,7 @@ struct ContactOfParticle {
   Vec<Dim> normal = Vec<Dim>::Zero();    ///< outward
 };
 
-/// The particles of one material.
+/// The particles of one material, or of one of its bodies if they touch each other.
 template <int Dim>
 struct Body {
   Body(std::size_t count, bool with_deformation, double kernel_shift, int colours_per_axis)
@@ -81,6 +81,7 @@ struct Body {
   std::string name;
   std::shared_ptr<const Material> law;
   int material = 0;       ///< index into Model::materials
+  int own_material = 0;   ///< the same, or the entry of this body alone; see ContactSpec::kinds
   std::size_t field = 0;  ///< number of the velocity field; `no_field` for rigid bodies without contact
   static constexpr std::size_t no_field = static_cast<std::size_t>(-1);
   /// Number of the rigid block in System::blocks that the particles represent; -1: none.
@@ -234,12 +235,12 @@ struct System {
 /// sort the particles, so they must lie in their bins.
 template <int Dim>
 void archive(Archive& a, Body<Dim>& body, const Lattice<Dim>& lattice, bool binned) {
-  auto& [name, law, material, field, block, across_fields, cut, cut_bins, particles, bins, history, history_columns,
-         affine, filtered, damped, start, half_size, half_axes, generation, uniform_half_size, thickness, domain, load,
-         origin, load_set, contact_slip, contact_bond, contacts, temperature, temperature_gradient,
-         temperature_residual, heated, expanded, expansion_work, expansion, crossings, cell_number, volumetric,
-         heat_capacity, conductivity, taylor_quinney, reference_temperature, cell, residual_share,
-         volume_of_displacement, particle_damping, total_mass, read_by_scatter, read_by_gather] = body;
+  auto& [name, law, material, own_material, field, block, across_fields, cut, cut_bins, particles, bins, history,
+         history_columns, affine, filtered, damped, start, half_size, half_axes, generation, uniform_half_size,
+         thickness, domain, load, origin, load_set, contact_slip, contact_bond, contacts, temperature,
+         temperature_gradient, temperature_residual, heated, expanded, expansion_work, expansion, crossings,
+         cell_number, volumetric, heat_capacity, conductivity, taylor_quinney, reference_temperature, cell,
+         residual_share, volume_of_displacement, particle_damping, total_mass, read_by_scatter, read_by_gather] = body;
   a("particles", particles), a("total_mass", total_mass), archive(a, bins, lattice);
   if (!a.reading() || bins.list().empty()) return;  // none before the first step, which sorts
   if (bins.before(bins.list().size()) != particles.size() || (binned && !bins.hold(lattice, particles)))
