@@ -264,7 +264,6 @@ Vec<Dim> NormalFinder<Dim>::normal_of_faces(NearParticles<Dim>& near, const Vec<
   if (const auto smooth = normal_of_smooth_faces(near, n)) return *smooth;
   // Beside the end of a face that surrounds the other body, as a socket does, the normal of largest margin is far from
   // that of the other body's surface, which is nearly the direction from the mean place of its particles to the node.
-  // The side on which a face ends is farther from it.
   constexpr double not_beside = 0.75;  // cosine of 41 degrees
   for (std::size_t side = 0; side < 2; ++side)
     if (const auto guess = unit<Dim>(side == 0 ? Vec<Dim>(-near.mean[0]) : near.mean[1]))
