@@ -24,6 +24,7 @@ struct NearParticles {
   std::array<Vec<Dim>, 2> low, high;      ///< per side: corners of the box around the domains of its groups   [length]
   double apart;                           ///< see apart_beside_corner()                                       [length]
   std::array<bool, 2> rigid;              ///< per side: the body is rigid
+  bool curved;                            ///< one of the bodies keeps a curved surface, see Field::curved
   bool wide;                              ///< the normal is that of wide faces, not of corners or edges
   std::array<double, 2> max_reach;        ///< per side: reach of the foremost particle                        [length]
 

@@ -262,6 +262,7 @@ Vec<Dim> NormalFinder<Dim>::normal_of_faces(NearParticles<Dim>& near, const Vec<
   if (const auto out = plane_face_normal<Dim>(side_b, -n, h_)) sum -= *out;
   if (!sum.isZero()) return sum.normalized();
   if (const auto smooth = normal_of_smooth_faces(near, n)) return *smooth;
+  if (!near.curved) return n;
   // Beside the end of a face that surrounds the other body, as a socket does, the normal of largest margin is far from
   // that of the other body's surface, which is nearly the direction from the mean place of its particles to the node.
   constexpr double not_beside = 0.75;  // cosine of 41 degrees
@@ -299,7 +300,8 @@ std::optional<Vec<Dim>> NormalFinder<Dim>::largest_margin(const Vec<Dim>& centre
     const auto of_corner = near.wide ? n : corner_normal<Dim>(side_a, side_b, *n, h_);
     return of_corner == n ? normal_of_faces(near, *n) : of_corner;
   }
-  if (const auto n = normal_within_reach(centre, near, guess)) return n;
+  if (near.curved)
+    if (const auto n = normal_within_reach(centre, near, guess)) return n;
   if (auto n = regression_normal<Dim>(side_a, side_b, false, h_)) return n;
   return unit<Dim>(gradient);
 }
@@ -340,6 +342,7 @@ std::optional<Vec<Dim>> NormalFinder<Dim>::chosen_normal(const ContactNode<Dim>&
   auto& [side_a, side_b] = near.sides;
   near.wide = false, near.apart = 0.0;
   near.rigid = {a.inverse_mass == 0.0, b.inverse_mass == 0.0};
+  near.curved = system_.fields[a.field].curved || system_.fields[b.field].curved;
   const Vec<Dim> gradient = gradient_normal(a, b);
   NormalMethod method = spec_.normals;
   const bool by_gradient = method == NormalMethod::steepest || method == NormalMethod::largest ||
