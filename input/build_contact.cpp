@@ -297,6 +297,9 @@ void Builder::shared_fields() {
     }
     must(with != static_cast<int>(k), s->origin, "a material cannot share with itself");
     must(!spec.law->rigid() && !other.law->rigid(), s->origin, "rigid materials do not share a velocity field");
+    must(!other.separate, s->origin,
+         "the bodies of '" + other.name +
+             "' have a velocity field each, since it has a contact law with itself; no other material can share them");
     must(other.share_field_with < 0, s->origin,
          "'" + other.name + "' itself shares the field of another material; use the number of that material");
     spec.share_field_with = with;

@@ -121,7 +121,8 @@ TEST_CASE("check names the law between the bodies of a material", "[preflight]")
 }
 
 TEST_CASE("what bodies of one material that touch each other do not have yet is an error", "[contact]") {
-  const auto message = [](const std::string& self, const std::string& more) -> std::string {
+  const auto message = [](const std::string& self, const std::string& more,
+                          const std::string& matrix = "") -> std::string {
     try {
       read_model_text(
           "<JANFEAInput version='3'><Header><Analysis>10</Analysis><ConsistentUnits length='mm' mass='g' time='ms'/>"
@@ -129,7 +130,7 @@ TEST_CASE("what bodies of one material that touch each other do not have yet is 
           "MPMHeader><Mesh><Grid xmin='0' xmax='9' ymin='0' "
           "ymax='9'><Horiz nx='9'/><Vert ny='9'/></Grid></Mesh><MaterialPoints><Body matname='grain'><Rect xmin='1' "
           "xmax='2' ymin='1' ymax='2'/></Body>" +
-              more + "</MaterialPoints>" + grain("grain", self) +
+              more + "</MaterialPoints>" + grain("grain", self) + grain("matrix", matrix) +
               "<Material Type='Mohr' Name='joint'><stiffness-normal>1</stiffness-normal>"
               "<stiffness-shear>1</stiffness-shear></Material></JANFEAInput>",
           "deck.xml");
@@ -145,4 +146,5 @@ TEST_CASE("what bodies of one material that touch each other do not have yet is 
   CHECK_THAT(message("<Friction matname='grain' lawname='joint'/>", ""),
              Contains("joint laws between the bodies of one"));
   CHECK_THAT(message(self + "<shareMatField>1</shareMatField>", ""), Contains("contradicts its <shareMatField>"));
+  CHECK_THAT(message(self, "", "<shareMatField>1</shareMatField>"), Contains("no other material can share them"));
 }
