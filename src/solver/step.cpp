@@ -130,7 +130,8 @@ void Stepper<Dim>::update_stress_first(double dt) {
   if (filter_.active()) filter_.filter(0.0, false);
   if (half) nodal_work_.keep_start(filter_.active()), contact_.keep_start(filter_.active());
   strain(part, false);
-  joints_.update_laws(part, system_.time + part, filter_.active());
+  joints_.find_motion(filter_.active());
+  joints_.update_laws(part, system_.time + part);
   if (!contact_.keeps_start_impulses()) contact_.remove_start_impulses();
   scatter(Scatter::force);
   tractions_.apply();
@@ -140,8 +141,8 @@ void Stepper<Dim>::update_stress_first(double dt) {
 template <int Dim>
 void Stepper<Dim>::update_from_nodes(double dt) {
   const bool again = extrapolates_again();
-  if (!again) joints_.update_laws(strain_time(dt), system_.time + dt, false);
-  joints_.find_motion();
+  joints_.find_motion(false);
+  if (!again) joints_.update_laws(strain_time(dt), system_.time + dt);
   if (again) keep_start_positions(system_);
   cracks_.move(dt);
   joints_.move_points(dt);
@@ -171,7 +172,8 @@ void Stepper<Dim>::strain_again(double dt, double strain_dt) {
   contact_.record_end(filters_update(), filter_.active());
   tractions_.record_end(dt, filters_update(), filter_.active());
   strain(strain_dt, true);
-  joints_.update_laws(strain_dt, system_.time + dt, filter_.active());
+  joints_.find_motion(filter_.active());
+  joints_.update_laws(strain_dt, system_.time + dt);
 }
 
 template <int Dim>

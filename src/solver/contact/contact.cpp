@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace tribo {
 namespace {
@@ -155,9 +156,12 @@ void Contact<Dim>::leave_to_joints(const Joints<Dim>& joints) {
       ContactPair& pair = contacts.pairs[p];
       if (pair.crack >= 0 || pair.law->interface()) continue;
       const auto home = [&](std::size_t member) { return system_.fields[contacts.members[member].field].base_field; };
-      const auto joint = joints.nearest_joint(home(pair.a), home(pair.b), system_.lattice.position(node.index));
       const ContactFace& face = cache_.face(p);
-      const bool beyond = !pair.has_no_face && pair.law->uses_face() && joint.distance > face.offset_along_face + h_ &&
+      const bool has_face = !pair.has_no_face && pair.law->uses_face();
+      const double not_beyond = has_face ? face.offset_along_face + h_ : std::numeric_limits<double>::max();
+      const auto joint =
+          joints.near_joint(home(pair.a), home(pair.b), system_.lattice.position(node.index), not_beyond);
+      const bool beyond = has_face && joint.distance > not_beyond &&
                           std::abs(face.normal.template head<Dim>().dot(joint.normal)) > min_cosine;
       pair.replaced_by_joint = std::isfinite(joint.distance) && !beyond;
     }

@@ -26,12 +26,13 @@ void Joints<Dim>::list_points() {
 }
 
 template <int Dim>
-auto Joints<Dim>::nearest_joint(std::size_t a, std::size_t b, const Vec<Dim>& x) const -> NearestJoint {
-  NearestJoint out;
+auto Joints<Dim>::near_joint(std::size_t a, std::size_t b, const Vec<Dim>& x, double close_enough) const -> NearJoint {
+  NearJoint out;
   if (points_of_block_.empty()) return out;
   const Vec<Dim> reach = Vec<Dim>::Constant(reach_);
   const auto list_joints_of = [&](const Index<Dim>& block) {
     for (const PointOf& point : points_of_block_[static_cast<std::size_t>(system_.lattice.block_index(block))]) {
+      if (out.distance <= close_enough) return;
       const JointSurface<Dim>& surface = system_.joints[point.surface];
       const auto& [one, two] = surface.field;
       if (!((one == a && two == b) || (one == b && two == a))) continue;
@@ -62,10 +63,10 @@ void Joints<Dim>::record_rigid_work(std::size_t s, const std::vector<Vec3>& befo
 }
 
 template void Joints<2>::list_points();
-template auto Joints<2>::nearest_joint(std::size_t, std::size_t, const Vec<2>&) const -> NearestJoint;
+template auto Joints<2>::near_joint(std::size_t, std::size_t, const Vec<2>&, double) const -> NearJoint;
 template void Joints<2>::record_rigid_work(std::size_t, const std::vector<Vec3>&, double);
 template void Joints<3>::list_points();
-template auto Joints<3>::nearest_joint(std::size_t, std::size_t, const Vec<3>&) const -> NearestJoint;
+template auto Joints<3>::near_joint(std::size_t, std::size_t, const Vec<3>&, double) const -> NearJoint;
 template void Joints<3>::record_rigid_work(std::size_t, const std::vector<Vec3>&, double);
 
 }  // namespace tribo

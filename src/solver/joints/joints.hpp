@@ -12,7 +12,8 @@
 #pragma once
 
 #include "solver/cracks/cracks.hpp"
-#include "solver/neighbours/nodes_around.hpp"
+#include "solver/joints/face_nodes.hpp"
+#include "solver/joints/sample_slabs.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -39,26 +40,27 @@ class Joints {
   /// Finds the nodes and weights of all integration points, and the stable time step. To be called once the nodal
   /// masses of a step are known.
   void find();
-  /// The joint between two bodies that is closest to a node: the distance along the face [length] and the normal. The
-  /// distance is infinite if the node is out of the range of all joints with both faces.
-  struct NearestJoint {
+  /// A joint between two bodies near a node: the distance along the face [length] and the normal. The distance is
+  /// infinite if the node is out of the range of all joints with both faces.
+  struct NearJoint {
     double distance = std::numeric_limits<double>::infinity();
     Vec<Dim> normal = Vec<Dim>::Zero();
   };
-  /// The bodies are identified by their velocity fields. `node`: position of the node [length]. To be called after
-  /// find().
-  NearestJoint nearest_joint(std::size_t field_a, std::size_t field_b, const Vec<Dim>& node) const;
+  /// The joint that is closest to the position `node` [length], or the first one that is found not farther than
+  /// `close_enough` [length]. The bodies are identified by their velocity fields. To be called after find().
+  NearJoint near_joint(std::size_t field_a, std::size_t field_b, const Vec<Dim>& node, double close_enough) const;
   /// Adds the joint forces to the nodal accelerations, and their effect over a time dt to the nodal velocities.
   void add_forces(double dt);
-  /// Computes the displacement increments of the joints from the nodal velocities and evaluates the joint laws. To be
-  /// called wherever the strain of the particles is updated, with the same velocities and the same share dt of the
-  /// step: otherwise the jump of a joint and the strain next to it belong to different velocities, which adds energy.
-  /// `time`: at the end of this share. `filtered`: these are the filtered velocities (Field::filter), not those of the
-  /// nodes.
-  void update_laws(double dt, double time, bool filtered);
-  /// Finds the velocities of the faces, with which joints and cracks move. To be called before move_points().
-  void find_motion();
-  /// Updates positions and axes of the joints. To be called after cracks have moved.
+  /// Finds the velocities of the faces from those of the nodes. `filtered`: from the filtered velocities
+  /// (Field::filter).
+  void find_motion(bool filtered);
+  /// Computes the displacement increments of the joints from the velocities that find_motion() found and evaluates the
+  /// joint laws. To be called wherever the strain of the particles is updated, with the same velocities and the same
+  /// share dt of the step: otherwise the jump of a joint and the strain next to it belong to different velocities,
+  /// which adds energy. `time`: at the end of this share.
+  void update_laws(double dt, double time);
+  /// Updates positions and axes of the joints with the velocities that find_motion() found. To be called after cracks
+  /// have moved, which they do with the same velocities.
   void move_points(double dt);
   /// Largest stable time step with all joints [time], computed by the last find(); infinite without joints.
   double stable_step() const { return stable_step_; }
@@ -104,23 +106,15 @@ class Joints {
   /// Saves and restores the stable step. The joints are part of the system; all other members are computed in every
   /// step or are emptied before it ends.
   friend void archive(Archive& a, Joints& joints) {
-    auto& [system, cracks, around, surfaces, stiffness, row, increments, new_events, events, rigid_sums, reach, points,
-           listed, stable] = joints;
+    auto& [system, face_nodes, surfaces, slabs, row_sums, largest_of_slab, increments, events_of_part, events,
+           rigid_sums, reach, points, listed, stable] = joints;
     a.version(1);
     a("stable_step", stable);
   }
 
  private:
-  /// One velocity field at one node, with its weights for an integration point.
-  struct NodeWeight {
-    std::uint32_t field;
-    std::int64_t node;  ///< position in the nodal arrays of the field
-    /// Weight of the nodal velocity in the velocity of the face, and of the joint force on the node.
-    double weight;
-    double images;    ///< number of mirror images of the integration point that act on the node, itself included
-    Vec<Dim> slope;   ///< weight of the nodal velocity in the velocity gradient
-    Vec<Dim> mirror;  ///< factors of vector components if the node replaces its image in a symmetry plane
-  };
+  using Share = NodeWeight<Dim>;
+  static constexpr std::ptrdiff_t fewest_for_threads = 64;  ///< joints or points; fewer are not worth several threads
   /// Velocity of a face and its gradient.
   struct Motion {
     Vec<Dim> velocity = Vec<Dim>::Zero();
@@ -129,24 +123,33 @@ class Joints {
   /// The nodes around an integration point and the motion of its two faces.
   struct SampleNodes {
     /// Nodes of body 1 and body 2; empty: the face has moved away.
-    std::array<std::vector<NodeWeight>, 2> side;
+    std::array<std::vector<Share>, 2> side;
+    NodeRange<Dim> range;
     std::array<Motion, 2> motion;
+    double scaled_sum = 0.0;  ///< of the amounts of the weights times the roots of the mobilities
+    double sum = 0.0;         ///< of the amounts of the weights
     bool has_both_faces() const { return !side[0].empty() && !side[1].empty(); }
+  };
+  /// What an integration point contributes to a joint.
+  struct Contribution {
+    std::uint32_t sample;
+    double fraction;  ///< of the surface area of the joint
   };
   /// Data of one surface of joints within a step.
   struct Surface {
     std::vector<SampleNodes> samples;
-    std::vector<double> supported_fraction;  ///< per joint: fraction of its surface with both faces
+    /// The integration points in an order in which successive ones have about the same nodes.
+    std::vector<std::uint32_t> order;
+    std::vector<std::uint32_t> first;         ///< per joint, and after the last: its first entry in `contributions`
+    std::vector<Contribution> contributions;  ///< joint by joint
+    std::vector<double> supported_fraction;   ///< per joint: fraction of its surface with both faces
+    std::vector<double> row;                  ///< scratch: per joint
     /// Per joint, if its law has dashpots: reduced mass of the parts of the two faces that move with it [mass].
     std::vector<double> mass;
     std::vector<std::array<Motion, 2>> motion;  ///< per joint
   };
-  Node& node(const NodeWeight& share) const {
+  Node& node(const Share& share) const {
     return system_.fields[share.field].nodes[static_cast<std::size_t>(share.node)];
-  }
-  /// Inverse mass of a node; 0 for rigid bodies.
-  double inverse_mass(const NodeWeight& share) const {
-    return system_.fields[share.field].rigid_contact ? 0.0 : 1.0 / node(share).mass;
   }
   bool rigid(const JointSurface<Dim>& surface, std::size_t side) const {
     return surface.crack == JointSurface<Dim>::none && system_.fields[surface.field[side]].rigid_contact;
@@ -155,32 +158,60 @@ class Joints {
     return surfaces_[surface].supported_fraction[joint] > 0.25;
   }
   std::pair<Vec<Dim>, Vec<Dim>> place(const JointSurface<Dim>& surface, std::size_t sample) const;
-  double find_face_nodes(const JointSurface<Dim>& surface, const Vec<Dim>& x, const Vec<Dim>& n, std::size_t side,
-                         std::vector<NodeWeight>& out) const;
-  static bool extrapolates(const std::vector<NodeWeight>& side);
+  static bool extrapolates(const std::vector<Share>& side);
+  void find_nodes(std::size_t surface);
+  void order_samples(std::size_t surface);
+  void list_contributions(std::size_t surface);
+  void schedule();
+  /// Calls f(joint) for all joints of a surface, on several threads.
   template <class F>
-  void each_contribution(std::size_t surface, F&& f);
+  void each_joint(std::size_t surface, F&& f) {
+    parallel_for(
+        static_cast<std::ptrdiff_t>(system_.joints[surface].joints.size()),
+        [&](std::ptrdiff_t joint) { f(static_cast<std::size_t>(joint)); }, fewest_for_threads);
+  }
+  /// Calls f(nodes, area fraction) for the integration points of a joint that have both faces.
+  template <class F>
+  void each_contribution(std::size_t s, std::size_t joint, F&& f) const {
+    const Surface& surface = surfaces_[s];
+    for (std::size_t i = surface.first[joint]; i < surface.first[joint + 1]; ++i) {
+      const SampleNodes& nodes = surface.samples[surface.contributions[i].sample];
+      if (nodes.has_both_faces()) f(nodes, surface.contributions[i].fraction);
+    }
+  }
+  /// Calls f(slab, surface, nodes, joint, area fraction), which may add to the nodes, for the joints of all integration
+  /// points with both faces.
+  template <class F>
+  void add_to_nodes(F&& f) {
+    slabs_.each([&](std::size_t slab, std::uint32_t s, std::uint32_t k) {
+      const JointSample<Dim>& sample = system_.joints[s].samples[k];
+      for (std::size_t c = 0; c < sample.area_fraction.size(); ++c)
+        if (sample.area_fraction[c] > 0) f(slab, s, surfaces_[s].samples[k], sample.joint[c], sample.area_fraction[c]);
+    });
+  }
   void list_points();
   void find_stable_step();
   template <class Row, class Column>
-  double find_row_sums(const Row& row, const Column& column);
+  double find_row_sums(const Row& row, const Column& sum_of_columns);
+  void clear_row_sums();
   double find_masses(double ratio);
   void record_rigid_work(std::size_t surface, const std::vector<Vec3>& before, double dt);
-  Motion motion(const std::vector<NodeWeight>& shares, bool filtered) const;
-  void find_motion(std::size_t surface, bool filtered);
-  void update(JointSurface<Dim>& surface, std::size_t s, std::size_t first, std::size_t end, double time);
+  Motion motion(const std::vector<Share>& shares, bool filtered) const;
+  void find_motion_of(std::size_t surface, bool filtered);
+  void find_increments(std::size_t surface, double dt, double time);
+  void evaluate_law(std::size_t surface, double time);
   static void release(Joint& joint);
   void prescribe_face_velocities(std::size_t surface);
   void copy_to_crack(const JointSurface<Dim>& surface);
 
   System<Dim>& system_;
-  const Cracks<Dim>& cracks_;
-  NodesAround<Dim> nodes_around_;
+  FaceNodes<Dim> face_nodes_;
   std::vector<Surface> surfaces_;
-  std::vector<std::vector<double>> stiffness_;  ///< scratch: per field and node
-  std::vector<double> row_;                     ///< scratch: per joint
-  std::vector<JointIncrement> increments_;      ///< scratch
-  std::vector<JointEvent> new_events_;          ///< scratch
+  SampleSlabs<Dim> slabs_;                               ///< the integration points with both faces
+  std::vector<std::vector<double>> row_sums_;            ///< scratch: per field and node, see find_row_sums()
+  std::vector<double> largest_of_slab_;                  ///< scratch: of the row sums
+  std::vector<JointIncrement> increments_;               ///< scratch
+  std::vector<std::vector<JointEvent>> events_of_part_;  ///< scratch
   std::vector<PlacedEvent> events_;
   std::pair<double, Vec3> rigid_{0.0, Vec3::Zero()};
   struct PointOf {

@@ -5,6 +5,7 @@
 #include "base/types.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -20,6 +21,9 @@ struct FitNode {
   Vec<Dim> slope = Vec<Dim>::Zero();  ///< result: of the nodal velocity in the gradient     [1/cells]
 };
 
+/// The root of x/whole, at most one. Most nodes are whole, and need no root.
+inline double root_of_share(double x, double whole) { return x < whole ? std::sqrt(x / whole) : 1.0; }
+
 /// Sets the weights of a least-squares fit of a linear velocity, so that rigid motions are reproduced. `importance`:
 /// weight of each node in the fit, a function of the node. `regularisation`: variance of positions [cells^2] below
 /// which the gradient along a direction tends to zero.
@@ -31,14 +35,20 @@ void fit_velocity(std::vector<FitNode<Dim>>& nodes, F&& importance, double regul
     node.weight = importance(node);
     total += node.weight, mean += node.weight * node.offset;
   }
-  mean /= total;
+  const double scale = 1 / total;
+  mean *= scale;
   Mat<Dim> variance = regularisation * Mat<Dim>::Identity();
-  for (const FitNode<Dim>& node : nodes)
-    variance += node.weight / total * (node.offset - mean) * (node.offset - mean).transpose();
-  const Mat<Dim> inverse = variance.inverse();
   for (FitNode<Dim>& node : nodes) {
-    node.slope = node.weight / total * (inverse * (node.offset - mean));
-    node.weight = node.weight / total - node.slope.dot(mean);
+    node.weight *= scale;
+    const Vec<Dim> d = node.offset - mean, weighted = node.weight * d;
+    for (int j = 0; j < Dim; ++j)
+      for (int i = j; i < Dim; ++i) variance(i, j) += weighted[i] * d[j];
+  }
+  const Mat<Dim> inverse = Mat<Dim>(variance.template selfadjointView<Eigen::Lower>()).inverse();
+  const Vec<Dim> middle = inverse * mean;
+  for (FitNode<Dim>& node : nodes) {
+    node.slope = node.weight * (inverse * node.offset - middle);
+    node.weight -= node.slope.dot(mean);
   }
 }
 
@@ -60,7 +70,7 @@ bool exceeds(const std::vector<FitNode<Dim>>& nodes, double largest) {
 template <int Dim>
 void fit_face_velocity(std::vector<FitNode<Dim>>& nodes, double light) {
   fit_velocity(
-      nodes, [&](const FitNode<Dim>& node) { return node.shape * std::min(1.0, std::sqrt(node.mass / light)); }, 1e-5);
+      nodes, [&](const FitNode<Dim>& node) { return node.shape * root_of_share(node.mass, light); }, 1e-5);
   if (!exceeds(nodes, 20.0 / light))  // light nodes of smooth faces come to 9/light
     return;
   fit_velocity(
@@ -79,18 +89,21 @@ void fit_face_velocity(std::vector<FitNode<Dim>>& nodes, double light) {
 template <int Dim>
 void fit_aligned_face_velocity(std::vector<FitNode<Dim>>& nodes, int axis) {
   constexpr double next_to_nothing = 1e-5, largest = 20.0;
-  const auto mean_of_plane = [&](const FitNode<Dim>& of) {
-    double shapes = 0.0, mass = 0.0;
-    for (const FitNode<Dim>& node : nodes)
-      if (std::abs(node.offset[axis] - of.offset[axis]) < 0.5) shapes += node.shape, mass += node.shape * node.mass;
-    return mass / shapes;
+  // Planes of nodes are numbered from the one of the first node; the shape functions reach across six at most.
+  constexpr int most = 6;
+  std::array<double, 2 * most + 1> mean{}, shapes{};
+  const auto plane_of = [&](const FitNode<Dim>& node) {
+    return static_cast<std::size_t>(most + 0.5 + node.offset[axis] - nodes.front().offset[axis]);
   };
+  for (const FitNode<Dim>& node : nodes)
+    mean[plane_of(node)] += node.shape * node.mass, shapes[plane_of(node)] += node.shape;
+  for (std::size_t k = 0; k < mean.size(); ++k)
+    if (shapes[k] > 0) mean[k] /= shapes[k];
   fit_velocity(
       nodes,
       [&](const FitNode<Dim>& node) {
-        const double plane = mean_of_plane(node);
-        return node.shape * std::min(1.0, std::sqrt(plane / next_to_nothing)) *
-               std::min(1.0, std::sqrt(node.mass / (light_at_joints * plane)));
+        const double plane = mean[plane_of(node)];
+        return node.shape * root_of_share(plane, next_to_nothing) * root_of_share(node.mass, light_at_joints * plane);
       },
       1e-5);
   if (exceeds(nodes, largest)) fit_face_velocity(nodes, light_at_joints);
