@@ -65,8 +65,7 @@ class FaceNodes {
     return nodes_around_.find(x, stencil) ? stencil.low : Index<Dim>{};
   }
   /// The masses at the nodes around the last integration point of one side. The next point often has the same nodes.
-  class Memory {
-    friend FaceNodes;
+  struct Memory {
     struct Entry {
       std::size_t position;   // in the stencil
       NodeWeight<Dim> share;  // without the weights, which depend on the point
