@@ -3,6 +3,7 @@
 
 #include "base/text.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -81,6 +82,34 @@ bool has_tips(const CrackGroup<Dim>& group) {
   return Dim == 3 ? group.inside > 0.999 * group.whole : group.open_ends < 2;
 }
 
+/// Advice on ends that are said to lie outside of the bodies, but whose extension does not reach the surface.
+template <int Dim>
+void remark_short_ends(const System<Dim>& system, const CrackGroup<Dim>& group, double h, Remarks& out) {
+  constexpr double most = 0.99;  // of the last piece
+  for (const std::size_t c : group.members) {
+    const Crack<Dim>& crack = system.cracks[c];
+    std::size_t first = crack.main_pieces;
+    for (std::size_t p = first; p < crack.pieces.size(); ++p) {
+      const auto begins = [&](std::size_t piece) {
+        return std::any_of(crack.pieces[piece].begin(), crack.pieces[piece].end(),
+                           [&](std::uint32_t point) { return point < crack.main_points; });
+      };
+      if (begins(p)) first = p;
+      const bool last = p + 1 == crack.pieces.size() || begins(p + 1);
+      if (!last || crack.inside[p] < most) continue;
+      const auto& piece = crack.pieces[first];
+      const Vec<Dim>& end = crack.x[*std::min_element(piece.begin(), piece.end())];
+      out.advice.push_back(
+          format("crack %zu: its end at (%.6g, %.6g) is said to be exterior but lies inside a body; the "
+                 "crack goes on for ",
+                 c + 1, end[0], end[1]) +
+          counted(static_cast<double>(p - first + 1), "cell") +
+          format(", %.4g, and ends there inside the body: draw it beyond the surface",
+                 static_cast<double>(p - first + 1) * h));
+    }
+  }
+}
+
 }  // namespace
 
 template <int Dim>
@@ -102,6 +131,7 @@ Remarks describe_cracks(const Model& model, const System<Dim>& system) {
     else if (across < few && has_tips(group))
       out.advice.push_back(who + " spans " + counted(across, "cell") +
                            " only: what happens at its ends is smeared over two or three");
+    if (group.inside > 0) remark_short_ends(system, group, h, out);
     if (group.longest > coarse * (Dim == 3 ? std::sqrt(2.0) : 1.0) * h)
       out.advice.push_back(who + " has pieces of up to " + counted(group.longest / h, "cell") +
                            ": nodes between its points see it coarsely; take more, two per cell");

@@ -21,6 +21,7 @@
 #include "solver/particle_splitting.hpp"
 #include "solver/rigid/rigid_blocks.hpp"
 #include "solver/rigid/rigid_bodies.hpp"
+#include "solver/state/travel.hpp"
 #include "solver/system_loops.hpp"
 #include "solver/transfer/affine_at_walls.hpp"
 #include "solver/transfer/b_bar.hpp"
@@ -83,8 +84,8 @@ class Stepper {
   friend void archive(Archive& a, Stepper& stepper) {
     auto& [model, system, loops, ledger, watches, transfers, sort, splitting, exchanges, conditions, cracks, crack_tips,
            interface_faces, joints, contact, loads, tractions, body_forces, nodal_work, damping, rigid_bodies,
-           rigid_blocks, heat, ramps, affine_at_walls, b_bar, openings, filter, jump, measures, ratio, gathered] =
-        stepper;
+           rigid_blocks, heat, ramps, affine_at_walls, b_bar, openings, filter, jump, measures, ratio, gathered,
+           travel] = stepper;
     a.version(5);
     a("system", system);
     a("ledger", ledger), a("sort", sort), a("splitting", splitting), a.each("conditions", conditions),
@@ -174,6 +175,7 @@ class Stepper {
   bool jump_ = false, measures_balance_ = false;
   double unbalanced_ratio_ = 0.0;
   std::vector<GatherResult> gathered_;  // per body, of the last gathering
+  Travel travel_;                       // of the last step
 };
 
 }  // namespace tribo

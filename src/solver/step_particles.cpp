@@ -96,7 +96,6 @@ void Stepper<Dim>::move_particles(double dt, double strain_dt) {
   what.flip = flip_share();
   what.record_change = filters_update();
   b_bar_.average_rates(what, &Field<Dim>::nodes);
-  double travel = 0.0;
   damp_particles(dt);
   gathered_.resize(system_.bodies.size());
   loops_.each_body([&](std::size_t k) {
@@ -106,15 +105,17 @@ void Stepper<Dim>::move_particles(double dt, double strain_dt) {
     of_body.damps_part = of_body.damping != 0.0 && body.damped;
     gathered_[k] = transfers_->gather(body, Target<Dim>(body, system_.fields, &Field<Dim>::nodes), of_body);
   });
-  for (const GatherResult& result : gathered_) {
-    travel = std::max(travel, result.travel);
-    if (!result.valid) stop_at_bad_particle(system_);
+  travel_.begin(system_.fields.size());
+  for (std::size_t k = 0; k < gathered_.size(); ++k) {
+    travel_.include(system_.bodies[k], gathered_[k].travel);
+    if (!gathered_[k].valid) stop_at_bad_particle(system_);
   }
-  travel = std::max({travel, rigid_blocks_.move_particles(), rigid_bodies_.move(dt)});
+  rigid_blocks_.move_particles(travel_);
+  rigid_bodies_.move(dt, travel_);
   for (auto& body : system_.bodies) count_crossings(body, system_.lattice);
-  system_.drift += travel;
-  contact_.add_travel(travel);
-  interface_faces_.add_travel(travel);
+  system_.drift += travel_.largest;
+  contact_.add_travel(travel_.of_fields);
+  interface_faces_.add_travel(travel_.largest);
 }
 
 template class Stepper<2>;

@@ -137,6 +137,12 @@ TEST_CASE("the summary reports how many cells a crack spans", "[preflight]") {
   CHECK_THAT(with("<Line xmin='5' xmax='5' ymin='2' ymax='8'/>",
                   "<CrackList><Line xmin='6' xmax='6' ymin='2' ymax='8'/></CrackList>"),
              Contains("come within 1 cell: "));
+  // An exterior end so far inside the body that its extension does not reach the surface
+  CHECK_THAT(
+      with("<Line xmin='6' xmax='6' ymin='1' ymax='4' end_tip='-2'/>"),
+      Contains("crack 1: its end at (6, 4) is said to be exterior but lies inside a body; the crack goes on for 4 "
+               "cells, 4, and ends there inside the body"));
+  CHECK_THAT(with("<Line xmin='6' xmax='6' ymin='1' ymax='9' end_tip='-2'/>"), !Contains("exterior"));
 }
 
 TEST_CASE("parts of a crack with different laws are one line in the summary", "[preflight]") {

@@ -103,7 +103,7 @@ TEST_CASE("contact with heat, friction and bonds continues to the bit", "[restar
 }
 
 TEST_CASE("contact with faces that are kept from step to step continues to the bit", "[restart]") {
-  const auto kept = {"stepper.kept.faces.travel", "stepper.kept.faces.steps"};
+  const auto kept = {"stepper.kept.faces.travel", "stepper.kept.faces.step"};
   check_resume({"verification/rolling/case.xml", {{"\"0.025\"", "\"0.05\""}}, 12}, kept);
   check_resume({"verification/capstan/case.xml", {}, 12}, kept);
   check_resume({"verification/sphere/case.xml", {{"\"0.025\"", "\"0.1\""}}, 12}, kept);

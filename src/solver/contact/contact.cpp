@@ -71,14 +71,7 @@ void Contact<Dim>::find(const Exchanges<Dim>& exchanges, const Joints<Dim>& join
   const auto lap = watch.lap();
   search_.find(exchanges);
   find_crack_faces();
-  const bool reused = cache_.reuse(search_.found(), bodies_);
-  const auto& nodes = search_.found().nodes;
-  const auto stale = std::count_if(nodes.begin(), nodes.end(), [](const auto& node) { return node.needs_faces; });
-  if (!reused || 2 * static_cast<std::size_t>(stale) > nodes.size())
-    find_faces(exchanges, true);
-  else if (stale > 0)
-    find_faces(exchanges, false);
-  cache_.count_step();
+  if (cache_.reuse(search_.found(), bodies_)) find_faces(exchanges);
   leave_to_joints(joints);
   if (system_.contact_at_faces) face_solver_.set_up(search_.found(), exchanges);
 }
@@ -103,15 +96,12 @@ void Contact<Dim>::find_crack_faces() {
   });
 }
 
-// Finds the faces at all nodes, or at those whose kept faces are no longer valid.
+// Finds the faces of the pairs that have none, or whose kept faces are no longer valid.
 template <int Dim>
-void Contact<Dim>::find_faces(const Exchanges<Dim>& exchanges, bool all) {
+void Contact<Dim>::find_faces(const Exchanges<Dim>& exchanges) {
   auto& contacts = search_.found();
-  cache_.begin_search(contacts, all);
   collect_particles();
-  const bool bodies =
-      std::any_of(contacts.nodes.begin(), contacts.nodes.end(), [](const auto& node) { return node.between_bodies; });
-  if (bodies && (all || finder_.needs_volumes())) volumes_.scatter(contacts, bodies_, exchanges);
+  volumes_.scatter(contacts, bodies_, exchanges);
   if (near_.size() < static_cast<std::size_t>(threads())) near_.resize(static_cast<std::size_t>(threads()));
   parallel_for(static_cast<std::ptrdiff_t>(contacts.nodes.size()), [&](std::ptrdiff_t k) {
     const ContactNode<Dim>& node = contacts.nodes[static_cast<std::size_t>(k)];
@@ -125,7 +115,7 @@ void Contact<Dim>::find_faces(const Exchanges<Dim>& exchanges, bool all) {
         if (face.missing) cache_.store_missing(face, near.apart);
         continue;
       }
-      if (cache_.enabled()) cache_.store(face, near);
+      if (cache_.enabled()) cache_.store(face, pair, near);
       if (pair.law->has_memory()) memory_.read(node, pair, near);
     }
   });
@@ -227,31 +217,9 @@ void Contact<Dim>::record_end(bool filtered, bool strain_filtered) {
 
 template <int Dim>
 void Contact<Dim>::archive_kept(Archive& a) {
-  a.version(1);
+  a.version(2);
   a("faces", cache_);
   if (a.reading() && !cache_.fits(bodies_)) refuse_checkpoint("a face of contact has a particle that does not exist");
-  if (cache_.empty() || finder_.needs_volumes()) return;
-  for (std::size_t f = 0; f < system_.fields.size(); ++f) {
-    auto& volumes = system_.fields[f].volumes;
-    std::vector<std::int64_t> numbers;  // of the few nodes that have a volume
-    std::vector<std::array<double, 7>> values;
-    for (std::size_t n = 0; n < volumes.size(); ++n) {
-      const auto& [volume, moment, spare, gradient] = volumes[n];
-      if (volume == 0.0) continue;
-      numbers.push_back(static_cast<std::int64_t>(n));
-      values.push_back({volume, moment[0], moment[1], moment[2], gradient[0], gradient[1], gradient[2]});
-    }
-    a.resizable("nodes" + std::to_string(f), numbers), a.resizable("volumes" + std::to_string(f), values);
-    if (!a.reading()) continue;
-    volumes.assign(system_.fields[f].nodes.size(), VolumeNode{});
-    if (numbers.size() != values.size()) refuse_checkpoint("volumes of nodes are missing");
-    for (std::size_t k = 0; k < numbers.size(); ++k) {
-      if (numbers[k] < 0 || static_cast<std::size_t>(numbers[k]) >= volumes.size())
-        refuse_checkpoint("a node with a volume does not exist");
-      const auto& v = values[k];
-      volumes[static_cast<std::size_t>(numbers[k])] = {v[0], {v[1], v[2], v[3]}, 0.0, {v[4], v[5], v[6]}};
-    }
-  }
 }
 
 template <int Dim>

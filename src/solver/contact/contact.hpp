@@ -46,8 +46,8 @@ class Contact {
   /// Finds the contact nodes and their faces, from the particles at the start of the step. `exchanges`: one for each
   /// field. A contact law does not act where one of `joints` acts between the same two bodies.
   void find(const Exchanges<Dim>& exchanges, const Joints<Dim>& joints);
-  /// Adds the largest distance that a particle may have moved in this step [cells].
-  void add_travel(double cells) { cache_.add_travel(cells); }
+  /// Adds the largest distance that a particle of each field moved in this step [cells].
+  void add_travel(const std::vector<double>& of_fields) { cache_.add_travel(of_fields); }
   /// Forgets the faces that are kept from step to step.
   void forget_faces() { cache_.clear(); }
   /// Applies the contact laws to the present nodal velocities, in the corrector also to the accelerations. `dt`: step.
@@ -87,8 +87,7 @@ class Contact {
 
   Stopwatch watch;  ///< time spent in contact
 
-  /// The faces that are kept from step to step, and the nodal volumes from which further areas are found until all
-  /// faces are found anew. They are saved apart from the rest, since locate() forgets them.
+  /// The faces that are kept from step to step. They are saved apart from the rest, since locate() forgets them.
   void archive_kept(Archive& a);
   /// The sums over the run, and the pairs that stick.
   friend void archive(Archive& a, Contact& contact) {
@@ -98,7 +97,7 @@ class Contact {
 
  private:
   void find_crack_faces();
-  void find_faces(const Exchanges<Dim>& exchanges, bool all);
+  void find_faces(const Exchanges<Dim>& exchanges);
   void collect_particles();
   void leave_to_joints(const Joints<Dim>& joints);
 

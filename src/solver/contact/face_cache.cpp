@@ -21,8 +21,8 @@ using namespace face_tolerance;
 constexpr double curved_travel = 0.01, flat_travel = 0.05;
 // A face extends to all sides of the node if it has particles at this distance along the face all around it [cells].
 constexpr double surrounding_radius = 1.25;
-// All faces are found anew after this number of steps.
-constexpr int max_steps = 200;
+// A face is found anew after this number of steps.
+constexpr std::int64_t max_steps = 200;
 // A flat face is found anew if its depth range changes by this much: it has turned or bent [cells].
 constexpr double max_depth_change = 0.01;
 // The particles of a flat face reach equally far within this length. A face with that deviation within the reach of a
@@ -30,55 +30,71 @@ constexpr double max_depth_change = 0.01;
 // than max_depth_change [cells].
 constexpr double flatness = 0.02;
 
+// Faces that stay farther apart than this exert no force, so that their normals do not matter [cells].
+constexpr double open_gap = 0.1;
+// The travels for which faces may be valid that are apart. There are few values, so that most faces expire together
+// [cells].
+constexpr std::array travels_apart{2 * curved_travel, flat_travel, 2 * flat_travel, max_valid_travel};
+
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
 template <int Dim>
-bool FaceCache<Dim>::is_expired() const {
-  return travel_ > max_valid_travel || steps_ >= max_steps;
+void FaceCache<Dim>::add_travel(const std::vector<double>& of_fields) {
+  travel_.resize(system_.fields.size());
+  for (std::size_t f = 0; f < of_fields.size(); ++f) travel_[f] += of_fields[f];
 }
 
 template <int Dim>
-void FaceCache<Dim>::begin_search(ContactNodes<Dim>& contacts, bool all) {
-  if (!all) return;
-  travel_ = 0.0, steps_ = 0;
-  for (auto& node : contacts.nodes) node.needs_faces = node.between_bodies;
-  for (auto& pair : contacts.pairs) pair.needs_face = true;
-  faces_.resize(contacts.pairs.size());
-  face_of_.resize(contacts.pairs.size());
-  std::iota(face_of_.begin(), face_of_.end(), std::size_t{0});
-  particles_.clear();
+bool FaceCache<Dim>::is_expired(const ContactFace& face) const {
+  const double travel = std::max(travel_of(face.a) - face.found_travel[0], travel_of(face.b) - face.found_travel[1]);
+  return travel > face.valid_travel || step_ - face.found_step >= max_steps;
 }
 
 template <int Dim>
 ContactFace& FaceCache<Dim>::new_face(std::size_t pair) {
-  ContactFace& face = faces_[face_of_[pair]];
-  face.found_travel = travel_, face.valid_travel = curved_travel, face.just_found = true;
+  ContactFace& face = faces_[pair];
+  face.begin();
+  face.found_step = step_, face.found_travel = {travel_of(face.a), travel_of(face.b)};
+  face.valid_travel = curved_travel, face.just_found = true;
   return face;
 }
 
-// Finds the kept face of each pair; false if a pair has none. Pairs and faces are both sorted by node and fields.
+// Assigns the faces to the pairs of this step: the kept ones, and for new pairs faces that must be found.
 template <int Dim>
-bool FaceCache<Dim>::assign_faces(const ContactNodes<Dim>& contacts) {
-  const auto key = [](std::int64_t number, std::size_t a, std::size_t b) { return std::tuple(number, a, b); };
+void FaceCache<Dim>::assign_faces(const ContactNodes<Dim>& contacts) {
+  using Key = std::tuple<std::int64_t, std::size_t, std::size_t>;
+  const auto each_pair = [&](auto&& f) {
+    for (const auto& node : contacts.nodes)
+      for (std::size_t p = node.first_pair; p < node.end_pair; ++p) {
+        const ContactPair& pair = contacts.pairs[p];
+        f(p, Key(node.number, contacts.members[pair.a].field, contacts.members[pair.b].field));
+      }
+  };
+  bool same = faces_.size() == contacts.pairs.size();
+  if (same) each_pair([&](std::size_t p, const Key& key) { same = same && faces_[p].key() == key; });
+  if (same) return;
+  next_.resize(contacts.pairs.size());
   std::size_t f = 0;
-  face_of_.resize(contacts.pairs.size());
-  for (const auto& node : contacts.nodes)
-    for (std::size_t p = node.first_pair; p < node.end_pair; ++p) {
-      const ContactPair& pair = contacts.pairs[p];
-      const auto wanted = key(node.number, contacts.members[pair.a].field, contacts.members[pair.b].field);
-      const auto present = [&] { return key(faces_[f].node, faces_[f].a, faces_[f].b); };
-      while (f < faces_.size() && present() < wanted) ++f;
-      if (f == faces_.size() || present() != wanted) return false;
-      face_of_[p] = f;
+  each_pair([&](std::size_t p, const Key& key) {
+    while (f < faces_.size() && faces_[f].key() < key) ++f;
+    if (f < faces_.size() && faces_[f].key() == key) {
+      next_[p] = faces_[f];
+    } else {
+      next_[p] = {};
+      std::tie(next_[p].node, next_[p].a, next_[p].b) = key;
     }
-  return true;
+  });
+  std::swap(faces_, next_);
 }
 
 template <int Dim>
 bool FaceCache<Dim>::reuse(ContactNodes<Dim>& contacts, const std::vector<Body<Dim>*>& bodies) {
-  if (!enabled_ || empty() || is_expired() || !assign_faces(contacts)) return false;
+  ++step_;
+  travel_.resize(system_.fields.size());
+  if (!enabled_) clear();
+  assign_faces(contacts);
   domains_.clear();
   for (auto* body : bodies) domains_.emplace_back(*body);
   parallel_for(static_cast<std::ptrdiff_t>(particles_.size()), [&](std::ptrdiff_t k) {
@@ -86,15 +102,37 @@ bool FaceCache<Dim>::reuse(ContactNodes<Dim>& contacts, const std::vector<Body<D
     particle.domain = planes_.domain(domains_[particle.label.body](particle.label.particle), particle.label.image);
   });
   parallel_for(static_cast<std::ptrdiff_t>(contacts.nodes.size()), [&](std::ptrdiff_t k) {
-    ContactNode<Dim>& node = contacts.nodes[static_cast<std::size_t>(k)];
-    node.needs_faces = false;
-    for (std::size_t p = node.first_pair; p < node.end_pair; ++p) {
-      ContactPair& pair = contacts.pairs[p];
-      pair.needs_face = !update_pair(node, contacts, pair, faces_[face_of_[p]]);
-      node.needs_faces = node.needs_faces || pair.needs_face;
-    }
+    const ContactNode<Dim>& node = contacts.nodes[static_cast<std::size_t>(k)];
+    for (std::size_t p = node.first_pair; p < node.end_pair; ++p)
+      contacts.pairs[p].needs_face = !update_pair(node, contacts, contacts.pairs[p], faces_[p]);
   });
-  return true;
+  const auto needs_face = [](const ContactPair& pair) { return pair.needs_face; };
+  const bool any = std::any_of(contacts.pairs.begin(), contacts.pairs.end(), needs_face);
+  if (any) renew_with_others(contacts);
+  for (auto& node : contacts.nodes) {
+    const auto pairs = contacts.pairs_of(node);
+    node.needs_faces = any && std::any_of(pairs.begin(), pairs.end(), needs_face);
+  }
+  return any;
+}
+
+// Finds the flat faces of a body anew together with its other faces, if most of these are found. The nodes beside each
+// other on a round body then have normals of the same time; otherwise its shear force would vibrate while it rolls.
+template <int Dim>
+void FaceCache<Dim>::renew_with_others(ContactNodes<Dim>& contacts) {
+  counts_.assign(system_.fields.size(), {0, 0});
+  const auto counts_of = [&](std::size_t field) -> Counts& { return counts_[system_.fields[field].base_field]; };
+  for (std::size_t p = 0; p < faces_.size(); ++p) {
+    const ContactPair& pair = contacts.pairs[p];
+    if (pair.crack >= 0 || !pair.law->uses_face() || faces_[p].missing) continue;
+    for (const std::size_t field : {faces_[p].a, faces_[p].b}) {
+      Counts& of = counts_of(field);
+      ++of.all, of.to_be_found += pair.needs_face ? 1 : 0;
+    }
+  }
+  const auto most = [&](std::size_t field) { return 2 * counts_of(field).to_be_found > counts_of(field).all; };
+  for (std::size_t p = 0; p < faces_.size(); ++p)
+    if (faces_[p].flat && (most(faces_[p].a) || most(faces_[p].b))) contacts.pairs[p].needs_face = true;
 }
 
 // Gives a pair its kept face with the present gap; false if the face is no longer valid.
@@ -104,10 +142,7 @@ bool FaceCache<Dim>::update_pair(const ContactNode<Dim>& node, const ContactNode
   if (pair.crack >= 0) return true;
   pair.has_no_face = face.missing;
   if (!pair.law->uses_face()) return true;
-  // Faces expire at multiples of their valid travel, whenever they were found. Then all faces with the same valid
-  // travel expire in the same step, and one search finds all of them.
-  const auto period = [&](double travel) { return std::floor(travel / face.valid_travel); };
-  if (period(travel_) > period(face.found_travel)) return false;
+  if (is_expired(face)) return false;
   if (face.missing) return true;
   if (face.count[0] > ContactFace::max_particles || face.count[1] > ContactFace::max_particles) return false;
   pair.state.normal = face.normal, pair.state.area = face.area, pair.foremost_offset = face.foremost_offset;
@@ -137,7 +172,7 @@ bool FaceCache<Dim>::update_pair(const ContactNode<Dim>& node, const ContactNode
 }
 
 template <int Dim>
-void FaceCache<Dim>::store(ContactFace& face, NearParticles<Dim>& near) const {
+void FaceCache<Dim>::store(ContactFace& face, const ContactPair& pair, NearParticles<Dim>& near) const {
   const Vec<Dim> n = face.normal.template head<Dim>();
   face.flat = near.wide && is_flat_face<Dim>(near.sides[0], n, flatness * h_) &&
               is_flat_face<Dim>(near.sides[1], -n, flatness * h_);
@@ -146,6 +181,7 @@ void FaceCache<Dim>::store(ContactFace& face, NearParticles<Dim>& near) const {
                                 surrounds_line<Dim>(near.sides[1], -n, surrounding_radius * h_, flatness * h_);
     face.valid_travel = surrounds_node ? max_valid_travel : flat_travel;
   }
+  if (!pair.law->interface() && pair.law->liquid() == 0) keep_longer(face, pair.state.gap - open_gap * h_);
   for (std::size_t side = 0; side < 2; ++side) {
     ParticleSet<Dim>& of = near.sides[side];
     double most = -infinity, least = infinity;
@@ -159,12 +195,17 @@ void FaceCache<Dim>::store(ContactFace& face, NearParticles<Dim>& near) const {
   }
 }
 
-// Two particles that approach each other do so by twice the travel. There are few values, so that most faces expire
-// together.
 template <int Dim>
 void FaceCache<Dim>::store_missing(ContactFace& face, double apart) const {
-  for (const double travel : {2 * curved_travel, flat_travel, max_valid_travel})
-    if (2 * travel * h_ <= apart) face.valid_travel = travel;
+  keep_longer(face, apart);
+}
+
+// Keeps a face for a longer travel if its sides may approach each other by `apart` before it matters [length]. Two
+// particles that approach each other do so by up to twice the travel.
+template <int Dim>
+void FaceCache<Dim>::keep_longer(ContactFace& face, double apart) const {
+  for (const double travel : travels_apart)
+    if (2 * travel * h_ <= apart && travel > face.valid_travel) face.valid_travel = travel, face.flat = false;
 }
 
 // Calls f(number) for the particles of the faces that were found in this step, or of the others.
@@ -238,7 +279,6 @@ void FaceCache<Dim>::archive_particles(Archive& a) {
 
 template <int Dim>
 bool FaceCache<Dim>::fits(const std::vector<Body<Dim>*>& bodies) const {
-  if (empty()) return true;
   const auto exists = [&](const CachedParticle& p) {
     return p.label.body < bodies.size() && p.label.particle < bodies[p.label.body]->particles.size() &&
            p.label.field == bodies[p.label.body]->field && planes_.exists(p.label.image);

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -17,6 +18,7 @@ namespace tribo {
 /// The common face of a pair as it was last found from the particles, and the particles that determine its gap.
 struct ContactFace {
   static constexpr std::size_t max_particles = 32;  ///< per side; a face with more is not cached
+  static constexpr double not_found = -1.0;         ///< valid_travel of a face that was never found
 
   std::int64_t node = -1;       ///< ContactNode::number
   std::size_t a = 0, b = 0;     ///< fields
@@ -27,12 +29,13 @@ struct ContactFace {
   Vec3 foremost_offset = Vec3::Zero();  ///< see ContactPair::foremost_offset
   double offset_along_face = 0.0;  ///< distance along the face from the node to the nearest particles at it   [length]
 
-  bool just_found = false;              ///< in this step
-  double found_travel = 0.0;            ///< travel of the cache when it was found                             [cells]
-  double valid_travel = 0.0;            ///< it is valid for so much travel                                    [cells]
-  bool flat = false;                    ///< both sides are plane, so it looks the same from everywhere until it turns
-  std::array<double, 2> depth_range{};  ///< per side: largest minus smallest reach of the particles    [length]
-  std::array<std::size_t, 2> count{};   ///< per side: number of particles; may exceed max_particles
+  bool just_found = false;               ///< in this step
+  std::int64_t found_step = 0;           ///< number of the step in which it was found, see FaceCache
+  std::array<double, 2> found_travel{};  ///< per side: travel of the field when it was found                   [cells]
+  double valid_travel = not_found;       ///< it is valid while neither side travels farther                    [cells]
+  bool flat = false;                     ///< both sides are plane, so it looks the same from everywhere until it turns
+  std::array<double, 2> depth_range{};   ///< per side: largest minus smallest reach of the particles    [length]
+  std::array<std::size_t, 2> count{};    ///< per side: number of particles; may exceed max_particles
   /// Per side: numbers in the cloud while just_found, later numbers in the list of cached particles.
   std::array<std::array<std::uint32_t, max_particles>, 2> particles{};
 
@@ -40,23 +43,21 @@ struct ContactFace {
   std::ptrdiff_t listed(std::size_t side) const {
     return static_cast<std::ptrdiff_t>(std::min(count[side], max_particles));
   }
-  /// Starts anew for a pair of fields at a node.
-  void begin(std::int64_t number, std::size_t field_a, std::size_t field_b) {
-    node = number, a = field_a, b = field_b;
-    count = {};
-    missing = false;
-  }
+  /// Forgets what was found, except for the pair and the time.
+  void begin() { count = {}, missing = flat = false; }
+  /// Faces are in ascending order of their nodes and fields, as are the pairs of a step.
+  std::tuple<std::int64_t, std::size_t, std::size_t> key() const { return {node, a, b}; }
 };
 
 /// Saves and restores a face. The numbers of its particles are saved by FaceCache.
 inline void archive(Archive& a, ContactFace& face) {
   auto& [node, field_a, field_b, missing, normal, area, gap_correction, foremost_offset, offset_along_face, just_found,
-         found_travel, valid_travel, flat, depth_range, count, particles] = face;
-  a.version(2);
+         found_step, found_travel, valid_travel, flat, depth_range, count, particles] = face;
+  a.version(3);
   a("node", node), a("a", field_a), a("b", field_b), a("missing", missing);
   a("normal", normal), a("area", area), a("gap_correction", gap_correction);
-  a("foremost_offset", foremost_offset), a("offset_along_face", offset_along_face), a("found_travel", found_travel),
-      a("valid_travel", valid_travel);
+  a("foremost_offset", foremost_offset), a("offset_along_face", offset_along_face), a("found_step", found_step);
+  a("found_travel_a", found_travel[0]), a("found_travel_b", found_travel[1]), a("valid_travel", valid_travel);
   a("flat", flat), a("depth_range", depth_range), a("count_a", count[0]), a("count_b", count[1]);
 }
 
@@ -67,11 +68,13 @@ inline double common_face_position(const ContactMember& a, const ContactMember& 
   return b.inverse_mass == 0.0 ? of_b : 0.5 * (of_a + of_b);
 }
 
-/// Keeps faces while no particle moves more than a small part of a cell. Normals and areas stay as they were found;
-/// gaps and face positions are computed in every step, from the few particles that can determine them.
+/// Keeps each face while no particle of its two fields moves more than a small part of a cell. Normals and areas stay
+/// as they were found; gaps and face positions are computed in every step, from the few particles that can determine
+/// them.
 ///
-/// A step either reuses the faces (reuse), or begins a new search (begin_search); faces that are found are stored
-/// (store) until the search ends (end_search). Without a cache (`enabled` false) it only holds the faces of the step.
+/// In every step reuse() gives the kept faces to the pairs and lists the pairs whose faces must be found. If there are
+/// any, the faces that are found are stored (store) until the search ends (end_search). Without a cache (`enabled`
+/// false) all faces are found in every step.
 template <int Dim>
 class FaceCache {
  public:
@@ -80,29 +83,23 @@ class FaceCache {
       : system_(system), planes_(std::move(planes)), h_(system.lattice.spacing.maxCoeff()), enabled_(enabled) {}
 
   bool enabled() const { return enabled_; }
-  /// Adds the largest distance that a particle may have moved in a step [cells].
-  void add_travel(double cells) { travel_ += cells; }
+  /// Adds the largest distance that a particle of each field moved in a step [cells].
+  void add_travel(const std::vector<double>& of_fields);
   /// Forgets all faces.
-  void clear() { steps_ = 0; }
-  /// No face is kept from earlier steps.
-  bool empty() const { return steps_ == 0; }
-  /// All faces must be found anew in the next step: a particle has moved too far, or the faces are too old.
-  bool is_expired() const;
+  void clear() { faces_.clear(), particles_.clear(), compact_size_ = 0; }
 
-  /// Gives the kept faces, with their present gaps, to the pairs of this step, and sets ContactNode::needs_faces where
-  /// a face is no longer valid. False if faces must be found for all nodes: none is kept, all have expired, or some
-  /// pair has no face yet. `bodies`: as in the cloud.
+  /// Gives the kept faces, with their present gaps, to the pairs of this step, and sets ContactPair::needs_face and
+  /// ContactNode::needs_faces where a pair has no face yet or its face is no longer valid. True if there are such
+  /// pairs. `bodies`: as in the cloud.
   bool reuse(ContactNodes<Dim>& contacts, const std::vector<Body<Dim>*>& bodies);
-  /// Begins a search for the faces of all nodes (`all`, which forgets the old ones) or of those with needs_faces.
-  void begin_search(ContactNodes<Dim>& contacts, bool all);
   /// The face of a pair (position in ContactNodes::pairs) that a search is to fill. Different pairs may be filled by
   /// different threads.
   ContactFace& new_face(std::size_t pair);
   /// The face of a pair.
-  const ContactFace& face(std::size_t pair) const { return faces_[face_of_[pair]]; }
-  /// Stores the particles that determine the gap of a face just found, or may do so while it is valid. `near`: the
-  /// particles from which it was found.
-  void store(ContactFace& face, NearParticles<Dim>& near) const;
+  const ContactFace& face(std::size_t pair) const { return faces_[pair]; }
+  /// Stores how long a face just found is valid, and the particles that determine its gap or may do so meanwhile.
+  /// `pair`: that of the face, with its present gap; `near`: the particles from which it was found.
+  void store(ContactFace& face, const ContactPair& pair, NearParticles<Dim>& near) const;
   /// Stores how long it is known that a pair has no face. `apart`: see apart_beside_corner() [length].
   void store_missing(ContactFace& face, double apart) const;
   /// Ends a search: copies the stored particles from the cloud.
@@ -110,14 +107,12 @@ class FaceCache {
   /// Whether the numbers of bodies and particles exist, as they do unless a checkpoint is damaged. `bodies`: as in the
   /// cloud.
   bool fits(const std::vector<Body<Dim>*>& bodies) const;
-  /// Counts the steps for which faces are kept.
-  void count_step() { steps_ = enabled_ ? steps_ + 1 : 0; }
 
   /// The kept faces, after a step; to be restored after ContactSearch::locate().
   friend void archive(Archive& a, FaceCache& cache) {
-    a.version(2);
-    a("steps", cache.steps_), a("travel", cache.travel_), a("compact_size", cache.compact_size_);
-    if (cache.empty()) return;
+    a.version(3);
+    if (!cache.enabled_) return;
+    a("step", cache.step_), a.resizable("travel", cache.travel_), a("compact_size", cache.compact_size_);
     a.resizable("faces", cache.faces_);
     cache.archive_particles(a);
   }
@@ -129,7 +124,11 @@ class FaceCache {
   };
 
   void archive_particles(Archive& a);
-  bool assign_faces(const ContactNodes<Dim>& contacts);
+  void assign_faces(const ContactNodes<Dim>& contacts);
+  void renew_with_others(ContactNodes<Dim>& contacts);
+  bool is_expired(const ContactFace& face) const;
+  void keep_longer(ContactFace& face, double apart) const;
+  double travel_of(std::size_t field) const { return travel_[system_.fields[field].base_field]; }
   bool update_pair(const ContactNode<Dim>& node, const ContactNodes<Dim>& contacts, ContactPair& pair,
                    const ContactFace& face) const;
   template <class F>
@@ -141,14 +140,17 @@ class FaceCache {
   MirrorPlanes<Dim> planes_;
   double h_;  // cell size [length]
   bool enabled_;
-  std::vector<ContactFace> faces_;          // of the pairs at the time when all faces were found
-  std::vector<std::size_t> face_of_;        // per pair of the step: its face
+  std::vector<ContactFace> faces_, next_;   // per pair of the step: its face; scratch, see assign_faces
   std::vector<CachedParticle> particles_;   // that determine the faces
   std::vector<std::uint32_t> new_numbers_;  // scratch, see renumber
   std::vector<DomainReader<Dim>> domains_;  // scratch: of the bodies
-  std::size_t compact_size_ = 0;            // number of particles when last each was needed by some face
-  int steps_ = 0;                           // since all faces were found
-  double travel_ = 0.0;                     // since then [cells]
+  struct Counts {
+    std::size_t all, to_be_found;
+  };
+  std::vector<Counts> counts_;    // scratch, see renew_with_others
+  std::size_t compact_size_ = 0;  // number of particles when last each was needed by some face
+  std::int64_t step_ = 0;         // counts the steps
+  std::vector<double> travel_;    // per field: since the beginning [cells]
 };
 
 }  // namespace tribo

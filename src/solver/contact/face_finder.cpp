@@ -31,7 +31,6 @@ template <int Dim>
 bool FaceFinder<Dim>::find(const ContactNode<Dim>& node, std::span<const ContactMember> members, ContactPair& pair,
                            ContactFace& face, NearParticles<Dim>& near) const {
   const ContactMember &a = members[pair.a], &b = members[pair.b];
-  face.begin(node.number, a.field, b.field);
   if (pair.crack >= 0 || !pair.law->uses_face()) return false;
   auto n = normals_.find(node, a, b, near);
   pair.has_no_face = face.missing = !n;

@@ -16,13 +16,10 @@ class FaceFinder {
   FaceFinder(const Model& model, const System<Dim>& system, const ParticleCloud<Dim>& cloud,
              const ContactLaws<Dim>& laws);
 
-  /// The volume gradients of the fields (NodalVolumes) must be up to date in every search, as areas or normals depend
-  /// on them. Otherwise areas are only reported, and it is enough to compute the gradients when all faces are found
-  /// anew.
-  bool needs_volumes() const { return needs_areas_; }
   /// Finds the face of a pair of two bodies: fills normal, gap, area and face position of `pair`, and what `face` keeps
-  /// of them. `members`: of all contact nodes. False if there is no common face, or if the law does not need one.
-  /// `near`: working memory; then holds the particles around the node.
+  /// of them. The volumes of the two fields at the node (NodalVolumes) must be up to date. `members`: of all contact
+  /// nodes. False if there is no common face, or if the law does not need one. `near`: working memory; then holds the
+  /// particles around the node.
   bool find(const ContactNode<Dim>& node, std::span<const ContactMember> members, ContactPair& pair, ContactFace& face,
             NearParticles<Dim>& near) const;
 

@@ -119,13 +119,11 @@ double collect_sides(ParticleSet<Dim>& side, const Vec<Dim>& n) {
   side.facets.clear();
   double highest = -std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < side.size(); ++i) {
-    const Vec<Dim> x = side.centre(i);
-    const Mat<Dim> axes = side.half_axes(i);
-    const Mat<Dim> normals = axes.inverse().transpose().colwise().normalized();
+    const Mat<Dim>& normals = side.side_normals(i);
     Eigen::Index front;
     if ((normals.transpose() * n).cwiseAbs().maxCoeff(&front) < steepest) continue;
     const double sign = normals.col(front).dot(n) < 0 ? -1.0 : 1.0;
-    const Vec<Dim> middle = x + sign * axes.col(front);
+    const Vec<Dim> middle = side.centre(i) + sign * side.half_axes(i).col(front);
     side.facets.push_back({middle - middle.dot(n) * n, middle, sign * normals.col(front)});
     highest = std::max(highest, middle.dot(n));
   }

@@ -17,7 +17,7 @@ const std::vector<Facet<Dim>>& collect_facets(ParticleSet<Dim>& side, const Vec<
     if (side.reach[i] < face - depth || side.offset_squared[i] > limit) continue;
     const Vec<Dim> x = side.centre(i);
     const Mat<Dim> axes = side.half_axes(i);
-    const Mat<Dim> normals = axes.inverse().transpose().colwise().normalized();
+    const Mat<Dim>& normals = side.side_normals(i);
     Eigen::Index front;
     (normals.transpose() * n).cwiseAbs().maxCoeff(&front);
     const double sign = normals.col(front).dot(n) < 0 ? -1.0 : 1.0;

@@ -5,13 +5,13 @@
 
 namespace tribo {
 
-// Marks the blocks whose bins hold particles with a contact node in their stencil.
+// Marks the blocks whose bins hold particles with a node in their stencil whose faces must be found.
 template <int Dim>
 void NodalVolumes<Dim>::mark_blocks(const ContactNodes<Dim>& contacts) {
   const auto& lattice = system_.lattice;
   near_.assign(static_cast<std::size_t>(lattice.block_count()), 0);
   for (const auto& node : contacts.nodes) {
-    if (!node.between_bodies) continue;
+    if (!node.needs_faces) continue;
     // A stencil that contains the node begins at most three nodes below it. One more cell is added for the drift of
     // the particles since the last sort.
     Index<Dim> low, high;

@@ -16,7 +16,7 @@ class NodalVolumes {
  public:
   NodalVolumes(System<Dim>& system, const Transfers<Dim>& transfers) : system_(system), transfers_(transfers) {}
 
-  /// For each field and each node near a contact node between bodies: the volume sum_p V_p w_Ip (in place of the mass),
+  /// For each field and each contact node whose faces must be found: the volume sum_p V_p w_Ip (in place of the mass),
   /// its first moment (in place of the velocity), and the volume gradient sum_p V_p grad w_Ip (in place of the
   /// acceleration). The gradient is the integral of the shape function over the surface times the outward normal.
   /// `bodies`: those with a velocity field; `exchanges`: one for each field.

@@ -4,6 +4,7 @@
 
 #include "base/types.hpp"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -78,6 +79,16 @@ class ParticleSet {
     return m;
   }
 
+  /// The unit normals of the sides of a domain, as columns; those of the sides at the positive ends of the half axes.
+  /// They are kept, as several searches along different directions need them.
+  const Mat<Dim>& side_normals(std::size_t i) {
+    if (has_normals_.size() != size())
+      has_normals_.assign(size(), 0), normals_.resize(std::max(normals_.size(), size()));
+    if (has_normals_[i] == 0)
+      has_normals_[i] = 1, normals_[i] = half_axes(i).inverse().transpose().colwise().normalized();
+    return normals_[i];
+  }
+
   /// The support function of each domain, scaled about its centre by `scale`: reach[i] = x_i . n + scale * sum_k |r_k .
   /// n|, where r_k are the half axes [length]. `n`: unit vector.
   void compute_reach(const Vec<Dim>& n, double scale) {
@@ -137,7 +148,7 @@ class ParticleSet {
   const double* column(int c) const { return columns_.data() + static_cast<std::size_t>(c) * capacity_; }
   void invalidate() {
     reach_valid_ = false;
-    offset_squared.clear();
+    offset_squared.clear(), has_normals_.clear();
   }
   void grow() {
     const std::size_t capacity = std::max(8 * lanes, 2 * capacity_);
@@ -170,6 +181,8 @@ class ParticleSet {
   bool reach_valid_ = false;
   Vec<Dim> reach_along_ = Vec<Dim>::Zero(), line_ = Vec<Dim>::Zero();  // of `reach` and `offset_squared`
   double scale_ = 0.0, nearest_ = 0.0;
+  std::vector<Mat<Dim>> normals_;  // result of side_normals() where has_normals_ is 1
+  std::vector<char> has_normals_;
 };
 
 }  // namespace tribo

@@ -124,28 +124,28 @@ void RigidBlocks<Dim>::advance(double dt) {
 }
 
 template <int Dim>
-double RigidBlocks<Dim>::move_particles() {
-  if (!active()) return 0.0;
+void RigidBlocks<Dim>::move_particles(Travel& travel) {
+  if (!active()) return;
   const Assembly& blocks = *system_.blocks;
-  double travel = 0.0;
   each_block(system_, [&](Body<Dim>& body, std::size_t k) {
     const BlockMotion& m = blocks.motion[k];
     const Mat3 rotation = m.R * before_[k].transpose();
     const auto x = body.particles.x(), origin = body.particles[body.origin];
     const auto F = body.particles.F();
+    double most = 0.0;
     for (std::size_t i = 0; i < body.particles.size(); ++i) {
       Vec<Dim> start;
       for (std::size_t d = 0; d < Dim; ++d) start[static_cast<Eigen::Index>(d)] = origin[d][i];
       const Vec3 now = m.x + m.R * (in_space<Dim>(start) - blocks.bodies[k].start);
       for (std::size_t d = 0; d < Dim; ++d) {
         const auto axis = static_cast<Eigen::Index>(d);
-        travel = std::max(travel, std::abs(now[axis] - x[d][i]) / system_.lattice.spacing[axis]);
+        most = std::max(most, std::abs(now[axis] - x[d][i]) / system_.lattice.spacing[axis]);
         x[d][i] = now[axis];
       }
       store_full<Dim>(rotation * load_full<Dim>(F, static_cast<int>(i)), F, static_cast<int>(i));
     }
+    travel.include(body, most);
   });
-  return travel;
 }
 
 template class RigidBlocks<2>;

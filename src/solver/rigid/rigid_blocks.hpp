@@ -5,6 +5,7 @@
 
 #include "solver/contact/contact.hpp"
 #include "solver/state/system.hpp"
+#include "solver/state/travel.hpp"
 
 namespace tribo {
 
@@ -31,9 +32,8 @@ class RigidBlocks {
   /// Mean velocities of the blocks in the last advance(): the product with the forces and moments of the grid and dt is
   /// the work that the blocks have received from the grid.
   const std::vector<BlockMean>& means() const { return means_; }
-  /// Moves the particles of the blocks to their present positions. Returns the largest displacement of a particle along
-  /// an axis [cells].
-  double move_particles();
+  /// Moves the particles of the blocks to their present positions, and adds their displacements to `travel`.
+  void move_particles(Travel& travel);
 
  private:
   void check_stability(const Body<Dim>& body, const RigidExchange& exchange) const;

@@ -93,20 +93,20 @@ void RigidBodies<Dim>::set_velocities(double dt) {
 }
 
 template <int Dim>
-double RigidBodies<Dim>::move(double dt) {
-  double travel = 0.0;
+void RigidBodies<Dim>::move(double dt, Travel& travel) {
   for (std::size_t r = 0; r < system_.rigids.size(); ++r) {
     auto& body = system_.rigids[r];
     if (body.block >= 0) continue;
     if (varies_[r]) deform(body, dt);
     const auto x = body.particles.x(), v = body.particles.v();
+    double most = 0.0;
     for (std::size_t i = 0; i < body.particles.size(); ++i)
       for (std::size_t d = 0; d < Dim; ++d) {
         x[d][i] += dt * v[d][i];
-        travel = std::max(travel, std::abs(dt * v[d][i]) / system_.lattice.spacing[static_cast<Eigen::Index>(d)]);
+        most = std::max(most, std::abs(dt * v[d][i]) / system_.lattice.spacing[static_cast<Eigen::Index>(d)]);
       }
+    travel.include(body, most);
   }
-  return travel;
 }
 
 // For the first node `n` behind the face of a rigid body with mirrored velocities: pointer to the velocity of the node

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "solver/exchange/exchange.hpp"
+#include "solver/state/travel.hpp"
 #include "solver/transfer/transfer.hpp"
 
 namespace tribo {
@@ -25,9 +26,8 @@ class RigidBodies {
   /// Sets the prescribed nodal velocities after the momentum update, and computes reactions, work and impulse.
   /// `after_impose`: impose() was called earlier in the step.
   void impose_update(double dt, bool after_impose);
-  /// Moves the particles over a time dt, turns their domains, and returns the largest displacement along an axis
-  /// [cells].
-  double move(double dt);
+  /// Moves the particles over a time dt, turns their domains, and adds their displacements to `travel`.
+  void move(double dt, Travel& travel);
   /// Force of each rigid body on the material in the last step, in the order of the bodies [force].
   const std::vector<Vec3>& reactions() const { return reactions_; }
 
