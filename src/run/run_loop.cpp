@@ -122,6 +122,7 @@ class RunLoop::Loop {
   void stop(const std::string& reason) {
     save(Until::on_disk);
     report("stopped", reason);
+    tell_remarks();
   }
 
   void finish() {
@@ -129,7 +130,7 @@ class RunLoop::Loop {
     save(Until::on_disk);
     report("finished", stepped_.end_reason());
     progress_.finish(stepped_.time(), stepped_.step());
-    summary();
+    tell_remarks();
   }
 
  private:
@@ -177,7 +178,8 @@ class RunLoop::Loop {
     return resume_time;
   }
 
-  void summary() {
+  // What the run says about itself, after its end or when it stops.
+  void tell_remarks() {
     if (const std::string reason = stepped_.end_reason(); !reason.empty())
       progress_.say("the run stopped before its end: " + reason);
     for (const Figure& figure : stepped_.figures()) progress_.say(figure.text);
