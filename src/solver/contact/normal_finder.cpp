@@ -104,12 +104,16 @@ void NormalFinder<Dim>::add_band_particles(const Vec<Dim>& centre, NearParticles
     thread_local std::vector<std::uint32_t> known;  // in order
     known.assign(of.numbers.begin(), of.numbers.end());
     std::sort(known.begin(), known.end());
-    for (const auto* group : near.groups[side])
+    for (const auto* group : near.groups[side]) {
+      const Vec<Dim> middle = 0.5 * (group->low + group->high) - centre;
+      const double beside = (middle - middle.dot(n) * n).norm(), radius = 0.5 * (group->high - group->low).norm();
+      if (beside > std::sqrt(limit) + radius) continue;  // all its particles lie outside of the band
       cloud_.each_point(*group, centre, [&](std::uint32_t k) {
         const Vec<Dim> x = cloud_.centre(k) - centre;
         if (x.squaredNorm() - x.dot(n) * x.dot(n) > limit) return;
         if (!std::binary_search(known.begin(), known.end(), k)) near.numbers.push_back(k);
       });
+    }
     of.assign(near.numbers, cloud_.columns(), centre);
   }
 }
