@@ -83,24 +83,32 @@ auto Cracks<Dim>::nearest(std::uint32_t surface, const Vec<Dim>& x) const -> Nea
   };
   Nearest out;
   double least = std::numeric_limits<double>::infinity();
+  struct Candidate {
+    const PlacedPiece* piece;
+    double distance;
+  };
+  thread_local std::vector<Candidate> candidates;
+  candidates.clear();
   const auto measure = [&](const PlacedPiece& p) {
-    least = std::min(least, (x - point_of(p, out.share)).norm());
-    bound = std::min(bound, least + 2 * same);
+    const double distance = (x - point_of(p, out.share)).norm();
+    least = std::min(least, distance), bound = std::min(bound, least + 2 * same);
+    return distance;
   };
   const std::size_t guess = tree_.near(x);
   for (std::size_t k = guess; k < std::min(guess + BoxTree<Dim>::children, pieces_.size()); ++k)
     if (pieces_[k].surface == surface) measure(pieces_[k]);
-  each_within_bound(measure);
   each_within_bound([&](const PlacedPiece& p) {
+    if (const double distance = measure(p); distance <= least + same) candidates.push_back({&p, distance});
+  });
+  for (const auto& [piece, distance] : candidates) {
+    if (distance > least + same) continue;
     std::array<double, Dim> share;
-    const Vec<Dim> at = point_of(p, share);
-    if ((x - at).norm() > least + same) return;
-    const Vec<Dim> area = p.area();
+    const Vec<Dim> at = point_of(*piece, share), area = piece->area();
     if (!out.piece)
-      out = {&p, at, area.normalized(), share, 1};
+      out = {piece, at, area.normalized(), share, 1};
     else
       out.normal += (area.dot(out.piece->area()) < 0 ? -1.0 : 1.0) * area.normalized();
-  });
+  }
   if (!out.piece) return out;
   out.normal.normalize();
   const double ahead = out.normal.dot(x - out.at);

@@ -3,8 +3,9 @@
 ///
 /// The surfaces that cross a closed path an odd number of times are those with an edge (an end in two dimensions) that
 /// the path encircles. Where no edge is near, the surfaces between a point and a node therefore follow from those
-/// between the point and its closest node and from those between neighbouring nodes, which are found once for all. All
-/// tests of segments are exact, so that this gives the same result as a test of the segment from the point to the node.
+/// between the point and a corner of its cell and from those between neighbouring nodes, which are found once for all.
+/// All tests of segments are exact, so that this gives the same result as a test of the segment from the point to the
+/// node.
 
 #include "base/parallel.hpp"
 #include "geometry/crossing.hpp"
@@ -12,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 namespace tribo {
@@ -95,13 +97,33 @@ std::pair<int, std::size_t> Cracks<Dim>::place_of(const Index<Dim>& node) const 
   return {list_of_[static_cast<std::size_t>(system_.lattice.block_index(block))], local};
 }
 
-// Pieces that together lie within half a cell around a node and touch no grid line cross no edge.
+// Extends the slab of a cell by a piece that touches the cell. Its normal is that of the first piece.
+template <int Dim>
+void Cracks<Dim>::extend_slab(const Index<Dim>& cell, const PlacedPiece& piece) {
+  const auto [list, local] = place_of(cell);
+  if (list < 0) return;
+  BlockCrossings& block = crossings_[static_cast<std::size_t>(list)];
+  if (block.slab[local] < 0) {
+    const Vec<Dim> area = piece.area();
+    const double infinity = std::numeric_limits<double>::infinity();
+    block.slab[local] = static_cast<int>(block.slabs.size());
+    block.slabs.push_back({area.norm() > 0 ? area.normalized() : Vec<Dim>(Vec<Dim>::Unit(0)), infinity, -infinity});
+  }
+  Slab& slab = block.slabs[static_cast<std::size_t>(block.slab[local])];
+  for (const Vec<Dim>& corner : piece.corners) {
+    const double at = corner.dot(slab.normal);
+    slab.low = std::min(slab.low, at), slab.high = std::max(slab.high, at);
+  }
+}
+
+// The edges between nodes that pieces cross, and the slabs of the cells that they touch.
 template <int Dim>
 void Cracks<Dim>::find_edge_crossings() {
-  crossings_.assign(listed_.size(), {});
+  if (crossings_.size() < listed_.size()) crossings_.resize(listed_.size());
+  for (std::size_t list = 0; list < listed_.size(); ++list) crossings_[list].clear();
   const Lattice<Dim>& lattice = system_.lattice;
   struct CellRange {
-    Index<Dim> cell_low, cell_high, node_low, node_high;
+    Index<Dim> low, high;
   };
   const auto range_of = [&](const Box<Dim>& box) {
     CellRange out;
@@ -109,15 +131,9 @@ void Cracks<Dim>::find_edge_crossings() {
       const auto axis = static_cast<Eigen::Index>(d);
       const double low = (box.low[axis] - lattice.origin[axis]) / lattice.spacing[axis] - round_off;
       const double high = (box.high[axis] - lattice.origin[axis]) / lattice.spacing[axis] + round_off;
-      out.cell_low[d] = static_cast<int>(std::floor(low)), out.cell_high[d] = static_cast<int>(std::floor(high));
-      out.node_low[d] = static_cast<int>(std::floor(low + 0.5));
-      out.node_high[d] = static_cast<int>(std::floor(high + 0.5));
+      out.low[d] = static_cast<int>(std::floor(low)), out.high[d] = static_cast<int>(std::floor(high));
     }
     return out;
-  };
-  const auto mark = [&](const Index<Dim>& node) {
-    if (const auto [list, local] = place_of(node); list >= 0)
-      crossings_[static_cast<std::size_t>(list)].is_near[local] = 1;
   };
   const auto cross = [&](const PlacedPiece& piece, const Index<Dim>& node, std::size_t axis) {
     const auto [list, local] = place_of(node);
@@ -128,24 +144,16 @@ void Cracks<Dim>::find_edge_crossings() {
     const auto at = static_cast<std::size_t>(list);
     crossings_[at].edges[local][axis] ^= bit_of(piece.surface, lists_[at]);
   };
-  const auto is_large = [&](const Box<Dim>& box) {
-    const CellRange range = range_of(box);
-    if (range.cell_low != range.cell_high || range.node_low != range.node_high) return true;
-    mark(range.node_low);
-    return false;
-  };
-  tree_.each(is_large, [&](std::size_t first, std::size_t end) {
-    for (std::size_t p = first; p < std::min(end, pieces_.size()); ++p) {
-      const CellRange range = range_of(pieces_[p].box);
-      each_in_box<Dim>(range.node_low, range.node_high, mark);
-      for (std::size_t axis = 0; axis < Dim; ++axis) {
-        Index<Dim> low = range.cell_low, high = range.cell_high;
-        for (std::size_t d = 0; d < Dim; ++d)
-          if (d != axis) ++low[d];  // the grid lines between the cells
-        each_in_box<Dim>(low, high, [&](const Index<Dim>& node) { cross(pieces_[p], node, axis); });
-      }
+  for (const PlacedPiece& piece : pieces_) {
+    const CellRange range = range_of(piece.box);
+    each_in_box<Dim>(range.low, range.high, [&](const Index<Dim>& cell) { extend_slab(cell, piece); });
+    for (std::size_t axis = 0; axis < Dim; ++axis) {
+      Index<Dim> low = range.low;
+      for (std::size_t d = 0; d < Dim; ++d)
+        if (d != axis) ++low[d];  // the grid lines between the cells
+      each_in_box<Dim>(low, range.high, [&](const Index<Dim>& node) { cross(piece, node, axis); });
     }
-  });
+  }
 }
 
 // Bits of the surfaces that the segment crosses an odd number of times.
@@ -165,7 +173,7 @@ std::uint64_t Cracks<Dim>::crossed(const List& list, const Vec<Dim>& from, const
 template <int Dim>
 void Cracks<Dim>::find_box(const Index<Dim>& low, const Index<Dim>& high, const List& list, NodeBox& nodes) const {
   nodes.low = low, nodes.high = high, nodes.list = &list, nodes.step = step_;
-  nodes.crossed.clear(), nodes.is_near.clear();
+  nodes.crossed.clear(), nodes.slabs.clear();
   nodes.is_cut = nodes.has_end = false;
   std::array<std::size_t, static_cast<std::size_t>(Dim)> stride;
   std::size_t count = 1;
@@ -185,8 +193,12 @@ void Cracks<Dim>::find_box(const Index<Dim>& low, const Index<Dim>& high, const 
     }
     const auto [place, local] = place_of(node);
     nodes.crossed.push_back(bits);
-    nodes.is_near.push_back(place >= 0 ? crossings_[static_cast<std::size_t>(place)].is_near[local] : char{0});
-    nodes.is_cut = nodes.is_cut || bits != 0 || nodes.is_near.back() != 0;
+    const Slab* slab = nullptr;
+    if (place >= 0)
+      if (const BlockCrossings& block = crossings_[static_cast<std::size_t>(place)]; block.slab[local] >= 0)
+        slab = &block.slabs[static_cast<std::size_t>(block.slab[local])];
+    nodes.slabs.push_back(slab);
+    nodes.is_cut = nodes.is_cut || bits != 0 || slab;
   });
   if (!nodes.is_cut) return;
   const Box<Dim> box{system_.lattice.position(low), system_.lattice.position(high)};
@@ -212,20 +224,39 @@ bool Cracks<Dim>::find_nodes(const Vec<Dim>& x, NodeBox& nodes) const {
   return false;
 }
 
+// Bits of the surfaces between the lowest node of a box and a point in a cell of it. Between the point and a corner of
+// the cell on the same side of its slab there is no piece. Else the segment to the closest corner is tested.
+template <int Dim>
+std::uint64_t Cracks<Dim>::crossed_in_cell(const NodeBox& nodes, const Index<Dim>& cell, const Vec<Dim>& x) const {
+  const Lattice<Dim>& lattice = system_.lattice;
+  const Slab* const slab = nodes.slabs[nodes.at(cell)];
+  if (!slab) return nodes.crossed[nodes.at(cell)];
+  const double margin = round_off * lattice.spacing.minCoeff(), at = x.dot(slab->normal);
+  Index<Dim> corner = cell;
+  if (const int ahead = at > slab->high + margin ? 1 : at < slab->low - margin ? -1 : 0; ahead != 0) {
+    for (std::size_t d = 0; d < Dim; ++d) corner[d] += ahead * slab->normal[static_cast<Eigen::Index>(d)] > 0 ? 1 : 0;
+    const double of_corner = lattice.position(corner).dot(slab->normal);
+    if (ahead > 0 ? of_corner > slab->high + margin : of_corner < slab->low - margin)
+      return nodes.crossed[nodes.at(corner)];
+  }
+  for (std::size_t d = 0; d < Dim; ++d) {
+    const auto axis = static_cast<Eigen::Index>(d);
+    corner[d] = cell[d] + (x[axis] - lattice.position(cell)[axis] > 0.5 * lattice.spacing[axis] ? 1 : 0);
+  }
+  return nodes.crossed[nodes.at(corner)] ^ crossed(*nodes.list, x, lattice.position(corner));
+}
+
 template <int Dim>
 auto Cracks<Dim>::sides_of(const NodeBox& nodes, const Vec<Dim>& x) const -> PointSides {
   PointSides out{&nodes, x, nodes.is_cut && nodes.has_end, 0};
-  Index<Dim> closest;
+  Index<Dim> cell;
   for (std::size_t d = 0; d < Dim; ++d) {
     const auto axis = static_cast<Eigen::Index>(d);
     const double s = (x[axis] - system_.lattice.origin[axis]) / system_.lattice.spacing[axis];
-    closest[d] = static_cast<int>(std::floor(s + 0.5));
+    cell[d] = std::clamp(static_cast<int>(std::floor(s)), nodes.low[d], nodes.high[d] - 1);
     out.by_segment = out.by_segment || s < nodes.low[d] || s > nodes.high[d];  // an edge may lie between the two
   }
-  if (out.by_segment || !nodes.is_cut) return out;
-  const std::size_t at = nodes.at(closest);
-  out.crossed = nodes.crossed[at];
-  if (nodes.is_near[at]) out.crossed ^= crossed(*nodes.list, x, system_.lattice.position(closest));
+  if (!out.by_segment && nodes.is_cut) out.crossed = crossed_in_cell(nodes, cell, x);
   return out;
 }
 

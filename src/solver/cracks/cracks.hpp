@@ -62,6 +62,11 @@ class Cracks {
   bool find_faces(ContactPair& pair, const Index<Dim>& node, int side_a, int side_b) const;
   /// Moves the crack faces with the nodal velocities over a time dt.
   void move(double dt);
+  /// Two parallel planes between which all pieces lie that touch a cell.
+  struct Slab {
+    Vec<Dim> normal;   ///< unit vector
+    double low, high;  ///< positions of the planes along it [length]
+  };
   /// Nodes of a box of the grid with the surfaces that separate them from each other.
   struct NodeBox {
     Index<Dim> low{}, high{};
@@ -70,8 +75,8 @@ class Cracks {
     bool is_cut = false;         ///< a surface passes through the box
     /// Per node, x fastest: the surfaces that separate it from the lowest one.
     std::vector<std::uint64_t> crossed;
-    std::vector<char> is_near;  ///< a surface comes closer to the node than half a cell along each axis
-    std::uint64_t step = 0;     ///< in which this was found
+    std::vector<const Slab*> slabs;  ///< of the cell above each node; null if no piece touches it
+    std::uint64_t step = 0;          ///< in which this was found
 
     std::size_t at(const Index<Dim>& node) const {
       std::size_t n = 0;
@@ -126,12 +131,17 @@ class Cracks {
   int side_from_crossings(const Index<Dim>& node, std::uint64_t crossed, const List& list) const;
   std::uint64_t crossed(const List& list, const Vec<Dim>& from, const Vec<Dim>& to) const;
   std::uint64_t crossed(const PointSides& point, const Index<Dim>& node) const;
+  std::uint64_t crossed_in_cell(const NodeBox& nodes, const Index<Dim>& cell, const Vec<Dim>& x) const;
   /// What the surfaces of a block's list do in the block. Bits are positions in that list.
   struct BlockCrossings {
     /// Per node and axis: the surfaces that cross the edge to the next node an odd number of times.
-    std::array<std::array<std::uint64_t, static_cast<std::size_t>(Dim)>, block_nodes<Dim>> edges{};
-    std::array<char, block_nodes<Dim>> is_near{};  // as in NodeBox
+    std::array<std::array<std::uint64_t, static_cast<std::size_t>(Dim)>, block_nodes<Dim>> edges;
+    std::array<int, block_nodes<Dim>> slab;  // per cell, by its lowest node: position in `slabs`, or -1
+    std::vector<Slab> slabs;
+
+    void clear() { edges.fill({}), slab.fill(-1), slabs.clear(); }
   };
+  void extend_slab(const Index<Dim>& cell, const PlacedPiece& piece);
   /// Index of the crossings of a node's block in crossings_ and of the node in them; -1: no surface is near.
   std::pair<int, std::size_t> place_of(const Index<Dim>& node) const;
   Nearest nearest(std::uint32_t surface, const Vec<Dim>& x) const;
