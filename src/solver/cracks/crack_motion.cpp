@@ -21,14 +21,22 @@ double Cracks<Dim>::velocity_on_side(const Index<Dim>& n, int side, Vec<Dim>& v)
   return mass;
 }
 
+// False if no side has mass at a node, so that the sides of points at it need not be found.
+template <int Dim>
+bool Cracks<Dim>::has_mass(const Index<Dim>& n) const {
+  const auto [list, local] = place_of(n);
+  if (list < 0) return true;  // not known
+  const auto& masses = block_faces_[static_cast<std::size_t>(list)].mass[local];
+  return std::any_of(masses.begin(), masses.begin() + sides(), [](double mass) { return mass > 0; });
+}
+
 template <int Dim>
 void Cracks<Dim>::find_side_velocities() {
-  const int sides = system_.cracks.size() > 1 ? 4 : 2;
   if (block_faces_.size() < listed_.size()) block_faces_.resize(listed_.size());
   parallel_for(static_cast<std::ptrdiff_t>(listed_.size()), [&](std::ptrdiff_t k) {
     const auto list = static_cast<std::size_t>(k);
     each_node(list, [&](std::size_t local, const Index<Dim>& n) {
-      for (int side = 0; side < sides; ++side) {
+      for (int side = 0; side < sides(); ++side) {
         const auto of = static_cast<std::size_t>(side);
         block_faces_[list].mass[local][of] = sum_side(n, side, block_faces_[list].velocity[local][of]);
       }
@@ -94,7 +102,7 @@ void Cracks<Dim>::find_face_nodes(const std::array<PointSides, 2>& sides, const 
   std::array<std::array<Vec<Dim>, 2>, Stencil::size> velocities;
   nodes.each([&](std::size_t k, double w, const Index<Dim>& n) {
     masses[k] = {}, velocities[k].fill(Vec<Dim>::Zero());
-    if (!(w > 0)) return;
+    if (!(w > 0) || !has_mass(n)) return;
     for (std::size_t f = 0; f < 2; ++f) {
       masses[k][f] = velocity_on_side(n, side_of_node(sides[f], n), velocities[k][f]);
       of_faces.heaviest = std::max(of_faces.heaviest, masses[k][f]);
@@ -145,6 +153,7 @@ bool Cracks<Dim>::face_velocities(const Crack<Dim>& crack, std::size_t k, const 
     find_nodes(crack.face[f][k], around_face);
     const PointSides of_face = sides_of(around_face, sides[f].x);
     nodes_around_.each(crack.face[f][k], [&](double w, const Index<Dim>& n) {
+      if (!has_mass(n)) return;
       if (const double part = of_faces.share(velocity_on_side(n, side_of_node(of_face, n), here)); part > 0)
         sum += w * part, v[f] += w * part * here;
     });

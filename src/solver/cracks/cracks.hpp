@@ -152,7 +152,10 @@ class Cracks {
   void end_sums(const Crack<Dim>& crack, FaceSums& sums) const;
   double sum_side(Index<Dim> n, int side, Vec<Dim>& v) const;
   double velocity_on_side(const Index<Dim>& n, int side, Vec<Dim>& v) const;
+  /// Number of the sides that a node may have, see CutBin.
+  int sides() const { return system_.cracks.size() > 1 ? 4 : 2; }
   void find_side_velocities();
+  bool has_mass(const Index<Dim>& n) const;
   bool both_sides(std::uint32_t surface, const Index<Dim>& n) const;
   bool has_both_sides(std::uint32_t surface, const Index<Dim>& n) const;
   std::array<PointSides, 2> sides_of_faces(const Crack<Dim>& crack, std::size_t point, const Vec<Dim>& normal,
