@@ -97,9 +97,11 @@ struct Body {
                                         [](const auto& contact, std::size_t p) { return contact.particle < p; });
     return found != contacts.end() && found->particle == particle ? &*found : nullptr;
   }
-  /// Sides of the particles of a bin; null if no crack is near.
+  /// Sides of the particles of a bin; null if all are 0.
   const CutBin* cut_bin(std::size_t bin) const {
-    return cut.empty() || cut[bin] < 0 ? nullptr : &cut_bins[static_cast<std::size_t>(cut[bin])];
+    if (cut.empty() || cut[bin] < 0) return nullptr;
+    const CutBin& here = cut_bins[static_cast<std::size_t>(cut[bin])];
+    return here.sides.empty() ? nullptr : &here;
   }
   Particles<Dim> particles;
   Bins<Dim> bins;

@@ -108,7 +108,7 @@ class CpdiTransfers final : public Transfers<Dim> {
     const auto x = from_start ? body.particles[body.start] : body.particles.x();
     NodePatch patch;
     patch.clear();
-    Across across(cut != nullptr);
+    Across across(cut, target);
     const auto data = across.data(patch);
     Domains domains;
     ScatterTerms<Dim> terms;
@@ -167,7 +167,7 @@ class CpdiTransfers final : public Transfers<Dim> {
     const auto x = what.from_start ? body.particles[body.start] : body.particles.x();
     NodePatch patch;
     patch.load(map.neighbours(bin.block), target.nodes[0]);
-    Across across(cut != nullptr);
+    Across across(cut, target);
     across.each(target, [&](std::size_t k, NodePatch& beyond) {
       beyond.load(target.map[k]->neighbours(bin.block), target.nodes[k]);
     });

@@ -5,6 +5,7 @@
 #include "solver/transfer/stencils.hpp"
 #include "solver/transfer/transfer.hpp"
 
+#include <cstddef>
 #include <memory>
 
 namespace tribo {
@@ -15,12 +16,12 @@ class CutPatches {
  public:
   using NodePatch = Patch<Dim, width>;
 
-  /// `wanted`: whether the bin is near cracks. Sets all nodes to zero.
-  explicit CutPatches(bool wanted) {
-    if (!wanted) return;
+  /// `cut`: the sides of the bin, null if all are 0. Sets all nodes of the additional fields that exist to zero.
+  CutPatches(const CutBin* cut, const Target<Dim>& target) {
+    if (!cut) return;
     if (!kept()) kept() = std::make_unique<std::array<NodePatch, 3>>();
     patches_ = kept().get();
-    for (NodePatch& patch : *patches_) patch.clear();
+    each(target, [](std::size_t, NodePatch& patch) { patch.clear(); });
   }
   /// Calls f(side, patch) for the additional fields that exist.
   template <class F>
@@ -43,6 +44,20 @@ class CutPatches {
   }
 
   std::array<NodePatch, 3>* patches_ = nullptr;
+};
+
+/// The nodes of a particle in the patch of one field. Called with the number of a node in the stencil, x fastest, and
+/// its offset in the patch, it returns the data of the node.
+struct NodesOfOneField {
+  double* data;
+  double* operator()(int, std::ptrdiff_t offset) const { return data + offset; }
+};
+
+/// The nodes of a particle near a crack, each in the patch of its side.
+struct NodesBySide {
+  const std::array<double*, 4>& data;  ///< by side
+  const std::uint8_t* sides;           ///< per node of the stencil
+  double* operator()(int node, std::ptrdiff_t offset) const { return data[sides[node]] + offset; }
 };
 
 }  // namespace tribo

@@ -95,7 +95,8 @@ class ProductTransfers final : public Transfers<Dim> {
     const auto half = half_sizes(body);
     NodePatch patch;
     patch.clear();
-    Across across(cut != nullptr);
+    Across across(cut, target);
+    const std::array<double*, 4> data = across.data(patch);
     Stencils<Dim, Kernel> stencils;
     ScatterTerms<Dim> terms;
     for (std::uint32_t first = bin.begin; first < bin.end; first += batch) {
@@ -107,9 +108,9 @@ class ProductTransfers final : public Transfers<Dim> {
         if (i % 8 == 0) fetch_ahead(body.read_by_scatter, first + static_cast<std::uint32_t>(batch + i));
         const std::uint8_t* sides = cut ? cut->of(first - bin.begin + static_cast<std::uint32_t>(i)) : nullptr;
         if (sides)
-          add_by_side<sums>(stencils, terms, map.lattice(), i, sides, across.data(patch));
+          add_by_side<sums>(stencils, terms, map.lattice(), i, NodesBySide{data, sides});
         else
-          add<sums>(stencils, terms, map.lattice(), i, patch.data);
+          add<sums>(stencils, terms, map.lattice(), i, NodesOfOneField{patch.data});
       }
     }
     patch.add_to(map.neighbours(bin.block), target.nodes[0]);
@@ -142,9 +143,10 @@ class ProductTransfers final : public Transfers<Dim> {
   }
 
   // The products of one-dimensional functions are formed for the plane, then for the row, then for the node.
-  template <AddedSums sums>
+  // `nodes`: NodesOfOneField or NodesBySide.
+  template <AddedSums sums, class Nodes>
   static void add(const Stencils<Dim, Kernel>& s, const ScatterTerms<Dim>& terms, const Lattice<Dim>& lattice, int i,
-                  double* data) {
+                  const Nodes& nodes) {
     const Vec4 first = load4(terms.whole[i]), second = load4(terms.whole[i] + 4);
     [[maybe_unused]] Vec4 flux[3], affine[3];
     for (int d = 0; d < Dim; ++d) {
@@ -158,7 +160,7 @@ class ProductTransfers final : public Transfers<Dim> {
       if constexpr (sums.second) gx[n] = s.g[0][n][i];
       if constexpr (sums.affine) ax[n] = wx[n] * (n - s.r[0][i]);
     }
-    double* base = data + s.base[i];
+    const std::ptrdiff_t base = s.base[i];
 #pragma GCC unroll 4
     for (int c = 0; c < (Dim == 3 ? width : 1); ++c) {
       const double wz = Dim == 3 ? s.w[Dim - 1][c][i] : 1.0;
@@ -182,9 +184,10 @@ class ProductTransfers final : public Transfers<Dim> {
         if constexpr (sums.first && !sums.affine) row = wy * plane;
         if constexpr (sums.affine) row = wy * (plane + (b - s.r[1][i]) * affine_y), spin = wy * affine_x;
         if constexpr (sums.second) row_second = wy * plane_second + s.g[1][b][i] * plane_y, slope = wy * plane_x;
-        double* node = base + 8 * (c * NodePatch::plane + b * NodePatch::row);
+        const std::ptrdiff_t of_row = base + 8 * (c * NodePatch::plane + b * NodePatch::row);
 #pragma GCC unroll 4
-        for (int a = 0; a < width; ++a, node += 8) {
+        for (int a = 0; a < width; ++a) {
+          double* node = nodes((c * width + b) * width + a, of_row + 8 * a);
           if constexpr (sums.first) {
             Vec4 sum = load4(node) + wx[a] * row;
             if constexpr (sums.affine) sum += ax[a] * spin;
@@ -196,6 +199,18 @@ class ProductTransfers final : public Transfers<Dim> {
     }
   }
 
+  // Not inlined, so that the loop over particles of one field is compiled as if there were no others.
+  template <AddedSums sums>
+  [[gnu::noinline]] static void add_by_side(const Stencils<Dim, Kernel>& s, const ScatterTerms<Dim>& terms,
+                                            const Lattice<Dim>& lattice, int i, const NodesBySide& nodes) {
+    add<sums>(s, terms, lattice, i, nodes);
+  }
+  template <GatheredSums wanted>
+  [[gnu::noinline]] static void sum_by_side(const Stencils<Dim, Kernel>& s, const Lattice<Dim>& lattice, int i,
+                                            const NodesBySide& nodes, GatherSums<Dim>& sums) {
+    sum<wanted>(s, lattice, i, nodes, sums);
+  }
+
   template <GatheredSums wanted>
   void gather_bin(Body<Dim>& body, const Target<Dim>& target, const Bin& bin, const CutBin* cut, const Gather& what,
                   GatherResult& result) const {
@@ -205,10 +220,11 @@ class ProductTransfers final : public Transfers<Dim> {
     const auto half = half_sizes(body);
     NodePatch patch;
     patch.load(map.neighbours(bin.block), target.nodes[0]);
-    Across across(cut != nullptr);
+    Across across(cut, target);
     across.each(target, [&](std::size_t k, NodePatch& beyond) {
       beyond.load(target.map[k]->neighbours(bin.block), target.nodes[k]);
     });
+    const std::array<double*, 4> data = across.data(patch);
     Stencils<Dim, Kernel> stencils;
     GatherSums<Dim> sums;
     if constexpr (!wanted.second) std::fill_n(sums.acceleration[0], Dim * batch_lanes, 0.0);
@@ -220,9 +236,9 @@ class ProductTransfers final : public Transfers<Dim> {
         for (int k = 0; k < 4 && i + k < count; ++k) {
           const std::uint8_t* sides = cut ? cut->of(first - bin.begin + static_cast<std::uint32_t>(i + k)) : nullptr;
           if (sides)
-            sum_by_side<wanted>(stencils, map.lattice(), i + k, sides, across.data(patch), sums);
+            sum_by_side<wanted>(stencils, map.lattice(), i + k, NodesBySide{data, sides}, sums);
           else
-            sum<wanted>(stencils, map.lattice(), i + k, patch.data, sums);
+            sum<wanted>(stencils, map.lattice(), i + k, NodesOfOneField{patch.data}, sums);
         }
         sums.template transpose<wanted.second, wanted.gradient, wanted.affine>(i);
       }
@@ -230,8 +246,9 @@ class ProductTransfers final : public Transfers<Dim> {
     }
   }
 
-  template <GatheredSums wanted>
-  static void sum(const Stencils<Dim, Kernel>& s, const Lattice<Dim>& lattice, int i, const double* data,
+  // `nodes`: NodesOfOneField or NodesBySide.
+  template <GatheredSums wanted, class Nodes>
+  static void sum(const Stencils<Dim, Kernel>& s, const Lattice<Dim>& lattice, int i, const Nodes& nodes,
                   GatherSums<Dim>& sums) {
     double wx[width];
     [[maybe_unused]] double gx[width], ax[width];
@@ -240,7 +257,7 @@ class ProductTransfers final : public Transfers<Dim> {
       if constexpr (wanted.gradient) gx[n] = s.g[0][n][i];
       if constexpr (wanted.affine) ax[n] = wx[n] * (n - s.r[0][i]);
     }
-    const double* base = data + s.base[i];
+    const std::ptrdiff_t base = s.base[i];
     Vec4 value{};
     [[maybe_unused]] Vec4 second{}, lx{}, ly{}, lz{}, bx{}, by{}, bz{};
 #pragma GCC unroll 4
@@ -249,12 +266,13 @@ class ProductTransfers final : public Transfers<Dim> {
       [[maybe_unused]] Vec4 plane_second{}, plane_x{}, plane_y{}, moment_x{}, moment_y{};
 #pragma GCC unroll 4
       for (int b = 0; b < width; ++b) {
-        const double* node = base + 8 * (c * NodePatch::plane + b * NodePatch::row);
+        const std::ptrdiff_t of_row = base + 8 * (c * NodePatch::plane + b * NodePatch::row);
         const double wy = s.w[1][b][i];
         // The sum of f(a) times a vector of the nodes of the row, which begins `at` numbers after that of the node.
         const auto along = [&](const double* f, int at) {
-          Vec4 total = f[0] * load4(node + at);
-          for (int a = 1; a < width; ++a) total += f[a] * load4(node + 8 * a + at);
+          Vec4 total = f[0] * load4(nodes((c * width + b) * width, of_row) + at);
+          for (int a = 1; a < width; ++a)
+            total += f[a] * load4(nodes((c * width + b) * width + a, of_row + 8 * a) + at);
           return total;
         };
         const Vec4 row = along(wx, 0);
@@ -284,68 +302,6 @@ class ProductTransfers final : public Transfers<Dim> {
       const auto& h = lattice.spacing;
       store4(sums.moment[0][i % 4], h[0] * bx), store4(sums.moment[1][i % 4], h[1] * by);
       if constexpr (Dim == 3) store4(sums.moment[Dim - 1][i % 4], h[Dim - 1] * bz);
-    }
-  }
-
-  /// Calls f(n, offset in a patch, shape function, its gradient, distance [cells]) for the nodes of a stencil, x
-  /// fastest.
-  template <class F>
-  static void each_stencil_node(const Stencils<Dim, Kernel>& s, int i, F&& f) {
-    int n = 0;
-    for (int c = 0; c < (Dim == 3 ? width : 1); ++c)
-      for (int b = 0; b < width; ++b)
-        for (int a = 0; a < width; ++a, ++n) {
-          const int at[3] = {a, b, c};
-          double w = 1.0;
-          std::array<double, Dim> slope, distance;
-          for (int d = 0; d < Dim; ++d) {
-            const auto k = static_cast<std::size_t>(d);
-            w *= s.w[d][at[d]][i], slope[k] = s.g[d][at[d]][i], distance[k] = at[d] - s.r[d][i];
-            for (int e = 0; e < Dim; ++e)
-              if (e != d) slope[k] *= s.w[e][at[e]][i];
-          }
-          f(n, s.base[i] + 8 * (c * NodePatch::plane + b * NodePatch::row + a), w, slope, distance);
-        }
-  }
-
-  template <AddedSums sums>
-  static void add_by_side(const Stencils<Dim, Kernel>& s, const ScatterTerms<Dim>& terms, const Lattice<Dim>& lattice,
-                          int i, const std::uint8_t* sides, const std::array<double*, 4>& data) {
-    const Wide whole = Wide::load(terms.whole[i]);
-    each_stencil_node(
-        s, i, [&](int n, int at, double w, [[maybe_unused]] const auto& slope, [[maybe_unused]] const auto& distance) {
-          double* node = data[sides[n]] + at;
-          Wide sum = Wide::load(node) + w * whole;
-          for (std::size_t d = 0; d < Dim; ++d) {
-            if constexpr (sums.second) sum = sum + slope[d] * Upper::from(load4(terms.flux[d][i]));
-            if constexpr (sums.affine)
-              sum = sum + Wide::join(w * distance[d] * lattice.spacing[static_cast<Eigen::Index>(d)] *
-                                         load4(terms.affine[d][i]),
-                                     Vec4{});
-          }
-          sum.store(node);
-        });
-  }
-
-  template <GatheredSums wanted>
-  static void sum_by_side(const Stencils<Dim, Kernel>& s, const Lattice<Dim>& lattice, int i, const std::uint8_t* sides,
-                          const std::array<double*, 4>& data, GatherSums<Dim>& sums) {
-    Wide value = Wide::zero();
-    [[maybe_unused]] Vec4 gradient[Dim] = {}, moment[Dim] = {};
-    each_stencil_node(
-        s, i, [&](int n, int at, double w, [[maybe_unused]] const auto& slope, [[maybe_unused]] const auto& distance) {
-          const Wide node = Wide::load(data[sides[n]] + at);
-          value = value + w * node;
-          for (std::size_t d = 0; d < Dim; ++d) {
-            if constexpr (wanted.gradient) gradient[d] += slope[d] * node.low();
-            if constexpr (wanted.affine)
-              moment[d] += w * distance[d] * lattice.spacing[static_cast<Eigen::Index>(d)] * node.low();
-          }
-        });
-    value.store(sums.whole[i % 4]);
-    for (std::size_t d = 0; d < Dim; ++d) {
-      if constexpr (wanted.gradient) store4(sums.slope[d][i % 4], gradient[d]);
-      if constexpr (wanted.affine) store4(sums.moment[d][i % 4], moment[d]);
     }
   }
 };
