@@ -11,6 +11,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <numeric>
 
 namespace tribo {
@@ -172,6 +174,29 @@ void find_ends(Crack<2>& crack, const CrackSpec& spec, const std::array<bool, 2>
 }
 void find_ends(Crack<3>&, const CrackSpec&, const std::array<bool, 2>&, const BodyOccupancy<3>&, double, int) {}
 
+/// Sorts the pieces of a surface along Morton's curve through their centres, so that pieces which follow each other are
+/// near each other, as the search among them assumes. Those of a line are in its order.
+void sort_pieces(Crack<3>& crack) {
+  const auto centre = [&](const Crack<3>::Piece& piece) {
+    return Vec3((crack.x[piece[0]] + crack.x[piece[1]] + crack.x[piece[2]]) / 3);
+  };
+  Vec3 low = crack.x.front(), high = low;
+  for (const Vec3& x : crack.x) low = low.cwiseMin(x), high = high.cwiseMax(x);
+  constexpr int bits = 20;  // per axis
+  const double unit = std::max((high - low).maxCoeff(), std::numeric_limits<double>::min()) / ((1 << bits) - 1);
+  std::vector<std::pair<std::uint64_t, Crack<3>::Piece>> places;
+  for (const auto& piece : crack.pieces) {
+    const Vec3 at = (centre(piece) - low) / unit;
+    std::uint64_t code = 0;
+    for (int bit = 0; bit < bits; ++bit)
+      for (int d = 0; d < 3; ++d) code |= (static_cast<std::uint64_t>(at[d]) >> bit & 1) << (3 * bit + d);
+    places.emplace_back(code, piece);
+  }
+  std::stable_sort(places.begin(), places.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  for (std::size_t p = 0; p < places.size(); ++p) crack.pieces[p] = places[p].second;
+}
+void sort_pieces(Crack<2>&) {}
+
 /// Occupancy of the region around all cracks of the model.
 template <int Dim>
 BodyOccupancy<Dim> around_cracks(const Model& model, System<Dim>& system) {
@@ -272,6 +297,7 @@ void add_cracks(const Model& model, System<Dim>& system, int width) {
       std::copy_n(piece.begin(), corners.size(), corners.begin());
       crack.pieces.push_back(corners);
     }
+    sort_pieces(crack);
     crack.main_points = crack.x.size(), crack.main_pieces = crack.pieces.size();
     find_ends(crack, spec, ends.has_common[number], occupancy, system.lattice.spacing.maxCoeff(), width + 1);
     crack.inside.assign(crack.pieces.size(), 0.0);
