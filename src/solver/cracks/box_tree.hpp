@@ -6,6 +6,7 @@
 #include "base/types.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -91,16 +92,11 @@ class BoxTree {
   void each(Test&& test, F&& f) const {
     if (!levels_.empty()) visit(levels_.size() - 1, 0, 1, test, f);
   }
-  /// The first item of a range that is probably near x; 0 without items.
-  std::size_t near(const Vec<Dim>& x) const {
-    std::size_t best = 0;
-    for (std::size_t l = levels_.size(); l-- > 0;) {
-      const std::size_t first = best * (l + 1 == levels_.size() ? 1 : children);
-      double least = std::numeric_limits<double>::infinity();
-      for (std::size_t i = first; i < std::min(first + children, levels_[l].size()); ++i)
-        if (const double d = levels_[l][i].distance_squared(x); d < least) least = d, best = i;
-    }
-    return children * best;
+  /// Calls f(first, end) for ranges of items that contain all items whose boxes have a squared distance from x of at
+  /// most `bound` [length^2]. The nearest box comes first at each level. f may reduce `bound` meanwhile.
+  template <class F>
+  void each_near(const Vec<Dim>& x, const double& bound, F&& f) const {
+    if (!levels_.empty()) visit_near(levels_.size() - 1, 0, 1, x, bound, f);
   }
   static constexpr std::size_t children = 4;
 
@@ -115,6 +111,31 @@ class BoxTree {
         f(children * i, children * (i + 1));
       else
         visit(level - 1, children * i, children * (i + 1), test, f);
+    }
+  }
+
+  template <class F>
+  void visit_near(std::size_t level, std::size_t first, std::size_t end, const Vec<Dim>& x, const double& bound,
+                  F& f) const {
+    struct Near {
+      double distance_squared;
+      std::size_t box;
+    };
+    std::array<Near, children> near;  // in ascending order of the distance
+    std::size_t count = 0;
+    for (std::size_t i = first; i < std::min(end, levels_[level].size()); ++i) {
+      const Near box{levels_[level][i].distance_squared(x), i};
+      if (box.distance_squared > bound) continue;
+      std::size_t at = count++;
+      for (; at > 0 && near[at - 1].distance_squared > box.distance_squared; --at) near[at] = near[at - 1];
+      near[at] = box;
+    }
+    for (std::size_t k = 0; k < count; ++k) {
+      if (near[k].distance_squared > bound) return;
+      if (level == 0)
+        f(children * near[k].box, children * (near[k].box + 1));
+      else
+        visit_near(level - 1, children * near[k].box, children * (near[k].box + 1), x, bound, f);
     }
   }
 

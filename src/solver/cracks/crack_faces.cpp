@@ -67,45 +67,37 @@ std::span<const std::array<double, 3>> integration_points(const std::array<Vec3,
 template <int Dim>
 auto Cracks<Dim>::nearest(std::uint32_t surface, const Vec<Dim>& x) const -> Nearest {
   const double h = system_.lattice.spacing.maxCoeff(), same = 1e-9 * h;  // tolerance for a common corner
-  double bound = (width_ + 1.0 + block_edge<Dim>)*h;  // pieces farther away are not near the block of x
-  const auto point_of = [&](const PlacedPiece& p, auto& share) {
-    share = nearest_share(p.corners, x);
-    Vec<Dim> at = Vec<Dim>::Zero();
-    for (std::size_t k = 0; k < share.size(); ++k) at += share[k] * p.corners[k];
-    return at;
-  };
-  const auto each_within_bound = [&](auto&& f) {
-    const auto each_of = [&](std::size_t first, std::size_t end) {
-      for (std::size_t k = first; k < std::min(end, pieces_.size()); ++k)
-        if (pieces_[k].surface == surface && pieces_[k].box.distance_squared(x) <= bound * bound) f(pieces_[k]);
-    };
-    tree_.each([&](const Box<Dim>& box) { return box.distance_squared(x) <= bound * bound; }, each_of);
-  };
-  Nearest out;
-  double least = std::numeric_limits<double>::infinity();
+  const double farthest = (width_ + 1.0 + block_edge<Dim>)*h;  // pieces farther away are not near the block of x
+  double least = std::numeric_limits<double>::infinity(), bound = farthest * farthest;
   struct Candidate {
     const PlacedPiece* piece;
     double distance;
+    Vec<Dim> at;
+    std::array<double, Dim> share;
   };
   thread_local std::vector<Candidate> candidates;
   candidates.clear();
-  const auto measure = [&](const PlacedPiece& p) {
-    const double distance = (x - point_of(p, out.share)).norm();
-    least = std::min(least, distance), bound = std::min(bound, least + 2 * same);
-    return distance;
-  };
-  const std::size_t guess = tree_.near(x);
-  for (std::size_t k = guess; k < std::min(guess + BoxTree<Dim>::children, pieces_.size()); ++k)
-    if (pieces_[k].surface == surface) measure(pieces_[k]);
-  each_within_bound([&](const PlacedPiece& p) {
-    if (const double distance = measure(p); distance <= least + same) candidates.push_back({&p, distance});
+  tree_.each_near(x, bound, [&](std::size_t first, std::size_t end) {
+    for (std::size_t k = first; k < std::min(end, pieces_.size()); ++k) {
+      const PlacedPiece& p = pieces_[k];
+      if (p.surface != surface || p.box.distance_squared(x) > bound) continue;
+      Candidate here{&p, 0.0, Vec<Dim>::Zero(), nearest_share(p.corners, x)};
+      for (std::size_t c = 0; c < here.share.size(); ++c) here.at += here.share[c] * p.corners[c];
+      here.distance = (x - here.at).norm();
+      if (here.distance > least + same) continue;
+      candidates.push_back(here);
+      least = std::min(least, here.distance);
+      bound = std::min(bound, (least + 2 * same) * (least + 2 * same));
+    }
   });
-  for (const auto& [piece, distance] : candidates) {
-    if (distance > least + same) continue;
-    std::array<double, Dim> share;
-    const Vec<Dim> at = point_of(*piece, share), area = piece->area();
+  std::sort(candidates.begin(), candidates.end(),
+            [](const Candidate& a, const Candidate& b) { return a.piece < b.piece; });
+  Nearest out;
+  for (const Candidate& here : candidates) {
+    if (here.distance > least + same) continue;
+    const Vec<Dim> area = here.piece->area();
     if (!out.piece)
-      out = {piece, at, area.normalized(), share, 1};
+      out = {here.piece, here.at, area.normalized(), here.share, 1};
     else
       out.normal += (area.dot(out.piece->area()) < 0 ? -1.0 : 1.0) * area.normalized();
   }

@@ -196,13 +196,14 @@ void follow_nearest(const Crack<Dim>& crack, const std::vector<char>& carried,
     if (carried[k]) continue;
     v[k].fill(Vec<Dim>::Zero());
     double least = std::numeric_limits<double>::infinity();
-    tree.each([&](const Box<Dim>& box) { return box.distance_squared(crack.x[k]) < least; },
-              [&](std::size_t first, std::size_t end) {
-                for (std::size_t i = first; i < std::min(end, inside.size()); ++i) {
-                  const double d = (crack.x[inside[i]] - crack.x[k]).squaredNorm();
-                  if (d < least) least = d, v[k].fill(0.5 * (v[inside[i]][0] + v[inside[i]][1]));
-                }
-              });
+    std::size_t nearest = carried.size();
+    tree.each_near(crack.x[k], least, [&](std::size_t first, std::size_t end) {
+      for (std::size_t i = first; i < std::min(end, inside.size()); ++i) {
+        const double d = (crack.x[inside[i]] - crack.x[k]).squaredNorm();
+        if (d < least || (d == least && inside[i] < nearest)) least = d, nearest = inside[i];
+      }
+    });
+    if (nearest < carried.size()) v[k].fill(0.5 * (v[nearest][0] + v[nearest][1]));
   }
 }
 
