@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <bit>
 #include <map>
+#include <numeric>
 
 namespace tribo {
 
@@ -163,16 +164,32 @@ std::int64_t ContactSearch<Dim>::place_of(std::int64_t number) const {
          number % block_nodes<Dim>;
 }
 
+// In parallel by ranges of nodes: first the number of pairs with an impulse, then these pairs.
 template <int Dim>
 void ContactSearch<Dim>::remember_pairs() {
-  kept_.clear();
-  for (const ContactNode<Dim>& node : found_.nodes)
-    for (const ContactPair& pair : found_.pairs_of(node)) {
-      if (pair.update_impulse.isZero(0)) continue;
+  constexpr std::size_t length = 256;  // of a range
+  const std::size_t count = (found_.nodes.size() + length - 1) / length;
+  kept_before_.assign(count + 1, 0);
+  const auto each_kept = [&](std::ptrdiff_t range, auto&& f) {
+    const std::size_t first = length * static_cast<std::size_t>(range);
+    for (std::size_t n = first; n < std::min(first + length, found_.nodes.size()); ++n)
+      for (const ContactPair& pair : found_.pairs_of(found_.nodes[n]))
+        if (!pair.update_impulse.isZero(0)) f(found_.nodes[n], pair);
+  };
+  parallel_for(static_cast<std::ptrdiff_t>(count), [&](std::ptrdiff_t range) {
+    std::size_t& pairs = kept_before_[static_cast<std::size_t>(range) + 1];
+    each_kept(range, [&](const auto&, const auto&) { ++pairs; });
+  });
+  std::partial_sum(kept_before_.begin(), kept_before_.end(), kept_before_.begin());
+  kept_.resize(kept_before_.back());
+  parallel_for(static_cast<std::ptrdiff_t>(count), [&](std::ptrdiff_t range) {
+    std::size_t next = kept_before_[static_cast<std::size_t>(range)];
+    each_kept(range, [&](const ContactNode<Dim>& node, const ContactPair& pair) {
       const auto field = [&](std::size_t member) { return static_cast<std::int64_t>(found_.members[member].field); };
-      kept_.push_back({place_of(node.number), field(pair.a), field(pair.b), pair.update_status, pair.update_impulse,
-                       pair.end_velocity, pair.update_mass});
-    }
+      kept_[next++] = {place_of(node.number), field(pair.a),     field(pair.b),   pair.update_status,
+                       pair.update_impulse,   pair.end_velocity, pair.update_mass};
+    });
+  });
 }
 
 template <int Dim>

@@ -111,10 +111,11 @@ class ContactSearch {
   const ContactLaws<Dim>& laws_;
   ContactNodes<Dim> found_;
   std::vector<SharedBlock> shared_;
-  std::vector<int> shared_at_;  // per block of the lattice: its position in shared_, or -1
-  std::vector<KeptPair> kept_;  // in ascending order
-  std::vector<Chunk> chunks_;   // scratch of find()
-  std::vector<int> node_of_;    // per shared block and node: its position in found_.nodes, or -1
+  std::vector<int> shared_at_;            // per block of the lattice: its position in shared_, or -1
+  std::vector<KeptPair> kept_;            // in ascending order
+  std::vector<Chunk> chunks_;             // scratch of find()
+  std::vector<std::size_t> kept_before_;  // scratch of remember_pairs(): per range of nodes
+  std::vector<int> node_of_;              // per shared block and node: its position in found_.nodes, or -1
 };
 
 }  // namespace tribo

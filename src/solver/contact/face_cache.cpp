@@ -6,6 +6,7 @@
 #include "solver/contact/face_tolerances.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -64,28 +65,29 @@ ContactFace& FaceCache<Dim>::new_face(std::size_t pair) {
 // Assigns the faces to the pairs of this step: the kept ones, and for new pairs faces that must be found.
 template <int Dim>
 void FaceCache<Dim>::assign_faces(const ContactNodes<Dim>& contacts) {
-  using Key = std::tuple<std::int64_t, std::size_t, std::size_t>;
-  const auto each_pair = [&](auto&& f) {
-    for (const auto& node : contacts.nodes)
-      for (std::size_t p = node.first_pair; p < node.end_pair; ++p) {
-        const ContactPair& pair = contacts.pairs[p];
-        f(p, Key(node.number, contacts.members[pair.a].field, contacts.members[pair.b].field));
-      }
+  const auto key_of = [&](const ContactNode<Dim>& node, const ContactPair& pair) {
+    return std::tuple(node.number, contacts.members[pair.a].field, contacts.members[pair.b].field);
   };
-  bool same = faces_.size() == contacts.pairs.size();
-  if (same) each_pair([&](std::size_t p, const Key& key) { same = same && faces_[p].key() == key; });
+  std::atomic<bool> same = faces_.size() == contacts.pairs.size();
+  parallel_for(static_cast<std::ptrdiff_t>(same ? contacts.nodes.size() : 0), [&](std::ptrdiff_t k) {
+    const ContactNode<Dim>& node = contacts.nodes[static_cast<std::size_t>(k)];
+    for (std::size_t p = node.first_pair; p < node.end_pair; ++p)
+      if (faces_[p].key() != key_of(node, contacts.pairs[p])) same = false;
+  });
   if (same) return;
   next_.resize(contacts.pairs.size());
   std::size_t f = 0;
-  each_pair([&](std::size_t p, const Key& key) {
-    while (f < faces_.size() && faces_[f].key() < key) ++f;
-    if (f < faces_.size() && faces_[f].key() == key) {
-      next_[p] = faces_[f];
-    } else {
-      next_[p] = {};
-      std::tie(next_[p].node, next_[p].a, next_[p].b) = key;
+  for (const auto& node : contacts.nodes)
+    for (std::size_t p = node.first_pair; p < node.end_pair; ++p) {
+      const auto key = key_of(node, contacts.pairs[p]);
+      while (f < faces_.size() && faces_[f].key() < key) ++f;
+      if (f < faces_.size() && faces_[f].key() == key) {
+        next_[p] = faces_[f];
+      } else {
+        next_[p] = {};
+        std::tie(next_[p].node, next_[p].a, next_[p].b) = key;
+      }
     }
-  });
   std::swap(faces_, next_);
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "solver/contact/nodal_volumes.hpp"
 
+#include "base/parallel.hpp"
+
 #include <algorithm>
 
 namespace tribo {
@@ -28,13 +30,26 @@ template <int Dim>
 void NodalVolumes<Dim>::scatter(const ContactNodes<Dim>& contacts, const std::vector<Body<Dim>*>& bodies,
                                 const Exchanges<Dim>& exchanges) {
   mark_blocks(contacts);
-  for (auto& field : system_.fields) {
+  const auto count = static_cast<std::ptrdiff_t>(system_.fields.size());
+  parallel_for(count, [&](std::ptrdiff_t f) {
+    auto& field = system_.fields[static_cast<std::size_t>(f)];
     field.volumes.resize(field.nodes.size());
     std::fill(field.volumes.begin(), field.volumes.end(), VolumeNode{});
-  }
-  for (auto* body : bodies)
-    transfers_.scatter(*body, Target<Dim>(*body, system_.fields, &Field<Dim>::volumes), Scatter::volume, false,
-                       system_.analysis == Analysis::axisymmetric, &near_);
+  });
+  // Bodies of different fields have different nodes. Where there are many fields, each thread takes whole fields, else
+  // the threads share the particles of each body.
+  constexpr std::ptrdiff_t fields_per_thread = 4;
+  bodies_of_.resize(system_.fields.size());
+  for (auto& list : bodies_of_) list.clear();
+  for (auto* body : bodies) bodies_of_[body->field].push_back(body);
+  parallel_for(
+      count,
+      [&](std::ptrdiff_t f) {
+        for (auto* body : bodies_of_[static_cast<std::size_t>(f)])
+          transfers_.scatter(*body, Target<Dim>(*body, system_.fields, &Field<Dim>::volumes), Scatter::volume, false,
+                             system_.analysis == Analysis::axisymmetric, &near_);
+      },
+      fields_per_thread * threads());
   for (std::size_t f = 0; f < system_.fields.size(); ++f) exchanges[f]->sum_images(system_.fields[f].volumes);
 }
 

@@ -28,6 +28,7 @@ class NodalVolumes {
 
   System<Dim>& system_;
   const Transfers<Dim>& transfers_;
+  std::vector<std::vector<Body<Dim>*>> bodies_of_;  // per field
   std::vector<char> near_;  // per block of the lattice: 1 if the particles of its bin may contribute
 };
 
