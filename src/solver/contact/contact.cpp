@@ -103,9 +103,13 @@ void Contact<Dim>::find_faces(const Exchanges<Dim>& exchanges) {
   collect_particles();
   volumes_.scatter(contacts, bodies_, exchanges);
   if (near_.size() < static_cast<std::size_t>(threads())) near_.resize(static_cast<std::size_t>(threads()));
-  parallel_for(static_cast<std::ptrdiff_t>(contacts.nodes.size()), [&](std::ptrdiff_t k) {
-    const ContactNode<Dim>& node = contacts.nodes[static_cast<std::size_t>(k)];
-    if (!node.needs_faces) return;
+  searched_.clear();
+  for (std::size_t k = 0; k < contacts.nodes.size(); ++k)
+    if (contacts.nodes[k].needs_faces) searched_.push_back(k);
+  // Faces differ in cost by ten times, so that threads which have finished take over nodes of others.
+  const auto before = [](std::ptrdiff_t k) { return k; };
+  parallel_for_weighted(static_cast<std::ptrdiff_t>(searched_.size()), before, [&](std::ptrdiff_t k) {
+    const ContactNode<Dim>& node = contacts.nodes[searched_[static_cast<std::size_t>(k)]];
     NearParticles<Dim>& near = near_[static_cast<std::size_t>(thread_index())];
     for (std::size_t p = node.first_pair; p < node.end_pair; ++p) {
       ContactPair& pair = contacts.pairs[p];

@@ -119,6 +119,7 @@ class Contact {
   ContactMemory<Dim> memory_;
   ContactLedger<Dim> ledger_;
   std::vector<NearParticles<Dim>> near_;  // working memory, one for each thread
+  std::vector<std::size_t> searched_;     // scratch: contact nodes whose faces are found in this step
   double h_;                              // cell size [length]
 };
 
