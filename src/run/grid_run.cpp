@@ -26,7 +26,7 @@ GridRun<Dim>::GridRun(const Model& model)
 
 template <int Dim>
 void GridRun<Dim>::choose_threads(int wanted) const {
-  set_threads(sensible_threads(wanted, particle_count(system_)));
+  set_threads(sensible_threads(wanted, particle_count(system_), system_.fields.size()));
 }
 
 template <int Dim>

@@ -47,7 +47,7 @@ class Report {
         stepper_(model, system_),
         h_(system_.lattice.smallest_spacing()) {
     return_arrays_above(4 << 20, 4 << 20);  // a report is made once: nothing is kept for later
-    set_threads(sensible_threads(wanted_threads, particle_count(system_)));
+    set_threads(sensible_threads(wanted_threads, particle_count(system_), system_.fields.size()));
     const Tracers<Dim> found(model_, system_);  // throws for a history of a point without particles
   }
 

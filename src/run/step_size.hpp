@@ -53,9 +53,11 @@ class StepSize {
   System<Dim>& system_;
 };
 
-/// Number of threads, at most `wanted`, that so many particles can use. Results do not depend on it.
-inline int sensible_threads(int wanted, std::int64_t particles) {
-  static constexpr std::int64_t worthwhile = 8192;
+/// Number of threads, at most `wanted`, that so many particles can use. With many velocity fields a particle-step costs
+/// several times as much, most of it in contact. Results do not depend on the number.
+inline int sensible_threads(int wanted, std::int64_t particles, std::size_t fields) {
+  constexpr std::size_t many_fields = 16;
+  const std::int64_t worthwhile = fields > many_fields ? 2048 : 8192;
   return static_cast<int>(std::min<std::int64_t>(wanted, 1 + particles / worthwhile));
 }
 

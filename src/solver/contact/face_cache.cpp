@@ -76,18 +76,21 @@ void FaceCache<Dim>::assign_faces(const ContactNodes<Dim>& contacts) {
   });
   if (same) return;
   next_.resize(contacts.pairs.size());
-  std::size_t f = 0;
-  for (const auto& node : contacts.nodes)
+  parallel_for(static_cast<std::ptrdiff_t>(contacts.nodes.size()), [&](std::ptrdiff_t k) {
+    const ContactNode<Dim>& node = contacts.nodes[static_cast<std::size_t>(k)];
     for (std::size_t p = node.first_pair; p < node.end_pair; ++p) {
       const auto key = key_of(node, contacts.pairs[p]);
-      while (f < faces_.size() && faces_[f].key() < key) ++f;
-      if (f < faces_.size() && faces_[f].key() == key) {
-        next_[p] = faces_[f];
+      const auto kept =
+          std::lower_bound(faces_.begin(), faces_.end(), key,
+                           [](const ContactFace& face, const auto& wanted) { return face.key() < wanted; });
+      if (kept != faces_.end() && kept->key() == key) {
+        next_[p] = *kept;
       } else {
         next_[p] = {};
         std::tie(next_[p].node, next_[p].a, next_[p].b) = key;
       }
     }
+  });
   std::swap(faces_, next_);
 }
 
