@@ -8,7 +8,7 @@
 #include "run/bare_edges.hpp"
 #include "run/block_run.hpp"
 #include "run/body_gaps.hpp"
-#include "run/body_thickness.hpp"
+#include "run/body_report.hpp"
 #include "run/contact_probe.hpp"
 #include "run/crack_report.hpp"
 #include "run/distant_bodies.hpp"
@@ -57,7 +57,7 @@ class Report {
     for (auto& remark : remarks_on_units(model_, seeds_)) advice_.push_back(std::move(remark));
     take(describe_setup(model_, system_));
     for (auto& remark : remarks_on_contact_laws(model_)) advice_.push_back(std::move(remark));
-    bodies();
+    take(describe_bodies(model_, system_, seeds_));
     rigid_blocks();
     gaps();
     stiffness();
@@ -89,44 +89,6 @@ class Report {
   const MaterialSpec& material(int k) const { return model_.materials[static_cast<std::size_t>(k)]; }
   std::string name(int k) const { return "'" + material(k).name + "'"; }
 
-  void bodies() {
-    thin_ = thin_bodies(model_, seeds_, system_.lattice);
-    for (const auto& placed : volume_error(model_, seeds_)) {
-      const auto& piece = model_.pieces[static_cast<std::size_t>(placed.piece)];
-      std::string text =
-          format("body of %-20s %9lld %s, volume %.6g", (name(piece.material) + ":").c_str(),
-                 static_cast<long long>(placed.points), plural(placed.points == 1, "particle").c_str(), placed.placed);
-      if (placed.exact) {
-        text += format(" (exact %.6g, %s %%)", *placed.exact, percentage(*placed.error()).c_str());
-        if (std::abs(*placed.error()) > 0.05)
-          advice_.push_back(
-              format("the particles of %s hold %+.1f %% of its volume: smaller cells, more particles per "
-                     "cell, or edges on grid lines",
-                     name(piece.material).c_str(), 100 * *placed.error()));
-      }
-      line(text + thickness(placed.piece));
-    }
-    for (std::size_t t = 0; t < model_.tables.size(); ++t) table(t);
-    for (const ThinBody& body : thin_)
-      advice_.push_back("a body of " + name(model_.pieces[static_cast<std::size_t>(body.pieces.front())].material) +
-                        " is " + counted(body.cells, "cell") +
-                        " thick: it neither bends nor carries contact stress well below 3");
-  }
-
-  // With a sign, but for what rounds to zero.
-  static std::string percentage(double share) {
-    return std::abs(share) < 5e-5 ? std::string("0.00") : format("%+.2f", 100 * share);
-  }
-
-  void table(std::size_t number) {
-    const ParticleTable& of = model_.tables[number];
-    double volume = 0.0, mass = 0.0;
-    for (const Seed& seed : seeds_)
-      if (seed.table == static_cast<int>(number)) volume += seed.volume, mass += seed.mass;
-    line(format("table of %-19s %9zu %s, volume %.6g, mass %.6g", (name(of.material) + ":").c_str(), of.position.size(),
-                plural(of.position.size() == 1, "particle").c_str(), volume, mass));
-  }
-
   void rigid_blocks() {
     if (!system_.blocks) return;
     const Assembly& blocks = *system_.blocks;
@@ -142,14 +104,6 @@ class Report {
         advice_.push_back("'" + body.name + "' is " + counted(cells, "cell") +
                           " across: contact sees blocks of three cells and more well");
     }
-  }
-
-  // The thickness of the thin body of which a shape is a part.
-  std::string thickness(int piece) const {
-    for (const ThinBody& body : thin_)
-      if (std::find(body.pieces.begin(), body.pieces.end(), piece) != body.pieces.end())
-        return ", " + counted(body.cells, "cell") + " thick";
-    return {};
   }
 
   // Shapes that share the sites of the grid do not overlap: the parallelograms that stand for cut particles may reach
@@ -348,7 +302,6 @@ class Report {
   typename StepSize<Dim>::First step_;
   std::string out_;
   std::vector<std::string> advice_;
-  std::vector<ThinBody> thin_;
 };
 
 }  // namespace

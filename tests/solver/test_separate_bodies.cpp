@@ -118,6 +118,8 @@ TEST_CASE("check names the law between the bodies of a material", "[preflight]")
   const std::string sheet = preflight(falling_discs(2, true, ""), 1);
   CHECK_THAT(sheet, Contains("contact of the bodies of 'grain' with each other: CoulombFriction 'rough'"));
   CHECK_THAT(sheet, Contains("body of 'grain 2'"));
+  // Many bodies share a line
+  CHECK_THAT(preflight(falling_discs(9, true), 1), Contains("9 bodies of 'grain': ") && !Contains("body of 'grain 2'"));
 }
 
 TEST_CASE("what bodies of one material that touch each other do not have yet is an error", "[contact]") {
