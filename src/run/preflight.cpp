@@ -25,6 +25,7 @@
 #include "run/travel_report.hpp"
 #include "run/unit_remarks.hpp"
 #include "solver/build.hpp"
+#include "solver/impulse_choice.hpp"
 #include "solver/measures.hpp"
 #include "solver/state/limited_interface.hpp"
 #include "solver/step.hpp"
@@ -56,6 +57,8 @@ class Report {
     line(line_of_units(model_));
     for (auto& remark : remarks_on_units(model_, seeds_)) advice_.push_back(std::move(remark));
     take(describe_setup(model_, system_));
+    if (system_.contact_reason.ends_with(faces_may_be_better))
+      advice_.push_back("contact impulses act " + system_.contact_reason);
     for (auto& remark : remarks_on_contact_laws(model_)) advice_.push_back(std::move(remark));
     take(describe_bodies(model_, system_, seeds_));
     rigid_blocks();
@@ -64,7 +67,9 @@ class Report {
     interfaces();
     take(describe_holds(model_, system_, seeds_));
     pressures();
-    if (sudden_gravity(model_).slips && has_neighbours(model_, system_)) advice_.push_back(sudden_gravity_advice());
+    if (const SuddenGravity gravity = sudden_gravity(model_);
+        gravity.crack_slips || (gravity.slips && has_neighbours(model_, system_)))
+      advice_.push_back(sudden_gravity_advice());
     for (auto& edge : bare_edges(model_)) advice_.push_back(std::move(edge));
     take(describe_loads(model_, system_));
     cracks();

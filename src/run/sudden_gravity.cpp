@@ -32,16 +32,17 @@ SuddenGravity sudden_gravity(const Model& model) {
   const bool damped = d.grid || d.particle || d.grid_gain || d.particle_gain ||
                       std::any_of(model.materials.begin(), model.materials.end(),
                                   [](const MaterialSpec& m) { return m.particle_damping.value_or(0.0) > 0; });
-  if (!model.contact.active || model.body_force.gravity.isZero() || damped ||
+  if ((!model.contact.active && model.cracks.empty()) || model.body_force.gravity.isZero() || damped ||
       std::any_of(model.pieces.begin(), model.pieces.end(), has_initial_stress))
     return out;
-  const auto test = [&](const ContactLaw* law) {
+  const auto test = [&](const ContactLaw* law, bool& slips) {
     if (!law || !law->uses_face() || law->interface() || law->liquid() != 0) return;
-    out.slips = out.slips || friction(*law, 1.0, 0.0) > 0;
+    slips = slips || friction(*law, 1.0, 0.0) > 0;
     out.static_slip = out.static_slip || holds_more_at_rest(*law);
   };
-  test(model.contact.default_law.get());
-  for (const auto& [materials, law] : model.contact.pair_laws) test(law.get());
+  if (model.contact.active) test(model.contact.default_law.get(), out.slips);
+  for (const auto& [materials, law] : model.contact.pair_laws) test(law.get(), out.slips);
+  for (const CrackSpec& crack : model.cracks) test(crack.law.get(), out.crack_slips);
   return out;
 }
 

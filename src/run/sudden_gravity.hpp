@@ -12,7 +12,8 @@ namespace tribo {
 /// amplitudes of their whole pressure, and slip whenever the pressure is low, however large the static friction.
 struct SuddenGravity {
   bool slips = false;        ///< a pair of materials has friction
-  bool static_slip = false;  ///< a pair has a static friction above the dynamic one
+  bool crack_slips = false;  ///< a crack has friction
+  bool static_slip = false;  ///< a pair or a crack has a static friction above the dynamic one
 };
 SuddenGravity sudden_gravity(const Model& model);
 /// What to do about it.

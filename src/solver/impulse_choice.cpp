@@ -202,8 +202,7 @@ ImpulseChoice choose_impulses(const Model& model, const Seeds& seeds, const Latt
   if (!against.empty() && (wanted.empty() || !model.contact.joints.empty()))
     return {false, "on nodes, because " + against + splines};
   if (!against.empty())
-    return {false, "on nodes, because " + against + ", although " + wanted +
-                       ", so that its contact is too stiff; Impulses='faces' may be better"};
+    return {false, "on nodes, because " + against + ", although " + wanted + ", " + faces_may_be_better};
   if (!wanted.empty()) return {true, "on faces, because " + wanted};
   // Films between faces that are apart: only impulses on nodes conserve the angular momentum exactly.
   bool films = false;

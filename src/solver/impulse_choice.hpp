@@ -20,6 +20,9 @@ struct ImpulseChoice {
   std::string reason;  ///< "on faces, because 'plate' is 1 cell thick"; empty without contact
 };
 
+/// The end of a reason for a choice that a user should examine.
+inline constexpr const char* faces_may_be_better = "so that its contact is too stiff; Impulses='faces' may be better";
+
 /// The choice of the command file. Without one, faces if a deformable body touches another one at the start and is at
 /// most three cells thick behind its face there, or lies between faces of rigid bodies on opposite sides. Faces, too,
 /// if a body in contact is curved or inelastic or the shape functions are splines, unless more than 16 deformable

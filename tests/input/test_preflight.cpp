@@ -214,6 +214,8 @@ TEST_CASE("the summary warns of friction under sudden gravity", "[preflight]") {
   CHECK_THAT(sheet("0", rough, grows), !Contains("gravity acts suddenly"));
   CHECK_THAT(sheet("0", contact, falls), !Contains("gravity acts suddenly"));  // nothing to stick without friction
   CHECK_THAT(sheet("0", rough + "<PDamping>1</PDamping>", falls), !Contains("gravity acts suddenly"));
+  const std::string cracked = "<CrackList friction='0.3'><Line xmin='3' xmax='20' ymin='5' ymax='6'/></CrackList>";
+  CHECK_THAT(sheet("0", "", falls + cracked), Contains("gravity acts suddenly"));
 }
 
 TEST_CASE("the summary reports bodies that stick to fixed nodes and bodies that leave the grid", "[preflight]") {
