@@ -37,16 +37,31 @@ void each_law(const Model& model, const std::set<int>& materials, int of, F&& f)
       if (const ContactLaw* law = model.contact.law(of, other)) f(*law);
 }
 
-// What speaks against faces; empty: nothing.
-std::string objection(const Model& model, const std::set<int>& materials) {
-  if (!model.cracks.empty()) return "the model has cracks";
-  if (!model.contact.joints.empty()) return "the model has joints";
+// The setting of the command file that is meant for impulses on nodes; empty: none.
+std::string setting_for_nodes(const Model& model) {
   if (model.contact.normals != NormalMethod::margin) return "the command file sets the method for normals";
   if (model.contact.separation != Separation::edges) return "the command file sets the method for gaps";
-  bool interface = false;
+  return "";
+}
+
+// What makes nodes the better place unless a body is thin or lies between rigid faces; empty: nothing.
+std::string advantage_of_nodes(const Model& model, const std::set<int>& materials) {
+  if (!model.cracks.empty()) return "the model has cracks";
+  if (!model.contact.joints.empty()) return "the model has joints";
+  bool interfaces = false, films = false;
   for (const int k : materials)
-    each_law(model, materials, k, [&](const ContactLaw& law) { interface |= law.interface() != nullptr; });
-  return interface ? "the model has interfaces" : "";
+    each_law(model, materials, k,
+             [&](const ContactLaw& law) { interfaces |= law.interface() != nullptr, films |= law.liquid() != 0; });
+  if (interfaces) return "the model has interfaces";
+  // Between faces that a film keeps apart only impulses on nodes conserve the angular momentum exactly.
+  return films ? "the model has films of liquid" : "";
+}
+
+// Whether two bodies touch without a joint or an interface between them, which have stiffnesses of their own.
+bool has_contact_at_faces(const Model& model, int a, int b) {
+  const ContactLaw* law = model.contact.law(a, b);
+  return law && law->uses_face() && !law->interface() &&
+         !model.contact.joints.contains({std::min(a, b), std::max(a, b)});
 }
 
 // The cubes of each velocity field whose laws act at faces, by the owner of the field.
@@ -90,30 +105,33 @@ std::map<int, std::set<int>> near_bodies(const std::map<int, Voxels<Dim>>& bodie
   return near;
 }
 
-// What speaks for faces; empty: nothing.
+// The cubes of the bodies that a body may touch, or of the rigid ones among them.
+template <int Dim>
+Voxels<Dim> neighbours(const Model& model, const Lattice<Dim>& lattice, const std::map<int, Voxels<Dim>>& bodies,
+                       const std::pair<const int, std::set<int>>& near, bool only_rigid) {
+  Voxels<Dim> others(model, lattice);
+  for (const int other : near.second)
+    if (has_contact_at_faces(model, near.first, other) && (!only_rigid || spec(model, other).law->rigid()))
+      others.add(bodies.at(other));
+  others.sort();
+  return others;
+}
+
+// The body that is too stiff with impulses on nodes, and why; empty: none.
 template <int Dim>
 std::string need(const Model& model, const Lattice<Dim>& lattice, const std::map<int, Voxels<Dim>>& bodies,
                  const std::map<int, std::set<int>>& near) {
-  const auto is_rigid = [&](int k) { return spec(model, k).law->rigid(); };
-  for (const auto& [material, body] : bodies) {
-    if (is_rigid(material)) continue;
-    Voxels<Dim> others(model, lattice);
-    for (const int other : near.at(material)) {
-      const ContactLaw* law = model.contact.law(material, other);
-      if (law && law->uses_face()) others.add(bodies.at(other));
-    }
-    others.sort();
-    const auto cells = body.thickness_behind(others);
-    if (!cells || *cells > thin + tolerance) continue;
-    return "'" + spec(model, material).name + "' is " + counted(*cells, "cell") + " thick";
+  for (const auto& entry : near) {
+    const MaterialSpec& material = spec(model, entry.first);
+    if (material.law->rigid()) continue;
+    const auto cells = bodies.at(entry.first).thickness_behind(neighbours(model, lattice, bodies, entry, false));
+    if (cells && *cells <= thin + tolerance) return "'" + material.name + "' is " + counted(*cells, "cell") + " thick";
   }
-  Voxels<Dim> rigid(model, lattice);
-  for (const auto& [material, body] : bodies)
-    if (is_rigid(material)) rigid.add(body);
-  rigid.sort();
-  for (const auto& [material, body] : bodies)
-    if (!is_rigid(material) && body.lies_between(rigid))
-      return "'" + spec(model, material).name + "' lies between rigid faces on opposite sides";
+  for (const auto& entry : near) {
+    const MaterialSpec& material = spec(model, entry.first);
+    if (!material.law->rigid() && bodies.at(entry.first).lies_between(neighbours(model, lattice, bodies, entry, true)))
+      return "'" + material.name + "' lies between rigid faces on opposite sides";
+  }
   return "";
 }
 
@@ -187,28 +205,22 @@ ImpulseChoice choose_impulses(const Model& model, const Seeds& seeds, const Latt
     const MaterialSpec& material = spec(model, seed.material);
     if (!material.law->rigid() || material.touches()) materials.insert(seed.material);
   }
+  const std::string setting = setting_for_nodes(model), nodes = advantage_of_nodes(model, materials);
   if (model.blocks) {
-    const std::string against = objection(model, materials);
-    if (!against.empty()) return {false, "on nodes, because " + against};
+    if (const std::string& why = setting.empty() ? nodes : setting; !why.empty())
+      return {false, "on nodes, because " + why};
     if (has_curved_block(model)) return {true, "on faces, because a block is curved"};
     return {false, "on nodes, because no rigid block is curved"};
   }
   const auto bodies = bodies_in_contact(model, seeds, lattice, materials);
   if (bodies.empty()) return {false, "on nodes, because no contact law acts between faces"};
   const auto near = near_bodies(bodies);
-  const std::string against = objection(model, materials), wanted = need(model, lattice, bodies, near);
-  const std::string splines = warning_of_splines(model, near);
-  // Where a joint acts, it replaces contact.
-  if (!against.empty() && (wanted.empty() || !model.contact.joints.empty()))
-    return {false, "on nodes, because " + against + splines};
-  if (!against.empty())
-    return {false, "on nodes, because " + against + ", although " + wanted + ", " + faces_may_be_better};
+  const std::string wanted = need(model, lattice, bodies, near), splines = warning_of_splines(model, near);
+  if (!setting.empty())
+    return {false, "on nodes, because " + setting +
+                       (wanted.empty() ? splines : ", although " + wanted + ", " + faces_may_be_better)};
   if (!wanted.empty()) return {true, "on faces, because " + wanted};
-  // Films between faces that are apart: only impulses on nodes conserve the angular momentum exactly.
-  bool films = false;
-  for (const int k : materials)
-    each_law(model, materials, k, [&](const ContactLaw& law) { films |= law.liquid() != 0; });
-  if (films) return {false, "on nodes, because the model has films of liquid" + splines};
+  if (!nodes.empty()) return {false, "on nodes, because " + nodes + splines};
   const std::string better = advantage(model, materials, bodies);
   if (better.empty())
     return {false,

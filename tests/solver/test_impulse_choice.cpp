@@ -189,25 +189,49 @@ TEST_CASE("the command file decides about impulses", "[impulses]") {
                "on faces, as the command file says");
 }
 
-TEST_CASE("cracks, joints, interfaces and other normals keep impulses on nodes", "[impulses]") {
+TEST_CASE("cracks, joints and interfaces keep impulses on nodes", "[impulses]") {
+  const std::string crack = "<CrackList><Line xmin='6' ymin='12' xmax='9' ymax='12'/></CrackList>";
+  const std::string glue =
+      "<Material Type='LinearInterface' Name='glue'><Dnt>1</Dnt><Dt>1</Dt></Material>"
+      "<Material Type='Mohr' Name='joint'><stiffness-normal>1</stiffness-normal>"
+      "<stiffness-shear>1</stiffness-shear></Material>";
+  const auto law = [](int number) { return "<Friction law='" + std::to_string(number) + "' matname='block'/>"; };
+  check_choice({.bodies = thick_block + one_platen, .more = crack}, false, "on nodes, because the model has cracks");
+  // What lies behind an interface or a joint has its stiffness, however thin it is.
+  const std::string bodies = thin_plate + thick_block;
+  check_choice({.bodies = bodies, .materials = law(4), .more = glue}, false,
+               "on nodes, because the model has interfaces");
+  check_choice({.bodies = bodies, .materials = law(5), .more = glue}, false, "on nodes, because the model has joints");
+}
+
+TEST_CASE("thin bodies and platens take impulses on faces in models with cracks, joints and interfaces", "[impulses]") {
+  const std::string crack = "<CrackList><Line xmin='6' ymin='12' xmax='9' ymax='12'/></CrackList>";
+  check_choice({.bodies = thin_plate + thick_block, .more = crack}, true, "on faces, because " + why_faces);
+  check_choice({.bodies = thick_block + two_platens, .more = crack}, true,
+               "on faces, because 'block' lies between rigid faces on opposite sides");
+  const std::string plate_below =
+      "<Body matname='plate'><Rect xmin='4' xmax='14' ymin='4' ymax='9'/></Body>"
+      "<Body matname='platen'><Rect xmin='2' xmax='18' ymin='2' ymax='4'/></Body>"
+      "<Body matname='platen'><Rect xmin='2' xmax='18' ymin='17' ymax='19'/></Body>";
+  const std::string sides =
+      "<Body matname='platen'><Rect xmin='2' xmax='4' ymin='9' ymax='17'/></Body>"
+      "<Body matname='platen'><Rect xmin='14' xmax='16' ymin='9' ymax='17'/></Body>";
+  const std::string bonds =
+      "<Material Type='LinearInterface' Name='glue'><Dnt>1</Dnt><Dt>1</Dt></Material>"
+      "<Material Type='Mohr' Name='joint'><stiffness-normal>1</stiffness-normal>"
+      "<stiffness-shear>1</stiffness-shear></Material>";
+  for (const char* law : {"<Friction law='4' matname='block'/>", "<Friction law='5' matname='block'/>"})
+    check_choice({.bodies = thick_block + plate_below + sides, .materials = law, .more = bonds}, true,
+                 "on faces, because 'block' lies between rigid faces on opposite sides");
+}
+
+TEST_CASE("settings for impulses on nodes keep them there", "[impulses]") {
   const std::string bodies = thin_plate + thick_block;
   const auto because = [](const std::string& what) { return "on nodes, because " + what + but_thin; };
-  check_choice({.bodies = bodies, .more = "<CrackList><Line xmin='6' ymin='12' xmax='9' ymax='12'/></CrackList>"},
-               false, because("the model has cracks"));
-  check_choice({.bodies = bodies,
-                .materials = "<Friction law='4' matname='block'/>",
-                .more = "<Material Type='LinearInterface' Name='glue'><Dnt>1</Dnt><Dt>1</Dt></Material>"},
-               false, because("the model has interfaces"));
   check_choice({.mode = "<MultiMaterialMode Normals='avggrad'/>", .bodies = bodies}, false,
                because("the command file sets the method for normals"));
   check_choice({.mode = "<MultiMaterialMode Separation='displacements'/>", .bodies = bodies}, false,
                because("the command file sets the method for gaps"));
-  check_choice(
-      {.bodies = bodies,
-       .materials = "<Friction law='4' matname='block'/>",
-       .more = "<Material Type='Mohr' "
-               "Name='glue'><stiffness-normal>1</stiffness-normal><stiffness-shear>1</stiffness-shear></Material>"},
-      false, "on nodes, because the model has joints");
 }
 
 TEST_CASE("the summary says where the impulses act", "[impulses][preflight]") {
