@@ -206,7 +206,10 @@ void Builder::history(const Statement& h) {
     q.name = info->name;
     const Attribute* of = s.attribute("material") ? s.attribute("material") : s.attribute("mat");
     const bool reaction = info->name.rfind("reaction", 0) == 0;
-    if (of && !s.attribute("matname") && to_number(of->text).value_or(0) <= 0) {
+    if (of && !s.attribute("matname") && !to_number(of->text)) {
+      problems_.add(of->origin, "'" + of->name + "' needs the number of a material or the id of a condition, not '" +
+                                    of->text + "'; 'matname' takes the name of a material");
+    } else if (of && !s.attribute("matname") && to_number(of->text).value_or(1) <= 0) {
       q.condition_id = static_cast<int>(to_number(of->text).value_or(0));
       must(reaction, of->origin,
            "a number <= 0 is the id of a condition and belongs to reactionx, reactiony or reactionz");

@@ -24,11 +24,12 @@ struct ImpulseChoice {
 inline constexpr const char* faces_may_be_better = "so that its contact is too stiff; Impulses='faces' may be better";
 
 /// The choice of the command file. Without one, faces if a deformable body touches another one at the start and is at
-/// most three cells thick behind its face there, or lies between faces of rigid bodies on opposite sides. Faces, too,
-/// if a body in contact is curved or inelastic or the shape functions are splines, unless more than 16 deformable
-/// bodies are in contact or there is a film of liquid. Of models with rigid blocks, those in which a disc or a ball may
-/// touch bodies in the grid. Nodes otherwise, and in models with cracks, joints or interface laws, or with normals and
-/// gaps that are not found from the particle domains.
+/// most three cells thick behind its face there, or lies between faces of rigid bodies on opposite sides; bodies with a
+/// joint or an interface between them do not touch in this sense. Faces, too, if a body in contact is curved or
+/// inelastic or the shape functions are splines, unless more than 16 deformable bodies are in contact or the model has
+/// cracks, joints, interface laws or films of liquid. Of models with rigid blocks and none of these, those in which a
+/// disc or a ball may touch bodies in the grid. Nodes otherwise, and wherever normals and gaps are not found from the
+/// particle domains.
 template <int Dim>
 ImpulseChoice choose_impulses(const Model& model, const Seeds& seeds, const Lattice<Dim>& lattice);
 

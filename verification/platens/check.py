@@ -36,7 +36,22 @@ def squeeze(case, angle):
     return folder
 
 
+def cracked(case):
+    """A closed horizontal crack without friction inside the block changes nothing."""
+    crack = "<CrackList><Line xmin='-2.1' xmax='2.9' ymin='5.1' ymax='5.1'/></CrackList>"
+    folder = case.run("cracked", entities=dict(contact="<MultiMaterialMode/>", crack=crack))
+    p = verify.last_particles(folder)
+    block = p["von_mises"] > 0
+    strain = -np.log(1 - 0.01)
+    exact = -100 * strain / 0.91
+    case.check("with a crack inside: mean stress", p["stress"][block][:, 1].mean(), exact, 0.005)
+    case.check("with a crack inside: spread of the stress (RMS)", np.std(p["stress"][block][:, 1] / exact), 0, 0.03, "at most")
+    width = 10 * np.exp(0.3 / 0.7 * strain)
+    case.check("with a crack inside: force on the upper platen", verify.history(folder)["contacty:top"][-1], -exact * width, 0.005)
+
+
 def run(case):
     chosen(case, squeeze(case, 0))
+    cracked(case)
     for angle in (17, 45) if not case.quick else ():
         squeeze(case, angle)
