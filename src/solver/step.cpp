@@ -129,11 +129,12 @@ void Stepper<Dim>::update_stress_first(double dt) {
   copy_images();
   if (filter_.active()) filter_.filter(0.0, false);
   if (half) nodal_work_.keep_start(filter_.active()), contact_.keep_start(filter_.active());
-  strain(part, false);
+  const bool with_forces = !b_bar_.active();  // otherwise they depend on the stress of all particles of a cell
+  strain(part, false, with_forces);
   joints_.find_motion(filter_.active());
   joints_.update_laws(part, system_.time + part);
   if (!contact_.keeps_start_impulses()) contact_.remove_start_impulses();
-  scatter(Scatter::force);
+  if (!with_forces) scatter(Scatter::force);
   tractions_.apply();
   sum_images(ImageValues::forces);
 }
@@ -146,7 +147,7 @@ void Stepper<Dim>::update_from_nodes(double dt) {
   if (again) keep_start_positions(system_);
   cracks_.move(dt);
   joints_.move_points(dt);
-  move_particles(dt, again ? 0.0 : strain_time(dt));
+  move_particles(dt, again ? 0.0 : strain_time(dt), again);
   record_changes(dt);
   loads_.record(0.5 * dt);
 }
@@ -160,8 +161,8 @@ double Stepper<Dim>::strain_time(double dt) const {
 
 template <int Dim>
 void Stepper<Dim>::strain_again(double dt, double strain_dt) {
-  loops_.zero_nodes();
-  scatter(Scatter::momentum, true);
+  for (auto& field : system_.fields) std::swap(field.nodes, field.nodes_again);
+  scatter_rest(true);
   sum_images(ImageValues::vectors);
   divide_by_mass();
   contact_.apply(dt, contact_.start_pass());

@@ -121,7 +121,9 @@ class Stepper {
   // step_nodes.cpp
   void sort();
   void zero_nodes();
-  void scatter(Scatter what, bool from_start = false);
+  void scatter(Scatter what);
+  // What a scatter of mass and momentum adds besides the sums over the particles of deformable bodies.
+  void scatter_rest(bool from_start);
   void sum_images(ImageValues values);
   void copy_images();
   void divide_by_mass();
@@ -132,10 +134,13 @@ class Stepper {
   void impose_update(double dt, bool after_impose);
 
   // step_particles.cpp
-  void strain(double dt, bool from_start);
+  // `with_forces`: scatters the forces of the new stress, too.
+  void strain(double dt, bool from_start, bool with_forces = false);
   double damping_of(const Body<Dim>& body) const;
   void damp_particles(double dt);
-  void move_particles(double dt, double strain_dt);
+  // `with_momentum`: scatters the mass and the new momentum to Field::nodes_again, too.
+  void move_particles(double dt, double strain_dt, bool with_momentum);
+  Target<Dim> nodes_of(const Body<Dim>& body) { return {body, system_.fields, &Field<Dim>::nodes}; }
   Gather gather_options() const;
 
   // step_records.cpp

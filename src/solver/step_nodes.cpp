@@ -40,6 +40,7 @@ void Stepper<Dim>::locate_nodes() {
     const auto nodes = static_cast<std::size_t>(field.map.node_count());
     field.nodes.resize(nodes);
     zero(field.nodes);  // later only those that are reached
+    if (extrapolates_again()) field.nodes_again.resize(nodes), zero(field.nodes_again);
     field.rigid.resize(system_.rigids.size());
     for (std::size_t r = 0; r < system_.rigids.size(); ++r)
       if (system_.rigids[r].field == Body<Dim>::no_field) field.rigid[r].resize(nodes);
@@ -55,15 +56,18 @@ void Stepper<Dim>::locate_nodes() {
 }
 
 template <int Dim>
-void Stepper<Dim>::scatter(Scatter what, bool from_start) {
+void Stepper<Dim>::scatter(Scatter what) {
   const auto lap = watches_.scatter.lap();
   if (what != Scatter::momentum) b_bar_.average_stress();
   loops_.each_body([&](std::size_t k) {
     auto& body = system_.bodies[k];
-    transfers_->scatter(body, Target<Dim>(body, system_.fields, &Field<Dim>::nodes), what, from_start,
-                        system_.analysis == Analysis::axisymmetric);
+    transfers_->scatter(body, nodes_of(body), what, false, system_.analysis == Analysis::axisymmetric);
   });
-  if (what == Scatter::force) return;
+  if (what != Scatter::force) scatter_rest(false);
+}
+
+template <int Dim>
+void Stepper<Dim>::scatter_rest(bool from_start) {
   for (auto& body : system_.bodies) {
     auto& field = system_.fields[body.field];
     affine_at_walls_.add(body, field.map, field.nodes, from_start);

@@ -38,7 +38,7 @@ Gather Stepper<Dim>::gather_options() const {
 }
 
 template <int Dim>
-void Stepper<Dim>::strain(double dt, bool from_start) {
+void Stepper<Dim>::strain(double dt, bool from_start, bool with_forces) {
   if (!(dt > 0)) return;
   const auto lap = watches_.gather.lap();
   Gather what = gather_options();
@@ -49,7 +49,10 @@ void Stepper<Dim>::strain(double dt, bool from_start) {
     gathered_.resize(system_.bodies.size());
     loops_.each_body([&](std::size_t k) {
       auto& body = system_.bodies[k];
-      gathered_[k] = transfers_->gather(body, Target<Dim>(body, system_.fields, layer), what);
+      const Target<Dim> from(body, system_.fields, layer);
+      gathered_[k] = with_forces ? transfers_->gather_and_scatter(body, from, what, nodes_of(body), Scatter::force,
+                                                                  what.axisymmetric)
+                                 : transfers_->gather(body, from, what);
     });
     for (const GatherResult& result : gathered_)
       if (!result.valid) stop_at_bad_particle(system_);
@@ -87,7 +90,7 @@ void Stepper<Dim>::damp_particles(double dt) {
 }
 
 template <int Dim>
-void Stepper<Dim>::move_particles(double dt, double strain_dt) {
+void Stepper<Dim>::move_particles(double dt, double strain_dt, bool with_momentum) {
   const auto lap = watches_.gather.lap();
   Gather what = gather_options();
   what.move = true;
@@ -103,7 +106,11 @@ void Stepper<Dim>::move_particles(double dt, double strain_dt) {
     Gather of_body = what;
     of_body.damping = damping_of(body);
     of_body.damps_part = of_body.damping != 0.0 && body.damped;
-    gathered_[k] = transfers_->gather(body, Target<Dim>(body, system_.fields, &Field<Dim>::nodes), of_body);
+    gathered_[k] = with_momentum
+                       ? transfers_->gather_and_scatter(body, nodes_of(body), of_body,
+                                                        Target<Dim>(body, system_.fields, &Field<Dim>::nodes_again),
+                                                        Scatter::momentum, what.axisymmetric)
+                       : transfers_->gather(body, nodes_of(body), of_body);
   });
   travel_.begin(system_.fields.size());
   for (std::size_t k = 0; k < gathered_.size(); ++k) {

@@ -62,9 +62,11 @@ class SystemLoops {
     });
   }
 
+  /// Sets the nodes of all fields to zero that particles may reach, and Field::nodes_again where it is used.
   void zero_nodes() const {
     each_range([&](std::size_t f, std::size_t first, std::size_t last) {
-      std::memset(static_cast<void*>(system_.fields[f].nodes.data() + first), 0, sizeof(Node) * (last - first));
+      for (NodeLayer* layer : {&system_.fields[f].nodes, &system_.fields[f].nodes_again})
+        if (!layer->empty()) std::memset(static_cast<void*>(layer->data() + first), 0, sizeof(Node) * (last - first));
     });
   }
 

@@ -61,9 +61,9 @@ void VelocityFilter<Dim>::filter(double dt, bool from_start) {
       each(field, [](const Node&, FilterNode&, Node& increment) { increment = Node{}; });
     });
     for (auto& body : system_.bodies) {
-      transfers_.gather(body, Target<Dim>(body, system_.fields, &Field<Dim>::filter), value);
-      transfers_.scatter(body, Target<Dim>(body, system_.fields, &Field<Dim>::increment), Scatter::filtered, from_start,
-                         false);
+      transfers_.gather_and_scatter(body, Target<Dim>(body, system_.fields, &Field<Dim>::filter), value,
+                                    Target<Dim>(body, system_.fields, &Field<Dim>::increment), Scatter::filtered,
+                                    false);
     }
     each_field([&](std::size_t f, Field<Dim>& field) {
       exchanges_[f]->sum_images(field.increment);

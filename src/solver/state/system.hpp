@@ -45,6 +45,8 @@ struct Field {
   explicit Field(const Lattice<Dim>& lattice) : map(lattice) {}
   BlockMap<Dim> map;
   NodeLayer nodes;
+  /// "+" schemes: mass and momentum of the updated particles, which replace `nodes` at the end of the step; else empty.
+  NodeLayer nodes_again;
   /// Velocities that rigid bodies prescribe, per rigid body without a velocity field of its own.
   std::vector<AlignedVector<PrescribedNode>> rigid;
   AlignedVector<FilterNode> filter;  ///< XPIC, FMPM: velocities during filtering; else empty

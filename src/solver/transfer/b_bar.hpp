@@ -25,6 +25,7 @@ class BBar {
  public:
   BBar(const Scheme& scheme, System<Dim>& system, const Transfers<Dim>& transfers, const Exchanges<Dim>& exchanges);
 
+  bool active() const { return cells_ != nullptr; }
   /// Allocates the cell values. To be called after every change of the block maps of the fields.
   void locate();
   /// Computes the cell means of the rate of volume change from a nodal layer and selects them in `what`, the options

@@ -78,6 +78,31 @@ class ProductTransfers final : public Transfers<Dim> {
     return collector.total();
   }
 
+  GatherResult gather_and_scatter(Body<Dim>& body, const Target<Dim>& from, const Gather& what, const Target<Dim>& to,
+                                  Scatter sums, bool axisymmetric) const override {
+    thread_local GatherCollector of_thread;
+    GatherCollector& collector = of_thread;  // of this one, in the loops below
+    collector.start();
+    const auto in_one_pass = [&](auto gathered, auto added) {
+      for (std::size_t c = 0; c < body.bins.colours().size(); ++c) {
+        const auto& colour = body.bins.colours()[c];
+        const auto before = [&](std::ptrdiff_t k) { return body.bins.before(c, static_cast<std::size_t>(k)); };
+        parallel_for_weighted(static_cast<std::ptrdiff_t>(colour.size()), before, [&](std::ptrdiff_t k) {
+          const Bin& bin = body.bins.list()[colour[static_cast<std::size_t>(k)]];
+          const CutBin* cut = body.cut_bin(colour[static_cast<std::size_t>(k)]);
+          if (!cut)
+            return pass_through_bin<gathered(), added()>(body, from, what, to, sums, axisymmetric, bin,
+                                                         collector.mine());
+          gather_bin<gathered()>(body, from, bin, cut, what, collector.mine());
+          scatter_bin<added()>(body, to, bin, cut, sums, what.move || what.from_start, axisymmetric);
+        });
+      }
+    };
+    if (!with_sums_of_both(what, sums, static_cast<bool>(body.affine), in_one_pass))
+      return Transfers<Dim>::gather_and_scatter(body, from, what, to, sums, axisymmetric);
+    return collector.total();
+  }
+
  private:
   using Across = CutPatches<Dim, width>;
 
@@ -244,6 +269,39 @@ class ProductTransfers final : public Transfers<Dim> {
       }
       update_particles(body, map.lattice(), first, count, what, sums, result);
     }
+  }
+
+  // A gather and a scatter of a bin that no crack cuts, with shape functions that are evaluated once.
+  template <GatheredSums wanted, AddedSums added>
+  void pass_through_bin(Body<Dim>& body, const Target<Dim>& from, const Gather& what, const Target<Dim>& to,
+                        Scatter to_add, bool axisymmetric, const Bin& bin, GatherResult& result) const {
+    const BlockMap<Dim>& map = *from.map[0];
+    const auto block = map.lattice().block_at(bin.block);
+    const auto neighbours = map.neighbours(bin.block);
+    const auto x = what.from_start ? body.particles[body.start] : body.particles.x();
+    const auto half = half_sizes(body);
+    NodePatch read, written;
+    read.load(neighbours, from.nodes[0]);
+    written.clear();
+    Stencils<Dim, Kernel> stencils;
+    GatherSums<Dim> sums;
+    ScatterTerms<Dim> terms;
+    if constexpr (!wanted.second) std::fill_n(sums.acceleration[0], Dim * batch_lanes, 0.0);
+    for (std::uint32_t first = bin.begin; first < bin.end; first += batch) {
+      const int count = static_cast<int>(std::min<std::uint32_t>(batch, bin.end - first));
+      stencils.compute(map.lattice(), block, x, first, count, half, body.uniform_half_size);
+      for (int i = 0; i < count; i += 4) {
+        if (i % 8 == 0) fetch_ahead(body.read_by_gather, first + static_cast<std::uint32_t>(batch + i));
+        for (int k = 0; k < 4 && i + k < count; ++k)
+          sum<wanted>(stencils, map.lattice(), i + k, NodesOfOneField{read.data}, sums);
+        sums.template transpose<wanted.second, wanted.gradient, wanted.affine>(i);
+      }
+      update_particles(body, map.lattice(), first, count, what, sums, result);
+      terms.template prepare<added.second>(body, first, count, to_add, axisymmetric);
+      if constexpr (added.affine) prepare_affine(body, map.lattice(), stencils, first, count, terms);
+      for (int i = 0; i < count; ++i) add<added>(stencils, terms, map.lattice(), i, NodesOfOneField{written.data});
+    }
+    written.add_to(neighbours, to.nodes[0]);
   }
 
   // `nodes`: NodesOfOneField or NodesBySide.

@@ -27,6 +27,16 @@ std::unique_ptr<Transfers<Dim>> make_cell_transfers(const Scheme& scheme) {
   throw std::logic_error("means over cells are for shape functions that are linear within a cell");
 }
 
+template <int Dim>
+GatherResult Transfers<Dim>::gather_and_scatter(Body<Dim>& body, const Target<Dim>& from, const Gather& what,
+                                                const Target<Dim>& to, Scatter sums, bool axisymmetric) const {
+  const GatherResult result = gather(body, from, what);
+  if (result.valid) scatter(body, to, sums, what.move || what.from_start, axisymmetric);
+  return result;
+}
+
+template class Transfers<2>;
+template class Transfers<3>;
 template std::unique_ptr<Transfers<2>> make_transfers<2>(const Scheme&);
 template std::unique_ptr<Transfers<3>> make_transfers<3>(const Scheme&);
 template std::unique_ptr<Transfers<2>> make_cell_transfers<2>(const Scheme&);

@@ -91,6 +91,12 @@ class Transfers {
                        const std::vector<char>* only = nullptr) const = 0;
   /// Interpolates nodal values to the particles of a body and updates the particles according to `what`.
   virtual GatherResult gather(Body<Dim>& body, const Target<Dim>& target, const Gather& what) const = 0;
+  /// The same from the nodes `from`, and a scatter of the updated particles to the nodes `to` with the shape functions
+  /// of the gather. It gives the same bits as a gather and a scatter one after the other, but takes less time. The two
+  /// must not depend on each other: the numbers of nodes that the scatter changes are none of those that the gather
+  /// reads.
+  virtual GatherResult gather_and_scatter(Body<Dim>& body, const Target<Dim>& from, const Gather& what,
+                                          const Target<Dim>& to, Scatter sums, bool axisymmetric) const;
   /// Number of nodes of a stencil along each axis.
   virtual int stencil_width() const = 0;
   /// Stores the lowest node of the stencil of each particle of a bin in `lowest`.

@@ -70,4 +70,24 @@ void with_gathered_sums(const Gather& what, bool affine, F&& f) {
   }
 }
 
+/// Calls f(gathered, added) with constants for the pairs of a gather and a scatter that one pass over the particles can
+/// do; returns false for all others.
+template <class F>
+bool with_sums_of_both(const Gather& what, Scatter sums, bool affine, F&& f) {
+  const bool update = what.task == GatherTask::update;
+  if (what.task == GatherTask::filtered_velocity && sums == Scatter::filtered) {
+    f(constant<GatheredSums{}>, constant<AddedSums{.first = true}>);
+  } else if (update && !what.move && sums == Scatter::force) {
+    f(constant<GatheredSums{.gradient = true}>, constant<AddedSums{.second = true}>);
+  } else if (update && what.move && !(what.strain_dt > 0) && sums == Scatter::momentum) {
+    if (affine)
+      f(constant<GatheredSums{.affine = true}>, constant<AddedSums{.first = true, .affine = true}>);
+    else
+      f(constant<GatheredSums{.second = true}>, constant<AddedSums{.first = true}>);
+  } else {
+    return false;
+  }
+  return true;
+}
+
 }  // namespace tribo
