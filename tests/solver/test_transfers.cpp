@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "base/parallel.hpp"
 #include "cloud.hpp"
+#include "solver/step_start.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -138,6 +139,50 @@ TEMPLATE_TEST_CASE_SIG("any number of threads gives the same bits", "[transfer][
   const auto one = run(1), two = run(2), five = run(5);
   CHECK(one == two);
   CHECK(one == five);
+}
+
+TEMPLATE_TEST_CASE_SIG("a gather and a scatter in one pass give the bits of one after the other", "[transfer]",
+                       ((int Dim), Dim), 2, 3) {
+  const Kernel kernel = GENERATE(from_range(all_kernels));
+  const Transfer transfer = GENERATE(Transfer::flip, Transfer::apic, Transfer::fmpm);
+  INFO(name(kernel));
+  Model model = grid_model<Dim>(kernel, transfer);
+  model.scheme.extrapolate_again = true;
+  const auto transfers = make_transfers<Dim>(model.scheme);
+  Gather filter, move, strain;
+  filter.task = GatherTask::filtered_velocity;
+  move.move = true, move.dt = 1e-3;
+  strain.strain_dt = 1e-3;
+  const auto run = [&](const Gather& what, Scatter sums, bool in_one_pass) {
+    auto system = build_system<Dim>(model, cloud<Dim>(model));
+    Stepper<Dim> stepper(model, system);
+    stepper.advance(1e-6);  // sorts and locates the nodes
+    auto& body = system.bodies[0];
+    auto& field = system.fields[0];
+    keep_start_positions(system), keep_start_domains(system);
+    set_nodes<Dim>(field, [](const Vec<Dim>& x) -> Vec<Dim> { return Vec<Dim>::Constant(std::sin(x.sum())); });
+    NodeLayer to(field.nodes.size());
+    const Target<Dim> from(field.map, field.nodes), target(field.map, to);
+    if (in_one_pass) {
+      CHECK(transfers->gather_and_scatter(body, from, what, target, sums, false).valid);
+    } else {
+      CHECK(transfers->gather(body, from, what).valid);
+      transfers->scatter(body, target, sums, what.move, false);
+    }
+    std::vector<double> all;
+    for (const auto& c : body.particles.columns())
+      all.insert(all.end(), c.data.begin(), c.data.end() - Particles<Dim>::padding);
+    for (const Node& node : to) {
+      all.push_back(node.mass);
+      for (int d = 0; d < Dim; ++d) all.push_back(node.momentum[d]), all.push_back(node.force[d]);
+    }
+    return all;
+  };
+  const auto same = [&](const Gather& what, Scatter sums) { return run(what, sums, true) == run(what, sums, false); };
+  if (transfer == Transfer::fmpm) CHECK(same(filter, Scatter::filtered));
+  CHECK(same(move, Scatter::momentum));
+  CHECK(same(strain, Scatter::force));
+  CHECK(same(move, Scatter::momentum_and_force));  // which no pass does at once
 }
 
 TEST_CASE("the affine moment is the kernel's second moment", "[transfer]") {
