@@ -109,10 +109,18 @@ std::vector<OverlapPoint<3>> overlap(const DomainSide<3>& a, const DomainSide<3>
   return {{a.middle + axes.vector(found.centroid), found.area}};
 }
 
-/// Thickness of a particle in the third direction in two dimensions; 1 in three dimensions.
+/// Thickness of a particle in the third direction in two dimensions; 1 in three dimensions. The domain of a cut cell has
+/// another area than the cell, so that its thickness does not follow from its volume.
 template <int Dim>
 double thickness(Body<Dim>& body, std::uint32_t i, const ParticleDomain<Dim>& domain) {
-  return Dim == 2 ? body.particles.volume()[i] / std::abs(4 * domain.axes.determinant()) : 1.0;
+  if constexpr (Dim == 2) {
+    if (!body.half_axes) return body.particles.volume()[i] / std::abs(4 * domain.axes.determinant());
+    constexpr std::size_t out_of_plane = 4;  // component of F
+    const auto F = body.particles.F();
+    return body.thickness * (F[out_of_plane] ? F[out_of_plane][i] : 1.0);
+  } else {
+    return 1.0;
+  }
 }
 
 }  // namespace
