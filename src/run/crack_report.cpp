@@ -185,6 +185,28 @@ Remarks describe_interfaces(const System<Dim>& system) {
   return out;
 }
 
+template <int Dim>
+std::vector<std::string> remarks_on_inclined_joints(const Model& model, const System<Dim>& system) {
+  constexpr double along_axis = 0.985;  // least cosine, of 10 degrees
+  std::vector<std::string> out;
+  if (model.scheme.kernel != Kernel::quadratic_spline && model.scheme.kernel != Kernel::cubic_spline) return out;
+  const auto name = [&](int material) { return model.materials[static_cast<std::size_t>(material)].name; };
+  for (const JointSurface<Dim>& surface : system.joints) {
+    if (surface.crack != JointSurface<Dim>::none) continue;
+    const bool inclined = std::any_of(surface.axes.begin(), surface.axes.end(), [](const JointAxes& axes) {
+      return axes.n.template lpNorm<Eigen::Infinity>() < along_axis;
+    });
+    if (inclined)
+      out.push_back(std::string("the ") + (surface.interface ? "interface" : "joint") + " of '" +
+                    name(surface.material[0]) + "' and '" + name(surface.material[1]) +
+                    "' lies at an angle to the grid: with splines, its points within a cell of a free end carry too "
+                    "little stress; take <GIMP type='uGIMP'/> or <GIMP type='lCPDI'/> where that matters");
+  }
+  return out;
+}
+
+template std::vector<std::string> remarks_on_inclined_joints(const Model&, const System<2>&);
+template std::vector<std::string> remarks_on_inclined_joints(const Model&, const System<3>&);
 template Remarks describe_cracks(const Model&, const System<2>&);
 template Remarks describe_interfaces(const System<2>&);
 template Remarks describe_interfaces(const System<3>&);

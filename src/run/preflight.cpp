@@ -243,8 +243,9 @@ class Report {
     take(describe_cracks(model_, system_));
     take(describe_interfaces(system_));
     if (system_.joints.empty()) return;
-    // known only with the nodal masses of a first step
+    // The points of interfaces and the masses of their nodes are known after a first step only.
     stepper_.advance(0.1 * step_.size);
+    for (auto& remark : remarks_on_inclined_joints(model_, system_)) advice_.push_back(std::move(remark));
     const double stable = stepper_.joints().stable_step();
     const bool joints = std::any_of(system_.joints.begin(), system_.joints.end(),
                                     [](const auto& surface) { return !surface.interface; });
