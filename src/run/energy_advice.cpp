@@ -25,11 +25,18 @@ std::string cure_of_loss(const Model& model, const std::string& loss) {
     return "with USF " + loss +
            " is what the transfer dissipates, which USL and USAVG give apart; the motion is the same";
   if (s.extrapolate_again || s.order == UpdateOrder::usf || filtered) return "";
+  const bool apic_too = s.transfer == Transfer::flip && model.seeks_equilibrium();
+  if (s.order == UpdateOrder::usl)
+    return std::string(apic_too ? "USAVG- or <Transfer type='APIC'/>" : "USAVG-") + " usually avoids most of " + loss;
   if (!model.seeks_equilibrium())
-    return "the update without <SkipPostExtrapolation/> (USL+, USAVG+) usually avoids most of " + loss;
-  if (s.order == UpdateOrder::usl && s.transfer == Transfer::flip)
-    return "USAVG- or <Transfer type='APIC'/> usually avoids most of " + loss;
+    return "the update without <SkipPostExtrapolation/> (USAVG+) usually avoids most of " + loss;
   return "";
+}
+
+std::string cure_of_excess(const Scheme& s) {
+  const bool averaged = s.order == UpdateOrder::usavg && !s.extrapolate_again;
+  return std::string(averaged ? "a smaller <TimeFactor> usually reduces it"
+                              : "USAVG- or a smaller <TimeFactor> usually reduces it");
 }
 
 }  // namespace tribo

@@ -158,6 +158,7 @@ std::string Monitor<Dim>::balance_cure() const {
   if (const std::string update = cure_of_loss(model_, missing.empty() ? "this loss" : "a further loss");
       !update.empty() && state.residual < 0)
     cure += "; " + update;
+  if (missing.empty() && state.residual > 0) cure += "; " + cure_of_excess(model_.scheme);
   return cure;
 }
 

@@ -10,6 +10,7 @@
 
 using namespace tribo;
 using Catch::Contains;
+using Catch::StartsWith;
 
 namespace {
 
@@ -57,8 +58,10 @@ TEST_CASE("what avoids losses of energy, or where they are, depends on the schem
   Model model;
   model.scheme.order = UpdateOrder::usl, model.scheme.extrapolate_again = false;
   model.scheme.transfer = Transfer::flip;
+  CHECK(cure_of_loss(model) == "USAVG- usually avoids most of this loss");
+  model.scheme.order = UpdateOrder::usavg;
   CHECK_THAT(cure_of_loss(model), Contains("without <SkipPostExtrapolation/>"));
-  model.scheme.transfer = Transfer::fmpm;
+  model.scheme.order = UpdateOrder::usl, model.scheme.transfer = Transfer::fmpm;
   CHECK(cure_of_loss(model).empty());
   model.scheme.transfer = Transfer::flip, model.damping.particle = Expression(3.0);
   CHECK_THAT(cure_of_loss(model), Contains("USAVG") && Contains("'APIC'"));
@@ -68,6 +71,16 @@ TEST_CASE("what avoids losses of energy, or where they are, depends on the schem
   CHECK(cure_of_loss(model).empty());
   model.scheme.transfer = Transfer::apic;
   CHECK_THAT(cure_of_loss(model), Contains("with USF this loss is what the transfer dissipates"));
+}
+
+TEST_CASE("USAVG- is the cure of a balance that exceeds, unless it is the scheme already", "[monitor]") {
+  Scheme s;
+  for (const auto order : {UpdateOrder::usl, UpdateOrder::usf, UpdateOrder::usavg}) {
+    s.order = order, s.extrapolate_again = true;
+    CHECK_THAT(cure_of_excess(s), StartsWith("USAVG- or a smaller <TimeFactor>"));
+  }
+  s.extrapolate_again = false;
+  CHECK_THAT(cure_of_excess(s), StartsWith("a smaller <TimeFactor>"));
 }
 
 TEST_CASE("a contact law that nothing uses is told", "[preflight]") {

@@ -111,7 +111,9 @@ TEST_CASE("a gain of energy that lasts is warned of, a loss is a figure", "[moni
   CHECK_THAT(gaining.look(kinetic / 1.1, 1), Contains("energy: 10 % of what was supplied came from nowhere"));
   CHECK(gaining.look(kinetic / 1.1, 20).empty());  // once
   CHECK_THAT(gaining.summary(), Contains("energy: 10 %"));
-  CHECK(gaining.figures() == "energy: the balance exceeds by 10 % of what was supplied\n");
+  CHECK(gaining.figures() ==
+        "energy: the balance exceeds by 10 % of what was supplied; USAVG- or a smaller <TimeFactor> usually reduces "
+        "it\n");
   Watched losing(block());
   CHECK(losing.look(kinetic / 0.8, 20).empty());
   CHECK(losing.summary().empty());
