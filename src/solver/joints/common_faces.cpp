@@ -109,8 +109,8 @@ std::vector<OverlapPoint<3>> overlap(const DomainSide<3>& a, const DomainSide<3>
   return {{a.middle + axes.vector(found.centroid), found.area}};
 }
 
-/// Thickness of a particle in the third direction in two dimensions; 1 in three dimensions. The domain of a cut cell has
-/// another area than the cell, so that its thickness does not follow from its volume.
+/// Thickness of a particle in the third direction in two dimensions; 1 in three dimensions. The domain of a cut cell
+/// has another area than the cell, so that its thickness does not follow from its volume.
 template <int Dim>
 double thickness(Body<Dim>& body, std::uint32_t i, const ParticleDomain<Dim>& domain) {
   if constexpr (Dim == 2) {
