@@ -272,8 +272,10 @@ void ParticleFields<Dim>::add_domains() {
     const Vec<Dim> cell = part.body->cell.template head<Dim>();
     std::size_t at = width * part.at;
     for (std::size_t i = part.begin; i < part.end; ++i) {
-      Mat<Dim> axes = domain(static_cast<std::uint32_t>(part.particle(i))).axes;
-      if (!is_compact<Dim>(axes, cell, limits)) {
+      const auto particle = static_cast<std::uint32_t>(part.particle(i));
+      Mat<Dim> axes = domain(particle).axes;
+      // Domains of cut cells are oblique from the start; other edges would not lie in the surface.
+      if (!is_compact<Dim>(domain.box(particle).axes, cell, limits)) {
         axes = reduced<Dim>({axes, Mat<Dim>::Identity()}, cell).current;
         if (limits) axes = limited<Dim>(axes, cell);
       }

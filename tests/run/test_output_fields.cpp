@@ -5,6 +5,7 @@
 
 #include "base/read_file.hpp"
 #include "contact/contact_cases.hpp"
+#include "input/read.hpp"
 #include "run/grid_file.hpp"
 #include "run/particle_fields.hpp"
 #include "run/result_units.hpp"
@@ -237,6 +238,30 @@ TEST_CASE("particle files carry the half axes of the domains in the reduced basi
   REQUIRE(size.rows.width == 3);
   const std::array<double, 3> edges{2 * half[0], 2 * half[0] * std::sqrt(1 + 0.25 * 0.25), 0};
   for (std::size_t k = 0; k < 3; ++k) CHECK(size.rows.floats[9 + k] == Approx(edges[k]));
+}
+
+TEST_CASE("no domain in the file of a disc reaches beyond its rim", "[output]") {
+  const Model model = read_model_text(
+      "<JANFEAInput version='3'><Header><Analysis>10</Analysis><ConsistentUnits length='mm' mass='g' "
+      "time='ms'/></Header>"
+      "<MPMHeader><MaxTime>1</MaxTime><ArchiveTime>1</ArchiveTime><GIMP/></MPMHeader><Mesh><Grid xmin='-8' xmax='8' "
+      "ymin='-8' ymax='8'><Horiz nx='16'/><Vert ny='16'/></Grid></Mesh><MaterialPoints><Body matname='disc'><Oval "
+      "xmin='-6' xmax='6' ymin='-6' ymax='6'/></Body></MaterialPoints><Material Type='Isotropic' Name='disc'>"
+      "<rho>1</rho><E>1</E><nu>0</nu></Material></JANFEAInput>",
+      "disc.xml");
+  auto system = build_system<2>(model, place_points(model));
+  Body<2>& body = system.bodies[0];
+  const ParticleFields<2> fields(model, {&body}, {"velocity"}, Precision::full);
+  const auto& axes = fields.fields().back().rows.floats;
+  double farthest = 0.0;
+  for (std::uint32_t i = 0; i < body.particles.size(); ++i)
+    for (const double a : {-1.0, 1.0})
+      for (const double b : {-1.0, 1.0}) {
+        const Vec<2> corner = body.particles.position(i) + a * Vec<2>(axes[4 * i], axes[4 * i + 1]) +
+                              b * Vec<2>(axes[4 * i + 2], axes[4 * i + 3]);
+        farthest = std::max(farthest, corner.norm());
+      }
+  CHECK(farthest == Approx(6).margin(0.02));
 }
 
 TEST_CASE("long domains are limited to one and a half cells and keep their volume", "[output]") {

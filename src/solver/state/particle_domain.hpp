@@ -31,6 +31,12 @@ class DomainReader {
   explicit DomainReader(Body<Dim>& body);
   /// The domain of particle i.
   ParticleDomain<Dim> operator()(std::uint32_t i) const {
+    ParticleDomain<Dim> p = box(i);
+    if (axes_[0]) deform_axes(i, p.axes);
+    return p;
+  }
+  /// The domain of a particle of the same size along the axes of the grid at the start, as if its cell were not cut.
+  ParticleDomain<Dim> box(std::uint32_t i) const {
     ParticleDomain<Dim> p;
     for (std::size_t d = 0; d < Dim; ++d) {
       const auto axis = static_cast<Eigen::Index>(d);
@@ -39,7 +45,6 @@ class DomainReader {
       for (std::size_t row = 0; row < Dim; ++row)
         p.axes(static_cast<Eigen::Index>(row), axis) = (F_[0] ? F_[row * Dim + d][i] : row == d ? 1.0 : 0.0) * half;
     }
-    if (axes_[0]) deform_axes(i, p.axes);
     return p;
   }
 
