@@ -24,6 +24,19 @@ bool is_script(std::string_view text) {
 
 namespace {
 
+// The value of a variable that is set on the command line: a number, a formula of numbers such as 10/3, or a text.
+script::Value given_value(const std::string& name, const std::string& text) {
+  if (const auto number = to_number(text)) return *number;
+  const bool is_formula = !name.ends_with('$') && text.find_first_of("0123456789") != std::string::npos &&
+                          text.find_first_not_of("0123456789.eE+-*/^() ") == std::string::npos;
+  if (!is_formula) return text;
+  try {
+    return script::evaluate_number({text, Origin{}}, {});
+  } catch (const InputError&) {
+    return text;
+  }
+}
+
 // Runs a script; the translator stores the elements that its commands produce, `python` the commands themselves.
 // Problems of commands are added to `problems`, unless the script does not run to its end.
 std::string interpret(std::string_view text, const Origin& begin, Settings& settings, script::Translator& translator,
@@ -35,10 +48,7 @@ std::string interpret(std::string_view text, const Origin& begin, Settings& sett
   });
   interpreter.before_assignment = [&](const std::string& name, const script::Node& n) { translator.assigned(name, n); };
   for (const std::string& name : script::assigned_variables(program))
-    if (const std::string* value = settings.find(name)) {
-      const auto number = to_number(*value);
-      interpreter.fix(name, number ? script::Value(*number) : script::Value(*value));
-    }
+    if (const std::string* value = settings.find(name)) interpreter.fix(name, given_value(name, *value));
   try {
     interpreter.run();
   } catch (const InputError& error) {

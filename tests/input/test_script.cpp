@@ -166,6 +166,11 @@ TEST_CASE("the command line sets the first value of a variable", "[script]") {
   CHECK(script.output == "7two words");
   CHECK(settings.used("border"));
   CHECK_FALSE(settings.used("cell"));
+  // A formula of numbers counts as its value, unless the variable is a text
+  Settings formulas({{"cell", "10/4"}, {"date$", "1-2"}, {"name", "disc"}, {"wrong", "3/"}});
+  const auto with_formulas = read_script(
+      "#cell=1\n#date$=\"x\"\n#name=\"y\"\n#wrong=1\nWrite 2*#cell,#date$,#name,#wrong" + rest, file, formulas);
+  CHECK(with_formulas.output == "51-2disc3/");
 }
 
 TEST_CASE("<Commands> adds to the sections of its file", "[script]") {
