@@ -38,7 +38,11 @@ class Canvas {
     height_ = fine * (static_cast<int>(std::ceil(layout.height)) + 2 * rim_);
     depth_.assign(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_), -1e30F);
     colour_.assign(depth_.size(), Colour{255, 255, 255});
+    body_.assign(depth_.size(), 0);
   }
+
+  /// What is drawn from now on belongs to the body of this number.
+  void set_body(std::int32_t number) { drawn_body_ = number; }
 
   void particle(const Vec3& at, double radius, const Colour& colour, bool ball) {
     const double s = fine * layout_.scale, r = std::max(radius * s, 0.75 * fine);
@@ -51,7 +55,8 @@ class Canvas {
         const double a = (x + 0.5 - u) / r, b = (y + 0.5 - v) / r, square = a * a + b * b;
         const std::size_t pixel = index(x, y);
         if (!ball) {
-          if (std::abs(a) <= 1 && std::abs(b) <= 1) colour_[pixel] = colour, depth_[pixel] = 0;
+          if (std::abs(a) <= 1 && std::abs(b) <= 1)
+            colour_[pixel] = colour, depth_[pixel] = 0, body_[pixel] = drawn_body_;
           continue;
         }
         if (square > 1) continue;
@@ -101,6 +106,7 @@ class Canvas {
             static_cast<float>(corners[0][2] - (n[0] * (p[0] - at[0][0]) - n[1] * (p[1] - at[0][1])) / (s * n[2]));
         if (depth < depth_[index(x, y)]) continue;
         depth_[index(x, y)] = depth, colour_[index(x, y)] = edges && nearest < 0.6 * fine ? edge : inside;
+        body_[index(x, y)] = drawn_body_;
       }
   }
 
@@ -122,21 +128,24 @@ class Canvas {
   }
 
   /// Fills gaps up to twice a length wide between particles with the colour of the nearest: where bodies stretch,
-  /// squares no longer touch. Edges stay where they are, as what was added there is taken away again.
-  void close_gaps(double length) {
-    const double reach = length * fine * layout_.scale;
+  /// squares no longer touch. Edges stay where they are, as what was added there is taken away again. Gaps between two
+  /// bodies are filled up to the width `hairline`.
+  void close_gaps(double length, double hairline) {
+    const double pixels = fine * layout_.scale, reach = length * pixels;
     if (reach < 1) return;
-    const auto drawn = [&](std::size_t pixel) { return depth_[pixel] > -1e29F; };
-    const auto nearest = offsets_to(drawn);
+    const auto nearest = offsets_to([&](std::size_t pixel) { return is_drawn(pixel); });
     std::vector<bool> wide(colour_.size());
     for (std::size_t k = 0; k < wide.size(); ++k) wide[k] = nearest[k].length() <= reach;
     const auto outside = offsets_to([&](std::size_t pixel) { return !wide[pixel]; });
+    std::vector<std::pair<std::size_t, std::size_t>> filled;  // pixel, and the one whose colour it gets
     for (int y = 0; y < height_; ++y)
       for (int x = 0; x < width_; ++x) {
         const auto k = index(x, y);
-        if (drawn(k) || !wide[k] || outside[k].length() <= reach) continue;
-        colour_[k] = colour_[index(x + nearest[k].x, y + nearest[k].y)];
+        if (is_drawn(k) || !wide[k] || outside[k].length() <= reach) continue;
+        if (parts_bodies(x, y, nearest[k], 2 * reach, hairline * pixels)) continue;
+        filled.emplace_back(k, index(x + nearest[k].x, y + nearest[k].y));
       }
+    for (const auto& [to, from] : filled) colour_[to] = colour_[from];
   }
 
   void copy_to(cairo_surface_t* surface) const {
@@ -168,6 +177,20 @@ class Canvas {
     double length() const { return std::hypot(x, y); }
     long square() const { return static_cast<long>(x) * x + static_cast<long>(y) * y; }
   };
+  bool is_drawn(std::size_t pixel) const { return depth_[pixel] > -1e29F; }
+  // Whether a pixel lies in a gap between two bodies that is wider than a hairline: what lies opposite of the nearest
+  // pixel of a body, within a distance, belongs to another body.
+  bool parts_bodies(int x, int y, const Offset& nearest, double within, double hairline) const {
+    const double distance = nearest.length();
+    const auto body = body_[index(x + nearest.x, y + nearest.y)];
+    for (double beyond = 1; distance + beyond <= within; ++beyond) {
+      const int u = x - static_cast<int>(std::lround(nearest.x * beyond / distance)),
+                v = y - static_cast<int>(std::lround(nearest.y * beyond / distance));
+      if (u < 0 || u >= width_ || v < 0 || v >= height_) return false;
+      if (is_drawn(index(u, v))) return body_[index(u, v)] != body && distance + beyond > hairline;
+    }
+    return false;
+  }
   // Pixels from the upper left corner, and the depth as it is.
   Vec3 on_canvas(const Vec3& x) const {
     const double s = fine * layout_.scale;
@@ -217,6 +240,8 @@ class Canvas {
   int width_ = 0, height_ = 0;
   std::vector<float> depth_;
   std::vector<Colour> colour_;
+  std::vector<std::int32_t> body_;
+  std::int32_t drawn_body_ = 0;
 };
 
 }  // namespace tribo

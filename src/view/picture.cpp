@@ -97,12 +97,22 @@ std::string usual_view(const Box& box) { return box[1][2] - box[0][2] <= 0 ? "xy
 
 namespace {
 
-constexpr double slit_share = 0.4;  // half the width of a slit that is filled, over the size of domains
+constexpr double slit_share = 0.4;       // half the width of a slit that is filled, over the size of domains
+constexpr double hairline_share = 0.25;  // width of a gap between two bodies that is filled, over the size of domains
+
+// The numbers of the bodies of particles, or of their materials; empty if the file has neither.
+std::vector<double> bodies_of(const ParticleFrame& frame) {
+  for (const char* name : {"body", "material"})
+    if (const auto* field = frame.field(name)) return field->values;
+  return {};
+}
 
 // The domains of particles in the plane as parallelograms.
 void draw_flat_domains(Canvas& canvas, const ParticleFrame& frame, const std::vector<std::size_t>& particles,
                        const Camera& eye, const std::function<Colour(std::size_t)>& colour) {
+  const std::vector<double> bodies = bodies_of(frame);
   for (const std::size_t i : particles) {
+    if (!bodies.empty()) canvas.set_body(static_cast<std::int32_t>(bodies[i]));
     const Vec3 x = eye.project(frame.position[i]), a = eye.project(frame.domains[i][0]),
                b = eye.project(frame.domains[i][1]);
     canvas.polygon({x - a - b, x + a - b, x + a + b, x - a + b}, colour(i), false, false);
@@ -230,7 +240,7 @@ std::string picture(const Scene& scene, const PictureOptions& options) {
   if (!long_domains.empty()) {
     // Where matter flows, neighbours are so far apart, and so are the slits between their domains.
     draw_flat_domains(canvas, frame, long_domains, eye, colour);
-    canvas.close_gaps(slit_share * length);
+    canvas.close_gaps(slit_share * length, hairline_share * spacing);
   }
   if (domains && !flat) {
     draw_solid_domains(canvas, frame, eye, spacing, colour);
@@ -242,7 +252,7 @@ std::string picture(const Scene& scene, const PictureOptions& options) {
     for (std::size_t i = 0; i < frame.count(); ++i)
       canvas.particle(eye.project(frame.position[i]), radius, colour(i), !flat);
   }
-  if (flat && frame.count() > 0) canvas.close_gaps(slit);
+  if (flat && frame.count() > 0) canvas.close_gaps(slit, hairline_share * spacing);
   const double size = std::max(particles[1][0] - particles[0][0], particles[1][1] - particles[0][1]);
   draw_blocks(canvas, scene, eye, !flat, size, [&](std::size_t c) { return colour(frame.count() + c); });
   const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, l.picture_width, l.picture_height));

@@ -297,6 +297,24 @@ TEST_CASE("slits between stretched domains that are shorter than the domains are
   CHECK(centre(std::sqrt(0.5), std::sqrt(0.5)) == Colour{255, 255, 255});
 }
 
+TEST_CASE("narrow gaps are filled within a body, but not between two bodies", "[view]") {
+  // Two domains with edges of 2 and a gap between them, which is in the middle of the picture.
+  const auto centre = [](double gap, double other_material) {
+    ParticleFrame frame;
+    frame.position = {{-1 - gap / 2, 0, 0}, {1 + gap / 2, 0, 0}};
+    frame.domains.assign(2, HalfAxes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 0}}});
+    frame.fields = {{"material", 1, true, {1, other_material}}};
+    PictureOptions options;
+    options.field = "material", options.width = 1200;
+    const Pixels p = read_png(picture(frame, options));
+    const double margin = 1.6 + 0.02 * (4 + gap + 3.2), scale = (1200 - 182) / (4 + gap + 2 * margin);
+    return p.at(64 + 0.5 * (1200 - 182), 44 + (1 + margin) * scale);
+  };
+  CHECK(centre(0.7, 1) == distinct(0));
+  CHECK(centre(0.7, 2) == Colour{255, 255, 255});
+  CHECK(centre(0.3, 2) != Colour{255, 255, 255});
+}
+
 TEST_CASE("in space, domains are boxes whose nearer sides hide the others", "[view]") {
   ParticleFrame frame;
   frame.position = {{0, 0, 0}, {0, 0, 2}};
