@@ -297,7 +297,7 @@ TEST_CASE("slits between stretched domains that are shorter than the domains are
   CHECK(centre(std::sqrt(0.5), std::sqrt(0.5)) == Colour{255, 255, 255});
 }
 
-TEST_CASE("narrow gaps are filled within a body, but not between two bodies", "[view]") {
+TEST_CASE("gaps of up to 0.8 of a domain are filled within a body, up to 0.6 between two bodies", "[view]") {
   // Two domains with edges of 2 and a gap between them, which is in the middle of the picture.
   const auto centre = [](double gap, double other_material) {
     ParticleFrame frame;
@@ -310,9 +310,9 @@ TEST_CASE("narrow gaps are filled within a body, but not between two bodies", "[
     const double margin = 1.6 + 0.02 * (4 + gap + 3.2), scale = (1200 - 182) / (4 + gap + 2 * margin);
     return p.at(64 + 0.5 * (1200 - 182), 44 + (1 + margin) * scale);
   };
-  CHECK(centre(0.7, 1) == distinct(0));
-  CHECK(centre(0.7, 2) == Colour{255, 255, 255});
-  CHECK(centre(0.3, 2) != Colour{255, 255, 255});
+  CHECK(centre(1.4, 1) == distinct(0));
+  CHECK(centre(1.4, 2) == Colour{255, 255, 255});
+  CHECK(centre(0.7, 2) != Colour{255, 255, 255});
 }
 
 TEST_CASE("in space, domains are boxes whose nearer sides hide the others", "[view]") {
