@@ -97,7 +97,7 @@ std::string usual_view(const Box& box) { return box[1][2] - box[0][2] <= 0 ? "xy
 
 namespace {
 
-constexpr double slit_share = 0.4;       // half the width of a slit that is filled, over the size of domains
+constexpr double slit_share = 0.4;      // half the width of a slit that is filled, over the size of domains
 constexpr double hairline_share = 0.6;  // width of a gap between two bodies that is filled, over the size of domains
 
 // The numbers of the bodies of particles, or of their materials; empty if the file has neither.

@@ -17,7 +17,8 @@ TEST_CASE("the summary reports thin bodies, contrasts and the limit of the time 
              Contains("stiffness contrast: 'right' is 1e+04 times as stiff as 'left'") && Contains("could be rigid"));
   // h/c/2 with c = sqrt(1e4/0.001)
   CHECK_THAT(text, Contains("time step: 0.000158114 ms, set by the waves in 'right' (wave speed 3162.28 mm/ms)"));
-  CHECK_THAT(sheet("0", with_contact + "<TimeStep>1e-4</TimeStep>"), Contains("time step: 0.0001 ms, set by <TimeStep>"));
+  CHECK_THAT(sheet("0", with_contact + "<TimeStep>1e-4</TimeStep>"),
+             Contains("time step: 0.0001 ms, set by <TimeStep>"));
   CHECK_THAT(text, Contains("particle files: 5"));
   CHECK_THAT(text, Contains("stress MPa"));
 }
