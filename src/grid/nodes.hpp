@@ -66,12 +66,11 @@ struct alignas(64) HeatNode {
     double heat;  ///< before the division by the capacity                                   [energy]
     double temperature;
   };
-  double unused[3];
   union {
     double power;  ///< into the node, before the division by the capacity                   [power]
     double rate;   ///< of the temperature                                                   [temperature/time]
   };
-  double unused_too[2];
+  double unused[5];
 };
 
 /// B-bar: mean over the particles of a cell, stored at the lowest node of the cell.

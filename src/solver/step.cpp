@@ -38,10 +38,7 @@ void Stepper<Dim>::advance(double dt) {
   impose_update(dt, !stress_last());
 
   // 4. XPIC and FMPM filter the velocities.
-  if (filter_.active()) {
-    filter_.filter(dt, false);
-    filter_.use(dt);
-  }
+  if (filter_.active()) filter_.filter_update(dt);
 
   // 5. Record works and contact, move rigid blocks under the contact forces, evaluate crack tips and conduct heat.
   record_update(dt);
@@ -80,12 +77,12 @@ Stepper<Dim>::Stepper(const Model& model, System<Dim>& system)
       damping_(model, system, exchanges_, ledger_),
       rigid_bodies_(model, system, *transfers_, exchanges_, ledger_),
       rigid_blocks_(system),
-      heat_(model, system, *transfers_),
+      heat_(model, system, loops_, *transfers_),
       ramps_(model, system),
       affine_at_walls_(model, system.lattice),
       b_bar_(model.scheme, system, *transfers_, exchanges_),
       openings_(model, system),
-      filter_(model, system, *transfers_, exchanges_, conditions_, contact_) {
+      filter_(model, system, loops_, *transfers_, exchanges_, conditions_, contact_) {
   for (std::size_t f = 0; f < system.fields.size(); ++f) {
     exchanges_.push_back(make_exchange<Dim>(model.grid, system.lattice));
     conditions_.emplace_back(model, system.lattice);
@@ -127,7 +124,7 @@ void Stepper<Dim>::update_stress_first(double dt) {
   contact_.apply(dt, contact_.start_pass());
   impose(system_.time, dt);
   copy_images();
-  if (filter_.active()) filter_.filter(0.0, false);
+  if (filter_.active()) filter_.filter(false);
   if (half) nodal_work_.keep_start(filter_.active()), contact_.keep_start(filter_.active());
   const bool with_forces = !b_bar_.active();  // otherwise they depend on the stress of all particles of a cell
   strain(part, false, with_forces);
@@ -168,7 +165,7 @@ void Stepper<Dim>::strain_again(double dt, double strain_dt) {
   contact_.apply(dt, contact_.start_pass());
   impose(system_.time + dt, dt);
   copy_images();
-  if (filter_.active()) filter_.filter(0.0, true);
+  if (filter_.active()) filter_.filter(true);
   nodal_work_.record_end(dt, filters_update(), filter_.active());
   contact_.record_end(filters_update(), filter_.active());
   tractions_.record_end(dt, filters_update(), filter_.active());

@@ -12,6 +12,7 @@
 #include "base/stopwatch.hpp"
 #include "solver/boundary/nodal_conditions.hpp"
 #include "solver/contact/contact.hpp"
+#include "solver/system_loops.hpp"
 #include "solver/transfer/transfer.hpp"
 
 namespace tribo {
@@ -20,10 +21,12 @@ namespace tribo {
 template <int Dim>
 class VelocityFilter {
  public:
-  VelocityFilter(const Model& model, System<Dim>& system, const Transfers<Dim>& transfers,
-                 const Exchanges<Dim>& exchanges, std::vector<NodalConditions<Dim>>& conditions, Contact<Dim>& contact)
+  VelocityFilter(const Model& model, System<Dim>& system, const SystemLoops<Dim>& loops,
+                 const Transfers<Dim>& transfers, const Exchanges<Dim>& exchanges,
+                 std::vector<NodalConditions<Dim>>& conditions, Contact<Dim>& contact)
       : scheme_(model.scheme),
         system_(system),
+        loops_(loops),
         transfers_(transfers),
         exchanges_(exchanges),
         conditions_(conditions),
@@ -35,12 +38,12 @@ class VelocityFilter {
   bool active() const { return active_; }
   /// Allocates the nodal layers of the filter. To be called after every change of the block maps of the fields.
   void locate();
-  /// Computes v(k) and stores it in the velocities of the layer `filter`. dt > 0: call after the momentum update; XPIC
-  /// then subtracts dt times the acceleration first. `from_start`: use the shape functions at the positions at the
-  /// start of the step.
-  void filter(double dt, bool from_start);
-  /// Replaces the nodal velocities by the filtered ones; XPIC adds dt times the acceleration again.
-  void use(double dt);
+  /// Computes v(k) of the nodal velocities and stores it in the velocities of the layer `filter`. `from_start`: use the
+  /// shape functions at the positions at the start of the step.
+  void filter(bool from_start);
+  /// After the momentum update, replaces the nodal velocities by the filtered ones. XPIC filters the velocities without
+  /// dt times the acceleration.
+  void filter_update(double dt);
 
   /// Time of the next filtered step if the filter acts by period.
   double next = 0.0;
@@ -49,7 +52,7 @@ class VelocityFilter {
 
   /// Saves and restores the time of the next filtered step.
   friend void archive(Archive& a, VelocityFilter& filter) {
-    auto& [its_next, its_watch, scheme, system, transfers, exchanges, conditions, contact, active] = filter;
+    auto& [its_next, its_watch, scheme, system, loops, transfers, exchanges, conditions, contact, active] = filter;
     a.version(1);
     a("next", its_next);
   }
@@ -57,9 +60,14 @@ class VelocityFilter {
  private:
   template <class F>
   void each_field(F&& f);
+  template <class F>
+  void each_node(F&& f);
+  void sum_terms(double dt, bool from_start);
+  void scatter_increments(bool from_start);
 
   const Scheme& scheme_;
   System<Dim>& system_;
+  const SystemLoops<Dim>& loops_;
   const Transfers<Dim>& transfers_;
   const Exchanges<Dim>& exchanges_;
   std::vector<NodalConditions<Dim>>& conditions_;

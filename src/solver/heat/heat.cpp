@@ -9,8 +9,9 @@
 
 namespace tribo {
 template <int Dim>
-HeatConduction<Dim>::HeatConduction(const Model& model, System<Dim>& system, const Transfers<Dim>& transfers)
-    : model_(model), system_(system), transfers_(transfers), active_(model.heat.conduction) {
+HeatConduction<Dim>::HeatConduction(const Model& model, System<Dim>& system, const SystemLoops<Dim>& loops,
+                                    const Transfers<Dim>& transfers)
+    : model_(model), system_(system), loops_(loops), transfers_(transfers), active_(model.heat.conduction) {
   if (!active_) return;
   Problems problems;
   for (std::size_t c = 0; c < model.temperature_conditions.size(); ++c) {
@@ -45,12 +46,37 @@ void HeatConduction<Dim>::conduct(double dt, const Contact<Dim>& contact, const 
   reduce_residual(dt, contact, exchanges);
 }
 
+// Calls f(node) for the nodes of all fields that particles may reach.
+template <int Dim>
+template <class F>
+void HeatConduction<Dim>::each_node(F&& f) {
+  loops_.each_range([&](std::size_t field, std::size_t first, std::size_t last) {
+    for (std::size_t n = first; n < last; ++n) f(system_.fields[field].heat[n]);
+  });
+}
+
 template <int Dim>
 void HeatConduction<Dim>::scatter(Scatter what) {
-  for (auto& field : system_.fields) std::fill(field.heat.begin(), field.heat.end(), HeatNode{});
-  for (auto& body : system_.bodies) {
+  each_node([](HeatNode& node) { node = {}; });
+  loops_.each_body([&](std::size_t k) {
+    auto& body = system_.bodies[k];
     transfers_.scatter(body, Target<Dim>(body, system_.fields, &Field<Dim>::heat), what, false, false);
-  }
+  });
+}
+
+template <int Dim>
+void HeatConduction<Dim>::gather(const Gather& what) {
+  valid_.resize(system_.bodies.size());
+  loops_.each_body([&](std::size_t k) {
+    auto& body = system_.bodies[k];
+    valid_[k] = transfers_.gather(body, Target<Dim>(body, system_.fields, &Field<Dim>::heat), what).valid;
+  });
+  for (std::size_t k = 0; k < valid_.size(); ++k)
+    if (!valid_[k])
+      throw SimulationError("a temperature of '" + system_.bodies[k].name + "' is not a number in step " +
+                            std::to_string(system_.step + 1) + " at time " + std::to_string(system_.time) +
+                            ": usually the step is too large for the conductivity. Try a smaller <TimeFactor>, and "
+                            "check Cv, kCond and the conditions.");
 }
 
 // Nodal temperatures and, from the gradients of the particles and the fluxes through their faces, their rates of
@@ -63,15 +89,13 @@ void HeatConduction<Dim>::find_rates(double dt, const Contact<Dim>& contact, con
                 add_flux(dt, condition, body, particle, exchanges);
               });
   if (model_.heat.contact_heating && dt > 0) add_friction_heat(dt, contact, exchanges);
-  for (std::size_t f = 0; f < system_.fields.size(); ++f) {
-    auto& nodes = system_.fields[f].heat;
-    exchanges[f]->sum_images(nodes, ImageValues::scalars);
-    for (HeatNode& node : nodes) {
-      if (!(node.capacity > 0)) continue;
-      node.temperature = node.heat / node.capacity;
-      node.rate = node.power / node.capacity;
-    }
-  }
+  for (std::size_t f = 0; f < system_.fields.size(); ++f)
+    exchanges[f]->sum_images(system_.fields[f].heat, ImageValues::scalars);
+  each_node([](HeatNode& node) {
+    if (!(node.capacity > 0)) return;
+    node.temperature = node.heat / node.capacity;
+    node.rate = node.power / node.capacity;
+  });
 }
 
 template <int Dim>
@@ -167,18 +191,10 @@ void HeatConduction<Dim>::update_particles(double dt, const Exchanges<Dim>& exch
   Gather what;
   what.task = GatherTask::temperature;
   what.dt = dt;
-  for (std::size_t f = 0; f < system_.fields.size(); ++f) {
-    auto& nodes = system_.fields[f].heat;
-    for (HeatNode& node : nodes) node.temperature += dt * node.rate;
-    exchanges[f]->copy_images(nodes, ImageValues::scalars);
-  }
-  for (auto& body : system_.bodies) {
-    if (!transfers_.gather(body, Target<Dim>(body, system_.fields, &Field<Dim>::heat), what).valid)
-      throw SimulationError("a temperature of '" + body.name + "' is not a number in step " +
-                            std::to_string(system_.step + 1) + " at time " + std::to_string(system_.time) +
-                            ": usually the step is too large for the conductivity. Try a smaller <TimeFactor>, and "
-                            "check Cv, kCond and the conditions.");
-  }
+  each_node([dt](HeatNode& node) { node.temperature += dt * node.rate; });
+  for (std::size_t f = 0; f < system_.fields.size(); ++f)
+    exchanges[f]->copy_images(system_.fields[f].heat, ImageValues::scalars);
+  gather(what);
 }
 
 template <int Dim>
@@ -196,20 +212,17 @@ void HeatConduction<Dim>::reduce_residual(double dt, const Contact<Dim>& contact
   if (most < least_share) return;
   time_since_reduction = 0.0;
   scatter(Scatter::heat_residual);
-  for (std::size_t f = 0; f < system_.fields.size(); ++f) {
-    auto& nodes = system_.fields[f].heat;
-    exchanges[f]->sum_images(nodes, ImageValues::scalars);
-    for (HeatNode& node : nodes)
-      if (node.capacity > 0) node.temperature = node.heat / node.capacity;
-  }
+  for (std::size_t f = 0; f < system_.fields.size(); ++f)
+    exchanges[f]->sum_images(system_.fields[f].heat, ImageValues::scalars);
+  each_node([](HeatNode& node) {
+    if (node.capacity > 0) node.temperature = node.heat / node.capacity;
+  });
   equalize_contact(contact);
   Gather what;
   what.task = GatherTask::temperature_residual;
   for (std::size_t f = 0; f < system_.fields.size(); ++f)
     exchanges[f]->copy_images(system_.fields[f].heat, ImageValues::scalars);
-  for (auto& body : system_.bodies) {
-    transfers_.gather(body, Target<Dim>(body, system_.fields, &Field<Dim>::heat), what);
-  }
+  gather(what);
 }
 
 template class HeatConduction<2>;

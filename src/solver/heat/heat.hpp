@@ -17,6 +17,7 @@
 #pragma once
 
 #include "solver/contact/contact.hpp"
+#include "solver/system_loops.hpp"
 #include "solver/transfer/transfer.hpp"
 
 namespace tribo {
@@ -26,7 +27,8 @@ template <int Dim>
 class HeatConduction {
  public:
   /// Throws InputError if a temperature condition selects no node.
-  HeatConduction(const Model& model, System<Dim>& system, const Transfers<Dim>& transfers);
+  HeatConduction(const Model& model, System<Dim>& system, const SystemLoops<Dim>& loops,
+                 const Transfers<Dim>& transfers);
 
   bool active() const { return active_; }
   /// Allocates the nodal temperatures. To be called after every change of the block maps of the fields.
@@ -41,7 +43,7 @@ class HeatConduction {
   double time_since_reduction = 0.0;  ///< time since the temperature residual was last reduced [time]
 
   friend void archive(Archive& a, HeatConduction& heat) {
-    auto& [its_supplied, its_contact_heat, its_time, model, system, transfers, active, prescribed] = heat;
+    auto& [its_supplied, its_contact_heat, its_time, model, system, loops, transfers, active, prescribed, valid] = heat;
     a.version(1);
     a("supplied", its_supplied), a("from_contact", its_contact_heat), a("time_since_reduction", its_time);
   }
@@ -61,12 +63,17 @@ class HeatConduction {
   void update_particles(double dt, const Exchanges<Dim>& exchanges);
   void reduce_residual(double dt, const Contact<Dim>& contact, const Exchanges<Dim>& exchanges);
   void scatter(Scatter what);
+  void gather(const Gather& what);
+  template <class F>
+  void each_node(F&& f);
 
   const Model& model_;
   System<Dim>& system_;
+  const SystemLoops<Dim>& loops_;
   const Transfers<Dim>& transfers_;
   bool active_ = false;
   std::vector<PrescribedTemperature> prescribed_;  ///< nodes with prescribed temperature
+  std::vector<char> valid_;                        ///< per body, whether its temperatures are finite
 };
 
 }  // namespace tribo

@@ -116,7 +116,7 @@ class CpdiTransfers final : public Transfers<Dim> {
       const int count = static_cast<int>(std::min<std::uint32_t>(batch, bin.end - first));
       terms.template prepare<sums.second>(body, first, count, what, axisymmetric);
       domains.compute(body, lattice, block, x, first, count, limit_);
-      if (sums.affine && what != Scatter::heat) prepare_affine(body, lattice, domains, first, count, terms);
+      if constexpr (sums.affine && !sums.flux) prepare_affine(body, lattice, domains, first, count, terms);
       for (int i = 0; i < count; ++i) {
         const std::uint8_t* sides = cut ? cut->of(first - bin.begin + static_cast<std::uint32_t>(i)) : nullptr;
         add<sums>(domains, terms, lattice, i, sides, data);
@@ -137,18 +137,18 @@ class CpdiTransfers final : public Transfers<Dim> {
     const Vec4 first = share * load4(terms.whole[i]), second = share * load4(terms.whole[i] + 4);
     [[maybe_unused]] Vec4 flux[Dim] = {}, affine[Dim] = {};
     for (int d = 0; d < Dim; ++d) {
-      if constexpr (sums.second)
+      if constexpr (sums.second || sums.flux)
         for (int k = 0; k < Dim; ++k) flux[k] += domains.slope[k][d][i] * load4(terms.flux[d][i]);
       if constexpr (sums.affine) affine[d] = share * load4(terms.affine[d][i]);
     }
     for (int c = 0; c < corners; ++c) {
-      [[maybe_unused]] Vec4 at_corner = second;
-      if constexpr (sums.second)
+      [[maybe_unused]] Vec4 at_corner = sums.flux ? first : second;
+      if constexpr (sums.second || sums.flux)
         for (int k = 0; k < Dim; ++k) at_corner += Domains::sign(c, k) * flux[k];
       domains.each_node(lattice, i, c, [&](int offset, int index, double hat, [[maybe_unused]] const auto& distance) {
         double* node = data[sides ? sides[index] : 0] + offset;
         if constexpr (sums.first) {
-          Vec4 value = first;
+          Vec4 value = sums.flux ? at_corner : first;
           if constexpr (sums.affine)
             for (std::size_t d = 0; d < Dim; ++d) value += distance[d] * affine[d];
           store4(node, load4(node) + hat * value);

@@ -70,7 +70,7 @@ void update_temperature(Body<Dim>& body, std::uint32_t first, int count, double 
   double* residual = body.particles[body.temperature_residual] + first;
   double not_finite = 0.0;
   for (int i = 0; i < count; ++i) {
-    temperature[i] += dt * sums.acceleration[0][i];
+    temperature[i] += dt * sums.velocity[1][i];
     residual[i] = temperature[i] - sums.velocity[0][i];
     not_finite += 0.0 * temperature[i];
   }

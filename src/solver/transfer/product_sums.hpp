@@ -47,6 +47,7 @@ struct ProductSums {
   template <AddedSums sums, class Nodes>
   static void add(const Stencils<Dim, Kernel>& s, const ScatterTerms<Dim>& terms, const Lattice<Dim>& lattice, int i,
                   const Nodes& nodes) {
+    if constexpr (sums.flux) return add_with_flux(s, terms, lattice, i, nodes);
     const Vec4 first = load4(terms.whole[i]), second = load4(terms.whole[i] + 4);
     [[maybe_unused]] Vec4 flux[3], affine[3];
     for (int d = 0; d < Dim; ++d) {
@@ -94,6 +95,42 @@ struct ProductSums {
             store4(node, sum);
           }
           if constexpr (sums.second) store4(node + 4, load4(node + 4) + wx[a] * row_second + gx[a] * slope);
+        }
+      }
+    }
+  }
+
+  /// Adds a linear field and a flux (number 1 and 2 of a node) and their weight (number 0). Along each axis, a vector
+  /// has the factor of the field, w (x_I - x), and that of the flux, dw/dx.
+  template <class Nodes>
+  static void add_with_flux(const Stencils<Dim, Kernel>& s, const ScatterTerms<Dim>& terms, const Lattice<Dim>& lattice,
+                            int i, const Nodes& nodes) {
+    const Vec4 whole = load4(terms.whole[i]);
+    Vec4 linear[3], factor[Dim][width];
+    double w[3][width];
+    for (int d = 0; d < Dim; ++d) {
+      linear[d] = lattice.spacing[d] * load4(terms.affine[d][i]) + load4(terms.flux[d][i]);
+      for (int n = 0; n < width; ++n) {
+        w[d][n] = s.w[d][n][i];
+        factor[d][n] = Vec4{0.0, w[d][n] * (n - s.r[d][i]), s.g[d][n][i], 0.0};
+      }
+    }
+    const std::ptrdiff_t base = s.base[i];
+#pragma GCC unroll 4
+    for (int c = 0; c < (Dim == 3 ? width : 1); ++c) {
+      Vec4 plane = whole, plane_x = linear[0], plane_y = linear[1];
+      if constexpr (Dim == 3) {
+        plane = w[2][c] * whole + factor[Dim - 1][c] * linear[2];
+        plane_x = w[2][c] * linear[0], plane_y = w[2][c] * linear[1];
+      }
+#pragma GCC unroll 4
+      for (int b = 0; b < width; ++b) {
+        const Vec4 row = w[1][b] * plane + factor[1][b] * plane_y, slope = w[1][b] * plane_x;
+        const std::ptrdiff_t of_row = base + 8 * (c * NodePatch::plane + b * NodePatch::row);
+#pragma GCC unroll 4
+        for (int a = 0; a < width; ++a) {
+          double* node = nodes((c * width + b) * width + a, of_row + 8 * a);
+          store4(node, load4(node) + w[0][a] * row + factor[0][a] * slope);
         }
       }
     }

@@ -124,8 +124,7 @@ class ProductTransfers final : public Transfers<Dim> {
       const int count = static_cast<int>(std::min<std::uint32_t>(batch, bin.end - first));
       stencils.compute(map.lattice(), block, x, first, count, half, body.uniform_half_size);
       terms.template prepare<sums.second>(body, first, count, what, axisymmetric);
-      if (sums.affine && what != Scatter::heat)
-        Sums::prepare_affine(body, map.lattice(), stencils, first, count, terms);
+      if constexpr (sums.affine && !sums.flux) Sums::prepare_affine(body, map.lattice(), stencils, first, count, terms);
       for (int i = 0; i < count; ++i) {
         if (i % 8 == 0) fetch_ahead(body.read_by_scatter, first + static_cast<std::uint32_t>(batch + i));
         const std::uint8_t* sides = cut ? cut->of(first - bin.begin + static_cast<std::uint32_t>(i)) : nullptr;

@@ -19,7 +19,7 @@ inline void fetch_ahead(const std::vector<const double*>& columns, std::uint32_t
 template <int Dim>
 struct ScatterTerms {
   alignas(64) double whole[batch_lanes][8];        ///< times w: (m, m v | 0, f)
-  alignas(64) double flux[Dim][batch_lanes][4];    ///< times dw/dx_d: -V sigma e_d
+  alignas(64) double flux[Dim][batch_lanes][4];    ///< times dw/dx_d: -V sigma e_d; of heat -V k dT/dx_d
   alignas(64) double affine[Dim][batch_lanes][4];  ///< times w (x_I - x)_d: m C e_d; of heat m c dT/dx_d
 
   /// Computes `whole`, and `flux` if forces are scattered, for the particles first ... first + count - 1.
@@ -82,23 +82,24 @@ struct ScatterTerms {
     }
   }
 
-  // The heat flux, -k grad T, takes the place of the stress. The particle temperature is extrapolated to the nodes
-  // with its gradient, so that linear temperature fields are exact at surfaces and contacts as well.
+  // All sums of heat go to the first vector of a node: the capacity, the heat and the power. The particle temperature
+  // is extrapolated to the nodes with its gradient, so that linear temperature fields are exact at surfaces and
+  // contacts as well.
   void prepare_heat(Body<Dim>& body, std::uint32_t first, int count) {
     const double* m = body.particles.mass() + first;
     const double* volume = body.particles.volume() + first;
     const double* temperature = body.particles[body.temperature] + first;
     const auto gradient = body.particles[body.temperature_gradient];
-    for (int i = 0; i < count; ++i) {
-      const double capacity = m[i] * body.heat_capacity;
-      for (double& w : whole[i]) w = 0.0;
-      whole[i][0] = capacity, whole[i][1] = capacity * temperature[i];
-      for (std::size_t d = 0; d < Dim; ++d) {
-        const double slope = gradient[d][first + static_cast<std::uint32_t>(i)];
-        for (double& w : affine[d][i]) w = 0.0;
-        affine[d][i][1] = capacity * slope;
-        for (double& w : flux[d][i]) w = 0.0;
-        flux[d][i][1] = -volume[i] * body.conductivity * slope;
+    for (int i = 0; i < count; i += 4) {
+      const Vec4 conduction = -body.conductivity * load4(volume + i);
+      const Vec4 capacity = body.heat_capacity * load4(m + i);
+      Vec4 a = capacity, b = capacity * load4(temperature + i), c{}, d{};
+      transpose4(a, b, c, d);
+      store4(whole[i], a), store4(whole[i + 1], b), store4(whole[i + 2], c), store4(whole[i + 3], d);
+      for (std::size_t k = 0; k < Dim; ++k) {
+        const Vec4 slope = load4(gradient[k] + first + i);
+        spread(affine[k], i, capacity * slope, Vec4{}, Vec4{});
+        spread(flux[k], i, Vec4{}, conduction * slope, Vec4{});
       }
     }
   }

@@ -14,18 +14,12 @@ enum class Scatter {
   force,               ///< sum w f_ext - V sigma grad w
   momentum_and_force,  ///< both in one loop
   filtered,            ///< sum w m, sum w m v*, v* the filtered velocity columns
-  heat,  ///< sum w m c in place of the mass; in the x components, sums of m c T and of the heat flow V k grad T
+  heat,  ///< sum w m c in place of the mass, of m c T in place of momentum x, of the heat flow V k grad T in place of y
   /// Sum w m c in place of the mass; sum of m c times the fraction of the residual to be removed.
   heat_residual,
   volumetric,  ///< sum w V in place of the mass; in the x component, sum of V times the volumetric column
   volume       ///< sum w V in place of the mass, sum w V x (or displacements), sum V grad w in place of the force
 };
-
-/// Whether a scatter uses the gradients of the shape functions as well.
-inline bool uses_gradients(Scatter what) {
-  return what == Scatter::force || what == Scatter::momentum_and_force || what == Scatter::heat ||
-         what == Scatter::volume;
-}
 
 /// The values that a gather computes for the particles. S f is the sum of w_Ip f_I over the nodes.
 enum class GatherTask {

@@ -13,6 +13,7 @@ struct AddedSums {
   bool first = false;   ///< the weight and the first vector of a node
   bool second = false;  ///< the second vector, from the values of the particles and from their fluxes
   bool affine = false;  ///< linear fields about the particles, to the first vector
+  bool flux = false;    ///< from the fluxes of the particles, to the first vector
 };
 
 /// The values that a gather interpolates; the first vector of a node always is one of them.
@@ -30,7 +31,7 @@ template <class F>
 void with_added_sums(Scatter what, bool affine, F&& f) {
   switch (what) {
     case Scatter::heat:
-      return f(constant<AddedSums{.first = true, .second = true, .affine = true}>);
+      return f(constant<AddedSums{.first = true, .affine = true, .flux = true}>);
     case Scatter::volume:
       return f(constant<AddedSums{.first = true, .second = true}>);
     case Scatter::force:
@@ -59,9 +60,8 @@ void with_gathered_sums(const Gather& what, bool affine, F&& f) {
     case GatherTask::cell_mean:
       return f(constant<GatheredSums{}>);
     case GatherTask::volume_rate:
-      return f(constant<GatheredSums{.gradient = true}>);
     case GatherTask::temperature:
-      return f(constant<GatheredSums{.second = true, .gradient = true}>);
+      return f(constant<GatheredSums{.gradient = true}>);
     case GatherTask::update:
       if (!what.move) return f(constant<GatheredSums{.gradient = true}>);
       if (affine) return f(constant<GatheredSums{.gradient = true, .affine = true}>);
