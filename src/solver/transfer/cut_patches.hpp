@@ -47,9 +47,11 @@ class CutPatches {
 };
 
 /// The nodes of a particle in the patch of one field. Called with the number of a node in the stencil, x fastest, and
-/// its offset in the patch, it returns the data of the node.
+/// its offset from the lowest node, it returns the data of the node.
 struct NodesOfOneField {
   double* data;
+  /// The same from the lowest node of a particle, at an offset in the patch.
+  NodesOfOneField from(std::ptrdiff_t lowest) const { return {data + lowest}; }
   double* operator()(int, std::ptrdiff_t offset) const { return data + offset; }
 };
 
@@ -57,7 +59,9 @@ struct NodesOfOneField {
 struct NodesBySide {
   const std::array<double*, 4>& data;  ///< by side
   const std::uint8_t* sides;           ///< per node of the stencil
-  double* operator()(int node, std::ptrdiff_t offset) const { return data[sides[node]] + offset; }
+  std::ptrdiff_t lowest = 0;
+  NodesBySide from(std::ptrdiff_t at) const { return {data, sides, at}; }
+  double* operator()(int node, std::ptrdiff_t offset) const { return data[sides[node]] + lowest + offset; }
 };
 
 }  // namespace tribo

@@ -61,7 +61,7 @@ struct ProductSums {
       if constexpr (sums.second) gx[n] = s.g[0][n][i];
       if constexpr (sums.affine) ax[n] = wx[n] * (n - s.r[0][i]);
     }
-    const std::ptrdiff_t base = s.base[i];
+    const Nodes around = nodes.from(s.base[i]);
 #pragma GCC unroll 4
     for (int c = 0; c < (Dim == 3 ? width : 1); ++c) {
       const double wz = Dim == 3 ? s.w[Dim - 1][c][i] : 1.0;
@@ -85,10 +85,10 @@ struct ProductSums {
         if constexpr (sums.first && !sums.affine) row = wy * plane;
         if constexpr (sums.affine) row = wy * (plane + (b - s.r[1][i]) * affine_y), spin = wy * affine_x;
         if constexpr (sums.second) row_second = wy * plane_second + s.g[1][b][i] * plane_y, slope = wy * plane_x;
-        const std::ptrdiff_t of_row = base + 8 * (c * NodePatch::plane + b * NodePatch::row);
+        const std::ptrdiff_t of_row = 8 * (c * NodePatch::plane + b * NodePatch::row);
 #pragma GCC unroll 4
         for (int a = 0; a < width; ++a) {
-          double* node = nodes((c * width + b) * width + a, of_row + 8 * a);
+          double* node = around((c * width + b) * width + a, of_row + 8 * a);
           if constexpr (sums.first) {
             Vec4 sum = load4(node) + wx[a] * row;
             if constexpr (sums.affine) sum += ax[a] * spin;
@@ -115,7 +115,7 @@ struct ProductSums {
         factor[d][n] = Vec4{0.0, w[d][n] * (n - s.r[d][i]), s.g[d][n][i], 0.0};
       }
     }
-    const std::ptrdiff_t base = s.base[i];
+    const Nodes around = nodes.from(s.base[i]);
 #pragma GCC unroll 4
     for (int c = 0; c < (Dim == 3 ? width : 1); ++c) {
       Vec4 plane = whole, plane_x = linear[0], plane_y = linear[1];
@@ -126,10 +126,10 @@ struct ProductSums {
 #pragma GCC unroll 4
       for (int b = 0; b < width; ++b) {
         const Vec4 row = w[1][b] * plane + factor[1][b] * plane_y, slope = w[1][b] * plane_x;
-        const std::ptrdiff_t of_row = base + 8 * (c * NodePatch::plane + b * NodePatch::row);
+        const std::ptrdiff_t of_row = 8 * (c * NodePatch::plane + b * NodePatch::row);
 #pragma GCC unroll 4
         for (int a = 0; a < width; ++a) {
-          double* node = nodes((c * width + b) * width + a, of_row + 8 * a);
+          double* node = around((c * width + b) * width + a, of_row + 8 * a);
           store4(node, load4(node) + w[0][a] * row + factor[0][a] * slope);
         }
       }
@@ -160,7 +160,7 @@ struct ProductSums {
       if constexpr (wanted.gradient) gx[n] = s.g[0][n][i];
       if constexpr (wanted.affine) ax[n] = wx[n] * (n - s.r[0][i]);
     }
-    const std::ptrdiff_t base = s.base[i];
+    const Nodes around = nodes.from(s.base[i]);
     Vec4 value{};
     [[maybe_unused]] Vec4 second{}, lx{}, ly{}, lz{}, bx{}, by{}, bz{};
 #pragma GCC unroll 4
@@ -169,13 +169,13 @@ struct ProductSums {
       [[maybe_unused]] Vec4 plane_second{}, plane_x{}, plane_y{}, moment_x{}, moment_y{};
 #pragma GCC unroll 4
       for (int b = 0; b < width; ++b) {
-        const std::ptrdiff_t of_row = base + 8 * (c * NodePatch::plane + b * NodePatch::row);
+        const std::ptrdiff_t of_row = 8 * (c * NodePatch::plane + b * NodePatch::row);
         const double wy = s.w[1][b][i];
         // The sum of f(a) times a vector of the nodes of the row, which begins `at` numbers after that of the node.
         const auto along = [&](const double* f, int at) {
-          Vec4 total = f[0] * load4(nodes((c * width + b) * width, of_row) + at);
+          Vec4 total = f[0] * load4(around((c * width + b) * width, of_row) + at);
           for (int a = 1; a < width; ++a)
-            total += f[a] * load4(nodes((c * width + b) * width + a, of_row + 8 * a) + at);
+            total += f[a] * load4(around((c * width + b) * width + a, of_row + 8 * a) + at);
           return total;
         };
         const Vec4 row = along(wx, 0);
