@@ -2,10 +2,16 @@
 /// Short vectors for the transfers between particles and nodes. The data of a node are one Wide: (mass, momentum | -,
 /// force).
 ///
-/// GCC/Clang vector extensions, so the same source serves any instruction set. A Wide consists of two halves also with
-/// AVX-512: shape function gradients are needed for the force half only, and skipping the other half was measured to
-/// save more time than wider registers.
+/// GCC/Clang vector extensions, so the same source serves any instruction set. A Wide is one register where the machine
+/// computes with 512 bits at a time, and otherwise two halves. Zen 3 and Zen 4 compute with 256 bits also in AVX-512:
+/// there it saves time to skip the half that shape function gradients do not need. The results are the same.
 #pragma once
+
+#include <type_traits>
+
+#if defined(__AVX512F__) && !defined(__znver3__) && !defined(__znver4__)
+#define TRIBO_WIDE_REGISTERS
+#endif
 
 namespace tribo {
 
@@ -25,6 +31,32 @@ inline void store_vector(Number* p, Vector v) {
 inline Vec4 load4(const double* p) { return load_vector<Vec4>(p); }
 inline void store4(double* p, Vec4 v) { store_vector(p, v); }
 
+#ifdef TRIBO_WIDE_REGISTERS
+
+struct Wide {
+  using Register = double __attribute__((vector_size(64)));
+  Register all;
+  static Wide zero() { return {Register{}}; }
+  static Wide load(const double* p) { return {load_vector<Register>(p)}; }
+  static Wide join(Vec4 low, Vec4 high) { return {__builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7)}; }
+  void store(double* p) const { store_vector(p, all); }
+  Vec4 low() const { return __builtin_shufflevector(all, all, 0, 1, 2, 3); }
+  Vec4 high() const { return __builtin_shufflevector(all, all, 4, 5, 6, 7); }
+  Wide operator+(const Wide& o) const { return {all + o.all}; }
+  Wide operator*(const Wide& o) const { return {all * o.all}; }
+  friend Wide operator*(double s, const Wide& w) { return {s * w.all}; }
+};
+
+/// A Wide whose lower half is zero.
+struct Upper {
+  Wide::Register all;
+  static Upper from(Vec4 high) { return {Wide::join(Vec4{}, high).all}; }
+  friend Upper operator*(double s, const Upper& u) { return {s * u.all}; }
+  friend Wide operator+(const Wide& w, const Upper& u) { return {w.all + u.all}; }
+};
+
+#else
+
 struct Wide {
   Vec4 l, h;
   static Wide zero() { return {Vec4{}, Vec4{}}; }
@@ -34,18 +66,42 @@ struct Wide {
   Vec4 low() const { return l; }
   Vec4 high() const { return h; }
   Wide operator+(const Wide& o) const { return {l + o.l, h + o.h}; }
+  Wide operator*(const Wide& o) const { return {l * o.l, h * o.h}; }
   friend Wide operator*(double s, const Wide& w) { return {s * w.l, s * w.h}; }
 };
 
 /// A Wide whose lower half is zero, stored as its upper half.
 struct Upper {
   Vec4 h;
-  static Upper zero() { return {Vec4{}}; }
   static Upper from(Vec4 high) { return {high}; }
-  Upper operator+(const Upper& o) const { return {h + o.h}; }
   friend Upper operator*(double s, const Upper& u) { return {s * u.h}; }
   friend Wide operator+(const Wide& w, const Upper& u) { return {w.l, w.h + u.h}; }
 };
+
+#endif
+
+/// Stands for a zero term of a sum, which is not computed.
+struct Nothing {
+  friend Nothing operator*(double, Nothing) { return {}; }
+  friend Nothing operator*(Nothing, Nothing) { return {}; }
+  template <class Vector>
+  friend Vector operator+(const Vector& v, Nothing) {
+    return v;
+  }
+};
+
+/// A Vec4 or Wide from an array, and into an array.
+template <class Vector>
+inline Vector load_as(const double* p) {
+  if constexpr (std::is_same_v<Vector, Vec4>)
+    return load4(p);
+  else
+    return Vector::load(p);
+}
+inline void store_all(double* p, const Vec4& v) { store4(p, v); }
+inline void store_all(double* p, const Wide& v) { v.store(p); }
+inline Vec4 low_half(const Vec4& v) { return v; }
+inline Vec4 low_half(const Wide& v) { return v.low(); }
 
 /// As many doubles as fit into one register of the target machine.
 #ifdef __AVX512F__

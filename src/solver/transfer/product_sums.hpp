@@ -9,6 +9,9 @@
 #include "solver/transfer/stencils.hpp"
 #include "solver/transfer/transfer_sums.hpp"
 
+#include <array>
+#include <type_traits>
+
 namespace tribo {
 
 /// Sums from a particle to the nodes of its stencil and back; the terms of a batch of particles are given. `i` is the
@@ -42,95 +45,71 @@ struct ProductSums {
     }
   }
 
-  /// Adds the sums of particle `i` to its nodes. The products of one-dimensional functions are formed for the plane,
-  /// then for the row, then for the node.
+  /// Adds the sums of particle `i` to its nodes: the values of the particle times w, and the coefficients of linear
+  /// fields times w (x_I - x), or fluxes times dw/dx, or both in different components.
   template <AddedSums sums, class Nodes>
   static void add(const Stencils<Dim, Kernel>& s, const ScatterTerms<Dim>& terms, const Lattice<Dim>& lattice, int i,
                   const Nodes& nodes) {
-    if constexpr (sums.flux) return add_with_flux(s, terms, lattice, i, nodes);
-    const Vec4 first = load4(terms.whole[i]), second = load4(terms.whole[i] + 4);
-    [[maybe_unused]] Vec4 flux[3], affine[3];
-    for (int d = 0; d < Dim; ++d) {
-      if constexpr (sums.second) flux[d] = load4(terms.flux[d][i]);
-      if constexpr (sums.affine) affine[d] = lattice.spacing[d] * load4(terms.affine[d][i]);
+    const auto linear = [&](int d) { return lattice.spacing[d] * load4(terms.affine[d][i]); };
+    const auto flux = [&](int d) { return load4(terms.flux[d][i]); };
+    const auto distance = [&](int d, int n) { return s.w[d][n][i] * (n - s.r[d][i]); };
+    const auto slope = [&](int d, int n) { return s.g[d][n][i]; };
+    const auto both = [&](int d, int n) { return Wide::join(distance(d, n) - Vec4{}, slope(d, n) - Vec4{}); };
+    const auto none = [](int, int) { return Nothing{}; };
+    const double* whole = terms.whole[i];
+    if constexpr (sums.flux) {  // in the components 1 and 2
+      add_products(
+          s, i, load4(whole), [&](int d) { return linear(d) + flux(d); },
+          [&](int d, int n) {
+            return Vec4{0.0, distance(d, n), slope(d, n), 0.0};
+          },
+          nodes, 0);
+    } else if constexpr (sums.first && sums.second && sums.affine) {
+      add_products(
+          s, i, Wide::load(whole), [&](int d) { return Wide::join(linear(d), flux(d)); }, both, nodes, 0);
+    } else if constexpr (sums.first && sums.second) {
+      add_products(
+          s, i, Wide::load(whole), [&](int d) { return Upper::from(flux(d)); }, slope, nodes, 0);
+    } else if constexpr (sums.second) {
+      add_products(s, i, load4(whole + 4), flux, slope, nodes, 4);
+    } else if constexpr (sums.affine) {
+      add_products(s, i, load4(whole), linear, distance, nodes, 0);
+    } else {
+      add_products(
+          s, i, load4(whole), [](int) { return Nothing{}; }, none, nodes, 0);
     }
+  }
+
+  /// Adds `whole` w + sum_d `gradient`(d) k_d to the nodes of particle `i`, from their number `at`. k_d is the product
+  /// of `factor`(d, n) for the n-th node along axis d and of w along the other axes. The products are formed for the
+  /// plane, then for the row, then for the node.
+  template <class Whole, class Gradient, class Factor, class Nodes>
+  static void add_products(const Stencils<Dim, Kernel>& s, int i, Whole whole, Gradient gradient, Factor factor,
+                           const Nodes& nodes, int at) {
+    const auto along_x = gradient(0), along_y = gradient(1);
     double wx[width];
-    [[maybe_unused]] double gx[width], ax[width];
-    for (int n = 0; n < width; ++n) {
-      wx[n] = s.w[0][n][i];
-      if constexpr (sums.second) gx[n] = s.g[0][n][i];
-      if constexpr (sums.affine) ax[n] = wx[n] * (n - s.r[0][i]);
-    }
+    std::array<decltype(factor(0, 0)), width> kx;
+    for (int n = 0; n < width; ++n) wx[n] = s.w[0][n][i], kx[static_cast<std::size_t>(n)] = factor(0, n);
     const Nodes around = nodes.from(s.base[i]);
 #pragma GCC unroll 4
     for (int c = 0; c < (Dim == 3 ? width : 1); ++c) {
-      const double wz = Dim == 3 ? s.w[Dim - 1][c][i] : 1.0;
-      [[maybe_unused]] Vec4 plane = first, plane_second = second;
-      [[maybe_unused]] Vec4 plane_x = flux[0], plane_y = flux[1], affine_x = affine[0], affine_y = affine[1];
+      Whole plane = whole;
+      auto plane_x = along_x, plane_y = along_y;
       if constexpr (Dim == 3) {
-        if constexpr (sums.affine) {
-          plane += (c - s.r[Dim - 1][i]) * affine[2];
-          affine_x = wz * affine[0], affine_y = wz * affine[1];
-        }
-        plane = wz * plane;
-        if constexpr (sums.second) {
-          plane_second = wz * second + s.g[Dim - 1][c][i] * flux[2];
-          plane_x = wz * flux[0], plane_y = wz * flux[1];
-        }
+        const double wz = s.w[Dim - 1][c][i];
+        plane = wz * whole + factor(2, c) * gradient(2);
+        plane_x = wz * along_x, plane_y = wz * along_y;
       }
 #pragma GCC unroll 4
       for (int b = 0; b < width; ++b) {
         const double wy = s.w[1][b][i];
-        [[maybe_unused]] Vec4 row, slope, row_second, spin;
-        if constexpr (sums.first && !sums.affine) row = wy * plane;
-        if constexpr (sums.affine) row = wy * (plane + (b - s.r[1][i]) * affine_y), spin = wy * affine_x;
-        if constexpr (sums.second) row_second = wy * plane_second + s.g[1][b][i] * plane_y, slope = wy * plane_x;
+        const Whole row = wy * plane + factor(1, b) * plane_y;
+        const auto row_x = wy * plane_x;
         const std::ptrdiff_t of_row = 8 * (c * NodePatch::plane + b * NodePatch::row);
 #pragma GCC unroll 4
         for (int a = 0; a < width; ++a) {
-          double* node = around((c * width + b) * width + a, of_row + 8 * a);
-          if constexpr (sums.first) {
-            Vec4 sum = load4(node) + wx[a] * row;
-            if constexpr (sums.affine) sum += ax[a] * spin;
-            store4(node, sum);
-          }
-          if constexpr (sums.second) store4(node + 4, load4(node + 4) + wx[a] * row_second + gx[a] * slope);
-        }
-      }
-    }
-  }
-
-  /// Adds a linear field and a flux (number 1 and 2 of a node) and their weight (number 0). Along each axis, a vector
-  /// has the factor of the field, w (x_I - x), and that of the flux, dw/dx.
-  template <class Nodes>
-  static void add_with_flux(const Stencils<Dim, Kernel>& s, const ScatterTerms<Dim>& terms, const Lattice<Dim>& lattice,
-                            int i, const Nodes& nodes) {
-    const Vec4 whole = load4(terms.whole[i]);
-    Vec4 linear[3], factor[Dim][width];
-    double w[3][width];
-    for (int d = 0; d < Dim; ++d) {
-      linear[d] = lattice.spacing[d] * load4(terms.affine[d][i]) + load4(terms.flux[d][i]);
-      for (int n = 0; n < width; ++n) {
-        w[d][n] = s.w[d][n][i];
-        factor[d][n] = Vec4{0.0, w[d][n] * (n - s.r[d][i]), s.g[d][n][i], 0.0};
-      }
-    }
-    const Nodes around = nodes.from(s.base[i]);
-#pragma GCC unroll 4
-    for (int c = 0; c < (Dim == 3 ? width : 1); ++c) {
-      Vec4 plane = whole, plane_x = linear[0], plane_y = linear[1];
-      if constexpr (Dim == 3) {
-        plane = w[2][c] * whole + factor[Dim - 1][c] * linear[2];
-        plane_x = w[2][c] * linear[0], plane_y = w[2][c] * linear[1];
-      }
-#pragma GCC unroll 4
-      for (int b = 0; b < width; ++b) {
-        const Vec4 row = w[1][b] * plane + factor[1][b] * plane_y, slope = w[1][b] * plane_x;
-        const std::ptrdiff_t of_row = 8 * (c * NodePatch::plane + b * NodePatch::row);
-#pragma GCC unroll 4
-        for (int a = 0; a < width; ++a) {
-          double* node = around((c * width + b) * width + a, of_row + 8 * a);
-          store4(node, load4(node) + w[0][a] * row + factor[0][a] * slope);
+          double* node = around((c * width + b) * width + a, of_row + 8 * a) + at;
+          store_all(node, load_as<Whole>(node) + wx[a] * row + kx[static_cast<std::size_t>(a)] * row_x);
         }
       }
     }
@@ -153,6 +132,7 @@ struct ProductSums {
   template <GatheredSums wanted, class Nodes>
   static void sum(const Stencils<Dim, Kernel>& s, const Lattice<Dim>& lattice, int i, const Nodes& nodes,
                   GatherSums<Dim>& sums) {
+    using Value = std::conditional_t<wanted.second, Wide, Vec4>;
     double wx[width];
     [[maybe_unused]] double gx[width], ax[width];
     for (int n = 0; n < width; ++n) {
@@ -161,42 +141,41 @@ struct ProductSums {
       if constexpr (wanted.affine) ax[n] = wx[n] * (n - s.r[0][i]);
     }
     const Nodes around = nodes.from(s.base[i]);
-    Vec4 value{};
-    [[maybe_unused]] Vec4 second{}, lx{}, ly{}, lz{}, bx{}, by{}, bz{};
+    Value value{};
+    [[maybe_unused]] Vec4 lx{}, ly{}, lz{}, bx{}, by{}, bz{};
 #pragma GCC unroll 4
     for (int c = 0; c < (Dim == 3 ? width : 1); ++c) {
-      Vec4 plane{};
-      [[maybe_unused]] Vec4 plane_second{}, plane_x{}, plane_y{}, moment_x{}, moment_y{};
+      Value plane{};
+      [[maybe_unused]] Vec4 plane_x{}, plane_y{}, moment_x{}, moment_y{};
 #pragma GCC unroll 4
       for (int b = 0; b < width; ++b) {
         const std::ptrdiff_t of_row = 8 * (c * NodePatch::plane + b * NodePatch::row);
         const double wy = s.w[1][b][i];
-        // The sum of f(a) times a vector of the nodes of the row, which begins `at` numbers after that of the node.
-        const auto along = [&](const double* f, int at) {
-          Vec4 total = f[0] * load4(around((c * width + b) * width, of_row) + at);
+        // The sum of f(a) times a vector of the nodes of the row.
+        const auto along = [&]<class Vector>(const double* f, Vector) {
+          Vector total = f[0] * load_as<Vector>(around((c * width + b) * width, of_row));
           for (int a = 1; a < width; ++a)
-            total += f[a] * load4(around((c * width + b) * width + a, of_row + 8 * a) + at);
+            total = total + f[a] * load_as<Vector>(around((c * width + b) * width + a, of_row + 8 * a));
           return total;
         };
-        const Vec4 row = along(wx, 0);
-        plane += wy * row;
-        if constexpr (wanted.second) plane_second += wy * along(wx, 4);
-        if constexpr (wanted.gradient) plane_x += wy * along(gx, 0), plane_y += s.g[1][b][i] * row;
-        if constexpr (wanted.affine) moment_x += wy * along(ax, 0), moment_y += (wy * (b - s.r[1][i])) * row;
+        const Value row = along(wx, Value{});
+        const Vec4 first = low_half(row);
+        plane = plane + wy * row;
+        if constexpr (wanted.gradient) plane_x += wy * along(gx, Vec4{}), plane_y += s.g[1][b][i] * first;
+        if constexpr (wanted.affine) moment_x += wy * along(ax, Vec4{}), moment_y += (wy * (b - s.r[1][i])) * first;
       }
       if constexpr (Dim == 2) {
-        value = plane, second = plane_second, lx = plane_x, ly = plane_y, bx = moment_x, by = moment_y;
+        value = plane, lx = plane_x, ly = plane_y, bx = moment_x, by = moment_y;
       } else {
         const double wz = s.w[Dim - 1][c][i];
-        value += wz * plane;
-        if constexpr (wanted.second) second += wz * plane_second;
-        if constexpr (wanted.gradient) lx += wz * plane_x, ly += wz * plane_y, lz += s.g[Dim - 1][c][i] * plane;
+        const Vec4 first = low_half(plane);
+        value = value + wz * plane;
+        if constexpr (wanted.gradient) lx += wz * plane_x, ly += wz * plane_y, lz += s.g[Dim - 1][c][i] * first;
         if constexpr (wanted.affine)
-          bx += wz * moment_x, by += wz * moment_y, bz += (wz * (c - s.r[Dim - 1][i])) * plane;
+          bx += wz * moment_x, by += wz * moment_y, bz += (wz * (c - s.r[Dim - 1][i])) * first;
       }
     }
-    store4(sums.whole[i % 4], value);
-    if constexpr (wanted.second) store4(sums.whole[i % 4] + 4, second);
+    store_all(sums.whole[i % 4], value);
     if constexpr (wanted.gradient) {
       store4(sums.slope[0][i % 4], lx), store4(sums.slope[1][i % 4], ly);
       if constexpr (Dim == 3) store4(sums.slope[Dim - 1][i % 4], lz);
