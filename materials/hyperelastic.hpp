@@ -6,6 +6,7 @@
 #include "materials/principal.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace tribo {
 
@@ -54,6 +55,11 @@ struct Invariants {
 /// Components xx yy zz xy yz xz of the left Cauchy-Green tensor.
 struct LeftCauchyGreen {
   double xx, yy, zz, xy, yz, xz, J;
+  /// No principal value is larger (Gershgorin).
+  double bound() const {
+    const double x = std::abs(xy), y = std::abs(yz), z = std::abs(xz);
+    return std::max({xx + x + z, yy + x + y, zz + y + z});
+  }
   Invariants invariants() const { return {xx + yy + zz, xx * yy + yy * zz + zz * xx - xy * xy - yz * yz - xz * xz, J}; }
 };
 
@@ -83,6 +89,8 @@ inline LeftCauchyGreen left_cauchy_green(const MaterialPoints<3>& p, int i) {
 ///   template <int Option> double energy(const Invariants&) const;       // per initial volume
 ///   template <int Option> double stiffness(const Invariants&, const Triple& b) const;   // upper bound of rho_0 c^2,
 ///                                                                       // b: ascending principal values of b
+/// and, if the stiffness depends on the largest principal value of b only and increases with it,
+///   static constexpr bool largest_stretch_decides = true;
 template <class Law>
 class HyperelasticMaterial final : public Material {
  public:
@@ -164,6 +172,10 @@ class HyperelasticMaterial final : public Material {
     choose([&](auto option) {
       for (int i = 0; i < points.count; ++i) {
         const LeftCauchyGreen b = left_cauchy_green(points, i);
+        if constexpr (requires { Law::largest_stretch_decides; }) {
+          const double bound = b.bound();
+          if (law_.template stiffness<option>(b.invariants(), {bound, bound, bound}) <= most) continue;
+        }
         const Triple values = principal(b.xx, b.yy, b.zz, b.xy, b.yz, b.xz).value;
         most = std::max(most, law_.template stiffness<option>(b.invariants(), values));
       }

@@ -66,6 +66,7 @@ struct NeoHookean {
     return 0.5 * elastic.mu * (at.I1 - 3) - elastic.mu * std::log(at.J) +
            Volumetric<Option>{elastic.lambda}.energy(at.J);
   }
+  static constexpr bool largest_stretch_decides = true;
   // J times the acoustic tensor is G (n.b.n) 1 + (G + J^2 U'') n n.
   template <int Option>
   double stiffness(const Invariants& at, const Triple& b) const {

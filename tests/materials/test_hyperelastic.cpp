@@ -279,6 +279,25 @@ TEST_CASE("the present wave modulus bounds every acoustic wave and is exact at r
   }
 }
 
+TEST_CASE("the wave modulus of many points is the largest one of them", "[materials]") {
+  std::mt19937 random(7);
+  for (const auto& [name, law] : all_laws()) {
+    INFO(name);
+    constexpr int count = 40;
+    double F[9][count], largest = 0;
+    for (int i = 0; i < count; ++i) {
+      MaterialPoint<3> point(*law);
+      point.F = random_deformation(random, 0.3);
+      for (int k = 0; k < 9; ++k) F[k][i] = point.F(k / 3, k % 3);
+      largest = std::max(largest, point.wave_modulus());
+    }
+    MaterialPoints<3> points{};
+    points.count = count;
+    for (std::size_t k = 0; k < 9; ++k) points.F[k] = F[k];
+    CHECK(law->wave_modulus(points) == largest);
+  }
+}
+
 TEST_CASE("a neo-Hookean solid with U = lambda/2 (ln J)^2 stiffens in compression", "[materials]") {
   const auto law = neo_hookean();
   MaterialPoint<2> point(*law);
