@@ -2,6 +2,8 @@
 /// Arrays aligned to cache lines. Large ones use huge pages where the system has them.
 #pragma once
 
+#include "base/parallel.hpp"
+
 #include <sys/mman.h>
 
 #include <cstddef>
@@ -22,6 +24,7 @@ struct CacheAligned {
     const std::size_t whole = bytes < page ? page : bytes;
     void* p = ::operator new (whole, std::align_val_t{page});
     madvise(p, whole, MADV_HUGEPAGE);  // a hint that reduces misses of the address translation cache
+    if (whole >= shared * page) touch(static_cast<char*>(p), whole);
     return static_cast<T*>(p);
   }
   void deallocate(T* p, std::size_t n) {
@@ -33,6 +36,14 @@ struct CacheAligned {
   }
 
  private:
+  // The system clears a page when it is first written to, which takes longer than all that is written later. Here all
+  // threads share this work.
+  static void touch(char* p, std::size_t bytes) {
+    parallel_for(static_cast<std::ptrdiff_t>(bytes / page),
+                 [p](std::ptrdiff_t k) { *static_cast<volatile char*>(p + page * static_cast<std::size_t>(k)) = 0; });
+  }
+
+  static constexpr std::size_t shared = 4;  // pages
   static constexpr std::size_t page = std::size_t{1} << 21;
 };
 

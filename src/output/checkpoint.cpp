@@ -6,7 +6,7 @@
 #include "base/read_file.hpp"
 #include "output/atomic_file.hpp"
 
-#include <zlib.h>
+#include <libdeflate.h>
 
 #include <algorithm>
 #include <cstring>
@@ -23,13 +23,7 @@ namespace {
 constexpr std::string_view magic = "Tribo checkpoint 2\n";
 
 std::uint32_t checksum(std::string_view name, std::string_view bytes) {
-  auto crc = ::crc32(0, reinterpret_cast<const Bytef*>(name.data()), static_cast<uInt>(name.size()));
-  while (!bytes.empty()) {  // zlib counts in 32 bits
-    const auto piece = std::min<std::size_t>(bytes.size(), 1U << 30);
-    crc = ::crc32(crc, reinterpret_cast<const Bytef*>(bytes.data()), static_cast<uInt>(piece));
-    bytes.remove_prefix(piece);
-  }
-  return static_cast<std::uint32_t>(crc);
+  return libdeflate_crc32(libdeflate_crc32(0, name.data(), name.size()), bytes.data(), bytes.size());
 }
 
 template <class T>

@@ -4,8 +4,8 @@
 #include "base/error.hpp"
 #include "output/atomic_file.hpp"
 
+#include <libdeflate.h>
 #include <unistd.h>
-#include <zlib.h>
 
 #include <array>
 #include <chrono>
@@ -37,10 +37,10 @@ std::string processor() {
 
 std::string file_checksum(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
-  auto crc = ::crc32(0, nullptr, 0);
+  std::uint32_t crc = 0;
   for (std::array<char, 65536> piece{}; file;) {
     file.read(piece.data(), piece.size());
-    crc = ::crc32(crc, reinterpret_cast<const Bytef*>(piece.data()), static_cast<uInt>(file.gcount()));
+    crc = libdeflate_crc32(crc, piece.data(), static_cast<std::size_t>(file.gcount()));
   }
   std::ostringstream out;
   out << "crc32:" << std::hex << crc;

@@ -46,7 +46,7 @@ void check_component(const std::string& name, const double* values, std::size_t 
 
 void check_numbers_of(const std::string& name, const OutputRows& rows, std::size_t count) {
   const std::size_t width = static_cast<std::size_t>(rows.width), size = count * width;
-  if (rows.doubles && all_finite({rows.doubles, size})) return;
+  if (rows.doubles ? all_finite({rows.doubles, size}) : all_finite({rows.floats, size})) return;
   for (std::size_t i = 0; i < size; ++i)
     if (!std::isfinite(rows.doubles ? rows.doubles[i] : rows.floats[i])) refuse(name, i / width);
 }
@@ -94,7 +94,7 @@ vtkSmartPointer<vtkDataArray> array_of_integers(const OutputField& field, vtkIdT
   const auto array = vtkSmartPointer<vtkTypeInt64Array>::New();
   array->SetName(field.name.c_str());
   array->SetNumberOfTuples(n);
-  for (vtkIdType i = 0; i < n; ++i) array->SetValue(i, field.integers[i]);
+  std::copy_n(field.integers, n, array->GetPointer(0));
   return array;
 }
 
