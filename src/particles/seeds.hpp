@@ -26,6 +26,11 @@ class Runs {
     if (runs_.empty() || !(runs_.back().value == value)) runs_.push_back({size_, value});
     ++size_;
   }
+  /// Whether f(value) is true for a value.
+  template <class F>
+  bool any_of(F&& f) const {
+    return std::any_of(runs_.begin(), runs_.end(), [&](const Run& run) { return f(run.value); });
+  }
 
   /// Reads the values in ascending order.
   class Cursor {
@@ -81,6 +86,12 @@ class Seeds {
   bool empty() const { return x_.empty(); }
   Seed operator[](std::size_t i) const { return *Iterator(*this, i); }
   Seed front() const { return (*this)[0]; }
+  /// Whether f(seed) is true for a particle, where f depends on the domain, the deformation, the temperature, the angle
+  /// and the origin of the particle only. It is called once for successive equal ones.
+  template <class F>
+  bool any_kind(F&& f) const {
+    return rest_.any_of(f);
+  }
 
   /// Reads the particles in order; what it refers to changes when it moves.
   class Iterator {

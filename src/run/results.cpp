@@ -193,9 +193,8 @@ void Results<Dim>::write_grid(std::int64_t number) {
 template <int Dim>
 void Results<Dim>::write_history(double dt) {
   const bool strain = model_.output.wants_strain();
-  const Measures all = measure(system_, strain);
   std::vector<Measures> bodies;
-  for (auto& body : system_.bodies) bodies.push_back(measure(body, strain));
+  const Measures all = measure_all(system_, strain, bodies);
   const RunEnergies l = run_energies(model_, system_, stepper_, all);
 
   std::vector<double> row{system_.time};

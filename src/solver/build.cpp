@@ -2,6 +2,7 @@
 #include "solver/build.hpp"
 
 #include "base/memory.hpp"
+#include "base/parallel.hpp"
 #include "blocks/assembly.hpp"
 #include "solver/cracks/crack_build.hpp"
 #include "solver/impulse_choice.hpp"
@@ -14,6 +15,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <stdexcept>
 
@@ -77,17 +79,17 @@ void add_optional_columns(Body<Dim>& body, const Model& model) {
   }
 }
 
+// Stores the particles from `begin` to before `end`, and returns their mass.
 template <int Dim>
-void fill(Body<Dim>& body, const Seeds& seeds, std::int64_t first_id) {
+double fill(Body<Dim>& body, const Seeds& seeds, std::size_t begin, std::size_t end, std::optional<std::size_t> angle) {
   auto& particles = body.particles;
   const auto x = particles.x(), v = particles.v(), origin = particles[body.origin];
   const auto F = particles.F();
   const auto stress = particles.stress();
-  std::optional<std::size_t> angle;
-  for (std::size_t k = 0; k < body.law->history().size(); ++k)
-    if (body.law->history()[k].name == material_angle) angle = body.history + k;
-  std::size_t i = 0;
-  for (const Seed& seed : seeds) {
+  double mass = 0.0;
+  Seeds::Iterator next(seeds, begin);
+  for (std::size_t i = begin; i < end; ++i, ++next) {
+    const Seed& seed = *next;
     const auto at = static_cast<int>(i);
     for (std::size_t d = 0; d < Dim; ++d) {
       const auto axis = static_cast<Eigen::Index>(d);
@@ -100,15 +102,29 @@ void fill(Body<Dim>& body, const Seeds& seeds, std::int64_t first_id) {
       for (std::size_t k = 0; k < Dim * Dim; ++k)
         particles[body.half_axes][k][i] = axes(static_cast<int>(k) / Dim, static_cast<int>(k) % Dim);
     }
-    particles.mass()[i] = seed.mass;
-    body.total_mass += seed.mass;
+    mass += particles.mass()[i] = seed.mass;
     particles.volume()[i] = seed.volume * seed.F.determinant();
     if (body.temperature) particles[body.temperature][i] = seed.temperature;
     if (angle) particles.column(*angle)[i] = seed.angle;
     if (F[0]) store_full<Dim>(seed.F, F, at);
     store_symmetric<Dim>(seed.stress, stress, at);
-    particles.id[i++] = first_id + at;
   }
+  return mass;
+}
+
+template <int Dim>
+void fill(Body<Dim>& body, const Seeds& seeds, std::int64_t first_id) {
+  constexpr std::size_t piece = std::size_t{1} << 14;
+  std::optional<std::size_t> angle;
+  for (std::size_t k = 0; k < body.law->history().size(); ++k)
+    if (body.law->history()[k].name == material_angle) angle = body.history + k;
+  std::vector<double> masses((seeds.size() + piece - 1) / piece);
+  parallel_for(static_cast<std::ptrdiff_t>(masses.size()), [&](std::ptrdiff_t k) {
+    const std::size_t begin = static_cast<std::size_t>(k) * piece;
+    masses[static_cast<std::size_t>(k)] = fill(body, seeds, begin, std::min(begin + piece, seeds.size()), angle);
+  });
+  body.total_mass += std::accumulate(masses.begin(), masses.end(), 0.0);
+  std::iota(body.particles.id.begin(), body.particles.id.end(), first_id);
 }
 
 // History variables that tables of particles give.
@@ -142,14 +158,14 @@ Body<Dim> make_body(const Model& model, int material, const Seeds& seeds, std::i
   const Seed first = seeds.front();
   body.thickness = 2 * first.half_size[2];
   body.uniform_half_size = first.half_size.template head<Dim>();
-  const bool mixed = std::any_of(seeds.begin(), seeds.end(), [&](const Seed& s) {
+  const bool mixed = seeds.any_kind([&](const Seed& s) {
     return (s.half_size.template head<Dim>() - body.uniform_half_size).norm() > 1e-12 * body.uniform_half_size.norm();
   });
   const bool splits = model.splitting && !spec.law->rigid();
   if (mixed || (splits && model.scheme.kernel == Kernel::gimp))
     body.half_size = body.particles.add_vector("half_size", Dimension::length);
   if (splits) body.generation = body.particles.add("generation", Dimension::none);
-  if (splits || std::any_of(seeds.begin(), seeds.end(), [](const Seed& s) { return s.half_axes.has_value(); }))
+  if (splits || seeds.any_kind([](const Seed& s) { return s.half_axes.has_value(); }))
     body.half_axes = body.particles.add_matrix("half_axes", Dimension::length);
   if (spec.law->history().size() > most_history_variables)
     throw std::logic_error("the law of '" + spec.name + "' has more than " + std::to_string(most_history_variables) +

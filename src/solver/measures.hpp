@@ -7,6 +7,7 @@
 #include "solver/state/system.hpp"
 
 #include <optional>
+#include <vector>
 
 namespace tribo {
 
@@ -20,5 +21,8 @@ Measures measure_particle(Body<Dim>& body, std::size_t particle, bool strain);
 /// weighted by mass or volume.
 template <int Dim>
 Measures measure(System<Dim>& system, bool strain = false, std::optional<int> material = std::nullopt);
+/// Measures of all deformable bodies together; those of each body are stored in `bodies`.
+template <int Dim>
+Measures measure_all(System<Dim>& system, bool strain, std::vector<Measures>& bodies);
 
 }  // namespace tribo
