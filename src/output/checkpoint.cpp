@@ -23,7 +23,9 @@ namespace {
 constexpr std::string_view magic = "Tribo checkpoint 2\n";
 
 std::uint32_t checksum(std::string_view name, std::string_view bytes) {
-  return libdeflate_crc32(libdeflate_crc32(0, name.data(), name.size()), bytes.data(), bytes.size());
+  const std::uint32_t of_name = libdeflate_crc32(0, name.data(), name.size());
+  if (bytes.empty()) return of_name;  // their pointer may be null, for which libdeflate returns another number
+  return libdeflate_crc32(of_name, bytes.data(), bytes.size());
 }
 
 template <class T>

@@ -12,7 +12,7 @@
 #include "base/stopwatch.hpp"
 #include "solver/boundary/nodal_conditions.hpp"
 #include "solver/contact/contact.hpp"
-#include "solver/system_loops.hpp"
+#include "solver/state/system_loops.hpp"
 #include "solver/transfer/transfer.hpp"
 
 namespace tribo {

@@ -282,9 +282,10 @@ TEST_CASE("the present wave modulus bounds every acoustic wave and is exact at r
 TEST_CASE("the wave modulus of many points is the largest one of them", "[materials]") {
   std::mt19937 random(7);
   for (const auto& [name, law] : all_laws()) {
+    if (!law->history().empty()) continue;  // their modulus is not that of HyperelasticMaterial
     INFO(name);
     constexpr int count = 40;
-    double F[9][count], largest = 0;
+    double F[9][count], stress[6][count] = {}, largest = 0;
     for (int i = 0; i < count; ++i) {
       MaterialPoint<3> point(*law);
       point.F = random_deformation(random, 0.3);
@@ -294,6 +295,7 @@ TEST_CASE("the wave modulus of many points is the largest one of them", "[materi
     MaterialPoints<3> points{};
     points.count = count;
     for (std::size_t k = 0; k < 9; ++k) points.F[k] = F[k];
+    for (std::size_t k = 0; k < 6; ++k) points.stress[k] = stress[k];
     CHECK(law->wave_modulus(points) == largest);
   }
 }

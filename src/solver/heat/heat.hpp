@@ -17,7 +17,7 @@
 #pragma once
 
 #include "solver/contact/contact.hpp"
-#include "solver/system_loops.hpp"
+#include "solver/state/system_loops.hpp"
 #include "solver/transfer/transfer.hpp"
 
 namespace tribo {
