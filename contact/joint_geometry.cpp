@@ -17,20 +17,6 @@ JointAxes JointAxes::of_normal(const Vec3& n) {
   return out;
 }
 
-void JointAxes::follow(const Vec3& normal, double spin) {
-  const Vec3 v = n.cross(normal);
-  const double c = n.dot(normal);
-  if (c < -0.999999) {  // reversed in one step: the smallest rotation is undefined
-    *this = of_normal(normal);
-    return;
-  }
-  s += v.cross(s) + v.cross(v.cross(s)) / (1 + c);
-  s = std::cos(spin) * s + std::sin(spin) * normal.cross(s);
-  n = normal;
-  s = (s - s.dot(n) * n).normalized();
-  t = n.cross(s);
-}
-
 PolygonMoments polygon_moments(std::span<const Tangent> corners) {
   PolygonMoments out;
   const std::size_t count = corners.size();

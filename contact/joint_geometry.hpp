@@ -18,13 +18,29 @@ struct JointAxes {
 
   /// Axes with the given normal. If n_z = 0, as in two dimensions, s is the z axis, so that t = (n_y, -n_x, 0).
   static JointAxes of_normal(const Vec3& n);
-  /// Rotates the axes to a new unit `normal` by the smallest rotation, then about it by `spin` [rad], the mean rotation
-  /// of both bodies about the normal in the step.
+  /// Rotates the axes to a new unit `normal` by the smallest rotation, then about it by the angle 2 atan(spin/2), where
+  /// `spin` is the mean rotation of both bodies about the normal in the step [rad]. This is the angle by which the
+  /// midpoint rule turns a body, and equals `spin` to third order.
   void follow(const Vec3& normal, double spin);
 
   Tangent tangent(const Vec3& v) const { return {v.dot(s), v.dot(t)}; }
   Vec3 vector(const Tangent& v) const { return v.s * s + v.t * t; }
 };
+
+inline void JointAxes::follow(const Vec3& normal, double spin) {
+  const double c = n.dot(normal);
+  if (c < -0.999999) {  // reversed in one step: the smallest rotation is undefined
+    *this = of_normal(normal);
+    return;
+  }
+  Vec3 along = s - s.dot(normal) / (1 + c) * (n + normal);
+  along -= along.dot(normal) * normal;       // round-off, which would add up,
+  along *= 1.5 - 0.5 * along.squaredNorm();  // as would that of the length
+  const Vec3 across = normal.cross(along);
+  const double half = 0.5 * spin, part = 1 / (1 + half * half);
+  const double cosine = (1 - half * half) * part, sine = 2 * half * part;
+  n = normal, s = cosine * along + sine * across, t = cosine * across - sine * along;
+}
 
 inline void archive(Archive& a, JointAxes& axes) {
   auto& [n, s, t] = axes;

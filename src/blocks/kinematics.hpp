@@ -18,10 +18,10 @@ inline JointAxes plane_axes(const Vec3& n) { return {n, Vec3::UnitZ(), Vec3(n[1]
 
 /// Axes after the rotation to a new normal; the tangents follow the mean rotation of both bodies.
 template <bool Plane>
-JointAxes carried(JointAxes axes, const Vec3& n, const BlockMotion& a, const BlockMotion& b, double dt) {
+[[gnu::always_inline]] inline JointAxes carried(JointAxes axes, const Vec3& n, const BlockMotion& a,
+                                                const BlockMotion& b, double dt) {
   if constexpr (Plane) return plane_axes(n);
-  if (n != axes.n || a.w != b.w || !a.w.isZero(0.0))
-    axes.follow(n, 0.5 * dt * (a.w + b.w).dot((axes.n + n).normalized()));
+  if (n != axes.n || a.w != b.w || !a.w.isZero(0.0)) axes.follow(n, 0.25 * dt * (a.w + b.w).dot(axes.n + n));
   return axes;
 }
 
@@ -35,8 +35,9 @@ inline double half_work(const Joint& j, const JointIncrement& d) {
 /// update of the bodies, a pair in rigid motion has exactly no increment, and the work of a contact equals the work of
 /// its forces in leapfrog to third order of the step.
 template <bool Plane>
-void count_increment(const BlockMotion& a, const BlockMotion& b, const Vec3& shift, const Vec3& shift_velocity,
-                     const ContactFrame& before, const ContactFrame& after, double dt, JointIncrement& d) {
+[[gnu::always_inline]] inline void count_increment(const BlockMotion& a, const BlockMotion& b, const Vec3& shift,
+                                                   const Vec3& shift_velocity, const ContactFrame& before,
+                                                   const ContactFrame& after, double dt, JointIncrement& d) {
   const Vec3 middle = 0.5 * (before.at + after.at), vb = b.v + shift_velocity;
   const Vec3 arm_a = middle - a.x + 0.5 * dt * a.v, arm_b = middle - b.x - shift + 0.5 * dt * vb;
   const Vec3 n = 0.5 * (before.axes.n + after.axes.n);

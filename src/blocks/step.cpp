@@ -3,6 +3,7 @@
 /// so that sums do not depend on the number of threads.
 
 #include "base/parallel.hpp"
+#include "blocks/facet_increments.hpp"
 #include "blocks/jumps.hpp"
 #include "blocks/kinematics.hpp"
 
@@ -90,11 +91,11 @@ void Assembly::move_bodies(double dt) {
       } else {
         // Euler's equations, with the mean of the old and new rotation
         const Mat3 axes = m.R * body.axes;
-        const Vec3 M = axes.transpose() * turning, old = axes.transpose() * m.w;
+        const Vec3 M = axes.transpose() * turning, old = axes.transpose() * m.w, inverse = body.inertia.cwiseInverse();
         Vec3 w = old;
         for (int pass = 0; pass < 3; ++pass) {
           const Vec3 mean = 0.5 * (old + w);
-          w = old + (M - kick * mean.cross(body.inertia.cwiseProduct(mean))).cwiseQuotient(body.inertia);
+          w = old + (M - kick * mean.cross(body.inertia.cwiseProduct(mean))).cwiseProduct(inverse);
         }
         m.w = axes * w;
       }
@@ -142,7 +143,7 @@ void Assembly::increments(const Batch& batch, double dt, JointIncrement* to) {
                     : following_increments<ContactKind::ball, false>(batch, dt, to);
     case ContactKind::facet:
       return plane_ ? following_increments<ContactKind::facet, true>(batch, dt, to)
-                    : following_increments<ContactKind::facet, false>(batch, dt, to);
+                    : facet_increments(*this, batch.begin, batch.end, dt, to);
   }
 }
 
@@ -165,8 +166,10 @@ void Assembly::update_contacts(const Batch& batch, double dt) {
     increments(batch, dt, d);
   else
     d = kept_increments_.data() + batch.begin;
-  for (std::size_t k = 0; k < count; ++k)
-    d[k].time = time + dt, d[k].pressure = group.law->pore_pressure(contact_forces[batch.begin + k].at, d[k].time);
+  for (std::size_t k = 0; k < count; ++k) d[k].time = time + dt;
+  if (group.law->has_pore_pressure())
+    for (std::size_t k = 0; k < count; ++k)
+      d[k].pressure = group.law->pore_pressure(contact_forces[batch.begin + k].at, d[k].time);
   if (const double nu = group.law->poisson(); nu != 0)
     for (std::size_t k = 0; k < count; ++k) {
       const BlockContact& c = contacts[batch.begin + k];
