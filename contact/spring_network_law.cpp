@@ -164,7 +164,7 @@ std::shared_ptr<const JointLaw> SpringNetwork::for_new_contacts() const {
 }
 
 double SpringNetwork::rim_stress(const Joint& j) const {
-  return j.Fn / j.area + moment_share * j.Mb.norm() * j.radius / j.inertia + pressure_in(j);
+  return j.Fn / j.area + moment_share * j.radius / j.inertia * j.Mb.norm() + pressure_in(j);
 }
 
 double SpringNetwork::rim_shear(const Joint& j) const {

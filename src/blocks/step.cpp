@@ -223,8 +223,8 @@ void Assembly::sum_forces(std::size_t k, double dt) {
   for (std::uint32_t e = first_[k]; e < first_[k + 1]; ++e) {
     const std::uint32_t c = entries_[e] / 2, end = entries_[e] % 2;
     const ContactForce& f = contact_forces[c];
-    const double sign = end ? 1.0 : -1.0;
-    const Vec3 at = end && !shift.empty() ? Vec3(f.at - shift[c]) : f.at;
+    const double sign = 2.0 * end - 1.0;  // without branches, as the ends come in no order
+    const Vec3 at = shift.empty() ? f.at : Vec3(f.at - static_cast<double>(end) * shift[c]);
     now.all += sign * f.all;
     now.moment += sign * ((at - m.x).cross(f.all) + f.moment);
   }
