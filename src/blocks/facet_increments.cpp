@@ -98,16 +98,20 @@ void four_increments(Assembly& blocks, std::size_t first, std::size_t count, dou
   std::array<BlockContact*, lanes> contact{};
   std::array<ContactForce*, lanes> force{};
   std::array<const BlockMotion*, lanes> of_a{}, of_b{};
-  Vectors by, speed;
+  std::array<const Vec3*, lanes> shift{};
+  static const Vec3 none = Vec3::Zero();
   for (std::size_t k = 0; k < lanes; ++k) {
     const std::size_t at = first + std::min(k, count - 1);
     contact[k] = &blocks.contacts[at], force[k] = &blocks.contact_forces[at];
     of_a[k] = &blocks.motion[contact[k]->a], of_b[k] = &blocks.motion[contact[k]->b];
-    if (blocks.shift.empty()) continue;
-    const Vec3 &shift = blocks.shift[at], rate = blocks.box_rate * shift;
-    by.x[k] = shift[0], by.y[k] = shift[1], by.z[k] = shift[2];
-    speed.x[k] = rate[0], speed.y[k] = rate[1], speed.z[k] = rate[2];
+    shift[k] = blocks.shift.empty() ? &none : &blocks.shift[at];
   }
+  const auto of_shift = [&](int d) { return gather([&](std::size_t k) { return (*shift[k])[d]; }); };
+  const Vectors by{of_shift(0), of_shift(1), of_shift(2)};
+  const auto along = [&](int d) {
+    return blocks.box_rate(d, 0) * by.x + blocks.box_rate(d, 1) * by.y + blocks.box_rate(d, 2) * by.z;
+  };
+  const Vectors speed{along(0), along(1), along(2)};
   const Motions a(of_a), b(of_b);
   const auto of_contact = [&](auto member) {
     return load([&](std::size_t k) { return (contact[k]->*member).data(); });
