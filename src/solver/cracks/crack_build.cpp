@@ -5,6 +5,7 @@
 
 #include "base/text.hpp"
 #include "contact/interface_joint.hpp"
+#include "solver/cracks/line_points.hpp"
 #include "solver/cracks/particle_edges.hpp"
 #include "solver/neighbours/body_occupancy.hpp"
 #include "solver/state/limited_interface.hpp"
@@ -277,6 +278,23 @@ void grow_to(Crack<2>& crack, CrackTip& tip, const Vec<2>& x) {
   tip.previous = tip.point, tip.point = next;
 }
 
+namespace {
+
+// Adds the points and pieces of a description to a crack, moved by `shift`. The areas of a joint may be given by point.
+void add_pieces(const CrackSpec& spec, const Vec<2>& shift, double cell, Crack<2>& crack) {
+  std::vector<std::uint32_t> kept(spec.points.size());
+  std::iota(kept.begin(), kept.end(), 0U);
+  if (!spec.joint || spec.joint->user_areas().size() <= 1) kept = resolved_points(spec.points, cell);
+  for (const auto k : kept) crack.add_point(crack.x.size(), spec.points[k].head<2>() + shift);
+  for (std::uint32_t k = 1; k < crack.x.size(); ++k) crack.pieces.push_back({k - 1, k});
+}
+void add_pieces(const CrackSpec& spec, const Vec3& shift, double, Crack<3>& crack) {
+  for (const Vec3& x : spec.points) crack.add_point(crack.x.size(), x + shift);
+  for (const auto& piece : spec.pieces) crack.pieces.push_back(piece);
+}
+
+}  // namespace
+
 template <int Dim>
 void add_cracks(const Model& model, System<Dim>& system, int width) {
   const BodyOccupancy<Dim> occupancy = around_cracks(model, system);
@@ -291,12 +309,7 @@ void add_cracks(const Model& model, System<Dim>& system, int width) {
     if (interface) crack.law = interface->is_bonded() ? interface : nullptr;
     // closed faces are bonded at the start if their contact law has bonds
     crack.initial_bond = crack.law && crack.law->has_memory() ? 1.0 : 0.0;
-    for (const Vec3& x : spec.points) crack.add_point(crack.x.size(), x.template head<Dim>() + shifts[number]);
-    for (const auto& piece : spec.pieces) {
-      typename Crack<Dim>::Piece corners;
-      std::copy_n(piece.begin(), corners.size(), corners.begin());
-      crack.pieces.push_back(corners);
-    }
+    add_pieces(spec, shifts[number], system.lattice.smallest_spacing(), crack);
     sort_pieces(crack);
     crack.main_points = crack.x.size(), crack.main_pieces = crack.pieces.size();
     find_ends(crack, spec, ends.has_common[number], occupancy, system.lattice.spacing.maxCoeff(), width + 1);
