@@ -63,6 +63,15 @@ std::string name_of(const CrackGroup<Dim>& group) {
   return "the line of cracks " + numbers;
 }
 
+/// For example " (of 5000 in the model; the grid does not resolve the others)"; empty: all of them.
+template <int Dim>
+std::string of_those_given(const Model& model, const CrackGroup<Dim>& group) {
+  std::size_t given = 0;
+  for (const std::size_t c : group.members) given += model.cracks[c].pieces.size();
+  if (given <= group.pieces) return "";
+  return format(" (of %zu in the model; the grid does not resolve the others)", given);
+}
+
 /// Least distance between the points of two groups of cracks.
 template <int Dim>
 double distance(const System<Dim>& system, const CrackGroup<Dim>& a, const CrackGroup<Dim>& b) {
@@ -123,7 +132,7 @@ Remarks describe_cracks(const Model& model, const System<Dim>& system) {
     const double across = Dim == 2 ? group.inside / h : std::sqrt(group.inside) / h;
     const std::string who = name_of(group);
     out.lines.push_back(
-        who + ": " + counted(group.pieces, "piece") +
+        who + ": " + counted(group.pieces, "piece") + of_those_given(model, group) +
         format(", %s %.6g, %.6g of it in bodies: ", Dim == 2 ? "length" : "area", group.whole, group.inside) +
         counted(across, "cell", "%.3g") + (Dim == 2 ? " long" : " across") + displacement_of(model, system, group));
     if (group.inside == 0)

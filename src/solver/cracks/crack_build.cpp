@@ -280,11 +280,12 @@ void grow_to(Crack<2>& crack, CrackTip& tip, const Vec<2>& x) {
 
 namespace {
 
-// Adds the points and pieces of a description to a crack, moved by `shift`. The areas of a joint may be given by point.
+// Adds the points and pieces of a description to a crack, moved by `shift`. Joints keep all points, as each of them has
+// a history of its own.
 void add_pieces(const CrackSpec& spec, const Vec<2>& shift, double cell, Crack<2>& crack) {
   std::vector<std::uint32_t> kept(spec.points.size());
   std::iota(kept.begin(), kept.end(), 0U);
-  if (!spec.joint || spec.joint->user_areas().size() <= 1) kept = resolved_points(spec.points, cell);
+  if (!spec.joint && !(spec.law && spec.law->interface())) kept = resolved_points(spec.points, cell);
   for (const auto k : kept) crack.add_point(crack.x.size(), spec.points[k].head<2>() + shift);
   for (std::uint32_t k = 1; k < crack.x.size(); ++k) crack.pieces.push_back({k - 1, k});
 }
