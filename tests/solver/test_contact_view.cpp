@@ -12,6 +12,7 @@
 #include <numbers>
 
 using namespace tribo;
+using namespace tribo::test;
 
 namespace {
 
