@@ -25,7 +25,7 @@ bool is_straight(std::span<const Vec3> line, double tolerance) {
 }  // namespace
 
 std::vector<std::uint32_t> resolved_points(std::span<const Vec3> line, double cell) {
-  constexpr double longest = 0.25, tolerance = 1e-4;  // cells
+  constexpr double longest = 0.25 * (1 + 1e-9), tolerance = 1e-4;  // cells
   std::vector<std::uint32_t> kept;
   for (std::size_t k = 0; k < line.size();) {
     kept.push_back(static_cast<std::uint32_t>(k));
