@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "solver/velocity_filter.hpp"
 
+#include "grid/loops.hpp"
+
 namespace tribo {
 
 template <int Dim>
@@ -19,8 +21,10 @@ void VelocityFilter<Dim>::begin_step() {
 template <int Dim>
 void VelocityFilter<Dim>::locate() {
   if (scheme_.transfer != Transfer::xpic && scheme_.transfer != Transfer::fmpm) return;
-  for (auto& field : system_.fields)
+  for (auto& field : system_.fields) {
     field.filter.resize(field.nodes.size()), field.increment.resize(field.nodes.size());
+    zero(field.filter), zero(field.increment);  // later only those that are reached
+  }
 }
 
 template <int Dim>

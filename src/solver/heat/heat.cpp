@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "solver/heat/heat.hpp"
 
+#include "grid/loops.hpp"
 #include "grid/select.hpp"
 #include "solver/loads/face_points.hpp"
 #include "solver/loads/loaded.hpp"
@@ -28,7 +29,10 @@ HeatConduction<Dim>::HeatConduction(const Model& model, System<Dim>& system, con
 template <int Dim>
 void HeatConduction<Dim>::locate() {
   if (!active_) return;
-  for (auto& field : system_.fields) field.heat.resize(field.nodes.size());
+  for (auto& field : system_.fields) {
+    field.heat.resize(field.nodes.size());
+    zero(field.heat);  // later only those that are reached
+  }
 }
 
 template <int Dim>
