@@ -31,10 +31,15 @@ bool is_uniform(const Sites& lattice, const std::vector<bool>& flags, std::size_
 CutSites::CutSites(const Sites& lattice, const Bounds& reach, const std::vector<bool>& centres,
                    const std::function<bool(const Vec3&)>& inside, bool all)
     : lattice_(lattice), whole_(centres) {
-  std::vector<std::pair<std::size_t, Vec3>> examined;
-  lattice.visit(reach, [&](const Vec3& x, std::size_t site) {
-    if (all || !is_uniform(lattice, centres, site)) examined.emplace_back(site, x);
+  using Places = std::vector<std::pair<std::size_t, Vec3>>;
+  std::vector<Places> of_layer(static_cast<std::size_t>(lattice.layers(reach)));
+  parallel_for(static_cast<std::ptrdiff_t>(of_layer.size()), [&](std::ptrdiff_t layer) {
+    lattice.visit_layer(reach, layer, [&](const Vec3& x, std::size_t site) {
+      if (all || !is_uniform(lattice, centres, site)) of_layer[static_cast<std::size_t>(layer)].emplace_back(site, x);
+    });
   });
+  Places examined;
+  for (const Places& places : of_layer) examined.insert(examined.end(), places.begin(), places.end());
   std::vector<std::optional<CutCell>> parts(examined.size());
   parallel_for(static_cast<std::ptrdiff_t>(parts.size()), [&](std::ptrdiff_t k) {
     const CutCell whole = box(examined[static_cast<std::size_t>(k)].second);

@@ -75,8 +75,32 @@ struct Sites {
   /// Calls visit(position, index into `taken`) for the sites of the cells that overlap a box, in the fixed order.
   template <class F>
   void visit(const Bounds& box, F&& f) const {
+    visit(covered(box), f);
+  }
+  /// Number of layers of cells that overlap a box.
+  std::int64_t layers(const Bounds& box) const {
+    const Range r = covered(box);
+    return empty(r) ? 0 : r[slowest()][1] - r[slowest()][0];
+  }
+  /// The same as visit for one of these layers. One after the other, the layers give the fixed order.
+  template <class F>
+  void visit_layer(const Bounds& box, std::int64_t layer, F&& f) const {
+    Range r = covered(box);
+    auto& along = r[slowest()];
+    along = {along[0] + layer, along[0] + layer + 1};
+    visit(r, f);
+  }
+
+ private:
+  std::size_t slowest() const { return flat ? 1 : 2; }
+  // The covered cells that overlap a box.
+  Range covered(const Bounds& box) const {
     Range r = range(box);
     for (std::size_t k = 0; k < 3; ++k) r[k] = {std::max(r[k][0], extent_[k][0]), std::min(r[k][1], extent_[k][1])};
+    return r;
+  }
+  template <class F>
+  void visit(const Range& r, F&& f) const {
     if (empty(r)) return;
     for (auto z = r[2][0]; z < r[2][1]; ++z)
       for (auto y = r[1][0]; y < r[1][1]; ++y)
@@ -89,7 +113,6 @@ struct Sites {
               }
   }
 
- private:
   static bool empty(const Range& r) { return r[0][0] >= r[0][1] || r[1][0] >= r[1][1] || r[2][0] >= r[2][1]; }
   std::int64_t width(std::size_t k) const { return (extent_[k][1] - extent_[k][0]) * per_cell[k]; }
   std::size_t sites_along(std::size_t k) const { return static_cast<std::size_t>(width(k)); }
