@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "solver/cracks/line_points.hpp"
+#include "solver/state/crack.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -26,9 +27,10 @@ TEST_CASE("a straight line keeps a point every quarter of a cell, and both ends"
   const auto line = straight({1, 2, 0}, {7, 10, 0}, 1000);  // 0.01 long each, 0.005 cells
   const Numbers kept = resolved_points(line, cell);
   REQUIRE(kept.size() == 21);
-  CHECK(kept.front() == 0);
-  CHECK(kept.back() == 1000);
-  CHECK(kept[1] == 50);
+  for (std::size_t k = 0; k < kept.size(); ++k) CHECK(kept[k] == 50 * k);
+  const Numbers uneven = resolved_points(straight({0, 0, 0}, {2.6, 0, 0}, 997), cell);  // 5.2 quarters of a cell
+  REQUIRE(uneven.size() == 7);
+  for (std::size_t k = 1; k < uneven.size(); ++k) CHECK(std::abs(uneven[k] - uneven[k - 1] - 997.0 / 6) <= 1.5);
   const Numbers coarse = resolved_points(straight({0, 0, 0}, {8, 0, 0}, 10), cell);
   CHECK(coarse.size() == 11);  // segments longer than a quarter of a cell stay
   CHECK(resolved_points(straight({0, 0, 0}, {0.3, 0, 0}, 1), cell) == Numbers{0, 1});
@@ -39,15 +41,15 @@ TEST_CASE("corners, teeth and folds of a line are kept", "[cracks]") {
   for (const Vec3& x : straight({0.1, 0.01, 0}, {0.1, 0.1, 0}, 9)) line.push_back(x);
   CHECK(resolved_points(line, 1.0) == Numbers{0, 10, 20});
   std::vector<Vec3> teeth;
-  for (int k = 0; k < 20; ++k) teeth.emplace_back(0.01 * k, k % 2 ? 1e-3 : 0.0, 0.0);
+  for (int k = 0; k < 20; ++k) teeth.emplace_back(0.01 * k, k % 2 ? 2e-3 : 0.0, 0.0);
   CHECK(resolved_points(teeth, 1.0).size() == teeth.size());
-  for (Vec3& x : teeth) x[1] *= 0.05;  // below the tolerance
+  for (Vec3& x : teeth) x[1] *= 0.5;  // below the tolerance
   CHECK(resolved_points(teeth, 1.0) == Numbers{0, 19});
   const std::vector<Vec3> fold{{0, 0, 0}, {0.1, 0, 0}, {0.05, 0, 0}};
   CHECK(resolved_points(fold, 1.0) == Numbers{0, 1, 2});
 }
 
-TEST_CASE("a finely divided arc stays within a ten-thousandth of a cell", "[cracks]") {
+TEST_CASE("a finely divided arc stays within a thousandth of a cell", "[cracks]") {
   for (const double radius : {0.5, 5.0, 50.0}) {
     std::vector<Vec3> arc;
     constexpr int segments = 20000;
@@ -64,6 +66,26 @@ TEST_CASE("a finely divided arc stays within a ten-thousandth of a cell", "[crac
       for (std::uint32_t i = kept[k - 1]; i <= kept[k]; ++i)
         farthest = std::max(farthest, (arc[i] - a - (arc[i] - a).dot(along) * along).norm());
     }
-    CHECK(farthest < 1.0001e-4);
+    CHECK(farthest < 1.0001e-3);
+    CHECK(kept.size() < 2 + std::numbers::pi * radius * std::max(8.0, 1 / std::sqrt(8 * radius * 0.25e-3)));
+    for (std::size_t k = 0; k < kept.size(); ++k)  // the same from both ends
+      CHECK(kept[k] + kept[kept.size() - 1 - k] == segments);
   }
+}
+
+TEST_CASE("the direction of a crack at a tip does not depend on short pieces", "[cracks]") {
+  Crack<2> crack;
+  for (int k = 0; k <= 20; ++k) crack.add_point(crack.x.size(), {0.1 * k, 0.05 * k});
+  for (std::uint32_t k = 1; k <= 20; ++k) crack.pieces.push_back({k - 1, k});
+  crack.main_points = 21, crack.main_pieces = 20;
+  crack.x[19] += Vec<2>(0.0, 0.04), crack.x[1] += Vec<2>(0.0, 0.04);
+  CrackTip first, last;
+  first.end = 0, first.point = 0, first.previous = 1;
+  last.end = 1, last.point = 20, last.previous = 19;
+  const Vec<2> along = Vec<2>(2, 1).normalized();
+  CHECK((crack.direction_at(last, 0.5) - along).norm() < 1e-12);
+  CHECK((crack.direction_at(first, 0.5) + along).norm() < 1e-12);
+  CHECK((crack.direction_at(last, 0.01) - Vec<2>(0.1, 0.01).normalized()).norm() < 1e-12);
+  CHECK((crack.direction_at(last, 100.0) - along).norm() < 1e-12);  // from the other end
+  CHECK((crack.direction_at(first, 100.0) + along).norm() < 1e-12);
 }

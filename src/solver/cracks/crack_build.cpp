@@ -157,7 +157,7 @@ void find_ends(Crack<2>& crack, const CrackSpec& spec, const std::array<bool, 2>
     tip.end = end;
     tip.point = piece[end == 0 ? 0 : 1], tip.previous = piece[end == 0 ? 1 : 0];
     const End requested = spec.ends[static_cast<std::size_t>(end)];
-    const Vec<2> x = crack.x[tip.point], ahead = cell * (x - crack.x[tip.previous]).normalized();
+    const Vec<2> x = crack.x[tip.point], ahead = cell * crack.direction_at(tip, tip_length * cell);
     constexpr int probes = 8;  // per cell
     int outside = 0;
     while (outside < probes * cells && !occupancy.contains(x + (outside + 0.5) / probes * ahead)) ++outside;

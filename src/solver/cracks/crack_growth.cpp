@@ -76,7 +76,7 @@ std::optional<double> CrackTips<2>::angle_of_growth(const Crack<2>& crack, const
       angle = 0.0;
       break;
   }
-  const Vec<2> along = (crack.x[tip.point] - crack.x[tip.previous]).normalized(), up(-along[1], along[0]);
+  const Vec<2> along = crack.direction_at(tip, tip_length * cell_), up(-along[1], along[0]);
   const Vec<2> opening = (tip.end == 1 ? 1 : -1) * crack.opening(tip.previous);
   const double normal_opening = opening.dot(up), shear_opening = opening.dot(along);
   switch (material.growth.way) {
@@ -126,7 +126,7 @@ void CrackTips<2>::extend(std::size_t c, CrackTip& tip, double angle) {
   Crack<2>& crack = system_.cracks[c];
   const double full_length = model_.fracture->hop * system_.lattice.smallest_spacing();
   const Vec<2> from = crack.x[tip.point];
-  const Vec<2> ahead = Eigen::Rotation2Dd(angle) * (from - crack.x[tip.previous]).normalized();
+  const Vec<2> ahead = Eigen::Rotation2Dd(angle) * crack.direction_at(tip, tip_length * cell_);
   double length = full_length;
   for (const auto& other : system_.cracks)
     for (std::size_t p = 0; p < other.main_pieces; ++p) {

@@ -70,7 +70,7 @@ struct CrackTips<2>::TipDomain {
 CrackTips<2>::TipDomain CrackTips<2>::tip_domain(const Crack<2>& crack, const CrackTip& tip) const {
   TipDomain out;
   out.tip = crack.x[tip.point];
-  out.axes.col(0) = (out.tip - crack.x[tip.previous]).normalized();
+  out.axes.col(0) = crack.direction_at(tip, tip_length * cell_);
   out.axes.col(1) << -out.axes(1, 0), out.axes(0, 0);
   const double size = model_.fracture->size;
   out.inner = std::max(size - 1, 0.5 * size) * cell_, out.outer = (size + 1) * cell_;

@@ -2,38 +2,57 @@
 #include "solver/cracks/line_points.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 namespace tribo {
 namespace {
 
-// Whether the line runs forward from its first to its last point, and is nowhere farther from the segment between them
-// than `tolerance`.
-bool is_straight(std::span<const Vec3> line, double tolerance) {
+constexpr double longest = 0.25, tolerance = 1e-3;  // cells
+
+// The number of a point at which a part of a line is divided, in order that its parts are straight and short; 0: it
+// need not be divided.
+std::size_t divider(std::span<const Vec3> line, double cell) {
+  if (line.size() < 3) return 0;
   const Vec3 chord = line.back() - line.front();
   const double length = chord.norm();
-  if (!(length > 0)) return false;
-  const Vec3 along = chord / length;
-  double reached = 0.0;
-  return std::all_of(line.begin(), line.end(), [&](const Vec3& x) {
-    const Vec3 from = x - line.front();
-    const double at = from.dot(along), before = reached;
+  const Vec3 along = length > 0 ? Vec3(chord / length) : Vec3(Vec3::UnitX());
+  // Equal segments: an odd number of them has no middle.
+  const double segments = std::max(1.0, std::ceil(length / (longest * cell) - 1e-9));
+  const double wanted = std::ceil(0.5 * segments) / segments * length;
+  std::size_t farthest = 0, nearest = 0;
+  double distance = 0.0, from_wanted = length, reached = 0.0;
+  bool forward = length > 0;
+  for (std::size_t k = 1; k + 1 < line.size(); ++k) {
+    const Vec3 from = line[k] - line.front();
+    const double at = from.dot(along), beside = (from - at * along).norm();
+    forward = forward && at >= reached && at <= length;
     reached = at;
-    return at >= before && (from - at * along).norm() <= tolerance;
-  });
+    if (beside > distance) distance = beside, farthest = k;
+    if (std::abs(at - wanted) < from_wanted) from_wanted = std::abs(at - wanted), nearest = k;
+  }
+  if (distance > tolerance * cell) return farthest;
+  if (!forward) return line.size() / 2;
+  return segments > 1 ? nearest : 0;
 }
 
 }  // namespace
 
 std::vector<std::uint32_t> resolved_points(std::span<const Vec3> line, double cell) {
-  constexpr double longest = 0.25 * (1 + 1e-9), tolerance = 1e-4;  // cells
   std::vector<std::uint32_t> kept;
-  for (std::size_t k = 0; k < line.size();) {
-    kept.push_back(static_cast<std::uint32_t>(k));
-    std::size_t next = k + 1;
-    while (next + 1 < line.size() && (line[next + 1] - line[k]).norm() <= longest * cell) ++next;
-    while (next > k + 1 && !is_straight(line.subspan(k, next - k + 1), tolerance * cell)) next = (k + next + 1) / 2;
-    k = next;
+  if (line.empty()) return kept;
+  std::vector<std::pair<std::size_t, std::size_t>> parts{{0, line.size() - 1}};  // the next one last
+  while (!parts.empty()) {
+    const auto [first, last] = parts.back();
+    parts.pop_back();
+    if (const std::size_t at = divider(line.subspan(first, last - first + 1), cell); at > 0) {
+      parts.emplace_back(first + at, last);
+      parts.emplace_back(first, first + at);
+    } else {
+      kept.push_back(static_cast<std::uint32_t>(first));
+    }
   }
+  if (line.size() > 1) kept.push_back(static_cast<std::uint32_t>(line.size() - 1));
   return kept;
 }
 

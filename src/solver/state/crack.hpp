@@ -13,6 +13,9 @@
 
 namespace tribo {
 
+/// Length over which the direction of a crack at a tip is determined [cells].
+inline constexpr double tip_length = 0.25;
+
 /// An end of a crack that lies within a body (two dimensions).
 struct CrackTip {
   /// Numbers of the points of the last piece; the crack runs from `previous` to `point`, the tip.
@@ -95,6 +98,17 @@ struct Crack {
       for (const auto point : pieces[p]) out[point] += area(corners(p));
     for (auto& n : out) n.normalize();
     return out;
+  }
+  /// Unit vector along the crack at a tip: to the tip from the first point behind it that is at least `length` away
+  /// [length], or from the last point there is. Shorter pieces may have any direction.
+  Vec<Dim> direction_at(const CrackTip& tip, double length) const {
+    std::uint32_t behind = tip.previous;
+    for (const int step = tip.end == 1 ? -1 : 1; (x[tip.point] - x[behind]).norm() < length * (1 - 1e-9);) {
+      const std::uint32_t first = step < 0 ? behind - 1 : behind;  // number of the next piece and of its first point
+      if (first >= main_pieces || pieces[first][0] != first || pieces[first][1] != first + 1) break;
+      behind = step < 0 ? first : first + 1;
+    }
+    return (x[tip.point] - x[behind]).normalized();
   }
   /// Area of a piece (length in two dimensions) times the unit normal to its upper side, for the corners `c` [length^2
   /// or length].
