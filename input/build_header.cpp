@@ -43,21 +43,27 @@ void Builder::unstable_with_linear_functions(const Statement& header) {
   const Scheme& scheme = model_.scheme;
   if (scheme.kernel != Kernel::linear || !scheme.strains_follow_update()) return;
   const bool apic = scheme.transfer == Transfer::apic;
-  warn(header.child(apic ? "Transfer" : "SkipPostExtrapolation")->origin,
+  const Statement* cause = header.child(apic ? "Transfer" : "SkipPostExtrapolation");
+  warn((cause ? cause : header.child("MPMMethod"))->origin,
        std::string("the shape functions are linear") + (header.child("GIMP") ? "" : ", as there is no <GIMP>") +
            ". With " + (apic ? "APIC" : "stresses from velocities that are not extrapolated again") +
            ", bodies then fall apart even in free flight. Add <GIMP type='uGIMP'/> or <GIMP type='quadratic'/>, or " +
-           (apic ? "use another <Transfer>" : "leave <SkipPostExtrapolation> out"));
+           (apic ? "use another <Transfer>"
+                 : "extrapolate again: leave <SkipPostExtrapolation> or the minus of <MPMMethod> out"));
 }
 
 void Builder::mpm_header() {
   const Statement& h = *root_.child("MPMHeader");
   Scheme& scheme = model_.scheme;
-  if (const auto* m = h.child("MPMMethod"))
-    scheme.order = m->text == "0" || m->text == "USF"   ? UpdateOrder::usf
-                   : m->text == "3" || m->text == "USL" ? UpdateOrder::usl
-                                                        : UpdateOrder::usavg;
-  scheme.extrapolate_again = !h.child("SkipPostExtrapolation");
+  const bool skips = h.child("SkipPostExtrapolation") != nullptr;
+  scheme.extrapolate_again = !skips;
+  if (const auto* m = h.child("MPMMethod")) {
+    scheme.order = m->text == "0" || m->text == "USF"             ? UpdateOrder::usf
+                   : m->text == "3" || m->text.starts_with("USL") ? UpdateOrder::usl
+                                                                  : UpdateOrder::usavg;
+    must(!(skips && m->text.ends_with('+')), m->origin, m->text + " contradicts <SkipPostExtrapolation/>");
+    if (m->text.ends_with('-')) scheme.extrapolate_again = false;
+  }
   if (const auto* g = h.child("GIMP")) {
     const std::string type = word(*g, "type", "uGIMP");
     scheme.kernel = kernel_of(type).value_or(Kernel::gimp);

@@ -48,13 +48,15 @@ void add_header(Rows& add) {
        "MPMHeader",
        "when stresses are updated: 0 or USF at the start of the step, 3 or USL at its end, 2 or USAVG (default) half "
        "at the start and half at the end. An update at the end uses velocities that are extrapolated again from the "
-       "updated particles, unless <SkipPostExtrapolation/> is given",
+       "updated particles, unless <SkipPostExtrapolation/> is given. USL- and USAVG- do without it, too; USL+ and "
+       "USAVG+ "
+       "are the same as USL and USAVG",
        T::choice,
        {},
        true,
        false,
        false,
-       "0 2 3 USF USAVG USL"});
+       "0 2 3 USF USAVG USL USAVG- USL- USAVG+ USL+"});
   add({"SkipPostExtrapolation",
        "MPMHeader",
        "the update at the end of a step uses the nodal velocities without a second extrapolation of the particle "

@@ -112,6 +112,9 @@ TEST_CASE("the summary tells the scheme and what linear shape functions do", "[p
   CHECK_THAT(disc_with("<Transfer type='APIC'/>"), Contains("With APIC, bodies then " + falls) && !Contains(jumps));
   CHECK_THAT(disc_with("<Transfer type='APIC'/><GIMP type='quadratic'/>"), !Contains(falls));
   CHECK_THAT(disc_with("<MPMMethod>USL</MPMMethod><SkipPostExtrapolation/>"), Contains(falls));
+  CHECK_THAT(disc_with("<MPMMethod>USL-</MPMMethod>"), Contains(falls));
+  CHECK_THAT(disc_with("<MPMMethod>USL+</MPMMethod>"), !Contains(falls));
+  CHECK_THROWS_WITH(disc_with("<MPMMethod>USAVG+</MPMMethod><SkipPostExtrapolation/>"), Contains("contradicts"));
   CHECK_THAT(disc_with("<MPMMethod>USF</MPMMethod><SkipPostExtrapolation/>"),
              Contains("stress update USF\n") && !Contains(falls));
 }
