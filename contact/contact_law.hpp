@@ -60,6 +60,8 @@ class ContactLaw {
   virtual bool uses_face() const { return true; }
   /// The law as an imperfect interface; null if it is none.
   virtual const InterfaceLaw* interface() const { return nullptr; }
+  /// The law gives no impulse to faces that are apart and do not meet within the step, g + dt v_n > 0.
+  virtual bool needs_closed_faces() const { return false; }
   /// The law reads `slip` or `bond`, which the particles then store.
   virtual bool has_memory() const { return false; }
   /// The law reads `area`.

@@ -57,6 +57,7 @@ struct CoulombFriction final : ContactLaw {
     const bool holds = coefficient < 0 || c.stick <= friction.at_rest(m) * c.pressure();
     return frictional_response(m, c, friction.sliding(m) * c.pressure(), holds);
   }
+  bool needs_closed_faces() const override { return true; }
   bool has_memory() const override { return SlipWeakening{static_coefficient, coefficient, weakening}.has_memory(); }
   bool uses_area() const override { return contact_stiffness >= 0 || displacement_only < 0; }
 };

@@ -96,7 +96,7 @@ template <int Dim>
 void ContactLedger<Dim>::keep_start(ContactNodes<Dim>& contacts, bool strain_filtered) {
   has_start_ = true;
   for (const auto& node : contacts.nodes)
-    for (ContactPair& pair : contacts.pairs_of(node))
+    for (ContactPair& pair : contacts.active_pairs_of(node))
       pair.strain_velocity = velocity_of(contacts, node, pair, true, strain_filtered);
 }
 
@@ -105,6 +105,7 @@ void ContactLedger<Dim>::record(ContactNodes<Dim>& contacts, double dt, bool rep
   for (auto& [fields, entry] : pairs) entry.force.setZero(), entry.stored = entry.area = 0.0;
   rigid_exchanges_.assign(system_.fields.size(), {});
   for (const auto& node : contacts.nodes) {
+    if (node.idle) continue;
     if (replaces && !filtered && !has_start_) nodal_work += node.ownership * extrapolated(contacts, node, dt);
     for (std::size_t p = node.first_pair; p < node.end_pair; ++p) {
       ContactPair& pair = contacts.pairs[p];
@@ -143,7 +144,7 @@ template <int Dim>
 void ContactLedger<Dim>::record_end(ContactNodes<Dim>& contacts, bool filtered, bool strain_filtered) {
   const double share = filtered && !has_start_ ? 1.0 : 0.5;  // of the work that is done at the velocities at the end
   for (const auto& node : contacts.nodes)
-    for (ContactPair& pair : contacts.pairs_of(node)) {
+    for (ContactPair& pair : contacts.active_pairs_of(node)) {
       if (!pair.law || (pair.update_impulse.isZero(0) && pair.applied.isZero(0))) continue;
       const Vec3 change = velocity_of(contacts, node, pair, false, strain_filtered) - pair.update_velocity;
       const Vec3 along_normal = change.dot(pair.state.normal) * pair.state.normal, along_face = change - along_normal;
@@ -160,7 +161,7 @@ void ContactLedger<Dim>::record_end(ContactNodes<Dim>& contacts, bool filtered, 
 template <int Dim>
 void ContactLedger<Dim>::record_block_motion(ContactNodes<Dim>& contacts, const std::vector<BlockMean>& means) {
   for (const auto& node : contacts.nodes)
-    for (ContactPair& pair : contacts.pairs_of(node)) {
+    for (ContactPair& pair : contacts.active_pairs_of(node)) {
       if (!pair.law || pair.total_impulse.isZero(0)) continue;
       for (const auto& [side, sign] : {std::pair{pair.a, -1.0}, std::pair{pair.b, 1.0}}) {
         const ContactMember& rigid = contacts.members[side];

@@ -90,6 +90,7 @@ struct ContactNode {
   int mirrored_axes = 0;                         ///< bit d: a symmetry plane normal to axis d passes through it
   bool solved_on_faces = false;                  ///< its impulses are found by FaceSolver, not by NodeImpulses
   bool needs_faces = true;                       ///< its faces must be found from the particles in this step
+  bool idle = false;                             ///< no impulse can act in this step, and none acted in the last one
   bool between_bodies = false;                   ///< some pair is formed by two bodies, not by the faces of a crack
 };
 
@@ -105,6 +106,10 @@ struct ContactNodes {
   }
   std::span<const ContactPair> pairs_of(const ContactNode<Dim>& node) const {
     return {pairs.data() + node.first_pair, node.end_pair - node.first_pair};
+  }
+  /// The pairs of a node, none of an idle one.
+  std::span<ContactPair> active_pairs_of(const ContactNode<Dim>& node) {
+    return node.idle ? std::span<ContactPair>() : pairs_of(node);
   }
   void clear() { nodes.clear(), members.clear(), pairs.clear(); }
 };

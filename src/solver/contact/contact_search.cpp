@@ -173,7 +173,7 @@ void ContactSearch<Dim>::remember_pairs() {
   const auto each_kept = [&](std::ptrdiff_t range, auto&& f) {
     const std::size_t first = length * static_cast<std::size_t>(range);
     for (std::size_t n = first; n < std::min(first + length, found_.nodes.size()); ++n)
-      for (const ContactPair& pair : found_.pairs_of(found_.nodes[n]))
+      for (const ContactPair& pair : found_.active_pairs_of(found_.nodes[n]))
         if (!pair.update_impulse.isZero(0)) f(found_.nodes[n], pair);
   };
   parallel_for(static_cast<std::ptrdiff_t>(count), [&](std::ptrdiff_t range) {

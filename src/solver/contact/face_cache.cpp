@@ -43,7 +43,8 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 template <int Dim>
 void FaceCache<Dim>::add_travel(const std::vector<double>& of_fields) {
-  travel_.resize(system_.fields.size());
+  travel_.resize(system_.fields.size()), last_travel_ = of_fields;
+  last_travel_.resize(system_.fields.size());
   for (std::size_t f = 0; f < of_fields.size(); ++f) travel_[f] += of_fields[f];
 }
 
@@ -94,22 +95,27 @@ void FaceCache<Dim>::assign_faces(const ContactNodes<Dim>& contacts) {
   std::swap(faces_, next_);
 }
 
+// Calls f(node, pair, its face) for all pairs, in parallel by nodes.
+template <int Dim>
+template <class F>
+void FaceCache<Dim>::each_pair(ContactNodes<Dim>& contacts, F&& f) {
+  parallel_for(static_cast<std::ptrdiff_t>(contacts.nodes.size()), [&](std::ptrdiff_t k) {
+    const ContactNode<Dim>& node = contacts.nodes[static_cast<std::size_t>(k)];
+    for (std::size_t p = node.first_pair; p < node.end_pair; ++p) f(node, contacts.pairs[p], faces_[p]);
+  });
+}
+
 template <int Dim>
 bool FaceCache<Dim>::reuse(ContactNodes<Dim>& contacts, const std::vector<Body<Dim>*>& bodies) {
   ++step_;
-  travel_.resize(system_.fields.size());
+  travel_.resize(system_.fields.size()), last_travel_.resize(system_.fields.size());
   if (!enabled_) clear();
   assign_faces(contacts);
-  domains_.clear();
-  for (auto* body : bodies) domains_.emplace_back(*body);
-  parallel_for(static_cast<std::ptrdiff_t>(particles_.size()), [&](std::ptrdiff_t k) {
-    CachedParticle& particle = particles_[static_cast<std::size_t>(k)];
-    particle.domain = planes_.domain(domains_[particle.label.body](particle.label.particle), particle.label.image);
-  });
-  parallel_for(static_cast<std::ptrdiff_t>(contacts.nodes.size()), [&](std::ptrdiff_t k) {
-    const ContactNode<Dim>& node = contacts.nodes[static_cast<std::size_t>(k)];
-    for (std::size_t p = node.first_pair; p < node.end_pair; ++p)
-      contacts.pairs[p].needs_face = !update_pair(node, contacts, contacts.pairs[p], faces_[p]);
+  each_pair(contacts,
+            [&](const auto&, ContactPair& pair, ContactFace& face) { pair.needs_face = !reuse_face(pair, face); });
+  update_domains(bodies);
+  each_pair(contacts, [&](const ContactNode<Dim>& node, ContactPair& pair, ContactFace& face) {
+    if (face.needs_gap) pair.needs_face = !measure_gap(node, contacts, pair, face);
   });
   const auto needs_face = [](const ContactPair& pair) { return pair.needs_face; };
   const bool any = std::any_of(contacts.pairs.begin(), contacts.pairs.end(), needs_face);
@@ -140,17 +146,59 @@ void FaceCache<Dim>::renew_with_others(ContactNodes<Dim>& contacts) {
     if (faces_[p].flat && (most(faces_[p].a) || most(faces_[p].b))) contacts.pairs[p].needs_face = true;
 }
 
-// Gives a pair its kept face with the present gap; false if the face is no longer valid.
+// Gives a pair its kept face, and finds out whether its gap must be measured; false if the face is no longer valid.
 template <int Dim>
-bool FaceCache<Dim>::update_pair(const ContactNode<Dim>& node, const ContactNodes<Dim>& contacts, ContactPair& pair,
-                                 const ContactFace& face) const {
+bool FaceCache<Dim>::reuse_face(ContactPair& pair, ContactFace& face) {
+  face.needs_gap = false;
   if (pair.crack >= 0) return true;
   pair.has_no_face = face.missing;
   if (!pair.law->uses_face()) return true;
   if (is_expired(face)) return false;
   if (face.missing) return true;
-  if (face.count[0] > ContactFace::max_particles || face.count[1] > ContactFace::max_particles) return false;
   pair.state.normal = face.normal, pair.state.area = face.area, pair.foremost_offset = face.foremost_offset;
+  pair.apart = stays_apart(face, pair);
+  if (pair.apart) return pair.state.gap = least_gap(face), true;
+  if (face.count[0] > ContactFace::max_particles || face.count[1] > ContactFace::max_particles) return false;
+  face.needs_gap = true;
+  for (std::size_t side = 0; side < 2; ++side)
+    for (std::size_t k = 0; k < face.count[side]; ++k)
+      std::atomic_ref(particles_[face.particles[side][k]].is_needed).store(1, std::memory_order_relaxed);
+  return true;
+}
+
+// The smallest gap that a pair can have at present, as its sides approach each other by at most their travel since the
+// gap was measured [length].
+template <int Dim>
+double FaceCache<Dim>::least_gap(const ContactFace& face) const {
+  const double travel = travel_of(face.a) - face.measured_travel[0] + travel_of(face.b) - face.measured_travel[1];
+  return face.measured_gap - travel * h_;
+}
+
+// Whether the faces of a pair cannot meet in this step even if the bodies move twice as far as in the last one.
+template <int Dim>
+bool FaceCache<Dim>::stays_apart(const ContactFace& face, const ContactPair& pair) const {
+  if (!pair.law->needs_closed_faces() || !pair.update_impulse.isZero(0)) return false;
+  const auto last_travel = [&](std::size_t field) { return last_travel_[system_.fields[field].base_field]; };
+  return least_gap(face) > std::max(open_gap, 2 * (last_travel(face.a) + last_travel(face.b))) * h_;
+}
+
+// Computes the present domains of the particles whose faces are to be measured.
+template <int Dim>
+void FaceCache<Dim>::update_domains(const std::vector<Body<Dim>*>& bodies) {
+  domains_.clear();
+  for (auto* body : bodies) domains_.emplace_back(*body);
+  parallel_for(static_cast<std::ptrdiff_t>(particles_.size()), [&](std::ptrdiff_t k) {
+    CachedParticle& particle = particles_[static_cast<std::size_t>(k)];
+    if (particle.is_needed == 0) return;
+    particle.is_needed = 0;
+    particle.domain = planes_.domain(domains_[particle.label.body](particle.label.particle), particle.label.image);
+  });
+}
+
+// Measures the present gap of a pair at its kept face; false if the face has turned or bent.
+template <int Dim>
+bool FaceCache<Dim>::measure_gap(const ContactNode<Dim>& node, const ContactNodes<Dim>& contacts, ContactPair& pair,
+                                 ContactFace& face) const {
   const Vec<Dim> centre = system_.lattice.position(node.index), n = face.normal.template head<Dim>();
   std::array<double, 2> positions;
   for (std::size_t side = 0; side < 2; ++side) {
@@ -173,11 +221,17 @@ bool FaceCache<Dim>::update_pair(const ContactNode<Dim>& node, const ContactNode
   pair.state.gap = face.gap_correction - positions[0] - positions[1];
   pair.face_position =
       common_face_position(contacts.members[pair.a], contacts.members[pair.b], positions[0], -positions[1]);
+  keep_gap(face, pair);
   return true;
 }
 
 template <int Dim>
-void FaceCache<Dim>::store(ContactFace& face, const ContactPair& pair, NearParticles<Dim>& near) const {
+void FaceCache<Dim>::keep_gap(ContactFace& face, const ContactPair& pair) const {
+  face.measured_gap = pair.state.gap, face.measured_travel = {travel_of(face.a), travel_of(face.b)};
+}
+
+template <int Dim>
+void FaceCache<Dim>::store(ContactFace& face, ContactPair& pair, NearParticles<Dim>& near) const {
   const Vec<Dim> n = face.normal.template head<Dim>();
   face.flat = near.wide && is_flat_face<Dim>(near.sides[0], n, flatness * h_) &&
               is_flat_face<Dim>(near.sides[1], -n, flatness * h_);
@@ -186,6 +240,8 @@ void FaceCache<Dim>::store(ContactFace& face, const ContactPair& pair, NearParti
                                 surrounds_line<Dim>(near.sides[1], -n, surrounding_radius * h_, flatness * h_);
     face.valid_travel = surrounds_node ? max_valid_travel : flat_travel;
   }
+  keep_gap(face, pair);
+  pair.apart = stays_apart(face, pair);
   if (!pair.law->interface() && pair.law->liquid() == 0) keep_longer(face, pair.state.gap - open_gap * h_);
   for (std::size_t side = 0; side < 2; ++side) {
     ParticleSet<Dim>& of = near.sides[side];

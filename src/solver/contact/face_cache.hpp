@@ -30,12 +30,15 @@ struct ContactFace {
   double offset_along_face = 0.0;  ///< distance along the face from the node to the nearest particles at it   [length]
 
   bool just_found = false;               ///< in this step
+  bool needs_gap = false;                ///< the gap must be measured in this step
   std::int64_t found_step = 0;           ///< number of the step in which it was found, see FaceCache
   std::array<double, 2> found_travel{};  ///< per side: travel of the field when it was found                   [cells]
   double valid_travel = not_found;       ///< it is valid while neither side travels farther                    [cells]
   bool flat = false;                     ///< both sides are plane, so it looks the same from everywhere until it turns
-  std::array<double, 2> depth_range{};   ///< per side: largest minus smallest reach of the particles    [length]
-  std::array<std::size_t, 2> count{};    ///< per side: number of particles; may exceed max_particles
+  double measured_gap = 0.0;  ///< when it was last computed from the particles                            [length]
+  std::array<double, 2> measured_travel{};  ///< per side: travel of the field then                       [cells]
+  std::array<double, 2> depth_range{};      ///< per side: largest minus smallest reach of the particles    [length]
+  std::array<std::size_t, 2> count{};       ///< per side: number of particles; may exceed max_particles
   /// Per side: numbers in the cloud while just_found, later numbers in the list of cached particles.
   std::array<std::array<std::uint32_t, max_particles>, 2> particles{};
 
@@ -52,12 +55,15 @@ struct ContactFace {
 /// Saves and restores a face. The numbers of its particles are saved by FaceCache.
 inline void archive(Archive& a, ContactFace& face) {
   auto& [node, field_a, field_b, missing, normal, area, gap_correction, foremost_offset, offset_along_face, just_found,
-         found_step, found_travel, valid_travel, flat, depth_range, count, particles] = face;
-  a.version(3);
+         needs_gap, found_step, found_travel, valid_travel, flat, measured_gap, measured_travel, depth_range, count,
+         particles] = face;
+  a.version(4);
   a("node", node), a("a", field_a), a("b", field_b), a("missing", missing);
   a("normal", normal), a("area", area), a("gap_correction", gap_correction);
   a("foremost_offset", foremost_offset), a("offset_along_face", offset_along_face), a("found_step", found_step);
   a("found_travel_a", found_travel[0]), a("found_travel_b", found_travel[1]), a("valid_travel", valid_travel);
+  a("measured_gap", measured_gap), a("measured_travel_a", measured_travel[0]);
+  a("measured_travel_b", measured_travel[1]);
   a("flat", flat), a("depth_range", depth_range), a("count_a", count[0]), a("count_b", count[1]);
 }
 
@@ -99,7 +105,7 @@ class FaceCache {
   const ContactFace& face(std::size_t pair) const { return faces_[pair]; }
   /// Stores how long a face just found is valid, and the particles that determine its gap or may do so meanwhile.
   /// `pair`: that of the face, with its present gap; `near`: the particles from which it was found.
-  void store(ContactFace& face, const ContactPair& pair, NearParticles<Dim>& near) const;
+  void store(ContactFace& face, ContactPair& pair, NearParticles<Dim>& near) const;
   /// Stores how long it is known that a pair has no face. `apart`: see apart_beside_corner() [length].
   void store_missing(ContactFace& face, double apart) const;
   /// Ends a search: copies the stored particles from the cloud.
@@ -110,9 +116,10 @@ class FaceCache {
 
   /// The kept faces, after a step; to be restored after ContactSearch::locate().
   friend void archive(Archive& a, FaceCache& cache) {
-    a.version(3);
+    a.version(4);
     if (!cache.enabled_) return;
-    a("step", cache.step_), a.resizable("travel", cache.travel_), a("compact_size", cache.compact_size_);
+    a("step", cache.step_), a.resizable("travel", cache.travel_), a.resizable("last_travel", cache.last_travel_);
+    a("compact_size", cache.compact_size_);
     a.resizable("faces", cache.faces_);
     cache.archive_particles(a);
   }
@@ -120,7 +127,8 @@ class FaceCache {
  private:
   struct CachedParticle {
     ParticleLabel label;
-    ParticleDomain<Dim> domain;  // present
+    ParticleDomain<Dim> domain;  // present if needed
+    std::uint8_t is_needed = 0;  // in this step
   };
 
   void archive_particles(Archive& a);
@@ -129,8 +137,15 @@ class FaceCache {
   bool is_expired(const ContactFace& face) const;
   void keep_longer(ContactFace& face, double apart) const;
   double travel_of(std::size_t field) const { return travel_[system_.fields[field].base_field]; }
-  bool update_pair(const ContactNode<Dim>& node, const ContactNodes<Dim>& contacts, ContactPair& pair,
-                   const ContactFace& face) const;
+  template <class F>
+  void each_pair(ContactNodes<Dim>& contacts, F&& f);
+  bool reuse_face(ContactPair& pair, ContactFace& face);
+  void update_domains(const std::vector<Body<Dim>*>& bodies);
+  bool measure_gap(const ContactNode<Dim>& node, const ContactNodes<Dim>& contacts, ContactPair& pair,
+                   ContactFace& face) const;
+  void keep_gap(ContactFace& face, const ContactPair& pair) const;
+  double least_gap(const ContactFace& face) const;
+  bool stays_apart(const ContactFace& face, const ContactPair& pair) const;
   template <class F>
   void each_particle_number(bool just_found, F&& f);
   template <class F>
@@ -147,10 +162,11 @@ class FaceCache {
   struct Counts {
     std::size_t all, to_be_found;
   };
-  std::vector<Counts> counts_;    // scratch, see renew_with_others
-  std::size_t compact_size_ = 0;  // number of particles when last each was needed by some face
-  std::int64_t step_ = 0;         // counts the steps
-  std::vector<double> travel_;    // per field: since the beginning [cells]
+  std::vector<Counts> counts_;       // scratch, see renew_with_others
+  std::size_t compact_size_ = 0;     // number of particles when last each was needed by some face
+  std::int64_t step_ = 0;            // counts the steps
+  std::vector<double> travel_;       // per field: since the beginning [cells]
+  std::vector<double> last_travel_;  // per field: of the last step [cells]
 };
 
 }  // namespace tribo

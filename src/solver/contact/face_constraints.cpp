@@ -71,7 +71,7 @@ void FaceConstraints<Dim>::list_constraints(ContactNodes<Dim>& contacts) {
   // Two blocks of the same colour are so far apart that the nodes in reach of their pairs are different ones.
   constexpr int colours = (2 * max_image_distance + block_edge<Dim> - 1) / block_edge<Dim> + 1;
   const auto has_face = [](const ContactPair& pair) {
-    return !pair.has_no_face && !pair.replaced_by_joint && pair.crack < 0 && pair.law->uses_face();
+    return pair.may_touch() && pair.crack < 0 && pair.law->uses_face();
   };
   std::size_t count = 0;
   groups_.clear(), colour_ends_.clear();

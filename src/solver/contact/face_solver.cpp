@@ -29,7 +29,7 @@ void FaceSolver<Dim>::set_up(ContactNodes<Dim>& contacts, const Exchanges<Dim>& 
     Row& row = rows_[k];
     row.pair = c.pair, row.law = c.pair->law;
     row.size_before = c.pair->update_impulse.squaredNorm();
-    row.active = !c.pair->has_no_face && !c.pair->replaced_by_joint;
+    row.active = c.pair->may_touch();
     row.effective_mass = c.effective_mass, row.lumped_mass = c.lumped_mass;
     row.first = static_cast<std::uint32_t>(weights_.size());
     row.next_to_plane = false;

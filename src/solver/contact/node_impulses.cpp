@@ -15,7 +15,7 @@ void NodeImpulses<Dim>::apply(double dt, ContactPass pass) {
   auto& pairs = contacts_.pairs;
   parallel_for(static_cast<std::ptrdiff_t>(nodes.size()), [&](std::ptrdiff_t k) {
     const ContactNode<Dim>& node = nodes[static_cast<std::size_t>(k)];
-    if (node.solved_on_faces) return;
+    if (node.idle || node.solved_on_faces) return;
     for (std::size_t i = node.first_member; i < node.end_member; ++i) {
       ContactMember& m = members[i];
       const Node& at = system_.fields[m.field].nodes[static_cast<std::size_t>(m.node)];
@@ -58,7 +58,7 @@ template <int Dim>
 void NodeImpulses<Dim>::remove() {
   parallel_for(static_cast<std::ptrdiff_t>(contacts_.nodes.size()), [&](std::ptrdiff_t k) {
     const ContactNode<Dim>& node = contacts_.nodes[static_cast<std::size_t>(k)];
-    if (!node.solved_on_faces) change_at_start(node, -1.0);
+    if (!node.idle && !node.solved_on_faces) change_at_start(node, -1.0);
   });
 }
 
@@ -68,7 +68,7 @@ void NodeImpulses<Dim>::constrain_increments(ContactPass pass) {
   auto& members = contacts_.members;
   parallel_for(static_cast<std::ptrdiff_t>(nodes.size()), [&](std::ptrdiff_t k) {
     const ContactNode<Dim>& node = nodes[static_cast<std::size_t>(k)];
-    if (node.solved_on_faces) return;
+    if (node.idle || node.solved_on_faces) return;
     const auto pairs = contacts_.pairs_of(node);
     const auto increment = [&](const ContactMember& m) {
       return Eigen::Map<Vec3>(system_.fields[m.field].filter[static_cast<std::size_t>(m.node)].increment);

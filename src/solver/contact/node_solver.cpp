@@ -106,7 +106,7 @@ void solve_node(std::span<ContactMember> members, std::span<ContactPair> pairs, 
   active.clear();
   for (ContactPair& pair : pairs) {
     if (!warm_start) pair.impulse.setZero(), pair.response = {};
-    if (!pair.has_no_face && !pair.replaced_by_joint) active.push_back({&pair, hold_of(pair, pass)});
+    if (pair.may_touch()) active.push_back({&pair, hold_of(pair, pass)});
   }
   if (active.empty()) return;
   begin_velocities(members, active);

@@ -45,6 +45,7 @@ struct ContactPair {
   bool needs_face = true;          ///< its face must be found from the particles in this step
   bool has_no_face = false;        ///< no common face was found at this node, so no impulse acts
   bool replaced_by_joint = false;  ///< a joint acts here in place of the contact law
+  bool apart = false;              ///< its faces are so far apart that they cannot meet within the step
   double face_position = 0.0;      ///< signed distance of the common face from the node along the normal      [length]
   /// Offset along the face, from the line through the node along the normal, of the points that determine the gap. The
   /// velocity at a curved face is that at this place, and the impulse acts there [length].
@@ -54,6 +55,8 @@ struct ContactPair {
   /// [velocity].
   Vec3 rigid_velocity = Vec3::Zero();
 
+  /// Whether an impulse of the contact law may act in this step.
+  bool may_touch() const { return !has_no_face && !replaced_by_joint && !apart; }
   /// Whether an impulse acts, or has changed velocities in this step.
   bool has_impulse() const { return !impulse.isZero(0) || !applied.isZero(0) || !at_start.isZero(0); }
 };
