@@ -73,7 +73,6 @@ void Contact<Dim>::find(const Exchanges<Dim>& exchanges, const Joints<Dim>& join
   find_crack_faces();
   if (cache_.reuse(search_.found(), bodies_)) find_faces(exchanges);
   leave_to_joints(joints);
-  mark_idle_nodes();
   if (system_.contact_at_faces) face_solver_.set_up(search_.found(), exchanges);
 }
 
@@ -160,18 +159,6 @@ void Contact<Dim>::leave_to_joints(const Joints<Dim>& joints) {
                           std::abs(face.normal.template head<Dim>().dot(joint.normal)) > min_cosine;
       pair.replaced_by_joint = std::isfinite(joint.distance) && !beyond;
     }
-  });
-}
-
-template <int Dim>
-void Contact<Dim>::mark_idle_nodes() {
-  auto& contacts = search_.found();
-  parallel_for(static_cast<std::ptrdiff_t>(contacts.nodes.size()), [&](std::ptrdiff_t k) {
-    ContactNode<Dim>& node = contacts.nodes[static_cast<std::size_t>(k)];
-    const auto pairs = contacts.pairs_of(node);
-    node.idle = std::none_of(pairs.begin(), pairs.end(), [](const ContactPair& pair) {
-      return pair.may_touch() || !pair.update_impulse.isZero(0);
-    });
   });
 }
 

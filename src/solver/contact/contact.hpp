@@ -100,7 +100,6 @@ class Contact {
   void find_faces(const Exchanges<Dim>& exchanges);
   void collect_particles();
   void leave_to_joints(const Joints<Dim>& joints);
-  void mark_idle_nodes();
 
   const Model& model_;
   System<Dim>& system_;

@@ -95,36 +95,46 @@ void FaceCache<Dim>::assign_faces(const ContactNodes<Dim>& contacts) {
   std::swap(faces_, next_);
 }
 
-// Calls f(node, pair, its face) for all pairs, in parallel by nodes.
-template <int Dim>
-template <class F>
-void FaceCache<Dim>::each_pair(ContactNodes<Dim>& contacts, F&& f) {
-  parallel_for(static_cast<std::ptrdiff_t>(contacts.nodes.size()), [&](std::ptrdiff_t k) {
-    const ContactNode<Dim>& node = contacts.nodes[static_cast<std::size_t>(k)];
-    for (std::size_t p = node.first_pair; p < node.end_pair; ++p) f(node, contacts.pairs[p], faces_[p]);
-  });
-}
-
 template <int Dim>
 bool FaceCache<Dim>::reuse(ContactNodes<Dim>& contacts, const std::vector<Body<Dim>*>& bodies) {
   ++step_;
   travel_.resize(system_.fields.size()), last_travel_.resize(system_.fields.size());
   if (!enabled_) clear();
   assign_faces(contacts);
-  each_pair(contacts,
-            [&](const auto&, ContactPair& pair, ContactFace& face) { pair.needs_face = !reuse_face(pair, face); });
+  needed_.assign(particles_.size(), 0);
+  const auto count = static_cast<std::ptrdiff_t>(contacts.nodes.size());
+  parallel_for(count, [&](std::ptrdiff_t k) { reuse_faces(contacts.nodes[static_cast<std::size_t>(k)], contacts); });
   update_domains(bodies);
-  each_pair(contacts, [&](const ContactNode<Dim>& node, ContactPair& pair, ContactFace& face) {
-    if (face.needs_gap) pair.needs_face = !measure_gap(node, contacts, pair, face);
-  });
-  const auto needs_face = [](const ContactPair& pair) { return pair.needs_face; };
-  const bool any = std::any_of(contacts.pairs.begin(), contacts.pairs.end(), needs_face);
-  if (any) renew_with_others(contacts);
-  for (auto& node : contacts.nodes) {
-    const auto pairs = contacts.pairs_of(node);
-    node.needs_faces = any && std::any_of(pairs.begin(), pairs.end(), needs_face);
+  parallel_for(count, [&](std::ptrdiff_t k) { measure_gaps(contacts.nodes[static_cast<std::size_t>(k)], contacts); });
+  const auto needs_faces = [](const ContactNode<Dim>& node) { return node.needs_faces; };
+  if (std::none_of(contacts.nodes.begin(), contacts.nodes.end(), needs_faces)) return false;
+  renew_with_others(contacts);
+  return true;
+}
+
+// Gives the pairs of a node their kept faces.
+template <int Dim>
+void FaceCache<Dim>::reuse_faces(ContactNode<Dim>& node, ContactNodes<Dim>& contacts) {
+  node.needs_faces = node.needs_gaps = false, node.idle = true;
+  for (std::size_t p = node.first_pair; p < node.end_pair; ++p) {
+    ContactPair& pair = contacts.pairs[p];
+    faces_[p].needs_gap = false;
+    pair.needs_face = !reuse_face(pair, faces_[p]);
+    node.needs_faces = node.needs_faces || pair.needs_face, node.needs_gaps = node.needs_gaps || faces_[p].needs_gap;
+    node.idle = node.idle && !pair.may_touch() && pair.update_impulse.isZero(0);
   }
-  return any;
+  node.idle = node.idle && !node.needs_faces;
+}
+
+// Measures the gaps of the pairs of a node.
+template <int Dim>
+void FaceCache<Dim>::measure_gaps(ContactNode<Dim>& node, ContactNodes<Dim>& contacts) {
+  for (std::size_t p = node.first_pair; p < node.end_pair && node.needs_gaps; ++p) {
+    if (!faces_[p].needs_gap) continue;
+    ContactPair& pair = contacts.pairs[p];
+    pair.needs_face = !measure_gap(node, contacts, pair, faces_[p]);
+    node.needs_faces = node.needs_faces || pair.needs_face;
+  }
 }
 
 // Finds the flat faces of a body anew together with its other faces, if most of these are found. The nodes beside each
@@ -142,14 +152,15 @@ void FaceCache<Dim>::renew_with_others(ContactNodes<Dim>& contacts) {
     }
   }
   const auto most = [&](std::size_t field) { return 2 * counts_of(field).to_be_found > counts_of(field).all; };
-  for (std::size_t p = 0; p < faces_.size(); ++p)
-    if (faces_[p].flat && (most(faces_[p].a) || most(faces_[p].b))) contacts.pairs[p].needs_face = true;
+  for (ContactNode<Dim>& node : contacts.nodes)
+    for (std::size_t p = node.first_pair; p < node.end_pair; ++p)
+      if (faces_[p].flat && (most(faces_[p].a) || most(faces_[p].b)))
+        contacts.pairs[p].needs_face = node.needs_faces = true, node.idle = false;
 }
 
 // Gives a pair its kept face, and finds out whether its gap must be measured; false if the face is no longer valid.
 template <int Dim>
 bool FaceCache<Dim>::reuse_face(ContactPair& pair, ContactFace& face) {
-  face.needs_gap = false;
   if (pair.crack >= 0) return true;
   pair.has_no_face = face.missing;
   if (!pair.law->uses_face()) return true;
@@ -162,7 +173,7 @@ bool FaceCache<Dim>::reuse_face(ContactPair& pair, ContactFace& face) {
   face.needs_gap = true;
   for (std::size_t side = 0; side < 2; ++side)
     for (std::size_t k = 0; k < face.count[side]; ++k)
-      std::atomic_ref(particles_[face.particles[side][k]].is_needed).store(1, std::memory_order_relaxed);
+      std::atomic_ref(needed_[face.particles[side][k]]).store(1, std::memory_order_relaxed);
   return true;
 }
 
@@ -188,9 +199,8 @@ void FaceCache<Dim>::update_domains(const std::vector<Body<Dim>*>& bodies) {
   domains_.clear();
   for (auto* body : bodies) domains_.emplace_back(*body);
   parallel_for(static_cast<std::ptrdiff_t>(particles_.size()), [&](std::ptrdiff_t k) {
+    if (needed_[static_cast<std::size_t>(k)] == 0) return;
     CachedParticle& particle = particles_[static_cast<std::size_t>(k)];
-    if (particle.is_needed == 0) return;
-    particle.is_needed = 0;
     particle.domain = planes_.domain(domains_[particle.label.body](particle.label.particle), particle.label.image);
   });
 }

@@ -127,8 +127,7 @@ class FaceCache {
  private:
   struct CachedParticle {
     ParticleLabel label;
-    ParticleDomain<Dim> domain;  // present if needed
-    std::uint8_t is_needed = 0;  // in this step
+    ParticleDomain<Dim> domain;  // present, if it is needed
   };
 
   void archive_particles(Archive& a);
@@ -137,8 +136,8 @@ class FaceCache {
   bool is_expired(const ContactFace& face) const;
   void keep_longer(ContactFace& face, double apart) const;
   double travel_of(std::size_t field) const { return travel_[system_.fields[field].base_field]; }
-  template <class F>
-  void each_pair(ContactNodes<Dim>& contacts, F&& f);
+  void reuse_faces(ContactNode<Dim>& node, ContactNodes<Dim>& contacts);
+  void measure_gaps(ContactNode<Dim>& node, ContactNodes<Dim>& contacts);
   bool reuse_face(ContactPair& pair, ContactFace& face);
   void update_domains(const std::vector<Body<Dim>*>& bodies);
   bool measure_gap(const ContactNode<Dim>& node, const ContactNodes<Dim>& contacts, ContactPair& pair,
@@ -156,6 +155,7 @@ class FaceCache {
   double h_;  // cell size [length]
   bool enabled_;
   std::vector<ContactFace> faces_, next_;   // per pair of the step: its face; scratch, see assign_faces
+  std::vector<std::uint8_t> needed_;        // per particle: 1 if it must be known where it is in this step
   std::vector<CachedParticle> particles_;   // that determine the faces
   std::vector<std::uint32_t> new_numbers_;  // scratch, see renumber
   std::vector<DomainReader<Dim>> domains_;  // scratch: of the bodies

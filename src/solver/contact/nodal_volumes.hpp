@@ -29,7 +29,8 @@ class NodalVolumes {
   System<Dim>& system_;
   const Transfers<Dim>& transfers_;
   std::vector<std::vector<Body<Dim>*>> bodies_of_;  // per field
-  std::vector<char> near_;  // per block of the lattice: 1 if the particles of its bin may contribute
+  std::vector<char> near_;     // per block of the lattice: 1 if the particles of its bin may contribute
+  std::vector<char> reached_;  // 1 if such particles may contribute to its nodes
 };
 
 }  // namespace tribo
