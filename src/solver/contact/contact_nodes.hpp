@@ -90,7 +90,7 @@ struct ContactNode {
   int mirrored_axes = 0;                         ///< bit d: a symmetry plane normal to axis d passes through it
   bool solved_on_faces = false;                  ///< its impulses are found by FaceSolver, not by NodeImpulses
   bool needs_faces = true;                       ///< its faces must be found from the particles in this step
-  bool needs_gaps = false;                       ///< the gaps of some of its faces must be measured in this step
+  bool has_approached = false;                   ///< some of its faces were apart and are no longer, see FaceCache
   bool idle = false;                             ///< no impulse can act in this step, and none acted in the last one
   bool between_bodies = false;                   ///< some pair is formed by two bodies, not by the faces of a crack
 };

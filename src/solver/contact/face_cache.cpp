@@ -101,38 +101,52 @@ bool FaceCache<Dim>::reuse(ContactNodes<Dim>& contacts, const std::vector<Body<D
   travel_.resize(system_.fields.size()), last_travel_.resize(system_.fields.size());
   if (!enabled_) clear();
   assign_faces(contacts);
-  needed_.assign(particles_.size(), 0);
+  find_domains(bodies);
   const auto count = static_cast<std::ptrdiff_t>(contacts.nodes.size());
   parallel_for(count, [&](std::ptrdiff_t k) { reuse_faces(contacts.nodes[static_cast<std::size_t>(k)], contacts); });
-  update_domains(bodies);
-  parallel_for(count, [&](std::ptrdiff_t k) { measure_gaps(contacts.nodes[static_cast<std::size_t>(k)], contacts); });
+  for (ContactNode<Dim>& node : contacts.nodes)
+    if (node.has_approached) measure_approached(node, contacts);
   const auto needs_faces = [](const ContactNode<Dim>& node) { return node.needs_faces; };
   if (std::none_of(contacts.nodes.begin(), contacts.nodes.end(), needs_faces)) return false;
   renew_with_others(contacts);
   return true;
 }
 
-// Gives the pairs of a node their kept faces.
+// Gives the pairs of a node their kept faces with the present gaps.
 template <int Dim>
 void FaceCache<Dim>::reuse_faces(ContactNode<Dim>& node, ContactNodes<Dim>& contacts) {
-  node.needs_faces = node.needs_gaps = false, node.idle = true;
+  node.needs_faces = node.has_approached = false, node.idle = true;
   for (std::size_t p = node.first_pair; p < node.end_pair; ++p) {
     ContactPair& pair = contacts.pairs[p];
-    faces_[p].needs_gap = false;
-    pair.needs_face = !reuse_face(pair, faces_[p]);
-    node.needs_faces = node.needs_faces || pair.needs_face, node.needs_gaps = node.needs_gaps || faces_[p].needs_gap;
+    ContactFace& face = faces_[p];
+    const bool were_apart = face.apart;
+    face.apart = false;
+    const Kept kept = reuse_face(pair, face);
+    const bool approached = kept == Kept::normal && were_apart;
+    if (kept == Kept::normal && !were_apart)
+      pair.needs_face = !measure_gap(node, contacts, pair, face);
+    else
+      pair.needs_face = kept == Kept::nothing;
+    face.has_approached = approached;
+    node.has_approached = node.has_approached || approached;
+    node.needs_faces = node.needs_faces || pair.needs_face;
     node.idle = node.idle && !pair.may_touch() && pair.update_impulse.isZero(0);
   }
   node.idle = node.idle && !node.needs_faces;
 }
 
-// Measures the gaps of the pairs of a node.
+// Measures the gaps of the pairs of a node that were apart in the last step, and are no longer.
 template <int Dim>
-void FaceCache<Dim>::measure_gaps(ContactNode<Dim>& node, ContactNodes<Dim>& contacts) {
-  for (std::size_t p = node.first_pair; p < node.end_pair && node.needs_gaps; ++p) {
-    if (!faces_[p].needs_gap) continue;
+void FaceCache<Dim>::measure_approached(ContactNode<Dim>& node, ContactNodes<Dim>& contacts) {
+  for (std::size_t p = node.first_pair; p < node.end_pair; ++p) {
+    ContactFace& face = faces_[p];
+    if (!face.has_approached) continue;
+    face.has_approached = false;
+    each_listed(face, [&](std::uint32_t number) {
+      if (needed_[number] == 0) needed_[number] = 1, find_domain(particles_[number]);
+    });
     ContactPair& pair = contacts.pairs[p];
-    pair.needs_face = !measure_gap(node, contacts, pair, faces_[p]);
+    pair.needs_face = !measure_gap(node, contacts, pair, face);
     node.needs_faces = node.needs_faces || pair.needs_face;
   }
 }
@@ -158,23 +172,18 @@ void FaceCache<Dim>::renew_with_others(ContactNodes<Dim>& contacts) {
         contacts.pairs[p].needs_face = node.needs_faces = true, node.idle = false;
 }
 
-// Gives a pair its kept face, and finds out whether its gap must be measured; false if the face is no longer valid.
+// Gives a pair its kept face. Faces that stay apart need no gap.
 template <int Dim>
-bool FaceCache<Dim>::reuse_face(ContactPair& pair, ContactFace& face) {
-  if (pair.crack >= 0) return true;
+auto FaceCache<Dim>::reuse_face(ContactPair& pair, ContactFace& face) const -> Kept {
+  if (pair.crack >= 0) return Kept::all;
   pair.has_no_face = face.missing;
-  if (!pair.law->uses_face()) return true;
-  if (is_expired(face)) return false;
-  if (face.missing) return true;
+  if (!pair.law->uses_face()) return Kept::all;
+  if (is_expired(face)) return Kept::nothing;
+  if (face.missing) return Kept::all;
   pair.state.normal = face.normal, pair.state.area = face.area, pair.foremost_offset = face.foremost_offset;
-  pair.apart = stays_apart(face, pair);
-  if (pair.apart) return pair.state.gap = least_gap(face), true;
-  if (face.count[0] > ContactFace::max_particles || face.count[1] > ContactFace::max_particles) return false;
-  face.needs_gap = true;
-  for (std::size_t side = 0; side < 2; ++side)
-    for (std::size_t k = 0; k < face.count[side]; ++k)
-      std::atomic_ref(needed_[face.particles[side][k]]).store(1, std::memory_order_relaxed);
-  return true;
+  pair.apart = face.apart = stays_apart(face, pair);
+  if (pair.apart) return pair.state.gap = least_gap(face), Kept::all;
+  return std::ranges::max(face.count) > ContactFace::max_particles ? Kept::nothing : Kept::normal;
 }
 
 // The smallest gap that a pair can have at present, as its sides approach each other by at most their travel since the
@@ -193,16 +202,20 @@ bool FaceCache<Dim>::stays_apart(const ContactFace& face, const ContactPair& pai
   return least_gap(face) > std::max(open_gap, 2 * (last_travel(face.a) + last_travel(face.b))) * h_;
 }
 
-// Computes the present domains of the particles whose faces are to be measured.
+// Finds the present domains of the particles at faces that are not apart.
 template <int Dim>
-void FaceCache<Dim>::update_domains(const std::vector<Body<Dim>*>& bodies) {
+void FaceCache<Dim>::find_domains(const std::vector<Body<Dim>*>& bodies) {
   domains_.clear();
   for (auto* body : bodies) domains_.emplace_back(*body);
+  needed_.resize(particles_.size(), 1);
   parallel_for(static_cast<std::ptrdiff_t>(particles_.size()), [&](std::ptrdiff_t k) {
-    if (needed_[static_cast<std::size_t>(k)] == 0) return;
-    CachedParticle& particle = particles_[static_cast<std::size_t>(k)];
-    particle.domain = planes_.domain(domains_[particle.label.body](particle.label.particle), particle.label.image);
+    if (needed_[static_cast<std::size_t>(k)] != 0) find_domain(particles_[static_cast<std::size_t>(k)]);
   });
+}
+
+template <int Dim>
+void FaceCache<Dim>::find_domain(CachedParticle& particle) const {
+  particle.domain = planes_.domain(domains_[particle.label.body](particle.label.particle), particle.label.image);
 }
 
 // Measures the present gap of a pair at its kept face; false if the face has turned or bent.
@@ -251,7 +264,7 @@ void FaceCache<Dim>::store(ContactFace& face, ContactPair& pair, NearParticles<D
     face.valid_travel = surrounds_node ? max_valid_travel : flat_travel;
   }
   keep_gap(face, pair);
-  pair.apart = stays_apart(face, pair);
+  pair.apart = face.apart = stays_apart(face, pair);
   if (!pair.law->interface() && pair.law->liquid() == 0) keep_longer(face, pair.state.gap - open_gap * h_);
   for (std::size_t side = 0; side < 2; ++side) {
     ParticleSet<Dim>& of = near.sides[side];
@@ -277,6 +290,14 @@ template <int Dim>
 void FaceCache<Dim>::keep_longer(ContactFace& face, double apart) const {
   for (const double travel : travels_apart)
     if (2 * travel * h_ <= apart && travel > face.valid_travel) face.valid_travel = travel, face.flat = false;
+}
+
+// Calls f(number) for the particles of a face.
+template <int Dim>
+template <class F>
+void FaceCache<Dim>::each_listed(const ContactFace& face, F&& f) {
+  for (std::size_t side = 0; side < 2; ++side)
+    for (std::size_t k = 0; k < static_cast<std::size_t>(face.listed(side)); ++k) f(face.particles[side][k]);
 }
 
 // Calls f(number) for the particles of the faces that were found in this step, or of the others.
@@ -318,7 +339,14 @@ void FaceCache<Dim>::end_search(const ParticleCloud<Dim>& cloud) {
     return particles_.size() - 1;
   });
   if (many_unused || first) compact_size_ = particles_.size();
-  for (ContactFace& face : faces_) face.just_found = false;
+  // Particles whose last face has come apart stay needed until the list is compact again.
+  needed_.resize(particles_.size(), 0);
+  if (many_unused || first) std::fill(needed_.begin(), needed_.end(), 0);
+  for (ContactFace& face : faces_) {
+    if ((face.just_found || many_unused) && !face.apart)
+      each_listed(face, [&](std::uint32_t number) { needed_[number] = 1; });
+    face.just_found = false;
+  }
 }
 
 // Without their domains, which reuse() computes in every step.

@@ -30,7 +30,8 @@ struct ContactFace {
   double offset_along_face = 0.0;  ///< distance along the face from the node to the nearest particles at it   [length]
 
   bool just_found = false;               ///< in this step
-  bool needs_gap = false;                ///< the gap must be measured in this step
+  bool apart = false;                    ///< ContactPair::apart in the last step
+  bool has_approached = false;           ///< no longer, and its gap must be measured
   std::int64_t found_step = 0;           ///< number of the step in which it was found, see FaceCache
   std::array<double, 2> found_travel{};  ///< per side: travel of the field when it was found                   [cells]
   double valid_travel = not_found;       ///< it is valid while neither side travels farther                    [cells]
@@ -55,8 +56,8 @@ struct ContactFace {
 /// Saves and restores a face. The numbers of its particles are saved by FaceCache.
 inline void archive(Archive& a, ContactFace& face) {
   auto& [node, field_a, field_b, missing, normal, area, gap_correction, foremost_offset, offset_along_face, just_found,
-         needs_gap, found_step, found_travel, valid_travel, flat, measured_gap, measured_travel, depth_range, count,
-         particles] = face;
+         apart, has_approached, found_step, found_travel, valid_travel, flat, measured_gap, measured_travel,
+         depth_range, count, particles] = face;
   a.version(4);
   a("node", node), a("a", field_a), a("b", field_b), a("missing", missing);
   a("normal", normal), a("area", area), a("gap_correction", gap_correction);
@@ -127,8 +128,11 @@ class FaceCache {
  private:
   struct CachedParticle {
     ParticleLabel label;
-    ParticleDomain<Dim> domain;  // present, if it is needed
+    ParticleDomain<Dim> domain;  // present, if it is needed (needed_)
   };
+
+  // What is known of a face at the beginning of a step: nothing, all but its gap, or all that matters.
+  enum class Kept { nothing, normal, all };
 
   void archive_particles(Archive& a);
   void assign_faces(const ContactNodes<Dim>& contacts);
@@ -137,14 +141,17 @@ class FaceCache {
   void keep_longer(ContactFace& face, double apart) const;
   double travel_of(std::size_t field) const { return travel_[system_.fields[field].base_field]; }
   void reuse_faces(ContactNode<Dim>& node, ContactNodes<Dim>& contacts);
-  void measure_gaps(ContactNode<Dim>& node, ContactNodes<Dim>& contacts);
-  bool reuse_face(ContactPair& pair, ContactFace& face);
-  void update_domains(const std::vector<Body<Dim>*>& bodies);
+  void measure_approached(ContactNode<Dim>& node, ContactNodes<Dim>& contacts);
+  Kept reuse_face(ContactPair& pair, ContactFace& face) const;
+  void find_domains(const std::vector<Body<Dim>*>& bodies);
+  void find_domain(CachedParticle& particle) const;
   bool measure_gap(const ContactNode<Dim>& node, const ContactNodes<Dim>& contacts, ContactPair& pair,
                    ContactFace& face) const;
   void keep_gap(ContactFace& face, const ContactPair& pair) const;
   double least_gap(const ContactFace& face) const;
   bool stays_apart(const ContactFace& face, const ContactPair& pair) const;
+  template <class F>
+  static void each_listed(const ContactFace& face, F&& f);
   template <class F>
   void each_particle_number(bool just_found, F&& f);
   template <class F>
@@ -155,7 +162,7 @@ class FaceCache {
   double h_;  // cell size [length]
   bool enabled_;
   std::vector<ContactFace> faces_, next_;   // per pair of the step: its face; scratch, see assign_faces
-  std::vector<std::uint8_t> needed_;        // per particle: 1 if it must be known where it is in this step
+  std::vector<std::uint8_t> needed_;        // per particle: 1 if some of its faces is not apart
   std::vector<CachedParticle> particles_;   // that determine the faces
   std::vector<std::uint32_t> new_numbers_;  // scratch, see renumber
   std::vector<DomainReader<Dim>> domains_;  // scratch: of the bodies
