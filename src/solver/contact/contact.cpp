@@ -207,7 +207,6 @@ void Contact<Dim>::record(double dt, double flip, bool filtered) {
   }
   const bool keeps = keeps_start_impulses_;
   ledger_.record(contacts, dt, !keeps && flip == 0.0, filtered, keeps ? 1.0 - flip : 0.0);
-  search_.remember_pairs();
   if (laws_.any_has_memory()) memory_.update();
 }
 

@@ -95,12 +95,26 @@ struct ContactNode {
   bool between_bodies = false;                   ///< some pair is formed by two bodies, not by the faces of a crack
 };
 
-/// All contact nodes of a step. Members and pairs of a node are contiguous.
+/// The contact nodes of a few neighbouring blocks. Behind the members and pairs of a part there is room for more, so
+/// that those of the other parts keep their places when their number changes.
+struct ContactPart {
+  std::size_t first_node = 0, end_node = 0;      ///< range of ContactNodes::nodes
+  std::size_t first_member = 0, end_member = 0;  ///< range of ContactNodes::members
+  std::size_t member_room = 0;                   ///< the largest number of members that fit
+  std::size_t first_pair = 0, end_pair = 0;      ///< range of ContactNodes::pairs
+  std::size_t pair_room = 0;                     ///< the largest number of pairs that fit
+  bool changed = true;                           ///< its nodes or members are others than in the last step
+};
+
+/// All contact nodes of a step. Members and pairs of a node are contiguous. Some elements of `members` and `pairs`
+/// belong to no node, see ContactPart.
 template <int Dim>
 struct ContactNodes {
   std::vector<ContactNode<Dim>> nodes;
   std::vector<ContactMember> members;
   std::vector<ContactPair> pairs;
+  std::vector<ContactPart> parts;  ///< in the order of their nodes
+  bool moved = true;               ///< members and pairs of all parts have other places than in the last step
 
   std::span<ContactPair> pairs_of(const ContactNode<Dim>& node) {
     return {pairs.data() + node.first_pair, node.end_pair - node.first_pair};
@@ -112,7 +126,7 @@ struct ContactNodes {
   std::span<ContactPair> active_pairs_of(const ContactNode<Dim>& node) {
     return node.idle ? std::span<ContactPair>() : pairs_of(node);
   }
-  void clear() { nodes.clear(), members.clear(), pairs.clear(); }
+  void clear() { nodes.clear(), members.clear(), pairs.clear(), parts.clear(), moved = true; }
 };
 
 }  // namespace tribo

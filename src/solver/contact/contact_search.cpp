@@ -6,12 +6,13 @@
 #include <algorithm>
 #include <bit>
 #include <map>
-#include <numeric>
 
 namespace tribo {
 
 template <int Dim>
 void ContactSearch<Dim>::locate() {
+  if (!is_new_) kept_ = kept_pairs();
+  is_new_ = true;
   shared_at_.resize(static_cast<std::size_t>(system_.lattice.block_count()), -1);
   for (const auto& s : shared_) shared_at_[static_cast<std::size_t>(s.block)] = -1;
   shared_.clear();
@@ -28,74 +29,130 @@ void ContactSearch<Dim>::locate() {
     shared_at_[static_cast<std::size_t>(block)] = static_cast<int>(shared_.size());
     shared_.push_back({block, twice, std::move(users)});
   }
-  node_of_.assign(shared_.size() * block_nodes<Dim>, -1);
   found_.clear();
 }
 
-// In parallel by chunks of shared blocks: first the nodes and their members, then, with the place of the pairs of each
-// chunk among all pairs, the pairs. The lists do not depend on the number of threads.
+// Calls f(block, local number of the node, its number) for the nodes of a part that the particles of two or more fields
+// can reach, until f returns false. False if it did.
+template <int Dim>
+template <class F>
+bool ContactSearch<Dim>::each_shared_node(std::size_t part, F&& f) const {
+  const std::size_t first = part * part_blocks, end = std::min(first + part_blocks, shared_.size());
+  for (std::size_t s = first; s < end; ++s)
+    for (std::uint64_t rest = shared_[s].nodes; rest != 0; rest &= rest - 1) {
+      const int local = std::countr_zero(rest);
+      if (!f(shared_[s], local, static_cast<std::int64_t>(s) * block_nodes<Dim> + local)) return false;
+    }
+  return true;
+}
+
+// In parallel by parts: most parts have the nodes and members of the last step and only take their present masses. The
+// others are listed anew. The lists do not depend on the number of threads.
 template <int Dim>
 void ContactSearch<Dim>::find(const Exchanges<Dim>& exchanges) {
-  std::fill(node_of_.begin(), node_of_.end(), -1);
-  chunks_.resize((shared_.size() + chunk_blocks - 1) / chunk_blocks);
-  const auto count = static_cast<std::ptrdiff_t>(chunks_.size());
-  parallel_for(count, [&](std::ptrdiff_t k) { list_nodes(exchanges, static_cast<std::size_t>(k)); });
-  std::size_t nodes = 0, members = 0, pairs = 0;
-  for (Chunk& chunk : chunks_) {
-    chunk.first_node = nodes, chunk.first_member = members, chunk.first_pair = pairs;
-    nodes += chunk.nodes.size(), members += chunk.members.size(), pairs += chunk.pair_count;
-  }
-  // All elements are assigned below, so those of the last step need not be removed first.
-  found_.nodes.resize(nodes), found_.members.resize(members), found_.pairs.resize(pairs);
+  auto& parts = found_.parts;
+  if (is_new_) parts.assign((shared_.size() + part_blocks - 1) / part_blocks, {});
+  fresh_.resize(parts.size());
+  const auto count = static_cast<std::ptrdiff_t>(parts.size());
+  const auto list = [&](std::ptrdiff_t k) { list_nodes(exchanges, static_cast<std::size_t>(k)); };
   parallel_for(count, [&](std::ptrdiff_t k) {
-    const Chunk& chunk = chunks_[static_cast<std::size_t>(k)];
-    std::copy(chunk.members.begin(), chunk.members.end(),
-              found_.members.begin() + static_cast<std::ptrdiff_t>(chunk.first_member));
-    std::size_t pair = chunk.first_pair;
-    for (std::size_t n = 0; n < chunk.nodes.size(); ++n) {
-      ContactNode<Dim>& node = found_.nodes[chunk.first_node + n] = chunk.nodes[n];
-      node.first_member += chunk.first_member, node.end_member += chunk.first_member;
-      node.first_pair = pair;
-      list_pairs(node, place_of(node.number));
-      pair = node.end_pair;
-      node_of_[static_cast<std::size_t>(node.number)] = static_cast<int>(chunk.first_node + n);
+    ContactPart& part = parts[static_cast<std::size_t>(k)];
+    part.changed = is_new_ || !update_part(static_cast<std::size_t>(k));
+    if (part.changed) list(k);
+  });
+  found_.moved = false;
+  if (std::none_of(parts.begin(), parts.end(), [](const ContactPart& part) { return part.changed; })) return;
+  if (!place_parts()) {
+    parallel_for(count, [&](std::ptrdiff_t k) {
+      ContactPart& part = parts[static_cast<std::size_t>(k)];
+      if (!part.changed) part.changed = true, list(k);
+    });
+    place_parts();
+  }
+  place_nodes();
+  parallel_for(count, [&](std::ptrdiff_t k) { fill_part(static_cast<std::size_t>(k)); });
+  found_.nodes.swap(next_);
+  is_new_ = false;
+}
+
+// Gives the members of a part their present masses, and begins a new step for its pairs. False if the nodes or members
+// are others than in the last step.
+template <int Dim>
+bool ContactSearch<Dim>::update_part(std::size_t number) {
+  const ContactPart& part = found_.parts[number];
+  thread_local std::vector<ContactMember> present;
+  std::size_t n = part.first_node;
+  const bool same = each_shared_node(number, [&](const SharedBlock& shared, int local, std::int64_t place) {
+    present.clear();
+    if (!list_members(shared, local, present)) return true;
+    if (n == part.end_node) return false;
+    const ContactNode<Dim>& node = found_.nodes[n++];
+    if (node.number != place || node.end_member - node.first_member != present.size()) return false;
+    for (std::size_t k = 0; k < present.size(); ++k) {
+      ContactMember& member = found_.members[node.first_member + k];
+      if (member.field != present[k].field) return false;
+      member.mass = present[k].mass, member.inverse_mass = present[k].inverse_mass;
     }
+    for (ContactPair& pair : found_.pairs_of(node)) {
+      if (!node.idle) renew_pair(pair);
+      pair.state.mass = 1.0 / (found_.members[pair.a].inverse_mass + found_.members[pair.b].inverse_mass);
+    }
+    return true;
+  });
+  return same && n == part.end_node;
+}
+
+// Keeps of a pair who it is, and if an impulse acted in the last update, what is known of that.
+template <int Dim>
+void ContactSearch<Dim>::renew_pair(ContactPair& pair) const {
+  ContactPair next;
+  next.a = pair.a, next.b = pair.b;
+  if (pair.crack < 0)
+    next.law = pair.law;
+  else
+    next.crack = 0;
+  if (!pair.update_impulse.isZero(0)) {
+    next.update_impulse = pair.update_impulse, next.update_status = pair.update_status;
+    next.end_velocity = pair.end_velocity, next.update_mass = pair.update_mass;
+  }
+  pair = next;
+}
+
+// Lists the contact nodes of a part with their members, counts their pairs, and collects what is kept of those which
+// the part had before.
+template <int Dim>
+void ContactSearch<Dim>::list_nodes(const Exchanges<Dim>& exchanges, std::size_t number) {
+  Fresh& fresh = fresh_[number];
+  fresh.nodes.clear(), fresh.members.clear(), fresh.kept.clear(), fresh.pair_count = 0;
+  const ContactPart& part = found_.parts[number];
+  add_kept(std::span(found_.nodes).subspan(part.first_node, part.end_node - part.first_node), fresh.kept);
+  each_shared_node(number, [&](const SharedBlock& shared, int local, std::int64_t place) {
+    ContactNode<Dim> node{};
+    node.first_member = fresh.members.size();
+    if (!list_members(shared, local, fresh.members)) return true;
+    node.end_member = fresh.members.size();
+    const BlockUser& user = shared.users[0];
+    node.index =
+        system_.fields[user.field].map.node_at(static_cast<std::int64_t>(user.slot) * block_nodes<Dim> + local);
+    node.number = place;
+    const ContactMember& of_first = fresh.members[node.first_member];
+    node.mirrored_axes = exchanges[of_first.field]->mirrored_axes(node.index);
+    node.ownership = exchanges[of_first.field]->ownership(of_first.node);
+    node.first_pair = fresh.pair_count;
+    for (std::size_t a = node.first_member; a < node.end_member; ++a)
+      for (std::size_t b = a + 1; b < node.end_member; ++b)
+        fresh.pair_count += can_touch(fresh.members[a], fresh.members[b]) ? 1 : 0;
+    node.end_pair = fresh.pair_count;
+    fresh.nodes.push_back(node);
+    return true;
   });
 }
 
-// Lists the contact nodes of the blocks of a chunk, with their members, and counts their pairs.
+// Adds the fields with mass at a node of a shared block to the list. False, and nothing is added, if there are fewer
+// than two or if all of them are rigid.
 template <int Dim>
-void ContactSearch<Dim>::list_nodes(const Exchanges<Dim>& exchanges, std::size_t number) {
-  Chunk& chunk = chunks_[number];
-  chunk.nodes.clear(), chunk.members.clear(), chunk.pair_count = 0;
-  const std::size_t first = number * chunk_blocks;
-  for (std::size_t s = first; s < std::min(first + chunk_blocks, shared_.size()); ++s) {
-    const SharedBlock& shared = shared_[s];
-    for (std::uint64_t rest = shared.nodes; rest != 0; rest &= rest - 1) {
-      const int local = std::countr_zero(rest);
-      ContactNode<Dim> node{};
-      if (!list_members(shared, local, node, chunk.members)) continue;
-      const BlockUser& user = shared.users[0];
-      node.index =
-          system_.fields[user.field].map.node_at(static_cast<std::int64_t>(user.slot) * block_nodes<Dim> + local);
-      node.number = static_cast<std::int64_t>(s) * block_nodes<Dim> + local;
-      const ContactMember& of_first = chunk.members[node.first_member];
-      node.mirrored_axes = exchanges[of_first.field]->mirrored_axes(node.index);
-      node.ownership = exchanges[of_first.field]->ownership(of_first.node);
-      for (std::size_t a = node.first_member; a < node.end_member; ++a)
-        for (std::size_t b = a + 1; b < node.end_member; ++b)
-          chunk.pair_count += can_touch(chunk.members[a], chunk.members[b]) ? 1 : 0;
-      chunk.nodes.push_back(node);
-    }
-  }
-}
-
-// Lists the fields with mass at a node of a shared block. False, and nothing is listed, if there are fewer than two or
-// if all of them are rigid.
-template <int Dim>
-bool ContactSearch<Dim>::list_members(const SharedBlock& shared, int local, ContactNode<Dim>& node,
-                                      std::vector<ContactMember>& members) const {
-  node.first_member = members.size();
+bool ContactSearch<Dim>::list_members(const SharedBlock& shared, int local, std::vector<ContactMember>& members) const {
+  const std::size_t first = members.size();
   bool deformable = false;
   for (const auto& [f, slot, reached] : shared.users) {
     if ((reached >> local & 1) == 0) continue;
@@ -108,10 +165,68 @@ bool ContactSearch<Dim>::list_members(const SharedBlock& shared, int local, Cont
     member.field = f, member.node = at, member.mass = m, member.inverse_mass = rigid ? 0.0 : 1.0 / m;
     members.push_back(member);
   }
-  node.end_member = members.size();
-  if (node.end_member - node.first_member >= 2 && deformable) return true;
-  members.resize(node.first_member);
+  if (members.size() - first >= 2 && deformable) return true;
+  members.resize(first);
   return false;
+}
+
+// Gives the parts that have changed places for their members and pairs. If all have changed, they get new rooms; false
+// if some do not fit into the rooms that they have.
+template <int Dim>
+bool ContactSearch<Dim>::place_parts() {
+  constexpr std::size_t more = 4;  // room for an eighth, and at least this, more
+  const auto room = [&](std::size_t size) { return size + size / 8 + more; };
+  auto& parts = found_.parts;
+  const bool anew = std::all_of(parts.begin(), parts.end(), [](const ContactPart& part) { return part.changed; });
+  std::size_t members = 0, pairs = 0;
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    ContactPart& part = parts[k];
+    const std::size_t member_count = fresh_[k].members.size(), pair_count = fresh_[k].pair_count;
+    if (anew) {
+      part.first_member = members, part.member_room = room(member_count), members += part.member_room;
+      part.first_pair = pairs, part.pair_room = room(pair_count), pairs += part.pair_room;
+    }
+    if (!part.changed) continue;
+    if (member_count > part.member_room || pair_count > part.pair_room) return false;
+    part.end_member = part.first_member + member_count, part.end_pair = part.first_pair + pair_count;
+  }
+  if (anew) found_.members.resize(members), found_.pairs.resize(pairs), found_.moved = true;
+  return true;
+}
+
+// Gives all nodes their places in the new list, and copies those of parts that have not changed.
+template <int Dim>
+void ContactSearch<Dim>::place_nodes() {
+  auto& parts = found_.parts;
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < parts.size(); ++k)
+    count += parts[k].changed ? fresh_[k].nodes.size() : parts[k].end_node - parts[k].first_node;
+  next_.resize(count);
+  std::size_t first = 0;
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    ContactPart& part = parts[k];
+    const std::span<const ContactNode<Dim>> kept(found_.nodes);
+    const auto nodes = part.changed ? std::span<const ContactNode<Dim>>(fresh_[k].nodes)
+                                    : kept.subspan(part.first_node, part.end_node - part.first_node);
+    std::copy(nodes.begin(), nodes.end(), next_.begin() + static_cast<std::ptrdiff_t>(first));
+    part.first_node = first, part.end_node = first += nodes.size();
+  }
+}
+
+// Fills the places of a part that has changed.
+template <int Dim>
+void ContactSearch<Dim>::fill_part(std::size_t number) {
+  const ContactPart& part = found_.parts[number];
+  if (!part.changed) return;
+  const Fresh& fresh = fresh_[number];
+  std::copy(fresh.members.begin(), fresh.members.end(),
+            found_.members.begin() + static_cast<std::ptrdiff_t>(part.first_member));
+  for (std::size_t n = part.first_node; n < part.end_node; ++n) {
+    ContactNode<Dim>& node = next_[n];
+    node.first_member += part.first_member, node.end_member += part.first_member;
+    node.first_pair += part.first_pair, node.end_pair += part.first_pair;
+    list_pairs(node, is_new_ ? std::span<const KeptPair>(kept_) : std::span<const KeptPair>(fresh.kept));
+  }
 }
 
 // Two fields that differ by the sides of two cracks do not touch, nor do two rigid ones.
@@ -125,9 +240,9 @@ bool ContactSearch<Dim>::can_touch(const ContactMember& a, const ContactMember& 
 // Two fields on the same side of all cracks follow the law of their materials. The law of two fields on the two sides
 // of one crack is that of the crack.
 template <int Dim>
-void ContactSearch<Dim>::list_pairs(ContactNode<Dim>& node, std::int64_t place) {
-  std::size_t next = node.first_pair;
-  auto kept = std::lower_bound(kept_.begin(), kept_.end(), place,
+void ContactSearch<Dim>::list_pairs(ContactNode<Dim>& node, std::span<const KeptPair> kept) {
+  ContactPair* next = &found_.pairs[node.first_pair];
+  auto last = std::lower_bound(kept.begin(), kept.end(), place_of(node.number),
                                [](const KeptPair& pair, std::int64_t at) { return pair.place < at; });
   for (std::size_t a = node.first_member; a < node.end_member; ++a)
     for (std::size_t b = a + 1; b < node.end_member; ++b) {
@@ -135,7 +250,7 @@ void ContactSearch<Dim>::list_pairs(ContactNode<Dim>& node, std::int64_t place) 
       const Field<Dim>&field_a = system_.fields[of_a.field], &field_b = system_.fields[of_b.field];
       const int between = field_a.side ^ field_b.side;
       if (!can_touch(of_a, of_b)) continue;
-      ContactPair& pair = found_.pairs[next++];
+      ContactPair& pair = *next++;
       pair = {};
       pair.a = a, pair.b = b;
       pair.state.mass = 1.0 / (of_a.inverse_mass + of_b.inverse_mass);
@@ -143,53 +258,69 @@ void ContactSearch<Dim>::list_pairs(ContactNode<Dim>& node, std::int64_t place) 
         pair.law = laws_.between(field_a.base_field, field_b.base_field), node.between_bodies = true;
       else
         pair.crack = 0;
-      const KeptPair self{place,
-                          static_cast<std::int64_t>(of_a.field),
-                          static_cast<std::int64_t>(of_b.field),
-                          ContactStatus::open,
-                          Vec3::Zero(),
-                          Vec3::Zero(),
-                          0.0};
-      while (kept != kept_.end() && kept->precedes(self)) ++kept;
-      if (kept != kept_.end() && !self.precedes(*kept))
-        pair.update_status = kept->status, pair.update_impulse = kept->impulse, pair.end_velocity = kept->velocity,
-        pair.update_mass = kept->mass;
+      const KeptPair self = kept_pair(node, pair);
+      while (last != kept.end() && last->precedes(self)) ++last;
+      if (last != kept.end() && !self.precedes(*last))
+        pair.update_status = last->status, pair.update_impulse = last->impulse, pair.end_velocity = last->velocity,
+        pair.update_mass = last->mass;
     }
-  node.end_pair = next;
+}
+
+template <int Dim>
+auto ContactSearch<Dim>::kept_pair(const ContactNode<Dim>& node, const ContactPair& pair) const -> KeptPair {
+  const auto field = [&](std::size_t member) { return static_cast<std::int64_t>(found_.members[member].field); };
+  return {place_of(node.number), field(pair.a),     field(pair.b),   pair.update_status,
+          pair.update_impulse,   pair.end_velocity, pair.update_mass};
+}
+
+// Adds the pairs of some nodes with an impulse in the last momentum update to a list.
+template <int Dim>
+template <class Nodes>
+void ContactSearch<Dim>::add_kept(const Nodes& nodes, std::vector<KeptPair>& to) const {
+  for (const ContactNode<Dim>& node : nodes)
+    for (const ContactPair& pair : found_.pairs_of(node))
+      if (!pair.update_impulse.isZero(0)) to.push_back(kept_pair(node, pair));
+}
+
+template <int Dim>
+auto ContactSearch<Dim>::kept_pairs() const -> std::vector<KeptPair> {
+  std::vector<KeptPair> kept;
+  add_kept(found_.nodes, kept);
+  return kept;
+}
+
+template <int Dim>
+void ContactSearch<Dim>::archive_kept(Archive& a, std::vector<KeptPair>& kept) {
+  std::vector<std::int64_t> numbers;
+  std::vector<double> impulses, velocities, masses;
+  for (const KeptPair& pair : kept) {
+    numbers.insert(numbers.end(), {pair.place, pair.a, pair.b, static_cast<std::int64_t>(pair.status)});
+    impulses.insert(impulses.end(), pair.impulse.begin(), pair.impulse.end());
+    velocities.insert(velocities.end(), pair.velocity.begin(), pair.velocity.end());
+    masses.push_back(pair.mass);
+  }
+  a.resizable("pairs", numbers), a.resizable("impulses", impulses), a.resizable("velocities", velocities);
+  a.resizable("masses", masses);
+  kept.resize(numbers.size() / 4);
+  if (numbers.size() != 4 * kept.size() || impulses.size() != 3 * kept.size() || velocities.size() != impulses.size() ||
+      masses.size() != kept.size())
+    refuse_checkpoint("the pairs of contact and their impulses differ in number");
+  for (std::size_t k = 0; k < kept.size(); ++k) {
+    const std::int64_t* n = numbers.data() + 4 * k;
+    kept[k] = {n[0],
+               n[1],
+               n[2],
+               static_cast<ContactStatus>(n[3]),
+               Eigen::Map<const Vec3>(impulses.data() + 3 * k),
+               Eigen::Map<const Vec3>(velocities.data() + 3 * k),
+               masses[k]};
+  }
 }
 
 template <int Dim>
 std::int64_t ContactSearch<Dim>::place_of(std::int64_t number) const {
   return shared_[static_cast<std::size_t>(number / block_nodes<Dim>)].block * block_nodes<Dim> +
          number % block_nodes<Dim>;
-}
-
-// In parallel by ranges of nodes: first the number of pairs with an impulse, then these pairs.
-template <int Dim>
-void ContactSearch<Dim>::remember_pairs() {
-  constexpr std::size_t length = 256;  // of a range
-  const std::size_t count = (found_.nodes.size() + length - 1) / length;
-  kept_before_.assign(count + 1, 0);
-  const auto each_kept = [&](std::ptrdiff_t range, auto&& f) {
-    const std::size_t first = length * static_cast<std::size_t>(range);
-    for (std::size_t n = first; n < std::min(first + length, found_.nodes.size()); ++n)
-      for (const ContactPair& pair : found_.active_pairs_of(found_.nodes[n]))
-        if (!pair.update_impulse.isZero(0)) f(found_.nodes[n], pair);
-  };
-  parallel_for(static_cast<std::ptrdiff_t>(count), [&](std::ptrdiff_t range) {
-    std::size_t& pairs = kept_before_[static_cast<std::size_t>(range) + 1];
-    each_kept(range, [&](const auto&, const auto&) { ++pairs; });
-  });
-  std::partial_sum(kept_before_.begin(), kept_before_.end(), kept_before_.begin());
-  kept_.resize(kept_before_.back());
-  parallel_for(static_cast<std::ptrdiff_t>(count), [&](std::ptrdiff_t range) {
-    std::size_t next = kept_before_[static_cast<std::size_t>(range)];
-    each_kept(range, [&](const ContactNode<Dim>& node, const ContactPair& pair) {
-      const auto field = [&](std::size_t member) { return static_cast<std::int64_t>(found_.members[member].field); };
-      kept_[next++] = {place_of(node.number), field(pair.a),     field(pair.b),   pair.update_status,
-                       pair.update_impulse,   pair.end_velocity, pair.update_mass};
-    });
-  });
 }
 
 template <int Dim>
@@ -204,9 +335,12 @@ const ContactNode<Dim>* ContactSearch<Dim>::node_at(const Index<Dim>& index) con
   }
   if (!inside || shared_at_.empty()) return nullptr;
   const int s = shared_at_[static_cast<std::size_t>(system_.lattice.block_index(block))];
-  if (s < 0) return nullptr;
-  const int n = node_of_[static_cast<std::size_t>(s) * block_nodes<Dim> + local];
-  return n < 0 ? nullptr : &found_.nodes[static_cast<std::size_t>(n)];
+  if (s < 0 || found_.parts.empty()) return nullptr;
+  const auto number = static_cast<std::int64_t>(s) * block_nodes<Dim> + static_cast<std::int64_t>(local);
+  const ContactPart& part = found_.parts[static_cast<std::size_t>(s) / part_blocks];
+  const auto nodes = std::span(found_.nodes).subspan(part.first_node, part.end_node - part.first_node);
+  const auto node = std::ranges::lower_bound(nodes, number, {}, &ContactNode<Dim>::number);
+  return node == nodes.end() || node->number != number ? nullptr : &*node;
 }
 
 template class ContactSearch<2>;

@@ -6,6 +6,7 @@
 #include "solver/contact/contact_nodes.hpp"
 #include "solver/exchange/exchange.hpp"
 
+#include <span>
 #include <tuple>
 #include <vector>
 
@@ -21,15 +22,14 @@ class ContactSearch {
   /// `laws`: of all pairs of fields; must outlive the search, as must `system`.
   ContactSearch(const System<Dim>& system, const ContactLaws<Dim>& laws) : system_(system), laws_(laws) {}
 
-  /// Finds the shared blocks; to be called after every change of the fields' maps. Forgets all nodes.
+  /// Finds the shared blocks; to be called after every change of the fields' maps. Forgets all nodes, but keeps the
+  /// impulses and velocities of the last momentum update for the next find().
   void locate();
-  /// Finds the contact nodes from the present nodal masses. A node whose fields are all rigid is left out, as are pairs
-  /// of two rigid fields and pairs of fields that differ by the side of two cracks. A pair across a crack gets the
-  /// crack 0 and no law; Cracks then finds which crack it is. `exchanges`: one for each field.
+  /// Finds the contact nodes from the present nodal masses. Pairs keep what ContactPair says of the last update. A node
+  /// whose fields are all rigid is left out, as are pairs of two rigid fields and pairs of fields that differ by the
+  /// side of two cracks. A pair across a crack gets the crack 0 and no law; Cracks then finds which crack it is.
+  /// `exchanges`: one for each field.
   void find(const Exchanges<Dim>& exchanges);
-
-  /// Keeps the impulses and velocities of a momentum update for the next find().
-  void remember_pairs();
 
   /// What was found.
   ContactNodes<Dim>& found() { return found_; }
@@ -39,30 +39,9 @@ class ContactSearch {
 
   friend void archive(Archive& a, ContactSearch& search) {
     a.version(5);
-    std::vector<std::int64_t> numbers;
-    std::vector<double> impulses, velocities, masses;
-    for (const KeptPair& pair : search.kept_) {
-      numbers.insert(numbers.end(), {pair.place, pair.a, pair.b, static_cast<std::int64_t>(pair.status)});
-      impulses.insert(impulses.end(), pair.impulse.begin(), pair.impulse.end());
-      velocities.insert(velocities.end(), pair.velocity.begin(), pair.velocity.end());
-      masses.push_back(pair.mass);
-    }
-    a.resizable("pairs", numbers), a.resizable("impulses", impulses), a.resizable("velocities", velocities);
-    a.resizable("masses", masses);
-    search.kept_.resize(numbers.size() / 4);
-    if (numbers.size() != 4 * search.kept_.size() || impulses.size() != 3 * search.kept_.size() ||
-        velocities.size() != impulses.size() || masses.size() != search.kept_.size())
-      refuse_checkpoint("the pairs of contact and their impulses differ in number");
-    for (std::size_t k = 0; k < search.kept_.size(); ++k) {
-      const std::int64_t* n = numbers.data() + 4 * k;
-      search.kept_[k] = {n[0],
-                         n[1],
-                         n[2],
-                         static_cast<ContactStatus>(n[3]),
-                         Eigen::Map<const Vec3>(impulses.data() + 3 * k),
-                         Eigen::Map<const Vec3>(velocities.data() + 3 * k),
-                         masses[k]};
-    }
+    if (!search.is_new_) search.kept_ = search.kept_pairs();
+    if (a.reading()) search.is_new_ = true;
+    archive_kept(a, search.kept_);
   }
 
  private:
@@ -78,6 +57,8 @@ class ContactSearch {
     }
   };
 
+  static void archive_kept(Archive& a, std::vector<KeptPair>& kept);
+
   // A field that reaches nodes of a block.
   struct BlockUser {
     std::size_t field;
@@ -91,31 +72,41 @@ class ContactSearch {
     std::vector<BlockUser> users;
   };
 
-  // What is found at some shared blocks; the ranges of nodes refer to these members.
-  struct Chunk {
+  // What is found at the blocks of a part that has changed; the ranges of nodes refer to these members and pairs.
+  struct Fresh {
     std::vector<ContactNode<Dim>> nodes;
     std::vector<ContactMember> members;
     std::size_t pair_count = 0;
-    std::size_t first_node = 0, first_member = 0, first_pair = 0;  // in the lists of all
+    std::vector<KeptPair> kept;  // of the pairs that the part had before
   };
-  static constexpr std::size_t chunk_blocks = 16;
+  static constexpr std::size_t part_blocks = 64 / block_nodes<Dim>;
 
+  template <class F>
+  bool each_shared_node(std::size_t part, F&& f) const;
+  bool list_members(const SharedBlock& shared, int local, std::vector<ContactMember>& members) const;
+  bool update_part(std::size_t number);
+  void renew_pair(ContactPair& pair) const;
   void list_nodes(const Exchanges<Dim>& exchanges, std::size_t number);
-  bool list_members(const SharedBlock& shared, int local, ContactNode<Dim>& node,
-                    std::vector<ContactMember>& members) const;
   bool can_touch(const ContactMember& a, const ContactMember& b) const;
-  void list_pairs(ContactNode<Dim>& node, std::int64_t place);
+  void place_nodes();
+  bool place_parts();
+  void fill_part(std::size_t number);
+  void list_pairs(ContactNode<Dim>& node, std::span<const KeptPair> kept);
+  KeptPair kept_pair(const ContactNode<Dim>& node, const ContactPair& pair) const;
+  template <class Nodes>
+  void add_kept(const Nodes& nodes, std::vector<KeptPair>& to) const;
+  std::vector<KeptPair> kept_pairs() const;
   std::int64_t place_of(std::int64_t number) const;
 
   const System<Dim>& system_;
   const ContactLaws<Dim>& laws_;
   ContactNodes<Dim> found_;
   std::vector<SharedBlock> shared_;
-  std::vector<int> shared_at_;            // per block of the lattice: its position in shared_, or -1
-  std::vector<KeptPair> kept_;            // in ascending order
-  std::vector<Chunk> chunks_;             // scratch of find()
-  std::vector<std::size_t> kept_before_;  // scratch of remember_pairs(): per range of nodes
-  std::vector<int> node_of_;              // per shared block and node: its position in found_.nodes, or -1
+  std::vector<int> shared_at_;          // per block of the lattice: its position in shared_, or -1
+  std::vector<KeptPair> kept_;          // in ascending order; those of the last step, from locate() to find()
+  bool is_new_ = true;                  // the shared blocks are others than in the last find()
+  std::vector<Fresh> fresh_;            // scratch of find(): per part
+  std::vector<ContactNode<Dim>> next_;  // scratch of find()
 };
 
 }  // namespace tribo

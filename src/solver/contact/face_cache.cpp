@@ -66,33 +66,43 @@ ContactFace& FaceCache<Dim>::new_face(std::size_t pair) {
 // Assigns the faces to the pairs of this step: the kept ones, and for new pairs faces that must be found.
 template <int Dim>
 void FaceCache<Dim>::assign_faces(const ContactNodes<Dim>& contacts) {
-  const auto key_of = [&](const ContactNode<Dim>& node, const ContactPair& pair) {
-    return std::tuple(node.number, contacts.members[pair.a].field, contacts.members[pair.b].field);
-  };
-  std::atomic<bool> same = faces_.size() == contacts.pairs.size();
-  parallel_for(static_cast<std::ptrdiff_t>(same ? contacts.nodes.size() : 0), [&](std::ptrdiff_t k) {
-    const ContactNode<Dim>& node = contacts.nodes[static_cast<std::size_t>(k)];
-    for (std::size_t p = node.first_pair; p < node.end_pair; ++p)
-      if (faces_[p].key() != key_of(node, contacts.pairs[p])) same = false;
+  const auto& parts = contacts.parts;
+  const bool all = contacts.moved || faces_.size() != contacts.pairs.size();
+  if (all) next_.resize(contacts.pairs.size());
+  live_.resize(parts.size(), {0, 0});
+  parallel_for(static_cast<std::ptrdiff_t>(parts.size()), [&](std::ptrdiff_t k) {
+    const auto part = static_cast<std::size_t>(k);
+    if (all || parts[part].changed) assign_faces(contacts, part, all ? next_ : faces_);
   });
-  if (same) return;
-  next_.resize(contacts.pairs.size());
-  parallel_for(static_cast<std::ptrdiff_t>(contacts.nodes.size()), [&](std::ptrdiff_t k) {
-    const ContactNode<Dim>& node = contacts.nodes[static_cast<std::size_t>(k)];
+  if (all) std::swap(faces_, next_);
+  is_compact_ = false;
+}
+
+// Assigns the faces of the pairs of a part. Faces that were restored from a checkpoint belong to no part yet.
+template <int Dim>
+void FaceCache<Dim>::assign_faces(const ContactNodes<Dim>& contacts, std::size_t number, std::vector<ContactFace>& to) {
+  const ContactPart& part = contacts.parts[number];
+  thread_local std::vector<ContactFace> of_part;
+  const std::span<const ContactFace> all(faces_);
+  const auto kept = is_compact_ ? all : all.subspan(live_[number].first, live_[number].count);
+  if (!is_compact_) of_part.assign(kept.begin(), kept.end());
+  const std::span<const ContactFace> from = is_compact_ ? kept : std::span<const ContactFace>(of_part);
+  for (std::size_t n = part.first_node; n < part.end_node; ++n) {
+    const ContactNode<Dim>& node = contacts.nodes[n];
     for (std::size_t p = node.first_pair; p < node.end_pair; ++p) {
-      const auto key = key_of(node, contacts.pairs[p]);
-      const auto kept =
-          std::lower_bound(faces_.begin(), faces_.end(), key,
-                           [](const ContactFace& face, const auto& wanted) { return face.key() < wanted; });
-      if (kept != faces_.end() && kept->key() == key) {
-        next_[p] = *kept;
+      const std::tuple key(node.number, contacts.members[contacts.pairs[p].a].field,
+                           contacts.members[contacts.pairs[p].b].field);
+      const auto face = std::ranges::lower_bound(from, key, {}, &ContactFace::key);
+      if (face != from.end() && face->key() == key) {
+        to[p] = *face;
       } else {
-        next_[p] = {};
-        std::tie(next_[p].node, next_[p].a, next_[p].b) = key;
+        to[p] = {};
+        std::tie(to[p].node, to[p].a, to[p].b) = key;
       }
     }
-  });
-  std::swap(faces_, next_);
+  }
+  for (std::size_t p = part.end_pair; p < part.first_pair + part.pair_room; ++p) to[p] = {};
+  live_[number] = {part.first_pair, part.end_pair - part.first_pair};
 }
 
 template <int Dim>
@@ -157,14 +167,15 @@ template <int Dim>
 void FaceCache<Dim>::renew_with_others(ContactNodes<Dim>& contacts) {
   counts_.assign(system_.fields.size(), {0, 0});
   const auto counts_of = [&](std::size_t field) -> Counts& { return counts_[system_.fields[field].base_field]; };
-  for (std::size_t p = 0; p < faces_.size(); ++p) {
-    const ContactPair& pair = contacts.pairs[p];
-    if (pair.crack >= 0 || !pair.law->uses_face() || faces_[p].missing) continue;
-    for (const std::size_t field : {faces_[p].a, faces_[p].b}) {
-      Counts& of = counts_of(field);
-      ++of.all, of.to_be_found += pair.needs_face ? 1 : 0;
+  for (const ContactNode<Dim>& node : contacts.nodes)
+    for (std::size_t p = node.first_pair; p < node.end_pair; ++p) {
+      const ContactPair& pair = contacts.pairs[p];
+      if (pair.crack >= 0 || !pair.law->uses_face() || faces_[p].missing) continue;
+      for (const std::size_t field : {faces_[p].a, faces_[p].b}) {
+        Counts& of = counts_of(field);
+        ++of.all, of.to_be_found += pair.needs_face ? 1 : 0;
+      }
     }
-  }
   const auto most = [&](std::size_t field) { return 2 * counts_of(field).to_be_found > counts_of(field).all; };
   for (ContactNode<Dim>& node : contacts.nodes)
     for (std::size_t p = node.first_pair; p < node.end_pair; ++p)
@@ -349,13 +360,32 @@ void FaceCache<Dim>::end_search(const ParticleCloud<Dim>& cloud) {
   }
 }
 
+// The faces of the last step in the order of their keys.
+template <int Dim>
+std::vector<ContactFace> FaceCache<Dim>::live_faces() const {
+  if (is_compact_) return faces_;
+  std::vector<ContactFace> live;
+  for (const Range& range : live_)
+    live.insert(live.end(), faces_.begin() + static_cast<std::ptrdiff_t>(range.first),
+                faces_.begin() + static_cast<std::ptrdiff_t>(range.first + range.count));
+  return live;
+}
+
+template <int Dim>
+void FaceCache<Dim>::archive_faces(Archive& a) {
+  std::vector<ContactFace> live = live_faces();
+  a.resizable("faces", live);
+  archive_particles(a, live);
+  if (a.reading()) faces_ = std::move(live), is_compact_ = true;
+}
+
 // Without their domains, which reuse() computes in every step.
 template <int Dim>
-void FaceCache<Dim>::archive_particles(Archive& a) {
+void FaceCache<Dim>::archive_particles(Archive& a, std::vector<ContactFace>& faces) {
   std::vector<std::int64_t> labels, members;
   for (const CachedParticle& p : particles_)
     labels.insert(labels.end(), {p.label.field, p.label.body, p.label.particle, p.label.image});
-  for (const ContactFace& face : faces_)
+  for (const ContactFace& face : faces)
     for (std::size_t side = 0; side < 2; ++side)
       members.insert(members.end(), face.particles[side].begin(), face.particles[side].begin() + face.listed(side));
   a.resizable("particles", labels), a.resizable("members", members);
@@ -370,7 +400,7 @@ void FaceCache<Dim>::archive_particles(Archive& a) {
     particles_[k].label = {number(labels[4 * k]), number(labels[4 * k + 1]), number(labels[4 * k + 2]),
                            number(labels[4 * k + 3])};
   auto from = members.begin();
-  for (ContactFace& face : faces_)
+  for (ContactFace& face : faces)
     for (std::size_t side = 0; side < 2; ++side)
       for (std::ptrdiff_t k = 0; k < face.listed(side) && from != members.end(); ++k)
         face.particles[side][static_cast<std::size_t>(k)] = number(*from++);

@@ -93,7 +93,10 @@ class FaceCache {
   /// Adds the largest distance that a particle of each field moved in a step [cells].
   void add_travel(const std::vector<double>& of_fields);
   /// Forgets all faces.
-  void clear() { faces_.clear(), particles_.clear(), compact_size_ = 0; }
+  void clear() {
+    faces_.clear(), live_.clear(), particles_.clear(), needed_.clear();
+    is_compact_ = true, compact_size_ = 0;
+  }
 
   /// Gives the kept faces, with their present gaps, to the pairs of this step, and sets ContactPair::needs_face and
   /// ContactNode::needs_faces where a pair has no face yet or its face is no longer valid. True if there are such
@@ -121,8 +124,7 @@ class FaceCache {
     if (!cache.enabled_) return;
     a("step", cache.step_), a.resizable("travel", cache.travel_), a.resizable("last_travel", cache.last_travel_);
     a("compact_size", cache.compact_size_);
-    a.resizable("faces", cache.faces_);
-    cache.archive_particles(a);
+    cache.archive_faces(a);
   }
 
  private:
@@ -134,8 +136,15 @@ class FaceCache {
   // What is known of a face at the beginning of a step: nothing, all but its gap, or all that matters.
   enum class Kept { nothing, normal, all };
 
-  void archive_particles(Archive& a);
+  struct Range {
+    std::size_t first, count;
+  };
+
+  std::vector<ContactFace> live_faces() const;
+  void archive_faces(Archive& a);
+  void archive_particles(Archive& a, std::vector<ContactFace>& faces);
   void assign_faces(const ContactNodes<Dim>& contacts);
+  void assign_faces(const ContactNodes<Dim>& contacts, std::size_t number, std::vector<ContactFace>& to);
   void renew_with_others(ContactNodes<Dim>& contacts);
   bool is_expired(const ContactFace& face) const;
   void keep_longer(ContactFace& face, double apart) const;
@@ -162,6 +171,8 @@ class FaceCache {
   double h_;  // cell size [length]
   bool enabled_;
   std::vector<ContactFace> faces_, next_;   // per pair of the step: its face; scratch, see assign_faces
+  std::vector<Range> live_;                 // per part of the contact nodes: the faces of its pairs
+  bool is_compact_ = true;                  // faces_ has these faces only, without their parts (live_)
   std::vector<std::uint8_t> needed_;        // per particle: 1 if some of its faces is not apart
   std::vector<CachedParticle> particles_;   // that determine the faces
   std::vector<std::uint32_t> new_numbers_;  // scratch, see renumber
