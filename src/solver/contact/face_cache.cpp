@@ -23,7 +23,10 @@ constexpr double curved_travel = 0.01, flat_travel = 0.05;
 // A face extends to all sides of the node if it has particles at this distance along the face all around it [cells].
 constexpr double surrounding_radius = 1.25;
 // A face is found anew after this number of steps.
-constexpr std::int64_t max_steps = 200;
+constexpr double max_steps = 200;
+// If some faces are no longer valid, all that have spent this part of their travel or steps are found with them,
+// because most of the cost of a search does not depend on the number of faces.
+constexpr double nearly_spent = 0.7;
 // A flat face is found anew if its depth range changes by this much: it has turned or bent [cells].
 constexpr double max_depth_change = 0.01;
 // The particles of a flat face reach equally far within this length. A face with that deviation within the reach of a
@@ -49,9 +52,10 @@ void FaceCache<Dim>::add_travel(const std::vector<double>& of_fields) {
 }
 
 template <int Dim>
-bool FaceCache<Dim>::is_expired(const ContactFace& face) const {
+bool FaceCache<Dim>::has_spent(const ContactFace& face, double part) const {
   const double travel = std::max(travel_of(face.a) - face.found_travel[0], travel_of(face.b) - face.found_travel[1]);
-  return travel > face.valid_travel || step_ - face.found_step >= max_steps;
+  const auto steps = static_cast<double>(step_ - face.found_step);
+  return travel > part * face.valid_travel || steps >= part * max_steps;
 }
 
 template <int Dim>
@@ -163,14 +167,18 @@ void FaceCache<Dim>::measure_approached(ContactNode<Dim>& node, ContactNodes<Dim
 
 // Finds the flat faces of a body anew together with its other faces, if most of these are found. The nodes beside each
 // other on a round body then have normals of the same time; otherwise its shear force would vibrate while it rolls.
+// Also finds those with the others that would be found soon.
 template <int Dim>
 void FaceCache<Dim>::renew_with_others(ContactNodes<Dim>& contacts) {
   counts_.assign(system_.fields.size(), {0, 0});
+  bool any_spent = false;
   const auto counts_of = [&](std::size_t field) -> Counts& { return counts_[system_.fields[field].base_field]; };
   for (const ContactNode<Dim>& node : contacts.nodes)
     for (std::size_t p = node.first_pair; p < node.end_pair; ++p) {
       const ContactPair& pair = contacts.pairs[p];
-      if (pair.crack >= 0 || !pair.law->uses_face() || faces_[p].missing) continue;
+      if (pair.crack >= 0 || !pair.law->uses_face()) continue;
+      any_spent = any_spent || (pair.needs_face && faces_[p].valid_travel != ContactFace::not_found);
+      if (faces_[p].missing) continue;
       for (const std::size_t field : {faces_[p].a, faces_[p].b}) {
         Counts& of = counts_of(field);
         ++of.all, of.to_be_found += pair.needs_face ? 1 : 0;
@@ -178,9 +186,13 @@ void FaceCache<Dim>::renew_with_others(ContactNodes<Dim>& contacts) {
     }
   const auto most = [&](std::size_t field) { return 2 * counts_of(field).to_be_found > counts_of(field).all; };
   for (ContactNode<Dim>& node : contacts.nodes)
-    for (std::size_t p = node.first_pair; p < node.end_pair; ++p)
-      if (faces_[p].flat && (most(faces_[p].a) || most(faces_[p].b)))
+    for (std::size_t p = node.first_pair; p < node.end_pair; ++p) {
+      const ContactPair& pair = contacts.pairs[p];
+      if (pair.crack >= 0 || !pair.law->uses_face()) continue;
+      const bool with_others = faces_[p].flat && (most(faces_[p].a) || most(faces_[p].b));
+      if (with_others || (any_spent && has_spent(faces_[p], nearly_spent)))
         contacts.pairs[p].needs_face = node.needs_faces = true, node.idle = false;
+    }
 }
 
 // Gives a pair its kept face. Faces that stay apart need no gap.
@@ -189,7 +201,7 @@ auto FaceCache<Dim>::reuse_face(ContactPair& pair, ContactFace& face) const -> K
   if (pair.crack >= 0) return Kept::all;
   pair.has_no_face = face.missing;
   if (!pair.law->uses_face()) return Kept::all;
-  if (is_expired(face)) return Kept::nothing;
+  if (has_spent(face, 1.0)) return Kept::nothing;
   if (face.missing) return Kept::all;
   pair.state.normal = face.normal, pair.state.area = face.area, pair.foremost_offset = face.foremost_offset;
   pair.apart = face.apart = stays_apart(face, pair);

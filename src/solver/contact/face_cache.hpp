@@ -146,7 +146,7 @@ class FaceCache {
   void assign_faces(const ContactNodes<Dim>& contacts);
   void assign_faces(const ContactNodes<Dim>& contacts, std::size_t number, std::vector<ContactFace>& to);
   void renew_with_others(ContactNodes<Dim>& contacts);
-  bool is_expired(const ContactFace& face) const;
+  bool has_spent(const ContactFace& face, double part) const;
   void keep_longer(ContactFace& face, double apart) const;
   double travel_of(std::size_t field) const { return travel_[system_.fields[field].base_field]; }
   void reuse_faces(ContactNode<Dim>& node, ContactNodes<Dim>& contacts);
