@@ -111,6 +111,7 @@ struct AdhesiveFriction final : ContactLaw {
     if (!(load < 1)) return {Vec3::Zero(), ContactStatus::open, Bond::broken};
     return {m.mass * m.velocity, ContactStatus::stick, Bond::whole};
   }
+  bool needs_closed_faces() const override { return !(shear_strength > 0 && normal_strength > 0); }
   bool has_memory() const override {
     return (half_speed == 0 && SlipWeakening{static_coefficient, coefficient, weakening}.has_memory()) ||
            (shear_strength > 0 && normal_strength > 0);

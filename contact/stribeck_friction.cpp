@@ -83,6 +83,7 @@ struct StribeckFriction final : ContactLaw {
     const double slide = sticks ? c.stick : c.stick - m.mass * sliding_speed(m.mass, N, c.stick);
     return frictional_response(m, c, slide, sticks);
   }
+  bool needs_closed_faces() const override { return true; }
   bool uses_area() const override { return contact_stiffness >= 0 || displacement_only < 0; }
 };
 

@@ -17,6 +17,8 @@
 #include <filesystem>
 #include <functional>
 
+#include <sys/prctl.h>
+
 namespace {
 
 using namespace tribo;
@@ -229,6 +231,7 @@ class CommandLine {
 }  // namespace
 
 int main(int argc, char** argv) {  // NOLINT(bugprone-exception-escape): what escapes ends the program, as it should
+  prctl(PR_SET_NAME, "tribo");     // which restarts have changed to that of a link or file, see waiting.cpp and cpu.cpp
   CommandLine line;
   try {
     line.app.parse(argc, argv);

@@ -308,6 +308,27 @@ TEST_CASE("the slip length of a liquid is half a unit of length if it is not giv
   CHECK(J.dot(t) == Approx(2 * slip * (500 + 10 * 2 * slip) * m.area * m.dt).epsilon(1e-11));
 }
 
+TEST_CASE("laws that need closed faces give no impulse to faces that do not meet within the step", "[contact]") {
+  std::vector<std::unique_ptr<ContactLaw>> laws;
+  laws.push_back(make_law("61", {{"coeff", "0.4"}, {"coeffStatic", "0.6"}}));
+  laws.push_back(make_law("61", {{"coeff", "-1"}, {"displacementOnly", "1"}}));
+  laws.push_back(make_law("61", {{"coeff", "0.2"}, {"Dc", "100"}}));
+  laws.push_back(make_law("63", {{"coeff", "0.2"}, {"Sa", "3"}}));
+  laws.push_back(make_law("StribeckFriction", {{"coeff", "0.2"}, {"coeffStatic", "0.5"}, {"vs", "4"}}));
+  std::mt19937 random(3);
+  for (const auto& law : laws) {
+    REQUIRE(law->needs_closed_faces());
+    for (int n = 0; n < 2000; ++n) {
+      ContactState m = random_meeting(random);
+      m.gap = 1e-6 + std::max(std::abs(m.gap), -m.dt * m.velocity.dot(m.normal));
+      REQUIRE(law->response(m).impulse.isZero(0));
+      REQUIRE(law->response(m).status == ContactStatus::open);
+    }
+  }
+  CHECK_FALSE(make_law("63", {{"coeff", "0.2"}, {"Sa", "30"}, {"Na", "20"}})->needs_closed_faces());
+  CHECK_FALSE(make_law("64", {{"coeff", "5"}, {"LiquidPhase", "1"}})->needs_closed_faces());
+}
+
 TEST_CASE("frictional laws dissipate, mirror, and are continuous in the velocity", "[contact]") {
   std::mt19937 random(1);
   std::vector<std::unique_ptr<ContactLaw>> laws;
