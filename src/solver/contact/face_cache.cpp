@@ -165,9 +165,9 @@ void FaceCache<Dim>::measure_approached(ContactNode<Dim>& node, ContactNodes<Dim
   }
 }
 
-// Finds the flat faces of a body anew together with its other faces, if most of these are found. The nodes beside each
-// other on a round body then have normals of the same time; otherwise its shear force would vibrate while it rolls.
-// Also finds those with the others that would be found soon.
+// Finds the flat faces of a body anew together with its other faces that may touch, if most of these are found. The
+// nodes beside each other on a round body then have normals of the same time; otherwise its shear force would vibrate
+// while it rolls. Also finds faces that are nearly spent together with those that are spent.
 template <int Dim>
 void FaceCache<Dim>::renew_with_others(ContactNodes<Dim>& contacts) {
   counts_.assign(system_.fields.size(), {0, 0});
@@ -178,7 +178,7 @@ void FaceCache<Dim>::renew_with_others(ContactNodes<Dim>& contacts) {
       const ContactPair& pair = contacts.pairs[p];
       if (pair.crack >= 0 || !pair.law->uses_face()) continue;
       any_spent = any_spent || (pair.needs_face && faces_[p].valid_travel != ContactFace::not_found);
-      if (faces_[p].missing) continue;
+      if (faces_[p].missing || stays_apart(faces_[p], pair)) continue;
       for (const std::size_t field : {faces_[p].a, faces_[p].b}) {
         Counts& of = counts_of(field);
         ++of.all, of.to_be_found += pair.needs_face ? 1 : 0;
