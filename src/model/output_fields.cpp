@@ -10,7 +10,44 @@
 namespace tribo {
 namespace {
 
-using P = ParticleState;
+// A particle of a body.
+class P {
+ public:
+  P(const ParticleStates& of, std::size_t particle) : of_(of), i_(particle) {}
+  std::int64_t id() const { return of_.id[i_]; }
+  std::int64_t material_number() const { return of_.material_number; }
+  Vec3 velocity() const { return vector(of_.velocity); }
+  Vec3 displacement() const { return vector(of_.position) - vector(of_.origin); }
+  double mass() const { return of_.mass[i_]; }
+  double volume() const { return of_.volume[i_]; }
+  double density() const { return of_.density; }
+  Mat3 stress() const {
+    const auto& s = of_.stress;
+    Mat3 m;
+    m << s[0][i_], s[3][i_], s[5][i_], s[3][i_], s[1][i_], s[4][i_], s[5][i_], s[4][i_], s[2][i_];
+    return m;
+  }
+  Mat3 deformation_gradient() const {
+    Mat3 F = Mat3::Identity();
+    for (int k = 0; k < 9 && of_.has_deformation; ++k)
+      F(k / 3, k % 3) = of_.deformation[static_cast<std::size_t>(k)][i_];
+    return F;
+  }
+  double stored_energy() const { return of_.stored_energy(i_); }
+  double dissipated_energy() const { return of_.dissipated_energy(i_); }
+  double cell_crossings() const { return of_.cell_crossings[i_]; }
+  double temperature() const { return of_.temperature[i_]; }
+  double heat_capacity() const { return of_.heat_capacity; }
+  double contact_state() const { return of_.contact_state(i_); }
+  Vec3 contact_traction() const { return of_.contact_traction(i_); }
+  Vec3 contact_normal() const { return of_.contact_normal(i_); }
+
+ private:
+  Vec3 vector(const std::array<ParticleColumn, 3>& c) const { return {c[0][i_], c[1][i_], c[2][i_]}; }
+
+  const ParticleStates& of_;
+  std::size_t i_;
+};
 
 double von_mises(const Mat3& s) {
   const Mat3 deviator = s - s.trace() / 3.0 * Mat3::Identity();
@@ -22,47 +59,56 @@ Vec3 principal_values(const Mat3& s) {
   return Eigen::SelfAdjointEigenSolver<Mat3>(s, Eigen::EigenvaluesOnly).eigenvalues().reverse();
 }
 
-// The kinds of fields. `F` is a function of a particle without captures.
+// The kinds of fields. `F` is a function of a particle without captures. A loop over the particles is part of each, so
+// that the function is compiled into it.
 template <class F>
 ParticleFieldValue integer(F) {
-  return {0, nullptr, [](const P& p) -> std::int64_t { return F{}(p); }, false};
+  const auto integers = [](const ParticleStates& of, const ParticleOrder& order, std::int64_t* to) {
+    for (std::size_t i = order.begin; i < order.end; ++i) *to++ = F{}(P(of, order.particle(i)));
+  };
+  return {0, nullptr, integers, false};
+}
+
+template <std::size_t Components, class F>
+ParticleFieldValue numbers(F) {
+  const auto values = [](const ParticleStates& of, const ParticleOrder& order, double* to) {
+    for (std::size_t i = order.begin; i < order.end; ++i, to += Components) F{}(P(of, order.particle(i)), to);
+  };
+  return {Components, values, nullptr, false};
 }
 
 template <class F>
 ParticleFieldValue scalar(F) {
-  return {1, [](const P& p, double* to) { to[0] = F{}(p); }, nullptr, false};
+  return numbers<1>([](const P& p, double* to) { to[0] = F{}(p); });
 }
 
 template <class F>
 ParticleFieldValue vector(F) {
-  const auto numbers = [](const P& p, double* to) {
+  return numbers<3>([](const P& p, double* to) {
     const Vec3 v = F{}(p);
     std::copy_n(v.data(), 3, to);
-  };
-  return {3, numbers, nullptr, false};
+  });
 }
 
 // xx yy zz xy yz xz, the order of VTK
 template <class F>
 ParticleFieldValue symmetric(F) {
-  const auto numbers = [](const P& p, double* to) {
+  return numbers<6>([](const P& p, double* to) {
     const Mat3 s = F{}(p);
     for (std::size_t k = 0; k < 6; ++k) {
       const auto [r, c] = Layout<3>::symmetric_at[k];
       to[k] = s(r, c);
     }
-  };
-  return {6, numbers, nullptr, false};
+  });
 }
 
 // Row by row
 template <class F>
 ParticleFieldValue tensor(F) {
-  const auto numbers = [](const P& p, double* to) {
+  return numbers<9>([](const P& p, double* to) {
     const Mat3 m = F{}(p);
     for (int k = 0; k < 9; ++k) to[k] = m(k / 3, k % 3);
-  };
-  return {9, numbers, nullptr, false};
+  });
 }
 
 ParticleFieldValue history_variables() { return {0, nullptr, nullptr, true}; }

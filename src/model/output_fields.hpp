@@ -5,6 +5,8 @@
 
 #include "base/types.hpp"
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -12,34 +14,60 @@
 
 namespace tribo {
 
-/// What fields of particles are computed from: one particle. What a particle does not have is zero.
-class ParticleState {
+/// A number of each particle, or one that all particles have.
+class ParticleColumn {
  public:
-  virtual ~ParticleState() = default;
-  virtual std::int64_t id() const = 0;
-  virtual std::int64_t material_number() const = 0;  ///< in the command file, from 1
-  virtual Vec3 velocity() const = 0;                 ///< [velocity]
-  virtual Vec3 displacement() const = 0;             ///< since the start               [length]
-  virtual double mass() const = 0;                   ///< [mass]
-  virtual double volume() const = 0;                 ///< present                       [length^3]
-  virtual double density() const = 0;                ///< of the undeformed material    [mass/length^3]
-  virtual Mat3 stress() const = 0;                   ///< Cauchy                        [stress]
-  virtual Mat3 deformation_gradient() const = 0;     ///< identity if it is not kept
-  virtual double stored_energy() const = 0;          ///< [energy]
-  virtual double dissipated_energy() const = 0;      ///< [energy]
-  virtual double cell_crossings() const = 0;
-  virtual double temperature() const = 0;
-  virtual double heat_capacity() const = 0;   ///< [energy/(mass temperature)]
-  virtual double contact_state() const = 0;   ///< 0 open, 1 stick, 2 slip
-  virtual Vec3 contact_traction() const = 0;  ///< [stress]
-  virtual Vec3 contact_normal() const = 0;    ///< out of the body
+  ParticleColumn() = default;  ///< zero
+  ParticleColumn(const double* numbers) : at_(numbers), stride_(1) {}
+  double operator[](std::size_t particle) const { return at_[stride_ * particle]; }
+
+ private:
+  static constexpr double zero = 0.0;
+  const double* at_ = &zero;
+  std::size_t stride_ = 0;
+};
+
+/// What fields of particles are computed from: the particles of a body. What they do not have is zero.
+class ParticleStates {
+ public:
+  virtual ~ParticleStates() = default;
+
+  const std::int64_t* id = nullptr;
+  std::int64_t material_number = 0;                              ///< in the command file, from 1
+  std::array<ParticleColumn, 3> velocity;                        ///< [velocity]
+  std::array<ParticleColumn, 3> position;                        ///< [length]
+  std::array<ParticleColumn, 3> origin;                          ///< position at the start            [length]
+  ParticleColumn mass;                                           ///< [mass]
+  ParticleColumn volume;                                         ///< present                          [length^3]
+  double density = 0.0;                                          ///< of the undeformed material       [mass/length^3]
+  std::array<ParticleColumn, 6> stress;                          ///< Cauchy; xx yy zz xy yz xz        [stress]
+  std::array<ParticleColumn, 9> deformation;                     ///< deformation gradient F, row by row
+  bool has_deformation = false;                                  ///< otherwise F counts as the identity
+  ParticleColumn cell_crossings;                                 ///< number of times it has moved to another cell
+  ParticleColumn temperature;                                    ///< [temperature]
+  double heat_capacity = 0.0;                                    ///< [energy/(mass temperature)]
+  virtual double stored_energy(std::size_t particle) const = 0;  ///< [energy]
+  virtual double dissipated_energy(std::size_t particle) const = 0;  ///< [energy]
+  virtual double contact_state(std::size_t particle) const = 0;      ///< 0 open, 1 stick, 2 slip
+  virtual Vec3 contact_traction(std::size_t particle) const = 0;     ///< [stress]
+  virtual Vec3 contact_normal(std::size_t particle) const = 0;       ///< out of the body
+};
+
+/// Particles of a body in the order of a file: `order[begin]` to `order[end - 1]`, or `begin` to `end - 1` if `order`
+/// is null.
+struct ParticleOrder {
+  const std::uint32_t* order;
+  std::size_t begin, end;
+  std::size_t count() const { return end - begin; }
+  std::size_t particle(std::size_t i) const { return order ? order[i] : i; }
 };
 
 /// How a field is computed.
 struct ParticleFieldValue {
-  std::size_t components = 0;                                       ///< 0: an integer
-  void (*numbers)(const ParticleState&, double* values) = nullptr;  ///< fills the components
-  std::int64_t (*integer)(const ParticleState&) = nullptr;
+  std::size_t components = 0;  ///< 0: an integer
+  /// Fills the components of particles, one particle after the other.
+  void (*numbers)(const ParticleStates&, const ParticleOrder&, double* values) = nullptr;
+  void (*integers)(const ParticleStates&, const ParticleOrder&, std::int64_t* values) = nullptr;
   bool history = false;  ///< all history variables of the materials, by their names
 };
 

@@ -30,14 +30,14 @@ void ParticleBlocks<Dim>::add_material(const Model& model, Body<Dim>& body, std:
   for (const PieceNumbers& p : pieces)
     if (model.pieces[static_cast<std::size_t>(p.piece)].material == body.material) parts.emplace_back(p.first, p.last);
   const std::size_t count = body.particles.size();
-  if (parts.size() < 2 || parts.size() > most_bodies) return add({name, number}, {&body, nullptr, 0, count}, most);
+  if (parts.size() < 2 || parts.size() > most_bodies) return add({name, number}, {{nullptr, 0, count}, &body}, most);
   const BodyOrder& order = orders_.emplace_back(order_by_body({body.particles.id.data(), count}, parts));
   std::size_t at = 0;
   for (std::size_t k = 0; k < order.counts.size(); ++k) {
     const bool later = k == parts.size();
     const std::string own_name = name + (later ? ", came later" : " " + std::to_string(k + 1));
     if (!later || order.counts[k] > 0 || model.particles_change() || model.splitting)
-      add({own_name, number, name}, {&body, order.particles.data(), at, at + order.counts[k]}, most);
+      add({own_name, number, name}, {{order.particles.data(), at, at + order.counts[k]}, &body}, most);
     at += order.counts[k];
   }
 }
@@ -45,7 +45,7 @@ void ParticleBlocks<Dim>::add_material(const Model& model, Body<Dim>& body, std:
 // Adds the bodies of a material that touch each other and are stored one by one.
 template <int Dim>
 void ParticleBlocks<Dim>::add_bodies(const Model& model, std::span<Body<Dim>* const> bodies, std::size_t most) {
-  const auto all_of = [](Body<Dim>* body) { return ParticleRange<Dim>{body, nullptr, 0, body->particles.size()}; };
+  const auto all_of = [](Body<Dim>* body) { return ParticleRange<Dim>{{nullptr, 0, body->particles.size()}, body}; };
   const auto name = [&](int material) { return model.materials[static_cast<std::size_t>(material)].name; };
   const int material = bodies.front()->material;
   if (bodies.size() <= most_bodies) {
@@ -67,7 +67,7 @@ void ParticleBlocks<Dim>::add(const OutputBlock& block, const ParticleRange<Dim>
   const std::size_t count = std::max<std::size_t>(1, (range.count() + most - 1) / most);
   const auto from = [&](std::size_t part) { return range.begin + part * range.count() / count; };
   std::vector<Ranges> parts;
-  for (std::size_t k = 0; k < count; ++k) parts.push_back({{range.body, range.order, from(k), from(k + 1)}});
+  for (std::size_t k = 0; k < count; ++k) parts.push_back({{{range.order, from(k), from(k + 1)}, range.body}});
   add_parts(block, parts);
 }
 

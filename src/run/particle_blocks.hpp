@@ -2,21 +2,17 @@
 /// Which particles stand in which file of a time.
 #pragma once
 
+#include "model/output_fields.hpp"
 #include "output/vtk.hpp"
 #include "run/body_order.hpp"
 #include "solver/state/system.hpp"
 
 namespace tribo {
 
-/// Particles of a body in the order of a file: `order[begin]` to `order[end - 1]`, or `begin` to `end - 1` as they are
-/// stored.
+/// Particles of a body in the order of a file.
 template <int Dim>
-struct ParticleRange {
+struct ParticleRange : ParticleOrder {
   Body<Dim>* body;
-  const std::uint32_t* order;  ///< null: as they are stored
-  std::size_t begin, end;
-  std::size_t count() const { return end - begin; }
-  std::size_t particle(std::size_t i) const { return order ? order[i] : i; }
 };
 
 /// The blocks of the particle files: the particles of each material, or of each of its bodies if they are 2 to 20, and

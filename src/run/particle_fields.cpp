@@ -16,62 +16,57 @@
 namespace tribo {
 namespace {
 
-/// A particle of a body.
-template <int Dim>
-class BodyParticle final : public ParticleState {
- public:
-  explicit BodyParticle(Body<Dim>& body) : body_(body) {}
-  /// Moves on to another particle of the body.
-  void select(std::size_t particle) { i_ = particle; }
+// Fields are filled for this many particles at a time, as long as they are in the cache.
+constexpr std::size_t part_size = 1024;
 
-  std::int64_t id() const override { return body_.particles.id[i_]; }
-  std::int64_t material_number() const override { return body_.material + 1; }
-  Vec3 velocity() const override {
-    return vector([&](std::size_t d) { return body_.particles.v()[d][i_]; });
+/// The columns of the particles of a body.
+template <int Dim>
+class BodyStates final : public ParticleStates {
+ public:
+  explicit BodyStates(Body<Dim>& body) : body_(body) {
+    auto& p = body.particles;
+    id = p.id.data(), material_number = body.material + 1;
+    for (std::size_t d = 0; d < Dim; ++d) velocity[d] = p.v()[d], position[d] = p.x()[d], origin[d] = p[body.origin][d];
+    mass = p.mass(), volume = p.volume(), density = body.law->density();
+    for (std::size_t k = 0; k < Layout<Dim>::symmetric; ++k)
+      stress[symmetric_place(Layout<Dim>::symmetric_at[k])] = p.stress()[k];
+    has_deformation = p.has_deformation();
+    for (std::size_t k = 0; k < Layout<Dim>::full && has_deformation; ++k) {
+      const auto [r, c] = Layout<Dim>::full_at[k];
+      deformation[static_cast<std::size_t>(3 * r + c)] = p.F()[k];
+    }
+    cell_crossings = column(body.crossings), temperature = column(body.temperature);
+    heat_capacity = body.heat_capacity;
   }
-  Vec3 displacement() const override {
-    return vector([&](std::size_t d) { return body_.particles.x()[d][i_] - body_.particles[body_.origin][d][i_]; });
-  }
-  double mass() const override { return body_.particles.mass()[i_]; }
-  double volume() const override { return body_.particles.volume()[i_]; }
-  double density() const override { return body_.law->density(); }
-  Mat3 stress() const override { return load_symmetric<Dim>(body_.particles.stress(), static_cast<int>(i_)); }
-  Mat3 deformation_gradient() const override {
-    return body_.particles.has_deformation() ? load_full<Dim>(body_.particles.F(), static_cast<int>(i_))
-                                             : Mat3(Mat3::Identity());
-  }
-  double stored_energy() const override { return tribo::stored_energy(body_, i_); }
-  double dissipated_energy() const override { return tribo::dissipated_energy(body_, i_); }
-  double cell_crossings() const override { return value(body_.crossings); }
-  double temperature() const override { return value(body_.temperature); }
-  double heat_capacity() const override { return body_.heat_capacity; }
-  double contact_state() const override {
-    const auto* const contact = body_.contact_of(i_);
+
+  double stored_energy(std::size_t i) const override { return tribo::stored_energy(body_, i); }
+  double dissipated_energy(std::size_t i) const override { return tribo::dissipated_energy(body_, i); }
+  double contact_state(std::size_t i) const override {
+    const auto* const contact = body_.contact_of(i);
     return !contact ? 0.0 : contact->slips ? 2.0 : 1.0;
   }
-  Vec3 contact_traction() const override {
-    const auto* const contact = body_.contact_of(i_);
+  Vec3 contact_traction(std::size_t i) const override {
+    const auto* const contact = body_.contact_of(i);
     return contact ? in_space(contact->traction) : Vec3(Vec3::Zero());
   }
-  Vec3 contact_normal() const override {
-    const auto* const contact = body_.contact_of(i_);
+  Vec3 contact_normal(std::size_t i) const override {
+    const auto* const contact = body_.contact_of(i);
     return contact ? in_space(contact->normal) : Vec3(Vec3::Zero());
   }
 
  private:
-  double value(ScalarColumn c) const { return c ? body_.particles[c][i_] : 0.0; }
-  template <class F>
-  static Vec3 vector(F&& component) {
-    Vec3 out = Vec3::Zero();
-    for (std::size_t d = 0; d < Dim; ++d) out[static_cast<Eigen::Index>(d)] = component(d);
-    return out;
+  static std::size_t symmetric_place(const std::array<int, 2>& component) {
+    const auto& places = Layout<3>::symmetric_at;
+    return static_cast<std::size_t>(std::find(places.begin(), places.end(), component) - places.begin());
   }
+  ParticleColumn column(ScalarColumn c) const { return c ? ParticleColumn(body_.particles[c]) : ParticleColumn(); }
   static Vec3 in_space(const Vec<Dim>& v) {
-    return vector([&](std::size_t d) { return v[static_cast<Eigen::Index>(d)]; });
+    Vec3 out = Vec3::Zero();
+    out.template head<Dim>() = v;
+    return out;
   }
 
   Body<Dim>& body_;
-  std::size_t i_ = 0;
 };
 
 bool has_what_it_needs(const Model& model, const ParticleField& field) {
@@ -146,20 +141,19 @@ ParticleFields<Dim>::ParticleFields(const Model& model, std::vector<Body<Dim>*> 
 template <int Dim>
 std::vector<ParticleRange<Dim>> ParticleFields<Dim>::whole(const std::vector<Body<Dim>*>& bodies) {
   std::vector<ParticleRange<Dim>> out;
-  for (auto* const body : bodies) out.push_back({body, nullptr, 0, body->particles.size()});
+  for (auto* const body : bodies) out.push_back({{nullptr, 0, body->particles.size()}, body});
   return out;
 }
 
 // All fields of some particles, then of the next ones, as long as they are in the cache.
 template <int Dim>
 void ParticleFields<Dim>::fill(std::span<const ParticleRange<Dim>> ranges) {
-  static constexpr std::size_t size = 1024;
   std::vector<Part> parts;
   std::size_t at = 0;
   for (const auto& range : ranges)
-    for (std::size_t i = range.begin; i < range.end; i += size) {
-      const std::size_t end = std::min(range.end, i + size);
-      parts.push_back({{range.body, range.order, i, end}, at});
+    for (std::size_t i = range.begin; i < range.end; i += part_size) {
+      const std::size_t end = std::min(range.end, i + part_size);
+      parts.push_back({{{range.order, i, end}, range.body}, at});
       at += end - i;
     }
   std::vector<char> finite(parts.size());
@@ -205,21 +199,19 @@ void ParticleFields<Dim>::add(const Model& model, const ParticleField& field) {
   if (!has_what_it_needs(model, field)) return;
   if (field.value.history)
     add_history();
-  else if (field.value.integer)
-    add_integer(field);
+  else if (field.value.integers)
+    add_integers(field);
   else
     add_numbers(field);
 }
 
 template <int Dim>
-void ParticleFields<Dim>::add_integer(const ParticleField& field) {
+void ParticleFields<Dim>::add_integers(const ParticleField& field) {
   std::int64_t* const a =
       integers_.emplace_back(std::make_unique_for_overwrite<std::int64_t[]>(count_)).get();  // NOLINT(*-avoid-c-arrays)
   fields_.push_back({std::string(field.name), {}, a});
-  fills_.push_back([a, value = field.value.integer](const Part& part) {
-    BodyParticle<Dim> particle(*part.body);
-    std::size_t at = part.at;
-    for (std::size_t i = part.begin; i < part.end; ++i) particle.select(part.particle(i)), a[at++] = value(particle);
+  fills_.push_back([a, integers = field.value.integers](const Part& part) {
+    integers(BodyStates<Dim>(*part.body), part, a + part.at);
   });
 }
 
@@ -230,14 +222,10 @@ void ParticleFields<Dim>::add_numbers(const ParticleField& field) {
   if (n > most) throw std::logic_error("a field has too many components");
   const Target to = add_rows(std::string(field.name), n, single_);
   fills_.push_back([to, n, numbers = field.value.numbers](const Part& part) {
-    BodyParticle<Dim> particle(*part.body);
-    std::array<double, most> values{};
-    std::size_t at = n * part.at;
-    for (std::size_t i = part.begin; i < part.end; ++i) {
-      particle.select(part.particle(i));
-      numbers(particle, values.data());
-      for (std::size_t k = 0; k < n; ++k) to.set(at++, values[k]);
-    }
+    std::array<double, most * part_size> values;
+    double* const doubles = to.doubles ? to.doubles + n * part.at : values.data();
+    numbers(BodyStates<Dim>(*part.body), part, doubles);
+    if (!to.doubles) std::copy_n(doubles, n * part.count(), to.floats + n * part.at);
   });
 }
 

@@ -69,7 +69,7 @@ class ParticleFields {
   void fill(std::span<const ParticleRange<Dim>> ranges);
   void add_positions();
   void add(const Model& model, const ParticleField& field);
-  void add_integer(const ParticleField& field);
+  void add_integers(const ParticleField& field);
   void add_numbers(const ParticleField& field);
   void add_history();
   void add_domains();

@@ -311,35 +311,22 @@ TEST_CASE("generic units are written in the units of the model", "[output]") {
 
 TEST_CASE("principal stresses are written in descending order", "[output]") {
   // Turned by 30 degrees about z from principal values 5, -3 in the plane and 1 along z
-  struct Particle final : ParticleState {
-    std::int64_t id() const override { return 1; }
-    std::int64_t material_number() const override { return 1; }
-    Vec3 velocity() const override { return Vec3::Zero(); }
-    Vec3 displacement() const override { return Vec3::Zero(); }
-    double mass() const override { return 1; }
-    double volume() const override { return 1; }
-    double density() const override { return 1; }
-    Mat3 stress() const override {
-      const double c = std::cos(std::acos(-1.0) / 6), s = 0.5;
-      Mat3 m = Mat3::Zero();
-      m(0, 0) = 5 * c * c - 3 * s * s, m(1, 1) = 5 * s * s - 3 * c * c, m(0, 1) = m(1, 0) = 8 * c * s, m(2, 2) = 1;
-      return m;
-    }
-    Mat3 deformation_gradient() const override { return Mat3::Identity(); }
-    double stored_energy() const override { return 0; }
-    double dissipated_energy() const override { return 0; }
-    double cell_crossings() const override { return 0; }
-    double temperature() const override { return 0; }
-    double heat_capacity() const override { return 0; }
-    double contact_state() const override { return 0; }
-    Vec3 contact_traction() const override { return Vec3::Zero(); }
-    Vec3 contact_normal() const override { return Vec3::Zero(); }
-  };
+  struct Particles final : ParticleStates {
+    double stored_energy(std::size_t) const override { return 0; }
+    double dissipated_energy(std::size_t) const override { return 0; }
+    double contact_state(std::size_t) const override { return 0; }
+    Vec3 contact_traction(std::size_t) const override { return Vec3::Zero(); }
+    Vec3 contact_normal(std::size_t) const override { return Vec3::Zero(); }
+  } particles;
+  const double c = std::cos(std::acos(-1.0) / 6), s = 0.5;
+  const double xx[] = {0, 5 * c * c - 3 * s * s}, yy[] = {0, 5 * s * s - 3 * c * c}, zz[] = {0, 1},
+               xy[] = {0, 8 * c * s};
+  particles.stress = {xx, yy, zz, xy, {}, {}};
   const ParticleField* field = find_particle_field("Principal_Stress");
   REQUIRE(field);
   REQUIRE(field->value.components == 3);
   double values[3];
-  field->value.numbers(Particle{}, values);
+  field->value.numbers(particles, {nullptr, 1, 2}, values);
   const double expected[] = {5, 1, -3};
   for (int k = 0; k < 3; ++k) CHECK(values[k] == Approx(expected[k]).epsilon(1e-14));
 }
