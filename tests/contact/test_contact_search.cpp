@@ -282,6 +282,40 @@ TEST_CASE("lists kept from step to step equal those found anew", "[contact][sear
   CHECK(moved > 4);
 }
 
+TEST_CASE("impulses of pairs that have parted are forgotten, also if no nodes are shared meanwhile",
+          "[contact][search]") {
+  Fields fields(2);
+  fields.set_mass(0, 8, 8, 1.0), fields.set_mass(1, 8, 8, 1.0);
+  fields.make_exchanges();
+  const ContactLaws<2> laws(fields.model, fields.system);
+  ContactSearch<2> search(fields.system, laws);
+  const auto find = [&] {
+    search.locate();
+    search.find(fields.exchanges);
+  };
+  const auto map_to = [&](int cell) {
+    auto& field = fields.system.fields[1];
+    field.map.rebuild(std::vector<std::int64_t>{fields.system.lattice.block_index(Fields::block_of({cell, cell}))});
+    field.nodes.assign(static_cast<std::size_t>(field.map.node_count()), Node{});
+    fields.exchanges[1]->locate(field.map);
+  };
+  find();
+  search.found().pairs_of(search.found().nodes[0])[0].update_impulse = Vec3(1, 2, 0);
+  SECTION("the fields still share nodes: kept") {
+    find();
+    CHECK(search.found().pairs_of(search.found().nodes[0])[0].update_impulse == Vec3(1, 2, 0));
+  }
+  SECTION("in between they do not: forgotten") {
+    map_to(2);
+    find();
+    CHECK(search.found().nodes.empty());
+    map_to(8);
+    fields.set_mass(1, 8, 8, 1.0);
+    find();
+    CHECK(search.found().pairs_of(search.found().nodes[0])[0].update_impulse.isZero(0));
+  }
+}
+
 TEST_CASE("two deformable bodies at a node form a pair also where a rigid body is at it", "[contact][search]") {
   Fields fields(3);
   const std::size_t rigid = GENERATE(0, 1, 2);

@@ -61,17 +61,18 @@ void ContactSearch<Dim>::find(const Exchanges<Dim>& exchanges) {
     if (part.changed) list(k);
   });
   found_.moved = false;
-  if (std::none_of(parts.begin(), parts.end(), [](const ContactPart& part) { return part.changed; })) return;
-  if (!place_parts()) {
-    parallel_for(count, [&](std::ptrdiff_t k) {
-      ContactPart& part = parts[static_cast<std::size_t>(k)];
-      if (!part.changed) part.changed = true, list(k);
-    });
-    place_parts();
+  if (std::any_of(parts.begin(), parts.end(), [](const ContactPart& part) { return part.changed; })) {
+    if (!place_parts()) {
+      parallel_for(count, [&](std::ptrdiff_t k) {
+        ContactPart& part = parts[static_cast<std::size_t>(k)];
+        if (!part.changed) part.changed = true, list(k);
+      });
+      place_parts();
+    }
+    place_nodes();
+    parallel_for(count, [&](std::ptrdiff_t k) { fill_part(static_cast<std::size_t>(k)); });
+    found_.nodes.swap(next_);
   }
-  place_nodes();
-  parallel_for(count, [&](std::ptrdiff_t k) { fill_part(static_cast<std::size_t>(k)); });
-  found_.nodes.swap(next_);
   is_new_ = false;
 }
 
