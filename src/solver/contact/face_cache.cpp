@@ -87,17 +87,18 @@ template <int Dim>
 void FaceCache<Dim>::assign_faces(const ContactNodes<Dim>& contacts, std::size_t number, std::vector<ContactFace>& to) {
   const ContactPart& part = contacts.parts[number];
   thread_local std::vector<ContactFace> of_part;
-  const std::span<const ContactFace> all(faces_);
-  const auto kept = is_compact_ ? all : all.subspan(live_[number].first, live_[number].count);
-  if (!is_compact_) of_part.assign(kept.begin(), kept.end());
-  const std::span<const ContactFace> from = is_compact_ ? kept : std::span<const ContactFace>(of_part);
+  std::span<const ContactFace> kept(faces_);
+  if (!is_compact_) {
+    const auto old = kept.subspan(live_[number].first, live_[number].count);
+    of_part.assign(old.begin(), old.end()), kept = of_part;
+  }
   for (std::size_t n = part.first_node; n < part.end_node; ++n) {
     const ContactNode<Dim>& node = contacts.nodes[n];
     for (std::size_t p = node.first_pair; p < node.end_pair; ++p) {
       const std::tuple key(node.number, contacts.members[contacts.pairs[p].a].field,
                            contacts.members[contacts.pairs[p].b].field);
-      const auto face = std::ranges::lower_bound(from, key, {}, &ContactFace::key);
-      if (face != from.end() && face->key() == key) {
+      const auto face = std::ranges::lower_bound(kept, key, {}, &ContactFace::key);
+      if (face != kept.end() && face->key() == key) {
         to[p] = *face;
       } else {
         to[p] = {};
@@ -136,13 +137,10 @@ void FaceCache<Dim>::reuse_faces(ContactNode<Dim>& node, ContactNodes<Dim>& cont
     const bool were_apart = face.apart;
     face.apart = false;
     const Kept kept = reuse_face(pair, face);
-    const bool approached = kept == Kept::normal && were_apart;
-    if (kept == Kept::normal && !were_apart)
-      pair.needs_face = !measure_gap(node, contacts, pair, face);
-    else
-      pair.needs_face = kept == Kept::nothing;
-    face.has_approached = approached;
-    node.has_approached = node.has_approached || approached;
+    face.has_approached = kept == Kept::normal && were_apart;
+    const bool measures = kept == Kept::normal && !were_apart;
+    pair.needs_face = kept == Kept::nothing || (measures && !measure_gap(node, contacts, pair, face));
+    node.has_approached = node.has_approached || face.has_approached;
     node.needs_faces = node.needs_faces || pair.needs_face;
     node.idle = node.idle && !pair.may_touch() && pair.update_impulse.isZero(0);
   }
