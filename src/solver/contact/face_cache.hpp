@@ -47,6 +47,12 @@ struct ContactFace {
   std::ptrdiff_t listed(std::size_t side) const {
     return static_cast<std::ptrdiff_t>(std::min(count[side], max_particles));
   }
+  /// Calls f(number) for the particles of both lists.
+  template <class F>
+  void each_particle(F&& f) {
+    for (std::size_t side = 0; side < 2; ++side)
+      for (std::size_t k = 0; k < static_cast<std::size_t>(listed(side)); ++k) f(particles[side][k]);
+  }
   /// Forgets what was found, except for the pair and the time.
   void begin() { count = {}, missing = flat = false; }
   /// Faces are in ascending order of their nodes and fields, as are the pairs of a step.
@@ -159,8 +165,6 @@ class FaceCache {
   void keep_gap(ContactFace& face, const ContactPair& pair) const;
   double least_gap(const ContactFace& face) const;
   bool stays_apart(const ContactFace& face, const ContactPair& pair) const;
-  template <class F>
-  static void each_listed(const ContactFace& face, F&& f);
   template <class F>
   void each_particle_number(bool just_found, F&& f);
   template <class F>
