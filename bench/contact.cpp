@@ -32,8 +32,8 @@ class Case {
         system_(build_system<Dim>(model_, seeds_)),
         stepper_(model_, system_) {}
 
-  /// CPU time of a particle's step [ns].
-  double cost(int steps) { return cost_of_steps(stepper_, seeds_.size(), steps); }
+  /// Of a particle's step.
+  Times cost(int steps) { return cost_of_steps(stepper_, seeds_.size(), steps); }
 
  private:
   const int cells_;
@@ -87,11 +87,11 @@ class Case {
 };
 
 template <int Dim>
-std::pair<double, double> costs(int cells, Kernel kernel, Transfer transfer, bool faces) {
+std::pair<Times, Times> costs(int cells, Kernel kernel, Transfer transfer, bool faces) {
   Case<Dim> one(cells, kernel, transfer, false, faces), two(cells, kernel, transfer, true, faces);
   const int warm = 5, turns = 20, steps = 5;
   one.cost(warm), two.cost(warm);
-  double cost_one = 0.0, cost_two = 0.0;
+  Times cost_one, cost_two;
   for (int k = 0; k < turns; ++k) cost_one += one.cost(steps) / turns, cost_two += two.cost(steps) / turns;
   return {cost_one, cost_two};
 }
@@ -106,7 +106,8 @@ int main(int argc, char** argv) {
   const Kernel k = kernel == "gimp" ? Kernel::gimp : Kernel::quadratic_spline;
   const Transfer t = transfer == "apic" ? Transfer::apic : transfer == "fmpm" ? Transfer::fmpm : Transfer::flip;
   const auto [one, two] = (dim == "2" ? costs<2> : costs<3>)(cells, k, t, where == "faces");
-  std::printf("%sD %s %s: one body %.1f ns cpu per particle-step, two in contact %.1f, ratio %.3f\n", dim.c_str(),
-              kernel.c_str(), transfer.c_str(), one, two, two / one);
+  std::printf(
+      "%sD %s %s: one body %.1f ns cpu per particle-step, two in contact %.1f, ratio %.3f; elapsed %.1f, %.1f\n",
+      dim.c_str(), kernel.c_str(), transfer.c_str(), one.cpu, two.cpu, two.cpu / one.cpu, one.wall, two.wall);
   return 0;
 }

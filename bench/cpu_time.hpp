@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-/// CPU time of this process, and of steps.
+/// CPU time of this process, and times of steps.
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <ctime>
 
@@ -14,12 +15,27 @@ inline double cpu_seconds() {
   return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
-/// Takes `steps` steps of 0.25 and returns the CPU time of one step of one of `particles` [ns].
+inline double wall_seconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+/// Of one step of one particle [ns].
+struct Times {
+  double cpu = 0.0, wall = 0.0;
+  Times& operator+=(const Times& other) {
+    cpu += other.cpu, wall += other.wall;
+    return *this;
+  }
+  friend Times operator/(const Times& t, double by) { return {t.cpu / by, t.wall / by}; }
+};
+
+/// Takes `steps` steps of length `dt` and returns the times of one step of one of `particles`.
 template <class Stepper>
-double cost_of_steps(Stepper& stepper, std::size_t particles, int steps) {
-  const double start = cpu_seconds();
-  for (int k = 0; k < steps; ++k) stepper.advance(0.25);
-  return 1e9 * (cpu_seconds() - start) / (static_cast<double>(particles) * steps);
+Times cost_of_steps(Stepper& stepper, std::size_t particles, int steps, double dt = 0.25) {
+  const double cpu = cpu_seconds(), wall = wall_seconds();
+  for (int k = 0; k < steps; ++k) stepper.advance(dt);
+  const double per_step = 1e9 / (static_cast<double>(particles) * steps);
+  return {per_step * (cpu_seconds() - cpu), per_step * (wall_seconds() - wall)};
 }
 
 }  // namespace tribo

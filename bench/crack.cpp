@@ -32,8 +32,8 @@ class Case {
         system_(build_system<2>(model_, seeds_)),
         stepper_(model_, system_) {}
 
-  /// CPU time of a particle's step [ns].
-  double cost(int steps) { return cost_of_steps(stepper_, seeds_.size(), steps); }
+  /// Of a particle's step.
+  Times cost(int steps) { return cost_of_steps(stepper_, seeds_.size(), steps); }
 
  private:
   Model make_model(int segments) const {
@@ -94,14 +94,13 @@ int main(int argc, char** argv) {
   Case without(cells, 0), with(cells, segments);
   without.cost(2), with.cost(2);
   const int turns = 5, steps = 10;
-  double cost_without = 0.0, cost_with = 0.0;
+  Times of_without, of_with;
   for (int k = 0; k < turns; ++k) {
-    cost_without += without.cost(steps) / turns;
-    const double first = with.cost(1);  // few steps if they take long
-    const int more = first > 1e3 ? 0 : steps - 1;
-    cost_with += (first + (more > 0 ? more * with.cost(more) : 0.0)) / (1 + more) / turns;
+    of_without += without.cost(steps) / turns;
+    const Times first = with.cost(1);
+    of_with += (first.cpu > 1e3 ? first : with.cost(steps)) / turns;  // few steps if they take long
   }
-  std::printf("%d segments: without %.1f ns cpu per particle-step, with %.1f, ratio %.2f\n", segments, cost_without,
-              cost_with, cost_with / cost_without);
+  std::printf("%d segments: without %.1f ns cpu per particle-step, with %.1f, ratio %.2f; elapsed %.1f, %.1f\n",
+              segments, of_without.cpu, of_with.cpu, of_with.cpu / of_without.cpu, of_without.wall, of_with.wall);
   return 0;
 }

@@ -14,7 +14,6 @@
 
 #include "contact/contact_law.hpp"
 
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <string>
@@ -24,14 +23,6 @@ using namespace tribo;
 namespace {
 
 enum class Shape { cubes, spheres, discs };
-
-double wall_seconds() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
-struct Times {
-  double cpu = 0.0, wall = 0.0;  // of a particle's step [ns]
-};
 
 // The bodies, or one body of all particles: to be run in turns, as machines are faster at some times than at others.
 template <int Dim>
@@ -50,12 +41,7 @@ class Case {
     set_up_ = cpu_seconds() - begin_;
   }
 
-  Times cost(int steps) {
-    const double cpu = cpu_seconds(), wall = wall_seconds();
-    for (int k = 0; k < steps; ++k) stepper_.advance(0.25);
-    const double per_step = 1e9 / (static_cast<double>(seeds_.size()) * steps);
-    return {per_step * (cpu_seconds() - cpu), per_step * (wall_seconds() - wall)};
-  }
+  Times cost(int steps) { return cost_of_steps(stepper_, seeds_.size(), steps); }
   /// CPU time from the particles to the end of the first step [s].
   double set_up() const { return set_up_; }
   std::size_t particles() const { return seeds_.size(); }
@@ -135,9 +121,7 @@ void compare(Shape shape, int number, int cells) {
   one.cost(2), many.cost(2);
   Times of_one, of_many;
   for (int k = 0; k < turns; ++k) {
-    const Times a = one.cost(steps), b = many.cost(steps);
-    of_one.cpu += a.cpu / turns, of_one.wall += a.wall / turns;
-    of_many.cpu += b.cpu / turns, of_many.wall += b.wall / turns;
+    of_one += one.cost(steps) / turns, of_many += many.cost(steps) / turns;
   }
   std::printf(
       "%d bodies, %zu particles: one %.1f ns cpu per particle-step, many %.1f, ratio %.2f; elapsed %.1f, %.1f; "

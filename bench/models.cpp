@@ -32,12 +32,8 @@ class Case {
         stepper_(model_, system_),
         dt_(StepSize<Dim>(model_, system_).first().size) {}
 
-  /// CPU time of a particle's step [ns].
-  double cost(int steps) {
-    const double start = cpu_seconds();
-    for (int k = 0; k < steps; ++k) stepper_.advance(dt_);
-    return 1e9 * (cpu_seconds() - start) / (static_cast<double>(particle_count(system_)) * steps);
-  }
+  /// Of a particle's step.
+  Times cost(int steps) { return cost_of_steps(stepper_, particle_count(system_), steps, dt_); }
 
  private:
   Model model_;
@@ -51,10 +47,10 @@ void compare(Model plain, Model changed, int steps) {
   Case<Dim> without(std::move(plain)), with(std::move(changed));
   without.cost(2), with.cost(2);
   constexpr int turns = 5;
-  double cost_without = 0.0, cost_with = 0.0;
-  for (int k = 0; k < turns; ++k) cost_without += without.cost(steps) / turns, cost_with += with.cost(steps) / turns;
-  std::printf("without %.1f ns cpu per particle-step, with %.1f, ratio %.2f\n", cost_without, cost_with,
-              cost_with / cost_without);
+  Times of_without, of_with;
+  for (int k = 0; k < turns; ++k) of_without += without.cost(steps) / turns, of_with += with.cost(steps) / turns;
+  std::printf("without %.1f ns cpu per particle-step, with %.1f, ratio %.2f; elapsed %.1f, %.1f\n", of_without.cpu,
+              of_with.cpu, of_with.cpu / of_without.cpu, of_without.wall, of_with.wall);
 }
 
 }  // namespace
