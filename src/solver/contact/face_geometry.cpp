@@ -248,10 +248,11 @@ std::optional<SmoothNormal<Dim>> smooth_face_normal(ParticleSet<Dim>& side, cons
   for (const Facet<Dim>& f : facets)
     if (is_near(f)) highest = std::max(highest, f.middle.dot(out));
   std::erase_if(facets, [&](const Facet<Dim>& f) { return f.middle.dot(out) < highest - depth * length; });
-  const std::vector<Facet<Dim>> all = facets;
+  std::vector<Facet<Dim>>& all = side.all_facets;
+  all = facets;
   const auto is_covered = [&](const Facet<Dim>& f) {
     return std::any_of(all.begin(), all.end(), [&](const Facet<Dim>& g) {
-      return (g.offset - f.offset).norm() < cover * length &&
+      return (g.offset - f.offset).squaredNorm() < cover * cover * length * length &&
              g.height(out, f.offset) > f.middle.dot(out) + 0.02 * length;
     });
   };

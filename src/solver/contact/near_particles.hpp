@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <limits>
 #include <vector>
 
@@ -30,6 +31,8 @@ struct NearParticles {
 
   std::vector<double> reach, bounds;  ///< scratch: reach of particles, upper bounds of the reach of groups
   std::vector<std::size_t> numbers;   ///< scratch: numbers of particles in the cloud
+  std::vector<std::uint64_t> marks;   ///< scratch: per particle of the cloud, the number of the last set that it was in
+  std::uint64_t mark = 0;             ///< number of such sets so far
 };
 
 /// Whether the two sides meet in a corner or an edge only, to judge by the boxes around them: along two axes the boxes

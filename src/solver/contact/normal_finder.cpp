@@ -101,17 +101,17 @@ void NormalFinder<Dim>::add_band_particles(const Vec<Dim>& centre, NearParticles
     ParticleSet<Dim>& of = near.sides[side];
     const double limit = of.band_limit(n, (band + max_valid_travel) * h_);
     near.numbers = of.numbers;
-    thread_local std::vector<std::uint32_t> known;  // in order
-    known.assign(of.numbers.begin(), of.numbers.end());
-    std::sort(known.begin(), known.end());
+    ++near.mark;
+    if (near.marks.size() < cloud_.size()) near.marks.resize(cloud_.size(), 0);
+    for (const std::size_t k : of.numbers) near.marks[k] = near.mark;
     for (const auto* group : near.groups[side]) {
       const Vec<Dim> middle = 0.5 * (group->low + group->high) - centre;
       const double beside = (middle - middle.dot(n) * n).norm(), radius = 0.5 * (group->high - group->low).norm();
       if (beside > std::sqrt(limit) + radius) continue;  // all its particles lie outside of the band
       cloud_.each_point(*group, centre, [&](std::uint32_t k) {
+        if (near.marks[k] == near.mark) return;
         const Vec<Dim> x = cloud_.centre(k) - centre;
-        if (x.squaredNorm() - x.dot(n) * x.dot(n) > limit) return;
-        if (!std::binary_search(known.begin(), known.end(), k)) near.numbers.push_back(k);
+        if (x.squaredNorm() - x.dot(n) * x.dot(n) <= limit) near.numbers.push_back(k);
       });
     }
     of.assign(near.numbers, cloud_.columns(), centre);

@@ -33,8 +33,8 @@ class ParticleSet {
   std::vector<double> reach;         ///< result of compute_reach() [length]; entries beyond size() are undefined
   std::vector<double>
       offset_squared;  ///< result of band_limit(): squared distances from the line through the node [length^2]
-  std::vector<Vec<Dim>> corners;   ///< working memory of face_geometry.cpp
-  std::vector<Facet<Dim>> facets;  ///< working memory of face_geometry.cpp
+  std::vector<Vec<Dim>> corners;               ///< working memory of face_geometry.cpp
+  std::vector<Facet<Dim>> facets, all_facets;  ///< working memory of face_geometry.cpp
 
   std::size_t size() const { return numbers.size(); }
   bool empty() const { return numbers.empty(); }
