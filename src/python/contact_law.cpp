@@ -18,6 +18,7 @@ class PythonContact final : public ContactLaw {
     uses_face_ = (*law_).attr("uses_face").cast<bool>();
     uses_area_ = (*law_).attr("uses_area").cast<bool>();
     has_memory_ = (*law_).attr("has_memory").cast<bool>();
+    needs_closed_faces_ = (*law_).attr("needs_closed_faces").cast<bool>();
   }
 
   ContactResponse response(const ContactState& state) const override {
@@ -30,6 +31,7 @@ class PythonContact final : public ContactLaw {
   }
   bool uses_face() const override { return uses_face_; }
   bool has_memory() const override { return has_memory_; }
+  bool needs_closed_faces() const override { return needs_closed_faces_; }
   bool uses_area() const override { return uses_area_; }
 
  private:
@@ -43,7 +45,7 @@ class PythonContact final : public ContactLaw {
 
   Held law_;
   std::string name_;
-  bool uses_face_ = true, uses_area_ = false, has_memory_ = false;
+  bool uses_face_ = true, uses_area_ = false, has_memory_ = false, needs_closed_faces_ = false;
 };
 
 void add_state(py::module_& module) {

@@ -42,6 +42,7 @@ class OwnFriction(tribo.ContactLaw):
     """Coulomb friction."""
 
     parameters = {"coeff": tribo.Parameter(low=0, meaning="friction coefficient")}
+    needs_closed_faces = True
 
     def response(self, s):
         contact = s.normal_contact()

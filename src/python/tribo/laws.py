@@ -155,6 +155,8 @@ class ContactLaw(_Law):
     - `response(self, s)`: the impulse [mass velocity] on the first of two faces, for the ContactState `s`: an array of
       three numbers, None for faces that do not act on each other, or what `s.frictional(limit)` returns.
     - `uses_area`, `has_memory`, `uses_face`: whether it reads the area, slip or bond, normal or gap.
+    - `needs_closed_faces`: whether faces that do not meet within the step have no impulse. The law is then not asked
+      about faces that are far apart.
 
     `s.normal_contact()` solves the normal contact, `s.frictional(limit)` adds sliding once the tangential impulse
     reaches a limit. The solver calls `response` for one pair at a node at a time. `check_contact_law` tests a law.
@@ -163,6 +165,7 @@ class ContactLaw(_Law):
     uses_area = False
     has_memory = False
     uses_face = True
+    needs_closed_faces = False
 
     def response(self, s):
         raise NotImplementedError("a contact law needs the method response(self, s)")
