@@ -26,6 +26,11 @@ void each_node_in(const Lattice<Dim>& lattice, const Region& region, F&& f) {
   }
   const auto inside = [&](const Vec3& x) {
     if (region.contains(x)) return true;
+    // A box without thickness contains only points with exactly its coordinate, from which round-off moves nodes.
+    const Vec3 nearest = x.cwiseMax(bounds.low).cwiseMin(bounds.high);
+    if ((nearest - x).template head<Dim>().cwiseAbs().cwiseQuotient(lattice.spacing).maxCoeff() <= slack &&
+        region.contains(nearest))
+      return true;
     for (int d = 0; d < Dim; ++d)
       for (const double side : {-slack, slack})
         if (region.contains(x + side * lattice.spacing[d] * Vec3::Unit(d))) return true;

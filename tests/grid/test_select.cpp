@@ -29,6 +29,17 @@ TEST_CASE("nodes on the boundary of a shape are selected in spite of round-off",
   CHECK(found(lattice, *line(Vec3(0.2, 0.3, 0), Vec3(0.5, 0.3, 0), 0.01)) == row);
 }
 
+TEST_CASE("a box without thickness selects its plane of nodes in spite of round-off", "[grid]") {
+  const Lattice<3> lattice(Vec<3>(-0.1, -0.1, -0.1), Vec<3>(1.1, 1.3, 1.1), {24, 28, 24});
+  for (const double at : {0.0, 0.15, 0.3, 0.35, 0.7, 1.0}) {
+    INFO("at " << at);
+    CHECK(found(lattice, *box(Vec3(-0.1, at, -0.1), Vec3(1.1, at, 1.1))).size() == 25 * 25);
+    CHECK(found(lattice, *box(Vec3(at, -0.1, -0.1), Vec3(at, 1.3, 1.1))).size() == 29 * 25);
+    CHECK(found(lattice, *box(Vec3(at, at, -0.1), Vec3(at, at, 1.1))).size() == 25);
+    CHECK(found(lattice, *box(Vec3(-1, at + 1e-6, -1), Vec3(2, at + 1e-6, 2))).empty());
+  }
+}
+
 TEST_CASE("nodes in a box come with x fastest", "[grid]") {
   const Lattice<3> lattice(Vec<3>(0, 0, 0), Vec<3>(3, 2, 4), {3, 2, 4});
   CHECK(found(lattice, *box(Vec3(1, 1, 2), Vec3(2, 2, 3))) ==
