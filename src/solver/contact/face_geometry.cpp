@@ -112,20 +112,27 @@ bool are_wide_faces(ParticleSet<Dim>& a, ParticleSet<Dim>& b, const Vec<Dim>& n,
 
 namespace {
 
-// Collects the sides of the domains that face along n. Returns the largest distance of a centre of these along n.
+// Collects the sides of the domains that face along n. Those whose centres lie more than `depth` behind the foremost one
+// within `band` of the line through the node may be missing [length]. Returns the largest distance along n of the
+// centre of a side within the band.
 template <int Dim>
-double collect_sides(ParticleSet<Dim>& side, const Vec<Dim>& n) {
+double collect_sides(ParticleSet<Dim>& side, const Vec<Dim>& n, double depth,
+                     double band = std::numeric_limits<double>::infinity()) {
   constexpr double steepest = 0.9;  // cosine of 26 degrees
   side.facets.clear();
+  side.compute_reach(n, 1.0);
   double highest = -std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < side.size(); ++i) {
+    if (side.reach[i] < highest - depth) continue;
     const Mat<Dim>& normals = side.side_normals(i);
     Eigen::Index front;
     if ((normals.transpose() * n).cwiseAbs().maxCoeff(&front) < steepest) continue;
     const double sign = normals.col(front).dot(n) < 0 ? -1.0 : 1.0;
     const Vec<Dim> middle = side.centre(i) + sign * side.half_axes(i).col(front);
-    side.facets.push_back({middle - middle.dot(n) * n, middle, sign * normals.col(front)});
-    highest = std::max(highest, middle.dot(n));
+    const double height = middle.dot(n);
+    const Vec<Dim> offset = middle - height * n;
+    side.facets.push_back({offset, middle, sign * normals.col(front)});
+    if (offset.squaredNorm() <= band * band) highest = std::max(highest, height);
   }
   return highest;
 }
@@ -141,7 +148,7 @@ std::optional<Vec<Dim>> plane_face_normal(ParticleSet<Dim>& side, const Vec<Dim>
   constexpr std::array depths{0.15, 0.05, 0.02};  // cells
   Vec<Dim> n = out;
   for (const double depth : depths) {
-    const double highest = collect_sides<Dim>(side, n);
+    const double highest = collect_sides<Dim>(side, n, 2 * depths.front() * length);
     Vec<Dim> sum = Vec<Dim>::Zero();
     for (const Facet<Dim>& facet : side.facets)
       if (facet.middle.dot(n) > highest - depth * length) sum += facet.normal;
@@ -241,15 +248,13 @@ std::optional<SmoothNormal<Dim>> smooth_face_normal(ParticleSet<Dim>& side, cons
   const double largest_error = rigid ? 0.1 : 0.035;
   constexpr double curved_error = 0.15;
   constexpr double cover = 0.3;  // cells; a side is inside the body if another one is this near and in front of it
-  collect_sides<Dim>(side, out);
+  const double highest = collect_sides<Dim>(side, out, depth * length, band);
   std::vector<Facet<Dim>>& facets = side.facets;
   const auto is_near = [&](const Facet<Dim>& f) { return f.offset.squaredNorm() <= band * band; };
-  double highest = -std::numeric_limits<double>::infinity();
-  for (const Facet<Dim>& f : facets)
-    if (is_near(f)) highest = std::max(highest, f.middle.dot(out));
   std::erase_if(facets, [&](const Facet<Dim>& f) { return f.middle.dot(out) < highest - depth * length; });
   std::vector<Facet<Dim>>& all = side.all_facets;
   all = facets;
+  if (!rigid) std::erase_if(facets, [&](const Facet<Dim>& f) { return !is_near(f); });
   const auto is_covered = [&](const Facet<Dim>& f) {
     return std::any_of(all.begin(), all.end(), [&](const Facet<Dim>& g) {
       return (g.offset - f.offset).squaredNorm() < cover * cover * length * length &&
@@ -257,8 +262,10 @@ std::optional<SmoothNormal<Dim>> smooth_face_normal(ParticleSet<Dim>& side, cons
     });
   };
   std::erase_if(facets, is_covered);
-  if (rigid) remove_ends<Dim>(facets, out, length);
-  std::erase_if(facets, [&](const Facet<Dim>& f) { return !is_near(f); });
+  if (rigid) {
+    remove_ends<Dim>(facets, out, length);
+    std::erase_if(facets, [&](const Facet<Dim>& f) { return !is_near(f); });
+  }
   const std::size_t least = std::max<std::size_t>(2, facets.size() / 2);
   while (facets.size() >= least) {
     const SlopeFit<Dim> fit(facets, out, length);
@@ -298,23 +305,30 @@ bool surrounds_line(ParticleSet<Dim>& side, const Vec<Dim>& out, double radius, 
 }
 
 template <int Dim>
-std::optional<Vec<Dim>> corner_normal(ParticleSet<Dim>& a, ParticleSet<Dim>& b, const Vec<Dim>& n, double length) {
+bool are_corners(ParticleSet<Dim>& a, ParticleSet<Dim>& b, const Vec<Dim>& n, double length) {
   const double depth = corner_depth * length, narrow = corner_width * length;
+  collect_corners<Dim>(a, n, depth, a.corners);
+  collect_corners<Dim>(b, -n, depth, b.corners);
+  // Far from the node the sets end because they contain only particles near the node, which is no corner.
+  if (std::max(nearest<Dim>(a.corners), nearest<Dim>(b.corners)) > 1.6 * length) return false;
+  bool corners = false;
+  each_across<Dim>(n, {side_normals<Dim>(a, n), side_normals<Dim>(b, -n)}, [&](const Vec<Dim>& t) {
+    const auto is_narrow = [&](const auto& points) { return extent<Dim>(points, t, narrow).length() < narrow; };
+    corners = corners || (is_narrow(a.corners) && is_narrow(b.corners));
+  });
+  return corners;
+}
+
+template <int Dim>
+std::optional<Vec<Dim>> corner_normal(ParticleSet<Dim>& a, ParticleSet<Dim>& b, const Vec<Dim>& n, double length) {
+  if (!are_corners<Dim>(a, b, n, length)) return n;
+  const double depth = corner_depth * length;
   std::vector<Vec<Dim>>&at_a = a.corners, &at_b = b.corners;
   const auto collect = [&](const Vec<Dim>& m) {
     collect_corners<Dim>(a, m, depth, at_a);
     collect_corners<Dim>(b, -m, depth, at_b);
   };
-  collect(n);
-  // Far from the node the sets end because they contain only particles near the node, which is no corner.
-  if (std::max(nearest<Dim>(at_a), nearest<Dim>(at_b)) > 1.6 * length) return n;
   const std::array<Mat<Dim>, 2> sides{side_normals<Dim>(a, n), side_normals<Dim>(b, -n)};
-  bool corners = false;
-  each_across<Dim>(n, sides, [&](const Vec<Dim>& t) {
-    const auto is_narrow = [&](const auto& points) { return extent<Dim>(points, t, narrow).length() < narrow; };
-    corners = corners || (is_narrow(at_a) && is_narrow(at_b));
-  });
-  if (!corners) return n;
   std::optional<Vec<Dim>> best;
   double largest = -std::numeric_limits<double>::infinity();
   const auto try_normal = [&](const Vec<Dim>& m) {
@@ -398,6 +412,7 @@ template std::optional<SmoothNormal<2>> smooth_face_normal<2>(ParticleSet<2>&, c
 template bool is_flat_face<2>(ParticleSet<2>&, const Vec<2>&, double);
 template bool surrounds_line<2>(ParticleSet<2>&, const Vec<2>&, double, double);
 template bool are_wide_faces<2>(ParticleSet<2>&, ParticleSet<2>&, const Vec<2>&, double);
+template bool are_corners<2>(ParticleSet<2>&, ParticleSet<2>&, const Vec<2>&, double);
 template std::optional<Vec<2>> corner_normal<2>(ParticleSet<2>&, ParticleSet<2>&, const Vec<2>&, double);
 template std::optional<Vec<2>> regression_normal<2>(const ParticleSet<2>&, const ParticleSet<2>&, bool, double);
 template double face_position<2>(ParticleSet<2>&, const Vec<2>&, double);
@@ -408,6 +423,7 @@ template std::optional<SmoothNormal<3>> smooth_face_normal<3>(ParticleSet<3>&, c
 template bool is_flat_face<3>(ParticleSet<3>&, const Vec<3>&, double);
 template bool surrounds_line<3>(ParticleSet<3>&, const Vec<3>&, double, double);
 template bool are_wide_faces<3>(ParticleSet<3>&, ParticleSet<3>&, const Vec<3>&, double);
+template bool are_corners<3>(ParticleSet<3>&, ParticleSet<3>&, const Vec<3>&, double);
 template std::optional<Vec<3>> corner_normal<3>(ParticleSet<3>&, ParticleSet<3>&, const Vec<3>&, double);
 template std::optional<Vec<3>> regression_normal<3>(const ParticleSet<3>&, const ParticleSet<3>&, bool, double);
 template double face_position<3>(ParticleSet<3>&, const Vec<3>&, double);

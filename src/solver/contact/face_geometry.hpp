@@ -37,15 +37,19 @@ std::optional<Vec<Dim>> shortest_vector(ParticleSet<Dim>& a, ParticleSet<Dim>& b
 template <int Dim>
 std::optional<Vec<Dim>> margin_normal(ParticleSet<Dim>& a, ParticleSet<Dim>& b, const Vec<Dim>& guess, double length);
 
-/// The contact normal where two corners or edges may face each other. It is the normal of largest margin `n`, unless
-/// both sides are corners along n, that is narrower than half a cell. Then it is the normal of that side of the
-/// foremost particle domains for which the gap is largest and parts of both sets are opposite each other. std::nullopt
-/// if there is no such side: a corner that slides past another one touches it in a point only and is not stopped by it.
+/// Whether both sides are corners or edges along n, that is narrower than half a cell along the same direction.
 /// `length`: cell size.
+template <int Dim>
+bool are_corners(ParticleSet<Dim>& a, ParticleSet<Dim>& b, const Vec<Dim>& n, double length);
+
+/// The contact normal where two corners or edges may face each other. It is the normal of largest margin `n`, unless
+/// are_corners(). Then it is the normal of that side of the foremost particle domains for which the gap is largest and
+/// parts of both sets are opposite each other. std::nullopt if there is no such side: a corner that slides past another
+/// one touches it in a point only and is not stopped by it. `length`: cell size.
 template <int Dim>
 std::optional<Vec<Dim>> corner_normal(ParticleSet<Dim>& a, ParticleSet<Dim>& b, const Vec<Dim>& n, double length);
 
-/// Whether one of the two faces along n is certainly wide, so that corner_normal() gives n. A quick test: it may be
+/// Whether one of the two faces along n is certainly wide, so that they are no corners. A quick test: it may be
 /// false for wide faces. `length`: cell size.
 template <int Dim>
 bool are_wide_faces(ParticleSet<Dim>& a, ParticleSet<Dim>& b, const Vec<Dim>& n, double length);

@@ -14,6 +14,10 @@ using namespace face_tolerance;
 
 // Particles at most this far behind the foremost one are examined first; at most nodes they suffice [cells].
 constexpr double front_depth = 0.4;
+// Particles that reach so much less far than the foremost one at a face do not shape this face: the centre of a side
+// of a domain of one cell that belongs to the face lies up to 0.31 cells behind its foremost corner, and sides up to
+// 0.15 cells behind the foremost one belong to the face [cells].
+constexpr double face_depth = 0.5;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -93,26 +97,35 @@ void NormalFinder<Dim>::fill_sides(const Vec<Dim>& centre, NearParticles<Dim>& n
   }
 }
 
-// Adds to the foremost particles of both sides all particles in the band, or near enough to enter it while the face is
-// cached. They determine the gap if the line through the node along the normal misses the foremost particles.
+// Adds to the foremost particles of both sides those in the band, or near enough to enter it while the face is cached,
+// that reach at most `depth` less far along the normal than the face there [length]. They determine the gap if the line
+// through the node along the normal misses the foremost particles.
 template <int Dim>
-void NormalFinder<Dim>::add_band_particles(const Vec<Dim>& centre, NearParticles<Dim>& near, const Vec<Dim>& n) const {
+void NormalFinder<Dim>::add_band_particles(const Vec<Dim>& centre, NearParticles<Dim>& near, const Vec<Dim>& n,
+                                           double depth) const {
   for (std::size_t side = 0; side < 2; ++side) {
     ParticleSet<Dim>& of = near.sides[side];
-    const double limit = of.band_limit(n, (band + max_valid_travel) * h_);
+    const Vec<Dim> out = side == 0 ? n : Vec<Dim>(-n);
+    const double limit = of.band_limit(out, (band + max_valid_travel) * h_);
+    const bool any_in_band = of.band_limit(out, band * h_) <= band * band * h_ * h_;
+    const double least_reach = any_in_band ? face_position<Dim>(of, out, band * h_) - depth : -infinity;
     near.numbers = of.numbers;
     ++near.mark;
     if (near.marks.size() < cloud_.size()) near.marks.resize(cloud_.size(), 0);
     for (const std::size_t k : of.numbers) near.marks[k] = near.mark;
     for (const auto* group : near.groups[side]) {
+      if (group->reach_bound(centre, out) < least_reach) continue;
       const Vec<Dim> middle = 0.5 * (group->low + group->high) - centre;
       const double beside = (middle - middle.dot(n) * n).norm(), radius = 0.5 * (group->high - group->low).norm();
       if (beside > std::sqrt(limit) + radius) continue;  // all its particles lie outside of the band
-      cloud_.each_point(*group, centre, [&](std::uint32_t k) {
-        if (near.marks[k] == near.mark) return;
+      near.reach.resize(std::max<std::size_t>(near.reach.size(), group->end - group->begin));
+      cloud_.compute_reach(*group, centre, out, near.reach.data());
+      for (std::uint32_t k = group->begin; k < group->end; ++k) {
+        const double reach = near.reach[k - group->begin];
+        if (!(reach >= least_reach && reach > -infinity) || near.marks[k] == near.mark) continue;
         const Vec<Dim> x = cloud_.centre(k) - centre;
         if (x.squaredNorm() - x.dot(n) * x.dot(n) <= limit) near.numbers.push_back(k);
-      });
+      }
     }
     of.assign(near.numbers, cloud_.columns(), centre);
   }
@@ -295,13 +308,16 @@ std::optional<Vec<Dim>> NormalFinder<Dim>::largest_margin(const Vec<Dim>& centre
     return normal_of_faces(near, *front.normal);
   }
   if (front.same_normal)
-    add_band_particles(centre, near, *front.normal);
+    add_band_particles(centre, near, *front.normal, face_depth * h_);
   else
     fill_sides(centre, near);
   if (side_a.empty() || side_b.empty()) return std::nullopt;
   if (const auto n = front.same_normal ? front.normal : margin_normal<Dim>(side_a, side_b, guess, h_)) {
     near.wide = are_wide_faces<Dim>(side_a, side_b, *n, h_);
-    const auto of_corner = near.wide ? n : corner_normal<Dim>(side_a, side_b, *n, h_);
+    if (near.wide || !are_corners<Dim>(side_a, side_b, *n, h_)) return normal_of_faces(near, *n);
+    // A side of a corner may extend far behind its foremost point.
+    if (front.same_normal) add_band_particles(centre, near, *n, infinity);
+    const auto of_corner = corner_normal<Dim>(side_a, side_b, *n, h_);
     return of_corner == n ? normal_of_faces(near, *n) : of_corner;
   }
   if (near.curved)

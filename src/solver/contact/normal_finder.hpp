@@ -38,7 +38,7 @@ class NormalFinder {
   void collect_groups(const ContactNode<Dim>& node, NearParticles<Dim>& near, const ContactMember& a,
                       const ContactMember& b) const;
   void fill_sides(const Vec<Dim>& centre, NearParticles<Dim>& near) const;
-  void add_band_particles(const Vec<Dim>& centre, NearParticles<Dim>& near, const Vec<Dim>& n) const;
+  void add_band_particles(const Vec<Dim>& centre, NearParticles<Dim>& near, const Vec<Dim>& n, double depth) const;
   static std::size_t remove_behind(NearParticles<Dim>& near, std::size_t begin, std::size_t end, double limit);
   void fill_foremost(const Vec<Dim>& centre, NearParticles<Dim>& near, std::size_t side, const Vec<Dim>& out) const;
   bool is_complete(const Vec<Dim>& centre, NearParticles<Dim>& near, std::size_t side, const Vec<Dim>& guess,
