@@ -191,7 +191,8 @@ void FaceCache<Dim>::find_domains(const std::vector<Body<Dim>*>& bodies) {
 
 template <int Dim>
 void FaceCache<Dim>::find_domain(CachedParticle& particle) const {
-  particle.domain = planes_.domain(domains_[particle.label.body](particle.label.particle), particle.label.image);
+  const ParticleLabel& label = particle.label;
+  particle.domain = ReachRows<Dim>(planes_.domain(domains_[label.body](label.particle), label.image));
 }
 
 // Measures the present gap of a pair at its kept face; false if the face has turned or bent.
@@ -202,13 +203,14 @@ bool FaceCache<Dim>::measure_gap(const ContactNode<Dim>& node, const ContactNode
   std::array<double, 2> positions;
   for (std::size_t side = 0; side < 2; ++side) {
     const Vec<Dim> out = side == 0 ? n : Vec<Dim>(-n);
+    const double of_node = centre.dot(out);
     double most = -infinity, least = infinity, position = -infinity, nearest = infinity, of_nearest = -infinity;
     for (std::size_t k = 0; k < face.count[side]; ++k) {
-      const ParticleDomain<Dim>& domain = particles_[face.particles[side][k]].domain;
-      const double reach = domain.reach(centre, out);
+      const ReachRows<Dim>& domain = particles_[face.particles[side][k]].domain;
+      const double reach = domain.reach(out) - of_node;
       most = std::max(most, reach), least = std::min(least, reach);
       if (reach <= position) continue;
-      const Vec<Dim> x = domain.x - centre;
+      const Vec<Dim> x = domain.centre() - centre;
       const double offset_squared = x.squaredNorm() - x.dot(n) * x.dot(n);
       if (offset_squared <= band * band * h_ * h_) position = reach;
       if (offset_squared < nearest) nearest = offset_squared, of_nearest = reach;

@@ -5,6 +5,7 @@
 #include "base/archive.hpp"
 #include "solver/contact/contact_nodes.hpp"
 #include "solver/contact/near_particles.hpp"
+#include "solver/contact/reach_rows.hpp"
 
 #include <algorithm>
 #include <array>
@@ -136,7 +137,7 @@ class FaceCache {
  private:
   struct CachedParticle {
     ParticleLabel label;
-    ParticleDomain<Dim> domain;  // present, if it is needed (needed_)
+    ReachRows<Dim> domain;  // present, if it is needed (needed_)
   };
 
   // What is known of a face at the beginning of a step: nothing, all but its gap, or all that matters.

@@ -87,7 +87,7 @@ void FaceCache<Dim>::end_search(const ParticleCloud<Dim>& cloud) {
   }
   const bool first = particles_.empty();
   renumber(true, cloud.size(), [&](std::size_t k) {
-    particles_.push_back({cloud.label(k), cloud.domain(k)});
+    particles_.push_back({cloud.label(k), ReachRows<Dim>(cloud.domain(k))});
     return particles_.size() - 1;
   });
   if (many_unused || first) compact_size_ = particles_.size();
