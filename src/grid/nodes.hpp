@@ -9,6 +9,7 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -138,23 +139,22 @@ class BlockMap {
  public:
   static constexpr int neighbour_count = Dim == 2 ? 9 : 27;
 
-  explicit BlockMap(const Lattice<Dim>& lattice)
-      : lattice_(lattice), slot_(static_cast<std::size_t>(lattice.block_count()), -1) {}
+  explicit BlockMap(const Lattice<Dim>& lattice) : lattice_(lattice) { high_.fill(-1); }
 
   const Lattice<Dim>& lattice() const { return lattice_; }
 
   /// Makes the given blocks and the neighbours that they reach exist, and no others.
   void rebuild(std::span<const BlockReach<Dim>> occupied) {
-    for (const auto b : active_) slot_[static_cast<std::size_t>(b)] = -1;
+    enclose(occupied);
     active_.clear();
-    each_reached_block(occupied, [&](std::int64_t block, std::uint64_t) {
-      int& s = slot_[static_cast<std::size_t>(block)];
-      if (s < 0) s = 0, active_.push_back(block);
+    each_reached_block(occupied, [&](const Index<Dim>& block, std::uint64_t) {
+      int& s = slot_[place(block)];
+      if (s < 0) s = 0, active_.push_back(lattice_.block_index(block));
     });
     std::sort(active_.begin(), active_.end());
-    for (std::size_t k = 0; k < active_.size(); ++k) slot_[static_cast<std::size_t>(active_[k])] = static_cast<int>(k);
+    for (std::size_t k = 0; k < active_.size(); ++k) slot_[place(lattice_.block_at(active_[k]))] = static_cast<int>(k);
     reached_.assign(active_.size(), 0);
-    each_reached_block(occupied, [&](std::int64_t block, std::uint64_t nodes) {
+    each_reached_block(occupied, [&](const Index<Dim>& block, std::uint64_t nodes) {
       reached_[static_cast<std::size_t>(slot(block))] |= nodes;
     });
   }
@@ -167,7 +167,12 @@ class BlockMap {
 
   /// Lattice indices of the existing blocks. The position in this list is the slot of a block.
   const std::vector<std::int64_t>& active() const { return active_; }
-  int slot(std::int64_t block) const { return slot_[static_cast<std::size_t>(block)]; }
+  /// The slot of a block, or -1 if it does not exist.
+  int slot(const Index<Dim>& block) const {
+    for (std::size_t d = 0; d < Dim; ++d)
+      if (block[d] < low_[d] || block[d] > high_[d]) return -1;
+    return slot_[place(block)];
+  }
 
   /// Bits of the nodes of the block in a slot that the shape functions of particles may reach. The others stay empty.
   std::uint64_t reached(std::size_t slot) const { return reached_[slot]; }
@@ -197,7 +202,7 @@ class BlockMap {
   Neighbours neighbours(std::int64_t block) const {
     Neighbours out{};
     std::size_t k = 0;
-    each_neighbour(block, [&](std::int64_t n) {
+    each_neighbour(block, [&](const Index<Dim>& n) {
       const int s = out.slots[k] = slot(n);
       out.reached[k++] = s < 0 ? 0 : reached_[static_cast<std::size_t>(s)];
     });
@@ -213,7 +218,7 @@ class BlockMap {
       block[d] = n[d] / block_edge<Dim>;
       local = local * block_edge<Dim> + n[d] % block_edge<Dim>;
     }
-    const int s = slot(lattice_.block_index(block));
+    const int s = slot(block);
     return s < 0 ? -1 : static_cast<std::int64_t>(s) * block_nodes<Dim> + local;
   }
 
@@ -229,6 +234,25 @@ class BlockMap {
   std::int64_t node_count() const { return static_cast<std::int64_t>(active_.size()) * block_nodes<Dim>; }
 
  private:
+  // Finds the box of all blocks that the given ones reach, and makes none of its blocks exist.
+  void enclose(std::span<const BlockReach<Dim>> occupied) {
+    low_.fill(std::numeric_limits<int>::max()), high_.fill(-1);
+    each_reached_block(occupied, [&](const Index<Dim>& block, std::uint64_t) {
+      for (std::size_t d = 0; d < Dim; ++d)
+        low_[d] = std::min(low_[d], block[d]), high_[d] = std::max(high_[d], block[d]);
+    });
+    std::size_t count = occupied.empty() ? 0 : 1;
+    for (std::size_t d = 0; d < Dim && count > 0; ++d) count *= static_cast<std::size_t>(high_[d] - low_[d] + 1);
+    slot_.assign(count, -1);
+  }
+  // The place of a block of the box in slot_.
+  std::size_t place(const Index<Dim>& block) const {
+    std::size_t n = 0;
+    for (std::size_t d = Dim; d-- > 0;)
+      n = n * static_cast<std::size_t>(high_[d] - low_[d] + 1) + static_cast<std::size_t>(block[d] - low_[d]);
+    return n;
+  }
+
   // Calls f(block, bits of its nodes) for the blocks that the given ones reach.
   template <class F>
   void each_reached_block(std::span<const BlockReach<Dim>> occupied, F&& f) const {
@@ -240,7 +264,7 @@ class BlockMap {
       each_in_box<Dim>(low, high, [&](Index<Dim> n) {
         Index<Dim> first = from.low, last = from.high;
         for (std::size_t d = 0; d < Dim; ++d) first[d] -= n[d] * edge, last[d] -= n[d] * edge, n[d] += middle[d];
-        f(lattice_.block_index(n), nodes_in_box<Dim>(first, last));
+        f(n, nodes_in_box<Dim>(first, last));
       });
     }
   }
@@ -254,12 +278,13 @@ class BlockMap {
           auto n = b;
           n[0] += i, n[1] += j;
           if constexpr (Dim == 3) n[2] += k;
-          f(lattice_.block_index(n));
+          f(n);
         }
   }
 
   Lattice<Dim> lattice_;
-  std::vector<int> slot_;
+  Index<Dim> low_{}, high_{};  // box of the existing blocks
+  std::vector<int> slot_;      // per block of the box, so that small bodies take little memory in large grids
   std::vector<std::int64_t> active_;
   std::vector<std::uint64_t> reached_;  // per slot
 };

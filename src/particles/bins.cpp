@@ -42,16 +42,20 @@ std::int64_t Bins<Dim>::sort(const Lattice<Dim>& lattice, Particles<Dim>& partic
     if (i >= 0) return i;
 
   // Occupied blocks, numbered consecutively in lexicographic order.
-  std::vector<int> rank(static_cast<std::size_t>(lattice.block_count()), 0);
-  for (const auto k : key) rank[static_cast<std::size_t>(k / block_nodes<Dim>)] = 1;
+  const auto [least, most] = std::minmax_element(key.begin(), key.end());
+  const std::int64_t first = n > 0 ? *least / block_nodes<Dim> : 0, last = n > 0 ? *most / block_nodes<Dim> : -1;
+  std::vector<int> rank(static_cast<std::size_t>(last - first + 1), 0);
+  const auto rank_of = [&](std::int64_t k) -> int& {
+    return rank[static_cast<std::size_t>(k / block_nodes<Dim> - first)];
+  };
+  for (const auto k : key) rank_of(k) = 1;
   std::vector<std::int64_t> occupied;
   for (std::size_t b = 0; b < rank.size(); ++b)
-    if (rank[b]) rank[b] = static_cast<int>(occupied.size()), occupied.push_back(static_cast<std::int64_t>(b));
+    if (rank[b]) rank[b] = static_cast<int>(occupied.size()), occupied.push_back(first + static_cast<std::int64_t>(b));
 
   // Stable counting sort.
   const auto dense = [&](std::int64_t k) {
-    return static_cast<std::size_t>(rank[static_cast<std::size_t>(k / block_nodes<Dim>)]) * block_nodes<Dim> +
-           static_cast<std::size_t>(k % block_nodes<Dim>);
+    return static_cast<std::size_t>(rank_of(k)) * block_nodes<Dim> + static_cast<std::size_t>(k % block_nodes<Dim>);
   };
   std::vector<std::uint32_t> start(occupied.size() * block_nodes<Dim> + 1, 0);
   for (const auto k : key) ++start[dense(k) + 1];

@@ -83,9 +83,13 @@ Stepper<Dim>::Stepper(const Model& model, System<Dim>& system)
       b_bar_(model.scheme, system, *transfers_, exchanges_),
       openings_(model, system),
       filter_(model, system, loops_, *transfers_, exchanges_, conditions_, contact_) {
+  conditions_.reserve(system.fields.size());
   for (std::size_t f = 0; f < system.fields.size(); ++f) {
     exchanges_.push_back(make_exchange<Dim>(model.grid, system.lattice));
-    conditions_.emplace_back(model, system.lattice);
+    if (f == 0)
+      conditions_.emplace_back(model, system.lattice);
+    else
+      conditions_.push_back(conditions_.front());
   }
 }
 

@@ -24,15 +24,18 @@ void Stepper<Dim>::sort() {
 template <int Dim>
 void Stepper<Dim>::locate_nodes() {
   cracks_.locate();
+  std::vector<std::vector<BlockReach<Dim>>> reached(system_.fields.size());
+  std::vector<BlockReach<Dim>> by_rigid;  // bodies without a velocity field, which prescribe velocities of all fields
+  for (auto* bodies : {&system_.bodies, &system_.rigids})
+    for (const auto& body : *bodies) {
+      const auto reach = body.bins.reach(system_.lattice, transfers_->stencil_width());
+      auto& of = body.field == Body<Dim>::no_field ? by_rigid : reached[body.field];
+      of.insert(of.end(), reach.begin(), reach.end());
+    }
   for (std::size_t f = 0; f < system_.fields.size(); ++f) {
     auto& field = system_.fields[f];
-    std::vector<BlockReach<Dim>> occupied;
-    for (auto* bodies : {&system_.bodies, &system_.rigids})
-      for (const auto& body : *bodies)
-        if (body.field == f || body.field == Body<Dim>::no_field) {
-          const auto reach = body.bins.reach(system_.lattice, transfers_->stencil_width());
-          occupied.insert(occupied.end(), reach.begin(), reach.end());
-        }
+    auto& occupied = reached[f];
+    occupied.insert(occupied.end(), by_rigid.begin(), by_rigid.end());
     if (field.side != 0) cracks_.add_blocks(field, occupied);
     add_periodic_blocks(model_.grid, system_.lattice, occupied);
     field.map.rebuild(occupied);

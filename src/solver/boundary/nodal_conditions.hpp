@@ -3,7 +3,9 @@
 #pragma once
 
 #include "solver/boundary/moving_walls.hpp"
+#include "solver/boundary/selected_nodes.hpp"
 
+#include <memory>
 #include <vector>
 
 namespace tribo {
@@ -12,7 +14,8 @@ namespace tribo {
 template <int Dim>
 class NodalConditions {
  public:
-  /// The nodes are selected once from the whole lattice. Throws InputError for a condition that selects no node.
+  /// The nodes are selected once from the whole lattice; copies, for other fields, share them. Throws InputError for a
+  /// condition that selects no node.
   NodalConditions(const Model& model, const Lattice<Dim>& lattice);
 
   /// Finds the selected nodes among the blocks that exist; to be called after every change of the map.
@@ -44,7 +47,7 @@ class NodalConditions {
   /// Saves and restores the sums of work and impulse. The reactions are computed in every step; all other members
   /// follow from the model and the current nodes.
   friend void archive(Archive& a, NodalConditions& conditions) {
-    auto& [model, lattice, chosen, located, walls, reactions, work, impulse] = conditions;
+    auto& [model, lattice, selected, located, walls, reactions, work, impulse] = conditions;
     a.version(1);
     a("work", work), a("impulse", impulse);
   }
@@ -52,24 +55,18 @@ class NodalConditions {
  private:
   NodalConditions(const Model& model, const Lattice<Dim>& lattice, Problems problems);
 
-  // A node and its conditions with the same direction.
-  struct Chosen {
-    Index<Dim> node;
-    Vec<Dim> direction;
-    std::vector<std::size_t> conditions;
-  };
   // A selected node that exists at present.
   struct Located {
     std::int64_t node;
-    std::size_t chosen;
+    std::size_t selected;
     double pending = 0.0;  // change of the velocity component in impose()
   };
 
-  double prescribed(const Chosen& chosen, const Vec<Dim>& x, double time, double dt) const;
+  double prescribed(const SelectedNode<Dim>& selected, const Vec<Dim>& x, double time, double dt) const;
 
   const Model& model_;
   Lattice<Dim> lattice_;
-  std::vector<Chosen> chosen_;
+  std::shared_ptr<const SelectedNodes<Dim>> selected_;
   std::vector<Located> located_;
   MovingWalls<Dim> walls_;
   std::vector<Vec3> reactions_;

@@ -105,7 +105,10 @@ void FaceCache<Dim>::end_search(const ParticleCloud<Dim>& cloud) {
 template <int Dim>
 std::vector<ContactFace> FaceCache<Dim>::live_faces() const {
   if (is_compact_) return faces_;
+  std::size_t count = 0;
+  for (const Range& range : live_) count += range.count;
   std::vector<ContactFace> live;
+  live.reserve(count);
   for (const Range& range : live_)
     live.insert(live.end(), faces_.begin() + static_cast<std::ptrdiff_t>(range.first),
                 faces_.begin() + static_cast<std::ptrdiff_t>(range.first + range.count));
