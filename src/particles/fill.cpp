@@ -184,21 +184,23 @@ class Filler {
   // Emits the particles of the shape, those at its surface with the part of their cells inside. Returns their number.
   long emit_cut(std::size_t p, const Seed& pattern, Sites& lattice, const Bounds& reach) {
     const Piece& piece = model_.pieces[p];
-    std::vector<bool> centres(lattice.count(), false);
-    bool any = false;
-    lattice.visit(reach, [&](const Vec3& x, std::size_t site) {
-      if (take(piece, lattice, x, site)) centres[site] = any = true;
-    });
+    std::vector<bool> taken;
+    lattice.visit(reach, [&](const Vec3& x, std::size_t site) { taken.push_back(take(piece, lattice, x, site)); });
+    const Sites near = lattice.window(reach);
+    std::vector<bool> centres(near.count(), false);
+    std::size_t visited = 0;
+    near.visit(reach, [&](const Vec3&, std::size_t site) { centres[site] = taken[visited++]; });
+    const bool any = std::find(taken.begin(), taken.end(), true) != taken.end();
     const auto before = earlier_pieces(p);
     const auto inside = [&](const Vec3& x) {
       if (!piece.region->contains(x) || !grid_.contains(x)) return false;
       return std::none_of(before.begin(), before.end(), [&](const Region* region) { return region->contains(x); });
     };
-    CutSites sites(lattice, reach, centres, inside, !any);
+    CutSites sites(near, reach, centres, inside, !any);
     if (const auto exact = exact_area(model_, grid_, p)) sites.scale_to(*exact);
     long count = 0;
     const double whole = lattice.spacing.head(lattice.flat ? 2 : 3).prod();
-    lattice.visit(reach, [&](const Vec3& x, std::size_t site) {
+    near.visit(reach, [&](const Vec3& x, std::size_t site) {
       if (const CutCell* cell = sites.cut(site))
         receive_(seeds_.at(piece, seeds_.cut(pattern, *cell, whole), cell->centroid));
       else if (sites.is_whole(site))

@@ -62,8 +62,18 @@ struct Sites {
     return true;
   }
 
+  /// The same sites, but covering only those of the cells that overlap a box, and without `taken`. Visits of the box
+  /// have the same order.
+  Sites window(const Bounds& box) const {
+    Sites out;
+    out.origin = origin, out.spacing = spacing, out.per_cell = per_cell, out.cells = cells;
+    out.of_cells = of_cells, out.flat = flat;
+    out.extent_ = covered(box), out.started_ = true;
+    return out;
+  }
+
   /// Number of sites in the covered range.
-  std::size_t count() const { return taken.size(); }
+  std::size_t count() const { return empty(extent_) ? 0 : sites_along(0) * sites_along(1) * sites_along(2); }
   /// Index of the neighbour of a site along an axis, at the low (-1) or high (+1) side; none beyond the covered range.
   std::optional<std::size_t> neighbour(std::size_t site, std::size_t axis, int side) const {
     const std::size_t stride = axis == 0 ? 1 : axis == 1 ? sites_along(0) : sites_along(0) * sites_along(1);

@@ -49,6 +49,18 @@ TEMPLATE_TEST_CASE_SIG("blocks know the nodes that are reached, and visit exactl
   for (int d = 0; d < Dim; ++d) box_of_first *= 4, box_of_second *= static_cast<std::size_t>(edge) + 1;
   CHECK(reached == box_of_first + box_of_second);
 
+  std::size_t existing = 0;
+  Index<Dim> last;
+  last.fill(0);
+  for (std::size_t d = 0; d < Dim; ++d) last[d] = lattice.blocks[d] - 1;
+  each_in_box<Dim>({}, last, [&](const Index<Dim>& block) {
+    const int slot = map.slot(block);
+    existing += slot >= 0 ? 1 : 0;
+    if (slot >= 0) CHECK(map.active()[static_cast<std::size_t>(slot)] == lattice.block_index(block));
+  });
+  CHECK(existing == map.active().size());
+  CHECK(BlockMap<Dim>(lattice).slot(at) == -1);
+
   map.reach_all();
   std::size_t all = 0;
   map.each_run(0, map.active().size(), [&](std::size_t first, std::size_t last) { all += last - first; });

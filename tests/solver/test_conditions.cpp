@@ -217,6 +217,36 @@ TEST_CASE("prescribed velocities hold, react and do work", "[conditions]") {
   CHECK(stepper.conditions(0).reactions()[0][0] == Approx(m.mass * 2 / 1e-4).epsilon(1e-10));
 }
 
+TEST_CASE("a field finds those of the selected nodes that are in its blocks", "[conditions]") {
+  Model model = grid_model<2>(Kernel::gimp, Transfer::flip);
+  for (const int axis : {1, 0, 1}) {  // the last ones add to the first ones
+    NodeCondition condition;
+    condition.where = axis == 1 ? rectangle(0, 24, 8, 8) : rectangle(20, 20, 0, 24);
+    condition.direction = Vec3::Unit(axis);
+    model.node_conditions.push_back(condition);
+  }
+  const Lattice<2> lattice(Vec<2>(0, 0), Vec<2>(24, 24), {24, 24});
+  Problems problems;
+  const SelectedNodes<2> selected(model, lattice, problems);
+  REQUIRE(problems.empty());
+  BlockMap<2> map(lattice);
+  std::vector<SelectedNodes<2>::Existing> existing;
+  selected.find(map, existing);
+  CHECK(existing.empty());
+  constexpr int padding = Lattice<2>::padding, edge = block_edge<2>;
+  const Index<2> block{(padding + 8) / edge, (padding + 8) / edge};
+  map.rebuild(std::vector<BlockReach<2>>{{lattice.block_index(block), {0, 0}, {edge - 1, edge - 1}}});
+  selected.find(map, existing);
+  REQUIRE(existing.size() == static_cast<std::size_t>(edge));
+  for (std::size_t k = 0; k < existing.size(); ++k) {
+    const SelectedNode<2>& node = selected[existing[k].number];
+    CHECK(node.node == Index<2>{block[0] * edge + static_cast<int>(k), padding + 8});
+    CHECK(existing[k].position == map.node(node.node));
+    CHECK(node.conditions == std::vector<std::size_t>{0, 2});
+    CHECK(node.direction == Vec<2>(0, 1));
+  }
+}
+
 TEST_CASE("a layer between two symmetry planes moves like one of many layers", "[conditions]") {
   const Kernel kernel = GENERATE(Kernel::gimp, Kernel::quadratic_spline, Kernel::cubic_spline);
   INFO(name(kernel));

@@ -6,6 +6,7 @@
 #include "run/particle_blocks.hpp"
 #include "run/preflight.hpp"
 #include "solver/build.hpp"
+#include "solver/contact/contact_laws.hpp"
 #include "solver/measures.hpp"
 #include "solver/step.hpp"
 
@@ -89,6 +90,22 @@ TEST_CASE("a contact law of a material with itself acts between its bodies", "[c
   const Measures all = measure(one.system, false, 0);
   CHECK(all.mass == Approx(mass));
   CHECK(all.kinetic == Approx(kinetic));
+}
+
+TEST_CASE("bodies of one material share the entry of their contact law", "[contact]") {
+  Model model = falling_discs(7, true);
+  const ContactLaw* among_grains = model.contact.law(0, 0);
+  const auto with_plate = model.contact.default_law = falling_discs(2, false).contact.default_law;
+  REQUIRE(with_plate.get() != among_grains);
+  const System<2> system = build_system<2>(model, place_points(model));
+  const ContactLaws<2> laws(model, system);
+  REQUIRE(system.bodies.size() == 7);
+  for (const Body<2>& a : system.bodies) {
+    for (const Body<2>& b : system.bodies)
+      if (a.field != b.field) CHECK(laws.between(a.field, b.field) == among_grains);
+    CHECK(laws.between(a.field, system.rigids[0].field) == with_plate.get());
+    CHECK(laws.between(system.rigids[0].field, a.field) == with_plate.get());
+  }
 }
 
 TEST_CASE("the files of many bodies of one material are few", "[output]") {
