@@ -23,6 +23,7 @@ Variables variables(const MovingWall& wall, const Vec3& start, double time) {
 template <int Dim>
 MovingWalls<Dim>::MovingWalls(const Model& model, const Lattice<Dim>& lattice, Problems& problems)
     : model_(model), lattice_(lattice) {
+  const auto starts = std::make_shared<Starts>();
   for (std::size_t c = 0; c < model.node_conditions.size(); ++c) {
     const NodeCondition& condition = model.node_conditions[c];
     if (!condition.wall) continue;
@@ -32,13 +33,41 @@ MovingWalls<Dim>::MovingWalls(const Model& model, const Lattice<Dim>& lattice, P
     std::set<int> planes;
     each_node_in<Dim>(lattice, *condition.where, [&](const Index<Dim>& node) {
       planes.insert(node[d]);
-      lines_.push_back({node, c, d});
+      if (starts->list.empty() || starts->list.back().condition != c)
+        starts->first_of_walls.push_back(starts->list.size());
+      Index<Dim> block;
+      for (std::size_t k = 0; k < Dim; ++k) block[k] = node[k] / block_edge<Dim>;
+      starts->by_column[d].emplace_back(column(block, d), starts->list.size());
+      starts->list.push_back({node, c, d});
     });
     if (planes.empty()) problems.add(condition.origin, "this moving wall starts at no node of the grid");
     if (planes.size() > 1)
       problems.add(condition.origin, "this moving wall starts in " + std::to_string(planes.size()) +
                                          " planes of nodes; its shape must hold one of them only");
   }
+  for (auto& lines : starts->by_column) std::ranges::stable_sort(lines, {}, [](const auto& l) { return l.first; });
+  starts_ = starts;
+}
+
+// Lines that meet no block of the field govern no node. The first line of each wall tells whether it leaves the grid.
+template <int Dim>
+void MovingWalls<Dim>::locate(const BlockMap<Dim>& map) {
+  map_ = &map;
+  governed_.clear(), lines_.clear();
+  std::vector<std::size_t> numbers = starts_->first_of_walls;
+  for (std::size_t axis = 0; axis < Dim; ++axis) {
+    const auto& lines = starts_->by_column[axis];
+    if (lines.empty()) continue;
+    std::set<std::int64_t> columns;
+    for (const std::int64_t block : map.active()) columns.insert(column(lattice_.block_at(block), axis));
+    for (const std::int64_t at : columns)
+      for (const auto& line : std::ranges::equal_range(lines, at, {}, [](const auto& l) { return l.first; }))
+        numbers.push_back(line.second);
+  }
+  std::ranges::sort(numbers);
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+  for (const std::size_t number : numbers) lines_.push_back({starts_->list[number]});
+  axes_.assign(lines_.empty() ? 0 : static_cast<std::size_t>(map.node_count()), 0);
 }
 
 // The coordinate of a wall along its normal.

@@ -4,13 +4,17 @@
 
 #include "solver/exchange/exchange.hpp"
 
+#include <array>
 #include <cmath>
 #include <cstdint>
+#include <memory>
+#include <utility>
 #include <vector>
 
 namespace tribo {
 
-/// The moving walls of the model, for the nodes of one velocity field. A wall governs a line of nodes for each node
+/// The moving walls of the model, for the nodes of one velocity field. Copies, for other fields, share the places where
+/// the walls start. A wall governs a line of nodes for each node
 /// where it starts: those within its depth on the side of the material, and up to three with mass beyond it. With a
 /// prescribed gradient the strain of particles next to the wall does not depend on where it lies between two nodes.
 template <int Dim>
@@ -28,10 +32,7 @@ class MovingWalls {
   MovingWalls(const Model& model, const Lattice<Dim>& lattice, Problems& problems);
 
   /// To be called after every change of the map.
-  void locate(const BlockMap<Dim>& map) {
-    map_ = &map;
-    governed_.clear(), axes_.assign(lines_.empty() ? 0 : static_cast<std::size_t>(map.node_count()), 0);
-  }
+  void locate(const BlockMap<Dim>& map);
   /// Finds the nodes that the walls govern at `time`. Throws SimulationError if a wall has left the grid.
   void find(const NodeLayer& nodes, double time);
   /// Whether a wall governs the velocity of a node along a direction; no other condition then acts on it.
@@ -63,10 +64,20 @@ class MovingWalls {
   void release(AlignedVector<FilterNode>& nodes) const;
 
  private:
-  // A line of nodes normal to a wall, through the node where it starts.
-  struct Line {
+  // The node where a line of nodes normal to a wall starts.
+  struct Start {
     Index<Dim> start;
     std::size_t condition, axis;
+  };
+  // All lines of the walls.
+  struct Starts {
+    std::vector<Start> list;
+    std::vector<std::size_t> first_of_walls;
+    // Per axis: by the column of blocks along it that contains the line, in ascending order, its number.
+    std::array<std::vector<std::pair<std::int64_t, std::size_t>>, Dim> by_column;
+  };
+  // A line that meets blocks of the field, or the first one of a wall.
+  struct Line : Start {
     double at = 0.0;  // present place of the wall [length]
     int first = 0;    // first governed node, counted from the start towards the far side
   };
@@ -78,6 +89,10 @@ class MovingWalls {
     double pending = 0.0;  // change of the velocity component in impose()
   };
 
+  std::int64_t column(Index<Dim> block, std::size_t axis) const {
+    block[axis] = 0;
+    return lattice_.block_index(block);
+  }
   void prescribe(const NodeLayer& nodes, double time, double dt);
   double place(const Line& line, double time) const;
   double gradient(const Line& line, const NodeLayer& nodes, double speed, double time) const;
@@ -85,6 +100,7 @@ class MovingWalls {
   const Model& model_;
   Lattice<Dim> lattice_;
   const BlockMap<Dim>* map_ = nullptr;
+  std::shared_ptr<const Starts> starts_;
   std::vector<Line> lines_;
   std::vector<Governed> governed_, before_;
   std::vector<std::uint8_t> axes_;  // per node: bit k is set if a wall governs its velocity along axis k
