@@ -45,7 +45,7 @@ MovingWalls<Dim>::MovingWalls(const Model& model, const Lattice<Dim>& lattice, P
       problems.add(condition.origin, "this moving wall starts in " + std::to_string(planes.size()) +
                                          " planes of nodes; its shape must hold one of them only");
   }
-  for (auto& lines : starts->by_column) std::ranges::stable_sort(lines, {}, [](const auto& l) { return l.first; });
+  for (auto& lines : starts->by_column) std::sort(lines.begin(), lines.end());
   starts_ = starts;
 }
 
@@ -61,8 +61,9 @@ void MovingWalls<Dim>::locate(const BlockMap<Dim>& map) {
     std::set<std::int64_t> columns;
     for (const std::int64_t block : map.active()) columns.insert(column(lattice_.block_at(block), axis));
     for (const std::int64_t at : columns)
-      for (const auto& line : std::ranges::equal_range(lines, at, {}, [](const auto& l) { return l.first; }))
-        numbers.push_back(line.second);
+      for (auto line = std::lower_bound(lines.begin(), lines.end(), std::pair(at, std::size_t{0}));
+           line != lines.end() && line->first == at; ++line)
+        numbers.push_back(line->second);
   }
   std::ranges::sort(numbers);
   numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());

@@ -51,8 +51,9 @@ template <int Dim>
 void SelectedNodes<Dim>::find(const BlockMap<Dim>& map, std::vector<Existing>& existing) const {
   existing.clear();
   for (const std::int64_t block : map.active())
-    for (const InBlock& in : std::ranges::equal_range(by_block_, block, {}, &InBlock::block))
-      existing.push_back({in.number, map.node(nodes_[in.number].node)});
+    for (auto in = std::ranges::lower_bound(by_block_, block, {}, &InBlock::block);
+         in != by_block_.end() && in->block == block; ++in)
+      existing.push_back({in->number, map.node(nodes_[in->number].node)});
   std::ranges::sort(existing, {}, &Existing::number);
 }
 

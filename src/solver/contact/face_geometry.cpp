@@ -112,8 +112,8 @@ bool are_wide_faces(ParticleSet<Dim>& a, ParticleSet<Dim>& b, const Vec<Dim>& n,
 
 namespace {
 
-// Collects the sides of the domains that face along n. Those whose centres lie more than `depth` behind the foremost one
-// within `band` of the line through the node may be missing [length]. Returns the largest distance along n of the
+// Collects the sides of the domains that face along n. Those whose centres lie more than `depth` behind the foremost
+// one within `band` of the line through the node may be missing [length]. Returns the largest distance along n of the
 // centre of a side within the band.
 template <int Dim>
 double collect_sides(ParticleSet<Dim>& side, const Vec<Dim>& n, double depth,
