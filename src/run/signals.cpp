@@ -21,6 +21,8 @@ SignalGuard::SignalGuard() {
   if (guards++ > 0) return;
   stop_requested = checkpoint_requested = false;
   old_.push_back({SIGUSR1, std::signal(SIGUSR1, [](int) { checkpoint_requested = true; })});
+  // A file beyond the limit of the user (ulimit -f) is then a failed write, which is reported like a full disk.
+  old_.push_back({SIGXFSZ, std::signal(SIGXFSZ, SIG_IGN)});
   for (const int signal : {SIGINT, SIGTERM}) old_.push_back({signal, std::signal(signal, handle)});
   for (const int signal : {SIGHUP, SIGPIPE}) {
     void (*const old)(int) = std::signal(signal, SIG_IGN);

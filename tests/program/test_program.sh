@@ -281,6 +281,9 @@ if [ -c /dev/full ]; then
   expect 5 "$tribo" convert --overwrite -o /dev/full "$script"
   [ -c /dev/full ] || fail "convert has replaced a device by a file"
 fi
+# So is a file beyond the limit of the user
+expect 5 bash -c 'ulimit -f 1 && exec "$0" run --quiet --overwrite -o limited "$1"' "$tribo" "$deck"
+grep -q "cannot write '.*': File too large" err.txt || { cat err.txt; fail "the limit of the size of files is not told"; }
 expect 0 "$tribo" convert --overwrite -o /dev/stdout "$script"
 grep -q "<JANFEAInput" out.txt || fail "convert to /dev/stdout"
 mkfifo pipe piped.json
