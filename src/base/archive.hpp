@@ -59,7 +59,8 @@ class Archive {
   virtual void version(int number) = 0;
 
   /// Visits a value, or an object by its function `archive`. Throws FileError with the name of the entry if it is
-  /// missing or has another size. A container must have the size that it had when it was saved.
+  /// missing or has another size. A container must have the size that it had when it was saved. Of a list of pointers,
+  /// the objects that they point to are visited.
   template <class T>
   void operator()(std::string_view name, T& value) {
     if constexpr (DoublesIn<T>::value > 0) {
@@ -275,7 +276,11 @@ void Archive::columns(std::string_view name, List& list) {
     throw FileError("'" + full_name(name) + "' has " + counted(size, "object") + ", not " +
                     std::to_string(list.size()) + "; the checkpoint belongs to another command file");
   ColumnArchive rows(*this, name, list.size());
-  for (auto& object : list) rows.row(object);
+  for (auto& object : list)
+    if constexpr (std::is_pointer_v<typename List::value_type>)
+      rows.row(*object);
+    else
+      rows.row(object);
   rows.finish();
 }
 

@@ -2,6 +2,7 @@
 /// Contact at nodes with prescribed velocities, and the means from which it takes gaps.
 #include "cloud.hpp"
 #include "input/read.hpp"
+#include "solver/contact/nodal_volumes.hpp"
 
 #include <numbers>
 
@@ -24,6 +25,35 @@ Model meeting_blocks(const std::string& header, const std::string& conditions, c
                              conditions + "</JANFEAInput>",
                          "deck.xml");
 }
+
+// The nodal volumes of two bodies at a node at which they are in contact.
+struct VolumesAtNode {
+  std::unique_ptr<Transfers<2>> transfers;
+  Exchanges<2> exchanges;
+  NodalVolumes<2> volumes;
+  ContactNodes<2> contacts;
+
+  VolumesAtNode(const Model& model, System<2>& system, const Index<2>& at)
+      : transfers(make_transfers<2>(model.scheme)), volumes(system, *transfers) {
+    std::vector<Body<2>*> bodies;
+    contacts.nodes.emplace_back().index = at;
+    contacts.nodes.back().end_member = system.bodies.size();
+    for (auto& body : system.bodies) {
+      REQUIRE(body.bins.sort(system.lattice, body.particles) == -1);
+      body.refresh();
+      bodies.push_back(&body);
+      std::vector<std::int64_t> occupied;
+      for (const Bin& bin : body.bins.list()) occupied.push_back(bin.block);
+      auto& field = system.fields[body.field];
+      field.map.rebuild(occupied);
+      exchanges.push_back(make_exchange<2>(model.grid, system.lattice));
+      exchanges.back()->locate(field.map);
+      ContactMember& member = contacts.members.emplace_back();
+      member.field = body.field, member.node = field.map.node(at);
+    }
+    volumes.scatter(contacts, bodies, exchanges);
+  }
+};
 
 }  // namespace
 
@@ -70,12 +100,9 @@ TEST_CASE("gaps by displacements and by positions are found from their means by 
       moved.x()[0][i] -= 0.0625, moved.x()[1][i] += 0.125;
       moved.volume()[i] *= 2;  // does not change the means
     }
-    Stepper<2> stepper(model, system);
-    stepper.advance(1e-6);
+    const VolumesAtNode at_node(model, system, {Lattice<2>::padding + 10, Lattice<2>::padding + 5});
     const auto mean = [&](std::size_t f) {
-      const auto& field = system.fields[f];
-      const VolumeNode& v =
-          field.volumes[static_cast<std::size_t>(field.map.node({Lattice<2>::padding + 10, Lattice<2>::padding + 5}))];
+      const VolumeNode& v = *at_node.contacts.members[f].volumes;
       REQUIRE(v.volume > 0);
       return Vec<2>(v.moment[0] / v.volume, v.moment[1] / v.volume);
     };

@@ -15,13 +15,13 @@ struct FaceAtNode {
   System<2> system;
   std::shared_ptr<const ContactLaw> law = make_law("CoulombFriction", {});
   std::array<double, 2> inverse_mass{1.0, 1.0};
+  std::array<VolumeNode, 2> volumes{};  ///< of the two fields at the node
   int mirrored_axes = 0;
   ContactPair pair;
   static inline const Index<2> at{Lattice<2>::padding + 8, Lattice<2>::padding + 8};
 
   explicit FaceAtNode(const Vec<2>& cell = Vec<2>(1, 1)) : system(Lattice<2>(Vec<2>(0, 0), 16 * cell, {16, 16})) {
     for (std::size_t f = 0; f < 2; ++f) system.fields.emplace_back(system.lattice);
-    make_nodes();
   }
   /// Two bodies of the same particles in the cells 6 to 10, the second one rigid.
   explicit FaceAtNode(const std::vector<Seed>& seeds, const Model& of)
@@ -32,15 +32,10 @@ struct FaceAtNode {
         bodies.push_back(&body);
       }
     inverse_mass[1] = 0.0;
-    make_nodes();
   }
 
-  VolumeNode& volume(std::size_t f) {
-    auto& field = system.fields[f];
-    return field.volumes[static_cast<std::size_t>(field.map.node(at))];
-  }
   void set(std::size_t f, double v, const Vec<2>& mean, const Vec<2>& gradient) {
-    volume(f) = {v, {v * mean[0], v * mean[1], 0.0}, 0.0, {gradient[0], gradient[1], 0.0}};
+    volumes[f] = {v, {v * mean[0], v * mean[1], 0.0}, 0.0, {gradient[0], gradient[1], 0.0}};
   }
   Vec<2> position() const { return system.lattice.position(at); }
   /// Whether there is a face; its normal and gap are then those of `pair`.
@@ -54,7 +49,7 @@ struct FaceAtNode {
     node.index = at, node.mirrored_axes = mirrored_axes;
     std::array<ContactMember, 2> members;
     for (std::size_t f = 0; f < 2; ++f) {
-      members[f].field = f, members[f].node = system.fields[f].map.node(at);
+      members[f].field = f, members[f].volumes = &volumes[f];
       members[f].mass = 1.0, members[f].inverse_mass = inverse_mass[f];
     }
     ContactFace face;
@@ -75,13 +70,6 @@ struct FaceAtNode {
   }
 
  private:
-  void make_nodes() {
-    for (auto& field : system.fields) {
-      field.map.rebuild(
-          std::vector<std::int64_t>{system.lattice.block_index({at[0] / block_edge<2>, at[1] / block_edge<2>})});
-      field.volumes.assign(static_cast<std::size_t>(field.map.node_count()), VolumeNode{});
-    }
-  }
   std::vector<Body<2>*> bodies;
 };
 

@@ -231,6 +231,7 @@ void Contact<Dim>::fill_view() {
   for (auto& node : search_.found().nodes) node.needs_faces = node.between_bodies;
   collect_particles();
   fill_contact_view<Dim>(system_, search_, cloud_, bodies_);
+  cloud_.release();
 }
 
 template class Contact<2>;

@@ -73,6 +73,7 @@ void ContactSearch<Dim>::find(const Exchanges<Dim>& exchanges) {
     parallel_for(count, [&](std::ptrdiff_t k) { fill_part(static_cast<std::size_t>(k)); });
     found_.nodes.swap(next_);
   }
+  if (is_new_) std::vector<Fresh>().swap(fresh_);  // later only few parts change
   is_new_ = false;
 }
 

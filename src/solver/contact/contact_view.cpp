@@ -8,7 +8,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <utility>
 
 namespace tribo {
 namespace {
@@ -147,6 +149,7 @@ struct Touch {
 // The touches of a particle at the face of its body, with the area of this face.
 template <int Dim>
 struct FaceParticle {
+  ParticleLabel label;
   std::vector<Touch<Dim>> touches;
   Vec<Dim> normal;    // out of its body
   double area = 0.0;  // of the sides of the particle that face along the normal [length^2]
@@ -155,8 +158,8 @@ struct FaceParticle {
 template <int Dim>
 FaceParticle<Dim> find_touches(const System<Dim>& system, const ContactSearch<Dim>& search,
                                const ParticleCloud<Dim>& cloud, const std::vector<Body<Dim>*>& bodies, std::size_t k) {
-  FaceParticle<Dim> found;
   const ParticleLabel& label = cloud.label(k);
+  FaceParticle<Dim> found{label, {}, Vec<Dim>::Zero()};
   if (label.image != 0) return found;
   const FaceRow<Dim> row(system, cloud);
   FaceTest<Dim> is_at_face(row, k);
@@ -174,12 +177,30 @@ FaceParticle<Dim> find_touches(const System<Dim>& system, const ContactSearch<Di
                  });
   const bool touches =
       std::any_of(found.touches.begin(), found.touches.end(), [](const auto& touch) { return touch.shows_state; });
-  if (!touches) return {};
+  if (!touches) return found.touches.clear(), found;
   if (normal.norm() > 0) normal.normalize();
   found.normal = normal;
   const double area = bodies[label.body]->particles.volume()[label.particle] * row.area_per_volume(k, normal);
   found.area = std::isfinite(area) ? area : 0.0;  // not of a domain that is pressed flat
   return found;
+}
+
+// The particles at the faces of their bodies, in the order of the cloud.
+template <int Dim>
+std::vector<FaceParticle<Dim>> find_face_particles(const System<Dim>& system, const ContactSearch<Dim>& search,
+                                                   const ParticleCloud<Dim>& cloud,
+                                                   const std::vector<Body<Dim>*>& bodies) {
+  constexpr std::size_t part_size = 1024;
+  std::vector<std::vector<FaceParticle<Dim>>> parts((cloud.size() + part_size - 1) / part_size);
+  parallel_for(static_cast<std::ptrdiff_t>(parts.size()), [&](std::ptrdiff_t part) {
+    const std::size_t first = static_cast<std::size_t>(part) * part_size;
+    for (std::size_t k = first; k < std::min(first + part_size, cloud.size()); ++k)
+      if (auto found = find_touches(system, search, cloud, bodies, k); !found.touches.empty())
+        parts[static_cast<std::size_t>(part)].push_back(std::move(found));
+  });
+  std::vector<FaceParticle<Dim>> all;
+  for (auto& part : parts) std::ranges::move(part, std::back_inserter(all));
+  return all;
 }
 
 // Whether the pairs that carry the force on a particle slide. Those that carry next to no force may slide beside others
@@ -202,11 +223,7 @@ bool slides(const FaceParticle<Dim>& particle) {
 template <int Dim>
 void fill_contact_view(const System<Dim>& system, const ContactSearch<Dim>& search, const ParticleCloud<Dim>& cloud,
                        const std::vector<Body<Dim>*>& bodies) {
-  std::vector<FaceParticle<Dim>> particles(cloud.size());
-  parallel_for(static_cast<std::ptrdiff_t>(cloud.size()), [&](std::ptrdiff_t k) {
-    const auto at = static_cast<std::size_t>(k);
-    particles[at] = find_touches(system, search, cloud, bodies, at);
-  });
+  const auto particles = find_face_particles(system, search, cloud, bodies);
   const ContactNodes<Dim>& found = search.found();
   std::vector<double> area(2 * found.pairs.size()), share(found.pairs.size());
   for (const FaceParticle<Dim>& particle : particles)
@@ -214,15 +231,13 @@ void fill_contact_view(const System<Dim>& system, const ContactSearch<Dim>& sear
   for (const ContactNode<Dim>& node : found.nodes)
     for (std::size_t p = node.first_pair; p < node.end_pair; ++p) share[p] = node.ownership;
   for (auto* body : bodies) body->contacts.clear();
-  for (std::size_t k = 0; k < particles.size(); ++k) {
-    const FaceParticle<Dim>& particle = particles[k];
-    if (particle.touches.empty()) continue;
+  for (const FaceParticle<Dim>& particle : particles) {
     Vec<Dim> traction = Vec<Dim>::Zero();
     for (const Touch<Dim>& t : particle.touches)
       if (area[t.face] > 0)
         traction += share[t.face / 2] * t.weight / (area[t.face] * t.pair->state.dt) *
                     t.out.cwiseProduct(t.pair->update_impulse.template head<Dim>());
-    const ParticleLabel& label = cloud.label(k);
+    const ParticleLabel& label = particle.label;
     bodies[label.body]->contacts.push_back({label.particle, slides(particle), traction, particle.normal});
   }
   for (auto* body : bodies)

@@ -109,9 +109,8 @@ void FaceCache<Dim>::measure_approached(ContactNode<Dim>& node, ContactNodes<Dim
     ContactFace& face = faces_[p];
     if (!face.has_approached) continue;
     face.has_approached = false;
-    face.each_particle([&](std::uint32_t number) {
+    for (const std::uint32_t number : face.particles)
       if (needed_[number] == 0) needed_[number] = 1, find_domain(particles_[number]);
-    });
     ContactPair& pair = contacts.pairs[p];
     pair.needs_face = !measure_gap(node, contacts, pair, face);
     node.needs_faces = node.needs_faces || pair.needs_face;
@@ -205,8 +204,8 @@ bool FaceCache<Dim>::measure_gap(const ContactNode<Dim>& node, const ContactNode
     const Vec<Dim> out = side == 0 ? n : Vec<Dim>(-n);
     const double of_node = centre.dot(out);
     double most = -infinity, least = infinity, position = -infinity, nearest = infinity, of_nearest = -infinity;
-    for (std::size_t k = 0; k < face.count[side]; ++k) {
-      const ReachRows<Dim>& domain = particles_[face.particles[side][k]].domain;
+    for (const std::uint32_t number : face.particles_of(side)) {
+      const ReachRows<Dim>& domain = particles_[number].domain;
       const double reach = domain.reach(out) - of_node;
       most = std::max(most, reach), least = std::min(least, reach);
       if (reach <= position) continue;
@@ -244,17 +243,19 @@ void FaceCache<Dim>::store(ContactFace& face, ContactPair& pair, NearParticles<D
   keep_gap(face, pair);
   pair.apart = face.apart = stays_apart(face, pair);
   if (!pair.law->interface() && pair.law->liquid() == 0) keep_longer(face, pair.state.gap - open_gap * h_);
+  std::array<std::uint32_t, 2 * ContactFace::max_particles> numbers;
+  auto end = numbers.begin();
   for (std::size_t side = 0; side < 2; ++side) {
     ParticleSet<Dim>& of = near.sides[side];
     double most = -infinity, least = infinity;
     const Vec<Dim> out = side == 0 ? n : Vec<Dim>(-n);
     each_particle_at_face(of, out, band * h_, face.valid_travel * h_, cached_depth * h_, [&](std::size_t i) {
       most = std::max(most, of.reach[i]), least = std::min(least, of.reach[i]);
-      const std::size_t k = face.count[side]++;
-      if (k < ContactFace::max_particles) face.particles[side][k] = static_cast<std::uint32_t>(of.numbers[i]);
+      if (face.count[side]++ < ContactFace::max_particles) *end++ = static_cast<std::uint32_t>(of.numbers[i]);
     });
     face.depth_range[side] = most - least;
   }
+  face.particles.assign(numbers.begin(), end);
 }
 
 template <int Dim>

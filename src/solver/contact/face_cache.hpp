@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <span>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -41,21 +42,18 @@ struct ContactFace {
   std::array<double, 2> measured_travel{};  ///< per side: travel of the field then                       [cells]
   std::array<double, 2> depth_range{};      ///< per side: largest minus smallest reach of the particles    [length]
   std::array<std::size_t, 2> count{};       ///< per side: number of particles; may exceed max_particles
-  /// Per side: numbers in the cloud while just_found, later numbers in the list of cached particles.
-  std::array<std::array<std::uint32_t, max_particles>, 2> particles{};
+  /// The particles of the first side, then those of the second: numbers in the cloud while just_found, later numbers in
+  /// the list of cached particles.
+  std::vector<std::uint32_t> particles;
 
   /// Number of particles in the list of a side.
-  std::ptrdiff_t listed(std::size_t side) const {
-    return static_cast<std::ptrdiff_t>(std::min(count[side], max_particles));
-  }
-  /// Calls f(number) for the particles of both lists.
-  template <class F>
-  void each_particle(F&& f) {
-    for (std::size_t side = 0; side < 2; ++side)
-      for (std::size_t k = 0; k < static_cast<std::size_t>(listed(side)); ++k) f(particles[side][k]);
+  std::size_t listed(std::size_t side) const { return std::min(count[side], max_particles); }
+  /// The particles of a side.
+  std::span<const std::uint32_t> particles_of(std::size_t side) const {
+    return std::span(particles).subspan(side == 0 ? 0 : listed(0), listed(side));
   }
   /// Forgets what was found, except for the pair and the time.
-  void begin() { count = {}, missing = flat = false; }
+  void begin() { particles.clear(), count = {}, missing = flat = false; }
   /// Faces are in ascending order of their nodes and fields, as are the pairs of a step.
   std::tuple<std::int64_t, std::size_t, std::size_t> key() const { return {node, a, b}; }
 };
@@ -147,9 +145,9 @@ class FaceCache {
     std::size_t first, count;
   };
 
-  std::vector<ContactFace> live_faces() const;
+  std::vector<ContactFace*> live_faces();
   void archive_faces(Archive& a);
-  void archive_particles(Archive& a, std::vector<ContactFace>& faces);
+  void archive_particles(Archive& a, const std::vector<ContactFace*>& faces);
   void assign_faces(const ContactNodes<Dim>& contacts);
   void assign_faces(const ContactNodes<Dim>& contacts, std::size_t number, std::vector<ContactFace>& to);
   void renew_with_others(ContactNodes<Dim>& contacts);

@@ -58,7 +58,7 @@ template <int Dim>
 template <class F>
 void FaceCache<Dim>::each_particle_number(bool just_found, F&& f) {
   for (ContactFace& face : faces_)
-    if (face.just_found == just_found) face.each_particle(f);
+    if (face.just_found == just_found) std::ranges::for_each(face.particles, f);
 }
 
 // Replaces the numbers 0 to count - 1 of the particles of these faces by new_number(old number), called in ascending
@@ -96,42 +96,43 @@ void FaceCache<Dim>::end_search(const ParticleCloud<Dim>& cloud) {
   if (many_unused || first) std::fill(needed_.begin(), needed_.end(), 0);
   for (ContactFace& face : faces_) {
     if ((face.just_found || many_unused) && !face.apart)
-      face.each_particle([&](std::uint32_t number) { needed_[number] = 1; });
+      for (const std::uint32_t number : face.particles) needed_[number] = 1;
     face.just_found = false;
   }
 }
 
 // The faces of the last step in the order of their keys.
 template <int Dim>
-std::vector<ContactFace> FaceCache<Dim>::live_faces() const {
-  if (is_compact_) return faces_;
-  std::size_t count = 0;
-  for (const Range& range : live_) count += range.count;
-  std::vector<ContactFace> live;
-  live.reserve(count);
-  for (const Range& range : live_)
-    live.insert(live.end(), faces_.begin() + static_cast<std::ptrdiff_t>(range.first),
-                faces_.begin() + static_cast<std::ptrdiff_t>(range.first + range.count));
+std::vector<ContactFace*> FaceCache<Dim>::live_faces() {
+  std::vector<ContactFace*> live;
+  const auto add = [&](std::size_t first, std::size_t count) {
+    for (std::size_t k = first; k < first + count; ++k) live.push_back(&faces_[k]);
+  };
+  if (is_compact_) {
+    add(0, faces_.size());
+  } else {
+    for (const Range& range : live_) add(range.first, range.count);
+  }
   return live;
 }
 
 template <int Dim>
 void FaceCache<Dim>::archive_faces(Archive& a) {
-  std::vector<ContactFace> live = live_faces();
-  a.resizable("faces", live);
+  std::size_t count = a.reading() ? 0 : live_faces().size();
+  a("faces.size", count);
+  if (a.reading()) faces_.assign(count, {}), is_compact_ = true;
+  auto live = live_faces();
+  a("faces", live);
   archive_particles(a, live);
-  if (a.reading()) faces_ = std::move(live), is_compact_ = true;
 }
 
 // Without their domains, which reuse() computes in every step.
 template <int Dim>
-void FaceCache<Dim>::archive_particles(Archive& a, std::vector<ContactFace>& faces) {
+void FaceCache<Dim>::archive_particles(Archive& a, const std::vector<ContactFace*>& faces) {
   std::vector<std::int64_t> labels, members;
   for (const CachedParticle& p : particles_)
     labels.insert(labels.end(), {p.label.field, p.label.body, p.label.particle, p.label.image});
-  for (const ContactFace& face : faces)
-    for (std::size_t side = 0; side < 2; ++side)
-      members.insert(members.end(), face.particles[side].begin(), face.particles[side].begin() + face.listed(side));
+  for (const ContactFace* face : faces) members.insert(members.end(), face->particles.begin(), face->particles.end());
   a.resizable("particles", labels), a.resizable("members", members);
   if (!a.reading()) return;
   const auto number = [](std::int64_t n) {
@@ -144,10 +145,11 @@ void FaceCache<Dim>::archive_particles(Archive& a, std::vector<ContactFace>& fac
     particles_[k].label = {number(labels[4 * k]), number(labels[4 * k + 1]), number(labels[4 * k + 2]),
                            number(labels[4 * k + 3])};
   auto from = members.begin();
-  for (ContactFace& face : faces)
-    for (std::size_t side = 0; side < 2; ++side)
-      for (std::ptrdiff_t k = 0; k < face.listed(side) && from != members.end(); ++k)
-        face.particles[side][static_cast<std::size_t>(k)] = number(*from++);
+  for (ContactFace* face : faces) {
+    face->particles.assign(face->listed(0) + face->listed(1), 0);
+    for (std::uint32_t& particle : face->particles)
+      if (from != members.end()) particle = number(*from++);
+  }
 }
 
 template <int Dim>
@@ -157,10 +159,7 @@ bool FaceCache<Dim>::fits(const std::vector<Body<Dim>*>& bodies) const {
            p.label.field == bodies[p.label.body]->field && planes_.exists(p.label.image);
   };
   const auto complete = [&](const ContactFace& face) {
-    for (std::size_t side = 0; side < 2; ++side)
-      for (std::ptrdiff_t k = 0; k < face.listed(side); ++k)
-        if (face.particles[side][static_cast<std::size_t>(k)] >= particles_.size()) return false;
-    return true;
+    return std::ranges::all_of(face.particles, [&](std::uint32_t number) { return number < particles_.size(); });
   };
   return std::all_of(particles_.begin(), particles_.end(), exists) &&
          std::all_of(faces_.begin(), faces_.end(), complete);

@@ -77,8 +77,7 @@ template <int Dim>
 double FaceFinder<Dim>::area(const ContactNode<Dim>& node, const ContactMember& a, const ContactMember& b,
                              NearParticles<Dim>& near, const Vec<Dim>& n) const {
   const auto projected_gradient = [&](const ContactMember& m) {
-    const VolumeNode& v = system_.fields[m.field].volumes[static_cast<std::size_t>(m.node)];
-    return std::abs(Eigen::Map<const Vec<Dim>>(v.gradient).dot(n));
+    return std::abs(Eigen::Map<const Vec<Dim>>(m.volumes->gradient).dot(n));
   };
   const double of_a = projected_gradient(a), of_b = projected_gradient(b);
   if (needs_areas_) {
@@ -88,10 +87,7 @@ double FaceFinder<Dim>::area(const ContactNode<Dim>& node, const ContactMember& 
     if (thin_a || thin_b) return thin_a ? of_b : of_a;
   }
   const double least = std::min(of_a, of_b);
-  const auto volume = [&](const ContactMember& m) {
-    return system_.fields[m.field].volumes[static_cast<std::size_t>(m.node)].volume;
-  };
-  const double volume_a = volume(a), volume_b = volume(b);
+  const double volume_a = a.volumes->volume, volume_b = b.volumes->volume;
   const double ratio = std::min(volume_a, volume_b) / (little_volume * std::max(volume_a, volume_b));
   const double of_light = volume_a < volume_b ? of_a : of_b;
   return ratio < 1 ? of_light + ratio * (least - of_light) : least;
@@ -122,9 +118,8 @@ double FaceFinder<Dim>::gap_between_sides(const ContactNode<Dim>& node, const Co
     return -face_position<Dim>(near.sides[1], -n, band * h_) - face_position<Dim>(near.sides[0], n, band * h_);
   }
   // The first moment of the volume at the node holds positions or displacements.
-  const auto mean = [&](const ContactMember& m) {
-    const VolumeNode& v = system_.fields[m.field].volumes[static_cast<std::size_t>(m.node)];
-    return Vec<Dim>(Eigen::Map<const Vec<Dim>>(v.moment) / v.volume);
+  const auto mean = [](const ContactMember& m) {
+    return Vec<Dim>(Eigen::Map<const Vec<Dim>>(m.volumes->moment) / m.volumes->volume);
   };
   const Vec<Dim> xa = mean(a), xb = mean(b);
   if (c.separation == Separation::displacements) return (xb - xa).dot(n);

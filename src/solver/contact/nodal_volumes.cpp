@@ -35,34 +35,69 @@ void NodalVolumes<Dim>::mark_blocks(const ContactNodes<Dim>& contacts) {
   }
 }
 
+// Gives the members of contact nodes places for their values, and lists them by fields.
 template <int Dim>
-void NodalVolumes<Dim>::scatter(const ContactNodes<Dim>& contacts, const std::vector<Body<Dim>*>& bodies,
+void NodalVolumes<Dim>::list_members(ContactNodes<Dim>& contacts) {
+  members_of_.resize(system_.fields.size());
+  for (auto& list : members_of_) list.clear();
+  std::size_t count = 0;
+  for (const auto& node : contacts.nodes) count += node.needs_faces ? node.end_member - node.first_member : 0;
+  values_.resize(count);
+  std::size_t value = 0;
+  for (const auto& node : contacts.nodes) {
+    if (!node.needs_faces) continue;
+    for (std::size_t m = node.first_member; m < node.end_member; ++m, ++value) {
+      ContactMember& member = contacts.members[m];
+      member.volumes = &values_[value];
+      members_of_[member.field].push_back({static_cast<std::size_t>(member.node), value});
+    }
+  }
+}
+
+// Finds the values of the members in a field and in the fields of the same bodies on other sides of cracks.
+template <int Dim>
+void NodalVolumes<Dim>::scatter_field(std::size_t field, Layers& layers, const Exchanges<Dim>& exchanges) {
+  const auto& bodies = bodies_of_[field];
+  if (bodies.empty()) return;
+  std::array<std::size_t, 4> numbers{field};
+  std::ranges::copy(bodies.front()->across_fields, numbers.begin() + 1);
+  Target<Dim> target(system_.fields[field].map, layers[0]);
+  for (std::size_t k = 0; k < numbers.size(); ++k) {
+    if (numbers[k] >= system_.fields.size()) continue;
+    const auto& map = system_.fields[numbers[k]].map;
+    const bool has_images = exchanges[numbers[k]]->has_images();
+    layers[k].resize(static_cast<std::size_t>(map.node_count()));
+    for (std::size_t slot = 0; slot < map.active().size(); ++slot)
+      if (has_images || reached_[static_cast<std::size_t>(map.active()[slot])] != 0)
+        std::fill_n(&layers[k][slot * block_nodes<Dim>], block_nodes<Dim>, VolumeNode{});
+    target.map[k] = &map, target.nodes[k] = layers[k];
+  }
+  for (auto* body : bodies)
+    transfers_.scatter(*body, target, Scatter::volume, false, system_.analysis == Analysis::axisymmetric, &near_);
+  for (std::size_t k = 0; k < numbers.size(); ++k) {
+    if (numbers[k] >= system_.fields.size()) continue;
+    exchanges[numbers[k]]->sum_images(layers[k]);
+    for (const auto& [node, value] : members_of_[numbers[k]]) values_[value] = layers[k][node];
+  }
+}
+
+template <int Dim>
+void NodalVolumes<Dim>::scatter(ContactNodes<Dim>& contacts, const std::vector<Body<Dim>*>& bodies,
                                 const Exchanges<Dim>& exchanges) {
   mark_blocks(contacts);
-  const auto count = static_cast<std::ptrdiff_t>(system_.fields.size());
-  parallel_for(count, [&](std::ptrdiff_t f) {
-    auto& field = system_.fields[static_cast<std::size_t>(f)];
-    field.volumes.resize(field.nodes.size());
-    const auto& active = field.map.active();
-    for (std::size_t slot = 0; slot < active.size(); ++slot)
-      if (reached_[static_cast<std::size_t>(active[slot])] != 0)
-        std::fill_n(&field.volumes[slot * block_nodes<Dim>], block_nodes<Dim>, VolumeNode{});
-  });
-  // Bodies of different fields have different nodes. Where there are many fields, each thread takes whole fields, else
-  // the threads share the particles of each body.
-  constexpr std::ptrdiff_t fields_per_thread = 4;
+  list_members(contacts);
   bodies_of_.resize(system_.fields.size());
   for (auto& list : bodies_of_) list.clear();
   for (auto* body : bodies) bodies_of_[body->field].push_back(body);
+  // Where there are many fields, each thread takes whole fields, else the threads share the particles of each body.
+  constexpr std::ptrdiff_t fields_per_thread = 4;
+  layers_.resize(static_cast<std::size_t>(threads()));
   parallel_for(
-      count,
+      static_cast<std::ptrdiff_t>(system_.fields.size()),
       [&](std::ptrdiff_t f) {
-        for (auto* body : bodies_of_[static_cast<std::size_t>(f)])
-          transfers_.scatter(*body, Target<Dim>(*body, system_.fields, &Field<Dim>::volumes), Scatter::volume, false,
-                             system_.analysis == Analysis::axisymmetric, &near_);
+        scatter_field(static_cast<std::size_t>(f), layers_[static_cast<std::size_t>(thread_index())], exchanges);
       },
       fields_per_thread * threads());
-  for (std::size_t f = 0; f < system_.fields.size(); ++f) exchanges[f]->sum_images(system_.fields[f].volumes);
 }
 
 template class NodalVolumes<2>;

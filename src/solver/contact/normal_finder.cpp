@@ -41,21 +41,15 @@ std::optional<Vec<Dim>> NormalFinder<Dim>::find(const ContactNode<Dim>& node, co
 // Direction from a to b from the volume gradients of the two fields, which point out of them.
 template <int Dim>
 Vec<Dim> NormalFinder<Dim>::gradient_normal(const ContactMember& a, const ContactMember& b) const {
-  const auto outward = [&](const ContactMember& m) {
-    const VolumeNode& node = system_.fields[m.field].volumes[static_cast<std::size_t>(m.node)];
-    return Vec<Dim>(Eigen::Map<const Vec<Dim>>(node.gradient));
-  };
-  const auto volume = [&](const ContactMember& m) {
-    return system_.fields[m.field].volumes[static_cast<std::size_t>(m.node)].volume;
-  };
-  const Vec<Dim> ga = outward(a), gb = outward(b);
+  const Vec<Dim> ga = Eigen::Map<const Vec<Dim>>(a.volumes->gradient);
+  const Vec<Dim> gb = Eigen::Map<const Vec<Dim>>(b.volumes->gradient);
   const double bias = spec_.rigid_bias;
   const double wa = a.inverse_mass == 0.0 ? bias : 1.0, wb = b.inverse_mass == 0.0 ? bias : 1.0;
   switch (spec_.normals) {
     case NormalMethod::steepest:
       return wa * ga.norm() >= wb * gb.norm() ? ga : Vec<Dim>(-gb);
     case NormalMethod::largest:
-      return wa * volume(a) >= wb * volume(b) ? ga : Vec<Dim>(-gb);
+      return wa * a.volumes->volume >= wb * b.volumes->volume ? ga : Vec<Dim>(-gb);
     case NormalMethod::own:
       return a.inverse_mass > 0 ? ga : Vec<Dim>(-gb);
     default:

@@ -21,7 +21,8 @@ class NormalFinder {
   }
 
   /// Unit normal from field a to field b at a node; std::nullopt if the two have no common face there. Fills `near`
-  /// with the particles that determine the normal and the gap. Methods based on volume gradients read Field::volumes.
+  /// with the particles that determine the normal and the gap. Methods based on volume gradients read
+  /// ContactMember::volumes.
   std::optional<Vec<Dim>> find(const ContactNode<Dim>& node, const ContactMember& a, const ContactMember& b,
                                NearParticles<Dim>& near) const;
 

@@ -55,6 +55,15 @@ void ParticleCloud<Dim>::clear() {
 }
 
 template <int Dim>
+void ParticleCloud<Dim>::release() {
+  clear();
+  for (auto* labels : {&labels_, &unsorted_}) labels->clear(), labels->shrink_to_fit();
+  for (auto* numbers : {&cell_of_, &first_, &start_}) numbers->clear(), numbers->shrink_to_fit();
+  for (auto& column : column_) column.clear(), column.shrink_to_fit();
+  groups_.clear(), groups_.shrink_to_fit();
+}
+
+template <int Dim>
 void ParticleCloud<Dim>::request(const Index<Dim>& node) {
   each_cell(node, [&](std::int64_t block, int cell) {
     int& s = slot_[static_cast<std::size_t>(block)];

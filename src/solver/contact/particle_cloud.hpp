@@ -41,6 +41,8 @@ class ParticleCloud {
   const MirrorPlanes<Dim>& planes() const { return planes_; }
   /// Removes all requests.
   void clear();
+  /// Removes all particles, and gives their memory back.
+  void release();
   /// Requests the particles within reach of a node.
   void request(const Index<Dim>& node);
   /// Copies the requested particles at their present positions. The bins of `bodies` must be those of the last sort.

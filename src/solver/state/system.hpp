@@ -54,7 +54,6 @@ struct Field {
   /// USAVG: velocities that strain the particles at the start of the step, after contact, prescribed velocities and
   /// filters; else empty.
   std::vector<Vec3> start_velocities;
-  AlignedVector<VolumeNode> volumes;  ///< contact: nodal volumes and their gradients; else empty
   AlignedVector<HeatNode> heat;       ///< heat conduction: nodal temperatures; else empty
   AlignedVector<CellNode> cells;      ///< B-bar: volume means of cells; else empty
   bool rigid_contact = false;         ///< field of a rigid body in contact with others; its velocity is prescribed
