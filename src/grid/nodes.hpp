@@ -37,8 +37,7 @@ struct alignas(64) Node {
 struct alignas(64) PrescribedNode {
   double mass;
   double momentum[3];
-  double spare;
-  double change[3];  ///< by which the prescribed velocity changed that of the node before the strain update [velocity]
+  double unused[4];
 };
 
 /// XPIC and FMPM: terms of the series of filtered velocities.

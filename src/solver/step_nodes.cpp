@@ -25,17 +25,15 @@ template <int Dim>
 void Stepper<Dim>::locate_nodes() {
   cracks_.locate();
   std::vector<std::vector<BlockReach<Dim>>> reached(system_.fields.size());
-  std::vector<BlockReach<Dim>> by_rigid;  // bodies without a velocity field, which prescribe velocities of all fields
   for (auto* bodies : {&system_.bodies, &system_.rigids})
     for (const auto& body : *bodies) {
+      if (body.field == Body<Dim>::no_field) continue;
       const auto reach = body.bins.reach(system_.lattice, transfers_->stencil_width());
-      auto& of = body.field == Body<Dim>::no_field ? by_rigid : reached[body.field];
-      of.insert(of.end(), reach.begin(), reach.end());
+      reached[body.field].insert(reached[body.field].end(), reach.begin(), reach.end());
     }
   for (std::size_t f = 0; f < system_.fields.size(); ++f) {
     auto& field = system_.fields[f];
     auto& occupied = reached[f];
-    occupied.insert(occupied.end(), by_rigid.begin(), by_rigid.end());
     if (field.side != 0) cracks_.add_blocks(field, occupied);
     add_periodic_blocks(model_.grid, system_.lattice, occupied);
     field.map.rebuild(occupied);
@@ -44,12 +42,10 @@ void Stepper<Dim>::locate_nodes() {
     field.nodes.resize(nodes);
     zero(field.nodes);  // later only those that are reached
     if (extrapolates_again()) field.nodes_again.resize(nodes), zero(field.nodes_again);
-    field.rigid.resize(system_.rigids.size());
-    for (std::size_t r = 0; r < system_.rigids.size(); ++r)
-      if (system_.rigids[r].field == Body<Dim>::no_field) field.rigid[r].resize(nodes);
     exchanges_[f]->locate(field.map);
     conditions_[f].locate(field.map);
   }
+  rigid_bodies_.locate();
   filter_.locate();
   contact_.locate();
   heat_.locate();

@@ -60,6 +60,23 @@ TEST_CASE("a rotating rigid body keeps its size, and its domains turn with it", 
   CHECK(load_full<2>(F, 0).determinant() == Approx(1).margin(1e-5));
 }
 
+TEST_CASE("a velocity field has no nodes at a rigid body out of its reach", "[rigid]") {
+  const Model model = rigid_square("0", "0");
+  auto system = system_of_square(model);
+  Stepper<2> stepper(model, system);
+  stepper.advance(1e-3);
+  const auto node_at = [&](Body<2>& body) {
+    const auto x = body.particles.x();
+    Index<2> node;
+    for (std::size_t d = 0; d < 2; ++d)
+      node[d] = static_cast<int>((x[d][0] - system.lattice.origin[static_cast<Eigen::Index>(d)]) /
+                                 system.lattice.spacing[static_cast<Eigen::Index>(d)]);
+    return system.fields[0].map.node(node);
+  };
+  CHECK(node_at(system.bodies[0]) >= 0);
+  CHECK(node_at(system.rigids[0]) == -1);
+}
+
 TEST_CASE("the domains of a rigid body that grows grow with it", "[rigid]") {
   const Model model = rigid_square("0.5*(x-12)", "0.5*(y-12)");
   auto system = system_of_square(model);

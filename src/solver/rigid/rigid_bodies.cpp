@@ -69,6 +69,17 @@ void RigidBodies<Dim>::deform(Body<Dim>& body, double dt) {
 }
 
 template <int Dim>
+void RigidBodies<Dim>::locate() {
+  prescribed_.resize(system_.rigids.size(), PrescribedNodes{BlockMap<Dim>(system_.lattice), {}});
+  for (std::size_t r = 0; r < system_.rigids.size(); ++r) {
+    const auto& body = system_.rigids[r];
+    if (body.field != Body<Dim>::no_field) continue;
+    prescribed_[r].map.rebuild(body.bins.reach(system_.lattice, transfers_.stencil_width()));
+    prescribed_[r].nodes.resize(static_cast<std::size_t>(prescribed_[r].map.node_count()));
+  }
+}
+
+template <int Dim>
 void RigidBodies<Dim>::set_velocities(double dt) {
   for (std::size_t r = 0; r < system_.rigids.size(); ++r) {
     auto& body = system_.rigids[r];
@@ -85,10 +96,9 @@ void RigidBodies<Dim>::set_velocities(double dt) {
         if (spec.rigid_velocity[d]) v[d][i] = now[static_cast<Eigen::Index>(d)];
     }
     if (body.field != Body<Dim>::no_field) continue;
-    for (auto& field : system_.fields) {
-      std::fill(field.rigid[r].begin(), field.rigid[r].end(), PrescribedNode{});
-      transfers_.scatter(body, Target<Dim>(field.map, field.rigid[r]), Scatter::momentum, false, false);
-    }
+    PrescribedNodes& prescribed = prescribed_[r];
+    std::fill(prescribed.nodes.begin(), prescribed.nodes.end(), PrescribedNode{});
+    transfers_.scatter(body, Target<Dim>(prescribed.map, prescribed.nodes), Scatter::momentum, false, false);
   }
 }
 
@@ -115,35 +125,44 @@ template <int Dim>
 const double* RigidBodies<Dim>::mirror_image(const Field<Dim>& field, std::size_t r, std::size_t n, int d) const {
   const int mirrored = model_.materials[static_cast<std::size_t>(system_.rigids[r].material)].mirrored;
   if (mirrored == 0) return nullptr;
+  const PrescribedNodes& prescribed = prescribed_[r];
+  const auto is_prescribed = [&](const Index<Dim>& at) {
+    const auto node = prescribed.map.node(at);
+    return node >= 0 && prescribed.nodes[static_cast<std::size_t>(node)].mass > 0;
+  };
   auto at = field.map.node_at(static_cast<std::int64_t>(n));
   at[static_cast<std::size_t>(d)] -= mirrored;
-  const auto face = field.map.node(at);
+  if (!is_prescribed(at)) return nullptr;
   at[static_cast<std::size_t>(d)] -= mirrored;
   const auto inside = field.map.node(at);
-  if (face < 0 || inside < 0) return nullptr;
-  const auto i = static_cast<std::size_t>(inside);
-  const bool right_beyond = field.rigid[r][static_cast<std::size_t>(face)].mass > 0 && !(field.rigid[r][i].mass > 0);
-  return right_beyond && field.nodes[i].mass > 0 ? &field.nodes[i].velocity[d] : nullptr;
+  if (inside < 0 || is_prescribed(at)) return nullptr;
+  const Node& node = field.nodes[static_cast<std::size_t>(inside)];
+  return node.mass > 0 ? &node.velocity[d] : nullptr;
 }
 
-// Calls f(field, rigid body, position of the node, node, node of the rigid layer, axis, wanted velocity) for every
-// velocity component that a rigid body without a field prescribes.
+// Calls f(field, rigid body, node, its values, axis, wanted velocity) for every velocity component that a rigid body
+// without a field prescribes.
 template <int Dim>
 template <class F>
 void RigidBodies<Dim>::each_prescribed(F&& f) {
   for (std::size_t r = 0; r < system_.rigids.size(); ++r) {
     if (system_.rigids[r].field != Body<Dim>::no_field) continue;
     const auto& sets = model_.materials[static_cast<std::size_t>(system_.rigids[r].material)].sets_velocity;
+    const PrescribedNodes& prescribed = prescribed_[r];
     for (std::size_t k = 0; k < system_.fields.size(); ++k) {
       Field<Dim>& field = system_.fields[k];
-      for (std::size_t n = 0; n < field.nodes.size(); ++n) {
-        PrescribedNode& rigid = field.rigid[r][n];
-        if (!(rigid.mass > 0) || !(field.nodes[n].mass > 0)) continue;
-        for (int d = 0; d < Dim; ++d) {
-          if (!sets[static_cast<std::size_t>(d)]) continue;
-          const double prescribed = rigid.momentum[d] / rigid.mass;
-          const double* image = mirror_image(field, r, n, d);
-          f(k, r, n, field.nodes[n], rigid, d, image ? 2 * prescribed - *image : prescribed);
+      for (std::size_t s = 0; s < field.map.active().size(); ++s) {
+        const int slot = prescribed.map.slot(system_.lattice.block_at(field.map.active()[s]));
+        if (slot < 0) continue;
+        const PrescribedNode* rigid = &prescribed.nodes[static_cast<std::size_t>(slot) * block_nodes<Dim>];
+        for (std::size_t n = s * block_nodes<Dim>; n < (s + 1) * block_nodes<Dim>; ++n, ++rigid) {
+          if (!(rigid->mass > 0) || !(field.nodes[n].mass > 0)) continue;
+          for (int d = 0; d < Dim; ++d) {
+            if (!sets[static_cast<std::size_t>(d)]) continue;
+            const double velocity = rigid->momentum[d] / rigid->mass;
+            const double* image = mirror_image(field, r, n, d);
+            f(k, r, n, field.nodes[n], d, image ? 2 * velocity - *image : velocity);
+          }
         }
       }
     }
@@ -152,8 +171,9 @@ void RigidBodies<Dim>::each_prescribed(F&& f) {
 
 template <int Dim>
 void RigidBodies<Dim>::impose() {
-  each_prescribed([](std::size_t, std::size_t, std::size_t, Node& node, PrescribedNode& rigid, int d, double wanted) {
-    rigid.change[d] = wanted - node.velocity[d];
+  changes_.clear();
+  each_prescribed([&](std::size_t, std::size_t, std::size_t, Node& node, int d, double wanted) {
+    changes_.push_back(wanted - node.velocity[d]);
     node.velocity[d] = wanted;
   });
 }
@@ -161,17 +181,17 @@ void RigidBodies<Dim>::impose() {
 template <int Dim>
 void RigidBodies<Dim>::impose_update(double dt, bool after_impose) {
   reactions_.assign(system_.rigids.size(), Vec3::Zero());
-  each_prescribed(
-      [&](std::size_t f, std::size_t r, std::size_t n, Node& node, PrescribedNode& rigid, int d, double wanted) {
-        const double change = wanted - node.velocity[d];
-        node.velocity[d] = wanted;
-        const double correction = (change + (after_impose ? rigid.change[d] : 0.0)) / dt;
-        node.acceleration[d] += correction;
-        const double force = exchanges_[f]->ownership(static_cast<std::int64_t>(n)) * node.mass * correction;
-        reactions_[r][d] += force;
-        ledger_.impulse[d] += dt * force;
-        ledger_.rigid_work += dt * force * (wanted - 0.5 * dt * node.acceleration[d]);
-      });
+  auto before = changes_.begin();  // of the same components in the same order, as the nodes have the same masses
+  each_prescribed([&](std::size_t f, std::size_t r, std::size_t n, Node& node, int d, double wanted) {
+    const double change = wanted - node.velocity[d];
+    node.velocity[d] = wanted;
+    const double correction = (change + (after_impose ? *before++ : 0.0)) / dt;
+    node.acceleration[d] += correction;
+    const double force = exchanges_[f]->ownership(static_cast<std::int64_t>(n)) * node.mass * correction;
+    reactions_[r][d] += force;
+    ledger_.impulse[d] += dt * force;
+    ledger_.rigid_work += dt * force * (wanted - 0.5 * dt * node.acceleration[d]);
+  });
 }
 
 template class RigidBodies<2>;

@@ -16,12 +16,15 @@ class RigidBodies {
   RigidBodies(const Model& model, System<Dim>& system, const Transfers<Dim>& transfers, const Exchanges<Dim>& exchanges,
               EnergyLedger& ledger);
 
+  /// Finds the nodes that bodies without a field reach; to be called after every sort of the particles.
+  void locate();
   /// Sets the particle velocities to the prescribed ones at the end of a step dt [time], and transfers those of bodies
   /// without a field to the nodes. A velocity that depends on the position is that at the middle of the way of the
   /// step, so that a rotation keeps all distances to third order in its angle per step. Throws SimulationError if the
   /// value of a velocity function is not finite.
   void set_velocities(double dt);
-  /// Sets the prescribed nodal velocities before a strain update, and stores the change of each velocity.
+  /// Sets the prescribed nodal velocities before a strain update, and keeps the change of each velocity for
+  /// impose_update().
   void impose();
   /// Sets the prescribed nodal velocities after the momentum update, and computes reactions, work and impulse.
   /// `after_impose`: impose() was called earlier in the step.
@@ -32,6 +35,12 @@ class RigidBodies {
   const std::vector<Vec3>& reactions() const { return reactions_; }
 
  private:
+  // The nodes that a body without a field reaches, with the velocities that it prescribes there for all fields.
+  struct PrescribedNodes {
+    BlockMap<Dim> map;
+    AlignedVector<PrescribedNode> nodes;
+  };
+
   template <class F>
   void each_prescribed(F&& f);
   Vec3 wanted(const MaterialSpec& spec, const Vec3& position, const Vec3& otherwise, double dt) const;
@@ -44,7 +53,9 @@ class RigidBodies {
   const Exchanges<Dim>& exchanges_;
   EnergyLedger& ledger_;
   std::vector<Vec3> reactions_;
-  std::vector<bool> varies_;  ///< per rigid body: whether its velocity depends on the position
+  std::vector<PrescribedNodes> prescribed_;  ///< per rigid body; empty for bodies with a field
+  std::vector<double> changes_;              ///< of nodal velocities by impose(), in the order of each_prescribed()
+  std::vector<bool> varies_;                 ///< per rigid body: whether its velocity depends on the position
 };
 
 }  // namespace tribo

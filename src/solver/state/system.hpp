@@ -47,8 +47,6 @@ struct Field {
   NodeLayer nodes;
   /// "+" schemes: mass and momentum of the updated particles, which replace `nodes` at the end of the step; else empty.
   NodeLayer nodes_again;
-  /// Velocities that rigid bodies prescribe, per rigid body without a velocity field of its own.
-  std::vector<AlignedVector<PrescribedNode>> rigid;
   AlignedVector<FilterNode> filter;  ///< XPIC, FMPM: velocities during filtering; else empty
   NodeLayer increment;               ///< XPIC, FMPM: momentum scattered by the filter; else empty
   /// USAVG: velocities that strain the particles at the start of the step, after contact, prescribed velocities and
