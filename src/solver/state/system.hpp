@@ -52,11 +52,11 @@ struct Field {
   /// USAVG: velocities that strain the particles at the start of the step, after contact, prescribed velocities and
   /// filters; else empty.
   std::vector<Vec3> start_velocities;
-  AlignedVector<HeatNode> heat;       ///< heat conduction: nodal temperatures; else empty
-  AlignedVector<CellNode> cells;      ///< B-bar: volume means of cells; else empty
-  bool rigid_contact = false;         ///< field of a rigid body in contact with others; its velocity is prescribed
-  bool curved = false;                ///< some body of it is drawn with a curved surface and is rigid or elastic
-  std::int64_t block = -1;            ///< number of the rigid block whose field it is; -1: of none
+  AlignedVector<HeatNode> heat;   ///< heat conduction: nodal temperatures; else empty
+  AlignedVector<CellNode> cells;  ///< B-bar: volume means of cells; else empty
+  bool rigid_contact = false;     ///< field of a rigid body in contact with others; its velocity is prescribed
+  bool curved = false;            ///< some body of it is drawn with a curved surface and is rigid or elastic
+  std::int64_t block = -1;        ///< number of the rigid block whose field it is; -1: of none
   /// Number of the field of the same bodies with side 0; the field itself if its side is 0.
   std::size_t base_field = 0;
   int side = 0;  ///< side of the cracks as in CutBin, 0 to 3
