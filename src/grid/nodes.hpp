@@ -3,7 +3,7 @@
 #pragma once
 
 #include "base/aligned.hpp"
-#include "grid/lattice.hpp"
+#include "grid/block_table.hpp"
 
 #include <algorithm>
 #include <array>
@@ -138,20 +138,22 @@ class BlockMap {
  public:
   static constexpr int neighbour_count = Dim == 2 ? 9 : 27;
 
-  explicit BlockMap(const Lattice<Dim>& lattice) : lattice_(lattice) { high_.fill(-1); }
+  explicit BlockMap(const Lattice<Dim>& lattice) : lattice_(lattice) {}
 
   const Lattice<Dim>& lattice() const { return lattice_; }
 
   /// Makes the given blocks and the neighbours that they reach exist, and no others.
   void rebuild(std::span<const BlockReach<Dim>> occupied) {
-    enclose(occupied);
+    BlockBox<Dim> box;
+    each_reached_block(occupied, [&](const Index<Dim>& block, std::uint64_t) { box.include(block); });
+    slot_.reset(box);
     active_.clear();
     each_reached_block(occupied, [&](const Index<Dim>& block, std::uint64_t) {
-      int& s = slot_[place(block)];
+      int& s = slot_.at(block);
       if (s < 0) s = 0, active_.push_back(lattice_.block_index(block));
     });
     std::sort(active_.begin(), active_.end());
-    for (std::size_t k = 0; k < active_.size(); ++k) slot_[place(lattice_.block_at(active_[k]))] = static_cast<int>(k);
+    for (std::size_t k = 0; k < active_.size(); ++k) slot_.at(lattice_.block_at(active_[k])) = static_cast<int>(k);
     reached_.assign(active_.size(), 0);
     each_reached_block(occupied, [&](const Index<Dim>& block, std::uint64_t nodes) {
       reached_[static_cast<std::size_t>(slot(block))] |= nodes;
@@ -167,11 +169,7 @@ class BlockMap {
   /// Lattice indices of the existing blocks. The position in this list is the slot of a block.
   const std::vector<std::int64_t>& active() const { return active_; }
   /// The slot of a block, or -1 if it does not exist.
-  int slot(const Index<Dim>& block) const {
-    for (std::size_t d = 0; d < Dim; ++d)
-      if (block[d] < low_[d] || block[d] > high_[d]) return -1;
-    return slot_[place(block)];
-  }
+  int slot(const Index<Dim>& block) const { return slot_[block]; }
 
   /// Bits of the nodes of the block in a slot that the shape functions of particles may reach. The others stay empty.
   std::uint64_t reached(std::size_t slot) const { return reached_[slot]; }
@@ -233,25 +231,6 @@ class BlockMap {
   std::int64_t node_count() const { return static_cast<std::int64_t>(active_.size()) * block_nodes<Dim>; }
 
  private:
-  // Finds the box of all blocks that the given ones reach, and makes none of its blocks exist.
-  void enclose(std::span<const BlockReach<Dim>> occupied) {
-    low_.fill(std::numeric_limits<int>::max()), high_.fill(-1);
-    each_reached_block(occupied, [&](const Index<Dim>& block, std::uint64_t) {
-      for (std::size_t d = 0; d < Dim; ++d)
-        low_[d] = std::min(low_[d], block[d]), high_[d] = std::max(high_[d], block[d]);
-    });
-    std::size_t count = occupied.empty() ? 0 : 1;
-    for (std::size_t d = 0; d < Dim && count > 0; ++d) count *= static_cast<std::size_t>(high_[d] - low_[d] + 1);
-    slot_.assign(count, -1);
-  }
-  // The place of a block of the box in slot_.
-  std::size_t place(const Index<Dim>& block) const {
-    std::size_t n = 0;
-    for (std::size_t d = Dim; d-- > 0;)
-      n = n * static_cast<std::size_t>(high_[d] - low_[d] + 1) + static_cast<std::size_t>(block[d] - low_[d]);
-    return n;
-  }
-
   // Calls f(block, bits of its nodes) for the blocks that the given ones reach.
   template <class F>
   void each_reached_block(std::span<const BlockReach<Dim>> occupied, F&& f) const {
@@ -282,8 +261,7 @@ class BlockMap {
   }
 
   Lattice<Dim> lattice_;
-  Index<Dim> low_{}, high_{};  // box of the existing blocks
-  std::vector<int> slot_;      // per block of the box, so that small bodies take little memory in large grids
+  BlockTable<Dim, int> slot_{-1};
   std::vector<std::int64_t> active_;
   std::vector<std::uint64_t> reached_;  // per slot
 };

@@ -13,8 +13,6 @@ template <int Dim>
 void ContactSearch<Dim>::locate() {
   if (!is_new_) kept_ = kept_pairs();
   is_new_ = true;
-  shared_at_.resize(static_cast<std::size_t>(system_.lattice.block_count()), -1);
-  for (const auto& s : shared_) shared_at_[static_cast<std::size_t>(s.block)] = -1;
   shared_.clear();
   std::map<std::int64_t, std::vector<BlockUser>> all;
   for (std::size_t f = 0; f < system_.fields.size(); ++f) {
@@ -26,9 +24,13 @@ void ContactSearch<Dim>::locate() {
     std::uint64_t once = 0, twice = 0;
     for (const BlockUser& user : users) twice |= once & user.reached, once |= user.reached;
     if (twice == 0) continue;
-    shared_at_[static_cast<std::size_t>(block)] = static_cast<int>(shared_.size());
     shared_.push_back({block, twice, std::move(users)});
   }
+  BlockBox<Dim> box;
+  for (const SharedBlock& shared : shared_) box.include(system_.lattice.block_at(shared.block));
+  shared_at_.reset(box);
+  for (std::size_t s = 0; s < shared_.size(); ++s)
+    shared_at_.at(system_.lattice.block_at(shared_[s].block)) = static_cast<int>(s);
   found_.clear();
 }
 
@@ -329,14 +331,12 @@ template <int Dim>
 const ContactNode<Dim>* ContactSearch<Dim>::node_at(const Index<Dim>& index) const {
   Index<Dim> block;
   std::size_t local = 0;
-  bool inside = true;
   for (std::size_t d = Dim; d-- > 0;) {
-    inside = inside && index[d] >= 0 && index[d] < system_.lattice.blocks[d] * block_edge<Dim>;
+    if (index[d] < 0) return nullptr;
     block[d] = index[d] / block_edge<Dim>;
     local = local * block_edge<Dim> + static_cast<std::size_t>(index[d] % block_edge<Dim>);
   }
-  if (!inside || shared_at_.empty()) return nullptr;
-  const int s = shared_at_[static_cast<std::size_t>(system_.lattice.block_index(block))];
+  const int s = shared_at_[block];
   if (s < 0 || found_.parts.empty()) return nullptr;
   const auto number = static_cast<std::int64_t>(s) * block_nodes<Dim> + static_cast<std::int64_t>(local);
   const ContactPart& part = found_.parts[static_cast<std::size_t>(s) / part_blocks];

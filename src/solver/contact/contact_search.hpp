@@ -102,7 +102,7 @@ class ContactSearch {
   const ContactLaws<Dim>& laws_;
   ContactNodes<Dim> found_;
   std::vector<SharedBlock> shared_;
-  std::vector<int> shared_at_;          // per block of the lattice: its position in shared_, or -1
+  BlockTable<Dim, int> shared_at_{-1};  // per block: its position in shared_, or -1
   std::vector<KeptPair> kept_;          // in ascending order; those of the last step, from locate() to find()
   bool is_new_ = true;                  // the shared blocks are others than in the last find()
   std::vector<Fresh> fresh_;            // scratch of find(): per part

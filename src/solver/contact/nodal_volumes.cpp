@@ -11,28 +11,34 @@ namespace tribo {
 // whose nodes these particles reach.
 template <int Dim>
 void NodalVolumes<Dim>::mark_blocks(const ContactNodes<Dim>& contacts) {
-  const auto& lattice = system_.lattice;
-  near_.assign(static_cast<std::size_t>(lattice.block_count()), 0), reached_ = near_;
-  for (const auto& node : contacts.nodes) {
-    if (!node.needs_faces) continue;
-    // A stencil that contains the node begins at most three nodes below it. One more cell is added for the drift of
-    // the particles since the last sort.
-    Index<Dim> low, high;
-    for (std::size_t d = 0; d < Dim; ++d) {
-      low[d] = std::max(0, (node.index[d] - 5) / block_edge<Dim>);
-      high[d] = std::min(lattice.blocks[d] - 1, (node.index[d] + 1) / block_edge<Dim>);
+  const auto each_node = [&](auto&& f) {
+    for (const auto& node : contacts.nodes) {
+      if (!node.needs_faces) continue;
+      // A stencil that contains the node begins at most three nodes below it. One more cell is added for the drift of
+      // the particles since the last sort.
+      Index<Dim> low, high;
+      for (std::size_t d = 0; d < Dim; ++d) {
+        low[d] = std::max(0, (node.index[d] - 5) / block_edge<Dim>);
+        high[d] = std::min(system_.lattice.blocks[d] - 1, (node.index[d] + 1) / block_edge<Dim>);
+      }
+      // Particles reach nodes of the next blocks, too.
+      Index<Dim> reached_low, reached_high;
+      for (std::size_t d = 0; d < Dim; ++d)
+        reached_low[d] = std::max(0, low[d] - 1),
+        reached_high[d] = std::min(system_.lattice.blocks[d] - 1, high[d] + 1);
+      f(low, high, reached_low, reached_high);
     }
-    const auto mark = [&](std::vector<char>& blocks) {
-      each_in_box<Dim>(low, high, [&](const Index<Dim>& block) {
-        blocks[static_cast<std::size_t>(lattice.block_index(block))] = 1;
-      });
-    };
-    mark(near_);
-    // Particles reach nodes of the next blocks, too.
-    for (std::size_t d = 0; d < Dim; ++d)
-      low[d] = std::max(0, low[d] - 1), high[d] = std::min(lattice.blocks[d] - 1, high[d] + 1);
-    mark(reached_);
-  }
+  };
+  using Corner = const Index<Dim>&;
+  BlockBox<Dim> box, reached_box;
+  each_node([&](Corner low, Corner high, Corner reached_low, Corner reached_high) {
+    box.include(low), box.include(high), reached_box.include(reached_low), reached_box.include(reached_high);
+  });
+  near_.reset(box), reached_.reset(reached_box);
+  each_node([&](Corner low, Corner high, Corner reached_low, Corner reached_high) {
+    each_in_box<Dim>(low, high, [&](Corner block) { near_.at(block) = 1; });
+    each_in_box<Dim>(reached_low, reached_high, [&](Corner block) { reached_.at(block) = 1; });
+  });
 }
 
 // Gives the members of contact nodes places for their values, and lists them by fields.
@@ -68,7 +74,7 @@ void NodalVolumes<Dim>::scatter_field(std::size_t field, Layers& layers, const E
     const bool has_images = exchanges[numbers[k]]->has_images();
     layers[k].resize(static_cast<std::size_t>(map.node_count()));
     for (std::size_t slot = 0; slot < map.active().size(); ++slot)
-      if (has_images || reached_[static_cast<std::size_t>(map.active()[slot])] != 0)
+      if (has_images || reached_[system_.lattice.block_at(map.active()[slot])] != 0)
         std::fill_n(&layers[k][slot * block_nodes<Dim>], block_nodes<Dim>, VolumeNode{});
     target.map[k] = &map, target.nodes[k] = layers[k];
   }

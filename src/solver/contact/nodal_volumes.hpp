@@ -46,8 +46,8 @@ class NodalVolumes {
   std::vector<std::vector<Body<Dim>*>> bodies_of_;  // per field
   std::vector<std::vector<Place>> members_of_;      // per field
   std::vector<Layers> layers_;                      // per thread
-  std::vector<char> near_;     // per block of the lattice: 1 if the particles of its bin may contribute
-  std::vector<char> reached_;  // 1 if such particles may contribute to its nodes
+  BlockFlags<Dim> near_{0};                         // the particles of the bin of the block may contribute
+  BlockFlags<Dim> reached_{0};                      // such particles may contribute to its nodes
 };
 
 }  // namespace tribo

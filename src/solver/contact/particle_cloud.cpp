@@ -12,11 +12,7 @@ namespace tribo {
 
 template <int Dim>
 ParticleCloud<Dim>::ParticleCloud(const Lattice<Dim>& lattice, double reach, MirrorPlanes<Dim> planes)
-    : lattice_(lattice),
-      planes_(std::move(planes)),
-      reach_(reach),
-      per_length_(lattice.spacing.cwiseInverse()),
-      slot_(static_cast<std::size_t>(lattice.block_count()), -1) {
+    : lattice_(lattice), planes_(std::move(planes)), reach_(reach), per_length_(lattice.spacing.cwiseInverse()) {
   Index<Dim> cells;
   int count = 1;
   for (std::size_t d = 0; d < Dim; ++d) {
@@ -48,32 +44,27 @@ ParticleCloud<Dim>::ParticleCloud(const Lattice<Dim>& lattice, double reach, Mir
 }
 
 template <int Dim>
-void ParticleCloud<Dim>::clear() {
-  for (const auto block : blocks_) slot_[static_cast<std::size_t>(block)] = -1;
-  blocks_.clear();
-  mask_.clear();
-}
-
-template <int Dim>
 void ParticleCloud<Dim>::release() {
-  clear();
+  requested_.clear(), requested_.shrink_to_fit();
+  find_cells();
   for (auto* labels : {&labels_, &unsorted_}) labels->clear(), labels->shrink_to_fit();
   for (auto* numbers : {&cell_of_, &first_, &start_}) numbers->clear(), numbers->shrink_to_fit();
   for (auto& column : column_) column.clear(), column.shrink_to_fit();
   groups_.clear(), groups_.shrink_to_fit();
 }
 
+// Finds the blocks with cells within reach of the requested nodes, and marks these cells.
 template <int Dim>
-void ParticleCloud<Dim>::request(const Index<Dim>& node) {
-  each_cell(node, [&](std::int64_t block, int cell) {
-    int& s = slot_[static_cast<std::size_t>(block)];
-    if (s < 0) {
-      s = static_cast<int>(blocks_.size());
-      blocks_.push_back(block);
-      mask_.push_back(0);
-    }
-    mask_[static_cast<std::size_t>(s)] |= std::uint64_t{1} << cell;
-  });
+void ParticleCloud<Dim>::find_cells() {
+  BlockBox<Dim> box;
+  for (const Index<Dim>& node : requested_) each_cell(node, [&](const Index<Dim>& block, int) { box.include(block); });
+  slot_.reset(box), mask_.clear();
+  for (const Index<Dim>& node : requested_)
+    each_cell(node, [&](const Index<Dim>& block, int cell) {
+      int& s = slot_.at(block);
+      if (s < 0) s = static_cast<int>(mask_.size()), mask_.push_back(0);
+      mask_[static_cast<std::size_t>(s)] |= std::uint64_t{1} << cell;
+    });
 }
 
 // Whether a point lies in a requested cell, and in which.
@@ -90,7 +81,7 @@ bool ParticleCloud<Dim>::is_requested(const Vec<Dim>& x, std::size_t& at) const 
     block[d] = static_cast<int>(cell / edge);
     local = local * static_cast<int>(edge) + static_cast<int>(cell % edge);
   }
-  const int s = slot_[static_cast<std::size_t>(lattice_.block_index(block))];
+  const int s = slot_[block];
   if (s < 0 || !(mask_[static_cast<std::size_t>(s)] >> local & 1)) return false;
   at = static_cast<std::size_t>(s) * block_nodes<Dim> + static_cast<std::size_t>(local);
   return true;
@@ -104,13 +95,8 @@ bool ParticleCloud<Dim>::any_requested_near(std::int64_t bin_block) const {
   Index<Dim> n = home;
   for (std::size_t k = 0; k < near_cells_.size(); ++k) {
     std::size_t rest = k;
-    bool inside = true;
-    for (std::size_t d = 0; d < Dim; ++d, rest /= 3) {
-      n[d] = home[d] + static_cast<int>(rest % 3) - 1;
-      inside = inside && n[d] >= 0 && n[d] < lattice_.blocks[d];
-    }
-    if (!inside) continue;
-    const int s = slot_[static_cast<std::size_t>(lattice_.block_index(n))];
+    for (std::size_t d = 0; d < Dim; ++d, rest /= 3) n[d] = home[d] + static_cast<int>(rest % 3) - 1;
+    const int s = slot_[n];
     if (s >= 0 && (mask_[static_cast<std::size_t>(s)] & near_cells_[k]) != 0) return true;
   }
   return false;
@@ -118,9 +104,10 @@ bool ParticleCloud<Dim>::any_requested_near(std::int64_t bin_block) const {
 
 template <int Dim>
 void ParticleCloud<Dim>::collect(const std::vector<Body<Dim>*>& bodies) {
+  find_cells();
   unsorted_.clear();
   cell_of_.clear();
-  first_.assign(blocks_.size() * block_nodes<Dim> + 1, 0);
+  first_.assign(mask_.size() * block_nodes<Dim> + 1, 0);
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     Body<Dim>& body = *bodies[b];
     const auto x = body.particles.x();

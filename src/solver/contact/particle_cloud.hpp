@@ -40,11 +40,11 @@ class ParticleCloud {
 
   const MirrorPlanes<Dim>& planes() const { return planes_; }
   /// Removes all requests.
-  void clear();
+  void clear() { requested_.clear(); }
   /// Removes all particles, and gives their memory back.
   void release();
   /// Requests the particles within reach of a node.
-  void request(const Index<Dim>& node);
+  void request(const Index<Dim>& node) { requested_.push_back(node); }
   /// Copies the requested particles at their present positions. The bins of `bodies` must be those of the last sort.
   void collect(const std::vector<Body<Dim>*>& bodies);
 
@@ -77,8 +77,8 @@ class ParticleCloud {
   /// Calls f(group) for all groups that may contain particles within reach of a node.
   template <class F>
   void each_group(const Index<Dim>& node, F&& f) const {
-    each_cell(node, [&](std::int64_t block, int cell) {
-      const int s = slot_[static_cast<std::size_t>(block)];
+    each_cell(node, [&](const Index<Dim>& block, int cell) {
+      const int s = slot_[block];
       if (s < 0) return;
       const std::size_t at = static_cast<std::size_t>(s) * block_nodes<Dim> + static_cast<std::size_t>(cell);
       for (std::uint32_t g = start_[at]; g < start_[at + 1]; ++g) f(groups_[g]);
@@ -110,10 +110,11 @@ class ParticleCloud {
         block[d] = static_cast<int>(cell / edge);
         local = local * static_cast<int>(edge) + static_cast<int>(cell % edge);
       }
-      if (inside) f(lattice_.block_index(block), local);
+      if (inside) f(block, local);
     }
   }
 
+  void find_cells();
   bool is_requested(const Vec<Dim>& x, std::size_t& at) const;
   bool any_requested_near(std::int64_t bin_block) const;
   void group();
@@ -123,11 +124,11 @@ class ParticleCloud {
   double reach_, max_extent_ = 0.0;
   Vec<Dim> per_length_;                                        ///< inverse cell sizes
   std::array<std::uint64_t, Dim == 2 ? 9 : 27> near_cells_{};  ///< see any_requested_near
-  std::vector<Index<Dim>> offsets_;   ///< of the cells within reach, from the cell above the node
-  std::vector<int> slot_;             ///< per block of the lattice: position in blocks_, or -1
-  std::vector<std::int64_t> blocks_;  ///< with requested cells
-  std::vector<std::uint64_t> mask_;   ///< per block: bits of its requested cells
-  std::vector<std::uint32_t> start_;  ///< per cell of these blocks: first group
+  std::vector<Index<Dim>> offsets_;    ///< of the cells within reach, from the cell above the node
+  std::vector<Index<Dim>> requested_;  ///< nodes
+  BlockTable<Dim, int> slot_{-1};      ///< per block: position in mask_, or -1
+  std::vector<std::uint64_t> mask_;    ///< per block with cells within reach of requested nodes: bits of these cells
+  std::vector<std::uint32_t> start_;   ///< per cell of these blocks: first group
   std::vector<ParticleGroup<Dim>> groups_;
   static constexpr std::size_t column_count = Dim + Dim * Dim;
   std::array<std::vector<double>, column_count> column_;  ///< see columns()

@@ -90,11 +90,11 @@ std::pair<int, std::size_t> Cracks<Dim>::place_of(const Index<Dim>& node) const 
   Index<Dim> block;
   std::size_t local = 0;
   for (std::size_t d = Dim; d-- > 0;) {
-    if (node[d] < 0 || node[d] >= system_.lattice.blocks[d] * block_edge<Dim>) return {-1, 0};
+    if (node[d] < 0) return {-1, 0};
     block[d] = node[d] / block_edge<Dim>;
     local = local * block_edge<Dim> + static_cast<std::size_t>(node[d] % block_edge<Dim>);
   }
-  return {list_of_[static_cast<std::size_t>(system_.lattice.block_index(block))], local};
+  return {list_of_[block], local};
 }
 
 // Extends the slab of a cell by a piece that touches the cell. Its normal is that of the first piece.
@@ -279,7 +279,7 @@ void Cracks<Dim>::find_bin(Body<Dim>& body, const Bin& bin, CutBin& cut) {
   cut.first.assign(count, -1);
   cut.sides.clear(), cut.crossed.clear();
   const bool several = system_.cracks.size() > 1;
-  const int list = list_of_[static_cast<std::size_t>(bin.block)];
+  const int list = list_of_[system_.lattice.block_at(bin.block)];
   if (list < 0 || count == 0) return;
   const List& surfaces = lists_[static_cast<std::size_t>(list)];
   thread_local std::vector<Index<Dim>> lowest;

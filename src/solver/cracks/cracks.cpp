@@ -15,8 +15,7 @@ Cracks<Dim>::Cracks(const Model& model, System<Dim>& system, const Transfers<Dim
       system_(system),
       transfers_(transfers),
       width_(transfers.stencil_width()),
-      nodes_around_(model, system.lattice),
-      list_of_(active() ? static_cast<std::size_t>(system_.lattice.block_count()) : 0, -1) {}
+      nodes_around_(model, system.lattice) {}
 
 namespace {
 
@@ -47,8 +46,13 @@ void each_group(std::size_t count, double size, BoxOf&& box_of_item, F&& f) {
 // Calls f(block) for all blocks of a lattice that intersect a box.
 template <int Dim, class F>
 void each_block(const Lattice<Dim>& lattice, const Vec<Dim>& low, const Vec<Dim>& high, F&& f) {
-  each_in_box<Dim>(lattice.block_of(low), lattice.block_of(high),
-                   [&](const Index<Dim>& block) { f(lattice.block_index(block)); });
+  each_in_box<Dim>(lattice.block_of(low), lattice.block_of(high), [&](const Index<Dim>& block) { f(block); });
+}
+
+// Extends a box of blocks to all those that a box in space intersects.
+template <int Dim>
+void include_blocks(const Lattice<Dim>& lattice, const Vec<Dim>& low, const Vec<Dim>& high, BlockBox<Dim>& box) {
+  box.include(lattice.block_of(low)), box.include(lattice.block_of(high));
 }
 
 }  // namespace
@@ -81,9 +85,9 @@ void Cracks<Dim>::each_image(const PlacedPiece& piece, F&& f) const {
 // crosses them.
 template <int Dim>
 void Cracks<Dim>::list_surfaces(const Box<Dim>& box, std::size_t first, std::size_t end) {
-  const Vec<Dim> reach = (width_ + 1.0) * system_.lattice.spacing;
-  each_block<Dim>(system_.lattice, box.low - reach, box.high + reach, [&](std::int64_t block) {
-    int& list = list_of_[static_cast<std::size_t>(block)];
+  const Vec<Dim> reach = list_reach();
+  each_block<Dim>(system_.lattice, box.low - reach, box.high + reach, [&](const Index<Dim>& block) {
+    int& list = list_of_.at(block);
     if (list < 0) {
       list = static_cast<int>(listed_.size());
       listed_.push_back(block);
@@ -99,9 +103,8 @@ void Cracks<Dim>::list_surfaces(const Box<Dim>& box, std::size_t first, std::siz
 
 template <int Dim>
 void Cracks<Dim>::register_pieces() {
-  for (const auto block : listed_) list_of_[static_cast<std::size_t>(block)] = -1;
-  listed_.clear();
   for (auto& list : lists_) list.clear();
+  listed_.clear();
   std::size_t count = 0;
   for (const auto& crack : system_.cracks) count += crack.pieces.size();
   pieces_.resize(count);
@@ -123,6 +126,11 @@ void Cracks<Dim>::register_pieces() {
   for (std::size_t p = 0; p < count; ++p)
     each_image(pieces_[p], [&](const PlacedPiece& image) { pieces_.push_back(image); });
   tree_.build(pieces_.size(), [&](std::size_t p) { return pieces_[p].box; });
+  BlockBox<Dim> blocks;
+  const Vec<Dim> reach = list_reach();
+  for (const auto& piece : pieces_)
+    include_blocks<Dim>(system_.lattice, piece.box.low - reach, piece.box.high + reach, blocks);
+  list_of_.reset(blocks);
   each_group(
       pieces_.size(), system_.lattice.spacing.minCoeff(), [&](std::size_t p) { return pieces_[p].box; },
       [&](const Box<Dim>& box, std::size_t from, std::size_t end) { list_surfaces(box, from, end); });
@@ -130,27 +138,27 @@ void Cracks<Dim>::register_pieces() {
 
 template <int Dim>
 auto Cracks<Dim>::near(const Vec<Dim>& x) const -> const List& {
-  const List* found = &none_;
-  each_block<Dim>(system_.lattice, x, x, [&](std::int64_t block) {
-    const int list = list_of_[static_cast<std::size_t>(block)];
-    if (list >= 0) found = &lists_[static_cast<std::size_t>(list)];
-  });
-  return *found;
+  const int list = list_of_[system_.lattice.block_of(x)];
+  return list >= 0 ? lists_[static_cast<std::size_t>(list)] : none_;
 }
 
 // The margin includes the motion between two sorts, since particles and cracks then move by less than a cell.
 template <int Dim>
 void Cracks<Dim>::locate() {
   if (!active()) return;
-  std::vector<char> cut(list_of_.size(), 0);
   const Vec<Dim> reach = (width_ + 4.0) * system_.lattice.spacing;
+  BlockBox<Dim> blocks;
+  for (const auto& crack : system_.cracks)
+    for (const auto& x : crack.x) include_blocks<Dim>(system_.lattice, x - reach, x + reach, blocks);
+  BlockFlags<Dim> cut(0);
+  cut.reset(blocks);
   for (const auto& crack : system_.cracks)
     each_group(
         crack.pieces.size(), system_.lattice.spacing.minCoeff(),
         [&](std::size_t p) { return box_of<Dim>(crack.corners(p)); },
         [&](const Box<Dim>& box, std::size_t, std::size_t) {
           each_block<Dim>(system_.lattice, box.low - reach, box.high + reach,
-                          [&](std::int64_t block) { cut[static_cast<std::size_t>(block)] = 1; });
+                          [&](const Index<Dim>& block) { cut.at(block) = 1; });
         });
   cut_.clear();
   for (auto& body : system_.bodies) {
@@ -158,7 +166,7 @@ void Cracks<Dim>::locate() {
     body.cut.assign(bins.size(), -1);
     std::size_t count = 0;
     for (std::size_t b = 0; b < bins.size(); ++b) {
-      if (!cut[static_cast<std::size_t>(bins[b].block)]) continue;
+      if (cut[system_.lattice.block_at(bins[b].block)] == 0) continue;
       body.cut[b] = static_cast<std::int32_t>(count++);
       cut_.push_back({&body, b});
     }
@@ -209,7 +217,7 @@ void Cracks<Dim>::number_node_surfaces() {
       auto& cut = at.body->cut_bins[static_cast<std::size_t>(at.body->cut[at.bin])];
       if (cut.sides.empty()) continue;
       const Bin& bin = at.body->bins.list()[at.bin];
-      const List& list = lists_[static_cast<std::size_t>(list_of_[static_cast<std::size_t>(bin.block)])];
+      const List& list = lists_[static_cast<std::size_t>(list_of_[system_.lattice.block_at(bin.block)])];
       transfers_.lowest_nodes(*at.body, system_.lattice, bin, lowest);
       for (std::size_t i = 0; i < cut.first.size(); ++i)
         for (int n = 0; cut.first[i] >= 0 && n < nodes; ++n) {

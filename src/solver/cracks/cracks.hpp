@@ -118,6 +118,8 @@ class Cracks {
   };
 
   void register_pieces();
+  /// A segment that crosses a piece may begin this far from its box [length].
+  Vec<Dim> list_reach() const { return (width_ + 1.0) * system_.lattice.spacing; }
   void list_surfaces(const Box<Dim>& box, std::size_t first, std::size_t end);
   void find_ends();
   void find_edge_crossings();
@@ -167,7 +169,7 @@ class Cracks {
   /// Calls f(local, node) for the nodes of a listed block.
   template <class F>
   void each_node(std::size_t list, F&& f) const {
-    Index<Dim> low = system_.lattice.block_at(listed_[list]), high;
+    Index<Dim> low = listed_[list], high;
     for (std::size_t d = 0; d < Dim; ++d) low[d] *= block_edge<Dim>, high[d] = low[d] + block_edge<Dim> - 1;
     std::size_t local = 0;
     each_in_box<Dim>(low, high, [&](const Index<Dim>& n) { f(local++, n); });
@@ -207,8 +209,8 @@ class Cracks {
   std::vector<List> lists_;
   std::vector<BlockCrossings> crossings_;  ///< per list
   std::uint64_t step_ = 0;                 ///< number of the last call of find(), of any model
-  std::vector<int> list_of_;               ///< per lattice block: its index in lists_, or -1
-  std::vector<std::int64_t> listed_;       ///< blocks with a list
+  BlockTable<Dim, int> list_of_{-1};       ///< per block: its index in lists_, or -1
+  std::vector<Index<Dim>> listed_;         ///< blocks with a list
   const List none_;
   /// With several cracks: numbers of the first two surfaces at each node that cracks separate from particles.
   std::unordered_map<std::int64_t, std::array<int, 2>> node_surfaces_;

@@ -10,28 +10,29 @@ namespace tribo {
 // Lists the joints between bodies by lattice blocks.
 template <int Dim>
 void Joints<Dim>::list_points() {
-  for (const auto block : listed_blocks_) points_of_block_[static_cast<std::size_t>(block)].clear();
-  listed_blocks_.clear();
+  points_.clear();
   for (std::size_t s = 0; s < system_.joints.size(); ++s) {
     const JointSurface<Dim>& surface = system_.joints[s];
     if (surface.crack != JointSurface<Dim>::none) continue;
     for (std::size_t k = 0; k < surface.joints.size(); ++k) {
       if (!is_supported(s, k)) continue;
       const auto block = system_.lattice.block_index(system_.lattice.block_of(surface.x[k]));
-      auto& list = points_of_block_[static_cast<std::size_t>(block)];
-      if (list.empty()) listed_blocks_.push_back(block);
-      list.push_back({static_cast<std::uint32_t>(s), static_cast<std::uint32_t>(k)});
+      points_.push_back({block, static_cast<std::uint32_t>(s), static_cast<std::uint32_t>(k)});
     }
   }
+  std::ranges::stable_sort(points_, {}, &PointOf::block);
 }
 
 template <int Dim>
 auto Joints<Dim>::near_joint(std::size_t a, std::size_t b, const Vec<Dim>& x, double close_enough) const -> NearJoint {
   NearJoint out;
-  if (points_of_block_.empty()) return out;
+  if (points_.empty()) return out;
   const Vec<Dim> reach = Vec<Dim>::Constant(reach_);
   const auto list_joints_of = [&](const Index<Dim>& block) {
-    for (const PointOf& point : points_of_block_[static_cast<std::size_t>(system_.lattice.block_index(block))]) {
+    const auto number = system_.lattice.block_index(block);
+    for (auto p = std::ranges::lower_bound(points_, number, {}, &PointOf::block);
+         p != points_.end() && p->block == number; ++p) {
+      const PointOf& point = *p;
       if (out.distance <= close_enough) return;
       const JointSurface<Dim>& surface = system_.joints[point.surface];
       const auto& [one, two] = surface.field;

@@ -14,9 +14,6 @@ Joints<Dim>::Joints(const Model& model, System<Dim>& system, const Cracks<Dim>& 
     : system_(system), face_nodes_(model, system, cracks), surfaces_(system.joints.size()) {
   // The range is that of transfers from particles with domains of up to one cell.
   reach_ = (std::max(1.5, reach_of(model.scheme.kernel)) + 0.5) * system.lattice.spacing.maxCoeff();
-  for (const auto& surface : system.joints)
-    if (surface.crack == JointSurface<Dim>::none)
-      points_of_block_.resize(static_cast<std::size_t>(system.lattice.block_count()));
 }
 
 // The few nodes that a face reaches before it has moved away entirely lie on one side of the integration point. The

@@ -107,7 +107,7 @@ class Joints {
   /// step or are emptied before it ends.
   friend void archive(Archive& a, Joints& joints) {
     auto& [system, face_nodes, surfaces, slabs, row_sums, largest_of_slab, increments, events_of_part, events,
-           rigid_sums, reach, points, listed, stable] = joints;
+           rigid_sums, reach, points, stable] = joints;
     a.version(1);
     a("stable_step", stable);
   }
@@ -215,12 +215,11 @@ class Joints {
   std::vector<PlacedEvent> events_;
   std::pair<double, Vec3> rigid_{0.0, Vec3::Zero()};
   struct PointOf {
+    std::int64_t block;
     std::uint32_t surface, joint;
   };
-  double reach_ = 0.0;  ///< largest distance along an axis between a joint and the nodes in its range [length]
-  /// Per block: joints between bodies that have both faces.
-  std::vector<std::vector<PointOf>> points_of_block_;
-  std::vector<std::int64_t> listed_blocks_;  ///< blocks with such joints
+  double reach_ = 0.0;           ///< largest distance along an axis between a joint and the nodes in its range [length]
+  std::vector<PointOf> points_;  ///< joints between bodies that have both faces, in the order of their blocks
   double stable_step_ = std::numeric_limits<double>::max();
 };
 

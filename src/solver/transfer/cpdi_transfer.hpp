@@ -53,12 +53,12 @@ class CpdiTransfers final : public Transfers<Dim> {
   }
 
   void scatter(Body<Dim>& body, const Target<Dim>& target, Scatter what, bool from_start, bool axisymmetric,
-               const std::vector<char>* only) const override {
+               const BlockFlags<Dim>* only) const override {
     with_added_sums(what, static_cast<bool>(body.affine), [&](auto sums) {
       for (const auto& colour : body.bins.colours())
         parallel_for(static_cast<std::ptrdiff_t>(colour.size()), [&](std::ptrdiff_t k) {
           const Bin& bin = body.bins.list()[colour[static_cast<std::size_t>(k)]];
-          if (only && !(*only)[static_cast<std::size_t>(bin.block)]) return;
+          if (only && !(*only)[target.map[0]->lattice().block_at(bin.block)]) return;
           const CutBin* cut = body.cut_bin(colour[static_cast<std::size_t>(k)]);
           scatter_bin<sums()>(body, target, bin, cut, what, from_start, axisymmetric);
         });

@@ -79,10 +79,9 @@ class Transfers {
  public:
   virtual ~Transfers() = default;
   /// Adds the sums `what` over the particles of a body to the nodes. `from_start`: use the shape functions at the
-  /// positions at the start of the step. `only`: flags per lattice block; particles in blocks without the flag are
-  /// omitted.
+  /// positions at the start of the step. `only`: flags of blocks; particles in blocks without the flag are omitted.
   virtual void scatter(Body<Dim>& body, const Target<Dim>& target, Scatter what, bool from_start, bool axisymmetric,
-                       const std::vector<char>* only = nullptr) const = 0;
+                       const BlockFlags<Dim>* only = nullptr) const = 0;
   /// Interpolates nodal values to the particles of a body and updates the particles according to `what`.
   virtual GatherResult gather(Body<Dim>& body, const Target<Dim>& target, const Gather& what) const = 0;
   /// The same from the nodes `from`, and a scatter of the updated particles to the nodes `to` with the shape functions
