@@ -13,10 +13,10 @@ struct VolumeNode;
 
 /// One velocity field at a contact node.
 struct ContactMember {
-  std::size_t field = 0;               ///< number of the velocity field
-  std::int64_t node = 0;               ///< position of the node in the nodal arrays of the field
-  double mass = 0.0;                   ///< nodal mass                                         [mass]
-  double inverse_mass = 0.0;           ///< its inverse; 0 if the velocity is prescribed       [1/mass]
+  std::size_t field = 0;      ///< number of the velocity field
+  std::int64_t node = 0;      ///< position of the node in the nodal arrays of the field
+  double mass = 0.0;          ///< nodal mass                                         [mass]
+  double inverse_mass = 0.0;  ///< its inverse; 0 if the velocity is prescribed       [1/mass]
   /// Volume and volume gradient at the node; valid while its faces are found, see NodalVolumes.
   const VolumeNode* volumes = nullptr;
   Vec3 trial_velocity = Vec3::Zero();  ///< velocity at the end of the step without contact             [velocity]
