@@ -7,20 +7,35 @@
 #include <cmath>
 
 namespace tribo {
-// Lists the joints between bodies by lattice blocks.
+
+// Calls f(block, surface, joint) for the joints between bodies that have both faces.
 template <int Dim>
-void Joints<Dim>::list_points() {
-  points_.clear();
+template <class F>
+void Joints<Dim>::each_point(F&& f) const {
   for (std::size_t s = 0; s < system_.joints.size(); ++s) {
     const JointSurface<Dim>& surface = system_.joints[s];
     if (surface.crack != JointSurface<Dim>::none) continue;
-    for (std::size_t k = 0; k < surface.joints.size(); ++k) {
-      if (!is_supported(s, k)) continue;
-      const auto block = system_.lattice.block_index(system_.lattice.block_of(surface.x[k]));
-      points_.push_back({block, static_cast<std::uint32_t>(s), static_cast<std::uint32_t>(k)});
-    }
+    for (std::size_t k = 0; k < surface.joints.size(); ++k)
+      if (is_supported(s, k)) f(system_.lattice.block_of(surface.x[k]), s, k);
   }
-  std::ranges::stable_sort(points_, {}, &PointOf::block);
+}
+
+// Lists the joints between bodies by blocks.
+template <int Dim>
+void Joints<Dim>::list_points() {
+  BlockBox<Dim> box;
+  each_point([&](const Index<Dim>& block, std::size_t, std::size_t) { box.include(block); });
+  points_of_.reset(box);
+  each_point([&](const Index<Dim>& block, std::size_t, std::size_t) { ++points_of_.at(block).end; });
+  std::uint32_t count = 0;
+  each_in_box<Dim>(box.low, box.high, [&](const Index<Dim>& block) {
+    PointRange& here = points_of_.at(block);
+    here.first = count, count += here.end, here.end = here.first;
+  });
+  points_.resize(count);
+  each_point([&](const Index<Dim>& block, std::size_t surface, std::size_t joint) {
+    points_[points_of_.at(block).end++] = {static_cast<std::uint32_t>(surface), static_cast<std::uint32_t>(joint)};
+  });
 }
 
 template <int Dim>
@@ -29,10 +44,9 @@ auto Joints<Dim>::near_joint(std::size_t a, std::size_t b, const Vec<Dim>& x, do
   if (points_.empty()) return out;
   const Vec<Dim> reach = Vec<Dim>::Constant(reach_);
   const auto list_joints_of = [&](const Index<Dim>& block) {
-    const auto number = system_.lattice.block_index(block);
-    for (auto p = std::ranges::lower_bound(points_, number, {}, &PointOf::block);
-         p != points_.end() && p->block == number; ++p) {
-      const PointOf& point = *p;
+    const PointRange range = points_of_[block];
+    for (std::uint32_t p = range.first; p < range.end; ++p) {
+      const PointOf& point = points_[p];
       if (out.distance <= close_enough) return;
       const JointSurface<Dim>& surface = system_.joints[point.surface];
       const auto& [one, two] = surface.field;

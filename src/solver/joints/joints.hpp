@@ -107,7 +107,7 @@ class Joints {
   /// step or are emptied before it ends.
   friend void archive(Archive& a, Joints& joints) {
     auto& [system, face_nodes, surfaces, slabs, row_sums, largest_of_slab, increments, events_of_part, events,
-           rigid_sums, reach, points, stable] = joints;
+           rigid_sums, reach, points, points_of, stable] = joints;
     a.version(1);
     a("stable_step", stable);
   }
@@ -189,6 +189,8 @@ class Joints {
         if (sample.area_fraction[c] > 0) f(slab, s, surfaces_[s].samples[k], sample.joint[c], sample.area_fraction[c]);
     });
   }
+  template <class F>
+  void each_point(F&& f) const;
   void list_points();
   void find_stable_step();
   template <class Row, class Column>
@@ -215,11 +217,14 @@ class Joints {
   std::vector<PlacedEvent> events_;
   std::pair<double, Vec3> rigid_{0.0, Vec3::Zero()};
   struct PointOf {
-    std::int64_t block;
     std::uint32_t surface, joint;
+  };
+  struct PointRange {
+    std::uint32_t first, end;
   };
   double reach_ = 0.0;           ///< largest distance along an axis between a joint and the nodes in its range [length]
   std::vector<PointOf> points_;  ///< joints between bodies that have both faces, in the order of their blocks
+  BlockTable<Dim, PointRange> points_of_{PointRange{0, 0}};  ///< per block: range of points_
   double stable_step_ = std::numeric_limits<double>::max();
 };
 
