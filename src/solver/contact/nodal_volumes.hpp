@@ -13,8 +13,8 @@ namespace tribo {
 
 /// Scatters the volumes of the particles to the nodes, and gives the sums to the members of contact nodes.
 ///
-/// The nodal arrays of a scatter are needed for one body material at a time only. Each thread has one set of them, so
-/// that many bodies need no more memory than a few.
+/// The nodal arrays of a scatter are needed for the bodies of one velocity field at a time only. Each thread has one
+/// set of them, so that many fields need no more memory than a few.
 template <int Dim>
 class NodalVolumes {
  public:
