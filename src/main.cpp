@@ -2,22 +2,30 @@
 /// The program: parses the arguments, calls the command and converts exceptions to exit codes.
 
 #include "base/error.hpp"
+#include "base/ranks.hpp"
 #include "base/read_file.hpp"
 #include "commands.hpp"
 #include "completion.hpp"
 #include "input/dialect.hpp"
 #include "man_page.hpp"
 #include "output/provenance.hpp"
+#include "run/distributed_run.hpp"
 #include "run/signals.hpp"
 
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <functional>
 
 #include <sys/prctl.h>
+#include <unistd.h>
+
+#ifdef TRIBO_MPI
+#include "mpi/mpi.hpp"
+#endif
 
 namespace {
 
@@ -27,6 +35,15 @@ std::string joined(int argc, char** argv) {
   std::string out;
   for (int k = 0; k < argc; ++k) out += (k ? " " : "") + std::string(argv[k]);
   return out;
+}
+
+// Whether this is one of several processes that a launcher of MPI has started.
+bool started_by_mpi() {
+  const auto several = [](const char* name) {
+    const char* value = std::getenv(name);
+    return value && std::atoi(value) > 1;
+  };
+  return several("OMPI_COMM_WORLD_SIZE") || several("PMI_SIZE");
 }
 
 // If the command is missing or unknown, prints what is valid.
@@ -46,37 +63,58 @@ bool misses_a_command(const CLI::App& app, int argc, char** argv) {
   return true;
 }
 
-int guarded(const std::function<int()>& action) {
+// How a command has ended: the exit code, and what is to be told.
+struct Ending {
+  int code = done;
+  std::string text;
+};
+
+Ending guarded(const std::function<int()>& action) {
   try {
-    return action();
+    return {action(), {}};
   } catch (const UsageError& error) {
-    std::fprintf(stderr, "error: %s\n", error.what());
-    return usage_error;
+    return {usage_error, std::string("error: ") + error.what()};
   } catch (const InputError& error) {
-    std::fprintf(stderr, "%s\n", error.what());
-    return input_error;
+    return {input_error, error.what()};
   } catch (const SimulationError& error) {
-    std::fprintf(stderr, "error: %s\n", error.what());
-    return numerical_error;
+    return {numerical_error, std::string("error: ") + error.what()};
   } catch (const FileError& error) {
-    std::fprintf(stderr, "error: %s\n", error.what());
-    return file_error;
+    return {file_error, std::string("error: ") + error.what()};
   } catch (const StopRequest&) {
-    std::fprintf(stderr, "stopped; nothing was written\n");
-    return stopped_early;
+    return {stopped_early, "stopped; nothing was written"};
   } catch (const std::filesystem::filesystem_error& error) {
-    std::fprintf(stderr, "error: '%s': %s\n", printable(error.path1().string()).c_str(),
-                 error.code().message().c_str());
-    return file_error;
+    return {file_error, "error: '" + printable(error.path1().string()) + "': " + error.code().message()};
   } catch (const std::bad_alloc&) {
-    std::fprintf(stderr,
-                 "error: not enough memory; use larger cells or fewer particles ('tribo check FILE' estimates it)\n");
-    return file_error;
+    return {file_error,
+            "error: not enough memory; use larger cells or fewer particles ('tribo check FILE' estimates it)"};
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "internal error: %s\n", error.what());
-    return numerical_error;
+    return {numerical_error, std::string("internal error: ") + error.what()};
   }
 }
+
+int end(const Ending& ending) {
+  if (!ending.text.empty()) std::fprintf(stderr, "%s\n", ending.text.c_str());
+  return ending.code;
+}
+
+#ifdef TRIBO_MPI
+// The same in one of several processes. Rank 0 speaks for all, unless another one has failed alone.
+int end_with_others(const std::function<int()>& action) {
+  const MpiSession session;
+  const int own_errors = dup(STDERR_FILENO);
+  if (ranks().rank() > 0)
+    if (!std::freopen("/dev/null", "w", stdout) || !std::freopen("/dev/null", "w", stderr)) return file_error;
+  const Ending ending = guarded(action);
+  if (failed_alone() && ranks().rank() > 0) {
+    dup2(own_errors, STDERR_FILENO);
+    std::fprintf(stderr, "process %d: ", ranks().rank());
+  }
+  close(own_errors);
+  const int code = end(ending);
+  if (failed_alone()) MpiSession::abort(code);
+  return code;
+}
+#endif
 
 // The commands and their options.
 class CommandLine {
@@ -241,5 +279,16 @@ int main(int argc, char** argv) {  // NOLINT(bugprone-exception-escape): what es
     return usage_error;
   }
   line.a.command_line = joined(argc, argv);
-  return guarded([&] { return line.action(line.a); });
+  const auto action = [&] { return line.action(line.a); };
+  const bool runs = line.app.got_subcommand("run") || line.app.got_subcommand("resume");
+  if (runs && started_by_mpi()) {
+#ifdef TRIBO_MPI
+    return end_with_others(action);
+#else
+    return end({usage_error,
+                "error: this program was built without MPI, so that several processes would each do the whole run; "
+                "build it with -DTRIBO_MPI=ON"});
+#endif
+  }
+  return end(guarded(action));
 }

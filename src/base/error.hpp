@@ -68,6 +68,12 @@ class SimulationError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// The same, thrown by all processes of a run together, which can therefore end the run in an orderly way.
+class CommonError : public SimulationError {
+ public:
+  using SimulationError::SimulationError;
+};
+
 /// The command line is invalid (exit code 2).
 class UsageError : public std::runtime_error {
  public:

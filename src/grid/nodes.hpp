@@ -147,7 +147,7 @@ class BlockMap {
     BlockBox<Dim> box;
     each_reached_block(occupied, [&](const Index<Dim>& block, std::uint64_t) { box.include(block); });
     slot_.reset(box);
-    active_.clear();
+    active_.clear(), own_.clear();
     each_reached_block(occupied, [&](const Index<Dim>& block, std::uint64_t) {
       int& s = slot_.at(block);
       if (s < 0) s = 0, active_.push_back(lattice_.block_index(block));
@@ -170,6 +170,15 @@ class BlockMap {
   const std::vector<std::int64_t>& active() const { return active_; }
   /// The slot of a block, or -1 if it does not exist.
   int slot(const Index<Dim>& block) const { return slot_[block]; }
+
+  /// Whether sums over nodes contain those of the block in a slot: of the processes whose maps have it, one sums.
+  bool is_own(std::size_t slot) const { return own_.empty() || own_[slot] != 0; }
+  /// Determines it: own(block) for the blocks that exist.
+  template <class Own>
+  void mark_own(Own&& own) {
+    own_.resize(active_.size());
+    for (std::size_t k = 0; k < active_.size(); ++k) own_[k] = own(lattice_.block_at(active_[k])) ? 1 : 0;
+  }
 
   /// Bits of the nodes of the block in a slot that the shape functions of particles may reach. The others stay empty.
   std::uint64_t reached(std::size_t slot) const { return reached_[slot]; }
@@ -264,6 +273,7 @@ class BlockMap {
   BlockTable<Dim, int> slot_{-1};
   std::vector<std::int64_t> active_;
   std::vector<std::uint64_t> reached_;  // per slot
+  std::vector<char> own_;               // per slot; empty if all count
 };
 
 using NodeLayer = AlignedVector<Node>;

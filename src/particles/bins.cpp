@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace tribo {
 
@@ -74,6 +75,7 @@ std::int64_t Bins<Dim>::sort(const Lattice<Dim>& lattice, Particles<Dim>& partic
                 [&](std::uint32_t i, std::uint32_t j) { return particles.id[i] < particles.id[j]; });
   });
 
+  own_ = bins_.size();
   cells_.clear();
   for (std::size_t b = 0; b < occupied.size(); ++b)
     cells_.push_back(range_of({start.data() + b * block_nodes<Dim>, block_nodes<Dim>}, bins_[b].begin));
@@ -81,6 +83,28 @@ std::int64_t Bins<Dim>::sort(const Lattice<Dim>& lattice, Particles<Dim>& partic
   particles.reorder(order);
   paint(lattice);
   return -1;
+}
+
+template <int Dim>
+std::vector<BinContent<Dim>> Bins<Dim>::contents() const {
+  std::vector<BinContent<Dim>> out;
+  for (std::size_t b = 0; b < own_; ++b)
+    out.push_back({bins_[b].block, bins_[b].end - bins_[b].begin, cells_[b].low, cells_[b].high});
+  return out;
+}
+
+template <int Dim>
+void Bins<Dim>::assign(const Lattice<Dim>& lattice, std::span<const BinContent<Dim>> own,
+                       std::span<const BinContent<Dim>> ghosts) {
+  bins_.clear(), cells_.clear();
+  std::uint32_t end = 0;
+  for (const auto list : {own, ghosts})
+    for (const BinContent<Dim>& bin : list) {
+      bins_.push_back({bin.block, end, end + bin.count}), end += bin.count;
+      cells_.push_back({bin.low, bin.high});
+    }
+  own_ = own.size();
+  paint(lattice);
 }
 
 // From the ends of the particles of each cell of a block, which begin with the particle `begin`.
@@ -133,6 +157,9 @@ void Bins<Dim>::paint(const Lattice<Dim>& lattice) {
       colour = colour * static_cast<std::size_t>(colours_per_axis_) + static_cast<std::size_t>(b % colours_per_axis_);
     colours_[colour].push_back(static_cast<std::uint32_t>(k));
   }
+  by_block_.resize(bins_.size());
+  std::iota(by_block_.begin(), by_block_.end(), 0U);
+  std::ranges::sort(by_block_, {}, [&](std::uint32_t k) { return bins_[k].block; });
   before_.assign(count, {0});
   for (std::size_t colour = 0; colour < count; ++colour)
     for (const std::uint32_t k : colours_[colour])

@@ -6,6 +6,7 @@
 #include "grid/nodes.hpp"
 #include "particles/particles.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -24,6 +25,14 @@ inline void archive(Archive& a, Bin& bin) {
   a("block", block), a("begin", begin), a("end", end);
 }
 
+/// A bin without its place among the particles, as other processes know it.
+template <int Dim>
+struct BinContent {
+  std::int64_t block;
+  std::uint32_t count;    ///< number of its particles
+  Index<Dim> low, high;   ///< lowest and highest cell of the lowest nodes of its particles, in the block
+};
+
 /// A particle belongs to the bin of the block that contains the lowest node of its stencil. Between sorts it may move
 /// by less than one cell, which every transfer allows for. Blocks of the same colour never write to the same node. A
 /// particle-to-grid transfer processes one colour after the other, in parallel within a colour. It needs no atomics,
@@ -40,10 +49,11 @@ class Bins {
 
   /// The particles must be in the order of the bins. Colours follow from the bins.
   friend void archive(Archive& a, Bins& bins, const Lattice<Dim>& lattice) {
-    auto& [shift, colours_per_axis, list, cells, colours, before] = bins;
+    auto& [shift, colours_per_axis, list, own, cells, by_block, colours, before] = bins;
     a.enter("bins");
     a.version(2);
     a.resizable("list", list);
+    own = list.size();
     cells.resize(list.size());
     a("cells", cells);
     a.leave();
@@ -53,11 +63,32 @@ class Bins {
   /// Whether each particle is in the block of its bin or less than a cell from it.
   bool hold(const Lattice<Dim>& lattice, const Particles<Dim>& particles) const;
 
-  const std::vector<Bin>& list() const { return bins_; }
+  /// The bins of the particles of this process, in the order of their blocks.
+  std::span<const Bin> list() const { return {bins_.data(), own_}; }
+  /// These bins, and behind them those of the ghosts.
+  std::span<const Bin> with_ghosts() const { return bins_; }
+  /// All of them in the order of their blocks, as indices into with_ghosts().
+  const std::vector<std::uint32_t>& by_block() const { return by_block_; }
+  /// The bins of this process as others know them.
+  std::vector<BinContent<Dim>> contents() const;
+  /// Replaces the bins: particles, and behind them ghosts, are in the order of these bins.
+  void assign(const Lattice<Dim>& lattice, std::span<const BinContent<Dim>> own, std::span<const BinContent<Dim>> ghosts);
+
   /// The blocks of the bins, and the nodes that stencils of `width` nodes per axis reach until the next sort.
   std::vector<BlockReach<Dim>> reach(const Lattice<Dim>& lattice, int width) const;
-  /// Bins of each colour, as indices into list().
+  /// Bins of each colour, ghosts included, as indices into with_ghosts().
   const std::vector<std::vector<std::uint32_t>>& colours() const { return colours_; }
+  /// Ranges of particles for sums over `count` of them: the bins if they hold so many, otherwise ranges of equal length,
+  /// which are written to `pieces`. The sums over bins are the same on any number of processes.
+  std::span<const Bin> sum_ranges(std::size_t count, std::vector<Bin>& pieces) const {
+    static constexpr std::size_t length = 512;
+    if (before(own_) == count) return list();
+    pieces.clear();
+    for (std::size_t first = 0; first < count; first += length)
+      pieces.push_back(
+          {0, static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(std::min(count, first + length))});
+    return pieces;
+  }
   /// Number of particles in the first k bins of a colour.
   std::uint32_t before(std::size_t colour, std::size_t k) const { return before_[colour][k]; }
   /// Number of particles in the first k bins of the list.
@@ -81,7 +112,9 @@ class Bins {
   double shift_;
   int colours_per_axis_;
   std::vector<Bin> bins_;
+  std::size_t own_ = 0;           // number of bins before those of the ghosts
   std::vector<CellRange> cells_;  // per bin
+  std::vector<std::uint32_t> by_block_;
   std::vector<std::vector<std::uint32_t>> colours_, before_;
 };
 

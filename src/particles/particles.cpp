@@ -9,7 +9,7 @@ template <int Dim>
 void Particles<Dim>::reorder(std::span<const std::uint32_t> order) {
   // One spare column is exchanged with each sorted column, so sorting needs no second copy of the particles.
   static constexpr std::ptrdiff_t piece = 1 << 14;
-  count_ = order.size();
+  count_ = order.size(), ghosts_ = 0;
   const auto n = static_cast<std::ptrdiff_t>(count_);
   const std::ptrdiff_t pieces = (n + piece - 1) / piece;
   spare_.resize(count_ + padding, 0.0);
@@ -33,7 +33,7 @@ void Particles<Dim>::append_copies(std::span<const std::uint32_t> originals, std
   resize(before + originals.size());
   for (Column& column : columns_)
     for (std::size_t k = 0; k < originals.size(); ++k) column.data[before + k] = column.data[originals[k]];
-  for (std::size_t k = 0; k < originals.size(); ++k) id.push_back(first_id + static_cast<std::int64_t>(k));
+  for (std::size_t k = 0; k < originals.size(); ++k) id[before + k] = first_id + static_cast<std::int64_t>(k);
 }
 
 template <int Dim>
@@ -43,7 +43,7 @@ void Particles<Dim>::append(const Particles& from, std::span<const std::uint32_t
   for (std::size_t c = 0; c < columns_.size(); ++c)
     for (std::size_t k = 0; k < which.size(); ++k)
       columns_[c].data[before + k] = c < from.columns_.size() ? from.columns_[c].data[which[k]] : 0.0;
-  for (const std::uint32_t k : which) id.push_back(from.id[k]);
+  for (std::size_t k = 0; k < which.size(); ++k) id[before + k] = from.id[which[k]];
 }
 
 template class Particles<2>;

@@ -61,7 +61,10 @@ class Particles {
     stress_ = add_symmetric("stress", Dimension::stress);
   }
 
+  /// Number of particles; without the ghosts.
   std::size_t size() const { return count_; }
+  /// Number of ghosts, which are copies of particles of other processes. In the columns they follow the particles.
+  std::size_t ghosts() const { return ghosts_; }
 
   /// Registers a column of the given dimension; all particles start with `initial`.
   ScalarColumn add(std::string name, Dimension dimension, double initial = 0.0) {
@@ -109,7 +112,18 @@ class Particles {
   Vec<Dim> position(std::size_t i) const { return gather_vector(x_.first(), i); }
   Vec<Dim> velocity(std::size_t i) const { return gather_vector(v_.first(), i); }
 
-  /// particle i becomes the former particle order[i]; particles that are not in `order` are removed.
+  /// Makes room for so many ghosts in place of the present ones. Their values are to be set; they have no numbers.
+  void set_ghosts(std::size_t count) {
+    ghosts_ = count;
+    for (Column& column : columns_) column.data.resize(count_ + ghosts_ + padding, 0.0);
+  }
+  /// Makes room for so many particles, without ghosts. Their values and numbers are to be set.
+  void resize(std::size_t count) {
+    count_ = count, ghosts_ = 0;
+    id.resize(count);
+    for (Column& column : columns_) column.data.resize(count + padding, 0.0);
+  }
+  /// particle i becomes the former particle order[i]; particles that are not in `order`, and ghosts, are removed.
   void reorder(std::span<const std::uint32_t> order);
   /// Appends a copy of each particle of `originals`. The copies receive the numbers first_id, first_id + 1, ...
   void append_copies(std::span<const std::uint32_t> originals, std::int64_t first_id);
@@ -119,7 +133,7 @@ class Particles {
 
   /// Columns without their padding.
   friend void archive(Archive& a, Particles& particles) {
-    auto& [count, columns, spare, x, v, mass, volume, F, stress, ids] = particles;
+    auto& [count, ghosts, columns, spare, x, v, mass, volume, F, stress, ids] = particles;
     a.version(2);
     a.resizable("id", ids);
     if (a.reading()) particles.resize(ids.size());
@@ -127,10 +141,6 @@ class Particles {
   }
 
  private:
-  void resize(std::size_t count) {
-    count_ = count;
-    for (Column& column : columns_) column.data.resize(count + padding, 0.0);
-  }
   std::size_t add_tensor(const std::string& name, Dimension dimension) {
     for (const auto& [i, j] : Layout<Dim>::full_at) add(name + suffix(i, j), dimension);
     return columns_.size() - Layout<Dim>::full;
@@ -155,7 +165,7 @@ class Particles {
     return out;
   }
 
-  std::size_t count_;
+  std::size_t count_, ghosts_ = 0;
   std::vector<Column> columns_;
   AlignedVector<double> spare_;
   VectorColumn x_, v_;

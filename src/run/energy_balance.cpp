@@ -18,15 +18,7 @@ RunEnergies run_energies(const Model& model, const System<Dim>& system, Stepper<
   l.interface = joints.stored;
   l.joint_strain = joints.stored, l.joint_slip = joints.slip, l.joint_dashpot = joints.dashpot;
   l.joint_released = joints.dissipated - joints.slip - joints.dashpot, l.decohesion = joints.decohesion;
-  for (std::size_t f = 0; f < system.fields.size() && system.step > 0; ++f) {
-    const auto& nodes = system.fields[f].nodes;
-    for (std::size_t n = 0; n < nodes.size(); ++n) {
-      double square = 0.0;
-      for (int d = 0; d < Dim; ++d) square += nodes[n].velocity[d] * nodes[n].velocity[d];
-      if (nodes[n].mass > 0)
-        l.grid_kinetic += 0.5 * stepper.exchange(f).ownership(static_cast<std::int64_t>(n)) * nodes[n].mass * square;
-    }
-  }
+  if (system.step > 0) l.grid_kinetic = stepper.grid_kinetic();
   l.contact = contact.friction + contact.impact + contact.interface + joints.dissipated;
   l.boundary_work += stepper.contact().ledger().rigid_work;
   for (std::size_t f = 0; f < system.fields.size(); ++f) l.boundary_work += stepper.conditions(f).work();

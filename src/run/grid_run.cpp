@@ -31,6 +31,7 @@ void GridRun<Dim>::choose_threads(int wanted) const {
 
 template <int Dim>
 double GridRun<Dim>::advance() {
+  stepper_.sort_if_due();  // before sums over particles, whose ranges are the bins
   dt_ = step_size_.next(dt_);
   const double step = step_size_.up_to_end(std::min(dt_, stepper_.joints().stable_step()));
   stepper_.damping().update(step, [&] { return measure(system_).kinetic; });

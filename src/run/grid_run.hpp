@@ -66,6 +66,10 @@ class GridRun final : public SteppedModel {
   std::map<std::string, std::string> facts() const override;
   std::map<std::string, double> seconds_of(double steps) const override;
 
+  /// Whether look() does more than nothing after this step.
+  bool is_look_due() { return results_ && (monitor_.state.is_due(system_.step, dt_, model_.time.end) || at_end()); }
+  Stepper<Dim>& stepper() { return stepper_; }
+
   const System<Dim>& system() const { return system_; }
   System<Dim>& system() { return system_; }
   /// Fields of all particles at present, as in the particle files but in double precision; the results must be open.

@@ -3,7 +3,10 @@
 
 #include "base/memory.hpp"
 #include "base/parallel.hpp"
+#include "base/ranks.hpp"
+#include "base/text.hpp"
 #include "run/block_run.hpp"
+#include "run/distributed_run.hpp"
 #include "run/grid_run.hpp"
 #include "run/result_folder.hpp"
 #include "run/run_loop.hpp"
@@ -76,12 +79,18 @@ void begin_with_edits(const Model& former, const Model& model, const std::filesy
   run->save(state).save(file);
 }
 
+// Opens the folder of a run that is to be continued.
 template <class Stepped>
-void resume(Opened<Stepped>& run, const Model& model, const RunOptions& options) {
+void reopen(Opened<Stepped>& run, const RunOptions& options) {
   if (!std::filesystem::is_directory(options.folder))
     throw FileError("there is no folder '" + options.folder.string() + "'");
-  ResultFolder& folder = run.folder.emplace(options.folder);
-  folder.require_checkpoint();
+  run.folder.emplace(options.folder).require_checkpoint();
+}
+
+template <class Stepped>
+void resume(Opened<Stepped>& run, const Model& model, const RunOptions& options) {
+  reopen(run, options);
+  const ResultFolder& folder = *run.folder;
   if (options.former)
     begin_with_edits<typename Plain<Stepped>::Type>(*options.former, model, folder.path() / "checkpoint.bin");
   with_memory_for("this model", place_of(model), [&] { run.stepped.emplace(model); });
@@ -160,6 +169,30 @@ auto with_kind_of(const Model& model, F&& f) {
   return staged ? f.template operator()<StagedRun<GridRun<3>>>() : f.template operator()<GridRun<3>>();
 }
 
+// A run in several processes, of which rank 0 has the loop and the folder.
+template <int Dim>
+Outcome run_in_processes(const Model& model, const RunOptions& options) {
+  if (const auto missing = not_distributed(model); !missing.empty() || model.only_blocks() || options.former)
+    throw InputError(place_of(model),
+                     "this model runs in a single process only, because it has " +
+                         (missing.empty() ? std::string("no particles on a grid, or changes of its stages")
+                                          : join(missing, ", ")));
+  if (ranks().rank() > 0) {
+    follow<Dim>(model, options.threads, options.folder / "checkpoint.bin");
+    return Outcome::finished;
+  }
+  const EndForOthers end;
+  Opened<LeadingRun<Dim>> opened;
+  if (options.resume) {
+    reopen(opened, options);
+    with_memory_for("this model", place_of(model), [&] { opened.stepped.emplace(model); });
+  } else {
+    start(opened, model, options);
+  }
+  opened.stepped->choose_threads(options.threads);
+  return run_to_end(model, *opened.stepped, options);
+}
+
 template <int Dim>
 Settlement settle(const Model& model, int thread_count) {
   GridRun<Dim> run(model);
@@ -199,6 +232,8 @@ void check_folder(const RunOptions& options) {
 
 Outcome run(const Model& model, const RunOptions& options) {
   set_threads(options.threads);
+  if (ranks().count() > 1)
+    return model.dimension() == 2 ? run_in_processes<2>(model, options) : run_in_processes<3>(model, options);
   return with_kind_of(model, [&]<class Stepped>() {
     Opened<Stepped> opened;
     open(opened, model, options);

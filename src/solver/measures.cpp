@@ -2,30 +2,82 @@
 #include "solver/measures.hpp"
 
 #include "base/parallel.hpp"
+#include "base/ranks.hpp"
 #include "base/strain.hpp"
 #include "solver/transfer/material_points.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
 namespace tribo {
 namespace {
 
-void add(Measures& to, const Measures& from) {
-  to.mass += from.mass, to.volume += from.volume, to.particles += from.particles;
-  to.momentum += from.momentum, to.angular_momentum += from.angular_momentum;
-  to.centre += from.centre, to.displacement += from.displacement;
-  to.kinetic += from.kinetic, to.stored += from.stored, to.dissipated += from.dissipated;
-  to.heat += from.heat, to.expansion += from.expansion, to.work_heat += from.work_heat,
-      to.temperature += from.temperature;
-  to.weighted_temperature += from.weighted_temperature;
-  to.stress += from.stress, to.deformation += from.deformation, to.strain += from.strain;
+// Calls f(number, value) for all values that are sums over particles.
+template <class M, class F>
+void each_sum(M& m, F&& f) {
+  std::size_t k = 0;
+  for (auto* value : {&m.mass, &m.volume, &m.kinetic, &m.stored, &m.dissipated, &m.expansion, &m.work_heat, &m.heat,
+                      &m.temperature, &m.weighted_temperature})
+    f(k++, *value);
+  for (auto* vector : {&m.momentum, &m.angular_momentum, &m.centre, &m.displacement})
+    for (auto& value : vector->reshaped()) f(k++, value);
+  for (auto* tensor : {&m.stress, &m.deformation, &m.strain})
+    for (auto& value : tensor->reshaped()) f(k++, value);
+}
+constexpr std::size_t sum_count = 10 + 4 * 3 + 3 * 9;
+
+void include_extremes(Measures& to, const Measures& from) {
   to.low = to.low.cwiseMin(from.low), to.high = to.high.cwiseMax(from.high);
   to.largest_speed = std::max(to.largest_speed, from.largest_speed);
   to.largest_wave_speed = std::max(to.largest_wave_speed, from.largest_wave_speed);
   to.least_volume_ratio = std::min(to.least_volume_ratio, from.least_volume_ratio);
 }
+
+// Adds the measures of ranges of particles, whose order and distribution over processes do not matter.
+class MeasureSums {
+ public:
+  MeasureSums() { sums_.start(sum_count + 1), extremes_.least_volume_ratio = 1e300; }
+
+  void add(const Measures& range) {
+    each_sum(range, [&](std::size_t k, double value) { sums_.add(k, value); });
+    sums_.add(sum_count, static_cast<double>(range.particles));
+    include_extremes(extremes_, range);
+  }
+  void add(const MeasureSums& other) {
+    sums_.add(other.sums_);
+    include_extremes(extremes_, other.extremes_);
+  }
+  // Of all ranks; to be called once.
+  Measures total() {
+    sums_.finish();
+    Measures out = extremes_;
+    each_sum(out, [&](std::size_t k, double& value) { value = sums_[k]; });
+    out.particles = std::llround(sums_[sum_count]);
+    if (ranks().count() > 1) find_extremes_of_ranks(out);
+    return out;
+  }
+
+ private:
+  static void find_extremes_of_ranks(Measures& m) {
+    std::array<double, 9> largest{};
+    for (int d = 0; d < 3; ++d) {
+      largest[static_cast<std::size_t>(d)] = -m.low[d];
+      largest[static_cast<std::size_t>(3 + d)] = m.high[d];
+    }
+    largest[6] = m.largest_speed, largest[7] = m.largest_wave_speed, largest[8] = -m.least_volume_ratio;
+    ranks().largest(largest);
+    for (int d = 0; d < 3; ++d) {
+      m.low[d] = -largest[static_cast<std::size_t>(d)];
+      m.high[d] = largest[static_cast<std::size_t>(3 + d)];
+    }
+    m.largest_speed = largest[6], m.largest_wave_speed = largest[7], m.least_volume_ratio = -largest[8];
+  }
+
+  SumList sums_;
+  Measures extremes_;
+};
 
 // Converts sums into means.
 void average(Measures& m) {
@@ -181,19 +233,23 @@ Measures measure_range(Body<Dim>& body, std::uint32_t first, int count, bool str
 }
 
 template <int Dim>
-Measures sum(Body<Dim>& body, bool strain) {
-  static constexpr std::size_t piece = 4096;
-  const std::size_t n = body.particles.size();
-  std::vector<Measures> parts((n + piece - 1) / piece);
+void sum(Body<Dim>& body, bool strain, MeasureSums& all) {
+  std::vector<Bin> pieces;
+  const auto ranges = body.bins.sum_ranges(body.particles.size(), pieces);
+  std::vector<Measures> parts(ranges.size());
   parallel_for(static_cast<std::ptrdiff_t>(parts.size()), [&](std::ptrdiff_t k) {
-    const std::size_t first = static_cast<std::size_t>(k) * piece;
+    const Bin& range = ranges[static_cast<std::size_t>(k)];
     parts[static_cast<std::size_t>(k)] =
-        measure_range(body, static_cast<std::uint32_t>(first), static_cast<int>(std::min(piece, n - first)), strain);
+        measure_range(body, range.begin, static_cast<int>(range.end - range.begin), strain);
   });
-  Measures all;
-  all.least_volume_ratio = 1e300;
-  for (const auto& part : parts) add(all, part);
-  return all;
+  for (const Measures& part : parts) all.add(part);
+}
+
+template <int Dim>
+Measures sum(Body<Dim>& body, bool strain) {
+  MeasureSums all;
+  sum(body, strain, all);
+  return all.total();
 }
 
 }  // namespace
@@ -214,24 +270,26 @@ Measures measure_particle(Body<Dim>& body, std::size_t particle, bool strain) {
 
 template <int Dim>
 Measures measure_all(System<Dim>& system, bool strain, std::vector<Measures>& bodies) {
-  Measures all;
-  all.least_volume_ratio = 1e300;
+  MeasureSums sums;
   bodies.clear();
   for (auto& body : system.bodies) {
-    bodies.push_back(sum(body, strain));
-    add(all, bodies.back());
+    MeasureSums of_body;
+    sum(body, strain, of_body);
+    sums.add(of_body);
+    bodies.push_back(of_body.total());
     average(bodies.back());
   }
+  Measures all = sums.total();
   average(all);
   return all;
 }
 
 template <int Dim>
 Measures measure(System<Dim>& system, bool strain, std::optional<int> material) {
-  Measures all;
-  all.least_volume_ratio = 1e300;
+  MeasureSums sums;
   for (auto& body : system.bodies)
-    if (!material || body.material == *material) add(all, sum(body, strain));
+    if (!material || body.material == *material) sum(body, strain, sums);
+  Measures all = sums.total();
   average(all);
   return all;
 }

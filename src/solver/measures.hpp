@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// Energies, momenta and means of bodies: sums over particles in an order that does not depend on the number of
-/// threads.
+/// Energies, momenta and means of bodies: sums over particles that do not depend on the number of threads or processes.
+/// All processes must ask for them together.
 #pragma once
 
 #include "model/measures.hpp"

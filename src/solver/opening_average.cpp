@@ -42,7 +42,7 @@ void OpeningAverage<Dim>::apply() {
 
 template <int Dim>
 bool OpeningAverage<Dim>::any_open(Body<Dim>& body, std::size_t column) {
-  const auto& bins = body.bins.list();
+  const auto bins = body.bins.list();
   const double* opening = body.history_columns[column];
   open_.resize(bins.size());
   parallel_for(static_cast<std::ptrdiff_t>(bins.size()), [&](std::ptrdiff_t b) {
@@ -69,7 +69,7 @@ void OpeningAverage<Dim>::sum_volumes(Body<Dim>& body, std::size_t column, std::
 
 // The volumes in the cells of a bin, with the particles of other bins in them, in the order of the bins.
 template <int Dim>
-auto OpeningAverage<Dim>::cell_volumes(const std::vector<Bin>& bins, std::size_t bin) const -> CellVolumes {
+auto OpeningAverage<Dim>::cell_volumes(std::span<const Bin> bins, std::size_t bin) const -> CellVolumes {
   const Lattice<Dim>& lattice = system_.lattice;
   const Index<Dim> block = lattice.block_at(bins[bin].block);
   CellVolumes sums{};
@@ -101,7 +101,7 @@ auto OpeningAverage<Dim>::cell_volumes(const std::vector<Bin>& bins, std::size_t
 
 template <int Dim>
 void OpeningAverage<Dim>::set_openings(Body<Dim>& body, const Material::Opening& law, std::size_t bin) const {
-  const auto& bins = body.bins.list();
+  const auto bins = body.bins.list();
   const Bin& range = bins[bin];
   const auto cells = cell_volumes(bins, bin);
   std::array<double, size> openings;

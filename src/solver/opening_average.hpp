@@ -48,7 +48,7 @@ class OpeningAverage {
   void sum_volumes(Body<Dim>& body, std::size_t column, std::size_t bin);
   void set_openings(Body<Dim>& body, const Material::Opening& law, std::size_t bin) const;
   static void set(Body<Dim>& body, const Material::Opening& law, std::size_t i, double opening);
-  CellVolumes cell_volumes(const std::vector<Bin>& bins, std::size_t bin) const;
+  CellVolumes cell_volumes(std::span<const Bin> bins, std::size_t bin) const;
   std::size_t place_of(Body<Dim>& body, const Index<Dim>& block, std::size_t i) const;
 
   System<Dim>& system_;

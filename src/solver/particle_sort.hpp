@@ -2,7 +2,7 @@
 /// Sorting of the particles of all bodies into bins.
 #pragma once
 
-#include "solver/state/system.hpp"
+#include "solver/distribution/distribution.hpp"
 
 namespace tribo {
 
@@ -11,18 +11,19 @@ namespace tribo {
 template <int Dim>
 class ParticleSort {
  public:
-  ParticleSort(const Model& model, System<Dim>& system) : model_(model), system_(system) {}
+  ParticleSort(const Model& model, System<Dim>& system, Distribution<Dim>& distribution)
+      : model_(model), system_(system), distribution_(distribution) {}
 
   /// Whether the particles must be sorted before the next step.
   bool is_due() const { return system_.sort_is_due(); }
-  /// Sorts the particles of all bodies. Throws SimulationError if a position is not finite, or if a particle left the
+  /// Sorts the particles of all bodies, and moves those that are now in blocks of other processes to these. Throws SimulationError if a position is not finite, or if a particle left the
   /// grid more often than Model::leave_limit permits.
   void sort();
   /// Number of times that a particle was returned to the grid, see Model::leave_limit.
   long returned = 0;
 
   friend void archive(Archive& a, ParticleSort& sort) {
-    auto& [its_returned, model, system] = sort;
+    auto& [its_returned, model, system, distribution] = sort;
     a.version(1);
     a("returned", its_returned);
   }
@@ -32,6 +33,7 @@ class ParticleSort {
 
   const Model& model_;
   System<Dim>& system_;
+  Distribution<Dim>& distribution_;
 };
 
 }  // namespace tribo

@@ -63,7 +63,9 @@ Stepper<Dim>::Stepper(const Model& model, System<Dim>& system)
       system_(system),
       loops_(system),
       transfers_(make_transfers<Dim>(model.scheme)),
-      sort_(model, system),
+      distribution_(system, transfers_->colours_per_axis() > 2 ? 2 : 1),
+      of_all_(system, loops_, *transfers_, distribution_),
+      sort_(model, system, distribution_),
       splitting_(model, system, ledger_),
       cracks_(model, system, *transfers_),
       crack_tips_(model, system, cracks_, transfers_->stencil_width()),
@@ -77,12 +79,12 @@ Stepper<Dim>::Stepper(const Model& model, System<Dim>& system)
       damping_(model, system, exchanges_, ledger_),
       rigid_bodies_(model, system, *transfers_, exchanges_, ledger_),
       rigid_blocks_(system),
-      heat_(model, system, loops_, *transfers_),
+      heat_(model, system, loops_, of_all_),
       ramps_(model, system),
       affine_at_walls_(model, system.lattice),
-      b_bar_(model.scheme, system, *transfers_, exchanges_),
+      b_bar_(model.scheme, system, *transfers_, exchanges_, distribution_),
       openings_(model, system),
-      filter_(model, system, loops_, *transfers_, exchanges_, conditions_, contact_) {
+      filter_(model, system, loops_, of_all_, exchanges_, conditions_, contact_) {
   conditions_.reserve(system.fields.size());
   for (std::size_t f = 0; f < system.fields.size(); ++f) {
     exchanges_.push_back(make_exchange<Dim>(model.grid, system.lattice));
@@ -95,15 +97,22 @@ Stepper<Dim>::Stepper(const Model& model, System<Dim>& system)
 
 template <int Dim>
 void Stepper<Dim>::begin_step() {
+  sort_if_due();
   // Stress-first updates strain the particles with velocities of the next step: their transfers are not booked.
   if (!ledger_.started && model_.scheme.order != UpdateOrder::usf)
     ledger_.started = true, ledger_.first_kinetic = measure(system_).kinetic;
-  if (sort_.is_due()) sort();
   filter_.begin_step();
   keep_start_domains(system_);
   cracks_.find();
   zero_nodes();
   for (auto& exchange : exchanges_) exchange->begin_step();
+}
+
+template <int Dim>
+void Stepper<Dim>::distribute() {
+  if (sort_.is_due()) return sort();
+  distribution_.share_out();
+  locate_nodes();
 }
 
 template <int Dim>

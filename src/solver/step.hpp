@@ -17,6 +17,7 @@
 #include "solver/loads/particle_loads.hpp"
 #include "solver/loads/tractions.hpp"
 #include "solver/opening_average.hpp"
+#include "solver/distribution/distribution.hpp"
 #include "solver/particle_sort.hpp"
 #include "solver/particle_splitting.hpp"
 #include "solver/rigid/rigid_blocks.hpp"
@@ -25,6 +26,7 @@
 #include "solver/state/travel.hpp"
 #include "solver/transfer/affine_at_walls.hpp"
 #include "solver/transfer/b_bar.hpp"
+#include "solver/transfer/system_transfers.hpp"
 #include "solver/velocity_filter.hpp"
 
 namespace tribo {
@@ -44,6 +46,12 @@ class Stepper {
   /// Advances the system by dt [time]. Sorts the particles first if one of them may have moved by a cell since the
   /// last sort. Throws SimulationError if a particle left the grid or a value is not finite.
   void advance(double dt);
+  /// Sorts the particles if that is due.
+  void sort_if_due() {
+    if (sort_.is_due()) sort();
+  }
+  /// Before the first step of a run in several processes, while each has all particles: divides them.
+  void distribute();
   /// Rebuilds blocks and nodes for the present bins; needed after a restart.
   void locate_nodes();
 
@@ -76,16 +84,23 @@ class Stepper {
   const VelocityFilter<Dim>& filter() const { return filter_; }
   ParticleSort<Dim>& particle_sort() { return sort_; }
   const ParticleSplitting<Dim>& splitting() const { return splitting_; }
+  Distribution<Dim>& distribution() { return distribution_; }
+  const Distribution<Dim>& distribution() const { return distribution_; }
+  /// Kinetic energy of the nodes at the end of the last step [energy]. While a rank computes alone, it is the one that
+  /// all ranks found together in keep_grid_kinetic().
+  double grid_kinetic();
+  void keep_grid_kinetic() { grid_kinetic_.reset(), grid_kinetic_ = grid_kinetic(); }
+  void forget_grid_kinetic() { grid_kinetic_.reset(); }
   const RigidBodies<Dim>& rigid_bodies() const { return rigid_bodies_; }
   const StepWatches& watches() const { return watches_; }
 
   /// Saves and restores all data that change from step to step, including the system. To restore, the stepper must
   /// have been constructed from the same model.
   friend void archive(Archive& a, Stepper& stepper) {
-    auto& [model, system, loops, ledger, watches, transfers, sort, splitting, exchanges, conditions, cracks, crack_tips,
+    auto& [model, system, loops, ledger, watches, transfers, distribution, of_all, sort, splitting, exchanges, conditions, cracks, crack_tips,
            interface_faces, joints, contact, loads, tractions, body_forces, nodal_work, damping, rigid_bodies,
-           rigid_blocks, heat, ramps, affine_at_walls, b_bar, openings, filter, jump, measures, ratio, gathered,
-           travel] = stepper;
+           rigid_blocks, heat, ramps, affine_at_walls, b_bar, openings, filter, jump, measures, ratio, travel,
+           grid_kinetic] = stepper;
     a.version(5);
     a("system", system);
     a("ledger", ledger), a("sort", sort), a("splitting", splitting), a.each("conditions", conditions),
@@ -140,6 +155,7 @@ class Stepper {
   void damp_particles(double dt);
   // `with_momentum`: scatters the mass and the new momentum to Field::nodes_again, too.
   void move_particles(double dt, double strain_dt, bool with_momentum);
+  void stop_if_invalid(const std::vector<GatherResult>& gathered);
   Target<Dim> nodes_of(const Body<Dim>& body) { return {body, system_.fields, &Field<Dim>::nodes}; }
   Gather gather_options() const;
 
@@ -155,6 +171,8 @@ class Stepper {
   EnergyLedger ledger_;
   StepWatches watches_;
   std::unique_ptr<Transfers<Dim>> transfers_;
+  Distribution<Dim> distribution_;
+  SystemTransfers<Dim> of_all_;  // the transfers of all bodies
   ParticleSort<Dim> sort_;
   ParticleSplitting<Dim> splitting_;
   Exchanges<Dim> exchanges_;                      // per velocity field
@@ -179,8 +197,8 @@ class Stepper {
   VelocityFilter<Dim> filter_;
   bool jump_ = false, measures_balance_ = false;
   double unbalanced_ratio_ = 0.0;
-  std::vector<GatherResult> gathered_;  // per body, of the last gathering
-  Travel travel_;                       // of the last step
+  Travel travel_;  // of the last step
+  std::optional<double> grid_kinetic_;
 };
 
 }  // namespace tribo

@@ -37,6 +37,8 @@ void Stepper<Dim>::locate_nodes() {
     if (field.side != 0) cracks_.add_blocks(field, occupied);
     add_periodic_blocks(model_.grid, system_.lattice, occupied);
     field.map.rebuild(occupied);
+    if (distribution_.active())
+      field.map.mark_own([&](const Index<Dim>& block) { return system_.partition->is_own(block); });
     if (exchanges_[f]->has_images()) field.map.reach_all();
     const auto nodes = static_cast<std::size_t>(field.map.node_count());
     field.nodes.resize(nodes);
@@ -58,10 +60,7 @@ template <int Dim>
 void Stepper<Dim>::scatter(Scatter what) {
   const auto lap = watches_.scatter.lap();
   if (what != Scatter::momentum) b_bar_.average_stress();
-  loops_.each_body([&](std::size_t k) {
-    auto& body = system_.bodies[k];
-    transfers_->scatter(body, nodes_of(body), what, false, system_.analysis == Analysis::axisymmetric);
-  });
+  of_all_.scatter(&Field<Dim>::nodes, what, false, system_.analysis == Analysis::axisymmetric);
   if (what != Scatter::force) scatter_rest(false);
 }
 

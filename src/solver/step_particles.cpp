@@ -46,18 +46,18 @@ void Stepper<Dim>::strain(double dt, bool from_start, bool with_forces) {
   what.from_start = from_start;
   const auto strain_from = [&](auto layer) {
     b_bar_.average_rates(what, layer);
-    gathered_.resize(system_.bodies.size());
-    loops_.each_body([&](std::size_t k) {
-      auto& body = system_.bodies[k];
-      const Target<Dim> from(body, system_.fields, layer);
-      gathered_[k] = with_forces ? transfers_->gather_and_scatter(body, from, what, nodes_of(body), Scatter::force,
-                                                                  what.axisymmetric)
-                                 : transfers_->gather(body, from, what);
-    });
-    for (const GatherResult& result : gathered_)
-      if (!result.valid) stop_at_bad_particle(system_);
+    const auto of_body = [&](const Body<Dim>&) { return what; };
+    stop_if_invalid(with_forces ? of_all_.gather_and_scatter(layer, of_body, &Field<Dim>::nodes, Scatter::force,
+                                                             what.axisymmetric)
+                                : of_all_.gather(layer, of_body));
   };
   filter_.active() ? strain_from(&Field<Dim>::filter) : strain_from(&Field<Dim>::nodes);
+}
+
+template <int Dim>
+void Stepper<Dim>::stop_if_invalid(const std::vector<GatherResult>& gathered) {
+  const auto is_invalid = [](const GatherResult& result) { return !result.valid; };
+  if (any_rank(std::any_of(gathered.begin(), gathered.end(), is_invalid))) stop_at_bad_particle(system_);
 }
 
 template <int Dim>
@@ -100,25 +100,22 @@ void Stepper<Dim>::move_particles(double dt, double strain_dt, bool with_momentu
   what.record_change = filters_update();
   b_bar_.average_rates(what, &Field<Dim>::nodes);
   damp_particles(dt);
-  gathered_.resize(system_.bodies.size());
-  loops_.each_body([&](std::size_t k) {
-    auto& body = system_.bodies[k];
+  const auto options = [&](const Body<Dim>& body) {
     Gather of_body = what;
     of_body.damping = damping_of(body);
     of_body.damps_part = of_body.damping != 0.0 && body.damped;
-    gathered_[k] = with_momentum
-                       ? transfers_->gather_and_scatter(body, nodes_of(body), of_body,
-                                                        Target<Dim>(body, system_.fields, &Field<Dim>::nodes_again),
-                                                        Scatter::momentum, what.axisymmetric)
-                       : transfers_->gather(body, nodes_of(body), of_body);
-  });
+    return of_body;
+  };
+  const auto& gathered = with_momentum
+                             ? of_all_.gather_and_scatter(&Field<Dim>::nodes, options, &Field<Dim>::nodes_again,
+                                                          Scatter::momentum, what.axisymmetric)
+                             : of_all_.gather(&Field<Dim>::nodes, options);
   travel_.begin(system_.fields.size());
-  for (std::size_t k = 0; k < gathered_.size(); ++k) {
-    travel_.include(system_.bodies[k], gathered_[k].travel);
-    if (!gathered_[k].valid) stop_at_bad_particle(system_);
-  }
+  for (std::size_t k = 0; k < gathered.size(); ++k) travel_.include(system_.bodies[k], gathered[k].travel);
+  stop_if_invalid(gathered);
   rigid_blocks_.move_particles(travel_);
   rigid_bodies_.move(dt, travel_);
+  travel_.include_ranks();
   for (auto& body : system_.bodies) count_crossings(body, system_.lattice);
   system_.drift += travel_.largest;
   contact_.add_travel(travel_.of_fields);

@@ -45,6 +45,20 @@ void Stepper<Dim>::record_balance() {
 }
 
 template <int Dim>
+double Stepper<Dim>::grid_kinetic() {
+  if (grid_kinetic_) return *grid_kinetic_;
+  NodeSums<Dim> sum(system_, exchanges_);
+  double all = 0.0;
+  for (std::size_t f = 0; f < system_.fields.size(); ++f)
+    all += sum(f, [](std::int64_t, const Node& node) {
+      double square = 0.0;
+      for (int d = 0; d < Dim; ++d) square += node.velocity[d] * node.velocity[d];
+      return WorkAndImpulse(0.5 * node.mass * square, 0, 0, 0);
+    })[0];
+  return all;
+}
+
+template <int Dim>
 void Stepper<Dim>::record_joints() {
   joints_.each_pair([&](std::size_t one, std::size_t two, const Vec3& force, double area, double stored) {
     const bool of_crack = one >= system_.fields.size();  // its key is that of the contact pairs of the crack

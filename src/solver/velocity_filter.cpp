@@ -82,11 +82,8 @@ void VelocityFilter<Dim>::scatter_increments(bool from_start) {
   value.task = GatherTask::filtered_velocity;
   value.from_start = from_start;
   each_field([&](std::size_t f, Field<Dim>& field) { exchanges_[f]->copy_images(field.filter); });
-  loops_.each_body([&](std::size_t k) {
-    auto& body = system_.bodies[k];
-    transfers_.gather_and_scatter(body, Target<Dim>(body, system_.fields, &Field<Dim>::filter), value,
-                                  Target<Dim>(body, system_.fields, &Field<Dim>::increment), Scatter::filtered, false);
-  });
+  transfers_.gather_and_scatter(
+      &Field<Dim>::filter, [&](const Body<Dim>&) { return value; }, &Field<Dim>::increment, Scatter::filtered, false);
   each_field([&](std::size_t f, Field<Dim>& field) { exchanges_[f]->sum_images(field.increment); });
 }
 

@@ -13,7 +13,7 @@
 #include "solver/boundary/nodal_conditions.hpp"
 #include "solver/contact/contact.hpp"
 #include "solver/state/system_loops.hpp"
-#include "solver/transfer/transfer.hpp"
+#include "solver/transfer/system_transfers.hpp"
 
 namespace tribo {
 
@@ -22,7 +22,7 @@ template <int Dim>
 class VelocityFilter {
  public:
   VelocityFilter(const Model& model, System<Dim>& system, const SystemLoops<Dim>& loops,
-                 const Transfers<Dim>& transfers, const Exchanges<Dim>& exchanges,
+                 SystemTransfers<Dim>& transfers, const Exchanges<Dim>& exchanges,
                  std::vector<NodalConditions<Dim>>& conditions, Contact<Dim>& contact)
       : scheme_(model.scheme),
         system_(system),
@@ -68,7 +68,7 @@ class VelocityFilter {
   const Scheme& scheme_;
   System<Dim>& system_;
   const SystemLoops<Dim>& loops_;
-  const Transfers<Dim>& transfers_;
+  SystemTransfers<Dim>& transfers_;
   const Exchanges<Dim>& exchanges_;
   std::vector<NodalConditions<Dim>>& conditions_;
   Contact<Dim>& contact_;

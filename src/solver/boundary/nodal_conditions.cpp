@@ -21,7 +21,7 @@ void NodalConditions<Dim>::locate(const BlockMap<Dim>& map) {
   thread_local std::vector<typename SelectedNodes<Dim>::Existing> existing;
   selected_->find(map, existing);
   located_.clear();
-  for (const auto& [number, position] : existing) located_.push_back({position, number});
+  for (const auto& [number, position] : existing) located_.push_back({position, number, map.is_own(static_cast<std::size_t>(position / block_nodes<Dim>))});
   walls_.locate(map);
 }
 
@@ -54,7 +54,8 @@ void NodalConditions<Dim>::impose(NodeLayer& nodes, double time, double dt) {
 template <int Dim>
 void NodalConditions<Dim>::impose_update(NodeLayer& nodes, const Exchange<Dim>& exchange, double time, double dt,
                                          bool after_impose, bool first, double replaced) {
-  for (auto& r : reactions_) r.setZero();
+  if (reactions_.empty()) return;
+  sums_.start(3 * reactions_.size() + 4);
   walls_.find(nodes, time);
   for (Located& l : located_) {
     const SelectedNode<Dim>& selected = (*selected_)[l.selected];
@@ -71,21 +72,41 @@ void NodalConditions<Dim>::impose_update(NodeLayer& nodes, const Exchange<Dim>& 
     v += (wanted - now) * selected.direction;
     a += correction * selected.direction;
 
-    Vec3 force = Vec3::Zero();
-    const double mass = exchange.ownership(l.node) * node.mass;
-    force.head<Dim>() = mass * correction * selected.direction;
-    for (const auto c : selected.conditions) reactions_[c] += force / static_cast<double>(selected.conditions.size());
+    if (!l.own) continue;
+    Vec3 along = Vec3::Zero();
+    along.head<Dim>() = selected.direction;
+    const double mass = exchange.ownership(l.node) * node.mass, force = mass * correction;
+    for (const auto c : selected.conditions)
+      book_reaction(c, force / static_cast<double>(selected.conditions.size()) * along);
     // force times mid-step velocity
-    work_ += dt * mass * correction * (wanted - 0.5 * dt * a.dot(selected.direction));
-    impulse_ += dt * force;
-    impulse_.head<Dim>() += replaced * mass * (start - transferred) * selected.direction;
+    sums_.add(3 * reactions_.size() + 3, force * (wanted - 0.5 * dt * a.dot(selected.direction)));
+    book_impulse(replaced * mass * (start - transferred) * along);
   }
   walls_.impose_update(nodes, exchange, time + dt, dt, after_impose, [&](const auto& on_node) {
     const Vec3 force = on_node.mass * on_node.acceleration * model_.node_conditions[on_node.condition].direction;
-    reactions_[on_node.condition] += force;
-    work_ += dt * on_node.mass * on_node.acceleration * on_node.speed;
-    impulse_ += dt * force;
+    book_reaction(on_node.condition, force);
+    sums_.add(3 * reactions_.size() + 3, on_node.mass * on_node.acceleration * on_node.speed);
   });
+  add_booked(dt);
+}
+
+template <int Dim>
+void NodalConditions<Dim>::book_reaction(std::size_t condition, const Vec3& force) {
+  for (std::size_t d = 0; d < Dim; ++d) sums_.add(3 * condition + d, force[static_cast<Eigen::Index>(d)]);
+}
+
+template <int Dim>
+void NodalConditions<Dim>::book_impulse(const Vec3& impulse) {
+  book_reaction(reactions_.size(), impulse);
+}
+
+template <int Dim>
+void NodalConditions<Dim>::add_booked(double dt) {
+  sums_.finish();
+  const auto sum = [&](std::size_t k) { return Vec3(sums_[3 * k], sums_[3 * k + 1], sums_[3 * k + 2]); };
+  for (std::size_t c = 0; c < reactions_.size(); ++c) reactions_[c] = sum(c), impulse_ += dt * reactions_[c];
+  impulse_ += sum(reactions_.size());
+  work_ += dt * sums_[3 * reactions_.size() + 3];
 }
 
 template <int Dim>
@@ -100,12 +121,16 @@ void NodalConditions<Dim>::release(AlignedVector<FilterNode>& nodes) const {
 
 template <int Dim>
 void NodalConditions<Dim>::release(AlignedVector<FilterNode>& nodes, const Exchange<Dim>& exchange) {
+  if (reactions_.empty()) return;
+  OrderlessSums<Dim> taken;
   for (const Located& l : located_) {
+    if (!l.own) continue;
     const FilterNode& node = nodes[static_cast<std::size_t>(l.node)];
     const auto& direction = (*selected_)[l.selected].direction;
     const double removed = Eigen::Map<const Vec<Dim>>(node.increment).dot(direction);
-    impulse_.head<Dim>() -= exchange.ownership(l.node) * node.mass * removed * direction;
+    taken.add(exchange.ownership(l.node) * node.mass * removed * direction);
   }
+  impulse_.head<Dim>() -= taken.total();
   release(nodes);
 }
 

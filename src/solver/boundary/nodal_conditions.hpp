@@ -2,6 +2,7 @@
 /// Prescribed velocities on the nodes of one velocity field.
 #pragma once
 
+#include "base/ranks.hpp"
 #include "solver/boundary/moving_walls.hpp"
 #include "solver/boundary/selected_nodes.hpp"
 
@@ -47,7 +48,7 @@ class NodalConditions {
   /// Saves and restores the sums of work and impulse. The reactions are computed in every step; all other members
   /// follow from the model and the current nodes.
   friend void archive(Archive& a, NodalConditions& conditions) {
-    auto& [model, lattice, selected, located, walls, reactions, work, impulse] = conditions;
+    auto& [model, lattice, selected, located, walls, sums, reactions, work, impulse] = conditions;
     a.version(1);
     a("work", work), a("impulse", impulse);
   }
@@ -59,16 +60,22 @@ class NodalConditions {
   struct Located {
     std::int64_t node;
     std::size_t selected;
+    bool own;              // whether it counts in the sums of this process
     double pending = 0.0;  // change of the velocity component in impose()
   };
 
   double prescribed(const SelectedNode<Dim>& selected, const Vec<Dim>& x, double time, double dt) const;
+  // Adds to the sums of a step, and these to the members.
+  void book_reaction(std::size_t condition, const Vec3& force);
+  void book_impulse(const Vec3& impulse);
+  void add_booked(double dt);
 
   const Model& model_;
   Lattice<Dim> lattice_;
   std::shared_ptr<const SelectedNodes<Dim>> selected_;
   std::vector<Located> located_;
   MovingWalls<Dim> walls_;
+  SumList sums_;  // of a step: the components of the reaction of each condition and of a further impulse, and the power
   std::vector<Vec3> reactions_;
   double work_ = 0.0;
   Vec3 impulse_ = Vec3::Zero();

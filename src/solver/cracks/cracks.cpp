@@ -162,7 +162,7 @@ void Cracks<Dim>::locate() {
         });
   cut_.clear();
   for (auto& body : system_.bodies) {
-    const auto& bins = body.bins.list();
+    const auto bins = body.bins.list();
     body.cut.assign(bins.size(), -1);
     std::size_t count = 0;
     for (std::size_t b = 0; b < bins.size(); ++b) {

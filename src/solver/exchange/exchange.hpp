@@ -12,7 +12,6 @@
 #include "solver/state/system.hpp"
 
 #include <memory>
-#include <span>
 
 namespace tribo {
 
@@ -59,14 +58,6 @@ class Exchange {
   virtual void hold_planes(NodeLayer& nodes) = 0;
   /// Force of the symmetry plane at the low (0) or high (1) end of an axis on the material since begin_step() [force].
   virtual double plane_reaction(int axis, int side) const = 0;
-
-  /// Total of the sums of all blocks, added in the order of the blocks, so that it does not depend on the number of
-  /// threads.
-  WorkAndImpulse total(std::span<const WorkAndImpulse> by_block) const {
-    WorkAndImpulse sum = WorkAndImpulse::Zero();
-    for (const WorkAndImpulse& part : by_block) sum += part;
-    return sum;
-  }
 };
 
 /// The exchange of a grid: OpenExchange if it has no plane, wall or periodic edge, else EdgeExchange. Throws InputError

@@ -3,13 +3,15 @@
 #pragma once
 
 #include "base/parallel.hpp"
+#include "base/ranks.hpp"
 #include "solver/exchange/exchange.hpp"
 
 #include <vector>
 
 namespace tribo {
 
-/// Forms sums over nodes block by block, so that the result does not depend on the number of threads.
+/// Forms sums over the nodes of each block, and adds those of all blocks without rounding, so that the result depends
+/// neither on the number of threads nor on the processes to which the blocks belong.
 template <int Dim>
 class NodeSums {
  public:
@@ -32,7 +34,10 @@ class NodeSums {
       });
       by_block_[static_cast<std::size_t>(block)] = sum;
     });
-    return exchanges_[f]->total(by_block_);
+    OrderlessSums<4> all;
+    for (std::size_t block = 0; block < by_block_.size(); ++block)
+      if (field.map.is_own(block)) all.add(by_block_[block]);
+    return all.total();
   }
 
  private:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "solver/heat/heat.hpp"
 
+#include "base/ranks.hpp"
 #include "grid/loops.hpp"
 #include "grid/select.hpp"
 #include "solver/loads/face_points.hpp"
@@ -11,7 +12,7 @@
 namespace tribo {
 template <int Dim>
 HeatConduction<Dim>::HeatConduction(const Model& model, System<Dim>& system, const SystemLoops<Dim>& loops,
-                                    const Transfers<Dim>& transfers)
+                                    SystemTransfers<Dim>& transfers)
     : model_(model), system_(system), loops_(loops), transfers_(transfers), active_(model.heat.conduction) {
   if (!active_) return;
   Problems problems;
@@ -62,21 +63,14 @@ void HeatConduction<Dim>::each_node(F&& f) {
 template <int Dim>
 void HeatConduction<Dim>::scatter(Scatter what) {
   each_node([](HeatNode& node) { node = {}; });
-  loops_.each_body([&](std::size_t k) {
-    auto& body = system_.bodies[k];
-    transfers_.scatter(body, Target<Dim>(body, system_.fields, &Field<Dim>::heat), what, false, false);
-  });
+  transfers_.scatter(&Field<Dim>::heat, what, false, false);
 }
 
 template <int Dim>
 void HeatConduction<Dim>::gather(const Gather& what) {
-  valid_.resize(system_.bodies.size());
-  loops_.each_body([&](std::size_t k) {
-    auto& body = system_.bodies[k];
-    valid_[k] = transfers_.gather(body, Target<Dim>(body, system_.fields, &Field<Dim>::heat), what).valid;
-  });
-  for (std::size_t k = 0; k < valid_.size(); ++k)
-    if (!valid_[k])
+  const auto& gathered = transfers_.gather(&Field<Dim>::heat, [&](const Body<Dim>&) { return what; });
+  for (std::size_t k = 0; k < gathered.size(); ++k)
+    if (any_rank(!gathered[k].valid))
       throw SimulationError("a temperature of '" + system_.bodies[k].name + "' is not a number in step " +
                             std::to_string(system_.step + 1) + " at time " + std::to_string(system_.time) +
                             ": usually the step is too large for the conductivity. Try a smaller <TimeFactor>, and "
@@ -170,6 +164,8 @@ void HeatConduction<Dim>::equalize_contact(const Contact<Dim>& contact) {
 // includes the difference between the initial nodal temperature and the prescribed one.
 template <int Dim>
 void HeatConduction<Dim>::impose_temperatures(double dt, const Exchanges<Dim>& exchanges) {
+  if (prescribed_.empty()) return;
+  OrderlessSums<1> power;
   for (const PrescribedTemperature& node_condition : prescribed_) {
     const auto& condition = model_.temperature_conditions[node_condition.condition];
     Vec3 x = Vec3::Zero();
@@ -184,9 +180,11 @@ void HeatConduction<Dim>::impose_temperatures(double dt, const Exchanges<Dim>& e
       const double correction = (wanted - before) / dt - node.rate;
       node.rate += correction;
       node.temperature = wanted - dt * node.rate;
-      supplied += exchanges[f]->ownership(at) * dt * node.capacity * correction;
+      if (system_.fields[f].map.is_own(static_cast<std::size_t>(at / block_nodes<Dim>)))
+        power.add(exchanges[f]->ownership(at) * node.capacity * correction);
     }
   }
+  supplied += dt * power.total()[0];
 }
 
 // Interpolates the rates to the particles, and the temperature gradient at the end of the step.

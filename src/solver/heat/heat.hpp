@@ -18,7 +18,7 @@
 
 #include "solver/contact/contact.hpp"
 #include "solver/state/system_loops.hpp"
-#include "solver/transfer/transfer.hpp"
+#include "solver/transfer/system_transfers.hpp"
 
 namespace tribo {
 
@@ -28,7 +28,7 @@ class HeatConduction {
  public:
   /// Throws InputError if a temperature condition selects no node.
   HeatConduction(const Model& model, System<Dim>& system, const SystemLoops<Dim>& loops,
-                 const Transfers<Dim>& transfers);
+                 SystemTransfers<Dim>& transfers);
 
   bool active() const { return active_; }
   /// Allocates the nodal temperatures. To be called after every change of the block maps of the fields.
@@ -43,7 +43,7 @@ class HeatConduction {
   double time_since_reduction = 0.0;  ///< time since the temperature residual was last reduced [time]
 
   friend void archive(Archive& a, HeatConduction& heat) {
-    auto& [its_supplied, its_contact_heat, its_time, model, system, loops, transfers, active, prescribed, valid] = heat;
+    auto& [its_supplied, its_contact_heat, its_time, model, system, loops, transfers, active, prescribed] = heat;
     a.version(1);
     a("supplied", its_supplied), a("from_contact", its_contact_heat), a("time_since_reduction", its_time);
   }
@@ -70,10 +70,9 @@ class HeatConduction {
   const Model& model_;
   System<Dim>& system_;
   const SystemLoops<Dim>& loops_;
-  const Transfers<Dim>& transfers_;
+  SystemTransfers<Dim>& transfers_;
   bool active_ = false;
   std::vector<PrescribedTemperature> prescribed_;  ///< nodes with prescribed temperature
-  std::vector<char> valid_;                        ///< per body, whether its temperatures are finite
 };
 
 }  // namespace tribo

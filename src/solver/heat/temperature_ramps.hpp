@@ -2,6 +2,7 @@
 /// Prescribed changes of the temperature of all particles.
 #pragma once
 
+#include "base/ranks.hpp"
 #include "solver/transfer/transfer.hpp"
 
 namespace tribo {
@@ -17,7 +18,7 @@ class TemperatureRamps {
   double apply(double dt);
 
  private:
-  double heat_up(Body<Dim>& body, const TemperatureRamp& ramp, double change, double dt);
+  void heat_up(Body<Dim>& body, const TemperatureRamp& ramp, double change, double dt, OrderlessSums<1>& all);
 
   const std::vector<TemperatureRamp>& ramps_;
   System<Dim>& system_;

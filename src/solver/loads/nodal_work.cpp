@@ -2,13 +2,11 @@
 #include "solver/loads/nodal_work.hpp"
 
 #include "base/parallel.hpp"
-
-#include <algorithm>
+#include "base/ranks.hpp"
 
 namespace tribo {
 
-// Sums power(field, number, node) over the nodes, block by block, so that the sum does not depend on the number of
-// threads.
+// Sums power(field, number, node) over the nodes of each block, and over the blocks in any order.
 template <int Dim>
 template <class F>
 void NodalWork<Dim>::add(double dt, F&& power) {
@@ -26,9 +24,10 @@ void NodalWork<Dim>::add(double dt, F&& power) {
           block.work += exchange.ownership(static_cast<std::int64_t>(n)) * power(block.field, n, field.nodes[n]);
     });
   });
-  double sum = 0.0;
-  for (const Block& block : blocks_) sum += block.work;
-  ledger_.nodal_work += dt * sum;
+  OrderlessSums<1> sum;
+  for (const Block& block : blocks_)
+    if (system_.fields[block.field].map.is_own(block.slot)) sum.add(block.work);
+  ledger_.nodal_work += dt * sum.total()[0];
 }
 
 template <int Dim>
@@ -90,25 +89,26 @@ void NodalWork<Dim>::record_end(double dt, bool filtered, bool strain_filtered) 
   });
 }
 
-// Piece by piece, so that the sum does not depend on the number of threads.
 template <int Dim>
 void NodalWork<Dim>::record_change_of_velocities(double dt) {
-  constexpr std::ptrdiff_t piece = 4096;
+  OrderlessSums<1> all;
   for (auto& body : system_.bodies) {
-    const auto n = static_cast<std::ptrdiff_t>(body.particles.size());
     const double* mass = body.particles.mass();
-    by_piece_.assign(static_cast<std::size_t>((n + piece - 1) / piece), 0.0);
-    parallel_for(static_cast<std::ptrdiff_t>(by_piece_.size()), [&](std::ptrdiff_t k) {
+    const auto ranges = body.bins.sum_ranges(body.particles.size(), pieces_);
+    by_range_.assign(ranges.size(), 0.0);
+    parallel_for(static_cast<std::ptrdiff_t>(ranges.size()), [&](std::ptrdiff_t k) {
+      const Bin& range = ranges[static_cast<std::size_t>(k)];
       double sum = 0.0;
       for (std::size_t d = 0; d < Dim; ++d) {
         const double* change = body.particles[body.filtered][d];
 #pragma omp simd reduction(+ : sum)
-        for (std::ptrdiff_t i = k * piece; i < std::min(n, (k + 1) * piece); ++i) sum += mass[i] * change[i];
+        for (std::uint32_t i = range.begin; i < range.end; ++i) sum += mass[i] * change[i];
       }
-      by_piece_[static_cast<std::size_t>(k)] = sum;
+      by_range_[static_cast<std::size_t>(k)] = sum;
     });
-    for (const double sum : by_piece_) ledger_.nodal_work -= 0.5 * dt * sum;
+    for (const double sum : by_range_) all.add(sum);
   }
+  ledger_.nodal_work -= 0.5 * dt * all.total()[0];
 }
 
 template class NodalWork<2>;

@@ -54,7 +54,8 @@ class NodalWork {
     double work;
   };
   std::vector<Block> blocks_;  // of all fields
-  std::vector<double> by_piece_;
+  std::vector<double> by_range_;
+  std::vector<Bin> pieces_;
   std::vector<std::vector<Vec3>> forces_;  // per field and node, m a
   bool has_start_ = false;                 // keep_start() was called in this step
 };

@@ -2,6 +2,7 @@
 #include "solver/loads/particle_loads.hpp"
 
 #include "base/parallel.hpp"
+#include "base/ranks.hpp"
 
 #include <cmath>
 
@@ -135,23 +136,27 @@ void ParticleLoads<Dim>::add_loads_of_program() {
 
 template <int Dim>
 void ParticleLoads<Dim>::record(double dt) {
-  static constexpr std::ptrdiff_t piece = 4096;
+  OrderlessSums<4> all;
+  bool any = false;
   for (auto& body : system_.bodies) {
     if (!body.load) continue;
     const auto load = body.particles[body.load], v = body.particles.v();
-    const auto n = static_cast<std::ptrdiff_t>(body.particles.size());
-    partial_.assign(static_cast<std::size_t>((n + piece - 1) / piece), WorkAndImpulse::Zero());
+    const auto ranges = body.bins.sum_ranges(body.particles.size(), pieces_);
+    partial_.assign(ranges.size(), WorkAndImpulse::Zero());
+    any = true;
     parallel_for(static_cast<std::ptrdiff_t>(partial_.size()), [&](std::ptrdiff_t k) {
+      const Bin& range = ranges[static_cast<std::size_t>(k)];
       WorkAndImpulse sum = WorkAndImpulse::Zero();
-      for (auto i = static_cast<std::size_t>(k * piece); i < static_cast<std::size_t>(std::min(n, (k + 1) * piece));
-           ++i)
+      for (std::uint32_t i = range.begin; i < range.end; ++i)
         for (std::size_t d = 0; d < Dim; ++d)
           sum[0] += load[d][i] * v[d][i], sum[static_cast<Eigen::Index>(1 + d)] += load[d][i];
       partial_[static_cast<std::size_t>(k)] = sum;
     });
-    for (const WorkAndImpulse& sum : partial_)
-      ledger_.external_work += dt * sum[0], ledger_.impulse += dt * sum.template tail<3>();
+    for (const WorkAndImpulse& sum : partial_) all.add(sum);
   }
+  if (!any) return;
+  const WorkAndImpulse sum = all.total();
+  ledger_.external_work += dt * sum[0], ledger_.impulse += dt * sum.template tail<3>();
 }
 
 template std::vector<double> find_loaded<2>(const Model&, System<2>&);

@@ -31,7 +31,7 @@ class ParticleLoads {
 
   /// Saves and restores the factors. Which particles they belong to is a column of the particles.
   friend void archive(Archive& a, ParticleLoads& loads) {
-    auto& [model, system, ledger, factor, partial, positions, accelerations] = loads;
+    auto& [model, system, ledger, factor, partial, pieces, positions, accelerations] = loads;
     a.version(1);
     a.resizable("factor", factor);
     factor.resize(model.particle_conditions.size(), 1.0);
@@ -47,7 +47,8 @@ class ParticleLoads {
   System<Dim>& system_;
   EnergyLedger& ledger_;
   std::vector<double> factor_;           // per condition: 1, or one over the number of particles for net loads
-  std::vector<WorkAndImpulse> partial_;  // scratch: sums over chunks of particles
+  std::vector<WorkAndImpulse> partial_;  // scratch: sums over ranges of particles
+  std::vector<Bin> pieces_;              // scratch
   std::vector<double> positions_, accelerations_;  // scratch: of all particles, for the loads of a program
 };
 

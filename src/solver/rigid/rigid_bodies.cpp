@@ -181,17 +181,26 @@ void RigidBodies<Dim>::impose() {
 template <int Dim>
 void RigidBodies<Dim>::impose_update(double dt, bool after_impose) {
   reactions_.assign(system_.rigids.size(), Vec3::Zero());
+  if (reactions_.empty()) return;
+  const std::size_t power = 3 * reactions_.size();  // its number in the sums, after the components of the reactions
+  sums_.start(power + 1);
   auto before = changes_.begin();  // of the same components in the same order, as the nodes have the same masses
   each_prescribed([&](std::size_t f, std::size_t r, std::size_t n, Node& node, int d, double wanted) {
     const double change = wanted - node.velocity[d];
     node.velocity[d] = wanted;
     const double correction = (change + (after_impose ? *before++ : 0.0)) / dt;
     node.acceleration[d] += correction;
+    if (!system_.fields[f].map.is_own(n / block_nodes<Dim>)) return;
     const double force = exchanges_[f]->ownership(static_cast<std::int64_t>(n)) * node.mass * correction;
-    reactions_[r][d] += force;
-    ledger_.impulse[d] += dt * force;
-    ledger_.rigid_work += dt * force * (wanted - 0.5 * dt * node.acceleration[d]);
+    sums_.add(3 * r + static_cast<std::size_t>(d), force);
+    sums_.add(power, force * (wanted - 0.5 * dt * node.acceleration[d]));
   });
+  sums_.finish();
+  for (std::size_t r = 0; r < reactions_.size(); ++r) {
+    reactions_[r] = Vec3(sums_[3 * r], sums_[3 * r + 1], sums_[3 * r + 2]);
+    ledger_.impulse += dt * reactions_[r];
+  }
+  ledger_.rigid_work += dt * sums_[power];
 }
 
 template class RigidBodies<2>;

@@ -2,6 +2,7 @@
 /// Rigid bodies whose velocity the model prescribes.
 #pragma once
 
+#include "base/ranks.hpp"
 #include "solver/exchange/exchange.hpp"
 #include "solver/state/travel.hpp"
 #include "solver/transfer/transfer.hpp"
@@ -53,6 +54,7 @@ class RigidBodies {
   const Exchanges<Dim>& exchanges_;
   EnergyLedger& ledger_;
   std::vector<Vec3> reactions_;
+  SumList sums_;  // of a step
   std::vector<PrescribedNodes> prescribed_;  ///< per rigid body; empty for bodies with a field
   std::vector<double> changes_;              ///< of nodal velocities by impose(), in the order of each_prescribed()
   std::vector<bool> varies_;                 ///< per rigid body: whether its velocity depends on the position

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "grid/nodes.hpp"
+#include "grid/partition.hpp"
 #include "materials/material.hpp"
 #include "model/model.hpp"
 #include "particles/bins.hpp"
@@ -203,6 +204,8 @@ template <int Dim>
 struct System {
   explicit System(const Lattice<Dim>& l) : lattice(l) {}
   Lattice<Dim> lattice;
+  /// Which process updates the particles of a block; null if there is only one.
+  std::shared_ptr<Partition<Dim>> partition;
   Analysis analysis = Analysis::plane_strain;
   std::vector<Field<Dim>> fields;
   std::vector<Body<Dim>> bodies;
@@ -287,7 +290,7 @@ void check(const System<Dim>& system) {
 /// their own, since they also run without a grid.
 template <int Dim>
 void archive(Archive& a, System<Dim>& system) {
-  auto& [lattice, analysis, fields, bodies, cracks, joints, rigids, blocks, contact_at_faces, contact_reason, time,
+  auto& [lattice, partition, analysis, fields, bodies, cracks, joints, rigids, blocks, contact_at_faces, contact_reason, time,
          step, load_clock, load_controller, drift, sorted, pieces, placed, inflow, deleted_failed, deleted_outside,
          entered] = system;
   a.version(6);

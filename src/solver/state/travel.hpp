@@ -2,6 +2,7 @@
 /// How far particles moved in a step.
 #pragma once
 
+#include "base/ranks.hpp"
 #include "solver/state/system.hpp"
 
 #include <algorithm>
@@ -21,6 +22,13 @@ struct Travel {
   void include(const Body<Dim>& body, double cells) {
     largest = std::max(largest, cells);
     if (body.field < of_fields.size()) of_fields[body.field] = std::max(of_fields[body.field], cells);
+  }
+  /// Includes the particles of other processes; all must call it together.
+  void include_ranks() {
+    of_fields.push_back(largest);
+    ranks().largest(of_fields);
+    largest = of_fields.back();
+    of_fields.pop_back();
   }
 };
 

@@ -87,8 +87,8 @@ void AffineAtWalls<Dim>::add(Body<Dim>& body, const BlockMap<Dim>& map, NodeLaye
     }
   };
   for (const Wall& wall : walls_)
-    for (std::size_t k = 0; k < body.bins.list().size(); ++k) {
-      const Bin& bin = body.bins.list()[k];
+    for (const std::uint32_t k : body.bins.by_block()) {
+      const Bin& bin = body.bins.with_ghosts()[k];
       if (!near(bin, wall) || body.cut_bin(k) != nullptr) continue;
       if (kernel_ == Kernel::quadratic_spline)
         add_bin(bin, wall, QuadraticKernel{});

@@ -7,8 +7,8 @@ namespace tribo {
 
 template <int Dim>
 BBar<Dim>::BBar(const Scheme& scheme, System<Dim>& system, const Transfers<Dim>& transfers,
-                const Exchanges<Dim>& exchanges)
-    : system_(system), transfers_(transfers), exchanges_(exchanges) {
+                const Exchanges<Dim>& exchanges, Distribution<Dim>& distribution)
+    : system_(system), transfers_(transfers), exchanges_(exchanges), distribution_(distribution) {
   if (scheme.b_bar) cells_ = make_cell_transfers<Dim>(scheme);
 }
 
@@ -55,6 +55,7 @@ template <int Dim>
 void BBar<Dim>::average(Body<Dim>& body, bool from_start) {
   auto& field = system_.fields[body.field];
   zero(field.cells);
+  distribution_.refresh_ghosts();
   cells_->scatter(body, Target<Dim>(field.map, field.cells), Scatter::volumetric, from_start, false);
   exchanges_[body.field]->sum_images(field.cells, ImageValues::cells);
   each_node(field.cells, [](CellNode& cell) {

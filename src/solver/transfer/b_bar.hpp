@@ -14,6 +14,7 @@
 /// (2018) 1-21 for particles.
 #pragma once
 
+#include "solver/distribution/distribution.hpp"
 #include "solver/exchange/exchange.hpp"
 #include "solver/transfer/transfer.hpp"
 
@@ -23,7 +24,8 @@ namespace tribo {
 template <int Dim>
 class BBar {
  public:
-  BBar(const Scheme& scheme, System<Dim>& system, const Transfers<Dim>& transfers, const Exchanges<Dim>& exchanges);
+  BBar(const Scheme& scheme, System<Dim>& system, const Transfers<Dim>& transfers, const Exchanges<Dim>& exchanges,
+       Distribution<Dim>& distribution);
 
   bool active() const { return cells_ != nullptr; }
   /// Allocates the cell values. To be called after every change of the block maps of the fields.
@@ -40,7 +42,8 @@ class BBar {
 
   System<Dim>& system_;
   const Transfers<Dim>& transfers_;
-  const Exchanges<Dim>& exchanges_;        ///< per field
+  const Exchanges<Dim>& exchanges_;  ///< per field
+  Distribution<Dim>& distribution_;
   std::unique_ptr<Transfers<Dim>> cells_;  ///< null: B-bar is not active
 };
 

@@ -57,7 +57,7 @@ class CpdiTransfers final : public Transfers<Dim> {
     with_added_sums(what, static_cast<bool>(body.affine), [&](auto sums) {
       for (const auto& colour : body.bins.colours())
         parallel_for(static_cast<std::ptrdiff_t>(colour.size()), [&](std::ptrdiff_t k) {
-          const Bin& bin = body.bins.list()[colour[static_cast<std::size_t>(k)]];
+          const Bin& bin = body.bins.with_ghosts()[colour[static_cast<std::size_t>(k)]];
           if (only && !(*only)[target.map[0]->lattice().block_at(bin.block)]) return;
           const CutBin* cut = body.cut_bin(colour[static_cast<std::size_t>(k)]);
           scatter_bin<sums()>(body, target, bin, cut, what, from_start, axisymmetric);
@@ -69,7 +69,7 @@ class CpdiTransfers final : public Transfers<Dim> {
     thread_local GatherCollector of_thread;
     GatherCollector& collector = of_thread;  // of this one, in the loop below
     collector.start();
-    const auto& bins = body.bins.list();
+    const auto bins = body.bins.list();
     with_gathered_sums(what, static_cast<bool>(body.affine), [&](auto sums) {
       parallel_for(static_cast<std::ptrdiff_t>(bins.size()), [&](std::ptrdiff_t k) {
         const auto bin = static_cast<std::size_t>(k);

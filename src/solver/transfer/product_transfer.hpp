@@ -49,7 +49,7 @@ class ProductTransfers final : public Transfers<Dim> {
         const auto& colour = body.bins.colours()[c];
         const auto before = [&](std::ptrdiff_t k) { return body.bins.before(c, static_cast<std::size_t>(k)); };
         parallel_for_weighted(static_cast<std::ptrdiff_t>(colour.size()), before, [&](std::ptrdiff_t k) {
-          const Bin& bin = body.bins.list()[colour[static_cast<std::size_t>(k)]];
+          const Bin& bin = body.bins.with_ghosts()[colour[static_cast<std::size_t>(k)]];
           if (only && !(*only)[target.map[0]->lattice().block_at(bin.block)]) return;
           const CutBin* cut = body.cut_bin(colour[static_cast<std::size_t>(k)]);
           scatter_bin<sums()>(body, target, bin, cut, what, from_start, axisymmetric);
@@ -62,7 +62,7 @@ class ProductTransfers final : public Transfers<Dim> {
     thread_local GatherCollector of_thread;
     GatherCollector& collector = of_thread;  // of this one, in the loop below
     collector.start();
-    const auto& bins = body.bins.list();
+    const auto bins = body.bins.list();
     const auto before = [&](std::ptrdiff_t k) { return body.bins.before(static_cast<std::size_t>(k)); };
     with_gathered_sums(what, static_cast<bool>(body.affine), [&](auto sums) {
       parallel_for_weighted(static_cast<std::ptrdiff_t>(bins.size()), before, [&](std::ptrdiff_t k) {
@@ -83,7 +83,7 @@ class ProductTransfers final : public Transfers<Dim> {
         const auto& colour = body.bins.colours()[c];
         const auto before = [&](std::ptrdiff_t k) { return body.bins.before(c, static_cast<std::size_t>(k)); };
         parallel_for_weighted(static_cast<std::ptrdiff_t>(colour.size()), before, [&](std::ptrdiff_t k) {
-          const Bin& bin = body.bins.list()[colour[static_cast<std::size_t>(k)]];
+          const Bin& bin = body.bins.with_ghosts()[colour[static_cast<std::size_t>(k)]];
           const CutBin* cut = body.cut_bin(colour[static_cast<std::size_t>(k)]);
           if (!cut)
             return pass_through_bin<gathered(), added()>(body, from, what, to, sums, axisymmetric, bin,
