@@ -53,7 +53,10 @@ std::vector<std::string> not_distributed(const Model& model) {
     if (used) out.emplace_back(what);
   };
   const auto is_load = [](const ParticleCondition& c) { return c.kind == ParticleCondition::Kind::force; };
-  note(model.contact.active, "contact between bodies");
+  const auto touches = [](const MaterialSpec& m) { return m.separate; };
+  const auto is_rigid = [](const MaterialSpec& m) { return m.law && m.law->rigid(); };
+  note(model.contact.active || std::any_of(model.materials.begin(), model.materials.end(), touches),
+       "contact between bodies");
   note(!model.cracks.empty(), "cracks");
   note(model.blocks != nullptr, "rigid blocks");
   note(!model.stages.empty() || !model.reactions.empty(), "stages");
@@ -67,8 +70,7 @@ std::vector<std::string> not_distributed(const Model& model) {
   note(!std::all_of(model.particle_conditions.begin(), model.particle_conditions.end(), is_load),
        "tractions and fluxes on faces");
   note(!model.output.grid_fields.empty(), "files of the grid");
-  note(std::any_of(model.materials.begin(), model.materials.end(), [](const auto& m) { return m.law->rigid(); }),
-       "rigid bodies");
+  note(std::any_of(model.materials.begin(), model.materials.end(), is_rigid), "rigid bodies");
   return out;
 }
 

@@ -178,6 +178,7 @@ Outcome run_in_processes(const Model& model, const RunOptions& options) {
                          (missing.empty() ? std::string("no particles on a grid, or changes of its stages")
                                           : join(missing, ", ")));
   if (ranks().rank() > 0) {
+    const SignalGuard signals;  // only rank 0 acts on them
     follow<Dim>(model, options.threads, options.folder / "checkpoint.bin");
     return Outcome::finished;
   }

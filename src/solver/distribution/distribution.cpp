@@ -45,11 +45,6 @@ std::size_t particles_in(std::span<const BinContent<Dim>> bins) {
 }  // namespace
 
 template <int Dim>
-Distribution<Dim>::Distribution(System<Dim>& system, int layers) : system_(system) {
-  if (ranks().count() > 1 && partition_maker<Dim>()) system.partition = partition_maker<Dim>()(system.lattice, layers);
-}
-
-template <int Dim>
 std::vector<Body<Dim>*> Distribution<Dim>::bodies() {
   std::vector<Body<Dim>*> out;
   for (auto* list : {&system_.bodies, &system_.rigids})
@@ -73,6 +68,7 @@ void Distribution<Dim>::divide() {
 template <int Dim>
 void Distribution<Dim>::share_out() {
   if (!active()) return;
+  system_.partition = partition_maker<Dim>()(system_.lattice, layers_);
   divide();
   keep_own();
   shares_all_ = false;

@@ -21,9 +21,9 @@ template <int Dim>
 class Distribution {
  public:
   /// `layers`: of ghost blocks. Until the first call of exchange() or share_out(), every rank has all particles.
-  Distribution(System<Dim>& system, int layers);
+  Distribution(System<Dim>& system, int layers) : system_(system), layers_(layers) {}
 
-  bool active() const { return system_.partition && ranks().count() > 1; }
+  bool active() const { return ranks().count() > 1; }
   /// Whether every rank has all particles, as at the start and after a restart.
   bool shares_all() const { return active() && shares_all_; }
   /// From bins with all particles on every rank: divides the blocks by the numbers of their particles and keeps the
@@ -65,6 +65,7 @@ class Distribution {
   void find_changing_columns();
 
   System<Dim>& system_;
+  int layers_;
   bool shares_all_ = true;
   double imbalance_ = 1.0;
   std::size_t bytes_sent_ = 0, refresh_count_ = 0;
