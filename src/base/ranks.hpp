@@ -35,7 +35,7 @@ class Ranks {
   /// Replaces each number by the largest one of all ranks.
   virtual void largest(std::span<double>) const {}
   /// Sends a message to each of its receivers, and returns what others sent to this rank, in the order of their ranks.
-  virtual std::vector<Message> exchange(std::vector<Message>) const { return {}; }
+  virtual std::vector<Message> exchange(std::span<const Message>) const { return {}; }
   /// The same if each rank knows the sizes of what it receives: `received` holds messages of these sizes.
   virtual void exchange(std::span<const Message>, std::span<Message> received) const;
   /// Rank 0 receives the data of all ranks, in their order; other ranks receive nothing.
@@ -77,11 +77,7 @@ class OrderlessSums {
   void add(const Values& terms) {
     for (int k = 0; k < count; ++k) sums_[static_cast<std::size_t>(k)].add(terms[k]);
   }
-  void add(double term)
-    requires(count == 1)
-  {
-    sums_[0].add(term);
-  }
+  void add(double term) requires(count == 1) { sums_[0].add(term); }
   /// The sums over all ranks; to be called once.
   Values total() {
     add_over_ranks(sums_);

@@ -90,7 +90,8 @@ class BlockForest final : public Partition<Dim> {
   }
   std::size_t position(const Index<Dim>& tree) const {
     std::size_t n = 0;
-    for (std::size_t d = Dim; d-- > 0;) n = n * static_cast<std::size_t>(trees_along(d)) + static_cast<std::size_t>(tree[d]);
+    for (std::size_t d = Dim; d-- > 0;)
+      n = n * static_cast<std::size_t>(trees_along(d)) + static_cast<std::size_t>(tree[d]);
     return n;
   }
   Index<Dim> block_of(p4est_topidx_t tree, const p4est_quadrant_t& leaf) const {
@@ -123,8 +124,8 @@ class BlockForest final : public Partition<Dim> {
       for (auto k = ghost->proc_offsets[rank]; k < ghost->proc_offsets[rank + 1]; ++k)
         append(neighbour.received, *p4est_quadrant_array_index(&ghost->ghosts, static_cast<std::size_t>(k)));
       for (auto k = ghost->mirror_proc_offsets[rank]; k < ghost->mirror_proc_offsets[rank + 1]; ++k)
-        append(neighbour.sent, *p4est_quadrant_array_index(
-                                   &ghost->mirrors, static_cast<std::size_t>(ghost->mirror_proc_mirrors[k])));
+        append(neighbour.sent,
+               *p4est_quadrant_array_index(&ghost->mirrors, static_cast<std::size_t>(ghost->mirror_proc_mirrors[k])));
       if (!neighbour.sent.empty() || !neighbour.received.empty()) neighbours_.push_back(std::move(neighbour));
     }
     p4est_ghost_destroy(ghost);
@@ -135,7 +136,7 @@ class BlockForest final : public Partition<Dim> {
   p4est_connectivity_t* connectivity_ = nullptr;
   p4est_t* forest_ = nullptr;
   std::vector<typename Partition<Dim>::Neighbour> neighbours_;
-  mutable std::vector<p4est_topidx_t> numbers_;                   // of the trees, by their place
+  mutable std::vector<p4est_topidx_t> numbers_;                    // of the trees, by their place
   const std::function<int(const Index<Dim>&)>* weight_ = nullptr;  // within divide()
 };
 

@@ -54,7 +54,7 @@ class MpiSession::Processes final : public Ranks {
           "compare numbers");
   }
 
-  std::vector<Message> exchange(std::vector<Message> sent) const override {
+  std::vector<Message> exchange(std::span<const Message> sent) const override {
     std::vector<unsigned long long> to(static_cast<std::size_t>(count_)), from(to.size());
     for (const Message& message : sent) to[static_cast<std::size_t>(message.rank)] = message.data.size();
     check(MPI_Alltoall(to.data(), 1, MPI_UNSIGNED_LONG_LONG, from.data(), 1, MPI_UNSIGNED_LONG_LONG, MPI_COMM_WORLD),
@@ -86,7 +86,7 @@ class MpiSession::Processes final : public Ranks {
   std::vector<std::vector<std::byte>> gather(std::vector<std::byte> data) const override {
     std::vector<Message> sent;
     if (rank_ != 0) sent.push_back({0, std::move(data)});
-    std::vector<Message> received = exchange(std::move(sent));
+    std::vector<Message> received = exchange(sent);
     std::vector<std::vector<std::byte>> out;
     if (rank_ != 0) return out;
     out.resize(static_cast<std::size_t>(count_));

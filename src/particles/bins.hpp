@@ -29,8 +29,8 @@ inline void archive(Archive& a, Bin& bin) {
 template <int Dim>
 struct BinContent {
   std::int64_t block;
-  std::uint32_t count;    ///< number of its particles
-  Index<Dim> low, high;   ///< lowest and highest cell of the lowest nodes of its particles, in the block
+  std::uint32_t count;   ///< number of its particles
+  Index<Dim> low, high;  ///< lowest and highest cell of the lowest nodes of its particles, in the block
 };
 
 /// A particle belongs to the bin of the block that contains the lowest node of its stencil. Between sorts it may move
@@ -72,14 +72,15 @@ class Bins {
   /// The bins of this process as others know them.
   std::vector<BinContent<Dim>> contents() const;
   /// Replaces the bins: particles, and behind them ghosts, are in the order of these bins.
-  void assign(const Lattice<Dim>& lattice, std::span<const BinContent<Dim>> own, std::span<const BinContent<Dim>> ghosts);
+  void assign(const Lattice<Dim>& lattice, std::span<const BinContent<Dim>> own,
+              std::span<const BinContent<Dim>> ghosts);
 
   /// The blocks of the bins, and the nodes that stencils of `width` nodes per axis reach until the next sort.
   std::vector<BlockReach<Dim>> reach(const Lattice<Dim>& lattice, int width) const;
   /// Bins of each colour, ghosts included, as indices into with_ghosts().
   const std::vector<std::vector<std::uint32_t>>& colours() const { return colours_; }
-  /// Ranges of particles for sums over `count` of them: the bins if they hold so many, otherwise ranges of equal length,
-  /// which are written to `pieces`. The sums over bins are the same on any number of processes.
+  /// Ranges of particles for sums over `count` of them: the bins if they hold so many, otherwise ranges of equal
+  /// length, which are written to `pieces`. The sums over bins are the same on any number of processes.
   std::span<const Bin> sum_ranges(std::size_t count, std::vector<Bin>& pieces) const {
     static constexpr std::size_t length = 512;
     if (before(own_) == count) return list();

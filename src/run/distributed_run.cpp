@@ -62,8 +62,7 @@ std::vector<std::string> not_distributed(const Model& model) {
   note(!model.stages.empty() || !model.reactions.empty(), "stages");
   note(model.particles_change(), "particles that enter or are removed");
   note(model.splitting.has_value(), "splitting of particles");
-  note(std::any_of(model.grid.periodic.begin(), model.grid.periodic.end(), [](bool p) { return p; }),
-       "periodic edges");
+  note(std::any_of(model.grid.periodic.begin(), model.grid.periodic.end(), [](bool p) { return p; }), "periodic edges");
   note(model.load_control.has_value(), "control of a load");
   note(model.reversal.has_value(), "reversal of loads");
   note(model.fracture.has_value(), "growth of cracks");
@@ -217,7 +216,8 @@ void follow(const Model& model, int threads, const std::filesystem::path& checkp
     throw;  // what rank 0 has found, too
   }
   run->choose_threads(threads);
-  for (bool goes_on = true; goes_on;) {
+  bool goes_on = true;
+  while (goes_on) {
     try {
       together([&] { goes_on = carry_out(next_command(), *run, checkpoint); });
     } catch (const CommonError&) {

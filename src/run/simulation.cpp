@@ -173,10 +173,10 @@ auto with_kind_of(const Model& model, F&& f) {
 template <int Dim>
 Outcome run_in_processes(const Model& model, const RunOptions& options) {
   if (const auto missing = not_distributed(model); !missing.empty() || model.only_blocks() || options.former)
-    throw InputError(place_of(model),
-                     "this model runs in a single process only, because it has " +
-                         (missing.empty() ? std::string("no particles on a grid, or changes of its stages")
-                                          : join(missing, ", ")));
+    throw InputError(
+        place_of(model),
+        "this model runs in a single process only, because it has " +
+            (missing.empty() ? std::string("no particles on a grid, or changes of its stages") : join(missing, ", ")));
   if (ranks().rank() > 0) {
     const SignalGuard signals;  // only rank 0 acts on them
     follow<Dim>(model, options.threads, options.folder / "checkpoint.bin");

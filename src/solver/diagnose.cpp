@@ -30,13 +30,15 @@ std::string bad_particle(const System<Dim>& system, const std::string& when) {
                  ": a rigid body must stay inside. Enlarge <Grid>, or end its motion earlier.";
         if (finite && volume > 0)
           return particle + " left the grid" + when +
-              ": it moves too far, or the run became unstable. Enlarge <Grid>, check the conditions that should "
-              "hold it, or return such particles with <LeaveLimit>.";
-        return particle + (crushed ? " was compressed to no volume" : " has a velocity or strain that is not a number") +
-            when +
-            ": usually the step is too large for the present stiffness, or the material too soft for its load. Try a "
-            "smaller <TimeFactor>, adaptive steps (custom task AdjustTimeStep), or more particles per cell, and check "
-            "the units of stiffness, density and loads ('tribo check').";
+                 ": it moves too far, or the run became unstable. Enlarge <Grid>, check the conditions that should "
+                 "hold it, or return such particles with <LeaveLimit>.";
+        return particle +
+               (crushed ? " was compressed to no volume" : " has a velocity or strain that is not a number") + when +
+               ": usually the step is too large for the present stiffness, or the material too soft for its load. Try "
+               "a "
+               "smaller <TimeFactor>, adaptive steps (custom task AdjustTimeStep), or more particles per cell, and "
+               "check "
+               "the units of stiffness, density and loads ('tribo check').";
       }
   return {};
 }

@@ -16,8 +16,9 @@ class ParticleSort {
 
   /// Whether the particles must be sorted before the next step.
   bool is_due() const { return system_.sort_is_due(); }
-  /// Sorts the particles of all bodies, and moves those that are now in blocks of other processes to these. Throws SimulationError if a position is not finite, or if a particle left the
-  /// grid more often than Model::leave_limit permits.
+  /// Sorts the particles of all bodies, and moves those that are now in blocks of other processes to these. Throws
+  /// SimulationError if a position is not finite, or if a particle left the grid more often than Model::leave_limit
+  /// permits.
   void sort();
   /// Number of times that a particle was returned to the grid, see Model::leave_limit.
   long returned = 0;

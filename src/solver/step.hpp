@@ -7,6 +7,7 @@
 #include "solver/contact/contact.hpp"
 #include "solver/cracks/crack_tips.hpp"
 #include "solver/cracks/cracks.hpp"
+#include "solver/distribution/distribution.hpp"
 #include "solver/heat/heat.hpp"
 #include "solver/heat/temperature_ramps.hpp"
 #include "solver/joints/interface_faces.hpp"
@@ -17,7 +18,6 @@
 #include "solver/loads/particle_loads.hpp"
 #include "solver/loads/tractions.hpp"
 #include "solver/opening_average.hpp"
-#include "solver/distribution/distribution.hpp"
 #include "solver/particle_sort.hpp"
 #include "solver/particle_splitting.hpp"
 #include "solver/rigid/rigid_blocks.hpp"
@@ -97,10 +97,10 @@ class Stepper {
   /// Saves and restores all data that change from step to step, including the system. To restore, the stepper must
   /// have been constructed from the same model.
   friend void archive(Archive& a, Stepper& stepper) {
-    auto& [model, system, loops, ledger, watches, transfers, distribution, of_all, sort, splitting, exchanges, conditions, cracks, crack_tips,
-           interface_faces, joints, contact, loads, tractions, body_forces, nodal_work, damping, rigid_bodies,
-           rigid_blocks, heat, ramps, affine_at_walls, b_bar, openings, filter, jump, measures, ratio, travel,
-           grid_kinetic] = stepper;
+    auto& [model, system, loops, ledger, watches, transfers, distribution, of_all, sort, splitting, exchanges,
+           conditions, cracks, crack_tips, interface_faces, joints, contact, loads, tractions, body_forces, nodal_work,
+           damping, rigid_bodies, rigid_blocks, heat, ramps, affine_at_walls, b_bar, openings, filter, jump, measures,
+           ratio, travel, grid_kinetic] = stepper;
     a.version(5);
     a("system", system);
     a("ledger", ledger), a("sort", sort), a("splitting", splitting), a.each("conditions", conditions),

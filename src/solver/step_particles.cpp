@@ -47,9 +47,9 @@ void Stepper<Dim>::strain(double dt, bool from_start, bool with_forces) {
   const auto strain_from = [&](auto layer) {
     b_bar_.average_rates(what, layer);
     const auto of_body = [&](const Body<Dim>&) { return what; };
-    stop_if_invalid(with_forces ? of_all_.gather_and_scatter(layer, of_body, &Field<Dim>::nodes, Scatter::force,
-                                                             what.axisymmetric)
-                                : of_all_.gather(layer, of_body));
+    stop_if_invalid(
+        with_forces ? of_all_.gather_and_scatter(layer, of_body, &Field<Dim>::nodes, Scatter::force, what.axisymmetric)
+                    : of_all_.gather(layer, of_body));
   };
   filter_.active() ? strain_from(&Field<Dim>::filter) : strain_from(&Field<Dim>::nodes);
 }

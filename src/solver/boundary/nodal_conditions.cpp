@@ -21,7 +21,8 @@ void NodalConditions<Dim>::locate(const BlockMap<Dim>& map) {
   thread_local std::vector<typename SelectedNodes<Dim>::Existing> existing;
   selected_->find(map, existing);
   located_.clear();
-  for (const auto& [number, position] : existing) located_.push_back({position, number, map.is_own(static_cast<std::size_t>(position / block_nodes<Dim>))});
+  for (const auto& [number, position] : existing)
+    located_.push_back({position, number, map.is_own(static_cast<std::size_t>(position / block_nodes<Dim>))});
   walls_.locate(map);
 }
 

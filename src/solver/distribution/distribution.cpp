@@ -138,7 +138,7 @@ bool Distribution<Dim>::move_leavers() {
     sent.push_back({static_cast<int>(rank), std::move(message.data)});
   }
   const bool any_left = !sent.empty();
-  const auto received = ranks().exchange(std::move(sent));
+  const auto received = ranks().exchange(sent);
   if (!any_rank(any_left)) return false;
   for (std::size_t b = 0; b < all.size(); ++b)
     if (staying[b].size() < all[b]->particles.size()) all[b]->particles.reorder(staying[b]);
@@ -179,7 +179,7 @@ void Distribution<Dim>::make_ghosts() {
     }
     sent.push_back({neighbours[n].rank, std::move(message.data)});
   }
-  const auto messages = ranks().exchange(std::move(sent));
+  const auto messages = ranks().exchange(sent);
   std::vector<ByteReader> readers;
   for (const auto& neighbour : neighbours) {
     const auto from = std::ranges::find(messages, neighbour.rank, &Message::rank);
@@ -241,8 +241,7 @@ void Distribution<Dim>::refresh_ghosts() {
   for (std::size_t n = 0; n < shared_.size(); ++n) {
     ByteWriter message;
     for (std::size_t b = 0; b < all.size(); ++b)
-      for (const std::size_t c : changing_[b])
-        write_column(message, all[b]->particles.column(c), shared_[n][b].sent);
+      for (const std::size_t c : changing_[b]) write_column(message, all[b]->particles.column(c), shared_[n][b].sent);
     bytes_sent_ += message.data.size();
     sent.push_back({system_.partition->neighbours()[n].rank, std::move(message.data)});
   }

@@ -69,8 +69,8 @@ class Distribution {
   bool shares_all_ = true;
   double imbalance_ = 1.0;
   std::size_t bytes_sent_ = 0, refresh_count_ = 0;
-  std::int64_t divided_at_ = -1;                   // step of the last division
-  std::vector<std::vector<Shared>> shared_;        // per neighbour and body
+  std::int64_t divided_at_ = -1;                    // step of the last division
+  std::vector<std::vector<Shared>> shared_;         // per neighbour and body
   std::vector<std::vector<std::size_t>> changing_;  // per body: numbers of the columns that change between sorts
   std::vector<Message> received_;
   std::vector<Kept> kept_;  // of rank 0, while it has all particles

@@ -54,7 +54,7 @@ class RigidBodies {
   const Exchanges<Dim>& exchanges_;
   EnergyLedger& ledger_;
   std::vector<Vec3> reactions_;
-  SumList sums_;  // of a step
+  SumList sums_;                             // of a step
   std::vector<PrescribedNodes> prescribed_;  ///< per rigid body; empty for bodies with a field
   std::vector<double> changes_;              ///< of nodal velocities by impose(), in the order of each_prescribed()
   std::vector<bool> varies_;                 ///< per rigid body: whether its velocity depends on the position

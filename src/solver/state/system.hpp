@@ -290,9 +290,9 @@ void check(const System<Dim>& system) {
 /// their own, since they also run without a grid.
 template <int Dim>
 void archive(Archive& a, System<Dim>& system) {
-  auto& [lattice, partition, analysis, fields, bodies, cracks, joints, rigids, blocks, contact_at_faces, contact_reason, time,
-         step, load_clock, load_controller, drift, sorted, pieces, placed, inflow, deleted_failed, deleted_outside,
-         entered] = system;
+  auto& [lattice, partition, analysis, fields, bodies, cracks, joints, rigids, blocks, contact_at_faces, contact_reason,
+         time, step, load_clock, load_controller, drift, sorted, pieces, placed, inflow, deleted_failed,
+         deleted_outside, entered] = system;
   a.version(6);
   a("time", time), a("step", step), a("load_clock", load_clock), a("load_controller", load_controller);
   a("drift", drift), a("sorted", sorted);

@@ -54,9 +54,8 @@ class SystemTransfers {
     results_.resize(system_.bodies.size());
     loops_.each_body([&](std::size_t k) {
       auto& body = system_.bodies[k];
-      results_[k] =
-          transfers_.gather_and_scatter(body, Target<Dim>(body, system_.fields, from), what(body),
-                                        Target<Dim>(body, system_.fields, to), sums, axisymmetric);
+      results_[k] = transfers_.gather_and_scatter(body, Target<Dim>(body, system_.fields, from), what(body),
+                                                  Target<Dim>(body, system_.fields, to), sums, axisymmetric);
     });
     return results_;
   }
