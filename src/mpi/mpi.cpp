@@ -84,14 +84,15 @@ class MpiSession::Processes final : public Ranks {
   }
 
   std::vector<std::vector<std::byte>> gather(std::vector<std::byte> data) const override {
-    std::vector<Message> sent;
-    if (rank_ != 0) sent.push_back({0, std::move(data)});
-    std::vector<Message> received = exchange(sent);
     std::vector<std::vector<std::byte>> out;
-    if (rank_ != 0) return out;
+    if (rank_ != 0) {
+      const Message mine{0, std::move(data)};
+      exchange({&mine, 1});
+      return out;
+    }
     out.resize(static_cast<std::size_t>(count_));
     out[0] = std::move(data);
-    for (Message& message : received) out[static_cast<std::size_t>(message.rank)] = std::move(message.data);
+    for (Message& message : exchange({})) out[static_cast<std::size_t>(message.rank)] = std::move(message.data);
     return out;
   }
   void broadcast(std::vector<std::byte>& data) const override {
