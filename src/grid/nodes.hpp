@@ -147,7 +147,7 @@ class BlockMap {
     BlockBox<Dim> box;
     each_reached_block(occupied, [&](const Index<Dim>& block, std::uint64_t) { box.include(block); });
     slot_.reset(box);
-    active_.clear(), own_.clear();
+    active_.clear(), own_.clear(), complete_.clear();
     each_reached_block(occupied, [&](const Index<Dim>& block, std::uint64_t) {
       int& s = slot_.at(block);
       if (s < 0) s = 0, active_.push_back(lattice_.block_index(block));
@@ -173,12 +173,19 @@ class BlockMap {
 
   /// Whether sums over nodes contain those of the block in a slot: of the processes whose maps have it, one sums.
   bool is_own(std::size_t slot) const { return own_.empty() || own_[slot] != 0; }
-  /// Determines it: own(block) for the blocks that exist.
-  template <class Own>
-  void mark_own(Own&& own) {
-    own_.resize(active_.size());
-    for (std::size_t k = 0; k < active_.size(); ++k) own_[k] = own(lattice_.block_at(active_[k])) ? 1 : 0;
+  /// Determines it: own(block) for the blocks that exist. complete(block): bits of the nodes of other blocks that are
+  /// complete on this process, because no particles of others than those it knows can reach them.
+  template <class Own, class Complete>
+  void mark_own(Own&& own, Complete&& complete) {
+    own_.resize(active_.size()), complete_.resize(active_.size());
+    for (std::size_t k = 0; k < active_.size(); ++k) {
+      const Index<Dim> block = lattice_.block_at(active_[k]);
+      own_[k] = own(block) ? 1 : 0;
+      complete_[k] = own_[k] != 0 ? ~std::uint64_t{0} : complete(block);
+    }
   }
+  /// Bits of the complete nodes of the block in a slot: all of them in a single process.
+  std::uint64_t complete(std::size_t slot) const { return complete_.empty() ? ~std::uint64_t{0} : complete_[slot]; }
 
   /// Bits of the nodes of the block in a slot that the shape functions of particles may reach. The others stay empty.
   std::uint64_t reached(std::size_t slot) const { return reached_[slot]; }
@@ -274,6 +281,7 @@ class BlockMap {
   std::vector<std::int64_t> active_;
   std::vector<std::uint64_t> reached_;  // per slot
   std::vector<char> own_;               // per slot; empty if all count
+  std::vector<std::uint64_t> complete_; // per slot; empty if all are complete
 };
 
 using NodeLayer = AlignedVector<Node>;

@@ -9,7 +9,7 @@ namespace tribo {
 namespace {
 
 // What rank 0 asks the other ranks for.
-enum class Command : std::int32_t { start, restore, distribute, advance, collect, end };
+enum class Command : std::int32_t { start, restore, distribute, advance, collect, collect_view, collect_state, end };
 
 void command(Command what) {
   ByteWriter message;
@@ -38,11 +38,28 @@ auto together(F&& f) {
   }
 }
 
-// The collective part of with_all_particles().
+// The collective part of with_all_particles(): `what` says whether also what files show of contact is collected, or the
+// whole state.
 template <int Dim>
-void collect(GridRun<Dim>& run) {
-  run.stepper().keep_grid_kinetic();
-  run.stepper().distribution().collect();
+void collect(GridRun<Dim>& run, Command what) {
+  Stepper<Dim>& stepper = run.stepper();
+  stepper.keep_grid_kinetic();
+  if (what == Command::collect_view && stepper.contact().active()) {
+    stepper.distribution().refresh_ghosts();  // they have moved since the last transfer
+    stepper.contact().fill_view();
+  }
+  if (what == Command::collect_state) stepper.contact().collect_faces();
+  stepper.distribution().collect();
+  if (ranks().rank() > 0) return stepper.forget_grid_kinetic();
+  if (what == Command::collect_state) stepper.contact().place_collected_faces();
+  stepper.contact().keep_view();
+}
+
+template <int Dim>
+void release(GridRun<Dim>& run) {
+  run.stepper().distribution().release();
+  run.stepper().contact().release();
+  run.stepper().forget_grid_kinetic();
 }
 
 }  // namespace
@@ -53,10 +70,14 @@ std::vector<std::string> not_distributed(const Model& model) {
     if (used) out.emplace_back(what);
   };
   const auto is_load = [](const ParticleCondition& c) { return c.kind == ParticleCondition::Kind::force; };
-  const auto touches = [](const MaterialSpec& m) { return m.separate; };
-  const auto is_rigid = [](const MaterialSpec& m) { return m.law && m.law->rigid(); };
-  note(model.contact.active || std::any_of(model.materials.begin(), model.materials.end(), touches),
-       "contact between bodies");
+  const auto mirrors = [](const NodeCondition& c) { return c.wall && c.wall->mirror; };
+  note(std::any_of(model.node_conditions.begin(), model.node_conditions.end(), mirrors), "walls with mirrored velocities");
+  const auto is_interface = [](const auto& law) { return law && law->interface(); };
+  const auto& laws = model.contact.pair_laws;
+  note(is_interface(model.contact.default_law) ||
+           std::any_of(laws.begin(), laws.end(), [&](const auto& pair) { return is_interface(pair.second); }) ||
+           !model.contact.joints.empty(),
+       "interfaces or joints between bodies");
   note(!model.cracks.empty(), "cracks");
   note(model.blocks != nullptr, "rigid blocks");
   note(!model.stages.empty() || !model.reactions.empty(), "stages");
@@ -69,7 +90,7 @@ std::vector<std::string> not_distributed(const Model& model) {
   note(!std::all_of(model.particle_conditions.begin(), model.particle_conditions.end(), is_load),
        "tractions and fluxes on faces");
   note(!model.output.grid_fields.empty(), "files of the grid");
-  note(std::any_of(model.materials.begin(), model.materials.end(), is_rigid), "rigid bodies");
+  note(model.contact.active && model.heat.conduction, "conduction of heat across contact");
   return out;
 }
 
@@ -81,27 +102,38 @@ EndForOthers::~EndForOthers() {
 
 template <int Dim>
 template <class F>
-auto LeadingRun<Dim>::with_all_particles(F&& f) const {
+auto LeadingRun<Dim>::with_all_particles(bool view, bool state, F&& f) const {
   const bool collects = run_.stepper().distribution().active() && !run_.stepper().distribution().shares_all();
-  if (collects) command(Command::collect), together([&] { collect(run_); });
-  const auto release = [&] {
-    if (collects) run_.stepper().distribution().release();
-    run_.stepper().forget_grid_kinetic();
+  const auto collect_all = [&] {
+    const Command what = view ? Command::collect_view : state ? Command::collect_state : Command::collect;
+    command(what);
+    collect(run_, what);
   };
-  try {
-    const AloneScope alone;
-    if constexpr (std::is_void_v<decltype(f())>) {
-      f();
-      release();
-    } else {
-      auto result = f();
-      release();
-      return result;
+  if (collects) together(collect_all);
+  // Gives the particles back at the end, whatever happens.
+  struct Release {
+    GridRun<Dim>* run;
+    ~Release() {
+      if (run) release(*run);
     }
-  } catch (...) {
-    release();
-    throw;
-  }
+  };
+  const Release at_end{collects ? &run_ : nullptr};
+  const AloneScope alone;
+  return f();
+}
+
+// Impulses on faces depend on each other everywhere.
+template <int Dim>
+void refuse_faces(GridRun<Dim>& run, const Model& model) {
+  if (run.system().contact_at_faces)
+    throw InputError(model.grid.origin,
+                     "this model runs in a single process only, because it has contact impulses on faces; in "
+                     "several processes they must be on nodes (<MultiMaterialMode Impulses='nodes'>)");
+}
+
+template <int Dim>
+LeadingRun<Dim>::LeadingRun(const Model& model) : run_(model), moving_(run_.moving()) {
+  refuse_faces(run_, model);
 }
 
 template <int Dim>
@@ -131,43 +163,43 @@ double LeadingRun<Dim>::advance() {
 template <int Dim>
 std::vector<std::string> LeadingRun<Dim>::look() {
   if (!run_.is_look_due()) return {};
-  return with_all_particles([&] { return run_.look(); });
+  return with_all_particles(false, false, [&] { return run_.look(); });
 }
 
 template <int Dim>
 std::vector<std::string> LeadingRun<Dim>::remarks() const {
-  return with_all_particles([&] { return run_.remarks(); });
+  return with_all_particles(false, false, [&] { return run_.remarks(); });
 }
 
 template <int Dim>
 std::vector<std::string> LeadingRun<Dim>::choices() const {
-  return with_all_particles([&] { return run_.choices(); });
+  return with_all_particles(false, false, [&] { return run_.choices(); });
 }
 
 template <int Dim>
 void LeadingRun<Dim>::save(RunState state, CheckpointWriter& to) {
-  with_all_particles([&] { run_.save(state, to); });
+  with_all_particles(false, true, [&] { run_.save(state, to); });
 }
 
 template <int Dim>
 void LeadingRun<Dim>::open_results(const std::filesystem::path& folder, std::optional<double> resume_time,
                                    OutputQueue& queue) {
-  with_all_particles([&] { run_.open_results(folder, resume_time, queue); });
+  with_all_particles(false, false, [&] { run_.open_results(folder, resume_time, queue); });
 }
 
 template <int Dim>
 void LeadingRun<Dim>::write_history() {
-  with_all_particles([&] { run_.write_history(); });
+  with_all_particles(false, false, [&] { run_.write_history(); });
 }
 
 template <int Dim>
 void LeadingRun<Dim>::write_files(std::int64_t number) {
-  with_all_particles([&] { run_.write_files(number); });
+  with_all_particles(true, false, [&] { run_.write_files(number); });
 }
 
 template <int Dim>
 std::map<std::string, std::string> LeadingRun<Dim>::facts() const {
-  auto out = with_all_particles([&] { return run_.facts(); });
+  auto out = with_all_particles(false, false, [&] { return run_.facts(); });
   out["processes"] = std::to_string(ranks().count());
   return out;
 }
@@ -195,8 +227,9 @@ bool carry_out(Command what, GridRun<Dim>& run, const std::filesystem::path& che
       run.advance();
       return true;
     case Command::collect:
-      collect(run);
-      run.stepper().forget_grid_kinetic();
+    case Command::collect_view:
+    case Command::collect_state:
+      collect(run, what);
       return true;
     case Command::end:
       break;
@@ -211,6 +244,7 @@ void follow(const Model& model, int threads, const std::filesystem::path& checkp
   std::optional<GridRun<Dim>> run;
   try {
     run.emplace(model);
+    refuse_faces(*run, model);
   } catch (...) {
     while (next_command() != Command::end) continue;
     throw;  // what rank 0 has found, too

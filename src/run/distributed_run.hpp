@@ -21,7 +21,7 @@ template <int Dim>
 class LeadingRun final : public SteppedModel {
  public:
   /// Throws InputError.
-  explicit LeadingRun(const Model& model) : run_(model), moving_(run_.moving()) {}
+  explicit LeadingRun(const Model& model);
 
   double time() const override { return run_.time(); }
   std::int64_t step() const override { return run_.step(); }
@@ -53,9 +53,9 @@ class LeadingRun final : public SteppedModel {
   std::map<std::string, double> seconds_of(double steps) const override { return run_.seconds_of(steps); }
 
  private:
-  // Calls f() with all particles on this rank.
+  // Calls f() with all particles on this rank; with the `view` of contact at them, or with the whole `state`.
   template <class F>
-  auto with_all_particles(F&& f) const;
+  auto with_all_particles(bool view, bool state, F&& f) const;
 
   mutable GridRun<Dim> run_;
   std::pair<std::int64_t, std::string> moving_;

@@ -7,6 +7,18 @@
 
 namespace tribo {
 
+namespace {
+
+// Blocks around those of a process whose particles it must know: the stencils of all that reach the nodes of its own
+// particles, and with contact those within the distance in which faces are searched.
+template <int Dim>
+int ghost_layers(const Transfers<Dim>& transfers, const System<Dim>& system) {
+  if (Dim == 2) return 1;
+  return 1 + (transfers.colours_per_axis() > 2 ? 1 : 0) + (system.fields.size() > 1 ? 1 : 0);
+}
+
+}  // namespace
+
 // Notation: w_Ip is the shape function of node I at particle p; S interpolates from nodes to particles; S+ scatters to
 // the nodes and divides by the nodal mass.
 template <int Dim>
@@ -63,7 +75,7 @@ Stepper<Dim>::Stepper(const Model& model, System<Dim>& system)
       system_(system),
       loops_(system),
       transfers_(make_transfers<Dim>(model.scheme)),
-      distribution_(system, transfers_->colours_per_axis() > 2 ? 2 : 1),
+      distribution_(system, ghost_layers<Dim>(*transfers_, system)),
       of_all_(system, loops_, *transfers_, distribution_),
       sort_(model, system, distribution_),
       splitting_(model, system, ledger_),
@@ -77,7 +89,7 @@ Stepper<Dim>::Stepper(const Model& model, System<Dim>& system)
       body_forces_(model, system, exchanges_, ledger_),
       nodal_work_(system, exchanges_, ledger_),
       damping_(model, system, exchanges_, ledger_),
-      rigid_bodies_(model, system, *transfers_, exchanges_, ledger_),
+      rigid_bodies_(model, system, *transfers_, exchanges_, distribution_, ledger_),
       rigid_blocks_(system),
       heat_(model, system, loops_, of_all_),
       ramps_(model, system),
@@ -111,8 +123,10 @@ void Stepper<Dim>::begin_step() {
 template <int Dim>
 void Stepper<Dim>::distribute() {
   if (sort_.is_due()) return sort();
+  contact_.lift_faces();
   distribution_.share_out();
   locate_nodes();
+  contact_.drop_faces();
 }
 
 template <int Dim>
@@ -172,6 +186,7 @@ double Stepper<Dim>::strain_time(double dt) const {
 template <int Dim>
 void Stepper<Dim>::strain_again(double dt, double strain_dt) {
   for (auto& field : system_.fields) std::swap(field.nodes, field.nodes_again);
+  if (!system_.rigids.empty()) distribution_.refresh_ghosts();  // they have moved since the last scatter
   scatter_rest(true);
   sum_images(ImageValues::vectors);
   divide_by_mass();

@@ -135,6 +135,7 @@ class Stepper {
 
   // step_nodes.cpp
   void sort();
+  BlockTable<Dim, std::uint64_t> around_own_particles() const;
   void zero_nodes();
   void scatter(Scatter what);
   // What a scatter of mass and momentum adds besides the sums over the particles of deformable bodies.

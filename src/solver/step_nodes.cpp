@@ -25,6 +25,7 @@ template <int Dim>
 void Stepper<Dim>::locate_nodes() {
   cracks_.locate();
   std::vector<std::vector<BlockReach<Dim>>> reached(system_.fields.size());
+  const auto around = around_own_particles();
   for (auto* bodies : {&system_.bodies, &system_.rigids})
     for (const auto& body : *bodies) {
       if (body.field == Body<Dim>::no_field) continue;
@@ -38,7 +39,8 @@ void Stepper<Dim>::locate_nodes() {
     add_periodic_blocks(model_.grid, system_.lattice, occupied);
     field.map.rebuild(occupied);
     if (distribution_.active())
-      field.map.mark_own([&](const Index<Dim>& block) { return system_.partition->is_own(block); });
+      field.map.mark_own([&](const Index<Dim>& block) { return system_.partition->is_own(block); },
+                         [&](const Index<Dim>& block) { return around[block]; });
     if (exchanges_[f]->has_images()) field.map.reach_all();
     const auto nodes = static_cast<std::size_t>(field.map.node_count());
     field.nodes.resize(nodes);
@@ -54,6 +56,46 @@ void Stepper<Dim>::locate_nodes() {
   b_bar_.locate();
   for (auto& body : system_.bodies) body.refresh();
   loops_.divide();
+}
+
+// In a run of several processes, bits of the nodes around the particles of this one, per block: contact is found there.
+// The contributions of all particles to these nodes are known. The stencils of particles beyond the ghosts, which may have
+// moved by a cell, end behind the nodes that are this many nodes beyond the stencils of the own ones.
+template <int Dim>
+BlockTable<Dim, std::uint64_t> Stepper<Dim>::around_own_particles() const {
+  BlockTable<Dim, std::uint64_t> around(0);
+  if (!distribution_.active()) return around;
+  constexpr int edge = block_edge<Dim>, farthest = 4;  // the latter as far as the state of contact is shown [nodes]
+  const int width = transfers_->stencil_width();
+  const int more = std::min(farthest, distribution_.layers() * edge - 1 - width);
+  // Calls f(block, bits of its nodes).
+  const auto each_block = [&](auto&& f) {
+    for (const auto* bodies : {&system_.bodies, &system_.rigids})
+      for (const auto& body : *bodies) {
+        auto reach = body.bins.reach(system_.lattice, width);
+        reach.resize(body.bins.list().size());  // without ghosts
+        for (BlockReach<Dim>& nodes : reach) {
+          const Index<Dim> middle = system_.lattice.block_at(nodes.block);
+          Index<Dim> first, last;
+          for (std::size_t d = 0; d < Dim; ++d) {
+            nodes.low[d] -= more, nodes.high[d] += more;
+            first[d] = std::max(middle[d] - (edge - 1 - nodes.low[d]) / edge, 0);
+            last[d] = std::min(middle[d] + nodes.high[d] / edge, system_.lattice.blocks[d] - 1);
+          }
+          each_in_box<Dim>(first, last, [&](const Index<Dim>& block) {
+            Index<Dim> low = nodes.low, high = nodes.high;
+            for (std::size_t d = 0; d < Dim; ++d)
+              low[d] -= (block[d] - middle[d]) * edge, high[d] -= (block[d] - middle[d]) * edge;
+            f(block, nodes_in_box<Dim>(low, high));
+          });
+        }
+      }
+  };
+  BlockBox<Dim> box;
+  each_block([&](const Index<Dim>& block, std::uint64_t) { box.include(block); });
+  around.reset(box);
+  each_block([&](const Index<Dim>& block, std::uint64_t nodes) { around.at(block) |= nodes; });
+  return around;
 }
 
 template <int Dim>

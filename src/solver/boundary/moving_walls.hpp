@@ -57,6 +57,7 @@ class MovingWalls {
       double &v = node.velocity[axis], &a = node.acceleration[axis];
       const double correction = (g.wanted - v + (after_impose ? g.pending : 0.0)) / dt;
       v = g.wanted, a += correction;
+      if (!map_->is_own(static_cast<std::size_t>(g.node / block_nodes<Dim>))) continue;
       book(Force{lines_[g.line].condition, exchange.ownership(g.node) * node.mass, correction, v - 0.5 * dt * a});
     }
   }

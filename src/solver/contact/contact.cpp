@@ -2,6 +2,7 @@
 #include "solver/contact/contact.hpp"
 
 #include "base/parallel.hpp"
+#include "base/ranks.hpp"
 #include "grid/kernels.hpp"
 #include "solver/contact/contact_view.hpp"
 
@@ -226,8 +227,32 @@ void Contact<Dim>::archive_kept(Archive& a) {
 }
 
 template <int Dim>
-void Contact<Dim>::fill_view() {
+void Contact<Dim>::collect_faces() {
   if (!active_) return;
+  search_.collect();
+  collected_ = ranks().gather(cache_.portable_faces(bodies_, true));
+}
+
+template <int Dim>
+void Contact<Dim>::place_collected_faces() {
+  if (active_) cache_.take_faces(collected_, bodies_);
+  collected_.clear();
+}
+
+template <int Dim>
+void Contact<Dim>::lift_faces() {
+  if (active_) collected_ = {cache_.portable_faces(bodies_, false)};
+}
+
+template <int Dim>
+void Contact<Dim>::drop_faces() {
+  place_collected_faces();
+  cache_.forget_former();
+}
+
+template <int Dim>
+void Contact<Dim>::fill_view() {
+  if (!active_ || has_all_particles_) return;
   for (auto& node : search_.found().nodes) node.needs_faces = node.between_bodies;
   collect_particles();
   fill_contact_view<Dim>(system_, search_, cloud_, bodies_);

@@ -85,6 +85,17 @@ class Contact {
   /// Fills the particle columns that show contact, see fill_contact_view.
   void fill_view();
 
+  /// In a run of several processes, before rank 0 saves its state: collects the faces of all processes there, in two
+  /// parts, before and after it has received all particles. release() gives its own ones back.
+  void collect_faces();
+  void place_collected_faces();
+  void release() { cache_.return_faces(), search_.release(), has_all_particles_ = false; }
+  /// Rank 0 has all particles, whose contact has been found before.
+  void keep_view() { has_all_particles_ = true; }
+  /// Before and after the particles of a run that was restored are divided among processes.
+  void lift_faces();
+  void drop_faces();
+
   Stopwatch watch;  ///< time spent in contact
 
   /// The faces that are kept from step to step. They are saved apart from the rest, since locate() forgets them.
@@ -120,7 +131,9 @@ class Contact {
   ContactLedger<Dim> ledger_;
   std::vector<NearParticles<Dim>> near_;  // working memory, one for each thread
   std::vector<std::size_t> searched_;     // scratch: contact nodes whose faces are found in this step
-  double h_;                              // cell size [length]
+  bool has_all_particles_ = false;
+  std::vector<std::vector<std::byte>> collected_;  // faces of all processes
+  double h_;                                       // cell size [length]
 };
 
 }  // namespace tribo

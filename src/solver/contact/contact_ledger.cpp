@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "solver/contact/contact_ledger.hpp"
 
+#include "base/bytes.hpp"
+#include "base/ranks.hpp"
 #include "blocks/assembly.hpp"
 
 #include <algorithm>
@@ -16,6 +18,66 @@ struct Part {
 };
 
 }  // namespace
+
+// Rank 0 of a run in several processes adds all entries in the order of the nodes, as a single process does.
+template <int Dim>
+void ContactLedger<Dim>::book(Sum sum, const Key& pair, const Vec3& value) {
+  const Entry entry{node_->number, sum, {pair.first, pair.second}, {value[0], value[1], value[2]}};
+  if (ranks().count() == 1) return add(entry);
+  if (node_->own) entries_.push_back(entry);
+}
+
+template <int Dim>
+void ContactLedger<Dim>::add(const Entry& entry) {
+  const Eigen::Map<const Vec3> value(entry.value.data());
+  switch (entry.sum) {
+    case Sum::nodal_work:
+      nodal_work += value[0];
+      return;
+    case Sum::rigid_work:
+      rigid_work += value[0];
+      return;
+    case Sum::rigid_impulse:
+      rigid_impulse += value;
+      return;
+    default:
+      break;
+  }
+  const Key key{entry.pair[0], entry.pair[1]};
+  if (!last_ || last_key_ != key) last_ = &pairs[key], last_key_ = key;
+  switch (entry.sum) {
+    case Sum::force:
+      last_->force += value;
+      return;
+    case Sum::area:
+      last_->area += value[0];
+      return;
+    case Sum::friction:
+      last_->friction += value[0];
+      return;
+    case Sum::impact:
+      last_->impact += value[0];
+      return;
+    default:
+      last_->interface += value[0];
+  }
+}
+
+template <int Dim>
+void ContactLedger<Dim>::add_booked() {
+  if (ranks().count() == 1) return;
+  ByteWriter mine;
+  mine.values(std::span<const Entry>(entries_));
+  entries_.clear();
+  for (const auto& message : ranks().gather(std::move(mine.data))) {
+    const std::size_t before = entries_.size();
+    entries_.resize(before + message.size() / sizeof(Entry));
+    ByteReader(message).values(std::span<Entry>(entries_).subspan(before));
+  }
+  std::ranges::stable_sort(entries_, {}, &Entry::node);
+  for (const Entry& entry : entries_) add(entry);
+  entries_.clear();
+}
 
 template <int Dim>
 auto ContactLedger<Dim>::key(const ContactNodes<Dim>& contacts, const ContactPair& pair) const -> Key {
@@ -84,12 +146,11 @@ double ContactLedger<Dim>::extrapolated(const ContactNodes<Dim>& contacts, const
 }
 
 template <int Dim>
-void ContactLedger<Dim>::add_work(const ContactNode<Dim>& node, ContactPair& pair, PairLedger& entry, double all,
-                                  double normal) const {
-  if (pair.law->interface())
-    entry.interface += all;
-  else
-    entry.impact += normal, entry.friction += all - normal, pair.friction_work += (all - normal) / node.ownership;
+void ContactLedger<Dim>::add_work(const ContactNode<Dim>& node, ContactPair& pair, const Key& of, double all,
+                                  double normal) {
+  if (pair.law->interface()) return book(Sum::interface, of, all);
+  book(Sum::impact, of, normal), book(Sum::friction, of, all - normal);
+  pair.friction_work += (all - normal) / node.ownership;
 }
 
 template <int Dim>
@@ -106,7 +167,9 @@ void ContactLedger<Dim>::record(ContactNodes<Dim>& contacts, double dt, bool rep
   rigid_exchanges_.assign(system_.fields.size(), {});
   for (const auto& node : contacts.nodes) {
     if (node.idle) continue;
-    if (replaces && !filtered && !has_start_) nodal_work += node.ownership * extrapolated(contacts, node, dt);
+    begin_node(node);
+    if (replaces && !filtered && !has_start_)
+      book(Sum::nodal_work, node.ownership * extrapolated(contacts, node, dt));
     for (std::size_t p = node.first_pair; p < node.end_pair; ++p) {
       ContactPair& pair = contacts.pairs[p];
       pair.update_impulse = pair.impulse, pair.update_mass = pair.state.mass;
@@ -125,25 +188,27 @@ void ContactLedger<Dim>::record(ContactNodes<Dim>& contacts, double dt, bool rep
       const Part parts[] = {{pair.impulse, mean}, {kept * pair.at_start, v.start}};
       const Vec3 impulse = parts[0].impulse + parts[1].impulse, beyond = impulse - pair.applied;
       pair.total_impulse = impulse;
-      nodal_work += node.ownership * (pair.applied.dot(mean) - parts[0].work() - parts[1].work());
+      book(Sum::nodal_work, node.ownership * (pair.applied.dot(mean) - parts[0].work() - parts[1].work()));
       if (pair.response.status == ContactStatus::open && impulse.isZero(0)) continue;
-      auto& entry = pairs[key(contacts, pair)];
-      entry.force += node.ownership / dt * impulse;
-      entry.area += node.ownership * pair.state.area;
+      const Key of = key(contacts, pair);
+      book(Sum::force, of, Vec3(node.ownership / dt * impulse));
+      book(Sum::area, of, node.ownership * pair.state.area);
       for (const Part& part : parts) {
         const double all = node.ownership * part.work();
         const double normal = node.ownership * part.along(pair.state.normal).work();
-        add_work(node, pair, entry, all, normal);
+        add_work(node, pair, of, all, normal);
       }
       record_rigid(contacts, node, pair, impulse, beyond);
     }
   }
+  add_booked();
 }
 
 template <int Dim>
 void ContactLedger<Dim>::record_end(ContactNodes<Dim>& contacts, bool filtered, bool strain_filtered) {
   const double share = filtered && !has_start_ ? 1.0 : 0.5;  // of the work that is done at the velocities at the end
-  for (const auto& node : contacts.nodes)
+  for (const auto& node : contacts.nodes) {
+    begin_node(node);
     for (ContactPair& pair : contacts.active_pairs_of(node)) {
       if (!pair.law || (pair.update_impulse.isZero(0) && pair.applied.isZero(0))) continue;
       const Vec3 change = velocity_of(contacts, node, pair, false, strain_filtered) - pair.update_velocity;
@@ -153,14 +218,17 @@ void ContactLedger<Dim>::record_end(ContactNodes<Dim>& contacts, bool filtered, 
       const bool slides = pair.update_status == ContactStatus::slip;
       const Vec3 mean_change = share * along_normal + (slides ? 1.0 : share) * along_face;
       const Part part{node.ownership * pair.update_impulse, mean_change};
-      nodal_work += node.ownership * (pair.applied - pair.update_impulse).dot(mean_change);
-      add_work(node, pair, pairs[key(contacts, pair)], part.work(), part.along(pair.state.normal).work());
+      book(Sum::nodal_work, node.ownership * (pair.applied - pair.update_impulse).dot(mean_change));
+      add_work(node, pair, key(contacts, pair), part.work(), part.along(pair.state.normal).work());
     }
+  }
+  add_booked();
 }
 
 template <int Dim>
 void ContactLedger<Dim>::record_block_motion(ContactNodes<Dim>& contacts, const std::vector<BlockMean>& means) {
-  for (const auto& node : contacts.nodes)
+  for (const auto& node : contacts.nodes) {
+    begin_node(node);
     for (ContactPair& pair : contacts.active_pairs_of(node)) {
       if (!pair.law || pair.total_impulse.isZero(0)) continue;
       for (const auto& [side, sign] : {std::pair{pair.a, -1.0}, std::pair{pair.b, 1.0}}) {
@@ -171,10 +239,12 @@ void ContactLedger<Dim>::record_block_motion(ContactNodes<Dim>& contacts, const 
         const BlockMean& mean = means[static_cast<std::size_t>(k)];
         const Part part{node.ownership * pair.total_impulse,
                         sign * (mean.v + mean.w.cross(at.x - mean.x) - at.velocity)};
-        rigid_work += part.work();
-        add_work(node, pair, pairs[key(contacts, pair)], part.work(), part.along(pair.state.normal).work());
+        book(Sum::rigid_work, part.work());
+        add_work(node, pair, key(contacts, pair), part.work(), part.along(pair.state.normal).work());
       }
     }
+  }
+  add_booked();
 }
 
 template <int Dim>
@@ -207,9 +277,9 @@ void ContactLedger<Dim>::record_rigid(const ContactNodes<Dim>& contacts, const C
     if (rigid.inverse_mass > 0.0) continue;
     const Vec3 impulse = sign * node.ownership * total;  // on the other field
     const auto [x, velocity] = rigid_point(node, pair, rigid, sign);
-    rigid_work += impulse.dot(velocity);
-    nodal_work += sign * node.ownership * beyond.dot(velocity);
-    rigid_impulse += impulse;
+    book(Sum::rigid_work, impulse.dot(velocity));
+    book(Sum::nodal_work, sign * node.ownership * beyond.dot(velocity));
+    book(Sum::rigid_impulse, {}, impulse);
     RigidExchange& exchange = rigid_exchanges_[rigid.field];
     exchange.impulse -= impulse, exchange.moment -= x.cross(impulse);
     if (const auto k = system_.fields[rigid.field].block; k >= 0) {

@@ -5,6 +5,8 @@
 #include "solver/contact/contact_nodes.hpp"
 #include "solver/state/system.hpp"
 
+#include <array>
+#include <cstdint>
 #include <map>
 #include <utility>
 #include <vector>
@@ -104,7 +106,9 @@ class ContactLedger {
 
   /// The exchanges with rigid bodies are those of the last step.
   friend void archive(Archive& a, ContactLedger& ledger) {
-    auto& [its_pairs, its_work, its_impulse, its_nodal_work, its_time, system, rigid_exchanges, has_start] = ledger;
+    auto& [its_pairs, its_work, its_impulse, its_nodal_work, its_time, system, rigid_exchanges, has_start, entries,
+           node, last, last_key] = ledger;
+    last = nullptr;
     a.version(3);
     a.map("pairs", its_pairs);
     a("rigid_work", its_work), a("rigid_impulse", its_impulse), a("nodal_work", its_nodal_work);
@@ -116,12 +120,26 @@ class ContactLedger {
   struct Relative {
     Vec3 start, end;
   };
+  // What is added to a sum: to one of all contact, or to one of a pair.
+  enum class Sum : std::int32_t { nodal_work, rigid_work, rigid_impulse, force, area, friction, impact, interface };
+  struct Entry {
+    std::int64_t node;  // ContactNode::number
+    Sum sum;
+    std::array<std::size_t, 2> pair;
+    std::array<double, 3> value;  // a vector, or a number in its first component
+  };
+  void begin_node(const ContactNode<Dim>& node) { node_ = &node; }
+  void book(Sum sum, const Key& pair, const Vec3& value);
+  void book(Sum sum, const Key& pair, double value) { book(sum, pair, Vec3(value, 0, 0)); }
+  void book(Sum sum, double value) { book(sum, {}, Vec3(value, 0, 0)); }
+  void add(const Entry& entry);
+  void add_booked();
   Key key(const ContactNodes<Dim>& contacts, const ContactPair& pair) const;
   Vec3 velocity_of(const ContactNodes<Dim>& contacts, const ContactNode<Dim>& node, const ContactPair& pair, bool rigid,
                    bool strain_filtered) const;
   double extrapolated(const ContactNodes<Dim>& contacts, const ContactNode<Dim>& node, double dt) const;
   // Work of the impulses of a pair [energy]: of all, and of their normal components.
-  void add_work(const ContactNode<Dim>& node, ContactPair& pair, PairLedger& entry, double all, double normal) const;
+  void add_work(const ContactNode<Dim>& node, ContactPair& pair, const Key& of, double all, double normal);
   // A rigid member of a pair: position and velocity at which the impulse of the pair acts on it.
   struct RigidPoint {
     Vec3 x, velocity;
@@ -137,6 +155,11 @@ class ContactLedger {
   const System<Dim>& system_;
   std::vector<RigidExchange> rigid_exchanges_;
   bool has_start_ = false;  // keep_start() was called in this step
+  // In a run of several processes, what this one adds to the sums of rank 0, in the order of the nodes.
+  std::vector<Entry> entries_;
+  const ContactNode<Dim>* node_ = nullptr;  // that is being recorded
+  PairLedger* last_ = nullptr;              // the pair to which something was added last
+  Key last_key_;
 };
 
 }  // namespace tribo

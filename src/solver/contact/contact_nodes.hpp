@@ -83,7 +83,8 @@ inline ContactResponse response_of(const ContactPair& pair, const ContactState& 
 template <int Dim>
 struct ContactNode {
   Index<Dim> index{};                            ///< index in the lattice
-  std::int64_t number = 0;                       ///< among the nodes of all shared blocks, see ContactSearch
+  std::int64_t number = 0;                       ///< among the nodes of all blocks of the lattice
+  bool own = true;                               ///< whether it counts in the sums of this process
   std::size_t first_member = 0, end_member = 0;  ///< range of ContactNodes::members
   std::size_t first_pair = 0, end_pair = 0;      ///< range of ContactNodes::pairs
   double ownership = 1.0;                        ///< weight of the node in sums over nodes, see Exchange::ownership

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "solver/contact/contact_search.hpp"
 
+#include "base/bytes.hpp"
 #include "base/parallel.hpp"
+#include "base/ranks.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -11,20 +13,21 @@ namespace tribo {
 
 template <int Dim>
 void ContactSearch<Dim>::locate() {
-  if (!is_new_) kept_ = kept_pairs();
+  if (!is_new_) kept_ = kept_pairs(), share_kept_pairs();
   is_new_ = true;
   shared_.clear();
   std::map<std::int64_t, std::vector<BlockUser>> all;
   for (std::size_t f = 0; f < system_.fields.size(); ++f) {
     const auto& map = system_.fields[f].map;
     for (std::size_t slot = 0; slot < map.active().size(); ++slot)
-      all[map.active()[slot]].push_back({f, static_cast<int>(slot), map.reached(slot)});
+      all[map.active()[slot]].push_back({f, static_cast<int>(slot), map.reached(slot) & map.complete(slot)});
   }
   for (auto& [block, users] : all) {
     std::uint64_t once = 0, twice = 0;
     for (const BlockUser& user : users) twice |= once & user.reached, once |= user.reached;
     if (twice == 0) continue;
-    shared_.push_back({block, twice, std::move(users)});
+    const bool own = system_.fields[users[0].field].map.is_own(static_cast<std::size_t>(users[0].slot));
+    shared_.push_back({block, twice, own, std::move(users)});
   }
   BlockBox<Dim> box;
   for (const SharedBlock& shared : shared_) box.include(system_.lattice.block_at(shared.block));
@@ -43,7 +46,7 @@ bool ContactSearch<Dim>::each_shared_node(std::size_t part, F&& f) const {
   for (std::size_t s = first; s < end; ++s)
     for (std::uint64_t rest = shared_[s].nodes; rest != 0; rest &= rest - 1) {
       const int local = std::countr_zero(rest);
-      if (!f(shared_[s], local, static_cast<std::int64_t>(s) * block_nodes<Dim> + local)) return false;
+      if (!f(shared_[s], local, shared_[s].block * block_nodes<Dim> + local)) return false;
     }
   return true;
 }
@@ -138,7 +141,7 @@ void ContactSearch<Dim>::list_nodes(const Exchanges<Dim>& exchanges, std::size_t
     const BlockUser& user = shared.users[0];
     node.index =
         system_.fields[user.field].map.node_at(static_cast<std::int64_t>(user.slot) * block_nodes<Dim> + local);
-    node.number = place;
+    node.number = place, node.own = shared.own;
     const ContactMember& of_first = fresh.members[node.first_member];
     node.mirrored_axes = exchanges[of_first.field]->mirrored_axes(node.index);
     node.ownership = exchanges[of_first.field]->ownership(of_first.node);
@@ -246,7 +249,7 @@ bool ContactSearch<Dim>::can_touch(const ContactMember& a, const ContactMember& 
 template <int Dim>
 void ContactSearch<Dim>::list_pairs(ContactNode<Dim>& node, std::span<const KeptPair> kept) {
   ContactPair* next = &found_.pairs[node.first_pair];
-  auto last = std::lower_bound(kept.begin(), kept.end(), place_of(node.number),
+  auto last = std::lower_bound(kept.begin(), kept.end(), node.number,
                                [](const KeptPair& pair, std::int64_t at) { return pair.place < at; });
   for (std::size_t a = node.first_member; a < node.end_member; ++a)
     for (std::size_t b = a + 1; b < node.end_member; ++b) {
@@ -273,7 +276,7 @@ void ContactSearch<Dim>::list_pairs(ContactNode<Dim>& node, std::span<const Kept
 template <int Dim>
 auto ContactSearch<Dim>::kept_pair(const ContactNode<Dim>& node, const ContactPair& pair) const -> KeptPair {
   const auto field = [&](std::size_t member) { return static_cast<std::int64_t>(found_.members[member].field); };
-  return {place_of(node.number), field(pair.a),     field(pair.b),   pair.update_status,
+  return {node.number, field(pair.a),     field(pair.b),   pair.update_status,
           pair.update_impulse,   pair.end_velocity, pair.update_mass};
 }
 
@@ -289,7 +292,12 @@ void ContactSearch<Dim>::add_kept(const Nodes& nodes, std::vector<KeptPair>& to)
 template <int Dim>
 auto ContactSearch<Dim>::kept_pairs() const -> std::vector<KeptPair> {
   std::vector<KeptPair> kept;
-  add_kept(found_.nodes, kept);
+  if (ranks().count() == 1) {
+    add_kept(found_.nodes, kept);
+  } else {
+    for (const ContactNode<Dim>& node : found_.nodes)
+      if (node.own) add_kept(std::span(&node, 1), kept);
+  }
   return kept;
 }
 
@@ -321,10 +329,30 @@ void ContactSearch<Dim>::archive_kept(Archive& a, std::vector<KeptPair>& kept) {
   }
 }
 
+// In a run of several processes, every one receives the pairs at the own nodes of all others, which kept_ has before.
 template <int Dim>
-std::int64_t ContactSearch<Dim>::place_of(std::int64_t number) const {
-  return shared_[static_cast<std::size_t>(number / block_nodes<Dim>)].block * block_nodes<Dim> +
-         number % block_nodes<Dim>;
+void ContactSearch<Dim>::share_kept_pairs() {
+  if (ranks().count() == 1) return;
+  ByteWriter own;
+  for (const KeptPair& pair : kept_) {
+    own.value(pair.place), own.value(pair.a), own.value(pair.b), own.value(pair.status), own.value(pair.mass);
+    for (const Vec3* vector : {&pair.impulse, &pair.velocity})
+      for (const double component : *vector) own.value(component);
+  }
+  ByteWriter all;
+  for (const auto& message : ranks().gather(std::move(own.data))) all.values(std::span<const std::byte>(message));
+  ranks().broadcast(all.data);
+  kept_.clear();
+  for (ByteReader reader(all.data); !reader.at_end();) {
+    KeptPair pair;
+    pair.place = reader.value<std::int64_t>(), pair.a = reader.value<std::int64_t>();
+    pair.b = reader.value<std::int64_t>(), pair.status = reader.value<ContactStatus>();
+    pair.mass = reader.value<double>();
+    for (Vec3* vector : {&pair.impulse, &pair.velocity})
+      for (double& component : *vector) component = reader.value<double>();
+    kept_.push_back(pair);
+  }
+  std::ranges::sort(kept_, [](const KeptPair& one, const KeptPair& other) { return one.precedes(other); });
 }
 
 template <int Dim>
@@ -338,7 +366,7 @@ const ContactNode<Dim>* ContactSearch<Dim>::node_at(const Index<Dim>& index) con
   }
   const int s = shared_at_[block];
   if (s < 0 || found_.parts.empty()) return nullptr;
-  const auto number = static_cast<std::int64_t>(s) * block_nodes<Dim> + static_cast<std::int64_t>(local);
+  const auto number = system_.lattice.block_index(block) * block_nodes<Dim> + static_cast<std::int64_t>(local);
   const ContactPart& part = found_.parts[static_cast<std::size_t>(s) / part_blocks];
   const auto nodes = std::span(found_.nodes).subspan(part.first_node, part.end_node - part.first_node);
   const auto node = std::ranges::lower_bound(nodes, number, {}, &ContactNode<Dim>::number);

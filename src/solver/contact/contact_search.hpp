@@ -37,9 +37,16 @@ class ContactSearch {
   /// The contact node at an index of the lattice; null if there is none.
   const ContactNode<Dim>* node_at(const Index<Dim>& index) const;
 
+  /// Before rank 0 saves a run of several processes: gives it the impulses of all of them.
+  void collect() {
+    if (!is_new_) kept_ = kept_pairs(), share_kept_pairs();
+    is_collected_ = true;
+  }
+  void release() { is_collected_ = false; }
+
   friend void archive(Archive& a, ContactSearch& search) {
     a.version(5);
-    if (!search.is_new_) search.kept_ = search.kept_pairs();
+    if (!search.is_new_ && !search.is_collected_) search.kept_ = search.kept_pairs();
     if (a.reading()) search.is_new_ = true;
     archive_kept(a, search.kept_);
   }
@@ -47,7 +54,7 @@ class ContactSearch {
  private:
   // What is kept of a pair until the next step.
   struct KeptPair {
-    std::int64_t place;  // position of the node among those of all blocks of the lattice
+    std::int64_t place;  // ContactNode::number
     std::int64_t a, b;   // fields
     ContactStatus status;
     Vec3 impulse, velocity;
@@ -69,6 +76,7 @@ class ContactSearch {
   struct SharedBlock {
     std::int64_t block;   // in the lattice
     std::uint64_t nodes;  // bits of these nodes
+    bool own;             // whether they count in the sums of this process
     std::vector<BlockUser> users;
   };
 
@@ -96,7 +104,7 @@ class ContactSearch {
   template <class Nodes>
   void add_kept(const Nodes& nodes, std::vector<KeptPair>& to) const;
   std::vector<KeptPair> kept_pairs() const;
-  std::int64_t place_of(std::int64_t number) const;
+  void share_kept_pairs();
 
   const System<Dim>& system_;
   const ContactLaws<Dim>& laws_;
@@ -104,6 +112,7 @@ class ContactSearch {
   std::vector<SharedBlock> shared_;
   BlockTable<Dim, int> shared_at_{-1};  // per block: its position in shared_, or -1
   std::vector<KeptPair> kept_;          // in ascending order; those of the last step, from locate() to find()
+  bool is_collected_ = false;           // kept_ has those of all processes
   bool is_new_ = true;                  // the shared blocks are others than in the last find()
   std::vector<Fresh> fresh_;            // scratch of find(): per part
   std::vector<ContactNode<Dim>> next_;  // scratch of find()

@@ -2,6 +2,7 @@
 #include "solver/contact/face_cache.hpp"
 
 #include "base/parallel.hpp"
+#include "base/ranks.hpp"
 #include "solver/contact/face_geometry.hpp"
 #include "solver/contact/face_tolerances.hpp"
 
@@ -77,7 +78,7 @@ bool FaceCache<Dim>::reuse(ContactNodes<Dim>& contacts, const std::vector<Body<D
   for (ContactNode<Dim>& node : contacts.nodes)
     if (node.has_approached) measure_approached(node, contacts);
   const auto needs_faces = [](const ContactNode<Dim>& node) { return node.needs_faces; };
-  if (std::none_of(contacts.nodes.begin(), contacts.nodes.end(), needs_faces)) return false;
+  if (!any_rank(std::any_of(contacts.nodes.begin(), contacts.nodes.end(), needs_faces))) return false;
   renew_with_others(contacts);
   return true;
 }
@@ -122,21 +123,25 @@ void FaceCache<Dim>::measure_approached(ContactNode<Dim>& node, ContactNodes<Dim
 // while it rolls. Also finds faces that are nearly spent together with those that are spent.
 template <int Dim>
 void FaceCache<Dim>::renew_with_others(ContactNodes<Dim>& contacts) {
-  counts_.assign(system_.fields.size(), {0, 0});
-  bool any_spent = false;
-  const auto counts_of = [&](std::size_t field) -> Counts& { return counts_[system_.fields[field].base_field]; };
+  // Per field, the numbers of its faces and of those that must be found; then whether some face is spent.
+  counts_.assign(2 * system_.fields.size() + 1, 0);
+  const auto all_of = [&](std::size_t field) -> std::int64_t& { return counts_[2 * system_.fields[field].base_field]; };
+  const auto to_be_found = [&](std::size_t field) -> std::int64_t& {
+    return counts_[2 * system_.fields[field].base_field + 1];
+  };
   for (const ContactNode<Dim>& node : contacts.nodes)
     for (std::size_t p = node.first_pair; p < node.end_pair; ++p) {
       const ContactPair& pair = contacts.pairs[p];
       if (pair.crack >= 0 || !pair.law->uses_face()) continue;
-      any_spent = any_spent || (pair.needs_face && faces_[p].valid_travel != ContactFace::not_found);
+      if (!node.own) continue;
+      if (pair.needs_face && faces_[p].valid_travel != ContactFace::not_found) counts_.back() = 1;
       if (faces_[p].missing || stays_apart(faces_[p], pair)) continue;
-      for (const std::size_t field : {faces_[p].a, faces_[p].b}) {
-        Counts& of = counts_of(field);
-        ++of.all, of.to_be_found += pair.needs_face ? 1 : 0;
-      }
+      for (const std::size_t field : {faces_[p].a, faces_[p].b})
+        ++all_of(field), to_be_found(field) += pair.needs_face ? 1 : 0;
     }
-  const auto most = [&](std::size_t field) { return 2 * counts_of(field).to_be_found > counts_of(field).all; };
+  ranks().add(counts_);
+  const bool any_spent = counts_.back() > 0;
+  const auto most = [&](std::size_t field) { return 2 * to_be_found(field) > all_of(field); };
   for (ContactNode<Dim>& node : contacts.nodes)
     for (std::size_t p = node.first_pair; p < node.end_pair; ++p) {
       const ContactPair& pair = contacts.pairs[p];

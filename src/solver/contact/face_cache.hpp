@@ -9,7 +9,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <tuple>
 #include <utility>
@@ -123,12 +125,20 @@ class FaceCache {
   /// cloud.
   bool fits(const std::vector<Body<Dim>*>& bodies) const;
 
+  /// The faces, with particles that are given by their bins, for other processes or another division of the particles.
+  /// `own_only`: those at the own nodes of this process.
+  std::vector<std::byte> portable_faces(const std::vector<Body<Dim>*>& bodies, bool own_only);
+  /// Replaces the faces by those of such lists; faces at particles that are not here are omitted. The former faces are
+  /// given back by return_faces().
+  void take_faces(const std::vector<std::vector<std::byte>>& lists, const std::vector<Body<Dim>*>& bodies);
+  void return_faces();
+  void forget_former() { former_.reset(); }
+
   /// The kept faces, after a step; to be restored after ContactSearch::locate().
   friend void archive(Archive& a, FaceCache& cache) {
-    a.version(4);
+    a.version(5);
     if (!cache.enabled_) return;
     a("step", cache.step_), a.resizable("travel", cache.travel_), a.resizable("last_travel", cache.last_travel_);
-    a("compact_size", cache.compact_size_);
     cache.archive_faces(a);
   }
 
@@ -148,6 +158,7 @@ class FaceCache {
   std::vector<ContactFace*> live_faces();
   void archive_faces(Archive& a);
   void archive_particles(Archive& a, const std::vector<ContactFace*>& faces);
+  void number_particles(const std::vector<ContactFace*>& faces, const std::vector<ParticleLabel>& labels);
   void assign_faces(const ContactNodes<Dim>& contacts);
   void assign_faces(const ContactNodes<Dim>& contacts, std::size_t number, std::vector<ContactFace>& to);
   void renew_with_others(ContactNodes<Dim>& contacts);
@@ -180,10 +191,16 @@ class FaceCache {
   std::vector<CachedParticle> particles_;   // that determine the faces
   std::vector<std::uint32_t> new_numbers_;  // scratch, see renumber
   std::vector<DomainReader<Dim>> domains_;  // scratch: of the bodies
-  struct Counts {
-    std::size_t all, to_be_found;
+  struct Lists {
+    std::vector<ContactFace> faces;
+    std::vector<Range> live;
+    std::vector<CachedParticle> particles;
+    std::vector<std::uint8_t> needed;
+    bool is_compact;
+    std::size_t compact_size;
   };
-  std::vector<Counts> counts_;       // scratch, see renew_with_others
+  std::optional<Lists> former_;       // see take_faces
+  std::vector<std::int64_t> counts_;  // scratch, see renew_with_others
   std::size_t compact_size_ = 0;     // number of particles when last each was needed by some face
   std::int64_t step_ = 0;            // counts the steps
   std::vector<double> travel_;       // per field: since the beginning [cells]

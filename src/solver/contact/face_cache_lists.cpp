@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 /// The lists of faces and particles of a FaceCache.
 
+#include "base/bytes.hpp"
 #include "base/parallel.hpp"
 #include "solver/contact/face_cache.hpp"
 
 #include <algorithm>
 #include <limits>
 #include <span>
+#include <tuple>
 
 namespace tribo {
 
@@ -126,30 +128,164 @@ void FaceCache<Dim>::archive_faces(Archive& a) {
   archive_particles(a, live);
 }
 
-// Without their domains, which reuse() computes in every step.
+// The particles of each face one after the other, so that the list does not depend on when the faces were found.
+// Domains are computed in every step by reuse().
 template <int Dim>
 void FaceCache<Dim>::archive_particles(Archive& a, const std::vector<ContactFace*>& faces) {
-  std::vector<std::int64_t> labels, members;
-  for (const CachedParticle& p : particles_)
-    labels.insert(labels.end(), {p.label.field, p.label.body, p.label.particle, p.label.image});
-  for (const ContactFace* face : faces) members.insert(members.end(), face->particles.begin(), face->particles.end());
-  a.resizable("particles", labels), a.resizable("members", members);
+  std::vector<std::int64_t> numbers;
+  for (const ContactFace* face : faces)
+    for (const std::uint32_t at : face->particles) {
+      const ParticleLabel& p = particles_[at].label;
+      numbers.insert(numbers.end(), {p.field, p.body, p.particle, p.image});
+    }
+  a.resizable("particles", numbers);
   if (!a.reading()) return;
   const auto number = [](std::int64_t n) {
     if (n < 0 || n > std::numeric_limits<std::uint32_t>::max())
       refuse_checkpoint("the number of a particle at a face of contact");
     return static_cast<std::uint32_t>(n);
   };
-  particles_.resize(labels.size() / 4);
-  for (std::size_t k = 0; k < particles_.size(); ++k)
-    particles_[k].label = {number(labels[4 * k]), number(labels[4 * k + 1]), number(labels[4 * k + 2]),
-                           number(labels[4 * k + 3])};
-  auto from = members.begin();
+  std::vector<ParticleLabel> labels;
+  for (std::size_t k = 0; k + 4 <= numbers.size(); k += 4)
+    labels.push_back({number(numbers[k]), number(numbers[k + 1]), number(numbers[k + 2]), number(numbers[k + 3])});
+  std::size_t listed = 0;
+  for (const ContactFace* face : faces) listed += face->listed(0) + face->listed(1);
+  if (listed != labels.size()) refuse_checkpoint("the faces of contact and their particles differ in number");
+  number_particles(faces, labels);
+}
+
+// Lists the particles once each, and gives the faces their numbers. `labels`: of the particles of the faces, one face
+// after the other.
+template <int Dim>
+void FaceCache<Dim>::number_particles(const std::vector<ContactFace*>& faces,
+                                      const std::vector<ParticleLabel>& labels) {
+  const auto key = [](const ParticleLabel& p) { return std::tuple(p.body, p.particle, p.image, p.field); };
+  std::vector<ParticleLabel> once = labels;
+  std::ranges::sort(once, {}, key);
+  const auto same = [&](const ParticleLabel& one, const ParticleLabel& other) { return key(one) == key(other); };
+  once.erase(std::unique(once.begin(), once.end(), same), once.end());
+  particles_.clear(), needed_.clear();
+  for (const ParticleLabel& label : once) particles_.push_back({label, {}});
+  compact_size_ = particles_.size();
+  auto label = labels.begin();
   for (ContactFace* face : faces) {
-    face->particles.assign(face->listed(0) + face->listed(1), 0);
-    for (std::uint32_t& particle : face->particles)
-      if (from != members.end()) particle = number(*from++);
+    face->particles.clear();
+    for (std::size_t k = face->listed(0) + face->listed(1); k > 0; --k, ++label)
+      face->particles.push_back(
+          static_cast<std::uint32_t>(std::ranges::lower_bound(once, key(*label), {}, key) - once.begin()));
   }
+}
+
+namespace {
+
+// The bytes of all that is known of a face but its particles.
+struct FaceRecord {
+  std::int64_t node, found_step;
+  std::array<std::size_t, 2> fields, count;
+  std::array<double, 3> normal, foremost_offset;
+  double area, gap_correction, offset_along_face, valid_travel, measured_gap;
+  std::array<double, 2> found_travel, measured_travel, depth_range;
+  std::array<bool, 8> flags;  // missing, apart, has_approached, flat; the others fill the structure
+};
+
+std::array<double, 3> array_of(const Vec3& v) { return {v[0], v[1], v[2]}; }
+Vec3 vector_of(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }
+
+FaceRecord record_of(const ContactFace& f) {
+  return {f.node,
+          f.found_step,
+          {f.a, f.b},
+          f.count,
+          array_of(f.normal),
+          array_of(f.foremost_offset),
+          f.area,
+          f.gap_correction,
+          f.offset_along_face,
+          f.valid_travel,
+          f.measured_gap,
+          f.found_travel,
+          f.measured_travel,
+          f.depth_range,
+          {f.missing, f.apart, f.has_approached, f.flat}};
+}
+
+ContactFace face_of(const FaceRecord& r) {
+  ContactFace f;
+  f.node = r.node, f.found_step = r.found_step, f.a = r.fields[0], f.b = r.fields[1], f.count = r.count;
+  f.normal = vector_of(r.normal), f.foremost_offset = vector_of(r.foremost_offset);
+  f.area = r.area, f.gap_correction = r.gap_correction, f.offset_along_face = r.offset_along_face;
+  f.valid_travel = r.valid_travel, f.measured_gap = r.measured_gap;
+  f.found_travel = r.found_travel, f.measured_travel = r.measured_travel, f.depth_range = r.depth_range;
+  f.missing = r.flags[0], f.apart = r.flags[1], f.has_approached = r.flags[2], f.flat = r.flags[3];
+  return f;
+}
+
+// A particle by the bin in which it is, and its place there.
+struct PortableLabel {
+  std::int64_t block;
+  std::uint32_t place, body, image, field;
+};
+
+}  // namespace
+
+template <int Dim>
+std::vector<std::byte> FaceCache<Dim>::portable_faces(const std::vector<Body<Dim>*>& bodies, bool own_only) {
+  ByteWriter out;
+  for (const ContactFace* face : live_faces()) {
+    if (own_only && !system_.partition->is_own(system_.lattice.block_at(face->node / block_nodes<Dim>))) continue;
+    out.value(record_of(*face));
+    std::vector<PortableLabel> labels;
+    for (const std::uint32_t at : face->particles) {
+      const ParticleLabel& p = particles_[at].label;
+      const auto bins = bodies[p.body]->bins.with_ghosts();
+      const auto bin = std::ranges::upper_bound(bins, p.particle, {}, &Bin::begin) - 1;
+      labels.push_back({bin->block, p.particle - bin->begin, p.body, p.image, p.field});
+    }
+    out.list(labels);
+  }
+  return std::move(out.data);
+}
+
+template <int Dim>
+void FaceCache<Dim>::take_faces(const std::vector<std::vector<std::byte>>& lists,
+                                const std::vector<Body<Dim>*>& bodies) {
+  former_ = Lists{std::move(faces_),  std::move(live_), std::move(particles_),
+                  std::move(needed_), is_compact_,      compact_size_};
+  clear();
+  struct Taken {
+    ContactFace face;
+    std::vector<ParticleLabel> labels;
+  };
+  std::vector<Taken> taken;
+  for (const auto& list : lists)
+    for (ByteReader reader(list); !reader.at_end();) {
+      Taken next{face_of(reader.value<FaceRecord>()), {}};
+      const auto labels = reader.list<PortableLabel>();
+      for (const PortableLabel& p : labels) {
+        const auto& of_body = bodies[p.body]->bins;
+        const auto bins = of_body.with_ghosts();
+        const auto at = std::ranges::lower_bound(of_body.by_block(), p.block, {},
+                                                 [&](std::uint32_t k) { return bins[k].block; });
+        if (at == of_body.by_block().end() || bins[*at].block != p.block) break;
+        next.labels.push_back({p.field, p.body, bins[*at].begin + p.place, p.image});
+      }
+      if (next.labels.size() == labels.size()) taken.push_back(std::move(next));
+    }
+  std::ranges::sort(taken, {}, [](const Taken& t) { return t.face.key(); });
+  std::vector<ParticleLabel> labels;
+  for (Taken& t : taken) {
+    faces_.push_back(std::move(t.face));
+    labels.insert(labels.end(), t.labels.begin(), t.labels.end());
+  }
+  number_particles(live_faces(), labels);
+}
+
+template <int Dim>
+void FaceCache<Dim>::return_faces() {
+  if (!former_) return;
+  faces_ = std::move(former_->faces), live_ = std::move(former_->live), particles_ = std::move(former_->particles);
+  needed_ = std::move(former_->needed), is_compact_ = former_->is_compact, compact_size_ = former_->compact_size;
+  former_.reset();
 }
 
 template <int Dim>
@@ -171,6 +307,12 @@ template void FaceCache<2>::end_search(const ParticleCloud<2>&);
 template void FaceCache<3>::end_search(const ParticleCloud<3>&);
 template void FaceCache<2>::archive_faces(Archive&);
 template void FaceCache<3>::archive_faces(Archive&);
+template std::vector<std::byte> FaceCache<2>::portable_faces(const std::vector<Body<2>*>&, bool);
+template std::vector<std::byte> FaceCache<3>::portable_faces(const std::vector<Body<3>*>&, bool);
+template void FaceCache<2>::take_faces(const std::vector<std::vector<std::byte>>&, const std::vector<Body<2>*>&);
+template void FaceCache<3>::take_faces(const std::vector<std::vector<std::byte>>&, const std::vector<Body<3>*>&);
+template void FaceCache<2>::return_faces();
+template void FaceCache<3>::return_faces();
 template bool FaceCache<2>::fits(const std::vector<Body<2>*>&) const;
 template bool FaceCache<3>::fits(const std::vector<Body<3>*>&) const;
 

@@ -111,7 +111,8 @@ void ParticleCloud<Dim>::collect(const std::vector<Body<Dim>*>& bodies) {
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     Body<Dim>& body = *bodies[b];
     const auto x = body.particles.x();
-    for (const Bin& bin : body.bins.list()) {
+    for (const std::uint32_t k : body.bins.by_block()) {
+      const Bin& bin = body.bins.with_ghosts()[k];
       if (!any_requested_near(bin.block)) continue;
       for (std::uint32_t i = bin.begin; i < bin.end; ++i) {
         Vec<Dim> at;

@@ -35,6 +35,34 @@ void read_rows(ByteReader& from, Particles<Dim>& particles, std::size_t first, s
   for (auto& column : particles.columns()) from.values(std::span<double>(column.data.data() + first, count));
 }
 
+// Contact at the particles of a body, of which ghosts are left out; a particle is given by its bin and its place there.
+template <int Dim>
+void write_contacts(ByteWriter& to, const Body<Dim>& body) {
+  std::size_t count = 0;
+  for (const auto& contact : body.contacts) count += contact.particle < body.particles.size() ? 1 : 0;
+  to.value(count);
+  for (const auto& contact : body.contacts) {
+    if (contact.particle >= body.particles.size()) continue;
+    const auto bin = std::ranges::upper_bound(body.bins.list(), contact.particle, {}, &Bin::begin) - 1;
+    to.value(bin->block), to.value(contact.particle - bin->begin), to.value(contact.slips);
+    for (const Vec<Dim>* vector : {&contact.traction, &contact.normal})
+      for (const double component : *vector) to.value(component);
+  }
+}
+
+template <int Dim>
+std::vector<ContactOfParticle<Dim>> read_contacts(ByteReader& from, const Bins<Dim>& bins) {
+  std::vector<ContactOfParticle<Dim>> out(from.value<std::size_t>());
+  for (auto& contact : out) {
+    const auto block = from.value<std::int64_t>();
+    contact.particle = std::ranges::lower_bound(bins.list(), block, {}, &Bin::block)->begin;
+    contact.particle += from.value<std::uint32_t>(), contact.slips = from.value<bool>();
+    for (Vec<Dim>* vector : {&contact.traction, &contact.normal})
+      for (double& component : *vector) component = from.value<double>();
+  }
+  return out;
+}
+
 template <int Dim>
 std::size_t particles_in(std::span<const BinContent<Dim>> bins) {
   std::size_t count = 0;
@@ -265,12 +293,14 @@ void Distribution<Dim>::collect() {
     mine.list(body->bins.contents());
     write_rows(mine, body->particles, body->bins.list());
   }
+  for (Body<Dim>* body : all) write_contacts(mine, *body);
   const auto messages = ranks().gather(std::move(mine.data));
   if (ranks().rank() != 0) return;
   std::vector<ByteReader> readers;
   for (const auto& message : messages) readers.emplace_back(message);
   for (Body<Dim>* body : all) {
-    kept_.push_back({body->particles, body->bins});
+    kept_.push_back({body->particles, body->bins, std::move(body->contacts)});
+    body->contacts.clear();
     std::vector<BinContent<Dim>> bins;
     std::vector<Bin> places;  // of the bins in the order in which they were received
     Particles<Dim>& particles = body->particles;
@@ -295,6 +325,11 @@ void Distribution<Dim>::collect() {
     body->bins.assign(system_.lattice, bins, {});
     body->refresh();
   }
+  for (Body<Dim>* body : all) {
+    for (ByteReader& reader : readers)
+      for (const auto& contact : read_contacts(reader, body->bins)) body->contacts.push_back(contact);
+    std::ranges::sort(body->contacts, {}, &ContactOfParticle<Dim>::particle);
+  }
 }
 
 template <int Dim>
@@ -303,6 +338,7 @@ void Distribution<Dim>::release() {
   for (std::size_t b = 0; b < kept_.size(); ++b) {
     all[b]->particles = std::move(kept_[b].particles);
     all[b]->bins = std::move(kept_[b].bins);
+    all[b]->contacts = std::move(kept_[b].contacts);
     all[b]->refresh();
   }
   kept_.clear();

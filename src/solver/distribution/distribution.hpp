@@ -40,6 +40,8 @@ class Distribution {
   void collect();
   void release();
 
+  /// Number of layers of ghost blocks.
+  int layers() const { return layers_; }
   /// Imbalance of the present division: the largest number of particles of a rank over the mean.
   double imbalance() const { return imbalance_; }
   /// Bytes that this rank has sent in refresh_ghosts(), and the number of these calls.
@@ -55,6 +57,7 @@ class Distribution {
   struct Kept {
     Particles<Dim> particles;
     Bins<Dim> bins;
+    std::vector<ContactOfParticle<Dim>> contacts;
   };
 
   std::vector<Body<Dim>*> bodies();

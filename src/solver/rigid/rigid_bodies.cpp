@@ -28,8 +28,13 @@ Vec3 vector_at(const Columns& column, std::size_t i) {
 
 template <int Dim>
 RigidBodies<Dim>::RigidBodies(const Model& model, System<Dim>& system, const Transfers<Dim>& transfers,
-                              const Exchanges<Dim>& exchanges, EnergyLedger& ledger)
-    : model_(model), system_(system), transfers_(transfers), exchanges_(exchanges), ledger_(ledger) {
+                              const Exchanges<Dim>& exchanges, Distribution<Dim>& distribution, EnergyLedger& ledger)
+    : model_(model),
+      system_(system),
+      transfers_(transfers),
+      exchanges_(exchanges),
+      distribution_(distribution),
+      ledger_(ledger) {
   for (const auto& body : system.rigids)
     varies_.push_back(varies_in_space(model.materials[static_cast<std::size_t>(body.material)]));
 }
@@ -95,7 +100,12 @@ void RigidBodies<Dim>::set_velocities(double dt) {
       for (std::size_t d = 0; d < Dim; ++d)
         if (spec.rigid_velocity[d]) v[d][i] = now[static_cast<Eigen::Index>(d)];
     }
-    if (body.field != Body<Dim>::no_field) continue;
+  }
+  const auto has_no_field = [](const Body<Dim>& body) { return body.field == Body<Dim>::no_field; };
+  if (std::ranges::any_of(system_.rigids, has_no_field)) distribution_.refresh_ghosts();
+  for (std::size_t r = 0; r < system_.rigids.size(); ++r) {
+    auto& body = system_.rigids[r];
+    if (body.block >= 0 || !has_no_field(body)) continue;
     PrescribedNodes& prescribed = prescribed_[r];
     std::fill(prescribed.nodes.begin(), prescribed.nodes.end(), PrescribedNode{});
     transfers_.scatter(body, Target<Dim>(prescribed.map, prescribed.nodes), Scatter::momentum, false, false);

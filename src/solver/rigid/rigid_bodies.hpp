@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/ranks.hpp"
+#include "solver/distribution/distribution.hpp"
 #include "solver/exchange/exchange.hpp"
 #include "solver/state/travel.hpp"
 #include "solver/transfer/transfer.hpp"
@@ -15,6 +16,7 @@ template <int Dim>
 class RigidBodies {
  public:
   RigidBodies(const Model& model, System<Dim>& system, const Transfers<Dim>& transfers, const Exchanges<Dim>& exchanges,
+              Distribution<Dim>& distribution,
               EnergyLedger& ledger);
 
   /// Finds the nodes that bodies without a field reach; to be called after every sort of the particles.
@@ -52,6 +54,7 @@ class RigidBodies {
   System<Dim>& system_;
   const Transfers<Dim>& transfers_;
   const Exchanges<Dim>& exchanges_;
+  Distribution<Dim>& distribution_;
   EnergyLedger& ledger_;
   std::vector<Vec3> reactions_;
   SumList sums_;                             // of a step
