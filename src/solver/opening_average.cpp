@@ -21,22 +21,25 @@ std::size_t cell_number(const Index<Dim>& cell, int edge) {
 }  // namespace
 
 template <int Dim>
-OpeningAverage<Dim>::OpeningAverage(const Model& model, System<Dim>& system)
-    : system_(system), plane_stress_(model.analysis == Analysis::plane_stress) {}
+OpeningAverage<Dim>::OpeningAverage(const Model& model, System<Dim>& system, Distribution<Dim>& distribution)
+    : system_(system), distribution_(distribution), plane_stress_(model.analysis == Analysis::plane_stress) {}
 
 template <int Dim>
 void OpeningAverage<Dim>::apply() {
   if (plane_stress_) return;
-  for (auto& body : system_.bodies) {
-    const auto law = body.law->opening();
-    if (!law) continue;
-    if (!any_open(body, law->column)) continue;
-    const std::size_t bins = body.bins.list().size();
+  open_bodies_.clear();
+  for (auto& body : system_.bodies)
+    if (const auto law = body.law->opening(); law && any_rank(any_open(body, law->column))) open_bodies_.push_back(&body);
+  if (open_bodies_.empty()) return;
+  distribution_.refresh_ghosts();
+  for (Body<Dim>* body : open_bodies_) {
+    const auto law = body->law->opening();
+    const std::size_t bins = body->bins.with_ghosts().size();
     if (volumes_.size() < bins) volumes_.resize(bins);
     parallel_for(static_cast<std::ptrdiff_t>(bins),
-                 [&](std::ptrdiff_t b) { sum_volumes(body, law->column, static_cast<std::size_t>(b)); });
-    parallel_for(static_cast<std::ptrdiff_t>(bins),
-                 [&](std::ptrdiff_t b) { set_openings(body, *law, static_cast<std::size_t>(b)); });
+                 [&](std::ptrdiff_t b) { sum_volumes(*body, law->column, static_cast<std::size_t>(b)); });
+    parallel_for(static_cast<std::ptrdiff_t>(body->bins.list().size()),
+                 [&](std::ptrdiff_t b) { set_openings(*body, *law, static_cast<std::size_t>(b)); });
   }
 }
 
@@ -55,7 +58,7 @@ bool OpeningAverage<Dim>::any_open(Body<Dim>& body, std::size_t column) {
 
 template <int Dim>
 void OpeningAverage<Dim>::sum_volumes(Body<Dim>& body, std::size_t column, std::size_t bin) {
-  const Bin& range = body.bins.list()[bin];
+  const Bin& range = body.bins.with_ghosts()[bin];
   const double* opening = body.history_columns[column];
   const double* volume = body.particles.volume();
   const Index<Dim> block = system_.lattice.block_at(range.block);
@@ -69,8 +72,9 @@ void OpeningAverage<Dim>::sum_volumes(Body<Dim>& body, std::size_t column, std::
 
 // The volumes in the cells of a bin, with the particles of other bins in them, in the order of the bins.
 template <int Dim>
-auto OpeningAverage<Dim>::cell_volumes(std::span<const Bin> bins, std::size_t bin) const -> CellVolumes {
+auto OpeningAverage<Dim>::cell_volumes(const Bins<Dim>& all, std::size_t bin) const -> CellVolumes {
   const Lattice<Dim>& lattice = system_.lattice;
+  const auto bins = all.with_ghosts();
   const Index<Dim> block = lattice.block_at(bins[bin].block);
   CellVolumes sums{};
   Index<Dim> low, high;
@@ -78,10 +82,10 @@ auto OpeningAverage<Dim>::cell_volumes(std::span<const Bin> bins, std::size_t bi
     low[d] = std::max(block[d] - 1, 0), high[d] = std::min(block[d] + 1, lattice.blocks[d] - 1);
   each_in_box<Dim>(low, high, [&](const Index<Dim>& other) {
     const std::int64_t number = lattice.block_index(other);
-    const auto found =
-        std::lower_bound(bins.begin(), bins.end(), number, [](const Bin& b, std::int64_t n) { return b.block < n; });
-    if (found == bins.end() || found->block != number) return;
-    const auto& cells = volumes_[static_cast<std::size_t>(found - bins.begin())];
+    const auto& sorted = all.by_block();
+    const auto found = std::ranges::lower_bound(sorted, number, {}, [&](std::uint32_t b) { return bins[b].block; });
+    if (found == sorted.end() || bins[*found].block != number) return;
+    const auto& cells = volumes_[*found];
     // the cells that both tables contain, in those of this bin
     Index<Dim> first, last, offset;
     for (std::size_t d = 0; d < Dim; ++d) {
@@ -101,9 +105,8 @@ auto OpeningAverage<Dim>::cell_volumes(std::span<const Bin> bins, std::size_t bi
 
 template <int Dim>
 void OpeningAverage<Dim>::set_openings(Body<Dim>& body, const Material::Opening& law, std::size_t bin) const {
-  const auto bins = body.bins.list();
-  const Bin& range = bins[bin];
-  const auto cells = cell_volumes(bins, bin);
+  const Bin& range = body.bins.list()[bin];
+  const auto cells = cell_volumes(body.bins, bin);
   std::array<double, size> openings;
   bool any = false;
   for (std::size_t c = 0; c < size; ++c) {

@@ -2,6 +2,7 @@
 /// Averages the openings of granular bodies over the particles of a cell.
 #pragma once
 
+#include "solver/distribution/distribution.hpp"
 #include "model/model.hpp"
 #include "solver/state/system.hpp"
 
@@ -27,7 +28,7 @@ namespace tribo {
 template <int Dim>
 class OpeningAverage {
  public:
-  OpeningAverage(const Model& model, System<Dim>& system);
+  OpeningAverage(const Model& model, System<Dim>& system, Distribution<Dim>& distribution);
 
   /// Averages the openings of all bodies whose law has any, after the stresses of a step are known.
   void apply();
@@ -48,13 +49,15 @@ class OpeningAverage {
   void sum_volumes(Body<Dim>& body, std::size_t column, std::size_t bin);
   void set_openings(Body<Dim>& body, const Material::Opening& law, std::size_t bin) const;
   static void set(Body<Dim>& body, const Material::Opening& law, std::size_t i, double opening);
-  CellVolumes cell_volumes(std::span<const Bin> bins, std::size_t bin) const;
+  CellVolumes cell_volumes(const Bins<Dim>& all, std::size_t bin) const;
   std::size_t place_of(Body<Dim>& body, const Index<Dim>& block, std::size_t i) const;
 
   System<Dim>& system_;
+  Distribution<Dim>& distribution_;
   bool plane_stress_;                 // the law then chooses the thickness of each particle: openings are not averaged
   std::vector<CellVolumes> volumes_;  // per bin of a body
   std::vector<char> open_;            // per bin: whether a particle is open
+  std::vector<Body<Dim>*> open_bodies_;
 };
 
 }  // namespace tribo

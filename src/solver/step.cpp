@@ -95,7 +95,7 @@ Stepper<Dim>::Stepper(const Model& model, System<Dim>& system)
       ramps_(model, system),
       affine_at_walls_(model, system.lattice),
       b_bar_(model.scheme, system, *transfers_, exchanges_, distribution_),
-      openings_(model, system),
+      openings_(model, system, distribution_),
       filter_(model, system, loops_, of_all_, exchanges_, conditions_, contact_) {
   conditions_.reserve(system.fields.size());
   for (std::size_t f = 0; f < system.fields.size(); ++f) {

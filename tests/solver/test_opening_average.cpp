@@ -74,7 +74,8 @@ TEMPLATE_TEST_CASE_SIG("the particles of a cell have one opening, and together t
   auto system = loose<Dim>(model);
   auto& body = system.bodies[0];
   std::vector<double> before(body.particles.volume(), body.particles.volume() + body.particles.size());
-  OpeningAverage<Dim>(model, system).apply();
+  Distribution<Dim> alone(system, 1);
+  OpeningAverage<Dim>(model, system, alone).apply();
   for (const auto& [cell, numbers] : by_cell(body)) {
     double had = 0, has = 0;
     for (const std::size_t i : numbers) {
@@ -97,7 +98,8 @@ TEST_CASE("pressed particles close when their cell is open, and the energy they 
   auto& body = system.bodies[0];
   const double pressure = GENERATE(0.03, 0.2) * bulk;  // less and more than the openings can relieve
   press(body, pressure);
-  OpeningAverage<2>(model, system).apply();
+  Distribution<2> alone(system, 1);
+  OpeningAverage<2>(model, system, alone).apply();
   for (std::size_t i = 0; i < body.particles.size(); ++i) {
     const double left = -body.particles.stress()[0][i], o = body.history_columns[opening][i];
     CHECK((left == Approx(0).margin(1e-9 * bulk) || o == 0.0));  // never pressed and open
@@ -116,7 +118,8 @@ TEST_CASE("openings of cohesive soil are cracks and stay with their particles", 
   auto system = loose<2>(model);
   auto& body = system.bodies[0];
   const std::vector<double> start(body.history_columns[opening], body.history_columns[opening] + body.particles.size());
-  OpeningAverage<2>(model, system).apply();
+  Distribution<2> alone(system, 1);
+  OpeningAverage<2>(model, system, alone).apply();
   for (std::size_t i = 0; i < body.particles.size(); ++i) CHECK(body.history_columns[opening][i] == start[i]);
 }
 
@@ -126,6 +129,7 @@ TEST_CASE("no opening is averaged in plane stress, where each particle has its o
   auto system = loose<2>(model);
   auto& body = system.bodies[0];
   const double first = body.history_columns[opening][0];
-  OpeningAverage<2>(model, system).apply();
+  Distribution<2> alone(system, 1);
+  OpeningAverage<2>(model, system, alone).apply();
   CHECK(body.history_columns[opening][0] == first);
 }
