@@ -279,9 +279,9 @@ class BlockMap {
   Lattice<Dim> lattice_;
   BlockTable<Dim, int> slot_{-1};
   std::vector<std::int64_t> active_;
-  std::vector<std::uint64_t> reached_;  // per slot
-  std::vector<char> own_;               // per slot; empty if all count
-  std::vector<std::uint64_t> complete_; // per slot; empty if all are complete
+  std::vector<std::uint64_t> reached_;   // per slot
+  std::vector<char> own_;                // per slot; empty if all count
+  std::vector<std::uint64_t> complete_;  // per slot; empty if all are complete
 };
 
 using NodeLayer = AlignedVector<Node>;

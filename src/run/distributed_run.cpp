@@ -71,7 +71,8 @@ std::vector<std::string> not_distributed(const Model& model) {
   };
   const auto is_load = [](const ParticleCondition& c) { return c.kind == ParticleCondition::Kind::force; };
   const auto mirrors = [](const NodeCondition& c) { return c.wall && c.wall->mirror; };
-  note(std::any_of(model.node_conditions.begin(), model.node_conditions.end(), mirrors), "walls with mirrored velocities");
+  note(std::any_of(model.node_conditions.begin(), model.node_conditions.end(), mirrors),
+       "walls with mirrored velocities");
   const auto is_interface = [](const auto& law) { return law && law->interface(); };
   const auto& laws = model.contact.pair_laws;
   note(is_interface(model.contact.default_law) ||

@@ -29,7 +29,8 @@ void OpeningAverage<Dim>::apply() {
   if (plane_stress_) return;
   open_bodies_.clear();
   for (auto& body : system_.bodies)
-    if (const auto law = body.law->opening(); law && any_rank(any_open(body, law->column))) open_bodies_.push_back(&body);
+    if (const auto law = body.law->opening(); law && any_rank(any_open(body, law->column)))
+      open_bodies_.push_back(&body);
   if (open_bodies_.empty()) return;
   distribution_.refresh_ghosts();
   for (Body<Dim>* body : open_bodies_) {

@@ -2,8 +2,8 @@
 /// Averages the openings of granular bodies over the particles of a cell.
 #pragma once
 
-#include "solver/distribution/distribution.hpp"
 #include "model/model.hpp"
+#include "solver/distribution/distribution.hpp"
 #include "solver/state/system.hpp"
 
 #include <array>

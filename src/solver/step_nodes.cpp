@@ -59,8 +59,8 @@ void Stepper<Dim>::locate_nodes() {
 }
 
 // In a run of several processes, bits of the nodes around the particles of this one, per block: contact is found there.
-// The contributions of all particles to these nodes are known. The stencils of particles beyond the ghosts, which may have
-// moved by a cell, end behind the nodes that are this many nodes beyond the stencils of the own ones.
+// The contributions of all particles to these nodes are known. The stencils of particles beyond the ghosts, which may
+// have moved by a cell, end behind the nodes that are this many nodes beyond the stencils of the own ones.
 template <int Dim>
 BlockTable<Dim, std::uint64_t> Stepper<Dim>::around_own_particles() const {
   BlockTable<Dim, std::uint64_t> around(0);

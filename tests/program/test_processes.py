@@ -30,6 +30,17 @@ HELD = ("<GridBCs><BCBox xmin='-0.5' xmax='0.5' ymin='-5' ymax='40' zmin='-9' zm
         "<DisBC dir='1' style='1' disp='0'/><DisBC dir='2' style='1' disp='0'/></BCBox></GridBCs>")
 LOADED = ("<ParticleBCs><BCBox xmin='28' xmax='31' ymin='-1' ymax='21' zmin='-1' zmax='1'>"
           "<LoadBC dir='2' style='1' load='0.01'/></BCBox></ParticleBCs>")
+FRICTION = "<MultiMaterialMode Impulses='nodes'><Friction law='law'/></MultiMaterialMode>"
+PAIR = ("<Body mat='1' vx='0.1' vy='-0.05'><Rect xmin='0' xmax='30' ymin='0' ymax='20'/></Body>"
+        "<Body mat='2' vx='-0.1'><Oval xmin='31' xmax='51' ymin='0' ymax='20'/></Body>")
+PAIR_IN_SPACE = ("<Body mat='1' vx='0.1'><Box xmin='0' xmax='12' ymin='0' ymax='9' zmin='0' zmax='7'/></Body>"
+                 "<Body mat='2' vx='-0.1'><Sphere xmin='12.5' xmax='22.5' ymin='0' ymax='10' zmin='0' zmax='10'/></Body>")
+ON_FLOOR = ("<Body mat='1' vy='-0.1'><Rect xmin='10' xmax='40' ymin='1' ymax='16'/></Body>"
+            "<Body mat='3'><Rect xmin='-10' xmax='80' ymin='-8' ymax='0'/></Body>")
+COULOMB = "<Material Type='CoulombFriction' Name='law'><coeff>0.3</coeff>{}</Material>"
+FLOOR = "<Material Type='Rigid' Name='floor'>{}</Material>"
+WALL = ("<GridBCs><BCBox xmin='-0.5' xmax='0.5' ymin='-5' ymax='40' zmin='-9' zmax='20'>"
+        "<DisBC dir='1' style='1' vel='0.2' depth='-3'/></BCBox></GridBCs>")
 ADAPTED = "<CustomTasks><Schedule name='AdjustTimeStep'/></CustomTasks>"
 
 # Name, and what differs from a model in the plane with quadratic splines, FLIP and USF
@@ -44,9 +55,21 @@ MODELS = {
     "heat": {"more": "<Thermal><Conduction/></Thermal>"},
     "space": {"space": True, "order": "USL-", "more": HELD},
     "cubic": {"space": True, "order": "USAVG-", "shape": "B3SPLINE"},
+    "friction": {"order": "USL-", "header": FRICTION, "bodies": PAIR, "more": COULOMB.format("")},
+    "static": {"order": "USAVG+", "header": FRICTION, "bodies": PAIR,
+               "more": COULOMB.format("<coeffStatic>0.5</coeffStatic>")},
+    "contact_cpdi": {"order": "USL-", "shape": "lCPDI", "header": FRICTION, "bodies": PAIR, "more": COULOMB.format("")},
+    "contact_in_space": {"space": True, "order": "USAVG-", "header": FRICTION, "bodies": PAIR_IN_SPACE,
+                         "more": COULOMB.format("")},
+    "contact_cubic": {"space": True, "order": "USL-", "shape": "B3SPLINE", "header": FRICTION, "bodies": PAIR_IN_SPACE,
+                      "more": COULOMB.format("")},
+    "floor": {"order": "USL-", "header": FRICTION, "bodies": ON_FLOOR, "third": FLOOR.format(""),
+              "more": COULOMB.format("")},
+    "velocity": {"order": "USAVG+", "bodies": ON_FLOOR, "third": FLOOR.format("<SetDirection>2</SetDirection>")},
+    "wall": {"order": "USL-", "more": WALL},
     "space_apic": {"space": True, "order": "USL+", "header": "<Transfer type='APIC'/>"},
 }
-EXAMPLES = ("dam_break", "simple_shear", "slope_failure", "taylor_bar")  # of the gallery
+EXAMPLES = ("dam_break", "granular_column", "simple_shear", "slope_failure", "taylor_bar")  # of the gallery
 COMPARED = ("checkpoint.bin", "history.csv", "energy.csv", "run.pvd")
 
 
@@ -65,9 +88,10 @@ def deck(name):
 <GlobalArchiveTime>1</GlobalArchiveTime><GlobalArchive type='Kinetic Energy'/><GlobalArchive type='sxx'/>
 <GlobalArchive type='Grid Kinetic Energy'/><GlobalArchive type='posx' mat='1'/></MPMHeader>
 <Mesh>{m.get("grid", SPACE if space else PLANE)}</Mesh>
-<MaterialPoints>{SPHERES if space else DISCS}</MaterialPoints>
+<MaterialPoints>{m.get("bodies", SPHERES if space else DISCS)}</MaterialPoints>
 <Material Type='Mooney' Name='m'><rho>1</rho><K>3</K><G1>1</G1><kCond>1</kCond><Cv>1</Cv></Material>
 <Material Type='LinearElastic' Name='n'><rho>1</rho><E>1</E><nu>0.3</nu><kCond>1</kCond><Cv>1</Cv></Material>
+{m.get("third", "")}
 <Gravity><BodyYForce>-0.01</BodyYForce></Gravity>
 {m.get("more", "")}
 </JANFEAInput>
@@ -115,7 +139,10 @@ class Tester:
 
     def restarts(self):
         """From 3 processes to 2, to one, and to 2 again."""
-        file, whole, parts = self.write("usavg"), self.work / "whole", self.work / "parts"
+        for name in ("usavg", "contact_in_space"):
+            self.restart(self.write(name), self.work / f"{name}.whole", self.work / f"{name}.parts")
+
+    def restart(self, file, whole, parts):
         self.call(1, "run", "--quiet", "-o", whole, file)
         self.call(3, "run", "--quiet", "--threads", 1, "--max-wall", 0.02, "-o", parts, file, code=6)
         for ranks in (2, 1):
@@ -142,7 +169,7 @@ class Tester:
                 raise Failure("a particle that left the grid is not told once\n" + told)
         contact = self.source / "input/examples/two_disks.xml"
         told = self.call(2, "run", "-o", self.work / "contact", contact, code=3)
-        if "contact between bodies" not in told:
+        if "contact impulses on faces" not in told:
             raise Failure("a model that cannot be distributed is not refused with a reason\n" + told)
 
     def full_disk(self):

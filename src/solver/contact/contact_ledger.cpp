@@ -168,8 +168,7 @@ void ContactLedger<Dim>::record(ContactNodes<Dim>& contacts, double dt, bool rep
   for (const auto& node : contacts.nodes) {
     if (node.idle) continue;
     begin_node(node);
-    if (replaces && !filtered && !has_start_)
-      book(Sum::nodal_work, node.ownership * extrapolated(contacts, node, dt));
+    if (replaces && !filtered && !has_start_) book(Sum::nodal_work, node.ownership * extrapolated(contacts, node, dt));
     for (std::size_t p = node.first_pair; p < node.end_pair; ++p) {
       ContactPair& pair = contacts.pairs[p];
       pair.update_impulse = pair.impulse, pair.update_mass = pair.state.mass;

@@ -276,8 +276,8 @@ void ContactSearch<Dim>::list_pairs(ContactNode<Dim>& node, std::span<const Kept
 template <int Dim>
 auto ContactSearch<Dim>::kept_pair(const ContactNode<Dim>& node, const ContactPair& pair) const -> KeptPair {
   const auto field = [&](std::size_t member) { return static_cast<std::int64_t>(found_.members[member].field); };
-  return {node.number, field(pair.a),     field(pair.b),   pair.update_status,
-          pair.update_impulse,   pair.end_velocity, pair.update_mass};
+  return {node.number,         field(pair.a),     field(pair.b),   pair.update_status,
+          pair.update_impulse, pair.end_velocity, pair.update_mass};
 }
 
 // Adds the pairs of some nodes with an impulse in the last momentum update to a list.

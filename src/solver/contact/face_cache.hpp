@@ -201,10 +201,10 @@ class FaceCache {
   };
   std::optional<Lists> former_;       // see take_faces
   std::vector<std::int64_t> counts_;  // scratch, see renew_with_others
-  std::size_t compact_size_ = 0;     // number of particles when last each was needed by some face
-  std::int64_t step_ = 0;            // counts the steps
-  std::vector<double> travel_;       // per field: since the beginning [cells]
-  std::vector<double> last_travel_;  // per field: of the last step [cells]
+  std::size_t compact_size_ = 0;      // number of particles when last each was needed by some face
+  std::int64_t step_ = 0;             // counts the steps
+  std::vector<double> travel_;        // per field: since the beginning [cells]
+  std::vector<double> last_travel_;   // per field: of the last step [cells]
 };
 
 }  // namespace tribo

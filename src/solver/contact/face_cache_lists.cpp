@@ -249,8 +249,8 @@ std::vector<std::byte> FaceCache<Dim>::portable_faces(const std::vector<Body<Dim
 template <int Dim>
 void FaceCache<Dim>::take_faces(const std::vector<std::vector<std::byte>>& lists,
                                 const std::vector<Body<Dim>*>& bodies) {
-  former_ = Lists{std::move(faces_),  std::move(live_), std::move(particles_),
-                  std::move(needed_), is_compact_,      compact_size_};
+  former_ =
+      Lists{std::move(faces_), std::move(live_), std::move(particles_), std::move(needed_), is_compact_, compact_size_};
   clear();
   struct Taken {
     ContactFace face;
@@ -264,8 +264,8 @@ void FaceCache<Dim>::take_faces(const std::vector<std::vector<std::byte>>& lists
       for (const PortableLabel& p : labels) {
         const auto& of_body = bodies[p.body]->bins;
         const auto bins = of_body.with_ghosts();
-        const auto at = std::ranges::lower_bound(of_body.by_block(), p.block, {},
-                                                 [&](std::uint32_t k) { return bins[k].block; });
+        const auto at =
+            std::ranges::lower_bound(of_body.by_block(), p.block, {}, [&](std::uint32_t k) { return bins[k].block; });
         if (at == of_body.by_block().end() || bins[*at].block != p.block) break;
         next.labels.push_back({p.field, p.body, bins[*at].begin + p.place, p.image});
       }

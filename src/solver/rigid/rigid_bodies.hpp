@@ -16,8 +16,7 @@ template <int Dim>
 class RigidBodies {
  public:
   RigidBodies(const Model& model, System<Dim>& system, const Transfers<Dim>& transfers, const Exchanges<Dim>& exchanges,
-              Distribution<Dim>& distribution,
-              EnergyLedger& ledger);
+              Distribution<Dim>& distribution, EnergyLedger& ledger);
 
   /// Finds the nodes that bodies without a field reach; to be called after every sort of the particles.
   void locate();
