@@ -123,10 +123,10 @@ void Stepper<Dim>::begin_step() {
 template <int Dim>
 void Stepper<Dim>::distribute() {
   if (sort_.is_due()) return sort();
-  contact_.lift_faces();
+  contact_.pack_faces();
   distribution_.share_out();
   locate_nodes();
-  contact_.drop_faces();
+  contact_.unpack_faces();
 }
 
 template <int Dim>

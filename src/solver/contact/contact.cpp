@@ -240,12 +240,12 @@ void Contact<Dim>::place_collected_faces() {
 }
 
 template <int Dim>
-void Contact<Dim>::lift_faces() {
+void Contact<Dim>::pack_faces() {
   if (active_) collected_ = {cache_.portable_faces(bodies_, false)};
 }
 
 template <int Dim>
-void Contact<Dim>::drop_faces() {
+void Contact<Dim>::unpack_faces() {
   place_collected_faces();
   cache_.forget_former();
 }

@@ -93,8 +93,8 @@ class Contact {
   /// Rank 0 has all particles, whose contact has been found before.
   void keep_view() { has_all_particles_ = true; }
   /// Before and after the particles of a run that was restored are divided among processes.
-  void lift_faces();
-  void drop_faces();
+  void pack_faces();
+  void unpack_faces();
 
   Stopwatch watch;  ///< time spent in contact
 
