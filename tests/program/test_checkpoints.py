@@ -33,7 +33,7 @@ MODELS = {
         "stepper.system.crack0.drawn_points": (BIG,), "stepper.system.joints0.joints.gap": (math.inf, -1e200)}),
     "verification/fracture/growth.xml": (0.3, {"stepper.system.crack0.tips.point": (-1, BIG), "stepper.system.crack0.tips.body": (BIG,)}),
     "verification/rolling/case.xml": (0.3, {
-        "stepper.kept.faces.members": (-1, BIG, 1 << 30), "stepper.kept.faces.particles": (-1, BIG, 1 << 30)}),
+        "stepper.kept.faces.faces.count_a": (-1, BIG, 1 << 30), "stepper.kept.faces.particles": (-1, BIG, 1 << 30)}),
     "input/examples/brick_wall.xml": (0.3, {
         "blocks.motion.x": (math.nan, 1e200), "blocks.motion.v": (1e200,), "blocks.motion.R": (3.0,), "blocks.joints.area": (-1.0,),
         "blocks.contacts.axes.n": (9.0,), "blocks.step": (-1,)})}

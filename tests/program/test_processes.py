@@ -38,7 +38,8 @@ PAIR_IN_SPACE = ("<Body mat='1' vx='0.1'><Box xmin='0' xmax='12' ymin='0' ymax='
 ON_FLOOR = ("<Body mat='1' vy='-0.1'><Rect xmin='10' xmax='40' ymin='1' ymax='16'/></Body>"
             "<Body mat='3'><Rect xmin='-10' xmax='80' ymin='-8' ymax='0'/></Body>")
 COULOMB = "<Material Type='CoulombFriction' Name='law'><coeff>0.3</coeff>{}</Material>"
-FLOOR = "<Material Type='Rigid' Name='floor'>{}</Material>"
+RIGID = "<Material Type='Rigid' Name='floor'><SetDirection>2</SetDirection></Material>"
+FLOOR = "<Material Type='RigidContact' Name='floor'/>"
 WALL = ("<GridBCs><BCBox xmin='-0.5' xmax='0.5' ymin='-5' ymax='40' zmin='-9' zmax='20'>"
         "<DisBC dir='1' style='1' vel='0.2' depth='-3'/></BCBox></GridBCs>")
 ADAPTED = "<CustomTasks><Schedule name='AdjustTimeStep'/></CustomTasks>"
@@ -63,9 +64,9 @@ MODELS = {
                          "more": COULOMB.format("")},
     "contact_cubic": {"space": True, "order": "USL-", "shape": "B3SPLINE", "header": FRICTION, "bodies": PAIR_IN_SPACE,
                       "more": COULOMB.format("")},
-    "floor": {"order": "USL-", "header": FRICTION, "bodies": ON_FLOOR, "third": FLOOR.format(""),
+    "floor": {"order": "USL-", "header": FRICTION, "bodies": ON_FLOOR, "third": FLOOR,
               "more": COULOMB.format("")},
-    "velocity": {"order": "USAVG+", "bodies": ON_FLOOR, "third": FLOOR.format("<SetDirection>2</SetDirection>")},
+    "velocity": {"order": "USAVG+", "bodies": ON_FLOOR, "third": RIGID},
     "wall": {"order": "USL-", "more": WALL},
     "space_apic": {"space": True, "order": "USL+", "header": "<Transfer type='APIC'/>"},
 }
