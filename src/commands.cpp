@@ -111,7 +111,7 @@ int run_command(const Arguments& a) {
   RunOptions options;
   options.folder = a.output.empty() ? default_folder(a.file) : a.output;
   options.threads = a.thread_count, options.quiet = a.quiet, options.overwrite = a.overwrite,
-  options.max_wall = a.max_wall;
+  options.max_wall = a.max_wall, options.max_steps = a.max_steps;
   options.command_line = a.command_line;
   options.wording = wording_of(model);
   const auto outcome = tribo::run(model, options);
@@ -141,6 +141,7 @@ int resume_command(const Arguments& a) {
   }
   options.changed = !changed.empty(), options.changes = join(changed, "; ");
   options.folder = a.folder, options.threads = a.thread_count, options.quiet = a.quiet, options.max_wall = a.max_wall;
+  options.max_steps = a.max_steps;
   options.resume = true, options.command_line = a.command_line;
   options.wording = wording_of(model);
   return tribo::run(model, options) == Outcome::finished ? done : stopped_early;

@@ -20,6 +20,7 @@ struct Arguments {
   int thread_count = threads();
   bool quiet = false, overwrite = false, only_check = false, changed = false, accept_edits = false;
   double max_wall = 0.0;              ///< seconds
+  std::int64_t max_steps = 0;         ///< 0: no limit
   std::vector<std::string> settings;  ///< name=value
   std::string keyword;
   bool markdown = false, coverage = false, names = false;

@@ -263,6 +263,8 @@ class CommandLine {
   void has_wall(CLI::App* command) {
     command->add_option("--max-wall", a.max_wall, "stop with a checkpoint after this many seconds")
         ->check(CLI::NonNegativeNumber);
+    command->add_option("--max-steps", a.max_steps, "stop with a checkpoint after this many steps")
+        ->check(CLI::NonNegativeNumber);
   }
 };
 

@@ -92,8 +92,13 @@ class RunLoop::Loop {
 
   bool at_end() const { return stepped_.at_end(); }
 
-  bool wants_stop() const {
-    return SignalGuard::stop() || (options_.max_wall > 0 && seconds_since(begin_) > options_.max_wall);
+  bool wants_stop() const { return !reason_to_stop().empty(); }
+  /// Empty if there is none.
+  std::string reason_to_stop() const {
+    if (SignalGuard::stop()) return "signal";
+    if (options_.max_wall > 0 && seconds_since(begin_) > options_.max_wall) return "wall time";
+    if (options_.max_steps > 0 && stepped_.step() - first_step_ >= options_.max_steps) return "number of steps";
+    return {};
   }
 
   void step() {
@@ -296,6 +301,7 @@ void RunLoop::begin() {
 }
 bool RunLoop::at_end() const { return loop_->at_end(); }
 bool RunLoop::wants_stop() const { return loop_->wants_stop(); }
+std::string RunLoop::reason_to_stop() const { return loop_->reason_to_stop(); }
 void RunLoop::step() {
   loop_->guarded([&] { loop_->step(); });
 }
@@ -319,7 +325,7 @@ Outcome run_to_end(const Model& model, SteppedModel& stepped, const RunOptions& 
   loop.begin();
   while (!loop.at_end()) {
     if (loop.wants_stop()) {
-      loop.stop(SignalGuard::stop() ? "signal" : "wall time");
+      loop.stop(loop.reason_to_stop());
       return Outcome::stopped;
     }
     loop.step();

@@ -113,8 +113,10 @@ class RunLoop {
   /// The output before the first step; to be called once.
   void begin();
   bool at_end() const;
-  /// Whether a signal or the limit of the wall time asks to stop.
+  /// Whether a signal or a limit, of the wall time or of the steps, asks to stop.
   bool wants_stop() const;
+  /// What it is, for the record; empty if nothing asks.
+  std::string reason_to_stop() const;
   /// One step with its output.
   void step();
   /// Files of the state that have been written so far, or are in the queue.

@@ -24,9 +24,10 @@ struct RunOptions {
   std::string changes = {};  ///< for provenance.json
   /// Resume with a changed model: the model of the run so far, if what has changed shall be a stage from now on.
   std::shared_ptr<const Model> former = nullptr;
-  double max_wall = 0.0;     ///< seconds after which the run stops with a checkpoint; 0: none
-  std::string command_line;  ///< for provenance.json
-  bool from_python = false;  ///< advice names functions of the Python package, not commands
+  double max_wall = 0.0;       ///< seconds after which the run stops with a checkpoint; 0: none
+  std::int64_t max_steps = 0;  ///< steps after which the run stops with a checkpoint; 0: none
+  std::string command_line;    ///< for provenance.json
+  bool from_python = false;    ///< advice names functions of the Python package, not commands
   /// Turns the keywords in messages into those of the command file; empty: they are elements of XML.
   std::function<std::string(const std::string&)> wording = {};
   std::vector<std::string> further_files = {};  ///< that the caller writes into the folder
