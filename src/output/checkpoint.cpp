@@ -74,7 +74,9 @@ std::size_t CheckpointWriter::size() const {
   return sum;
 }
 
-void CheckpointWriter::save(const std::filesystem::path& path) const {
+// Calls f(parts of the file).
+template <class F>
+void CheckpointWriter::as_file(F&& f) const {
   std::string head(magic);
   std::deque<std::string> heads;  // what comes before the bytes of an entry, with the check sum of the former one
   std::vector<std::string_view> parts;
@@ -87,7 +89,22 @@ void CheckpointWriter::save(const std::filesystem::path& path) const {
   }
   head += '\0';
   parts.emplace_back(head);
-  write_atomically(path, parts);
+  f(parts);
+}
+
+void CheckpointWriter::save(const std::filesystem::path& path) const {
+  as_file([&](const auto& parts) { write_atomically(path, parts); });
+}
+
+std::vector<std::byte> CheckpointWriter::bytes() const {
+  std::vector<std::byte> out;
+  as_file([&](const auto& parts) {
+    for (const std::string_view part : parts) {
+      const auto bytes = std::as_bytes(std::span(part));
+      out.insert(out.end(), bytes.begin(), bytes.end());
+    }
+  });
+  return out;
 }
 
 void write_checkpoint(const std::filesystem::path& path, const std::function<void(CheckpointWriter&)>& put_all) {
@@ -112,6 +129,10 @@ Checkpoint::Checkpoint(const std::filesystem::path& path) : path_(path.string())
   if (all.compare(0, magic.size(), magic) != 0)
     throw FileError("'" + path_ + "' is not a checkpoint of this version of Tribo");
   read(all, magic.size());
+}
+
+Checkpoint::Checkpoint(std::span<const std::byte> file) : path_("in memory") {
+  read({reinterpret_cast<const char*>(file.data()), file.size()}, magic.size());
 }
 
 Checkpoint::Checkpoint(const CheckpointWriter& writer) : path_("in memory") {

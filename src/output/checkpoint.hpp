@@ -2,6 +2,7 @@
 /// Files of named arrays, from which a run continues to the bit.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -27,6 +28,8 @@ class CheckpointWriter {
   void save(const std::filesystem::path& path) const;
   /// Bytes of the file.
   std::size_t size() const;
+  /// The same bytes as those of the file.
+  std::vector<std::byte> bytes() const;
 
  private:
   friend class Checkpoint;
@@ -40,6 +43,8 @@ class CheckpointWriter {
   /// Writes the entries to a file at once, and keeps none.
   explicit CheckpointWriter(std::ostream& file) : file_(&file) {}
   void entry(const std::string& name, char kind, const void* data, std::size_t bytes);
+  template <class F>
+  void as_file(F&& f) const;
   std::vector<Entry> entries_;
   std::ostream* file_ = nullptr;
 };
@@ -57,6 +62,8 @@ class Checkpoint {
   explicit Checkpoint(const std::filesystem::path& path);
   /// What has been put into a writer, without a file.
   explicit Checkpoint(const CheckpointWriter& writer);
+  /// From the bytes of a file.
+  explicit Checkpoint(std::span<const std::byte> file);
   bool has(const std::string& name) const { return entries_.count(name) > 0; }
   std::vector<std::string> names() const;
   /// True if an entry has the same kind and the same bytes in another checkpoint; both must have it.

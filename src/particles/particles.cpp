@@ -10,6 +10,7 @@ void Particles<Dim>::reorder(std::span<const std::uint32_t> order) {
   // One spare column is exchanged with each sorted column, so sorting needs no second copy of the particles.
   static constexpr std::ptrdiff_t piece = 1 << 14;
   count_ = order.size(), ghosts_ = 0;
+  ghost_id.clear();
   const auto n = static_cast<std::ptrdiff_t>(count_);
   const std::ptrdiff_t pieces = (n + piece - 1) / piece;
   spare_.resize(count_ + padding, 0.0);

@@ -112,15 +112,16 @@ class Particles {
   Vec<Dim> position(std::size_t i) const { return gather_vector(x_.first(), i); }
   Vec<Dim> velocity(std::size_t i) const { return gather_vector(v_.first(), i); }
 
-  /// Makes room for so many ghosts in place of the present ones. Their values are to be set; they have no numbers.
+  /// Makes room for so many ghosts; those that exist are kept. The values and numbers of the others are to be set.
   void set_ghosts(std::size_t count) {
     ghosts_ = count;
+    ghost_id.resize(count);
     for (Column& column : columns_) column.data.resize(count_ + ghosts_ + padding, 0.0);
   }
   /// Makes room for so many particles, without ghosts. Their values and numbers are to be set.
   void resize(std::size_t count) {
     count_ = count, ghosts_ = 0;
-    id.resize(count);
+    id.resize(count), ghost_id.clear();
     for (Column& column : columns_) column.data.resize(count + padding, 0.0);
   }
   /// particle i becomes the former particle order[i]; particles that are not in `order`, and ghosts, are removed.
@@ -133,7 +134,7 @@ class Particles {
 
   /// Columns without their padding.
   friend void archive(Archive& a, Particles& particles) {
-    auto& [count, ghosts, columns, spare, x, v, mass, volume, F, stress, ids] = particles;
+    auto& [count, ghosts, columns, spare, x, v, mass, volume, F, stress, ids, ids_of_ghosts] = particles;
     a.version(2);
     a.resizable("id", ids);
     if (a.reading()) particles.resize(ids.size());
@@ -173,7 +174,10 @@ class Particles {
   std::size_t F_ = 0, stress_ = 0;  // first columns of tensors in the layout of the analysis
 
  public:
-  std::vector<std::int64_t> id;  ///< unique within the run, never changed
+  std::vector<std::int64_t> id;        ///< unique within the run, never changed
+  std::vector<std::int64_t> ghost_id;  ///< those of the ghosts
+  /// The number of a particle or, from size() on, of a ghost.
+  std::int64_t number(std::size_t i) const { return i < count_ ? id[i] : ghost_id[i - count_]; }
 };
 
 }  // namespace tribo

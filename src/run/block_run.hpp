@@ -40,6 +40,7 @@ class BlockRun final : public SteppedModel {
   void measure_balance() {}
   void forget_placed() {}
   StageBalance end_stage();
+  Checkpoint state_for_next_stage() { return Checkpoint(SteppedModel::save({})); }
   StageReport begin_stage(const Model& former, const std::vector<StageAction>& actions, const StageBalance& before);
 
   /// Number of contacts that are bonded.

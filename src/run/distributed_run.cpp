@@ -1,27 +1,31 @@
 // SPDX-License-Identifier: MIT
 #include "run/distributed_run.hpp"
 
-#include "base/bytes.hpp"
+#include "base/common_data.hpp"
+#include "base/text.hpp"
 
 #include <algorithm>
+#include <exception>
 
 namespace tribo {
 namespace {
 
 // What rank 0 asks the other ranks for.
-enum class Command : std::int32_t { start, restore, distribute, advance, collect, collect_view, collect_state, end };
+enum class Command : std::int32_t {
+  build,
+  start,
+  restore,
+  distribute,
+  next_stage,
+  advance,
+  collect,
+  collect_view,
+  collect_state,
+  end
+};
 
-void command(Command what) {
-  ByteWriter message;
-  message.value(what);
-  ranks().broadcast(message.data);
-}
-
-Command next_command() {
-  std::vector<std::byte> message;
-  ranks().broadcast(message);
-  return ByteReader(message).value<Command>();
-}
+void command(Command what) { value_of_first_rank(what); }
+Command next_command() { return value_of_first_rank(Command::end); }
 
 bool alone_in_failure = false;
 
@@ -38,199 +42,242 @@ auto together(F&& f) {
   }
 }
 
-// The collective part of with_all_particles(): `what` says whether also what files show of contact is collected, or the
-// whole state.
-template <int Dim>
-void collect(GridRun<Dim>& run, Command what) {
-  Stepper<Dim>& stepper = run.stepper();
-  stepper.keep_grid_kinetic();
-  if (what == Command::collect_view && stepper.contact().active()) {
-    stepper.distribution().refresh_ghosts();  // they have moved since the last transfer
-    stepper.contact().fill_view();
+// Does something that each rank does for itself with the whole model. If it fails on rank 0, only rank 0 throws, since
+// it speaks for all.
+template <class F>
+void each_alone(F&& f) {
+  std::exception_ptr error;
+  try {
+    const AloneScope alone;
+    f();
+  } catch (...) {
+    error = std::current_exception();
   }
-  if (what == Command::collect_state) stepper.contact().collect_faces();
-  stepper.distribution().collect();
-  if (ranks().rank() > 0) return stepper.forget_grid_kinetic();
-  if (what == Command::collect_state) stepper.contact().place_collected_faces();
-  stepper.contact().keep_view();
+  const bool failed = error != nullptr, first_failed = value_of_first_rank(failed);
+  if (!any_rank(failed)) return;
+  if (ranks().rank() == 0 && !failed) throw CommonError("another process of the run has failed");
+  if (ranks().rank() > 0 && (first_failed || !failed)) return;
+  alone_in_failure = ranks().rank() > 0;
+  std::rethrow_exception(error);
 }
 
 template <int Dim>
-void release(GridRun<Dim>& run) {
-  run.stepper().distribution().release();
-  run.stepper().contact().release();
-  run.stepper().forget_grid_kinetic();
+GridRun<Dim>& grid_of(GridRun<Dim>& run) {
+  return run;
+}
+template <int Dim>
+GridRun<Dim>& grid_of(StagedRun<GridRun<Dim>>& run) {
+  return run.present();
+}
+
+Command command_for(GridCollected what) {
+  return what == GridCollected::view    ? Command::collect_view
+         : what == GridCollected::state ? Command::collect_state
+                                        : Command::collect;
 }
 
 }  // namespace
 
 std::vector<std::string> not_distributed(const Model& model) {
   std::vector<std::string> out;
-  const auto note = [&](bool used, const char* what) {
-    if (used) out.emplace_back(what);
-  };
-  const auto is_load = [](const ParticleCondition& c) { return c.kind == ParticleCondition::Kind::force; };
-  const auto mirrors = [](const NodeCondition& c) { return c.wall && c.wall->mirror; };
-  note(std::any_of(model.node_conditions.begin(), model.node_conditions.end(), mirrors),
-       "walls with mirrored velocities");
-  const auto is_interface = [](const auto& law) { return law && law->interface(); };
-  const auto& laws = model.contact.pair_laws;
-  note(is_interface(model.contact.default_law) ||
-           std::any_of(laws.begin(), laws.end(), [&](const auto& pair) { return is_interface(pair.second); }) ||
-           !model.contact.joints.empty(),
-       "interfaces or joints between bodies");
-  note(!model.cracks.empty(), "cracks");
-  note(model.blocks != nullptr, "rigid blocks");
-  note(!model.stages.empty() || !model.reactions.empty(), "stages");
-  note(model.particles_change(), "particles that enter or are removed");
-  note(model.splitting.has_value(), "splitting of particles");
-  note(std::any_of(model.grid.periodic.begin(), model.grid.periodic.end(), [](bool p) { return p; }), "periodic edges");
-  note(model.load_control.has_value(), "control of a load");
-  note(model.reversal.has_value(), "reversal of loads");
-  note(model.fracture.has_value(), "growth of cracks");
-  note(!std::all_of(model.particle_conditions.begin(), model.particle_conditions.end(), is_load),
-       "tractions and fluxes on faces");
-  note(!model.output.grid_fields.empty(), "files of the grid");
-  note(model.contact.active && model.heat.conduction, "conduction of heat across contact");
+  // The nodes whose velocities a wall mirrors must be near those that it governs.
+  const auto mirrors_deeply = [](const NodeCondition& c) { return c.wall && c.wall->mirror && c.wall->depth > 1; };
+  if (std::any_of(model.node_conditions.begin(), model.node_conditions.end(), mirrors_deeply))
+    out.emplace_back("walls with mirrored velocities and a <depth> of more than a cell");
   return out;
 }
 
 bool failed_alone() { return alone_in_failure; }
 
 EndForOthers::~EndForOthers() {
-  if (!failed_alone()) command(Command::end);
+  if (failed_alone()) return;
+  try {
+    command(Command::end);
+  } catch (const std::exception&) {
+    alone_in_failure = true;  // the others wait for a command that does not come, and must be stopped
+  }
 }
 
-template <int Dim>
+// Calls f() with all particles on this rank, and with what else is collected.
+template <class Run>
 template <class F>
-auto LeadingRun<Dim>::with_all_particles(bool view, bool state, F&& f) const {
-  const bool collects = run_.stepper().distribution().active() && !run_.stepper().distribution().shares_all();
-  const auto collect_all = [&] {
-    const Command what = view ? Command::collect_view : state ? Command::collect_state : Command::collect;
-    command(what);
-    collect(run_, what);
-  };
-  if (collects) together(collect_all);
+auto LeadingRun<Run>::with_all_particles(GridCollected what, F&& f) const {
+  auto& grid = grid_of(*run_);
+  const auto& distribution = grid.stepper().distribution();
+  const bool collects = distribution.active() && !distribution.shares_all();
+  if (collects) {
+    command(command_for(what));
+    together([&] { grid.collect(what); });
+  }
   // Gives the particles back at the end, whatever happens.
   struct Release {
-    GridRun<Dim>* run;
+    std::remove_reference_t<decltype(grid)>* run;
     ~Release() {
-      if (run) release(*run);
+      if (run) run->release_collected();
     }
   };
-  const Release at_end{collects ? &run_ : nullptr};
+  const Release at_end{collects ? &grid : nullptr};
   const AloneScope alone;
   return f();
 }
 
-// Impulses on faces depend on each other everywhere.
-template <int Dim>
-void refuse_faces(GridRun<Dim>& run, const Model& model) {
-  if (run.system().contact_at_faces)
-    throw InputError(model.grid.origin,
-                     "this model runs in a single process only, because it has contact impulses on faces; in "
-                     "several processes they must be on nodes (<MultiMaterialMode Impulses='nodes'>)");
+template <class Run>
+LeadingRun<Run>::LeadingRun(const Model& model) {
+  command(Command::build);
+  each_alone([&] { run_.emplace(model); });
+  if constexpr (requires { run_->defer_frames(); }) run_->defer_frames();
 }
 
-template <int Dim>
-LeadingRun<Dim>::LeadingRun(const Model& model) : run_(model), moving_(run_.moving()) {
-  refuse_faces(run_, model);
-}
-
-template <int Dim>
-void LeadingRun<Dim>::start() {
+template <class Run>
+void LeadingRun<Run>::start() {
   command(Command::start);
-  const AloneScope alone;
-  run_.start();
+  each_alone([&] { run_->start(); });
+  moving_ = run_->moving();
 }
 
-template <int Dim>
-RunState LeadingRun<Dim>::restore(const Checkpoint& checkpoint) {
+template <class Run>
+RunState LeadingRun<Run>::restore(const Checkpoint& checkpoint) {
   command(Command::restore);
-  const AloneScope alone;
-  const RunState state = run_.restore(checkpoint);
-  moving_ = run_.moving();
+  RunState state;
+  each_alone([&] { state = run_->restore(checkpoint); });
+  moving_ = run_->moving();
   return state;
 }
 
-template <int Dim>
-double LeadingRun<Dim>::advance() {
-  if (run_.stepper().distribution().shares_all())
-    command(Command::distribute), together([&] { run_.stepper().distribute(); });
+template <class Run>
+double LeadingRun<Run>::advance() {
+  if constexpr (requires { run_->begin_next_stage(); })
+    if (run_->is_next_stage_due()) {
+      command(Command::next_stage);
+      together([&] { run_->begin_next_stage(); });
+      moving_ = run_->moving();
+    }
+  if (grid_of(*run_).stepper().distribution().shares_all()) {
+    moving_ = run_->moving();
+    command(Command::distribute);
+    together([&] { grid_of(*run_).stepper().distribute(); });
+  }
   command(Command::advance);
-  return together([&] { return run_.advance(); });
+  return together([&] {
+    value_of_first_rank(grid_of(*run_).system().load_clock);
+    return grid_of(*run_).advance();
+  });
 }
 
-template <int Dim>
-std::vector<std::string> LeadingRun<Dim>::look() {
-  if (!run_.is_look_due()) return {};
-  return with_all_particles(false, false, [&] { return run_.look(); });
+template <class Run>
+std::vector<std::string> LeadingRun<Run>::look() {
+  if (!grid_of(*run_).is_look_due()) return {};
+  return with_all_particles(GridCollected::particles, [&] { return run_->look(); });
 }
 
-template <int Dim>
-std::vector<std::string> LeadingRun<Dim>::remarks() const {
-  return with_all_particles(false, false, [&] { return run_.remarks(); });
+template <class Run>
+std::vector<std::string> LeadingRun<Run>::remarks() const {
+  return with_all_particles(GridCollected::particles, [&] { return run_->remarks(); });
 }
 
-template <int Dim>
-std::vector<std::string> LeadingRun<Dim>::choices() const {
-  return with_all_particles(false, false, [&] { return run_.choices(); });
+template <class Run>
+std::vector<std::string> LeadingRun<Run>::choices() const {
+  return with_all_particles(GridCollected::particles, [&] { return run_->choices(); });
 }
 
-template <int Dim>
-void LeadingRun<Dim>::save(RunState state, CheckpointWriter& to) {
-  with_all_particles(false, true, [&] { run_.save(state, to); });
+template <class Run>
+void LeadingRun<Run>::save(RunState state, CheckpointWriter& to) {
+  with_all_particles(GridCollected::state, [&] { run_->save(state, to); });
 }
 
-template <int Dim>
-void LeadingRun<Dim>::open_results(const std::filesystem::path& folder, std::optional<double> resume_time,
+template <class Run>
+void LeadingRun<Run>::open_results(const std::filesystem::path& folder, std::optional<double> resume_time,
                                    OutputQueue& queue) {
-  with_all_particles(false, false, [&] { run_.open_results(folder, resume_time, queue); });
+  with_all_particles(GridCollected::particles, [&] { run_->open_results(folder, resume_time, queue); });
 }
 
-template <int Dim>
-void LeadingRun<Dim>::write_history() {
-  with_all_particles(false, false, [&] { run_.write_history(); });
+template <class Run>
+void LeadingRun<Run>::write_history() {
+  with_all_particles(GridCollected::particles, [&] { run_->write_history(); });
+  write_frames();
 }
 
-template <int Dim>
-void LeadingRun<Dim>::write_files(std::int64_t number) {
-  with_all_particles(true, false, [&] { run_.write_files(number); });
+template <class Run>
+void LeadingRun<Run>::write_files(std::int64_t number) {
+  with_all_particles(GridCollected::view, [&] { grid_of(*run_).write_files(number); });
 }
 
-template <int Dim>
-std::map<std::string, std::string> LeadingRun<Dim>::facts() const {
-  auto out = with_all_particles(false, false, [&] { return run_.facts(); });
+template <class Run>
+void LeadingRun<Run>::write_events() {
+  {
+    const AloneScope alone;
+    run_->write_events();
+  }
+  write_frames();
+}
+
+// The files for which reactions have asked.
+template <class Run>
+void LeadingRun<Run>::write_frames() {
+  if constexpr (requires { run_->take_frames(); })
+    for (const std::int64_t number : run_->take_frames()) write_files(number);
+}
+
+template <class Run>
+std::map<std::string, std::string> LeadingRun<Run>::facts() const {
+  auto out = with_all_particles(GridCollected::particles, [&] { return run_->facts(); });
   out["processes"] = std::to_string(ranks().count());
+  const auto& counts = grid_of(*run_).stepper().distribution().counts();
+  if (counts.empty()) return out;
+  const auto largest = [&](auto&& of) {
+    std::size_t most = 0;
+    for (const auto& rank : counts) most = std::max(most, of(rank));
+    return most;
+  };
+  std::size_t particles = 0, bytes = 0;
+  for (const auto& rank : counts) particles += rank.particles, bytes += rank.bytes;
+  using Counts = typename std::remove_reference_t<decltype(counts)>::value_type;
+  const std::size_t fullest = largest([](const Counts& rank) { return rank.particles; });
+  const std::size_t transfers = largest([](const Counts& rank) { return rank.refreshes; });
+  if (particles == 0 || transfers == 0) return out;
+  const auto all = static_cast<double>(particles);
+  out["imbalance of processes"] = format("%.4f", static_cast<double>(fullest * counts.size()) / all);
+  out["most copies of particles in a process"] =
+      std::to_string(largest([](const Counts& rank) { return rank.ghosts; }));
+  out["bytes sent per particle and transfer"] =
+      format("%.3g", static_cast<double>(bytes) / all / static_cast<double>(transfers));
   return out;
 }
 
 namespace {
 
 // Carries out a command; false if the run has ended.
-template <int Dim>
-bool carry_out(Command what, GridRun<Dim>& run, const std::filesystem::path& checkpoint) {
+template <class Run>
+bool carry_out(Command what, const Model& model, int threads, std::optional<Run>& run,
+               const std::filesystem::path& checkpoint) {
   switch (what) {
-    case Command::start: {
-      const AloneScope alone;
-      run.start();
+    case Command::build:
+      each_alone([&] { run.emplace(model), run->choose_threads(threads); });
       return true;
-    }
-    case Command::restore: {
-      const AloneScope alone;
-      run.restore(Checkpoint(checkpoint));
+    case Command::start:
+      each_alone([&] { run->start(); });
       return true;
-    }
+    case Command::restore:
+      each_alone([&] { run->restore(Checkpoint(checkpoint)); });
+      return true;
     case Command::distribute:
-      run.stepper().distribute();
+      grid_of(*run).stepper().distribute();
+      return true;
+    case Command::next_stage:
+      if constexpr (requires { run->begin_next_stage(); }) run->begin_next_stage();
       return true;
     case Command::advance:
-      run.advance();
+      grid_of(*run).system().load_clock = value_of_first_rank(LoadClock{});
+      grid_of(*run).advance();
       return true;
     case Command::collect:
+      grid_of(*run).collect(GridCollected::particles);
+      return true;
     case Command::collect_view:
+      grid_of(*run).collect(GridCollected::view);
+      return true;
     case Command::collect_state:
-      collect(run, what);
+      grid_of(*run).collect(GridCollected::state);
       return true;
     case Command::end:
       break;
@@ -240,30 +287,26 @@ bool carry_out(Command what, GridRun<Dim>& run, const std::filesystem::path& che
 
 }  // namespace
 
-template <int Dim>
+template <class Run>
 void follow(const Model& model, int threads, const std::filesystem::path& checkpoint) {
-  std::optional<GridRun<Dim>> run;
-  try {
-    run.emplace(model);
-    refuse_faces(*run, model);
-  } catch (...) {
-    while (next_command() != Command::end) continue;
-    throw;  // what rank 0 has found, too
-  }
-  run->choose_threads(threads);
+  std::optional<Run> run;
   bool goes_on = true;
   while (goes_on) {
     try {
-      together([&] { goes_on = carry_out(next_command(), *run, checkpoint); });
+      together([&] { goes_on = carry_out(next_command(), model, threads, run, checkpoint); });
     } catch (const CommonError&) {
       continue;  // rank 0 has thrown it, too, and ends the run
     }
   }
 }
 
-template class LeadingRun<2>;
-template class LeadingRun<3>;
-template void follow<2>(const Model&, int, const std::filesystem::path&);
-template void follow<3>(const Model&, int, const std::filesystem::path&);
+template class LeadingRun<GridRun<2>>;
+template class LeadingRun<GridRun<3>>;
+template class LeadingRun<StagedRun<GridRun<2>>>;
+template class LeadingRun<StagedRun<GridRun<3>>>;
+template void follow<GridRun<2>>(const Model&, int, const std::filesystem::path&);
+template void follow<GridRun<3>>(const Model&, int, const std::filesystem::path&);
+template void follow<StagedRun<GridRun<2>>>(const Model&, int, const std::filesystem::path&);
+template void follow<StagedRun<GridRun<3>>>(const Model&, int, const std::filesystem::path&);
 
 }  // namespace tribo

@@ -8,7 +8,9 @@
 #include "solver/state/system.hpp"
 
 #include <array>
+#include <cstdint>
 #include <filesystem>
+#include <unordered_map>
 #include <vector>
 
 namespace tribo {
@@ -18,12 +20,20 @@ namespace tribo {
 template <int Dim>
 GridNodeState grid_node_state(const System<Dim>& system, const Index<Dim>& node);
 
+/// The states of the nodes with mass, by their numbers in the lattice.
+using GridNodes = std::unordered_map<std::int64_t, GridNodeState>;
+
+/// In a run of several processes: rank 0 receives the nodes of all of them. All ranks must call it together.
+template <int Dim>
+GridNodes collect_grid_nodes(const System<Dim>& system);
+
 /// The fields that the model asks for at all nodes of the grid at present.
 class GridFile {
  public:
-  /// Throws SimulationError if a number is not finite.
+  /// `collected`: the nodes of all processes, if there are several, otherwise null. Throws SimulationError if a number
+  /// is not finite.
   template <int Dim>
-  GridFile(const Model& model, const System<Dim>& system);
+  GridFile(const Model& model, const System<Dim>& system, const GridNodes* collected = nullptr);
   /// Writes them as .vti. Throws FileError.
   void write(const std::filesystem::path& path) const;
   /// Memory that it holds.

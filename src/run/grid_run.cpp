@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "run/grid_run.hpp"
 
+#include "base/common_data.hpp"
 #include "base/parallel.hpp"
 #include "base/text.hpp"
 #include "run/energy_balance.hpp"
@@ -31,6 +32,8 @@ void GridRun<Dim>::choose_threads(int wanted) const {
 
 template <int Dim>
 double GridRun<Dim>::advance() {
+  if (results_) results_->grid_nodes.reset();
+  stepper_.forget_grid_kinetic();
   stepper_.sort_if_due();  // before sums over particles, whose ranges are the bins
   dt_ = step_size_.next(dt_);
   const double step = step_size_.up_to_end(std::min(dt_, stepper_.joints().stable_step()));
@@ -50,7 +53,7 @@ void GridRun<Dim>::control_load(double step) {
   const RunHistorySource<Dim> source(model_, system_, stepper_, force, {}, none, step);
   // a rigid material either prescribes velocities of nodes or is in contact
   const double load = source.reaction()[control.axis] - source.contact().last_force[control.axis];
-  system_.load_controller.update(load, system_.time, step, control);
+  system_.load_controller.update(value_of_first_rank(load), system_.time, step, control);
 }
 
 template <int Dim>
@@ -94,7 +97,13 @@ double GridRun<Dim>::book_exchange(const StageBalance& before) {
 
 template <int Dim>
 void GridRun<Dim>::exchange_particles(double step) {
-  if (!model_.particles_change() || !exchange_.find(step)) return;
+  if (!model_.particles_change() || !any_rank(exchange_.find(step))) return;
+  Distribution<Dim>& distribution = stepper_.distribution();
+  if (distribution.active()) {
+    stepper_.keep_grid_kinetic(), collect_grid();
+    distribution.unite(), exchange_.find_again();
+  }
+  const AloneScope with_all_particles;
   const StageBalance before = balance();
   exchange_.apply();
   book_exchange(before);
@@ -121,6 +130,51 @@ std::size_t GridRun<Dim>::particle_bytes() const {
   for (const auto* list : {&system_.bodies, &system_.rigids})
     for (const auto& body : *list) sum += body.particles.size() * (body.particles.columns().size() + 1);
   return sum * sizeof(double);
+}
+
+// All ranks go on with the state of rank 0, which has all sums.
+template <int Dim>
+Checkpoint GridRun<Dim>::state_for_next_stage() {
+  if (ranks().count() == 1) return Checkpoint(SteppedModel::save({}));
+  std::vector<std::byte> state;
+  collect(GridCollected::state);
+  if (ranks().rank() == 0) {
+    const AloneScope alone;
+    state = SteppedModel::save({}).bytes();
+  }
+  release_collected();
+  ranks().broadcast(state);
+  return Checkpoint(std::span<const std::byte>(state));
+}
+
+template <int Dim>
+void GridRun<Dim>::collect(GridCollected what) {
+  if (stepper_.distribution().shares_all()) return;
+  stepper_.keep_grid_kinetic();
+  if (what == GridCollected::view && stepper_.contact().active()) {
+    stepper_.distribution().refresh_ghosts();  // they have moved since the last transfer
+    stepper_.contact().fill_view();
+  }
+  if (what == GridCollected::view) collect_grid();
+  if (what == GridCollected::state) stepper_.contact().collect_faces();
+  stepper_.distribution().collect();
+  if (ranks().rank() > 0) return stepper_.forget_grid_kinetic();
+  if (what == GridCollected::state) stepper_.contact().place_collected_faces();
+  stepper_.contact().keep_view();
+}
+
+template <int Dim>
+void GridRun<Dim>::collect_grid() {
+  if (model_.output.grid_fields.empty()) return;
+  auto nodes = collect_grid_nodes(system_);
+  if (results_) results_->grid_nodes = std::move(nodes);
+}
+
+template <int Dim>
+void GridRun<Dim>::release_collected() {
+  stepper_.distribution().release();
+  stepper_.contact().release();
+  stepper_.forget_grid_kinetic();
 }
 
 template <int Dim>

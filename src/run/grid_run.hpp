@@ -13,6 +13,13 @@
 
 namespace tribo {
 
+/// What rank 0 of a run in several processes receives for a time.
+enum class GridCollected {
+  particles,
+  view,  ///< and what files show of contact and of the nodes
+  state  ///< and all that a checkpoint holds
+};
+
 template <int Dim>
 class GridRun final : public SteppedModel {
  public:
@@ -76,12 +83,20 @@ class GridRun final : public SteppedModel {
   std::shared_ptr<const ParticleFields<Dim>> particle_fields(const std::vector<std::string>& names) {
     return results_->fields(names, Precision::full);
   }
+  /// In a run of several processes: gives rank 0 all particles and what else is asked for, until release_collected().
+  /// All ranks must call both functions together.
+  void collect(GridCollected what);
+  void release_collected();
+  /// The state from which the model of the next stage goes on, on every rank; all of them must call it together.
+  Checkpoint state_for_next_stage();
+
   /// Distance of the particle that moved farthest from its start [length].
   double largest_displacement();
 
  private:
   void control_load(double step);
   void exchange_particles(double step);
+  void collect_grid();
   double book_exchange(const StageBalance& before);
   StageBalance balance();
 

@@ -185,7 +185,7 @@ void Results<Dim>::write_files(std::int64_t number) {
 template <int Dim>
 void Results<Dim>::write_grid(std::int64_t number) {
   const std::string file = "grid/" + numbered(number, ".vti");
-  auto all = std::make_shared<const GridFile>(model_, system_);
+  auto all = std::make_shared<const GridFile>(model_, system_, grid_nodes ? &*grid_nodes : nullptr);
   queue_.add(all->bytes(), [all, path = folder_ / file] { all->write(path); });
   grid_.add(system_.time, file, &queue_);
 }

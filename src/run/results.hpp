@@ -6,6 +6,7 @@
 #include "output/output_queue.hpp"
 #include "output/vtk.hpp"
 #include "run/block_results.hpp"
+#include "run/grid_file.hpp"
 #include "run/particle_fields.hpp"
 #include "run/tracers.hpp"
 #include "solver/measures.hpp"
@@ -39,7 +40,8 @@ class Results {
   /// one that is continued.
   double initial_energy = 0.0;
   std::optional<BlockResults> blocks;
-  std::int64_t breaks = 0;  ///< bonds of joints that broke according to the events written by this object
+  std::optional<GridNodes> grid_nodes;  ///< in a run of several processes, for the next file of the grid
+  std::int64_t breaks = 0;              ///< bonds of joints that broke according to the events written by this object
 
  private:
   /// Sums over what history `k` refers to: all particles, a material or one particle.

@@ -13,7 +13,9 @@
 #include "run/signals.hpp"
 #include "run/staged_run.hpp"
 
+#include <cstdio>
 #include <memory>
+#include <type_traits>
 
 namespace tribo {
 namespace {
@@ -81,18 +83,17 @@ void begin_with_edits(const Model& former, const Model& model, const std::filesy
 
 // Opens the folder of a run that is to be continued.
 template <class Stepped>
-void reopen(Opened<Stepped>& run, const RunOptions& options) {
+void reopen(std::optional<ResultFolder>& folder, const Model& model, const RunOptions& options) {
   if (!std::filesystem::is_directory(options.folder))
     throw FileError("there is no folder '" + options.folder.string() + "'");
-  run.folder.emplace(options.folder).require_checkpoint();
+  folder.emplace(options.folder).require_checkpoint();
+  if (options.former)
+    begin_with_edits<typename Plain<Stepped>::Type>(*options.former, model, folder->path() / "checkpoint.bin");
 }
 
 template <class Stepped>
 void resume(Opened<Stepped>& run, const Model& model, const RunOptions& options) {
-  reopen(run, options);
-  const ResultFolder& folder = *run.folder;
-  if (options.former)
-    begin_with_edits<typename Plain<Stepped>::Type>(*options.former, model, folder.path() / "checkpoint.bin");
+  reopen<Stepped>(run.folder, model, options);
   with_memory_for("this model", place_of(model), [&] { run.stepped.emplace(model); });
   run.stepped->choose_threads(options.threads);
 }
@@ -169,29 +170,50 @@ auto with_kind_of(const Model& model, F&& f) {
   return staged ? f.template operator()<StagedRun<GridRun<3>>>() : f.template operator()<GridRun<3>>();
 }
 
-// A run in several processes, of which rank 0 has the loop and the folder.
-template <int Dim>
-Outcome run_in_processes(const Model& model, const RunOptions& options) {
-  if (const auto missing = not_distributed(model); !missing.empty() || model.only_blocks() || options.former)
-    throw InputError(
-        place_of(model),
-        "this model runs in a single process only, because it has " +
-            (missing.empty() ? std::string("no particles on a grid, or changes of its stages") : join(missing, ", ")));
-  if (ranks().rank() > 0) {
-    const SignalGuard signals;  // only rank 0 acts on them
-    follow<Dim>(model, options.threads, options.folder / "checkpoint.bin");
-    return Outcome::finished;
-  }
-  const EndForOthers end;
-  Opened<LeadingRun<Dim>> opened;
-  if (options.resume) {
-    reopen(opened, options);
-    with_memory_for("this model", place_of(model), [&] { opened.stepped.emplace(model); });
-  } else {
-    start(opened, model, options);
-  }
-  opened.stepped->choose_threads(options.threads);
+template <class Stepped>
+constexpr bool is_on_grid = !std::is_same_v<typename Plain<Stepped>::Type, BlockRun>;
+
+// A run in a single process.
+template <class Stepped>
+Outcome run_alone(const Model& model, const RunOptions& options) {
+  Opened<Stepped> opened;
+  open(opened, model, options);
   return run_to_end(model, *opened.stepped, options);
+}
+
+// A run in several processes, of which rank 0 has the loop and the folder. An assembly of blocks without a grid is
+// computed by rank 0 alone.
+template <class Stepped>
+Outcome run_in_processes(const Model& model, const RunOptions& options) {
+  if (const auto missing = not_distributed(model); !missing.empty())
+    throw InputError(place_of(model),
+                     "this model runs in a single process only, because it has " + join(missing, ", "));
+  if constexpr (is_on_grid<Stepped>) {
+    if (ranks().rank() > 0) {
+      const SignalGuard signals;  // only rank 0 acts on them
+      follow<Stepped>(model, options.threads, options.folder / "checkpoint.bin");
+      return Outcome::finished;
+    }
+    const EndForOthers end;
+    Opened<LeadingRun<Stepped>> opened;
+    if (options.resume) {
+      {
+        const AloneScope alone;
+        reopen<Stepped>(opened.folder, model, options);
+      }
+      with_memory_for("this model", place_of(model), [&] { opened.stepped.emplace(model); });
+    } else {
+      start(opened, model, options);
+    }
+    opened.stepped->choose_threads(options.threads);
+    return run_to_end(model, *opened.stepped, options);
+  } else {
+    if (ranks().rank() > 0) return Outcome::finished;
+    if (!options.quiet)
+      std::fprintf(stderr, "note: blocks without a grid are computed by the first of the processes alone\n");
+    const AloneScope alone;
+    return run_alone<Stepped>(model, options);
+  }
 }
 
 template <int Dim>
@@ -233,12 +255,8 @@ void check_folder(const RunOptions& options) {
 
 Outcome run(const Model& model, const RunOptions& options) {
   set_threads(options.threads);
-  if (ranks().count() > 1)
-    return model.dimension() == 2 ? run_in_processes<2>(model, options) : run_in_processes<3>(model, options);
   return with_kind_of(model, [&]<class Stepped>() {
-    Opened<Stepped> opened;
-    open(opened, model, options);
-    return run_to_end(model, *opened.stepped, options);
+    return ranks().count() > 1 ? run_in_processes<Stepped>(model, options) : run_alone<Stepped>(model, options);
   });
 }
 

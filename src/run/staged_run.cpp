@@ -3,6 +3,7 @@
 
 #include "base/error.hpp"
 #include "base/memory.hpp"
+#include "base/ranks.hpp"
 #include "base/read_file.hpp"
 #include "base/text.hpp"
 #include "output/atomic_file.hpp"
@@ -64,20 +65,21 @@ void StagedRun<Stepped>::start() {
 
 template <class Stepped>
 double StagedRun<Stepped>::advance() {
-  if (stage_ < last_stage() && at_stage_end()) begin_next();
+  if (is_next_stage_due()) begin_next_stage();
   return now_->advance();
 }
 
 template <class Stepped>
-void StagedRun<Stepped>::begin_next() {
+void StagedRun<Stepped>::begin_next_stage() {
   const Model& former = model_of(stage_);
   const StageSpec& stage = first_.stages[static_cast<std::size_t>(stage_)];
   const StageBalance before = now_->end_stage();
   {
-    const Checkpoint state(now_->save({}));
+    const Checkpoint state = now_->state_for_next_stage();
     build(stage_ + 1);
     now_->restore(state);
   }
+  const AloneScope with_all_particles;
   ends_ = false, reacted_ = calm_ = 0;
   const StageReport report = now_->begin_stage(former, stage.actions, before);
   if (threads_ > 0) now_->choose_threads(threads_);
@@ -129,13 +131,19 @@ void StagedRun<Stepped>::react(F&& happens) {
     news_.push_back(reaction.text + format(" at time %.6g: ", now_->time()) +
                     words[static_cast<std::size_t>(reaction.effect)]);
     using Effect = Reaction::Effect;
-    if (reaction.effect == Effect::frame) now_->write_files(first_frame + frames_++);
+    if (reaction.effect == Effect::frame) write_frame();
     if (reaction.effect == Effect::checkpoint) checkpoint_ = true;
     const bool last = stage_ == last_stage();
     if (reaction.effect == Effect::next_stage && !last) ends_ = true;
     if (reaction.effect == Effect::stop || (reaction.effect == Effect::next_stage && last))
       end_reason_ = reaction.text + format(" at time %.6g", now_->time());
   }
+}
+
+template <class Stepped>
+void StagedRun<Stepped>::write_frame() {
+  const std::int64_t number = first_frame + frames_++;
+  defers_frames_ ? deferred_frames_.push_back(number) : now_->write_files(number);
 }
 
 template <class Stepped>

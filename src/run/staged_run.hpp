@@ -29,6 +29,11 @@ class StagedRun final : public SteppedModel {
   /// Builds the models of all stages, so that what is wrong in one of them is told before the run.
   void start() override;
   double advance() override;
+  /// Whether the next stage begins before the next step.
+  bool is_next_stage_due() const { return stage_ < last_stage() && at_stage_end(); }
+  /// What advance() does then. In a run of several processes, all of them call it together, and each has all particles
+  /// afterwards.
+  void begin_next_stage();
   std::vector<std::string> look() override;
   std::vector<std::string> take_news() override { return std::exchange(news_, {}); }
   bool take_checkpoint() override { return std::exchange(checkpoint_, false); }
@@ -50,6 +55,9 @@ class StagedRun final : public SteppedModel {
   void write_files(std::int64_t number) override { now_->write_files(number); }
   void write_events() override;
   bool history_of_last_step() const override { return now_->history_of_last_step(); }
+  /// Files for which reactions ask are not written at once; take_frames() returns their numbers.
+  void defer_frames() { defers_frames_ = true; }
+  std::vector<std::int64_t> take_frames() { return std::exchange(deferred_frames_, {}); }
 
   std::pair<std::int64_t, std::string> moving() const override { return now_->moving(); }
   std::vector<RecordedBody> bodies() const override { return now_->bodies(); }
@@ -66,10 +74,10 @@ class StagedRun final : public SteppedModel {
     return stage == 0 ? first_ : *first_.stages[static_cast<std::size_t>(stage) - 1].model;
   }
   void build(int stage);
-  void begin_next();
   void record(const StageSpec& stage, const StageReport& report);
   template <class F>
   void react(F&& happens);
+  void write_frame();
 
   /// Files that reactions ask for have numbers from here on.
   static constexpr std::int64_t first_frame = 900000;
@@ -87,8 +95,10 @@ class StagedRun final : public SteppedModel {
   std::int64_t reacted_ = 0;  // bit k: reaction k of the stage has happened
   std::int64_t calm_ = 0;     // steps in a row with balanced forces
   std::int64_t frames_ = 0;   // files that reactions asked for
-  bool checkpoint_ = false;   // a reaction asks for a checkpoint
-  std::string end_reason_;    // a reaction ends the run
+  bool defers_frames_ = false;
+  std::vector<std::int64_t> deferred_frames_;
+  bool checkpoint_ = false;  // a reaction asks for a checkpoint
+  std::string end_reason_;   // a reaction ends the run
 };
 
 /// The begins of the stages that a file stages.csv tells of are kept up to this number, later ones removed.

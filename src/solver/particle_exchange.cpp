@@ -35,12 +35,12 @@ bool ParticleExchange<Dim>::is_outside(const Vec<Dim>& x) const {
 }
 
 template <int Dim>
-bool ParticleExchange<Dim>::find(double dt) {
-  leaving_.clear(), entering_.clear();
+void ParticleExchange<Dim>::find_leaving() {
+  leaving_.clear();
   for (auto* bodies : {&system_.bodies, &system_.rigids})
     for (Body<Dim>& body : *bodies) {
       if (body.block >= 0) continue;
-      Leaving leaving{&body, {}};
+      Leaving leaving{&body, {}, 0, 0};
       for (const DeletionSpec& spec : model_.deletions) {
         if (spec.material != body.material || body.particles.size() == 0) continue;
         const bool all = spec.time >= 0 && system_.time >= spec.time;
@@ -49,18 +49,21 @@ bool ParticleExchange<Dim>::find(double dt) {
           if (all || (damage && damage[i] > failed && (!(spec.opening > 0) || (opening && opening[i] >= spec.opening))))
             leaving.particles.push_back(i);
       }
-      system_.deleted_failed += static_cast<std::int64_t>(leaving.particles.size());
+      leaving.failed = static_cast<std::int64_t>(leaving.particles.size());
       if (model_.delete_leaving)
         for (std::uint32_t i = 0; i < body.particles.size(); ++i)
-          if (is_outside(body.particles.position(i))) leaving.particles.push_back(i), ++system_.deleted_outside;
+          if (is_outside(body.particles.position(i))) leaving.particles.push_back(i), ++leaving.outside;
       if (leaving.particles.empty()) continue;
       std::sort(leaving.particles.begin(), leaving.particles.end());
       leaving.particles.erase(std::unique(leaving.particles.begin(), leaving.particles.end()), leaving.particles.end());
       leaving_.push_back(std::move(leaving));
     }
-  if (model_.delete_leaving && system_.deleted_outside > model_.leave_limit.value_or(0))
-    throw SimulationError("more than " + std::to_string(model_.leave_limit.value_or(0)) +
-                          " particles have left the grid, the number of <LeaveLimit>");
+}
+
+template <int Dim>
+bool ParticleExchange<Dim>::find(double dt) {
+  find_leaving();
+  entering_.clear();
   for (std::size_t k = 0; k < system_.inflow.size(); ++k) {
     Inflow<Dim>& inflow = system_.inflow[k];
     const SourceSpec& source = model_.sources[inflow.source];
@@ -110,6 +113,11 @@ void ParticleExchange<Dim>::inject(Inflow<Dim>& inflow) {
 
 template <int Dim>
 void ParticleExchange<Dim>::apply() {
+  for (const Leaving& leaving : leaving_)
+    system_.deleted_failed += leaving.failed, system_.deleted_outside += leaving.outside;
+  if (model_.delete_leaving && system_.deleted_outside > model_.leave_limit.value_or(0))
+    throw CommonError("more than " + std::to_string(model_.leave_limit.value_or(0)) +
+                      " particles have left the grid, the number of <LeaveLimit>");
   for (const Leaving& leaving : leaving_) remove(leaving);
   for (const std::size_t k : entering_) inject(system_.inflow[k]);
   system_.sorted = false;

@@ -15,10 +15,13 @@ class ParticleExchange {
  public:
   ParticleExchange(const Model& model, System<Dim>& system);
 
-  /// Looks for particles to remove, and advances the sources over the last step, of size `dt`. Returns whether apply()
-  /// has something to do. Throws SimulationError if more particles have left the grid than the model permits.
+  /// Looks for particles of this process to remove, and advances the sources over the last step, of size `dt`. Returns
+  /// whether apply() has something to do.
   bool find(double dt);
-  /// Removes and adds what find() found. The particles must then be sorted.
+  /// Looks again for particles to remove, once all of them are in this process.
+  void find_again() { find_leaving(); }
+  /// Removes and adds what was found. The particles must then be sorted. Throws SimulationError if more particles have
+  /// left the grid than the model permits.
   void apply();
 
  private:
@@ -26,7 +29,9 @@ class ParticleExchange {
   struct Leaving {
     Body<Dim>* body;
     std::vector<std::uint32_t> particles;
+    std::int64_t failed = 0, outside = 0;  // for what reason
   };
+  void find_leaving();
   bool is_outside(const Vec<Dim>& x) const;
   void remove(const Leaving& leaving);
   void inject(Inflow<Dim>& inflow);

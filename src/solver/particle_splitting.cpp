@@ -15,7 +15,7 @@ namespace tribo {
 struct CellParticle {
   std::int64_t cell, id;
   std::uint32_t particle;
-  auto operator<=>(const CellParticle&) const = default;
+  auto operator<=>(const CellParticle&) const = default;  // NOLINT(modernize-use-nullptr): there is no pointer
 };
 
 namespace {

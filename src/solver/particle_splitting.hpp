@@ -45,6 +45,7 @@ class ParticleSplitting {
  public:
   ParticleSplitting(const Model& model, System<Dim>& system, EnergyLedger& ledger);
 
+  bool is_active() const { return spec_.has_value(); }
   /// Splits and merges the particles of all bodies as far as their domains require. Particles on which a load or a
   /// traction acts do not change. Returns whether there were any: particles are appended and removed, so they must then
   /// be sorted again. All particles must be inside the grid.

@@ -10,11 +10,17 @@ namespace tribo {
 namespace {
 
 // Blocks around those of a process whose particles it must know: the stencils of all that reach the nodes of its own
-// particles, and with contact those within the distance in which faces are searched.
+// particles. With contact, those within the distance in which faces are searched; with loads on faces, those that
+// determine how a force is shared among the nodes around, and with walls those that determine the velocities they
+// mirror.
 template <int Dim>
-int ghost_layers(const Transfers<Dim>& transfers, const System<Dim>& system) {
+int ghost_layers(const Model& model, const Transfers<Dim>& transfers, const System<Dim>& system) {
   if (Dim == 2) return 1;
-  return 1 + (transfers.colours_per_axis() > 2 ? 1 : 0) + (system.fields.size() > 1 ? 1 : 0);
+  const auto acts_on_faces = [](const ParticleCondition& c) { return c.kind != ParticleCondition::Kind::force; };
+  const auto mirrors = [](const NodeCondition& c) { return c.wall && c.wall->mirror; };
+  const bool reads_masses = system.fields.size() > 1 || std::ranges::any_of(model.particle_conditions, acts_on_faces) ||
+                            std::ranges::any_of(model.node_conditions, mirrors);
+  return 1 + (transfers.colours_per_axis() > 2 ? 1 : 0) + (reads_masses ? 1 : 0);
 }
 
 }  // namespace
@@ -75,7 +81,7 @@ Stepper<Dim>::Stepper(const Model& model, System<Dim>& system)
       system_(system),
       loops_(system),
       transfers_(make_transfers<Dim>(model.scheme)),
-      distribution_(system, ghost_layers<Dim>(*transfers_, system)),
+      distribution_(model, system, ghost_layers<Dim>(model, *transfers_, system), transfers_->stencil_width()),
       of_all_(system, loops_, *transfers_, distribution_),
       sort_(model, system, distribution_),
       splitting_(model, system, ledger_),
@@ -115,6 +121,7 @@ void Stepper<Dim>::begin_step() {
     ledger_.started = true, ledger_.first_kinetic = measure(system_).kinetic;
   filter_.begin_step();
   keep_start_domains(system_);
+  if (cracks_.active()) distribution_.refresh_ghosts();  // they have moved since the last transfer
   cracks_.find();
   zero_nodes();
   for (auto& exchange : exchanges_) exchange->begin_step();
@@ -222,7 +229,9 @@ void Stepper<Dim>::measure_crack_tips(double dt) {
 template <int Dim>
 void Stepper<Dim>::grow_cracks() {
   if constexpr (Dim == 2) {
-    if (!crack_tips_.active() || system_.load_clock.is_arrested(model_.reversal) || !crack_tips_.grow()) return;
+    if (!crack_tips_.active() || system_.load_clock.is_arrested(model_.reversal)) return;
+    distribution_.refresh_ghosts();  // they have moved, and tell whether a tip has reached a surface
+    if (!crack_tips_.grow()) return;
     system_.sorted = false;
     if (model_.reversal && model_.reversal->crack &&
         crack_tips_.longest(*model_.reversal->crack) > model_.reversal->value)
@@ -234,6 +243,7 @@ template <int Dim>
 void Stepper<Dim>::end_step(double dt) {
   record_joints();
   contact_.ledger().end_step(dt);
+  for (auto& exchange : exchanges_) exchange->end_step();
   system_.time += dt;
   ++system_.step;
   jump_ = false;

@@ -16,8 +16,20 @@ void Stepper<Dim>::zero_nodes() {
 template <int Dim>
 void Stepper<Dim>::sort() {
   const auto lap = watches_.sort.lap();
-  sort_.sort();
-  if (splitting_.apply()) sort_.sort();
+  const auto sort_and_split = [&] {
+    sort_.sort();
+    if (splitting_.apply()) sort_.sort();
+  };
+  if (distribution_.active() && splitting_.is_active()) {
+    distribution_.unite();
+    {
+      const AloneScope with_all_particles;
+      sort_and_split();
+    }
+    distribution_.share_out();
+  } else {
+    sort_and_split();
+  }
   locate_nodes();
 }
 
@@ -39,8 +51,9 @@ void Stepper<Dim>::locate_nodes() {
     add_periodic_blocks(model_.grid, system_.lattice, occupied);
     field.map.rebuild(occupied);
     if (distribution_.active())
-      field.map.mark_own([&](const Index<Dim>& block) { return system_.partition->is_own(block); },
-                         [&](const Index<Dim>& block) { return around[block]; });
+      field.map.mark_own(
+          [&](const Index<Dim>& block) { return system_.partition->is_own(block); },
+          [&](const Index<Dim>& block) { return distribution_.is_common(block) ? ~std::uint64_t{0} : around[block]; });
     if (exchanges_[f]->has_images()) field.map.reach_all();
     const auto nodes = static_cast<std::size_t>(field.map.node_count());
     field.nodes.resize(nodes);

@@ -28,7 +28,8 @@ void keep_start_positions(System<Dim>& system) {
     for (auto& body : *bodies) {
       const auto from = body.particles.x();
       const auto to = body.particles[body.start];
-      for (std::size_t d = 0; d < Dim; ++d) std::copy_n(from[d], body.particles.size(), to[d]);
+      const std::size_t count = body.particles.size() + body.particles.ghosts();
+      for (std::size_t d = 0; d < Dim; ++d) std::copy_n(from[d], count, to[d]);
     }
 }
 

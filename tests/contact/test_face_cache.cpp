@@ -254,9 +254,10 @@ TEST_CASE("contact faces are the same for any number of threads", "[contact][fac
     contact.find(b.exchanges, joints);
     set_threads(1);
     std::vector<Face> out;
-    contact.each_closed_pair([&](const ContactPair& pair, const auto&, const auto&, double) {
-      out.push_back({pair.state.normal, pair.state.gap, pair.state.area});
-    });
+    for (const auto& node : contact.nodes())
+      contact.each_closed_pair(node, [&](const ContactPair& pair, const auto&, const auto&) {
+        out.push_back({pair.state.normal, pair.state.gap, pair.state.area});
+      });
     return out;
   };
   const auto one = faces(1);

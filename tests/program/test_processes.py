@@ -42,6 +42,14 @@ RIGID = "<Material Type='Rigid' Name='floor'><SetDirection>2</SetDirection></Mat
 FLOOR = "<Material Type='RigidContact' Name='floor'/>"
 WALL = ("<GridBCs><BCBox xmin='-0.5' xmax='0.5' ymin='-5' ymax='40' zmin='-9' zmax='20'>"
         "<DisBC dir='1' style='1' vel='0.2' depth='-3'/></BCBox></GridBCs>")
+FACES = "<MultiMaterialMode><Friction law='law'/></MultiMaterialMode>"
+CRACK = ("<CrackList><Line xmin='-1' xmax='20' ymin='9.7' ymax='10.2' resolution='40'/>"
+         "<Line xmin='48' xmax='55' ymin='5' ymax='14' resolution='20'/></CrackList>")
+PERIODIC = "<Grid xmin='0' xmax='64' ymin='-20' ymax='60'><Horiz cellsize='1' periodic='1'/><Vert cellsize='1'/></Grid>"
+TRACTION = ("<ParticleBCs><BCBox xmin='28' xmax='31' ymin='-1' ymax='21' zmin='-1' zmax='1'>"
+            "<TractionBC dir='1' face='2' style='1' stress='0.02'/></BCBox></ParticleBCs>")
+FLUX = TRACTION.replace("<TractionBC dir='1' face='2' style='1' stress='0.02'/>", "<HeatFluxBC dir='1' face='2' value='0.5'/>")
+PLANES = "<GlobalArchive type='reactionx' material='-10'/><GlobalArchive type='reactiony' material='-20'/>"
 ADAPTED = "<CustomTasks><Schedule name='AdjustTimeStep'/></CustomTasks>"
 
 # Name, and what differs from a model in the plane with quadratic splines, FLIP and USF
@@ -68,6 +76,18 @@ MODELS = {
               "more": COULOMB.format("")},
     "velocity": {"order": "USAVG+", "bodies": ON_FLOOR, "third": RIGID},
     "wall": {"order": "USL-", "more": WALL},
+    "faces": {"order": "USAVG+", "header": FACES, "bodies": PAIR, "more": COULOMB.format("")},
+    "faces_in_space": {"space": True, "order": "USL-", "header": FACES, "bodies": PAIR_IN_SPACE, "more": COULOMB.format("")},
+    "heat_in_contact": {"order": "USL-", "header": FACES, "bodies": PAIR,
+                        "more": COULOMB.format("") + "<Thermal><Conduction/><ContactHeating/></Thermal>"},
+    "crack": {"order": "USAVG-", "header": "<Cracks><Friction law='law'/></Cracks>", "more": CRACK + COULOMB.format("")},
+    "periodic": {"order": "USL-", "grid": PERIODIC, "bodies": DISCS.replace("vx='-1'", "vx='1'")},
+    "traction": {"order": "USL+", "more": HELD + TRACTION},
+    "traction_in_space": {"space": True, "order": "USL-", "more": HELD + TRACTION.replace("xmin='28' xmax='31'", "xmin='11' xmax='13'")
+                          .replace("zmin='-1' zmax='1'", "zmin='-1' zmax='8'")},
+    "flux": {"more": "<Thermal><Conduction/></Thermal>" + FLUX},
+    "planes": {"grid": CORNER, "order": "USL-", "header": PLANES},
+    "mirror": {"order": "USL-", "more": WALL.replace("depth='-3'", "depth='-1' gradfxn='mirror'")},
     "space_apic": {"space": True, "order": "USL+", "header": "<Transfer type='APIC'/>"},
 }
 EXAMPLES = ("dam_break", "granular_column", "simple_shear", "slope_failure", "taylor_bar")  # of the gallery
@@ -168,9 +188,10 @@ class Tester:
             told = self.call(ranks, "run", "--threads", 1, "--quiet", "-o", self.work / f"leaving{ranks}", leaving, code=4)
             if told.count("left the grid") != 1 or "checkpoint.bin" not in told:
                 raise Failure("a particle that left the grid is not told once\n" + told)
-        contact = self.source / "input/examples/two_disks.xml"
-        told = self.call(2, "run", "-o", self.work / "contact", contact, code=3)
-        if "contact impulses on faces" not in told:
+        deep = self.work / "deep.xml"
+        deep.write_text(deck("mirror").replace("depth='-1'", "depth='-3'"))
+        told = self.call(2, "run", "-o", self.work / "deep", deep, code=3)
+        if "runs in a single process only" not in told:
             raise Failure("a model that cannot be distributed is not refused with a reason\n" + told)
 
     def full_disk(self):

@@ -74,7 +74,7 @@ TEMPLATE_TEST_CASE_SIG("the particles of a cell have one opening, and together t
   auto system = loose<Dim>(model);
   auto& body = system.bodies[0];
   std::vector<double> before(body.particles.volume(), body.particles.volume() + body.particles.size());
-  Distribution<Dim> alone(system, 1);
+  Distribution<Dim> alone(model, system, 1, 3);
   OpeningAverage<Dim>(model, system, alone).apply();
   for (const auto& [cell, numbers] : by_cell(body)) {
     double had = 0, has = 0;
@@ -98,7 +98,7 @@ TEST_CASE("pressed particles close when their cell is open, and the energy they 
   auto& body = system.bodies[0];
   const double pressure = GENERATE(0.03, 0.2) * bulk;  // less and more than the openings can relieve
   press(body, pressure);
-  Distribution<2> alone(system, 1);
+  Distribution<2> alone(model, system, 1, 3);
   OpeningAverage<2>(model, system, alone).apply();
   for (std::size_t i = 0; i < body.particles.size(); ++i) {
     const double left = -body.particles.stress()[0][i], o = body.history_columns[opening][i];
@@ -118,7 +118,7 @@ TEST_CASE("openings of cohesive soil are cracks and stay with their particles", 
   auto system = loose<2>(model);
   auto& body = system.bodies[0];
   const std::vector<double> start(body.history_columns[opening], body.history_columns[opening] + body.particles.size());
-  Distribution<2> alone(system, 1);
+  Distribution<2> alone(model, system, 1, 3);
   OpeningAverage<2>(model, system, alone).apply();
   for (std::size_t i = 0; i < body.particles.size(); ++i) CHECK(body.history_columns[opening][i] == start[i]);
 }
@@ -129,7 +129,7 @@ TEST_CASE("no opening is averaged in plane stress, where each particle has its o
   auto system = loose<2>(model);
   auto& body = system.bodies[0];
   const double first = body.history_columns[opening][0];
-  Distribution<2> alone(system, 1);
+  Distribution<2> alone(model, system, 1, 3);
   OpeningAverage<2>(model, system, alone).apply();
   CHECK(body.history_columns[opening][0] == first);
 }

@@ -71,16 +71,17 @@ class Contact {
 
   ContactLedger<Dim>& ledger() { return ledger_; }
   const ContactLedger<Dim>& ledger() const { return ledger_; }
-  /// Calls f(pair, member a, member b, ownership of the node) for the pairs whose faces are closed: an impulse acted in
-  /// the last step, or the gap is less than 0.01 cells.
+  /// All contact nodes of the step.
+  const std::vector<ContactNode<Dim>>& nodes() const { return search_.found().nodes; }
+  /// Calls f(pair, member a, member b) for the pairs of a node whose faces are closed: an impulse acted in the last
+  /// step, or the gap is less than 0.01 cells.
   template <class F>
-  void each_closed_pair(F&& f) const {
+  void each_closed_pair(const ContactNode<Dim>& node, F&& f) const {
     static constexpr double closed = 0.01;  // cells
     const ContactNodes<Dim>& contacts = search_.found();
-    for (const ContactNode<Dim>& node : contacts.nodes)
-      for (const ContactPair& pair : contacts.pairs_of(node))
-        if (pair.update_status != ContactStatus::open || (!pair.has_no_face && pair.state.gap < closed * h_))
-          f(pair, contacts.members[pair.a], contacts.members[pair.b], node.ownership);
+    for (const ContactPair& pair : contacts.pairs_of(node))
+      if (pair.update_status != ContactStatus::open || (!pair.has_no_face && pair.state.gap < closed * h_))
+        f(pair, contacts.members[pair.a], contacts.members[pair.b]);
   }
   /// Fills the particle columns that show contact, see fill_contact_view.
   void fill_view();

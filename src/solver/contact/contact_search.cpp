@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "solver/contact/contact_search.hpp"
 
-#include "base/bytes.hpp"
+#include "base/common_data.hpp"
 #include "base/parallel.hpp"
-#include "base/ranks.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -339,11 +338,9 @@ void ContactSearch<Dim>::share_kept_pairs() {
     for (const Vec3* vector : {&pair.impulse, &pair.velocity})
       for (const double component : *vector) own.value(component);
   }
-  ByteWriter all;
-  for (const auto& message : ranks().gather(std::move(own.data))) all.values(std::span<const std::byte>(message));
-  ranks().broadcast(all.data);
+  const auto all = values_of_all_ranks(own.data);
   kept_.clear();
-  for (ByteReader reader(all.data); !reader.at_end();) {
+  for (ByteReader reader(all); !reader.at_end();) {
     KeptPair pair;
     pair.place = reader.value<std::int64_t>(), pair.a = reader.value<std::int64_t>();
     pair.b = reader.value<std::int64_t>(), pair.status = reader.value<ContactStatus>();

@@ -81,7 +81,8 @@ CrackTips<2>::TipDomain CrackTips<2>::tip_domain(const Crack<2>& crack, const Cr
   for (std::size_t b = 0; b < system_.bodies.size(); ++b) {
     Body<2>& body = system_.bodies[b];
     const auto F = body.particles.F();
-    for (const Bin& bin : body.bins.list()) {
+    for (const std::uint32_t k : body.bins.by_block()) {
+      const Bin& bin = body.bins.with_ghosts()[k];
       const Index<2> block = system_.lattice.block_at(bin.block);
       const Vec<2> low = system_.lattice.position({block[0] * block_edge<2>, block[1] * block_edge<2>});
       const Vec<2> high = low + block_edge<2> * system_.lattice.spacing;

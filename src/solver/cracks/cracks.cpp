@@ -162,7 +162,7 @@ void Cracks<Dim>::locate() {
         });
   cut_.clear();
   for (auto& body : system_.bodies) {
-    const auto bins = body.bins.list();
+    const auto bins = body.bins.with_ghosts();
     body.cut.assign(bins.size(), -1);
     std::size_t count = 0;
     for (std::size_t b = 0; b < bins.size(); ++b) {
@@ -178,7 +178,7 @@ template <int Dim>
 void Cracks<Dim>::add_blocks(const Field<Dim>& field, std::vector<BlockReach<Dim>>& blocks) const {
   for (const auto& cut : cut_)
     if (cut.body->field == field.base_field)
-      blocks.push_back(BlockReach<Dim>::full(cut.body->bins.list()[cut.bin].block));
+      blocks.push_back(BlockReach<Dim>::full(cut.body->bins.with_ghosts()[cut.bin].block));
 }
 
 template <int Dim>
@@ -192,7 +192,7 @@ void Cracks<Dim>::find() {
   parallel_for(static_cast<std::ptrdiff_t>(cut_.size()), [&](std::ptrdiff_t k) {
     const CutBinPlace& at = cut_[static_cast<std::size_t>(k)];
     auto& cut = at.body->cut_bins[static_cast<std::size_t>(at.body->cut[at.bin])];
-    find_bin(*at.body, at.body->bins.list()[at.bin], cut);
+    find_bin(*at.body, at.body->bins.with_ghosts()[at.bin], cut);
   });
   if (system_.cracks.size() > 1) number_node_surfaces();
 }
@@ -216,7 +216,7 @@ void Cracks<Dim>::number_node_surfaces() {
     for (const auto& at : cut_) {
       auto& cut = at.body->cut_bins[static_cast<std::size_t>(at.body->cut[at.bin])];
       if (cut.sides.empty()) continue;
-      const Bin& bin = at.body->bins.list()[at.bin];
+      const Bin& bin = at.body->bins.with_ghosts()[at.bin];
       const List& list = lists_[static_cast<std::size_t>(list_of_[system_.lattice.block_at(bin.block)])];
       transfers_.lowest_nodes(*at.body, system_.lattice, bin, lowest);
       for (std::size_t i = 0; i < cut.first.size(); ++i)

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "solver/distribution/distribution.hpp"
 
-#include "base/bytes.hpp"
+#include "base/common_data.hpp"
+#include "solver/distribution/particle_rows.hpp"
 
 #include <algorithm>
 #include <array>
 #include <limits>
 #include <numeric>
-#include <string_view>
+#include <set>
 #include <unordered_map>
 
 namespace tribo {
@@ -15,60 +16,6 @@ namespace {
 
 constexpr double most_imbalance = 1.10;     // beyond it the blocks are divided anew
 constexpr std::int64_t steps_between = 50;  // at least, between two divisions
-
-// Appends the values of a column in the ranges of some bins.
-void write_column(ByteWriter& to, const double* column, std::span<const Bin> bins) {
-  for (const Bin& bin : bins) to.values(std::span<const double>(column + bin.begin, bin.end - bin.begin));
-}
-
-template <int Dim>
-void write_rows(ByteWriter& to, const Particles<Dim>& particles, std::span<const Bin> bins) {
-  for (const Bin& bin : bins)
-    to.values(std::span<const std::int64_t>(particles.id.data() + bin.begin, bin.end - bin.begin));
-  for (const auto& column : particles.columns()) write_column(to, column.data.data(), bins);
-}
-
-// Reads rows that were written for `count` particles to the places from `first`.
-template <int Dim>
-void read_rows(ByteReader& from, Particles<Dim>& particles, std::size_t first, std::size_t count) {
-  from.values(std::span<std::int64_t>(particles.id.data() + first, count));
-  for (auto& column : particles.columns()) from.values(std::span<double>(column.data.data() + first, count));
-}
-
-// Contact at the particles of a body, of which ghosts are left out; a particle is given by its bin and its place there.
-template <int Dim>
-void write_contacts(ByteWriter& to, const Body<Dim>& body) {
-  std::size_t count = 0;
-  for (const auto& contact : body.contacts) count += contact.particle < body.particles.size() ? 1 : 0;
-  to.value(count);
-  for (const auto& contact : body.contacts) {
-    if (contact.particle >= body.particles.size()) continue;
-    const auto bin = std::ranges::upper_bound(body.bins.list(), contact.particle, {}, &Bin::begin) - 1;
-    to.value(bin->block), to.value(contact.particle - bin->begin), to.value(contact.slips);
-    for (const Vec<Dim>* vector : {&contact.traction, &contact.normal})
-      for (const double component : *vector) to.value(component);
-  }
-}
-
-template <int Dim>
-std::vector<ContactOfParticle<Dim>> read_contacts(ByteReader& from, const Bins<Dim>& bins) {
-  std::vector<ContactOfParticle<Dim>> out(from.value<std::size_t>());
-  for (auto& contact : out) {
-    const auto block = from.value<std::int64_t>();
-    contact.particle = std::ranges::lower_bound(bins.list(), block, {}, &Bin::block)->begin;
-    contact.particle += from.value<std::uint32_t>(), contact.slips = from.value<bool>();
-    for (Vec<Dim>* vector : {&contact.traction, &contact.normal})
-      for (double& component : *vector) component = from.value<double>();
-  }
-  return out;
-}
-
-template <int Dim>
-std::size_t particles_in(std::span<const BinContent<Dim>> bins) {
-  std::size_t count = 0;
-  for (const auto& bin : bins) count += bin.count;
-  return count;
-}
 
 }  // namespace
 
@@ -182,166 +129,173 @@ bool Distribution<Dim>::move_leavers() {
   return true;
 }
 
+// The contents of the bins of a body in the blocks that a partner needs.
+template <int Dim>
+std::vector<BinContent<Dim>> Distribution<Dim>::contents_for(const Partner& partner, const Body<Dim>& body) const {
+  std::vector<BinContent<Dim>> out;
+  const auto contents = body.bins.contents();
+  for (const std::int64_t block : partner.sent) {
+    const auto at = std::ranges::lower_bound(contents, block, {}, &BinContent<Dim>::block);
+    if (at != contents.end() && at->block == block) out.push_back(*at);
+  }
+  return out;
+}
+
+// The own bins of all bodies, and those in the ghost blocks.
+template <int Dim>
+std::vector<KnownBins<Dim>> Distribution<Dim>::known_bins() {
+  std::vector<KnownBins<Dim>> out;
+  for (const Body<Dim>* body : bodies()) out.push_back({body, body->bins.contents()});
+  std::vector<Message> sent;
+  for (const Partner& partner : partners_) {
+    ByteWriter message;
+    for (const auto& known : out) message.list(contents_for(partner, *known.body));
+    sent.push_back({partner.rank, std::move(message.data)});
+  }
+  for (const Message& message : ranks().exchange(sent)) {
+    ByteReader reader(message.data);
+    for (auto& known : out) {
+      const auto bins = reader.list<BinContent<Dim>>();
+      known.bins.insert(known.bins.end(), bins.begin(), bins.end());
+    }
+  }
+  return out;
+}
+
+// The neighbours and the blocks that they need; with common blocks, all ranks need those around them.
+template <int Dim>
+void Distribution<Dim>::find_partners() {
+  partners_.clear(), common_.clear();
+  for (const auto& neighbour : system_.partition->neighbours()) {
+    partners_.push_back({neighbour.rank, neighbour.sent});
+    std::ranges::sort(partners_.back().sent);
+  }
+  if (!has_common_blocks(model_, system_)) return;
+  common_ = find_common_blocks(model_, system_, width_, known_bins());
+  std::set<std::int64_t> own;
+  for (const std::int64_t number : common_) {
+    const Index<Dim> block = system_.lattice.block_at(number);
+    Index<Dim> low, high;
+    for (std::size_t d = 0; d < Dim; ++d) {
+      low[d] = std::max(block[d] - layers_, 0);
+      high[d] = std::min(block[d] + layers_, system_.lattice.blocks[d] - 1);
+    }
+    each_in_box<Dim>(low, high, [&](const Index<Dim>& around) {
+      if (system_.partition->is_own(around)) own.insert(system_.lattice.block_index(around));
+    });
+  }
+  std::vector<Partner> all;
+  for (int rank = 0; rank < ranks().count(); ++rank) {
+    if (rank == ranks().rank()) continue;
+    Partner& partner = all.emplace_back(Partner{rank, {}});
+    const auto known = std::ranges::find(partners_, rank, &Partner::rank);
+    const std::vector<std::int64_t> none;
+    std::ranges::set_union(known == partners_.end() ? none : known->sent, own, std::back_inserter(partner.sent));
+  }
+  partners_ = std::move(all);
+}
+
+// What the last division has given to this rank.
+template <int Dim>
+void Distribution<Dim>::count() {
+  counts_.particles = counts_.ghosts = 0;
+  for (const Body<Dim>* body : bodies())
+    counts_.particles += body->particles.size(), counts_.ghosts += body->particles.ghosts();
+  counts_.partners = partners_.size();
+}
+
 template <int Dim>
 void Distribution<Dim>::make_ghosts() {
+  find_partners();
   const auto all = bodies();
-  const auto& neighbours = system_.partition->neighbours();
   std::vector<Message> sent;
-  shared_.assign(neighbours.size(), std::vector<Shared>(all.size()));
-  std::vector<std::vector<BinContent<Dim>>> contents;
-  for (Body<Dim>* body : all) contents.push_back(body->bins.contents());
-  for (std::size_t n = 0; n < neighbours.size(); ++n) {
+  shared_.assign(partners_.size(), std::vector<Shared>(all.size()));
+  for (std::size_t n = 0; n < partners_.size(); ++n) {
     ByteWriter message;
     for (std::size_t b = 0; b < all.size(); ++b) {
-      std::vector<BinContent<Dim>> of_sent;
+      const auto of_sent = contents_for(partners_[n], *all[b]);
       const auto list = all[b]->bins.list();
-      for (const std::int64_t block : neighbours[n].sent) {
-        const auto at = std::ranges::lower_bound(list, block, {}, &Bin::block);
-        if (at == list.end() || at->block != block) continue;
-        shared_[n][b].sent.push_back(*at);
-        of_sent.push_back(contents[b][static_cast<std::size_t>(at - list.begin())]);
-      }
+      for (const auto& bin : of_sent)
+        shared_[n][b].sent.push_back(*std::ranges::lower_bound(list, bin.block, {}, &Bin::block));
       message.list(of_sent);
-      for (const auto& column : all[b]->particles.columns())
-        write_column(message, column.data.data(), shared_[n][b].sent);
+      write_rows(message, all[b]->particles, shared_[n][b].sent);
     }
-    sent.push_back({neighbours[n].rank, std::move(message.data)});
+    sent.push_back({partners_[n].rank, std::move(message.data)});
   }
   const auto messages = ranks().exchange(sent);
   std::vector<ByteReader> readers;
-  for (const auto& neighbour : neighbours) {
-    const auto from = std::ranges::find(messages, neighbour.rank, &Message::rank);
-    readers.emplace_back(from->data);
-  }
+  for (const Partner& partner : partners_)
+    readers.emplace_back(std::ranges::find(messages, partner.rank, &Message::rank)->data);
   for (std::size_t b = 0; b < all.size(); ++b) {
-    std::vector<BinContent<Dim>> ghosts;
     Particles<Dim>& particles = all[b]->particles;
-    std::vector<std::vector<double>> columns(particles.columns().size());
-    for (std::size_t n = 0; n < neighbours.size(); ++n) {
+    particles.set_ghosts(0);
+    std::vector<BinContent<Dim>> ghosts;
+    const auto contents = all[b]->bins.contents();
+    for (std::size_t n = 0; n < partners_.size(); ++n) {
       const auto bins = readers[n].list<BinContent<Dim>>();
-      const std::size_t count = particles_in<Dim>(bins);
-      shared_[n][b].first = particles.size() + columns[0].size();
-      shared_[n][b].last = shared_[n][b].first + count;
+      const std::size_t before = particles.ghosts(), count = particles_in<Dim>(bins);
       ghosts.insert(ghosts.end(), bins.begin(), bins.end());
-      for (auto& column : columns) {
-        const std::size_t before = column.size();
-        column.resize(before + count);
-        readers[n].values(std::span<double>(column.data() + before, count));
-      }
+      particles.set_ghosts(before + count);
+      shared_[n][b].first = particles.size() + before, shared_[n][b].last = shared_[n][b].first + count;
+      read_rows(readers[n], particles, shared_[n][b].first, count);
     }
-    particles.set_ghosts(columns[0].size());
-    for (std::size_t c = 0; c < columns.size(); ++c)
-      std::copy(columns[c].begin(), columns[c].end(),
-                particles.columns()[c].data.begin() + static_cast<std::ptrdiff_t>(particles.size()));
-    all[b]->bins.assign(system_.lattice, contents[b], ghosts);
+    all[b]->bins.assign(system_.lattice, contents, ghosts);
     all[b]->refresh();
   }
-  find_changing_columns();
+  refreshes_.clear();
+  count();
 }
 
-// Columns that change between sorts, and the sizes of the messages with them.
+// The columns that are sent to refresh ghosts, and messages of the sizes in which they are received.
 template <int Dim>
-void Distribution<Dim>::find_changing_columns() {
+auto Distribution<Dim>::refresh_of(int kind, const ColumnChoice& columns) -> Refresh& {
+  const auto [at, is_new] = refreshes_.try_emplace(kind);
+  Refresh& refresh = at->second;
+  if (!is_new) return refresh;
   const auto all = bodies();
-  changing_.assign(all.size(), {});
-  for (std::size_t b = 0; b < all.size(); ++b) {
-    const auto& columns = all[b]->particles.columns();
-    const auto stays = [](std::string_view name) {
-      return name == "mass" || name == "load_set" || name.starts_with("origin") || name.starts_with("half_");
-    };
-    for (std::size_t c = 0; c < columns.size(); ++c)
-      if (!stays(columns[c].name)) changing_[b].push_back(c);
-  }
-  received_.clear();
+  for (Body<Dim>* body : all) refresh.columns.push_back(columns(*body));
   for (std::size_t n = 0; n < shared_.size(); ++n) {
     std::size_t values = 0;
     for (std::size_t b = 0; b < all.size(); ++b)
-      values += (shared_[n][b].last - shared_[n][b].first) * changing_[b].size();
-    received_.push_back({system_.partition->neighbours()[n].rank, std::vector<std::byte>(values * sizeof(double))});
+      values += (shared_[n][b].last - shared_[n][b].first) * refresh.columns[b].size();
+    refresh.received.push_back({partners_[n].rank, std::vector<std::byte>(values * sizeof(double))});
   }
+  return refresh;
 }
 
 template <int Dim>
 void Distribution<Dim>::refresh_ghosts() {
+  constexpr int of_all_columns = -1;
+  if (active() && !shares_all_) send(refresh_of(of_all_columns, changing_columns<Dim>));
+}
+
+template <int Dim>
+void Distribution<Dim>::refresh_ghosts(int kind, const ColumnChoice& columns) {
   if (!active() || shares_all_) return;
+  reads_whole_ghosts(model_, system_) ? refresh_ghosts() : send(refresh_of(kind, columns));
+}
+
+template <int Dim>
+void Distribution<Dim>::send(Refresh& refresh) {
   const auto all = bodies();
   std::vector<Message> sent;
   for (std::size_t n = 0; n < shared_.size(); ++n) {
     ByteWriter message;
     for (std::size_t b = 0; b < all.size(); ++b)
-      for (const std::size_t c : changing_[b]) write_column(message, all[b]->particles.column(c), shared_[n][b].sent);
-    bytes_sent_ += message.data.size();
-    sent.push_back({system_.partition->neighbours()[n].rank, std::move(message.data)});
+      for (const std::size_t c : refresh.columns[b])
+        write_column(message, all[b]->particles.column(c), shared_[n][b].sent);
+    counts_.bytes += message.data.size();
+    sent.push_back({partners_[n].rank, std::move(message.data)});
   }
-  ++refresh_count_;
-  ranks().exchange(sent, received_);
+  ++counts_.refreshes;
+  ranks().exchange(sent, refresh.received);
   for (std::size_t n = 0; n < shared_.size(); ++n) {
-    ByteReader reader(received_[n].data);
+    ByteReader reader(refresh.received[n].data);
     for (std::size_t b = 0; b < all.size(); ++b)
-      for (const std::size_t c : changing_[b])
+      for (const std::size_t c : refresh.columns[b])
         reader.values(std::span<double>(all[b]->particles.column(c) + shared_[n][b].first,
                                         shared_[n][b].last - shared_[n][b].first));
   }
-}
-
-template <int Dim>
-void Distribution<Dim>::collect() {
-  if (!active() || shares_all_) return;
-  const auto all = bodies();
-  ByteWriter mine;
-  for (Body<Dim>* body : all) {
-    mine.list(body->bins.contents());
-    write_rows(mine, body->particles, body->bins.list());
-  }
-  for (Body<Dim>* body : all) write_contacts(mine, *body);
-  const auto messages = ranks().gather(std::move(mine.data));
-  if (ranks().rank() != 0) return;
-  std::vector<ByteReader> readers;
-  for (const auto& message : messages) readers.emplace_back(message);
-  for (Body<Dim>* body : all) {
-    kept_.push_back({body->particles, body->bins, std::move(body->contacts)});
-    body->contacts.clear();
-    std::vector<BinContent<Dim>> bins;
-    std::vector<Bin> places;  // of the bins in the order in which they were received
-    Particles<Dim>& particles = body->particles;
-    particles.resize(0);
-    for (ByteReader& reader : readers) {
-      const auto list = reader.list<BinContent<Dim>>();
-      const std::size_t before = particles.size(), count = particles_in<Dim>(list);
-      particles.resize(before + count);
-      read_rows(reader, particles, before, count);
-      auto begin = static_cast<std::uint32_t>(before);
-      for (const auto& bin : list) {
-        bins.push_back(bin), places.push_back({bin.block, begin, begin + bin.count});
-        begin += bin.count;
-      }
-    }
-    std::ranges::sort(bins, {}, &BinContent<Dim>::block);
-    std::ranges::sort(places, {}, &Bin::block);
-    std::vector<std::uint32_t> order;
-    for (const Bin& bin : places)
-      for (std::uint32_t i = bin.begin; i < bin.end; ++i) order.push_back(i);
-    particles.reorder(order);
-    body->bins.assign(system_.lattice, bins, {});
-    body->refresh();
-  }
-  for (Body<Dim>* body : all) {
-    for (ByteReader& reader : readers)
-      for (const auto& contact : read_contacts(reader, body->bins)) body->contacts.push_back(contact);
-    std::ranges::sort(body->contacts, {}, &ContactOfParticle<Dim>::particle);
-  }
-}
-
-template <int Dim>
-void Distribution<Dim>::release() {
-  const auto all = bodies();
-  for (std::size_t b = 0; b < kept_.size(); ++b) {
-    all[b]->particles = std::move(kept_[b].particles);
-    all[b]->bins = std::move(kept_[b].bins);
-    all[b]->contacts = std::move(kept_[b].contacts);
-    all[b]->refresh();
-  }
-  kept_.clear();
 }
 
 template class Distribution<2>;

@@ -32,12 +32,14 @@ EdgeExchange<Dim>::EdgeExchange(const GridSpec& grid, const Lattice<Dim>& lattic
     if (grid.periodic[k]) planes_.push_back({axis, Lattice<Dim>::padding, grid.cells[k], Edge::period});
   }
   problems.raise();
-  reactions_.assign(planes_.size(), 0.0);
+  reactions_.start(planes_.size());
 }
 
 template <int Dim>
 void EdgeExchange<Dim>::locate(const BlockMap<Dim>& map) {
   images_.assign(planes_.size(), {});
+  own_.clear();
+  for (std::size_t slot = 0; slot < map.active().size(); ++slot) own_.push_back(map.is_own(slot) ? 1 : 0);
   for (auto& list : mirror_nodes_) list.clear();
   const bool symmetry =
       std::any_of(planes_.begin(), planes_.end(), [](const Plane& p) { return p.kind == Edge::symmetry; });
@@ -175,7 +177,7 @@ int EdgeExchange<Dim>::reflect(Index<Dim>& node) const {
 
 template <int Dim>
 void EdgeExchange<Dim>::begin_step() {
-  std::fill(reactions_.begin(), reactions_.end(), 0.0);
+  reactions_.start(planes_.size());
 }
 
 template <int Dim>
@@ -185,10 +187,10 @@ void EdgeExchange<Dim>::add_plane_reactions(const NodeLayer& nodes) {
   for (std::size_t p = 0; p < planes_.size(); ++p)
     if (planes_[p].kind == Edge::symmetry)
       for (const Image& i : images_[p])
-        reactions_[p] -= 2 * nodes[static_cast<std::size_t>(i.image)].force[planes_[p].axis];
+        if (is_own(i.image)) reactions_.add(p, -2 * nodes[static_cast<std::size_t>(i.image)].force[planes_[p].axis]);
   for (int axis = 0; axis < Dim; ++axis)
     for (const OnPlane& on : mirror_nodes_[axis])
-      reactions_[on.plane] -= nodes[static_cast<std::size_t>(on.node)].force[axis];
+      if (is_own(on.node)) reactions_.add(on.plane, -nodes[static_cast<std::size_t>(on.node)].force[axis]);
 }
 
 template <int Dim>
@@ -196,9 +198,14 @@ void EdgeExchange<Dim>::hold_planes(NodeLayer& nodes) {
   for (int axis = 0; axis < Dim; ++axis)
     for (const OnPlane& on : mirror_nodes_[axis]) {
       Node& node = nodes[static_cast<std::size_t>(on.node)];
-      reactions_[on.plane] -= ownership(on.node) * node.mass * node.acceleration[axis];
+      if (is_own(on.node)) reactions_.add(on.plane, -ownership(on.node) * node.mass * node.acceleration[axis]);
       node.velocity[axis] = node.acceleration[axis] = 0.0;
     }
+}
+
+template <int Dim>
+void EdgeExchange<Dim>::end_step() {
+  reactions_.finish();
 }
 
 template <int Dim>

@@ -2,6 +2,7 @@
 /// Image nodes at the edges of the grid.
 #pragma once
 
+#include "base/ranks.hpp"
 #include "solver/exchange/exchange.hpp"
 
 #include <optional>
@@ -24,6 +25,7 @@ class OpenExchange final : public Exchange<Dim> {
   void begin_step() override {}
   void add_plane_reactions(const NodeLayer&) override {}
   void hold_planes(NodeLayer&) override {}
+  void end_step() override {}
   double plane_reaction(int, int) const override { return 0.0; }
 };
 
@@ -54,6 +56,7 @@ class EdgeExchange final : public Exchange<Dim> {
   void begin_step() override;
   void add_plane_reactions(const NodeLayer& nodes) override;
   void hold_planes(NodeLayer& nodes) override;
+  void end_step() override;
   double plane_reaction(int axis, int side) const override;
 
  private:
@@ -73,13 +76,15 @@ class EdgeExchange final : public Exchange<Dim> {
     std::size_t plane;
   };
 
+  bool is_own(std::int64_t node) const { return own_[static_cast<std::size_t>(node) / block_nodes<Dim>] != 0; }
   std::optional<Image> image_of(const Plane& plane, std::int64_t at, Index<Dim> node, const BlockMap<Dim>& map) const;
 
   std::vector<Plane> planes_;
   std::vector<std::vector<Image>> images_;  // per plane
   std::vector<OnPlane> mirror_nodes_[3];    // nodes on symmetry planes, by axis
   std::vector<double> ownership_;           // empty without symmetry planes
-  std::vector<double> reactions_;           // per plane
+  std::vector<char> own_;                   // per block of the map: whether sums of this process contain its nodes
+  SumList reactions_;                       // per plane
 };
 
 }  // namespace tribo

@@ -56,7 +56,9 @@ class Exchange {
   /// Sets the velocities and accelerations normal to symmetry planes to zero at the nodes on them. The corresponding
   /// forces, for example by gravity, are added to the reactions.
   virtual void hold_planes(NodeLayer& nodes) = 0;
-  /// Force of the symmetry plane at the low (0) or high (1) end of an axis on the material since begin_step() [force].
+  /// Ends the step: adds the reactions of all processes.
+  virtual void end_step() = 0;
+  /// Force of the symmetry plane at the low (0) or high (1) end of an axis on the material in the last step [force].
   virtual double plane_reaction(int axis, int side) const = 0;
 };
 

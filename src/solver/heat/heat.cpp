@@ -7,6 +7,7 @@
 #include "solver/loads/face_points.hpp"
 #include "solver/loads/loaded.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace tribo {
@@ -82,10 +83,7 @@ void HeatConduction<Dim>::gather(const Gather& what) {
 template <int Dim>
 void HeatConduction<Dim>::find_rates(double dt, const Contact<Dim>& contact, const Exchanges<Dim>& exchanges) {
   scatter(Scatter::heat);
-  each_loaded(model_, system_, ParticleCondition::Kind::heat_flux,
-              [&](const ParticleCondition& condition, Body<Dim>& body, std::size_t particle) {
-                add_flux(dt, condition, body, particle, exchanges);
-              });
+  add_fluxes(dt, exchanges);
   if (model_.heat.contact_heating && dt > 0) add_friction_heat(dt, contact, exchanges);
   for (std::size_t f = 0; f < system_.fields.size(); ++f)
     exchanges[f]->sum_images(system_.fields[f].heat, ImageValues::scalars);
@@ -96,9 +94,24 @@ void HeatConduction<Dim>::find_rates(double dt, const Contact<Dim>& contact, con
   });
 }
 
+// Fluxes through the faces of particles.
 template <int Dim>
-void HeatConduction<Dim>::add_flux(double dt, const ParticleCondition& condition, Body<Dim>& body, std::size_t particle,
-                                   const Exchanges<Dim>& exchanges) {
+void HeatConduction<Dim>::add_fluxes(double dt, const Exchanges<Dim>& exchanges) {
+  constexpr auto kind = ParticleCondition::Kind::heat_flux;
+  if (std::ranges::find(model_.particle_conditions, kind, &ParticleCondition::kind) == model_.particle_conditions.end())
+    return;
+  OrderlessSums<1> power;
+  each_loaded(model_, system_, kind, [&](const ParticleCondition& condition, Body<Dim>& body, std::size_t particle) {
+    const double added = add_flux(condition, body, particle, exchanges);
+    if (particle < body.particles.size()) power.add(added);
+  });
+  supplied += dt * power.total()[0];
+}
+
+// Returns the power of the flux.
+template <int Dim>
+double HeatConduction<Dim>::add_flux(const ParticleCondition& condition, Body<Dim>& body, std::size_t particle,
+                                     const Exchanges<Dim>& exchanges) {
   const auto face = ParticleFace<Dim>::of(system_, body, particle, condition.face);
   Vec3 x = Vec3::Zero();
   x.head<Dim>() = body.particles.position(particle);
@@ -111,7 +124,7 @@ void HeatConduction<Dim>::add_flux(double dt, const ParticleCondition& condition
       field.heat[static_cast<std::size_t>(to.node[k])].power +=
           to.share[k] * whole / static_cast<double>(face.points.size());
   }
-  supplied += dt * whole;
+  return whole;
 }
 
 // Frictional work becomes heat on the contact face. It is divided between the two sides in proportion to their heat
@@ -119,22 +132,26 @@ void HeatConduction<Dim>::add_flux(double dt, const ParticleCondition& condition
 // receive no heat.
 template <int Dim>
 void HeatConduction<Dim>::add_friction_heat(double dt, const Contact<Dim>& contact, const Exchanges<Dim>& exchanges) {
-  contact.each_closed_pair([&](const ContactPair& pair, const ContactMember& a, const ContactMember& b, double share) {
-    const double both = node_of(a).capacity + node_of(b).capacity;
-    if (pair.friction_work == 0.0 || !(both > 0)) return;
-    for (const ContactMember* side : {&a, &b}) {
-      const double part = node_of(*side).capacity / both;
-      if (!(part > 0)) continue;
-      auto& field = system_.fields[side->field];
-      const Vec<Dim> face = system_.lattice.position(field.map.node_at(side->node)) +
-                            (pair.face_position * pair.state.normal + pair.foremost_offset).template head<Dim>();
-      const PointShares<Dim> to(model_.scheme.kernel, system_.fields, exchanges, face,
-                                [&](const Index<Dim>&) { return side->field; });
-      for (std::size_t k = 0; k < static_cast<std::size_t>(to.count); ++k)
-        field.heat[static_cast<std::size_t>(to.node[k])].power += to.share[k] * share * part * pair.friction_work / dt;
-    }
-    from_contact += share * pair.friction_work;
-  });
+  OrderlessSums<1> all;
+  for (const ContactNode<Dim>& at_node : contact.nodes())
+    contact.each_closed_pair(at_node, [&](const ContactPair& pair, const ContactMember& a, const ContactMember& b) {
+      const double both = node_of(a).capacity + node_of(b).capacity;
+      if (pair.friction_work == 0.0 || !(both > 0)) return;
+      for (const ContactMember* side : {&a, &b}) {
+        const double part = node_of(*side).capacity / both;
+        if (!(part > 0)) continue;
+        auto& field = system_.fields[side->field];
+        const Vec<Dim> face = system_.lattice.position(field.map.node_at(side->node)) +
+                              (pair.face_position * pair.state.normal + pair.foremost_offset).template head<Dim>();
+        const PointShares<Dim> to(model_.scheme.kernel, system_.fields, exchanges, face,
+                                  [&](const Index<Dim>&) { return side->field; });
+        const double power = at_node.ownership * part * pair.friction_work / dt;
+        for (std::size_t k = 0; k < static_cast<std::size_t>(to.count); ++k)
+          field.heat[static_cast<std::size_t>(to.node[k])].power += to.share[k] * power;
+      }
+      if (at_node.own) all.add(at_node.ownership * pair.friction_work);
+    });
+  from_contact += all.total()[0];
 }
 
 // At closed contact pairs, both fields get the mean temperature and the mean rate, weighted by their heat capacities.
@@ -143,21 +160,22 @@ template <int Dim>
 void HeatConduction<Dim>::equalize_contact(const Contact<Dim>& contact) {
   static constexpr int most_sweeps = 20;
   static constexpr double tolerance = 1e-13;
-  for (int sweep = 0; sweep < most_sweeps; ++sweep) {
-    double change = 0.0;
-    contact.each_closed_pair([&](const ContactPair&, const ContactMember& a, const ContactMember& b, double) {
-      HeatNode &at_a = node_of(a), &at_b = node_of(b);
-      const double ca = at_a.capacity, cb = at_b.capacity;
-      if (!(ca > 0) || !(cb > 0)) return;
-      for (const auto value : {&HeatNode::temperature, &HeatNode::rate}) {
-        double &va = at_a.*value, &vb = at_b.*value;
-        const double mean = (ca * va + cb * vb) / (ca + cb);
-        change = std::max(change, std::abs(va - vb) - tolerance * std::abs(mean));
-        va = vb = mean;
-      }
-    });
-    if (!(change > 0)) break;
-  }
+  for (const ContactNode<Dim>& at_node : contact.nodes())
+    for (int sweep = 0; sweep < most_sweeps; ++sweep) {
+      double change = 0.0;
+      contact.each_closed_pair(at_node, [&](const ContactPair&, const ContactMember& a, const ContactMember& b) {
+        HeatNode &at_a = node_of(a), &at_b = node_of(b);
+        const double ca = at_a.capacity, cb = at_b.capacity;
+        if (!(ca > 0) || !(cb > 0)) return;
+        for (const auto value : {&HeatNode::temperature, &HeatNode::rate}) {
+          double &va = at_a.*value, &vb = at_b.*value;
+          const double mean = (ca * va + cb * vb) / (ca + cb);
+          change = std::max(change, std::abs(va - vb) - tolerance * std::abs(mean));
+          va = vb = mean;
+        }
+      });
+      if (!(change > 0)) break;
+    }
 }
 
 // As with velocities, the rates follow from the change of the prescribed temperature. Only in the first step, the rate

@@ -55,8 +55,9 @@ class HeatConduction {
   };
   HeatNode& node_of(const ContactMember& m) { return system_.fields[m.field].heat[static_cast<std::size_t>(m.node)]; }
   void find_rates(double dt, const Contact<Dim>& contact, const Exchanges<Dim>& exchanges);
-  void add_flux(double dt, const ParticleCondition& condition, Body<Dim>& body, std::size_t particle,
-                const Exchanges<Dim>& exchanges);
+  void add_fluxes(double dt, const Exchanges<Dim>& exchanges);
+  double add_flux(const ParticleCondition& condition, Body<Dim>& body, std::size_t particle,
+                  const Exchanges<Dim>& exchanges);
   void add_friction_heat(double dt, const Contact<Dim>& contact, const Exchanges<Dim>& exchanges);
   void equalize_contact(const Contact<Dim>& contact);
   void impose_temperatures(double dt, const Exchanges<Dim>& exchanges);

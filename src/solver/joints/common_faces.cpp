@@ -132,8 +132,9 @@ std::vector<CommonFacePiece<Dim>> common_face_pieces(const Model& model, System<
   const double h = system.lattice.spacing.maxCoeff(), near = largest_gap * h;
   const auto box = [&](Body<Dim>& body) {
     Vec<Dim> low = Vec<Dim>::Constant(std::numeric_limits<double>::infinity()), high = -low;
-    for (std::size_t i = 0; i < body.particles.size(); ++i)
+    body.each_known_particle([&](std::uint32_t i) {
       low = low.cwiseMin(body.particles.position(i)), high = high.cwiseMax(body.particles.position(i));
+    });
     return std::pair(low, high);
   };
   const auto [low_a, high_a] = box(a);
@@ -146,12 +147,12 @@ std::vector<CommonFacePiece<Dim>> common_face_pieces(const Model& model, System<
 
   const auto each_near = [&](Body<Dim>& body, auto&& f) {
     const DomainReader<Dim> domains(body);
-    for (std::uint32_t i = 0; i < body.particles.size(); ++i) {
+    body.each_known_particle([&](std::uint32_t i) {
       const Vec<Dim> x = body.particles.position(i);
-      if ((x.array() < low.array()).any() || (x.array() > high.array()).any()) continue;
+      if ((x.array() < low.array()).any() || (x.array() > high.array()).any()) return;
       const ParticleDomain<Dim> domain = domains(i);
-      each_side<Dim>(domain, thickness(body, i, domain), body.particles.id[i], f);
-    }
+      each_side<Dim>(domain, thickness(body, i, domain), body.particles.number(i), f);
+    });
   };
   std::vector<DomainSide<Dim>> sides_b;
   CellTable<Dim, std::uint32_t> table(system.lattice);

@@ -23,8 +23,8 @@ std::vector<double> find_loaded(const Model& model, System<Dim>& system);
 template <int Dim>
 std::vector<double> mark_loaded(const Model& model, System<Dim>& system, std::vector<Origin>& none);
 
-/// Calls f(condition, body, particle) for every marked particle and each of its conditions of one kind, in the order
-/// of the particles.
+/// Calls f(condition, body, particle) for every marked particle and ghost and each of its conditions of one kind, in
+/// the order that the particles have in a single process.
 template <int Dim, class F>
 void each_loaded(const Model& model, System<Dim>& system, ParticleCondition::Kind kind, F&& f) {
   const auto& conditions = model.particle_conditions;
@@ -32,11 +32,11 @@ void each_loaded(const Model& model, System<Dim>& system, ParticleCondition::Kin
   for (auto& body : system.bodies) {
     if (!body.load_set) continue;
     const double* set = body.particles[body.load_set];
-    for (std::size_t i = 0; i < body.particles.size(); ++i) {
-      if (set[i] == 0.0) continue;
+    body.each_known_particle([&](std::size_t i) {
+      if (set[i] == 0.0) return;
       for (std::size_t c = 0; c < conditions.size(); ++c)
         if (conditions[c].kind == kind && (static_cast<std::uint64_t>(set[i]) >> c & 1U)) f(conditions[c], body, i);
-    }
+    });
   }
 }
 

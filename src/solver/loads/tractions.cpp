@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "solver/loads/tractions.hpp"
 
+#include "base/ranks.hpp"
 #include "solver/loads/face_points.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace tribo {
@@ -26,6 +28,18 @@ Vec<Dim> acceleration(const Field<Dim>& field, std::size_t n) {
 }  // namespace
 
 template <int Dim>
+Tractions<Dim>::Tractions(const Model& model, System<Dim>& system, const Exchanges<Dim>& exchanges,
+                          const Cracks<Dim>& cracks, EnergyLedger& ledger)
+    : model_(model),
+      system_(system),
+      exchanges_(exchanges),
+      cracks_(cracks),
+      ledger_(ledger),
+      any_(std::ranges::any_of(model.particle_conditions, [](const ParticleCondition& condition) {
+        return condition.kind == ParticleCondition::Kind::traction;
+      })) {}
+
+template <int Dim>
 void Tractions<Dim>::apply(const ParticleCondition& condition, Body<Dim>& body, std::size_t i) {
   const auto face = ParticleFace<Dim>::of(system_, body, i, condition.face);
   const Vec3 direction = condition.direction == LoadDirection::normal ? face.normal
@@ -42,7 +56,8 @@ void Tractions<Dim>::apply(const ParticleCondition& condition, Body<Dim>& body, 
   point.impedance = std::sqrt(body.law->density() * body.law->wave_modulus());
   const double traction = condition.value.at(point);
   const Vec3 force = face.area * traction / static_cast<double>(face.points.size()) * direction;
-  particles_.push_back({&body, i, face.area * traction * direction.head<Dim>(), v.head<Dim>()});
+  const bool is_ghost = i >= body.particles.size();
+  if (!is_ghost) particles_.push_back({&body, i, face.area * traction * direction.head<Dim>(), v.head<Dim>()});
   thread_local typename Cracks<Dim>::NodeBox nodes;
   for (const auto& at : face.points) {
     typename Cracks<Dim>::PointSides sides;
@@ -59,7 +74,8 @@ void Tractions<Dim>::apply(const ParticleCondition& condition, Body<Dim>& body, 
     for (std::size_t k = 0; k < static_cast<std::size_t>(to.count); ++k) {
       Node& node = system_.fields[to.field[k]].nodes[static_cast<std::size_t>(to.node[k])];
       for (int d = 0; d < Dim; ++d) node.force[d] += to.share[k] * force[d];
-      forces_.push_back({to.field[k], to.node[k], to.share[k] * force.head<Dim>()});
+      if (system_.fields[to.field[k]].map.is_own(static_cast<std::size_t>(to.node[k]) / block_nodes<Dim>))
+        forces_.push_back({to.field[k], to.node[k], to.share[k] * force.head<Dim>()});
     }
   }
 }
@@ -76,10 +92,21 @@ void Tractions<Dim>::apply() {
 template <int Dim>
 template <class F>
 void Tractions<Dim>::add_work(double dt, F&& velocity) {
+  if (!any_) return;
+  OrderlessSums<1> power;
   for (const NodalForce& applied : forces_) {
     const Vec<Dim> v = velocity(system_.fields[applied.field], static_cast<std::size_t>(applied.node));
-    ledger_.external_work += dt * applied.force.dot(v);
+    power.add(applied.force.dot(v));
   }
+  ledger_.external_work += dt * power.total()[0];
+}
+
+template <int Dim>
+void Tractions<Dim>::add_impulse(double dt) {
+  if (!any_) return;
+  OrderlessSums<Dim> force;
+  for (const NodalForce& applied : forces_) force.add(applied.force);
+  ledger_.impulse.template head<Dim>() += dt * force.total();
 }
 
 template <int Dim>
@@ -89,7 +116,7 @@ void Tractions<Dim>::record(double dt, bool filtered) {
     if (knows_start()) return 0.5 * (start_velocity(field, n) + end_velocity(field, n));
     return end_velocity(field, n) - since_middle * acceleration(field, n);
   });
-  for (const NodalForce& applied : forces_) ledger_.impulse.template head<Dim>() += dt * applied.force;
+  add_impulse(dt);
 }
 
 template <int Dim>
@@ -100,7 +127,7 @@ void Tractions<Dim>::record_start(double dt, bool filtered) {
     add_work(0.5 * dt, [&](const Field<Dim>& field, std::size_t n) -> Vec<Dim> {
       return end_velocity(field, n) - dt * acceleration(field, n);
     });
-  for (const NodalForce& applied : forces_) ledger_.impulse.template head<Dim>() += dt * applied.force;
+  add_impulse(dt);
 }
 
 template <int Dim>
@@ -112,8 +139,11 @@ void Tractions<Dim>::record_end(double dt, bool filtered, bool strain_filtered) 
 
 template <int Dim>
 void Tractions<Dim>::record_change_of_velocities(double dt) {
+  if (!any_) return;
+  OrderlessSums<1> power;
   for (const LoadedParticle& p : particles_)
-    ledger_.external_work -= 0.5 * dt * p.force.dot(p.body->particles.velocity(p.particle) - p.velocity);
+    power.add(p.force.dot(p.body->particles.velocity(p.particle) - p.velocity));
+  ledger_.external_work -= 0.5 * dt * power.total()[0];
 }
 
 template class Tractions<2>;

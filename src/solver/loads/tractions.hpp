@@ -13,8 +13,7 @@ template <int Dim>
 class Tractions {
  public:
   Tractions(const Model& model, System<Dim>& system, const Exchanges<Dim>& exchanges, const Cracks<Dim>& cracks,
-            EnergyLedger& ledger)
-      : model_(model), system_(system), exchanges_(exchanges), cracks_(cracks), ledger_(ledger) {}
+            EnergyLedger& ledger);
 
   /// Adds the forces of all tractions to the nodal forces.
   void apply();
@@ -34,6 +33,7 @@ class Tractions {
   bool knows_start() const { return model_.scheme.order == UpdateOrder::usavg; }
   template <class F>
   void add_work(double dt, F&& velocity);
+  void add_impulse(double dt);
 
   struct NodalForce {
     std::size_t field;
@@ -52,8 +52,9 @@ class Tractions {
   const Exchanges<Dim>& exchanges_;
   const Cracks<Dim>& cracks_;
   EnergyLedger& ledger_;
-  std::vector<NodalForce> forces_;         // nodal forces of the tractions in this step
-  std::vector<LoadedParticle> particles_;  // and the particles on whose faces they act
+  bool any_;
+  std::vector<NodalForce> forces_;         // forces of the tractions in this step on own nodes
+  std::vector<LoadedParticle> particles_;  // and the own particles on whose faces they act
 };
 
 }  // namespace tribo

@@ -26,17 +26,17 @@ class BodyOccupancy {
   void add(Body<Dim>& body) {
     const DomainReader<Dim> domains(body);
     const auto x = body.particles.x();
-    for (std::uint32_t i = 0; i < body.particles.size(); ++i) {
+    body.each_known_particle([&](std::uint32_t i) {
       bool near = true;
       for (std::size_t d = 0; d < Dim; ++d) {
         const auto axis = static_cast<Eigen::Index>(d);
         near = near && x[d][i] >= low_[axis] && x[d][i] <= high_[axis];
       }
-      if (!near) continue;
+      if (!near) return;
       const ParticleDomain<Dim> domain = domains(i);
       const Vec<Dim> half = (1 + largest_slack) * domain.axes.cwiseAbs().rowwise().sum();
       cells_.add(domain.x - half, domain.x + half, domain);
-    }
+    });
   }
   /// Whether a point lies beyond a symmetry plane.
   bool is_mirrored(const Vec<Dim>& x) const {

@@ -152,6 +152,18 @@ struct Body {
   /// Columns to prefetch; updated after every sort.
   std::vector<const double*> read_by_scatter, read_by_gather;
 
+  /// Calls f(number) for the particles and the ghosts, in the order that the particles have in a single process.
+  template <class F>
+  void each_known_particle(F&& f) const {
+    if (particles.ghosts() == 0) {
+      for (std::uint32_t i = 0; i < particles.size(); ++i) f(i);
+      return;
+    }
+    for (const std::uint32_t k : bins.by_block()) {
+      const Bin& bin = bins.with_ghosts()[k];
+      for (std::uint32_t i = bin.begin; i < bin.end; ++i) f(i);
+    }
+  }
   /// Sums the masses of the particles.
   void weigh() {
     total_mass = 0.0;

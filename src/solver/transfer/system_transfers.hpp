@@ -4,6 +4,7 @@
 
 #include "solver/distribution/distribution.hpp"
 #include "solver/state/system_loops.hpp"
+#include "solver/transfer/scattered_columns.hpp"
 #include "solver/transfer/transfer.hpp"
 
 #include <utility>
@@ -23,7 +24,8 @@ class SystemTransfers {
   /// Adds the sums `what` over the particles to a layer of nodes, see Transfers::scatter.
   template <class N>
   void scatter(AlignedVector<N> Field<Dim>::*layer, Scatter what, bool from_start, bool axisymmetric) {
-    distribution_.refresh_ghosts();
+    distribution_.refresh_ghosts(2 * static_cast<int>(what) + (from_start ? 1 : 0),
+                                 [&](Body<Dim>& body) { return scattered_columns(body, what, from_start); });
     loops_.each_body([&](std::size_t k) {
       auto& body = system_.bodies[k];
       transfers_.scatter(body, Target<Dim>(body, system_.fields, layer), what, from_start, axisymmetric);
