@@ -12,6 +12,7 @@
 #include "output/number.hpp"
 #include "run/model_record.hpp"
 #include "run/preflight.hpp"
+#include "run/rank_plan.hpp"
 #include "run/safety.hpp"
 #include "run/signals.hpp"
 #include "run/simulation.hpp"
@@ -149,6 +150,7 @@ int resume_command(const Arguments& a) {
 
 int check_command(const Arguments& a) {
   const Model model = read_model(a.file, settings_of(a));
+  if (a.rank_count > 0) return print(plan_for_ranks(model, a.rank_count, a.thread_count));
   const std::string text = preflight(model, a.thread_count);
   return print(is_script(model.source) ? in_words_of_scripts(text) : text);
 }

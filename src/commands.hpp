@@ -21,6 +21,7 @@ struct Arguments {
   bool quiet = false, overwrite = false, only_check = false, changed = false, accept_edits = false;
   double max_wall = 0.0;              ///< seconds
   std::int64_t max_steps = 0;         ///< 0: no limit
+  int rank_count = 0;                 ///< check: processes for which a run is planned; 0: none
   std::vector<std::string> settings;  ///< name=value
   std::string keyword;
   bool markdown = false, coverage = false, names = false;

@@ -43,7 +43,8 @@ bool started_by_mpi() {
     const char* value = std::getenv(name);
     return value && std::atoi(value) > 1;
   };
-  return several("OMPI_COMM_WORLD_SIZE") || several("PMI_SIZE");
+  const bool by_slurm = std::getenv("PMIX_RANK") && several("SLURM_STEP_NUM_TASKS");
+  return several("OMPI_COMM_WORLD_SIZE") || several("PMI_SIZE") || by_slurm;
 }
 
 // If the command is missing or unknown, prints what is valid.
@@ -138,8 +139,13 @@ class CommandLine {
         "the same, and what has changed is a stage from now on: with a time step, energies and loads of its "
         "own");
     has_threads(resume), may_be_quiet(resume), has_wall(resume);
-    has_threads(reads_file(
-        "check", "read the file, build the model and print a summary with checks, without running it", check_command));
+    auto* check = reads_file(
+        "check", "read the file, build the model and print a summary with checks, without running it", check_command);
+    has_threads(check);
+    check
+        ->add_option("--ranks", a.rank_count,
+                     "print how so many processes with --threads threads each would share the model instead")
+        ->check(CLI::PositiveNumber);
     auto* drive = reads_file("drive", "drive one law along the path of <Drive> and write a table", drive_command);
     writes_file(drive, "file of the table (default: NAME.csv in the current folder)"), may_be_quiet(drive);
     auto* sweep =
