@@ -36,8 +36,8 @@ std::optional<double> exact_area(const Model& model, const GridBox& grid, std::s
 
 class Filler {
  public:
-  Filler(const Model& model, const std::function<void(const Seed&)>& receive)
-      : model_(model), receive_(receive), grid_(model), seeds_(model, grid_) {}
+  Filler(const Model& model, const std::function<void(const Seed&)>& receive, bool refuses_large)
+      : model_(model), receive_(receive), refuses_large_(refuses_large), grid_(model), seeds_(model, grid_) {}
 
   void run() {
     choose_lattices();
@@ -89,7 +89,7 @@ class Filler {
         lattice_of_.back() = cell_lattice(per_axis(piece));
       }
       Sites& lattice = lattices_[static_cast<std::size_t>(lattice_of_.back())];
-      must_fit(piece, lattice, reach);
+      if (refuses_large_) must_fit(piece, lattice, reach);
       lattice.extend(reach);
       lattice.last_piece = static_cast<int>(p);
     }
@@ -250,6 +250,7 @@ class Filler {
 
   const Model& model_;
   const std::function<void(const Seed&)>& receive_;
+  bool refuses_large_;
   GridBox grid_;
   SeedMaker seeds_;
   int per_axis_ = 2;
@@ -261,9 +262,9 @@ class Filler {
 }  // namespace
 
 // A function without a value is a mistake of the input here; the message begins with its place.
-void place_points(const Model& model, const std::function<void(const Seed&)>& receive) {
+void place_points(const Model& model, const std::function<void(const Seed&)>& receive, bool refuses_large) {
   try {
-    Filler(model, receive).run();
+    Filler(model, receive, refuses_large).run();
   } catch (const SimulationError& error) {
     throw InputError(Origin{}, error.what());
   }

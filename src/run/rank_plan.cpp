@@ -147,19 +147,22 @@ class Planner {
     std::unordered_map<std::int64_t, std::int64_t> counts;
     std::int64_t last = -1;
     std::int64_t* here = nullptr;
-    place_points(model_, [&](const Seed& seed) {
-      Index<Dim> block;
-      for (std::size_t d = 0; d < Dim; ++d) {
-        const auto axis = static_cast<Eigen::Index>(d);
-        const double cells = (seed.x[axis] - lattice_.origin[axis]) / lattice_.spacing[axis];
-        const int lowest = static_cast<int>(std::floor(cells - transfers_->shift()));
-        block[d] = std::clamp(lowest / block_edge<Dim>, 0, lattice_.blocks[d] - 1);
-      }
-      ++particles_;
-      if (const std::int64_t number = lattice_.block_index(block); number != last || !here)
-        here = &counts[number], last = number;
-      ++*here;
-    });
+    place_points(
+        model_,
+        [&](const Seed& seed) {
+          Index<Dim> block;
+          for (std::size_t d = 0; d < Dim; ++d) {
+            const auto axis = static_cast<Eigen::Index>(d);
+            const double cells = (seed.x[axis] - lattice_.origin[axis]) / lattice_.spacing[axis];
+            const int lowest = static_cast<int>(std::floor(cells - transfers_->shift()));
+            block[d] = std::clamp(lowest / block_edge<Dim>, 0, lattice_.blocks[d] - 1);
+          }
+          ++particles_;
+          if (const std::int64_t number = lattice_.block_index(block); number != last || !here)
+            here = &counts[number], last = number;
+          ++*here;
+        },
+        false);
     out.blocks.assign(counts.begin(), counts.end());
     std::ranges::sort(out.blocks);
   }
