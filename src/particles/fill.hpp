@@ -29,8 +29,8 @@ namespace tribo {
 Seeds place_points(const Model& model);
 
 /// Generates the same seeds without storing them: `receive` is called for each in order. The geostatic stress
-/// (geostatic.hpp) is not included. `refuses_large`: throws InputError for a body whose particles would not fit into the
-/// memory in a run.
+/// (geostatic.hpp) is not included. `refuses_large`: throws InputError for a body whose particles would not fit into
+/// the memory in a run.
 void place_points(const Model& model, const std::function<void(const Seed&)>& receive, bool refuses_large = true);
 
 /// Volume of the particles of a piece compared with that of its shape, for `tribo check`.

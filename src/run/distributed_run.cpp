@@ -222,25 +222,26 @@ template <class Run>
 std::map<std::string, std::string> LeadingRun<Run>::facts() const {
   auto out = with_all_particles(GridCollected::particles, [&] { return run_->facts(); });
   out["processes"] = std::to_string(ranks().count());
+  return out;
+}
+
+template <class Run>
+std::vector<Figure> LeadingRun<Run>::figures() const {
+  auto out = run_->figures();
   const auto& counts = grid_of(*run_).stepper().distribution().counts();
-  if (counts.empty()) return out;
-  const auto largest = [&](auto&& of) {
-    std::size_t most = 0;
-    for (const auto& rank : counts) most = std::max(most, of(rank));
-    return most;
-  };
-  std::size_t particles = 0, bytes = 0;
-  for (const auto& rank : counts) particles += rank.particles, bytes += rank.bytes;
-  using Counts = typename std::remove_reference_t<decltype(counts)>::value_type;
-  const std::size_t fullest = largest([](const Counts& rank) { return rank.particles; });
-  const std::size_t transfers = largest([](const Counts& rank) { return rank.refreshes; });
+  std::size_t particles = 0, fullest = 0, ghosts = 0, bytes = 0, transfers = 0, divisions = 0;
+  for (const auto& rank : counts) {
+    particles += rank.particles, bytes += rank.bytes;
+    fullest = std::max(fullest, rank.particles), ghosts = std::max(ghosts, rank.ghosts);
+    transfers = std::max(transfers, rank.refreshes), divisions = std::max(divisions, rank.divisions);
+  }
   if (particles == 0 || transfers == 0) return out;
   const auto all = static_cast<double>(particles);
-  out["imbalance of processes"] = format("%.4f", static_cast<double>(fullest * counts.size()) / all);
-  out["most copies of particles in a process"] =
-      std::to_string(largest([](const Counts& rank) { return rank.ghosts; }));
-  out["bytes sent per particle and transfer"] =
-      format("%.3g", static_cast<double>(bytes) / all / static_cast<double>(transfers));
+  out.push_back(
+      {format("%d processes: imbalance %.4f, at most %zu copies of particles, %.3g bytes sent per particle and "
+              "transfer, the blocks divided %s",
+              ranks().count(), static_cast<double>(fullest * counts.size()) / all, ghosts,
+              static_cast<double>(bytes) / all / static_cast<double>(transfers), counted(divisions, "time").c_str())});
   return out;
 }
 

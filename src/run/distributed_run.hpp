@@ -39,7 +39,7 @@ class LeadingRun final : public SteppedModel {
   bool take_checkpoint() override { return run_->take_checkpoint(); }
   std::string end_reason() const override { return run_->end_reason(); }
   std::vector<std::string> remarks() const override;
-  std::vector<Figure> figures() const override { return run_->figures(); }
+  std::vector<Figure> figures() const override;
   std::vector<std::string> choices() const override;
   void check() override { run_->check(); }
   using SteppedModel::save;

@@ -37,7 +37,7 @@ void Distribution<Dim>::divide() {
     const auto found = count.find(system_.lattice.block_index(block));
     return found == count.end() ? 0 : found->second;
   });
-  divided_at_ = system_.step;
+  divided_at_ = system_.step, ++counts_.divisions;
 }
 
 template <int Dim>

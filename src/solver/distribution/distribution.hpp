@@ -65,9 +65,9 @@ class Distribution {
   /// Imbalance of the present division: the largest number of particles of a rank over the mean.
   double imbalance() const { return imbalance_; }
   /// What a rank has: particles, copies of those of others, and the ranks with which it exchanges values. What it has
-  /// sent so far in refresh_ghosts(): bytes, and the number of these calls.
+  /// sent so far in refresh_ghosts(): bytes, and the number of these calls; how often the blocks have been divided.
   struct Counts {
-    std::size_t particles = 0, ghosts = 0, partners = 0, bytes = 0, refreshes = 0;
+    std::size_t particles = 0, ghosts = 0, partners = 0, bytes = 0, refreshes = 0, divisions = 0;
   };
   /// Those of all ranks at the last collect(), on rank 0.
   const std::vector<Counts>& counts() const { return counts_of_ranks_; }
