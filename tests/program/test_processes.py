@@ -160,14 +160,14 @@ class Tester:
 
     def restarts(self):
         """From 3 processes to 2, to one, and to 2 again."""
-        for name in ("usavg", "contact_in_space"):
+        for name in ("usavg", "contact_in_space", "faces", "crack", "periodic"):
             self.restart(self.write(name), self.work / f"{name}.whole", self.work / f"{name}.parts")
 
     def restart(self, file, whole, parts):
         self.call(1, "run", "--quiet", "-o", whole, file)
-        self.call(3, "run", "--quiet", "--threads", 1, "--max-wall", 0.02, "-o", parts, file, code=6)
+        self.call(3, "run", "--quiet", "--threads", 1, "--max-steps", 6, "-o", parts, file, code=6)
         for ranks in (2, 1):
-            self.call(ranks, "resume", "--quiet", "--threads", 1, "--max-wall", 0.02, parts, code=6)
+            self.call(ranks, "resume", "--quiet", "--threads", 1, "--max-steps", 4, parts, code=6)
         self.call(2, "resume", "--quiet", "--threads", 1, parts)
         self.compare(whole, parts)
 
