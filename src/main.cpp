@@ -19,6 +19,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <functional>
+#include <limits>
 
 #include <sys/prctl.h>
 #include <unistd.h>
@@ -145,7 +146,7 @@ class CommandLine {
     check
         ->add_option("--ranks", a.rank_count,
                      "print how so many processes with --threads threads each would share the model instead")
-        ->check(CLI::PositiveNumber);
+        ->check(CLI::Range(1, 1'000'000));
     auto* drive = reads_file("drive", "drive one law along the path of <Drive> and write a table", drive_command);
     writes_file(drive, "file of the table (default: NAME.csv in the current folder)"), may_be_quiet(drive);
     auto* sweep =
@@ -270,7 +271,7 @@ class CommandLine {
     command->add_option("--max-wall", a.max_wall, "stop with a checkpoint after this many seconds")
         ->check(CLI::NonNegativeNumber);
     command->add_option("--max-steps", a.max_steps, "stop with a checkpoint after this many steps")
-        ->check(CLI::NonNegativeNumber);
+        ->check(CLI::Range(1, std::numeric_limits<int>::max()));
   }
 };
 
